@@ -212,7 +212,6 @@ TEST_CASE("the surface of trees that grow through each other has their pieces an
 TEST_CASE("the surfaces of real trees have their pieces and loops") {
     for (const auto& path : test::shared_trees()) {
         const std::string name = path.filename().string();
-        if (name.starts_with("kidney")) continue; // three vessels press on each other there; benchmarks tell of it
         CAPTURE(name);
         const auto tree = io::read_tree(path);
         REQUIRE(tree.has_value());
@@ -221,16 +220,12 @@ TEST_CASE("the surfaces of real trees have their pieces and loops") {
             SurfaceOptions options;
             options.smooth_passes = smooth;
             options.blend = Blend::kTree;
+            // Its cells are so many that benchmarks look at the finer ones. Here the sum comes above the isovalue
+            // around one grid point between the daughters of a fork.
+            if (name.starts_with("kidney")) options.detail = 8;
             const Shape shape = shape_of(*tree, options);
-            const auto pieces = static_cast<long>(tree->roots.size());
-            // Two of its vessels run within each other for 8 mm, their axes crossing.
-            const bool twined = name == "brain_BG05.swc" && smooth == 0;
-            CHECK(shape.pieces >= pieces);
-            CHECK(shape.pieces <= pieces + (twined ? 1 : 0));
-            // Between two daughters of a fork that stay together, and so are no contact, a hole is left here.
-            const bool holed = name == "brain_BG001.swc" && smooth == 1;
-            CHECK(shape.loops >= tree->loop_count);
-            CHECK(shape.loops <= tree->loop_count + (twined || holed ? 1 : 0));
+            CHECK(shape.pieces == static_cast<long>(tree->roots.size()));
+            CHECK(shape.loops == tree->loop_count);
         }
     }
 }
