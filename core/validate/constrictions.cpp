@@ -95,7 +95,7 @@ double narrowest(const Probe& probe, const Place& place) {
     const glm::dvec3 side = glm::normalize(
         glm::cross(along, std::abs(along.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0)));
     const glm::dvec3 other = glm::cross(along, side);
-    constexpr int kWays = 8;
+    constexpr int kWays = 16;
     const double reach = 4.0 * place.radius;
     double least = probe.cross_section(place.at, along, reach).radius;
     for (const double lean_deg : {15.0, 30.0, 45.0})
