@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace ramus::app {
@@ -88,9 +89,14 @@ bool is_letter(char c) {
 }
 
 std::vector<std::string> words_in(std::string_view text) {
+    constexpr std::string_view kPunctuation = "\xE2\x80"; // and a byte: dots and the like, in UTF-8
     std::vector<std::string> words(1);
-    for (const char c : io::lower_case(text)) {
-        if (is_letter(c))
+    const std::string lower = io::lower_case(text);
+    for (std::size_t at = 0; at < lower.size(); ++at) {
+        const char c = lower[at];
+        const bool punctuation = lower.compare(at, kPunctuation.size(), kPunctuation) == 0;
+        if (punctuation) at += kPunctuation.size();
+        if (!punctuation && is_letter(c))
             words.back().push_back(c);
         else if (!words.back().empty())
             words.emplace_back();
@@ -148,6 +154,19 @@ std::optional<int> fit_of(const Entry& entry, const std::string& word) {
     return std::nullopt;
 }
 
+// How an entry is called just so: by its command's name and what the entry gives, as they are typed in a script; by its
+// label, alone or behind its menu; by the words of that name; by the name of its command alone.
+enum class Named { kAsTyped, kByLabel, kByWords, kByCommand, kNot };
+Named named_by(const Command& command, std::string_view typed, const std::vector<std::string>& wanted) {
+    const auto is = [&](const std::string& text) { return wanted == words_in(text); };
+    std::string entry = command.name;
+    for (const std::string& given : command.preset) entry += " " + given;
+    if (typed == entry) return Named::kAsTyped;
+    if (is(command.label) || is(command.menu + " " + command.label)) return Named::kByLabel;
+    if (is(entry)) return Named::kByWords;
+    return is(command.name) ? Named::kByCommand : Named::kNot;
+}
+
 std::string nearest_known(const std::string& word) {
     static const std::vector<std::string> known = [] {
         std::set<std::string> words;
@@ -162,7 +181,8 @@ std::string nearest_known(const std::string& word) {
 } // namespace
 
 std::vector<const Command*> search_commands(std::string_view words) {
-    std::vector<std::string> wanted = words_in(words);
+    const std::vector<std::string> given = words_in(words);
+    std::vector<std::string> wanted = given;
     for (std::string& word : wanted) {
         const auto is_found = [&](const Entry& entry) { return fit_of(entry, word).has_value(); };
         if (std::ranges::any_of(all_entries(), is_found)) continue;
@@ -170,6 +190,7 @@ std::vector<const Command*> search_commands(std::string_view words) {
     }
     struct Found {
         const Command* command;
+        Named named;
         int fit;
     };
     std::vector<Found> found;
@@ -179,11 +200,12 @@ std::vector<const Command*> search_commands(std::string_view words) {
             const auto fit = fit_of(entry, word);
             sum = sum && fit ? std::optional(*sum + *fit) : std::nullopt;
         }
-        if (sum) found.push_back({entry.command, *sum});
+        const Named named = named_by(*entry.command, words, given);
+        if (sum || named != Named::kNot) found.push_back({entry.command, named, sum.value_or(0)});
     }
-    // Those of menus first: the others take arguments.
+    // What is called just so first; then those of menus: the others take arguments.
     std::ranges::stable_sort(found, {}, [](const Found& one) {
-        return std::pair(one.fit, one.command->menu.empty() && one.command->keys.empty());
+        return std::tuple(one.named, one.fit, one.command->menu.empty() && one.command->keys.empty());
     });
     std::vector<const Command*> commands;
     commands.reserve(found.size());

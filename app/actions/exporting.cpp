@@ -152,8 +152,8 @@ Result<Outcome> export_file(ActionContext& context, Arguments arguments) {
 Command export_command() {
     return Command("export", "[KIND [FILE [OPTIONS]]]",
                    "Writes what leaves the program, in the format of the name: surface, tree or table, of what is "
-                   "visible, selected or all (--of); picture, sheet or turntable, of any --size, --background and "
-                   "--caption; or report. Without a file, asks where and how.",
+                   "visible, selected or all; picture, sheet or turntable, of any size, on any ground and with a "
+                   "caption; or report. Without a file, asks where and how.",
                    export_file)
         .in_menu("File", "Export...", {"Ctrl+E"})
         .when(has_scene);

@@ -155,7 +155,7 @@ std::vector<Command> file_commands() {
         Command(
             "open", "[FILE [--tree [--labels LIST|--isovalue X]]]",
             "Opens a tree, a session, a mask or a scan; without FILE, asks for one. A window asks what becomes of a "
-            "mask or a scan, unless it is to be a --tree.",
+            "mask or a scan, unless it is said.",
             open)
             .in_menu("File", "Open...", {"Ctrl+O"}),
         Command(

@@ -30,7 +30,36 @@ TEST_CASE("commands are found by what people call them") {
     CHECK(first_for("rename") == "rename");
     CHECK(first_for("undo") == "undo");
     CHECK(first_for("Left") == "view left");
-    CHECK(first_for("fly") == "fly-along");
+    CHECK(first_for("fly") == "fly"); // a command of that name
+    CHECK(first_for("fly along") == "fly-along");
+}
+
+TEST_CASE("what is called just so comes first") {
+    for (const Command* command : search_commands("")) {
+        CAPTURE(command->name);
+        std::string entry = command->name;
+        for (const std::string& given : command->preset) entry += " " + given;
+        CAPTURE(entry);
+        const auto by_entry = search_commands(entry);
+        REQUIRE_FALSE(by_entry.empty());
+        CHECK(by_entry.front()->name == command->name);
+        CHECK(by_entry.front()->preset == command->preset);
+        const auto by_name = search_commands(command->name); // which may stand for several
+        REQUIRE_FALSE(by_name.empty());
+        CHECK(by_name.front()->name == command->name);
+        if (command->menu.empty()) continue;
+        const auto by_title = search_commands(command->menu + " \xE2\x80\xBA " + command->label);
+        REQUIRE_FALSE(by_title.empty());
+        CHECK(by_title.front()->label == command->label);
+        CHECK(by_title.front()->menu == command->menu);
+    }
+    CHECK(first_for("lesion") == "lesion");
+    CHECK(first_for("Lesion") == "tool lesion");
+}
+
+TEST_CASE("what a person reads of a command names no option of the command line") {
+    for (const Command* command : search_commands(""))
+        CHECK_MESSAGE(command->help.find("--") == std::string::npos, command->name);
 }
 
 TEST_CASE("every word has to be found, in any order, and a mistyped one counts as the word that it is near to") {
