@@ -1,6 +1,7 @@
 #include "app/assets/assets.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ramus::app {
 
@@ -41,6 +42,14 @@ void refresh_tree(Assets& assets, const Document& document) {
     assets.centerlines = {};
     assets.contacts = {};
     assets.deviation = {};
+}
+
+void refresh_outline(Assets& assets, const Session& session) {
+    const Marks& marks = session.marks;
+    if (!assets.tree || marks.selection.empty()) return assets.outline.reset();
+    SelectionOutline::Of of{assets.tree, assets.centerlines.lines, session.camera, marks.states, marks.selection};
+    if (!assets.outline || assets.outline->of != of)
+        assets.outline = std::make_shared<const SelectionOutline>(selection_outline(std::move(of)));
 }
 
 } // namespace
@@ -98,6 +107,7 @@ const Plan& refresh_plan(Assets& assets, const Document& document) {
     if (const Plan& plan = *assets.plan; !plan.measuring && !assets.lesion_distances.fits(plan.lesions))
         assets.lesion_distances = {plan.lesions, plan.lesion_distances_mm};
     return *assets.plan;
+    refresh_outline(assets, document.session());
 }
 
 bool lesions_awaited(const Assets& assets, const Marks& marks, GridIs grid) {

@@ -16,6 +16,7 @@
 #include "app/assets/deviation.h"
 #include "app/assets/measured.h"
 #include "app/assets/plan.h"
+#include "app/assets/selection_outline.h"
 #include "app/assets/shapes.h"
 #include "app/assets/validation.h"
 #include "app/session/branch_facts.h"
@@ -42,6 +43,7 @@ struct Assets {
     std::shared_ptr<const Plan> plan;
     std::shared_ptr<const Measurements> measurements;
     SurfaceCenterlines centerlines;
+    std::shared_ptr<const SelectionOutline> outline;
     SurfaceDeviation deviation; // whoever has the surface measures it
     TreeValidation validation;  // of a tree and options that were, perhaps, until others are looked at
     TreeContacts contacts;      // of the tree; of other options of the surface, perhaps, until those are looked for

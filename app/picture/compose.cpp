@@ -8,7 +8,6 @@
 #include "app/picture/deviation_colours.h"
 #include "app/picture/note_marks.h"
 #include "app/picture/place_marks.h"
-#include "app/picture/selection_outline.h"
 #include "app/session/session.h"
 #include "core/field/kernels/gaussian.h"
 #include "render/overlay/scale_bar.h"
@@ -71,6 +70,16 @@ void draw_measurements(render::Frame& frame, std::span<const Result<Measured>> m
         for (const glm::dvec3& end : found->ends) frame.lines.push_back(dot_at(frame, end, kMeasureColour));
         frame.labels.push_back({found->label_place, found->label});
     }
+}
+
+// The one that is there, where it is of this session.
+void show_outline(render::Frame& frame, const Session& session, const Assets& assets) {
+    const Marks& marks = session.marks;
+    if (marks.selection.empty()) return;
+    SelectionOutline::Of of{assets.tree, frame.centerlines, session.camera, marks.states, marks.selection};
+    const bool fits = assets.outline && assets.outline->of == of;
+    const std::vector<render::MarkLine> lines = fits ? assets.outline->marks : selection_outline(std::move(of)).marks;
+    frame.lines.insert(frame.lines.end(), lines.begin(), lines.end());
 }
 
 void show_glass(render::Appearance& appearance, const GlassLook& glass) {
@@ -160,7 +169,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     frame.width = gaussian ? static_cast<float>(options.width) : 0.0F;
     frame.beyond_ends = gaussian ? static_cast<float>(field::reach_beyond_end(options.width)) : 1.0F;
     frame.only_mesh = !cones && !gaussian; // what is drawn while the view moves knows the Gaussian
-    outline_selection(frame, tree);
+    show_outline(frame, session, assets);
     draw_cuts(frame, marks, plan);
     if (assets.measurements) draw_measurements(frame, assets.measurements->found, viewing.measurement);
     if (viewing.notes) mark_notes(frame, tree, viewing.note);

@@ -1,4 +1,4 @@
-#include "app/picture/selection_outline.h"
+#include "app/assets/selection_outline.h"
 
 #include "core/base/lines.h"
 
@@ -64,11 +64,11 @@ bool blends(const Tube& tube, const glm::dvec3& place) {
 
 class Outline {
 public:
-    Outline(render::Frame& frame, const tree::VesselTree& tree) : frame_(frame), tree_(tree) {}
+    explicit Outline(SelectionOutline& outline) : of_(outline.of), tree_(*of_.tree), marks_(outline.marks) {}
 
     // Returns how many places it took.
     std::size_t add(int branch) {
-        const Tube tube = finer(tube_of(*frame_.centerlines, branch));
+        const Tube tube = finer(tube_of(*of_.lines, branch));
         if (tube.places.size() < 2) return 0;
         const std::vector<Tube> met = neighbours(branch);
         for (const double side : {-1.0, 1.0}) add_side(tube, met, side);
@@ -82,7 +82,7 @@ private:
         std::vector<Tube> met;
         const tree::Branch& own = tree_.branches[static_cast<std::size_t>(branch)];
         const auto add = [&](int other) {
-            if (other != tree::kNoBranch && other != branch) met.push_back(tube_of(*frame_.centerlines, other));
+            if (other != tree::kNoBranch && other != branch) met.push_back(tube_of(*of_.lines, other));
         };
         add(own.parent);
         for (const int child : own.children) add(child);
@@ -92,14 +92,14 @@ private:
     }
 
     [[nodiscard]] glm::dvec3 towards_eye(const glm::dvec3& place) const {
-        const render::Camera& camera = frame_.camera;
+        const render::Camera& camera = of_.camera;
         return camera.orthographic ? -render::axes_of(camera).forward : glm::normalize(camera.position - place);
     }
 
     void add_side(const Tube& tube, const std::vector<Tube>& met, double side) {
         std::vector<glm::dvec3> line;
         const auto end_line = [&] {
-            if (line.size() > 1) frame_.lines.push_back(of_selection(std::move(line)));
+            if (line.size() > 1) marks_.push_back(of_selection(std::move(line)));
             line.clear();
         };
         for (std::size_t i = 0; i < tube.places.size(); ++i) {
@@ -132,37 +132,41 @@ private:
             const double angle = 3.14159265358979 * i / kSteps;
             line.push_back(end + tube.radii.back() * (std::cos(angle) * u + std::sin(angle) * v));
         }
-        frame_.lines.push_back(of_selection(std::move(line)));
+        marks_.push_back(of_selection(std::move(line)));
     }
 
-    [[nodiscard]] render::MarkLine of_selection(std::vector<glm::dvec3> line) const {
-        return {std::move(line), frame_.appearance.selection, kOutlineWidth, true};
+    [[nodiscard]] static render::MarkLine of_selection(std::vector<glm::dvec3> line) {
+        return {std::move(line), render::Appearance{}.selection, kOutlineWidth, true};
     }
 
-    render::Frame& frame_;
+    const SelectionOutline::Of& of_;
     const tree::VesselTree& tree_;
+    std::vector<render::MarkLine>& marks_;
 };
 
 } // namespace
 
-void outline_selection(render::Frame& frame, const tree::VesselTree& tree) {
-    if (!frame.centerlines || frame.selected.empty()) return;
-    const auto& lines = *frame.centerlines;
+SelectionOutline selection_outline(SelectionOutline::Of of) {
+    SelectionOutline made{std::move(of), {}};
+    if (!made.of.lines || !made.of.tree || made.of.selection.empty()) return made;
+    const auto& lines = *made.of.lines;
+    const auto& states = made.of.states;
     std::vector<std::pair<float, int>> thickest; // by the diameter where it begins
-    for (const int branch : frame.selected) {
+    for (const int branch : made.of.selection) {
         const auto index = static_cast<std::size_t>(branch);
-        const bool hidden = index < frame.states.size() && frame.states[index] == render::BranchState::kHidden;
-        if (branch < 0 || index >= lines.runs.size() || index >= tree.branches.size() || hidden) continue;
+        const bool hidden = index < states.size() && states[index] == render::BranchState::kHidden;
+        if (branch < 0 || index >= lines.runs.size() || index >= made.of.tree->branches.size() || hidden) continue;
         if (lines.runs[index].count > 1)
             thickest.emplace_back(lines.details[lines.runs[index].first].diameter_mm, branch);
     }
     std::ranges::sort(thickest, std::greater<>());
-    Outline outline(frame, tree);
+    Outline outline(made);
     std::size_t points = 0;
     for (const auto& [diameter, branch] : thickest) {
         points += outline.add(branch);
         if (points > kMostOutlinePoints) break;
     }
+    return made;
 }
 
 } // namespace ramus::app
