@@ -6,6 +6,7 @@
 #include "app/session/numbers.h"
 #include "core/base/words.h"
 #include "core/io/trees/imported_tree.h"
+#include "core/io/volumes/volume_file.h"
 #include "render/scene/bounds.h"
 
 #include <algorithm>
@@ -120,15 +121,26 @@ Result<void> add_context(ActionContext& context, Arguments arguments, const Cont
     return added;
 }
 
+Continuation ask_about(const std::string& file) {
+    return [file](ActionContext& then) {
+        then.files->ask_about_context(file);
+        return Result<void>{};
+    };
+}
+
 Result<Outcome> context(ActionContext& context, Arguments arguments) {
     if (arguments.empty())
         return outcome_of(
             ask_for_file(context, FilePurpose::kContext, fail("context needs a FILE here", {}, context_extensions())));
     RAMUS_TRY(item, new_item(context.document, arguments));
+    // What is not to be had without a word, a scan's surface, somebody has to say.
+    const bool asks =
+        arguments.size() == 1 && context.files != nullptr && context.files->asks() && io::is_volume(item.file);
     return Pending{"Reading " + std::filesystem::path(item.file).filename().string(),
                    [source = source_of(item), words = std::vector(arguments.begin(), arguments.end()),
-                    assets = context.assets](Job& job) mutable -> Result<Continuation> {
-                       if (auto shape = load_context_shape(assets, source, job); !shape)
+                    assets = context.assets, asks](Job& job) mutable -> Result<Continuation> {
+                       if (auto shape = load_context_shape(assets, source, job); !shape) {
+                           if (asks && !job.cancelled()) return ask_about(source.file);
                            return tl::unexpected(shape.error());
                        return [words, source, read = assets.context_shapes.at(source)](ActionContext& then) {
                            then.assets.put(source, read);

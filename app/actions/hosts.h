@@ -70,6 +70,8 @@ public:
     virtual Result<void> open_as_tree(const std::filesystem::path& path, const io::MaskReading& /*how*/) {
         return open(path);
     }
+    // What of a mask or a scan is to be context: asks somebody, where asks().
+    virtual void ask_about_context(const std::filesystem::path& /*file*/) {}
     // Shows the dialog; the command that belongs to the purpose follows with the file.
     virtual void ask_for_file(FilePurpose purpose) = 0;
     [[nodiscard]] virtual bool asks() const { return false; } // somebody is there who is asked before a file is written

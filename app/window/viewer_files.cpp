@@ -137,6 +137,11 @@ void ViewerFiles::ask_about_volume(const std::filesystem::path& path) {
     state_.redraw();
 }
 
+void ViewerFiles::ask_about_context(const std::filesystem::path& file) {
+    ask_about_volume(file);
+    state_.interface.volume.as = VolumeDialog::As::kContext;
+}
+
 // What cannot be read cannot be opened either.
 void ViewerFiles::take_volume_facts(const Result<VolumeFacts>& facts) {
     VolumeDialog& dialog = state_.interface.volume;

@@ -235,3 +235,40 @@ TEST_CASE("without a tree a scan opens as the surface of its threshold, and a tr
     CHECK(document.branch_count() == 1);
     CHECK(document.marks().context.size() == 1);
 }
+
+TEST_CASE("a scan that is to be context asks for its threshold, and a mask does not") {
+    test::ViewerStage stage("1 1 0 0 -20 3 -1\n2 1 0 0 0 2.5 1\n", {900, 800});
+    const auto mask = tube_mask(stage.folder.path() / "tube.nii");
+    test::NiftiFile file;
+    file.dim = {3, 12, 12, 12, 1, 1, 1, 1};
+    file.rows = {2, 0, 0, -12, 0, 2, 0, -12, 0, 0, 2, -12};
+    file.type = static_cast<int>(test::NiftiType::kFloat32);
+    std::vector<float> values;
+    for (int n = 0; n < 12 * 12 * 12; ++n) {
+        const glm::ivec3 at{n % 12 - 6, n / 12 % 12 - 6, n / 144 - 6};
+        values.push_back(200.5F - 3.0F * static_cast<float>(at.x * at.x + at.y * at.y + at.z * at.z));
+    }
+    file.put(values);
+    const auto scan = test::write_plain(stage.folder.path() / "scan.nii", file.bytes());
+    app::Viewer& viewer = *stage.viewer;
+    stage.settle();
+    viewer.files().use_settings({});
+    const auto add = [&](const std::filesystem::path& path) {
+        REQUIRE(app::run_command(viewer.actions(), std::vector<std::string>{"context", path.string()}));
+        stage.settle();
+    };
+    const auto& context = stage.workspace.document.marks().context;
+    add(mask);
+    CHECK_FALSE(viewer.interface().volume.open());
+    REQUIRE(context.size() == 1);
+    add(scan);
+    REQUIRE(viewer.interface().volume.open());
+    CHECK(viewer.interface().errors.empty());
+    CHECK(viewer.interface().volume.as == app::VolumeDialog::As::kContext);
+    CHECK(viewer.interface().volume.scan);
+    press(stage, GLFW_KEY_ENTER, "Return");
+    REQUIRE(context.size() == 2);
+    CHECK(context[1].file == scan.string());
+    CHECK(context[1].isovalue);
+    CHECK(stage.workspace.document.branch_count() == 1); // the tree is still there
+}
