@@ -142,6 +142,7 @@ Result<Outcome> context(ActionContext& context, Arguments arguments) {
                        if (auto shape = load_context_shape(assets, source, job); !shape) {
                            if (asks && !job.cancelled()) return ask_about(source.file);
                            return tl::unexpected(shape.error());
+                       }
                        return [words, source, read = assets.context_shapes.at(source)](ActionContext& then) {
                            then.assets.put(source, read);
                            return add_context(then, words, **read.value);
@@ -213,7 +214,47 @@ template <bool visible> Result<void> set_visible(ActionContext& context, Argumen
 
 bool has_context(const Document& document) { return !document.marks().context.empty(); }
 
+// Of all that is shown without a tree. The camera goes along where it grows or shrinks.
+Result<void> take_units(ActionContext& context, const std::string& units, const Assets& read) {
+    const bool alone = !has_tree(context.document),
+               looks_at_all = alone && context.document.session().camera == at_all(context);
+    const render::Box before = context.assets.box_of(context.document.marks().context);
+    for (const auto& [source, loaded] : read.context_shapes)
+        if (source.units == units) context.assets.put(source, loaded);
+    auto done = edit(context, [&](Marks& marks) {
+        for (ContextItem& item : marks.context) item.units = units;
+    });
+    if (!done || !alone) return done;
+    render::Camera camera = context.document.session().camera;
+    const render::Box after = context.assets.box_of(context.document.marks().context);
+    const double factor = before.empty() || after.empty() ? 1.0 : after.radius() / before.radius();
+    camera.position *= factor;
+    camera.focal_point *= factor;
+    camera.scale *= factor;
+    context.document.set_camera(looks_at_all ? at_all(context) : camera);
+    return done;
+}
+
 } // namespace
+
+Result<Outcome> read_context_in(ActionContext& context, const std::string& units) {
+    if (units != "auto" && !io::length_unit(units))
+        return fail("\"" + units + "\" is no unit of length", {}, "mm, um, cm, m, the size of a voxel in mm, or auto");
+    if (!has_context(context.document)) return fail("nothing is shown whose unit could be said");
+    const std::string wanted = units == "auto" ? std::string() : units;
+    std::vector<ContextItem> items = context.document.marks().context;
+    for (ContextItem& item : items) item.units = wanted;
+    if (items == context.document.marks().context) return Done{};
+    return Pending{"Reading what is shown",
+                   [items, wanted, assets = context.assets](Job& job) mutable -> Result<Continuation> {
+                       for (const ContextItem& item : items) {
+                           if (!item.visible) continue;
+                           if (auto shape = load_context_shape(assets, source_of(item), job); !shape)
+                               return tl::unexpected(shape.error());
+                       }
+                       return [wanted, assets](ActionContext& then) { return take_units(then, wanted, assets); };
+                   }};
+}
 
 std::vector<Command> context_commands() {
     return {

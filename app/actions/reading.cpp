@@ -93,6 +93,10 @@ template <const char* const& kKey> Result<Outcome> say_or_ask(ActionContext& con
         return outcome_of(toggle_part(context, "orientation"));
     }
     if (arguments.size() != 1) return fail(std::string(kKey) + " takes one value", {}, kUsage);
+    if (!has_tree(context.document)) {
+        if (kKey == kUnitsKey) return read_context_in(context, arguments[0]);
+        return fail("the axes of masks and meshes are those of their files", {}, "correct them in the files");
+    }
     const std::vector<std::string> words{kKey, arguments[0]};
     return read_as(context, words);
 }
@@ -136,13 +140,13 @@ std::vector<Command> reading_commands() {
             "file does not say.",
             say_or_ask<kOrientationKey>)
             .in_menu("View", "Orientation and unit\xE2\x80\xA6")
-            .when(has_tree)
+            .when(has_scene)
             .in_use_when(shows_part("orientation")),
         Command("units", "[UNIT|auto]",
                 "Says what one unit of the file's numbers is: mm, um, cm, m, or the size of a voxel in mm; without it, "
-                "asks for what the file does not say.",
+                "asks for what the file does not say. Without a tree, of all that is shown.",
                 say_or_ask<kUnitsKey>)
-            .when(has_tree),
+            .when(has_scene),
         Command(
             "read-as", "OPTION VALUE...|usual",
             "Reads the file again: units UNIT, radius-is radius|diameter, orientation XYZ, repair LIST; of a mask "

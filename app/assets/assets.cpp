@@ -80,6 +80,17 @@ tree::Claims Assets::claims_of(const std::vector<ContextItem>& context) const {
     return claims;
 }
 
+render::Box Assets::box_of(const std::vector<ContextItem>& context) const {
+    render::Box box;
+    for (const ContextItem& item : context) {
+        const auto shape = item.visible && item.opacity > 0.0 ? context_shape(source_of(item)) : nullptr;
+        if (!shape || shape->box.empty()) continue;
+        box.include(shape->box.lower);
+        box.include(shape->box.upper);
+    }
+    return box;
+}
+
 void Assets::put(const std::string& lesion_file, Loaded<LesionMesh> loaded) {
     lesion_meshes.insert_or_assign(lesion_file, std::move(loaded));
     plan.reset();
@@ -96,6 +107,7 @@ void refresh(Assets& assets, const Document& document, const mesh::SurfaceOption
     if (assets.tree) (void)refresh_plan(assets, document);
     refresh_measurements(assets, document.marks());
     refresh_centerlines(assets, options);
+    refresh_outline(assets, document.session());
 }
 
 const Plan& refresh_plan(Assets& assets, const Document& document) {
@@ -107,7 +119,6 @@ const Plan& refresh_plan(Assets& assets, const Document& document) {
     if (const Plan& plan = *assets.plan; !plan.measuring && !assets.lesion_distances.fits(plan.lesions))
         assets.lesion_distances = {plan.lesions, plan.lesion_distances_mm};
     return *assets.plan;
-    refresh_outline(assets, document.session());
 }
 
 bool lesions_awaited(const Assets& assets, const Marks& marks, GridIs grid) {

@@ -57,6 +57,9 @@ struct Assets {
     // Who says the unit and the sides of all that is visible of `context`: somebody does where somebody does of each.
     [[nodiscard]] tree::Claims claims_of(const std::vector<ContextItem>& context) const;
 
+    // Around what of `context` is to be seen and has been read.
+    [[nodiscard]] render::Box box_of(const std::vector<ContextItem>& context) const;
+
     void put(const std::string& lesion_file, Loaded<LesionMesh> loaded);
     void put(const ContextSource& source, Loaded<ContextShape> loaded);
 };

@@ -9,6 +9,7 @@
 #include "core/volume/relax_surface.h"
 
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <new>
 
 namespace ramus::app {
@@ -19,16 +20,23 @@ constexpr std::size_t kPreviewFrom = 80'000, kPreview = 40'000; // triangles; tu
 // Tuned on an organ whose slices are four times as thick as its pixels are wide.
 constexpr int kRelaxPasses = 60, kSmoothPasses = 2;
 
+void scale(mesh::TriangleMesh& mesh, const glm::dvec3& mm) {
+    for (glm::vec3& position : mesh.positions) position = glm::vec3(mm * glm::dvec3(position));
+    for (glm::vec3& normal : mesh.normals) normal = glm::normalize(glm::vec3(glm::dvec3(normal) / mm));
+}
+
 // And what is said beside it.
 Result<mesh::TriangleMesh> read_surface(const ContextSource& source, ContextShape& shape, Job& job) {
+    const auto unit = io::length_unit(source.units);
     if (!io::is_volume(source.file)) {
         if (source.label != 0 || source.isovalue)
             return fail("a mesh has neither labels nor values", source.file,
                         "masks and scans have them: " + io::readable_volume_extensions());
-        shape.claims = {tree::SaidBy::kNobody, tree::SaidBy::kNobody};
-        return io::read_mesh(source.file, io::Holes::kAllowed);
+        shape.claims = {unit ? tree::SaidBy::kPerson : tree::SaidBy::kNobody, tree::SaidBy::kNobody};
+        auto mesh = io::read_mesh(source.file, io::Holes::kAllowed);
+        if (mesh && unit) scale(*mesh, unit->mm);
+        return mesh;
     }
-    const auto unit = io::length_unit(source.units);
     auto volume = io::read_volume(source.file, {0.0, unit}, job);
     if (!volume) return tl::unexpected(volume.error());
     if (!volume->suspicions.empty()) shape.suspicion = volume->suspicions.front();

@@ -64,7 +64,7 @@ struct ContextSource {
     std::string file;
     int label = 0;
     bool exact = false;                                     // of a mask: with the steps of its voxels
-    std::string units = {};                                 // of a mask's lengths; empty: as its file says
+    std::string units = {};                                 // of the file's lengths; empty: as it says itself
     std::optional<double> isovalue{};                       // of a scan
     auto operator<=>(const ContextSource&) const = default; // NOLINT(modernize-use-nullptr): the rule mistakes it
 };
@@ -78,7 +78,7 @@ struct ContextShape {
     std::shared_ptr<const mesh::TriangleMesh> preview; // fewer triangles; null: the mesh has few
     std::string suspicion;                             // of a mask: that its unit is likely another; may be empty
     render::Box box;                                   // around it
-    tree::Claims claims;                               // who says its unit and its sides; of a mesh nobody does
+    tree::Claims claims;                               // who says its unit and its sides; of a mesh no file does
 };
 
 // The mesh in this file, or the surface of the mask in it by marching cubes, relaxed within its voxels

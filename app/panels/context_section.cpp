@@ -109,11 +109,15 @@ void draw_row(InterfaceContext& context, const ContextItem& item, int number, Tr
 
 void draw_context(InterfaceContext& context) {
     Trial& trial = context.interface.editing.context;
-    draw_title(context, "Context",
-               {{"Add\xE2\x80\xA6",
-                 context.workspace.document.tree() ? "Show a mask or a mesh beside the tree: an organ, a bone"
-                                                   : "Show another mask or mesh: an organ, a bone",
-                 "context"}});
+    const bool tree = context.workspace.document.tree() != nullptr;
+    const widgets::TitleButton add{"Add\xE2\x80\xA6",
+                                   tree ? "Show a mask or a mesh beside the tree: an organ, a bone"
+                                        : "Show another mask or mesh: an organ, a bone",
+                                   "context"};
+    if (tree || !context.workspace.document.has_scene())
+        draw_title(context, "Context", {add});
+    else
+        draw_title(context, "Context", {{"Unit\xE2\x80\xA6", "What one unit of the files' numbers is", "units"}, add});
     // A copy: what a row does changes the list.
     const std::vector<ContextItem> items = context.workspace.document.marks().context;
     if (trial.of > static_cast<int>(items.size())) trial.of = -1;

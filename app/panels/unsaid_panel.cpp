@@ -105,6 +105,15 @@ bool is_whole(const Unsaid& unsaid) {
 
 } // namespace
 
+io::ReadOptions said_of(const Document& document) {
+    if (document.tree()) return document.marks().reading;
+    io::ReadOptions said;
+    const auto& context = document.marks().context;
+    const auto other = [&](const ContextItem& item) { return item.units != context.front().units; };
+    if (!context.empty() && std::ranges::none_of(context, other)) said.unit = io::length_unit(context.front().units);
+    return said;
+}
+
 std::optional<io::Orientation> Unsaid::orientation() const {
     if (!sides[0] || !sides[1] || !sides[2]) return std::nullopt;
     return io::Orientation::leading_to({*sides[0], *sides[1], *sides[2]});
@@ -144,18 +153,24 @@ std::optional<render::AxisNames> Unsaid::axes(const tree::Claims& claims, const 
 void draw_unsaid(InterfaceContext& context) {
     Unsaid& unsaid = context.interface.unsaid;
     const Document& document = context.workspace.document;
-    if (!unsaid.open || !document.tree()) return;
-    const tree::Claims claims = document.tree()->claims;
-    const io::ReadOptions options = document.marks().reading;
+    if (!unsaid.open || !document.has_scene()) return;
+    const tree::Claims& claims = document.claims();
+    const io::ReadOptions options = said_of(document);
     begin_left_panel("what the file does not say", context.layout, document.marks().comparison);
-    ImGui::TextUnformatted(claims.complete() ? "Orientation and unit" : "What this file does not say");
+    const bool tree = document.tree() != nullptr;
+    ImGui::TextUnformatted(!tree               ? "Unit of what is shown"
+                           : claims.complete() ? "Orientation and unit"
+                                               : "What this file does not say");
     ImGui::Dummy({0.0F, 2.0F * theme::scale()});
     ImGui::BeginDisabled(context.commands.busy());
     draw_unit_row(unsaid, claims);
-    for (const tree::Note& note : document.tree()->notes)
-        if (note.kind == tree::Note::Kind::kSuspect && note.topic == "units" && !claims.has_unit())
-            widgets::quiet_wrapped(note.text.c_str());
-    if (context.interface.doctor.of_mask)
+    if (tree && !claims.has_unit())
+        for (const tree::Note& note : document.tree()->notes)
+            if (note.kind == tree::Note::Kind::kSuspect && note.topic == "units")
+                widgets::quiet_wrapped(note.text.c_str());
+    if (!tree)
+        widgets::quiet_wrapped("The axes of masks and meshes are those of their files.");
+    else if (context.interface.doctor.of_mask)
         widgets::quiet_wrapped("The axes of a mask are those of its file.");
     else
         draw_axes(unsaid, claims);
@@ -178,8 +193,9 @@ void draw_unsaid(InterfaceContext& context) {
     ImGui::End();
     if (!later && !taken) return;
     unsaid.open = false;
-    context.interface.doctor.open = could_mislead(*document.tree(), options);
-    if (taken) context.perform("read-as", words);
+    context.interface.doctor.open = tree && could_mislead(*document.tree(), options);
+    if (taken && tree) context.perform("read-as", words);
+    if (taken && !tree) context.perform("units", {words.back()});
 }
 
 } // namespace ramus::app

@@ -105,13 +105,7 @@ namespace {
 void show_alone(render::Frame& frame, const Assets& assets, const std::vector<ContextItem>& context) {
     show_claims(frame, assets.claims_of(context));
     if (std::ranges::any_of(frame.context, [](const auto& item) { return item.shown() && !item.clear(); })) return;
-    render::Box box;
-    for (const ContextItem& item : context) {
-        const auto shape = item.visible && item.opacity > 0.0 ? assets.context_shape(source_of(item)) : nullptr;
-        if (!shape || shape->box.empty()) continue;
-        box.include(shape->box.lower);
-        box.include(shape->box.upper);
-    }
+    const render::Box box = assets.box_of(context);
     const glm::dvec3 half = 0.5 * (box.upper - box.lower), forward = glm::abs(render::axes_of(frame.camera).forward);
     if (!box.empty())
         frame.overlays.scale = render::scale_of(frame.camera, frame.size, {box.centre(), glm::dot(half, forward)});

@@ -73,7 +73,7 @@ struct ContextItem {
     double opacity = 0.25;                             // where it faces the eye; 1: solid
     bool wireframe = false, visible = true;
     bool exact = false;               // of a mask: with the steps of its voxels
-    std::string units;                // of a mask's lengths, "cm"; empty: as its file says
+    std::string units;                // of the file's lengths, "cm"; empty: as it says itself
     std::optional<double> isovalue{}; // of a scan: what is at least that is inside
     bool operator==(const ContextItem&) const = default;
 };

@@ -113,7 +113,7 @@ void WindowParts::read_warnings() {
 void WindowParts::show_unsaid(bool open) {
     Interface& interface = state_.interface;
     interface.open_left_panel(nullptr);
-    if (open) interface.unsaid.show(state_.workspace.document.marks().reading);
+    if (open) interface.unsaid.show(said_of(state_.workspace.document));
 }
 
 void WindowParts::show_contacts(bool open) {

@@ -293,6 +293,41 @@ TEST_CASE("without a tree a mask is shown alone: looked at, measured by, saved a
     REQUIRE(settle(workspace, [&] { return workspace.document.marks().context.empty(); }));
 }
 
+TEST_CASE("without a tree somebody says the unit of all that is shown, and the view goes along") {
+    ContextStage stage;
+    const std::string ball = stage.ball("organ.stl"), other = stage.ball("other.stl", {40, 0, 15});
+    test::CommandStage alone(std::shared_ptr<const tree::VesselTree>{});
+    alone.bad("units cm");
+    alone.good("context \"" + ball + "\"\ncontext \"" + other + "\"\nview left\nzoom in 3");
+    const auto frame = [&] { return compose(alone.document.session(), alone.current_assets(), nullptr, {}); };
+    const auto pixel = [&](const glm::dvec3& at) {
+        const auto seen = render::project(alone.document.session().camera, alone.host.size, at);
+        REQUIRE(seen);
+        return *seen;
+    };
+    CHECK_FALSE(frame().overlays.unit_known);
+    const glm::dvec3 place{3, 12, 20};
+    const glm::dvec3 before = pixel(place);
+    const render::Camera camera = alone.document.session().camera;
+    alone.good("units cm");
+    CHECK(alone.marks().context[0].units == "cm");
+    CHECK(frame().overlays.unit_known);
+    CHECK(frame().overlays.axes == render::plain_axes()); // nobody says sides
+    const render::Box box = render::bounds_of(*frame().context.at(0).mesh);
+    CHECK(box.upper.z - box.lower.z == doctest::Approx(240.0).epsilon(1e-4)); // 24 cm
+    const glm::dvec3 after = pixel(10.0 * place);
+    CHECK(after.x == doctest::Approx(before.x).epsilon(1e-3));
+    CHECK(after.y == doctest::Approx(before.y).epsilon(1e-3));
+    alone.good("undo"); // the view as well
+    CHECK_FALSE(frame().overlays.unit_known);
+    CHECK(alone.document.session().camera == camera);
+    alone.good("redo\nunits auto");
+    CHECK(alone.marks().context[1].units.empty());
+    CHECK_FALSE(frame().overlays.unit_known);
+    alone.bad("units parsecs");
+    alone.bad("orientation LPS");
+}
+
 TEST_CASE("a session without a tree that names branches, or shows nothing, is refused") {
     const TemporaryFolder folder;
     Workspace workspace({});
