@@ -1,6 +1,7 @@
 // Every branch as a row, sorted by column and filtered by what is typed; linked with the picture both ways.
 #include "app/panels/branch_list.h"
 
+#include "app/panels/branch_columns.h"
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -14,9 +15,6 @@
 namespace ramus::app {
 
 namespace {
-
-// Columns of the table; those of quantities follow.
-enum Column : ImGuiID { kMark, kId, kName, kSystem, kFirstQuantity };
 
 std::size_t index_of(int id) { return static_cast<std::size_t>(id); }
 
@@ -44,9 +42,20 @@ bool is_current(const BranchList& list, const TreeFacts& facts, const Marks& mar
            (list.parsed.empty() || (list.selection == marks.selection && list.states == marks.states));
 }
 
+void measure_columns(BranchList& list, const tree::VesselTree& tree, const TreeFacts& facts) {
+    list.largest.clear();
+    for (const QuantityRow* row : rows_with(&QuantityRow::list)) {
+        double largest = 0.0;
+        for (int id = 0; id < static_cast<int>(tree.branches.size()); ++id)
+            largest = std::max(largest, row->value(tree, facts, id));
+        list.largest.push_back(largest);
+    }
+}
+
 void make_rows(BranchList& list, const Document& document, const TreeFacts& facts, const ImGuiTableSortSpecs* specs) {
     const tree::VesselTree& tree = *document.tree();
     const Marks& marks = document.marks();
+    if (list.of != &facts) measure_columns(list, tree, facts);
     list.of = &facts;
     list.given = marks.names;
     list.given_subtrees = marks.subtree_names;
@@ -197,34 +206,10 @@ void draw_row(InterfaceContext& context, int id) {
     system_cell(context, id);
     for (const QuantityRow* row : rows_with(&QuantityRow::list)) {
         const double value = row->value(*document.tree(), *context.workspace.facts(), id);
-        number_cell(row->whole ? grouped(static_cast<std::uint64_t>(value)) : digits(value));
+        number_cell(number_text(*row, value));
     }
     if (lit) ImGui::PopStyleColor();
     ImGui::PopID();
-}
-
-// As ImGui::TableHeadersRow(), but over numbers that end at the right.
-void draw_headers() {
-    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
-    for (int column = 0; column < ImGui::TableGetColumnCount(); ++column) {
-        if (!ImGui::TableSetColumnIndex(column)) continue;
-        const char* name = ImGui::TableGetColumnName(column);
-        if (column == kMark) continue;
-        if (column == kId || column == kName || column == kSystem) {
-            ImGui::TableHeader(name);
-            continue;
-        }
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        float right = at.x + ImGui::GetContentRegionAvail().x;
-        const bool sorted = specs != nullptr && specs->SpecsCount > 0 && specs->Specs[0].ColumnIndex == column;
-        if (sorted) right -= ImGui::GetFontSize(); // its arrow
-        ImGui::PushID(column);
-        ImGui::TableHeader("##header");
-        ImGui::PopID();
-        ImGui::GetWindowDrawList()->AddText({std::round(right - ImGui::CalcTextSize(name).x), at.y},
-                                            ImGui::GetColorU32(ImGuiCol_Text), name);
-    }
 }
 
 // In the middle, with whole rows under the header.
@@ -305,26 +290,6 @@ void draw_filter(InterfaceContext& context) {
     ImGui::PopStyleVar();
 }
 
-void set_up_columns(bool named, bool systems, float width, const Lengths& lengths) {
-    const float scale = theme::scale();
-    const auto column = [](const char* name, ImGuiID id, float weight, ImGuiTableColumnFlags flags = 0) {
-        ImGui::TableSetupColumn(name, flags | ImGuiTableColumnFlags_NoResize, weight, id);
-    };
-    const auto shown = [](bool is) { return is ? 0 : ImGuiTableColumnFlags_Disabled; };
-    column("State", kMark, 8.0F * scale, ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_NoSort);
-    column("Id", kId, 1.1F, ImGuiTableColumnFlags_DefaultSort);
-    column("Name", kName, 1.9F, shown(named));
-    column("System", kSystem, 1.6F, shown(systems));
-    ImGuiID id = kFirstQuantity;
-    for (const QuantityRow* row : rows_with(&QuantityRow::list)) {
-        const float least =
-            named || systems ? row->list.least_width_named : row->list.least_width; // a narrow panel has no room
-        column(lengths.worded(row->list.heading).c_str(), id++, row->list.weight,
-               (row->list.largest_first ? ImGuiTableColumnFlags_PreferSortDescending : 0) |
-                   shown(width >= least * scale));
-    }
-}
-
 } // namespace
 
 void draw_branch_list(InterfaceContext& context) {
@@ -343,12 +308,13 @@ void draw_branch_list(InterfaceContext& context) {
                               ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_PadOuterX,
                           size)) {
         ImGui::TableSetupScrollFreeze(0, 1);
-        set_up_columns(!document.marks().names.empty(), document.tree()->systems.size() > 1, width, document.lengths());
+        set_up_columns(list, document, width);
         ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
-        draw_headers();
+        draw_branch_headings();
         ImGui::PopStyleColor();
         ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
         if (specs != nullptr && std::exchange(specs->SpecsDirty, false)) list.made = false;
+        list.sorted = specs != nullptr && specs->SpecsCount > 0 ? specs->Specs[0].ColumnIndex : static_cast<int>(kId);
         if (!is_current(list, *facts, document.marks())) make_rows(list, document, *facts, specs);
         const float row_height = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
         scroll_to_selection(list, document.marks(), row_height);

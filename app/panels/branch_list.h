@@ -14,6 +14,8 @@ struct BranchList {
     std::string trouble;             // what is wrong with it; empty: nothing
     std::vector<int> rows;           // branch ids, as they are filtered and sorted
     std::vector<int> given_subtrees; // likewise
+    std::vector<double> largest;     // of all branches, of each quantity that has a column
+    int sorted = 0;                  // the column that it is sorted by, when it was drawn last
     std::vector<std::string> names;  // that branches bear, by branch id; empty when none has a name
     int anchor = tree::kNoBranch;    // a range begins here
     int cursor = tree::kNoBranch;    // the arrow keys go on from here

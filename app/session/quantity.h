@@ -48,9 +48,8 @@ struct QuantityRow {
     struct ListColumn {
         Order order = 0;
         const char* heading = "";
-        float weight = 1.0F; // of its width
         bool largest_first = false;
-        float least_width = 0.0F, least_width_named = 0.0F; // points of the panel, without and with a column of names
+        int spare = 0; // where there is no room for all, columns are left out: the largest first, those of 0 never
     } list{};
     struct ReportColumn {
         Order order = 0;
