@@ -8,6 +8,7 @@
 #include "core/field/kernel.h"
 #include "core/io/checksum.h"
 #include "core/measure/deviation/deviation.h"
+#include "core/mesh/close_mesh.h"
 #include "core/validate/free_ends.h"
 #include "core/validate/worst_radii.h"
 
@@ -151,6 +152,9 @@ Result<ValidatedDataSet> validated(const ValidateFlags& flags, std::size_t n, co
                   return validate::validate(tree, surface, validation_options(flags), job);
               }));
     set.validation = std::move(validation);
+    const bool closed = set.surface.empty() ? flags.surface.surface.method == mesh::Method::kConvolutionSurface
+                                            : mesh::check_closed(surface, set.surface).has_value();
+    if (closed) set.validation.shape = validate::shape_of(tree, surface);
     std::vector<float> to_cones_mm, to_mask_mm;
     const Comparing comparing(flags, surface, set, painter != nullptr);
     if (!set.mask.empty()) { // first: half its voxels is the threshold of both comparisons

@@ -57,9 +57,10 @@ struct ReportFile {
 };
 
 // All that may be written; the page last, so that whoever finds it finds the rest.
-constexpr std::array<ReportFile, 9> kReportFiles{{
+constexpr std::array<ReportFile, 10> kReportFiles{{
     {"validation.json", [](io::BufferedFile& file, const Contents& c) { file.write(c.json); }},
     {"questions.csv", [](io::BufferedFile& file, const Contents& c) { file.write(csv_of(questions_table(c.sets))); }},
+    {"shapes.csv", [](io::BufferedFile& file, const Contents& c) { file.write(csv_of(shape_table(c.sets))); }},
     {"distances.csv",
      [](io::BufferedFile& file, const Contents& c) { file.write(csv_of(all_distances_table(c.sets))); }},
     {"places.csv", [](io::BufferedFile& file, const Contents& c) { file.write(csv_of(all_places_table(c.sets))); }},

@@ -55,6 +55,14 @@ ordered_json radius_error_json(const validate::RadiusError& error) {
     return json;
 }
 
+// As `ramus mesh --json` has it.
+ordered_json shape_json(const std::optional<validate::Shape>& shape) {
+    if (!shape) return nullptr;
+    return {{"components", shape->surface.pieces},
+            {"loops", shape->surface.loops},
+            {"tree", {{"components", shape->tree.pieces}, {"loops", shape->tree.loops}}}};
+}
+
 ordered_json data_set_json(const ValidatedDataSet& set, bool one_of_several) {
     ordered_json json;
     json["tree"] = set.tree;
@@ -79,6 +87,7 @@ ordered_json data_set_json(const ValidatedDataSet& set, bool one_of_several) {
     }
     json["radius_error"] = radius_error_json(set.validation.radius_error);
     json["questions"] = questions_json(set.validation);
+    json["shape"] = shape_json(set.validation.shape);
     json["smoothed_away"] = constrictions_json(set.validation.smoothed_away);
     return json;
 }
@@ -151,6 +160,7 @@ void print_one(const ValidatedDataSet& set) {
     print_questions(validation, lengths);
     std::cout << "narrow places that smoothing changes by more than 10 %: " << grouped(validation.smoothed_away.size())
               << '\n';
+    if (validation.shape) std::cout << "hangs together: " << text_of(*validation.shape) << '\n';
     const validate::RadiusError& error = validation.radius_error;
     if (error.places > 0)
         std::cout << "radius away from joints: median error " << digits(100.0 * error.median) << " %, 95th percentile "
@@ -217,6 +227,7 @@ void print_validation(std::span<const ValidatedDataSet> sets) {
         print_questions(found, Lengths(set.claims));
     }
     print_table(questions_table(sets), lengths_of(sets));
+    if (const Table table = shape_table(sets); !table.rows.empty()) print_table(table, lengths_of(sets));
     for (const HeldAgainst other : {HeldAgainst::kCones, HeldAgainst::kMask})
         if (const Table table = distance_table(sets, other); !table.rows.empty()) print_table(table, lengths_of(sets));
 }

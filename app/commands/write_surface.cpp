@@ -6,7 +6,7 @@
 #include "core/io/meshes/surface_file.h"
 #include "core/mesh/close_mesh.h"
 #include "core/mesh/lost_pieces.h"
-#include "core/mesh/systems.h"
+#include "core/validate/shape.h"
 
 namespace ramus::app {
 
@@ -39,11 +39,7 @@ private:
 void compare_shapes(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,
                     std::span<const std::uint8_t> hidden, WrittenSurface& written) {
     if (options.method != mesh::Method::kConvolutionSurface) return;
-    measure::Connectivity all;
-    for (const auto& but_one_system : mesh::hidden_by_system(tree, hidden)) { // each has a surface of its own
-        const measure::Connectivity one = measure::connectivity_of(tree, but_one_system);
-        all.pieces += one.pieces, all.loops += one.loops;
-    }
+    measure::Connectivity all = validate::expected_shape(tree, hidden);
     all.pieces -= static_cast<std::int64_t>(written.lost_pieces.size());
     written.tree_shape = all;
 }

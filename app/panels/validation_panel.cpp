@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <imgui.h>
+#include <optional>
 #include <string>
 
 namespace ramus::app {
@@ -54,6 +56,25 @@ void draw_errors(const validate::RadiusError& error, int smooth_passes) {
     widgets::fact("    95 % below", percent(error.p95));
     if (smooth_passes > 0)
         widgets::quiet_wrapped("Smoothing evens out radii; with Smooth 0 the surface has them as read.");
+}
+
+// Where vessels have grown together, or come apart, the surface has other pieces or loops than its tree.
+void draw_shape(const std::optional<validate::Shape>& shape) {
+    if (!shape) return;
+    const auto row = [](const char* label, const char* help, std::int64_t surface, std::int64_t tree) {
+        ImGui::TextUnformatted(label);
+        widgets::tooltip(help);
+        ImGui::SameLine();
+        const std::string of_surface = grouped(static_cast<std::uint64_t>(surface));
+        const std::string text = surface == tree
+                                     ? of_surface + ", as the tree"
+                                     : of_surface + "; the tree has " + grouped(static_cast<std::uint64_t>(tree));
+        widgets::align_right(ImGui::CalcTextSize(text.c_str()).x);
+        ImGui::TextColored(surface == tree ? theme::kGood : theme::kHighlight, "%s", text.c_str());
+    };
+    row("Pieces", "How many connected pieces the surface has", shape->surface.pieces, shape->tree.pieces);
+    row("Loops", "Ways around that the surface has: one more than the tree is a connection that the tree has not",
+        shape->surface.loops, shape->tree.loops);
 }
 
 std::string branches_text(const Finding& finding) {
@@ -136,6 +157,7 @@ void draw_validation(InterfaceContext& context) {
     if (now.found) {
         ImGui::BeginDisabled(!fits);
         draw_answers(*now.findings);
+        draw_shape(now.found->shape);
         draw_errors(now.found->radius_error, document.marks().options.smooth_passes);
         widgets::rule();
         draw_radius_plot(document, now, fits, panel.current);

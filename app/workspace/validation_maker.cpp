@@ -35,8 +35,10 @@ Result<TreeValidation> make_validation(const ValidationOf& of, Job& job) {
     made.of = of;
     RAMUS_TRY(surface, mesh::make_surface(*of.tree, of.options, job));
     RAMUS_TRY(found, validate::validate(*of.tree, surface.mesh, how_to_validate(of.options), job));
+    const bool cones = of.options.method == mesh::Method::kTruncatedCones;
+    if (!cones) found.shape = validate::shape_of(*of.tree, surface.mesh);
     surface.mesh = {};
-    if (of.options.method != mesh::Method::kTruncatedCones) {
+    if (!cones) {
         RAMUS_TRY(radii, radii_of(of, found, Compared::kTruncatedCones, job));
         made.cones_mm = std::move(radii);
     }

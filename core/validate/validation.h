@@ -10,10 +10,12 @@
 #include "core/mesh/triangle_mesh.h"
 #include "core/tree/contacts/contacts.h"
 #include "core/tree/vessel_tree.h"
+#include "core/validate/shape.h"
 
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 namespace ramus::validate {
@@ -78,6 +80,7 @@ struct Validation {
     std::vector<Constriction> constrictions;
     std::vector<Constriction> smoothed_away; // narrow places as read that smoothing itself has changed that much
     RadiusError radius_error;
+    std::optional<Shape> shape;     // for who knows that the surface is closed, and one, to fill in: shape_of()
     std::vector<RadiusPlace> radii; // branch by branch, along each
 };
 

@@ -39,7 +39,7 @@ def fork(with_leaf):
 CROSSING = swc((0, -10, 0, 1, -1), (0, 10, 0, 1, 1), (-10, 0, 1.8, 1, -1), (10, 0, 1.8, 1, 3))
 
 
-TEXT_FILES = ["distances.csv", "files.csv", "places.csv", "questions.csv", "radii.csv", "validation.json"]
+TEXT_FILES = ["distances.csv", "files.csv", "places.csv", "questions.csv", "radii.csv", "shapes.csv", "validation.json"]
 
 
 class Page(html.parser.HTMLParser):
@@ -128,7 +128,15 @@ class Validate(CommandLineTest):
     def test_vessels_that_touch(self):
         self.write("crossing.swc", CROSSING)
         self.assertEqual(self.counts(self.json("validate", "crossing.swc", "--blend", "tree", "--json")), [0, 0, 0, 0])
-        merged = self.json("validate", "crossing.swc", "--blend", "paper", "--json")["questions"]["merged"]
+        apart = self.json("validate", "crossing.swc", "--blend", "tree", "--json")["shape"]
+        self.assertEqual(apart, {"components": 2, "loops": 0, "tree": {"components": 2, "loops": 0}})
+        grown = self.json("validate", "crossing.swc", "--blend", "paper", "--json")
+        self.assertEqual(grown["shape"], {"components": 1, "loops": 0, "tree": {"components": 2, "loops": 0}})
+        self.assertIn("hangs together: 1 piece, 0 loops; the tree has 2 pieces, 0 loops",
+                      self.run_ramus("validate", "crossing.swc", "--blend", "paper").stdout)
+        self.write("open.obj", "v 0 -1 -1\nv 1 -1 1\nv 2 1 1\nf 1 2 3\n")  # has a hole, and with it no loops to count
+        self.assertIsNone(self.json("validate", "crossing.swc", "--surface", "open.obj", "--json")["shape"])
+        merged = grown["questions"]["merged"]
         self.assertEqual([one["branches"] for one in merged], [[0, 1]])
         self.assertAlmostEqual(merged[0]["gap_mm"], -0.2)
         self.assertAlmostEqual(merged[0]["at"][2], 0.9)
@@ -151,7 +159,7 @@ class Validate(CommandLineTest):
                          ["boxes_to_cones.svg", "boxes_to_mask.svg", *sorted([*TEXT_FILES, "index.html"])])
         self.assertEqual(json.loads((report / "validation.json").read_text()), found)
         # What scripts know of one tree.
-        self.assertEqual(list(found), ["tree", "units", "surface", "distances", "radius_error", "questions", "smoothed_away"])
+        self.assertEqual(list(found), ["tree", "units", "surface", "distances", "radius_error", "questions", "shape", "smoothed_away"])
         self.assertIsNone(found["distances"]["to_cones"]["above_percent"])
         self.assertNotIn("threshold_mm", found["distances"]["to_cones"])
         text = (report / "radii.csv").read_text()
@@ -332,6 +340,8 @@ class Validate(CommandLineTest):
         places = rows_of(report / "places.csv")
         self.assertEqual([(row["data_set"], row["question"]) for row in places], [("1", "lost"), ("2", "false")])
         self.assertEqual([row["lost"] for row in rows_of(report / "questions.csv")], ["1", "0", "0.5"])
+        shapes = rows_of(report / "shapes.csv")
+        self.assertEqual([(row["pieces"], row["pieces_of_tree"], row["loops"]) for row in shapes], [("1", "1", "0")] * 2)
         self.assertEqual({row["data_set"] for row in rows_of(report / "radii.csv")}, {"1", "2"})
         self.assertEqual([row["role"] for row in rows_of(report / "files.csv")], ["tree", "surface"] * 2)
 

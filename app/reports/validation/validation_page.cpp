@@ -127,7 +127,9 @@ std::string validation_page(std::span<const ValidatedDataSet> sets, const Facts&
         page_begin(several ? "Validation of " + counted(sets.size(), "data set", "data sets") : name_of(sets.front()),
                    several ? "Surfaces held against their trees" : "Surface held against its tree", made);
     if (!several) page += pictures_html(sets.front().pictures);
-    page += table_html(questions_table(sets), {.last_is_sum = several}) + summary_html(sets);
+    page += table_html(questions_table(sets), {.last_is_sum = several});
+    if (const Table shapes = shape_table(sets); !shapes.rows.empty()) page += table_html(shapes, {.is_part = true});
+    page += summary_html(sets);
     for (std::size_t i = 0; i < sets.size(); ++i) page += data_set_html(sets[i], i + 1, several);
     page += "<h2>Settings</h2>\n" + facts_html(settings);
     page += "<div class=\"sums\">\n" + table_html(files_table(sets)) + "</div>\n";

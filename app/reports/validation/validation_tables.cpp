@@ -1,10 +1,12 @@
 #include "app/reports/validation/validation_tables.h"
 
 #include "app/reports/validation/branch_radii.h"
+#include "core/base/words.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -126,6 +128,33 @@ Table questions_table(std::span<const ValidatedDataSet> sets) {
                               mean.smoothed_away, percent(mean.radius_median), percent(mean.radius_p95)});
     }
     return table;
+}
+
+Table shape_table(std::span<const ValidatedDataSet> sets) {
+    Table table{"How the surface hangs together",
+                {{"data_set", "No."},
+                 {"tree", "Tree"},
+                 {"pieces", "Pieces"},
+                 {"pieces_of_tree", "Of the tree"},
+                 {"loops", "Loops"},
+                 {"loops_of_tree", "Of the tree"}},
+                {}};
+    const auto number = [](std::int64_t count) { return static_cast<double>(count); };
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        const auto& shape = sets[i].validation.shape;
+        if (!shape) continue;
+        table.rows.push_back({count_of(i + 1), name_of(sets[i]), number(shape->surface.pieces),
+                              number(shape->tree.pieces), number(shape->surface.loops), number(shape->tree.loops)});
+    }
+    return table;
+}
+
+std::string text_of(const validate::Shape& shape) {
+    const auto counts = [](const measure::Connectivity& one) {
+        return counted(static_cast<std::uint64_t>(one.pieces), "piece", "pieces") + ", " +
+               counted(static_cast<std::uint64_t>(one.loops), "loop", "loops");
+    };
+    return counts(shape.surface) + (shape.as_tree() ? ", as the tree" : "; the tree has " + counts(shape.tree));
 }
 
 Table lost_table(const validate::Validation& found) {

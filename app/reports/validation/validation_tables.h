@@ -25,6 +25,9 @@ inline constexpr char kLostLetter = 'L', kFalseLetter = 'F', kMergedLetter = 'M'
 [[nodiscard]] Table distance_table(std::span<const ValidatedDataSet> sets, HeldAgainst other);
 // How often each question is answered by a place, and the error of the radius; likewise.
 [[nodiscard]] Table questions_table(std::span<const ValidatedDataSet> sets);
+// Pieces and loops of each surface beside its tree's. No rows: all are of cones.
+[[nodiscard]] Table shape_table(std::span<const ValidatedDataSet> sets);
+[[nodiscard]] std::string text_of(const validate::Shape& shape); // "1 piece, 2 loops; the tree has 1 piece, 0 loops"
 
 // Of one data set, with the codes of its places.
 [[nodiscard]] Table lost_table(const validate::Validation& found);
