@@ -1,6 +1,7 @@
 #include "app/assets/centerlines.h"
 
 #include "app/session/branch_facts.h"
+#include "core/field/kernels/gaussian.h"
 #include "render/scene/bounds.h"
 
 #include <glm/geometric.hpp>
@@ -71,7 +72,16 @@ render::Centerlines make_centerlines(const tree::VesselTree& tree, const mesh::S
 
 SurfaceCenterlines centerlines_of(const tree::VesselTree& tree, const mesh::SurfaceOptions& options) {
     return {options.smooth_passes, options.prune_ratio,
-            std::make_shared<const render::Centerlines>(make_centerlines(tree, options))};
+            std::make_shared<const render::Centerlines>(make_centerlines(tree, options)), nullptr};
+}
+
+DrawnWidth drawn_width(const mesh::SurfaceOptions& options, mesh::Method method) {
+    if (method == mesh::Method::kTruncatedCones || options.kernel != field::KernelKind::kGaussian) return {};
+    return {static_cast<float>(options.width), static_cast<float>(field::reach_beyond_end(options.width))};
+}
+
+bool drawn_along_lines(const mesh::SurfaceOptions& options, mesh::Method method) {
+    return method == mesh::Method::kTruncatedCones || options.kernel == field::KernelKind::kGaussian;
 }
 
 } // namespace ramus::app

@@ -9,7 +9,6 @@
 #include "app/picture/note_marks.h"
 #include "app/picture/place_marks.h"
 #include "app/session/session.h"
-#include "core/field/kernels/gaussian.h"
 #include "render/overlay/scale_bar.h"
 #include "render/scene/frame.h"
 
@@ -158,11 +157,12 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     }
     frame.centerlines = assets.centerlines.lines;
     if (marks.skeleton) frame.skeleton = frame.centerlines;
-    const bool cones = viewing.method.value_or(options.method) == mesh::Method::kTruncatedCones;
-    const bool gaussian = !cones && options.kernel == field::KernelKind::kGaussian;
-    frame.width = gaussian ? static_cast<float>(options.width) : 0.0F;
-    frame.beyond_ends = gaussian ? static_cast<float>(field::reach_beyond_end(options.width)) : 1.0F;
-    frame.only_mesh = !cones && !gaussian; // what is drawn while the view moves knows the Gaussian
+    frame.cones = assets.centerlines.cones;
+    const mesh::Method method = viewing.method.value_or(options.method);
+    const DrawnWidth width = drawn_width(options, method);
+    frame.width = width.width;
+    frame.beyond_ends = width.beyond_ends;
+    frame.only_mesh = !drawn_along_lines(options, method);
     show_outline(frame, session, assets);
     draw_cuts(frame, marks, plan);
     if (assets.measurements) draw_measurements(frame, assets.measurements->found, viewing.measurement);

@@ -13,7 +13,9 @@
 namespace ramus::app {
 
 PictureView::PictureView(ViewerState& state, render::Renderer& renderer)
-    : state_(state), renderer_(renderer), sheets_(renderer), pace_(render::is_software_rasteriser()) {}
+    : state_(state), renderer_(renderer), sheets_(renderer), pace_(render::is_software_rasteriser()) {
+    state.workspace.want_cones(render::is_software_rasteriser());
+}
 
 Viewing PictureView::viewing() const {
     const Interface& interface = state_.interface;

@@ -49,7 +49,12 @@ Result<LoadedTree> load_tree_of(Session opened, const std::string& where, const 
 
     RAMUS_TRY(cones, first_cones(*assets.tree, surface_request(session.marks), job));
     loaded.cones = std::move(cones);
-    assets.centerlines = centerlines_of(*assets.tree, session.marks.options);
+    const mesh::SurfaceOptions& options = session.marks.options;
+    assets.centerlines = centerlines_of(*assets.tree, options);
+    const auto& lines = assets.centerlines.lines;
+    const DrawnWidth width = drawn_width(options, options.method);
+    if (drawn_along_lines(options, options.method) && lines->points.size() <= render::caster::kMostCastPoints)
+        assets.centerlines.cones = render::caster::fitted_cones(lines, width.width, width.beyond_ends);
     return loaded;
 }
 

@@ -8,7 +8,7 @@ namespace ramus::app {
 
 Workspace::Workspace(const std::function<void()>& wake)
     : context(wake), loader_(wake), surface_(wake), comparison_(wake), deviation_(wake), validation_(wake),
-      lesions_(wake), contacts_(wake) {}
+      lesions_(wake), contacts_(wake), cones_(wake) {}
 
 void Workspace::open(const std::filesystem::path& path) {
     io::note_input(path, io::InputKind::kSession); // until a tree is read from it
@@ -65,6 +65,7 @@ void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
     comparison_.forget();
     deviation_.forget();
     validation_.forget();
+    cones_.forget();
     keep_loaded(loaded.assets, std::exchange(assets, {}), loaded.session.marks);
     assets = std::move(loaded.assets);
     tried_.reset();
@@ -155,6 +156,10 @@ void Workspace::follow_contacts() {
     });
 }
 
+void Workspace::follow_cones() {
+    if (cones_wanted_ && assets.tree == document.tree()) changed_ |= cones_.update(assets, request().options);
+}
+
 // Of the surface that is shown, once it is more than provisional.
 std::optional<DeviationMaker::Wanted> Workspace::missing_deviation() const {
     const Marks& marks = document.marks();
@@ -242,6 +247,7 @@ void Workspace::take_failures() {
     tell(comparison_.take_failure(), comparison_.worker());
     tell(deviation_.take_failure(), deviation_.worker());
     tell(contacts_.take_failure(), contacts_);
+    tell(cones_.take_failure(), cones_.worker());
     tell(validation_.take_failure(), validation_.worker());
 }
 
@@ -260,6 +266,7 @@ bool Workspace::update() {
     follow_lesions();
     if (!surface_.take_just_shown()) follow_surface();
     follow_contacts();
+    follow_cones();
     follow_deviation();
     follow_validation();
     if (document.tree())

@@ -12,6 +12,7 @@
 #include "app/session/document.h"
 #include "app/storage/autosave.h"
 #include "app/workspace/compared_surfaces.h"
+#include "app/workspace/cones_maker.h"
 #include "app/workspace/context_reader.h"
 #include "app/workspace/deviation_maker.h"
 #include "app/workspace/loaded_tree.h"
@@ -105,6 +106,8 @@ public:
     // shown. Empty otherwise.
     [[nodiscard]] const std::string& surface_problem() const { return surface_.problem(); }
     void retry_surface();
+    // What pictures of the processor need is made ahead of them: where there is no graphics card.
+    void want_cones(bool wanted) { cones_wanted_ = wanted; }
 
     [[nodiscard]] bool busy() const;
     [[nodiscard]] std::string activity() const; // "Reading liver.swc", "Computing the surface"; empty when idle
@@ -127,6 +130,7 @@ private:
     void follow_surface();
     void follow_lesions();
     void follow_contacts();
+    void follow_cones();
     void follow_deviation();
     void follow_validation();
     [[nodiscard]] std::optional<ValidationOf> missing_validation() const;
@@ -149,7 +153,7 @@ private:
     std::optional<PlannedMarks> lesions_failed_; // not tried again
     // Of what contacts are being looked for, or could not be.
     std::pair<std::shared_ptr<const tree::VesselTree>, mesh::SurfaceOptions> contacts_of_;
-    bool contacts_wanted_ = false, validation_wanted_ = false;
+    bool contacts_wanted_ = false, validation_wanted_ = false, cones_wanted_ = false;
     bool changed_ = false;
     bool first_is_coming_ = false; // the loader, which read the tree, is at its first surface
     // Last: their threads end first.
@@ -160,6 +164,7 @@ private:
     ValidationMaker validation_;
     Worker lesions_;
     Worker contacts_;
+    ConesMaker cones_;
 };
 
 } // namespace ramus::app

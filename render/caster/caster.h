@@ -41,7 +41,8 @@ struct Content {
 class Caster {
 public:
     // As VesselCones::follow().
-    void follow(const std::shared_ptr<const Centerlines>& lines, bool as_field) { vessels_.follow(lines, as_field); }
+    void follow(const Frame& frame, const std::shared_ptr<const FittedCones>& known) { vessels_.follow(frame, known); }
+    [[nodiscard]] const std::shared_ptr<const FittedCones>& fitted() const { return vessels_.fitted(); }
 
     // Whether it can draw all that the frame shows.
     [[nodiscard]] static bool draws(const Frame& frame);

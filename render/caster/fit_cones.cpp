@@ -6,7 +6,7 @@
 #include <hwy/foreach_target.h>
 // clang-format on
 #include "render/caster/field-inl.h"
-#include "render/caster/vessel_cones.h"
+#include "render/caster/fitted_cones.h"
 
 #include <algorithm>
 #include <cmath>
@@ -117,55 +117,60 @@ CrossSection cross_section(const glm::vec3& middle, const glm::vec3& direction, 
     return section;
 }
 
-} // namespace
-
-void VesselCones::fit_cones(float width, float beyond_ends) {
-    const auto radius = [&](std::size_t point) { return 0.5F * thinned_.details[point].diameter_mm; };
-    fitted_ = on_line_;
-    for (std::size_t i = 0; i < fitted_.size(); ++i) fitted_[i].w = radius(i);
-    if (neighbours_width_ > 0.0F) fit_to_field();
-    // A ball of the vessel's radius at a free end would reach beyond it by that.
-    const Tip tip = tip_of(width, beyond_ends);
-    const auto end_at = [&](std::uint32_t end, std::uint32_t inward) {
-        const glm::vec3 axis = glm::vec3(on_line_[inward]) - glm::vec3(on_line_[end]);
-        const float whole = glm::length(axis);
-        const float share = whole > 0.0F ? std::min(0.45F, tip.before * radius(end) / whole) : 0.0F;
-        fitted_[end] = glm::vec4(glm::vec3(on_line_[end]) + share * axis, tip.radius * radius(end));
-    };
-    for (const Segment& segment : segments_) {
-        if (segment.previous == Segment::kFree) end_at(segment.point, segment.point + 1);
-        if (segment.next == Segment::kFree) end_at(segment.point + 1, segment.point);
-    }
-}
-
-void VesselCones::fit_to_field() {
-    std::vector<FieldSegment> segments(segments_.size() + 1, kNoSegment);
-    for (std::size_t i = 0; i < segments_.size(); ++i) segments[i] = field_segment_of(segments_[i], glm::mat4(1.0F));
+void fit_to_field(FittedCones& cones) {
+    const auto& segments = cones.segments;
+    const auto& on_line = cones.on_line;
+    std::vector<FieldSegment> placed(segments.size() + 1, kNoSegment);
+    for (std::size_t i = 0; i < segments.size(); ++i) placed[i] = cones.field_segment(segments[i], glm::mat4(1.0F));
     Field field{};
-    field.segments = segments.data();
-    field.first = neighbours_.first.data();
-    field.neighbours = neighbours_.segments.data();
-    field.root_width = std::sqrt(neighbours_width_);
+    field.segments = placed.data();
+    field.first = cones.neighbours.first.data();
+    field.neighbours = cones.neighbours.segments.data();
+    field.root_width = std::sqrt(cones.neighbours_width);
     std::vector<CrossSection> sections;
     std::vector<std::uint32_t> points; // that the sections are at
-    for (std::size_t s = 0; s < segments_.size(); ++s) {
-        const std::uint32_t first = segments_[s].point, last = first + 1;
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+        const std::uint32_t first = segments[s].point, last = first + 1;
         const auto add = [&](std::uint32_t point, std::uint32_t from, std::uint32_t to) {
-            const glm::vec3 direction = glm::vec3(on_line_[to]) - glm::vec3(on_line_[from]);
+            const glm::vec3 direction = glm::vec3(on_line[to]) - glm::vec3(on_line[from]);
             if (!(glm::length(direction) > 0.0F)) return;
-            const float radius = 0.5F * thinned_.details[point].diameter_mm;
-            sections.push_back(cross_section(glm::vec3(on_line_[point]), direction, radius, s));
+            const float radius = 0.5F * cones.thinned.details[point].diameter_mm;
+            sections.push_back(cross_section(glm::vec3(on_line[point]), direction, radius, s));
             points.push_back(point);
         };
         // Each point with the segment that begins there; a branch's last one with the one that ends there.
-        add(first, s > 0 && segments_[s - 1].point + 1 == first ? first - 1 : first, last);
-        if (s + 1 == segments_.size() || segments_[s + 1].point != last) add(last, first, last);
+        add(first, s > 0 && segments[s - 1].point + 1 == first ? first - 1 : first, last);
+        if (s + 1 == segments.size() || segments[s + 1].point != last) add(last, first, last);
     }
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sections.size(), 256), [&](const auto& range) {
         HWY_DYNAMIC_DISPATCH(fit_circles)(field, sections.data() + range.begin(), range.size());
     });
     for (std::size_t i = 0; i < sections.size(); ++i)
-        fitted_[points[i]] = {sections[i].middle[0], sections[i].middle[1], sections[i].middle[2], sections[i].radius};
+        cones.fitted[points[i]] = {sections[i].middle[0], sections[i].middle[1], sections[i].middle[2],
+                                   sections[i].radius};
+}
+
+} // namespace
+
+void fit_balls(FittedCones& cones) {
+    using Segment = FittedCones::Segment;
+    const auto& on_line = cones.on_line;
+    const auto radius = [&](std::size_t point) { return 0.5F * cones.thinned.details[point].diameter_mm; };
+    cones.fitted = on_line;
+    for (std::size_t i = 0; i < cones.fitted.size(); ++i) cones.fitted[i].w = radius(i);
+    if (cones.neighbours_width > 0.0F) fit_to_field(cones);
+    // A ball of the vessel's radius at a free end would reach beyond it by that.
+    const Tip tip = tip_of(cones.width, cones.beyond_ends);
+    const auto end_at = [&](std::uint32_t end, std::uint32_t inward) {
+        const glm::vec3 axis = glm::vec3(on_line[inward]) - glm::vec3(on_line[end]);
+        const float whole = glm::length(axis);
+        const float share = whole > 0.0F ? std::min(0.45F, tip.before * radius(end) / whole) : 0.0F;
+        cones.fitted[end] = glm::vec4(glm::vec3(on_line[end]) + share * axis, tip.radius * radius(end));
+    };
+    for (const Segment& segment : cones.segments) {
+        if (segment.previous == Segment::kFree) end_at(segment.point, segment.point + 1);
+        if (segment.next == Segment::kFree) end_at(segment.point + 1, segment.point);
+    }
 }
 
 } // namespace ramus::render::caster

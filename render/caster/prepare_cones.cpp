@@ -85,19 +85,19 @@ void append_lesions(const View& view, const std::vector<glm::vec4>& spheres, Con
     }
 }
 
-FieldSegment VesselCones::field_segment_of(const Segment& segment, const glm::mat4& to_eye) const {
+FieldSegment FittedCones::field_segment(const Segment& segment, const glm::mat4& to_eye) const {
     const std::size_t i = segment.point;
-    const glm::vec3 from = to_eye * glm::vec4(glm::vec3(thinned_.points[i]), 1.0F);
-    const glm::vec3 axis = glm::mat3(to_eye) * (glm::vec3(thinned_.points[i + 1]) - glm::vec3(thinned_.points[i]));
+    const glm::vec3 from = to_eye * glm::vec4(glm::vec3(thinned.points[i]), 1.0F);
+    const glm::vec3 axis = glm::mat3(to_eye) * (glm::vec3(thinned.points[i + 1]) - glm::vec3(thinned.points[i]));
     const float length = std::max(glm::length(axis), 1e-6F);
-    const float first = 0.5F * thinned_.details[i].diameter_mm, last = 0.5F * thinned_.details[i + 1].diameter_mm;
+    const float first = 0.5F * thinned.details[i].diameter_mm, last = 0.5F * thinned.details[i + 1].diameter_mm;
     FieldSegment made{};
     put(made.from, from);
     put(made.direction, axis / length);
     made.length = length;
     made.radius = std::max(first, 1e-6F);
     made.slope = (std::max(last, 1e-6F) - made.radius) / length;
-    made.beyond = lines_->smooth_radii ? static_cast<float>(field::beyond_for(made.slope)) : 0.0F;
+    made.beyond = lines->smooth_radii ? static_cast<float>(field::beyond_for(made.slope)) : 0.0F;
     return made;
 }
 
@@ -126,13 +126,13 @@ bool VesselCones::prepare(const Segment& segment, const Placement& placement, co
     cone.id = static_cast<std::uint32_t>(segment.branch) + 1;
     const bool by_root = placement.frame.scale.value != ColourScale::Value::kDiameter;
     for (std::size_t end = 0; end < 2; ++end)
-        cone.value[end] = by_root ? thinned_.points[i + end].w : thinned_.details[i + end].diameter_mm;
+        cone.value[end] = by_root ? fitted_->thinned.points[i + end].w : fitted_->thinned.details[i + end].diameter_mm;
     return true;
 }
 
 // Inside glass, from end to end: as wide as centerline.vert draws it, wherever it is.
 bool VesselCones::prepare_line(const Segment& segment, const Placement& placement, RoundCone& line) const {
-    if (!prepare(segment, placement, on_line_, line)) return false;
+    if (!prepare(segment, placement, fitted_->on_line, line)) return false;
     const View& view = placement.view;
     const float pixels = 0.5F * std::max(1.0F, kCenterlineWidth * placement.frame.pixel_ratio);
     const float first = line.from[2], last = line.from[2] + line.axis[2];
@@ -147,24 +147,24 @@ bool VesselCones::prepare_line(const Segment& segment, const Placement& placemen
 std::size_t VesselCones::prepare(const Frame& frame, const View& view, const glm::dmat4& to_eye,
                                  const std::vector<Layer>& layers, ConeList& list) {
     using Kind = ConeList::Kind;
-    follow_width(frame);
+    const FittedCones& fitted = *fitted_;
     find_mixed_layers(layers);
-    const Placement placement{frame, view, glm::mat4(glm::translate(to_eye, thinned_.origin))};
-    const std::size_t segments = segments_.size();
+    const Placement placement{frame, view, glm::mat4(glm::translate(to_eye, fitted.thinned.origin))};
+    const std::size_t segments = fitted.segments.size();
     const bool any_glass = std::ranges::find(layers, Layer::kGlass) != layers.end();
     std::vector<RoundCone>& cones = list.cones;
     std::vector<Kind>& kinds = list.kinds;
     cones.resize(any_glass ? 2 * segments : segments); // the second half: lines inside glass
     kinds.assign(cones.size(), Kind::kNone);
-    field_segments_.assign(neighbours_width_ > 0.0F ? segments + 1 : 0, kNoSegment);
+    field_segments_.assign(fitted.neighbours_width > 0.0F ? segments + 1 : 0, kNoSegment);
     field_ = {field_segments_.empty() ? nullptr : field_segments_.data(),
-              neighbours_.first.data(),
-              neighbours_.segments.data(),
+              fitted.neighbours.first.data(),
+              fitted.neighbours.segments.data(),
               std::sqrt(frame.width),
               std::exp2(-frame.width),
               other_layer_.first.data(),
               other_layer_.segments.data(),
-              segment_branches_.data(),
+              fitted.segment_branches.data(),
               segment_layers_.data()};
     std::atomic<std::size_t> drawn{0};
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, segments, 512), [&](const auto& range) {
@@ -172,20 +172,22 @@ std::size_t VesselCones::prepare(const Frame& frame, const View& view, const glm
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             const Layer layer = segment_layers_[i];
             if (layer == Layer::kNone) continue;
-            if (!field_segments_.empty()) field_segments_[i] = field_segment_of(segments_[i], placement.to_eye);
-            if (!prepare(segments_[i], placement, fitted_, cones[i])) continue;
+            if (!field_segments_.empty())
+                field_segments_[i] = fitted.field_segment(fitted.segments[i], placement.to_eye);
+            if (!prepare(fitted.segments[i], placement, fitted.fitted, cones[i])) continue;
             cones[i].near_other_layer = other_layer_.first[i] < other_layer_.first[i + 1];
             ++seen;
             kinds[i] = layer == Layer::kGlass ? Kind::kGlass : Kind::kOpaque;
-            if (layer == Layer::kGlass && prepare_line(segments_[i], placement, cones[segments + i]))
+            if (layer == Layer::kGlass && prepare_line(fitted.segments[i], placement, cones[segments + i]))
                 kinds[segments + i] = Kind::kOpaque;
         }
         drawn += seen;
     });
     for (std::size_t i = 1; i < segments; ++i) {
         if (kinds[i] != Kind::kOpaque || kinds[i - 1] != Kind::kOpaque) continue;
-        cones[i].shares_first_ball = segments_[i].previous == segments_[i - 1].point && !cones[i].near_other_layer &&
-                                     segments_[i - 1].point + 1 == segments_[i].point && !cones[i - 1].near_other_layer;
+        cones[i].shares_first_ball =
+            fitted.segments[i].previous == fitted.segments[i - 1].point && !cones[i].near_other_layer &&
+            fitted.segments[i - 1].point + 1 == fitted.segments[i].point && !cones[i - 1].near_other_layer;
     }
     return drawn;
 }

@@ -1,221 +1,49 @@
-// From centerlines to cones: which vessels go on into which, which cones have glass beside what is opaque.
 #include "render/caster/vessel_cones.h"
 
-#include "core/base/grouped.h"
-#include "core/base/lines.h"
-#include "core/field/kernels/gaussian.h"
-
 #include <algorithm>
-#include <functional>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <map>
-#include <numeric>
-#include <tbb/parallel_for.h>
-#include <tuple>
 
 namespace ramus::render::caster {
 
-namespace {
-
-constexpr std::size_t kMaxNeighbours = 48; // the others add next to nothing, and take their time
-
-constexpr double kThinnedShare = 5e-5; // of the tree's extent: a twentieth of a pixel where it fills the window
-
-// With one point more before each free end that has room for it: there the surface grows thin. In radii, of where it is
-// as wide as the vessel to 0.3 % at width 5.
-constexpr float kBeforeEnd = 0.8F;
-Centerlines with_ends(const Centerlines& lines) {
-    const std::vector<std::uint32_t> coincident = coincident_points(lines);
-    std::vector<int> ends(coincident.size(), 0); // of branches, by point
-    for (const Centerlines::Run& run : lines.runs)
-        if (run.count > 1) ++ends[coincident[run.first]], ++ends[coincident[run.first + run.count - 1]];
-    Centerlines more;
-    more.origin = lines.origin;
-    const auto keep = [&](const glm::vec4& point, const Centerlines::Detail& detail) {
-        more.points.push_back(point);
-        more.details.push_back(detail);
+// Of another width they are not far off: who makes them ahead brings the right ones soon.
+void VesselCones::follow(const Frame& frame, const std::shared_ptr<const FittedCones>& known) {
+    const auto before = fitted_;
+    const auto fits = [&](const FittedCones& cones) {
+        return cones.lines == frame.centerlines && (cones.width > 0.0F) == (frame.width > 0.0F);
     };
-    const auto keep_before = [&](std::uint32_t end, std::uint32_t inward) {
-        const glm::vec4 &a = lines.points[end], &b = lines.points[inward];
-        const Centerlines::Detail& detail = lines.details[end];
-        const float before = 0.5F * kBeforeEnd * detail.diameter_mm;
-        const float whole = glm::distance(glm::vec3(a), glm::vec3(b));
-        if (ends[coincident[end]] > 1 || whole < 1.8F * before) return;
-        const float t = before / whole;
-        keep(glm::mix(a, b, t), {glm::mix(detail.diameter_mm, lines.details[inward].diameter_mm, t), detail.branch});
+    const auto exact = [&](const std::shared_ptr<const FittedCones>& cones) {
+        return cones && fits(*cones) && cones->width == frame.width && cones->beyond_ends == frame.beyond_ends;
     };
-    for (const Centerlines::Run& run : lines.runs) {
-        const auto first = static_cast<std::uint32_t>(more.points.size());
-        const std::uint32_t last = run.first + run.count - 1;
-        for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
-            if (i == last && i > run.first) keep_before(i, i - 1);
-            keep(lines.points[i], lines.details[i]);
-            if (i == run.first && i < last) keep_before(i, i + 1);
-        }
-        more.runs.push_back({first, static_cast<std::uint32_t>(more.points.size()) - first});
-    }
-    return more;
-}
-
-} // namespace
-
-std::vector<std::uint32_t> coincident_points(const Centerlines& lines) {
-    std::vector<std::uint32_t> first(lines.points.size());
-    std::iota(first.begin(), first.end(), 0U);
-    std::vector<std::uint32_t> ends;
-    for (const Centerlines::Run& run : lines.runs) {
-        if (run.count == 0) continue;
-        ends.push_back(run.first);
-        if (run.count > 1) ends.push_back(run.first + run.count - 1);
-    }
-    const auto key = [&](std::uint32_t i) {
-        const glm::vec4& p = lines.points[i];
-        return std::tuple(p.x, p.y, p.z, i);
-    };
-    std::ranges::sort(ends, {}, key);
-    for (std::size_t i = 1; i < ends.size(); ++i)
-        if (glm::vec3(lines.points[ends[i]]) == glm::vec3(lines.points[ends[i - 1]]))
-            first[ends[i]] = first[ends[i - 1]];
-    return first;
-}
-
-Neighbours find_neighbours(const Centerlines& lines, std::span<const std::uint32_t> coincident,
-                           std::span<const std::uint32_t> points, float support_radii) {
-    const Grouped<std::uint32_t> segments_at(coincident.size(), [&](const auto& put) { // by their ends
-        for (std::uint32_t s = 0; s < points.size(); ++s)
-            for (const std::uint32_t end : {points[s], points[s] + 1}) put(coincident[end], s);
-    });
-    const auto at = [&](std::uint32_t point) { return glm::vec3(lines.points[point]); };
-    const auto radius = [&](std::uint32_t s) {
-        return 0.5F * std::max(lines.details[points[s]].diameter_mm, lines.details[points[s] + 1].diameter_mm);
-    };
-    // Adds the neighbours of a segment to `found`: outward from both ends, as far as anything reaches back.
-    const auto add_neighbours = [&](std::uint32_t s, std::vector<std::uint32_t>& found) {
-        const auto begin = static_cast<std::ptrdiff_t>(found.size());
-        const auto count = [&] { return found.size() - static_cast<std::size_t>(begin); };
-        found.push_back(s);
-        for (std::size_t next = 0; next < count(); ++next) {
-            const std::uint32_t first = points[found[static_cast<std::size_t>(begin) + next]];
-            for (const std::uint32_t end : {first, first + 1}) {
-                const float away = distance_to_line(at(end), at(points[s]), at(points[s] + 1));
-                for (const std::uint32_t other : segments_at.of(coincident[end])) {
-                    if (count() == kMaxNeighbours || away > radius(s) + support_radii * radius(other)) continue;
-                    if (std::find(found.begin() + begin, found.end(), other) == found.end()) found.push_back(other);
-                }
-            }
-        }
-        if (count() % 2 != 0) found.push_back(static_cast<std::uint32_t>(points.size()));
-        return static_cast<std::uint32_t>(count());
-    };
-    Neighbours neighbours;
-    neighbours.first.resize(points.size() + 1);
-    constexpr std::size_t kChunk = 1024;
-    std::vector<std::vector<std::uint32_t>> chunks((points.size() + kChunk - 1) / kChunk);
-    tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
-        for (std::size_t s = c * kChunk; s < std::min((c + 1) * kChunk, points.size()); ++s)
-            neighbours.first[s + 1] = add_neighbours(static_cast<std::uint32_t>(s), chunks[c]);
-    });
-    for (std::size_t s = 0; s < points.size(); ++s) neighbours.first[s + 1] += neighbours.first[s];
-    neighbours.segments.reserve(neighbours.first.back());
-    for (const auto& chunk : chunks) neighbours.segments.insert(neighbours.segments.end(), chunk.begin(), chunk.end());
-    return neighbours;
-}
-
-void VesselCones::follow(const std::shared_ptr<const Centerlines>& lines, bool as_field) {
-    if (lines == lines_ && as_field == as_field_) return;
-    lines_ = lines;
-    as_field_ = as_field;
-    segments_.clear();
-    fitted_width_ = -1.0F;
+    if (frame.cones && fits(*frame.cones))
+        fitted_ = frame.cones;
+    else if (exact(known))
+        fitted_ = known;
+    else if (!exact(fitted_))
+        fitted_ = fitted_cones(frame.centerlines, frame.width, frame.beyond_ends);
+    if (fitted_ == before) return;
     layers_.clear();
     other_layer_.first.clear();
-    thinned_ = {};
-    if (!lines || lines->points.empty()) return;
-    thinned_ = lines->thinned(kThinnedShare * lines->extent_mm());
-    if (as_field) thinned_ = with_ends(thinned_);
-    coincident_ = coincident_points(thinned_);
-    on_line_ = thinned_.points;
-    for (glm::vec4& point : on_line_) point.w = 0.0F;
-    for (std::size_t branch = 0; branch < thinned_.runs.size(); ++branch) {
-        const Centerlines::Run run = thinned_.runs[branch];
-        for (std::uint32_t i = run.first; i + 1 < run.first + run.count; ++i) {
-            const bool first = i == run.first, last = i + 2 == run.first + run.count;
-            segments_.push_back(
-                {i, static_cast<std::int32_t>(branch), first ? Segment::kFree : i - 1, last ? Segment::kFree : i + 2});
-        }
-    }
-    segment_branches_.assign(segments_.size() + 1, 0);
-    std::ranges::transform(segments_, segment_branches_.begin(),
-                           [](const Segment& segment) { return static_cast<std::uint32_t>(segment.branch); });
-    find_joints();
-}
-
-void VesselCones::follow_width(const Frame& frame) {
-    if (frame.width == fitted_width_ && frame.beyond_ends == fitted_ends_) return;
-    fitted_width_ = frame.width;
-    fitted_ends_ = frame.beyond_ends;
-    // The vessels of larger trees are narrower than pixels, and nobody waits for what they look like in between.
-    constexpr std::size_t kMostSegments = 250'000;
-    neighbours_width_ = segments_.size() > kMostSegments ? 0.0F : frame.width;
-    other_layer_.first.clear();
-    if (neighbours_width_ > 0.0F) {
-        std::vector<std::uint32_t> points(segments_.size());
-        std::ranges::transform(segments_, points.begin(), &Segment::point);
-        neighbours_ = find_neighbours(thinned_, coincident_, points,
-                                      static_cast<float>(field::gaussian(neighbours_width_).support_radii));
-    }
-    fit_cones(frame.width, frame.beyond_ends);
-}
-
-// Branches that meet have an end at the very same point. There the two widest are one vessel that goes on, if they do
-// not turn back; the others go into it.
-void VesselCones::find_joints() {
-    struct End {
-        std::uint32_t* beyond;       // to fill in
-        std::uint32_t joint, inward; // points
-    };
-    std::map<std::uint32_t, std::vector<End>> joints;
-    const auto add = [&](std::uint32_t& beyond, std::uint32_t joint, std::uint32_t inward) {
-        if (beyond == Segment::kFree) joints[coincident_[joint]].push_back({&beyond, joint, inward});
-    };
-    for (Segment& segment : segments_) {
-        add(segment.previous, segment.point, segment.point + 1);
-        add(segment.next, segment.point + 1, segment.point);
-    }
-    for (auto& [at, ends] : joints) {
-        if (ends.size() < 2) continue;
-        std::ranges::stable_sort(ends, std::greater<>(), [&](const End& end) {
-            return thinned_.details[end.joint].diameter_mm + thinned_.details[end.inward].diameter_mm;
-        });
-        for (const End& end : ends) *end.beyond = Segment::kJoins;
-        const auto inward = [&](const End& end) {
-            return glm::vec3(thinned_.points[end.inward]) - glm::vec3(thinned_.points[end.joint]);
-        };
-        if (glm::dot(inward(ends[0]), inward(ends[1])) >= 0.0F) continue;
-        *ends[0].beyond = ends[1].inward;
-        *ends[1].beyond = ends[0].inward;
-    }
 }
 
 // There a point of the surface can be either.
 void VesselCones::find_mixed_layers(const std::vector<Layer>& layers) {
-    const std::size_t count = segments_.size();
+    const FittedCones& fitted = *fitted_;
+    const Neighbours& neighbours = fitted.neighbours;
+    const std::size_t count = fitted.segments.size();
     if (layers == layers_ && other_layer_.first.size() == count + 1) return;
     layers_ = layers;
     segment_layers_.assign(count + 1, Layer::kNone);
     for (std::size_t i = 0; i < count; ++i) {
-        const auto branch = std::size_t(segments_[i].branch);
+        const auto branch = std::size_t(fitted.segments[i].branch);
         segment_layers_[i] = branch < layers.size() ? layers[branch] : Layer::kOpaque;
     }
     other_layer_.first.assign(count + 1, 0);
     other_layer_.segments.clear();
-    const bool any = neighbours_width_ > 0.0F && std::ranges::find(layers, Layer::kGlass) != layers.end();
+    const bool any = fitted.neighbours_width > 0.0F && std::ranges::find(layers, Layer::kGlass) != layers.end();
     for (std::size_t i = 0; i < count && any; ++i) {
         const Layer other = segment_layers_[i] == Layer::kGlass ? Layer::kOpaque : Layer::kGlass;
-        for (std::uint32_t n = neighbours_.first[i]; n < neighbours_.first[i + 1]; ++n)
-            if (segment_layers_[neighbours_.segments[n]] == other)
-                other_layer_.segments.push_back(neighbours_.segments[n]);
+        for (std::uint32_t n = neighbours.first[i]; n < neighbours.first[i + 1]; ++n)
+            if (segment_layers_[neighbours.segments[n]] == other)
+                other_layer_.segments.push_back(neighbours.segments[n]);
         if (other_layer_.segments.size() % 2 != 0) other_layer_.segments.push_back(static_cast<std::uint32_t>(count));
         other_layer_.first[i + 1] = static_cast<std::uint32_t>(other_layer_.segments.size());
     }

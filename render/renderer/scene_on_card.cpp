@@ -60,6 +60,7 @@ Result<Frame> SceneOnCard::take_up(const Frame& wanted, std::size_t upload_budge
     const bool is_wanted = frame.mesh && (frame.mesh == wanted.mesh || frame.mesh == wanted.preview);
     if (frame.scale.value == ColourScale::Value::kSurface && !is_wanted) frame.scale = {};
     frame.surface_awaited = false;
+    if (frame.quality != Quality::kInteractive) frame.cones = nullptr; // nothing casts it
     done.quality = frame.quality;
     return frame;
 }
@@ -78,9 +79,8 @@ Result<bool> SceneOnCard::fits(const Frame& wanted) const {
 }
 
 bool SceneOnCard::casts(const Frame& frame) const {
-    constexpr std::size_t kMostAtOnce = 300'000; // points; of more, what the caster begins with takes too long
     if (lines_.shown() == nullptr || !caster::Caster::draws(frame)) return false;
-    return !frame.surface_awaited || lines_.shown()->points.size() <= kMostAtOnce;
+    return !frame.surface_awaited || lines_.shown()->points.size() <= caster::kMostCastPoints;
 }
 
 void SceneOnCard::let_go() {

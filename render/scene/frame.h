@@ -19,6 +19,10 @@
 
 namespace ramus::render {
 
+namespace caster {
+struct FittedCones;
+}
+
 enum class BranchState : std::uint8_t {
     kNormal,
     kHighlighted, // in the highlight colour, and everything normal goes calm
@@ -104,6 +108,9 @@ struct Frame {
     std::vector<BranchState> states; // by branch id; branches beyond its end are normal
     std::vector<glm::vec3> colours; // sRGB by branch id, for colour-by; branches beyond its end have Appearance::vessel
     std::shared_ptr<const Centerlines> centerlines; // of the surface's branches; null: none
+    // What the processor draws instead of the mesh, made ahead; of these centerlines, and of about the width. Null: it
+    // is made when it is needed.
+    std::shared_ptr<const caster::FittedCones> cones;
     // Drawn over the vessels, as lines with rings of the radius; null: none. Hidden branches have none.
     std::shared_ptr<const Centerlines> skeleton;
     float width = 0.0F;          // of the kernel of the convolution surface, 1 or more; 0: it is no such surface

@@ -94,7 +94,7 @@ void MeanPass::show(const ViewSetup& view, const MeanTarget& from, const LitTarg
 std::uint64_t CastPass::draw(const Subject& subject, const ViewSetup& view, BranchRecords& records) {
     const Frame& frame = subject.frame;
     const glm::dmat4 eye = eye_matrix(frame.camera);
-    caster_.follow(frame.centerlines, frame.width > 0.0F);
+    caster_.follow(frame, nullptr);
     const bool outlined = records.send(subject, false).any_selected;
     const bool glass = std::ranges::find(subject.layers, Layer::kGlass) != subject.layers.end();
     const LookData data = look_data_of(frame, frame.centerlines.get(), eye);
