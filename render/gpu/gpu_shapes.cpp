@@ -43,8 +43,8 @@ Shape::As as(const ContextMesh& mesh) { return mesh.wireframe ? Shape::As::kLine
 
 } // namespace
 
-Shape::Shape(const mesh::TriangleMesh& mesh, As as) : made_of_(mesh), as_(as) {
-    const std::vector<glm::uvec3>& triangles = made_of_.triangles;
+Shape::Shape(const mesh::TriangleMesh& mesh, As as) : made_of_(std::make_shared<const ShapeTriangles>(mesh)), as_(as) {
+    const std::vector<glm::uvec3>& triangles = made_of_->triangles;
     using Vertex = ShapeTriangles::Vertex;
     vertex_array_ = make_vertex_array();
     corners_ = static_cast<GLsizei>(3 * triangles.size());
@@ -53,12 +53,12 @@ Shape::Shape(const mesh::TriangleMesh& mesh, As as) : made_of_(mesh), as_(as) {
         std::vector<Vertex> corners;
         corners.reserve(3 * triangles.size());
         for (const glm::uvec3& t : triangles)
-            for (const std::uint32_t corner : {t.x, t.y, t.z}) corners.push_back(made_of_.vertices[corner]);
+            for (const std::uint32_t corner : {t.x, t.y, t.z}) corners.push_back(made_of_->vertices[corner]);
         vertices_ = make_buffer(corners.size() * sizeof corners[0], corners.data());
     } else {
         triangles_ = make_buffer(triangles.size() * sizeof triangles[0], triangles.data());
         glVertexArrayElementBuffer(vertex_array_, triangles_);
-        vertices_ = make_buffer(made_of_.vertices.size() * sizeof(Vertex), made_of_.vertices.data());
+        vertices_ = make_buffer(made_of_->vertices.size() * sizeof(Vertex), made_of_->vertices.data());
     }
     glVertexArrayVertexBuffer(vertex_array_, 0, vertices_, 0, sizeof(Vertex));
     glVertexArrayAttribFormat(vertex_array_, kAttributePosition, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, position));

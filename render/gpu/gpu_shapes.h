@@ -20,15 +20,15 @@ public:
     enum class As : std::uint8_t { kSurface, kLines };
     Shape(const mesh::TriangleMesh& mesh, As as);
 
-    [[nodiscard]] const ShapeTriangles& made_of() const { return made_of_; }
-    [[nodiscard]] const Box& bounds() const { return made_of_.bounds; }
+    [[nodiscard]] const std::shared_ptr<const ShapeTriangles>& made_of() const { return made_of_; }
+    [[nodiscard]] const Box& bounds() const { return made_of_->bounds; }
     [[nodiscard]] bool lines() const { return as_ == As::kLines; }
-    [[nodiscard]] bool closed() const { return made_of_.closed; }
+    [[nodiscard]] bool closed() const { return made_of_->closed; }
     // Positions are attribute 0, normals 1; returns the number of triangles.
     [[nodiscard]] std::uint64_t draw() const;
 
 private:
-    ShapeTriangles made_of_;
+    std::shared_ptr<const ShapeTriangles> made_of_;
     As as_;
     GLsizei corners_ = 0;
     VertexArray vertex_array_;

@@ -18,6 +18,7 @@
 // Memory may run out in any allocation: let_go() then leaves nothing of the picture and of what was sent for it.
 #pragma once
 
+#include "render/renderer/passes/cast_pass.h"
 #include "render/renderer/passes/overlay_passes.h"
 #include "render/renderer/passes/picture_passes.h"
 

@@ -29,8 +29,9 @@ public:
     [[nodiscard]] std::size_t surface_bytes() const { return card_.scene.surface_bytes(); } // that surfaces may take
 
     // Makes the picture of `frame` the current one. Fails on an impossible size or when memory runs out. With a limit
-    // in seconds a picture in full quality may take several calls, which each go on where the one before stopped as
-    // long as camera, surface, states and size stay; and the limit is passed by a part that takes long.
+    // in seconds a picture may take several calls. One in full quality goes on where the call before stopped as long as
+    // camera, surface, states and size stay; the limit is passed by a part that takes long. The caster's is made on a
+    // thread of its own: of a view that moves on some pictures are shown, each whole, and the last.
     [[nodiscard]] Result<DrawStatistics> draw(const Frame& frame, std::size_t upload_budget = kUploadAll,
                                               double seconds = kUntilDone);
 
@@ -85,7 +86,12 @@ private:
     [[nodiscard]] Plan plan_for(const Frame& wanted, const Frame& frame, const std::vector<Layer>& layers) const;
     [[nodiscard]] bool moves(const Frame& wanted, const Frame& frame) const;
     Result<void> resize(const Frame& frame, Plan plan);
+    [[nodiscard]] ViewSetup cast_view(const Subject& subject) const;
     std::uint64_t cast(const Subject& subject);
+    // What the caster has made on its thread within the time, perhaps of a frame before, is shown; what the subject
+    // shows is begun where that is another. False: nothing new is shown.
+    bool cast_in_time(const Subject& subject, double seconds, DrawStatistics& done);
+    void show_cast(CastPass::Made made);
     void begin(const Frame& wanted, const Frame& frame, const std::vector<Layer>& layers);
     Result<bool> draw_parts(double seconds, DrawStatistics& done);
     Result<Region> shade(const Subject& subject, Plan plan);

@@ -133,12 +133,42 @@ Result<void> Renderer::resize(const Frame& frame, Plan plan) {
     return {};
 }
 
-std::uint64_t Renderer::cast(const Subject& subject) {
-    ViewSetup& view = card_.targets.view;
+ViewSetup Renderer::cast_view(const Subject& subject) const {
+    ViewSetup view = card_.targets.view;
     view.look(subject.frame, subject.has_mesh() ? subject.mesh.shown()->bounds() : card_.scene.lines().bounds(),
               card_.scene.beside_tree(subject.frame));
-    card_.passes.begin(view);
-    return card_.passes.cast.draw(subject, view, card_.passes.shade.records());
+    return view;
+}
+
+std::uint64_t Renderer::cast(const Subject& subject) {
+    card_.targets.view = cast_view(subject);
+    card_.passes.begin(card_.targets.view);
+    return card_.passes.cast.draw(subject, card_.targets.view, card_.passes.shade.records());
+}
+
+bool Renderer::cast_in_time(const Subject& subject, double seconds, DrawStatistics& done) {
+    CastPass& pass = card_.passes.cast;
+    const auto begin_cast = [&] { pass.begin(subject, cast_view(subject), card_.passes.shade.records()); };
+    if (!pass.busy()) begin_cast();
+    auto made = pass.take(seconds);
+    done.unfinished = !made || made->frame != subject.frame || made->layers != subject.layers;
+    const bool another = made && done.unfinished && !differs_in_overlays_only(made->frame, subject.frame);
+    if (!made) return false;
+    done.cones = made->cones;
+    done.seconds = made->seconds;
+    done.geometry = true;
+    show_cast(std::move(*made));
+    if (another) begin_cast();
+    return true;
+}
+
+void Renderer::show_cast(CastPass::Made made) {
+    card_.targets.view = made.view;
+    card_.passes.begin(made.view);
+    state_.cast();
+    show(subject_of(made.frame, made.layers), {glm::ivec2(0), made.view.size});
+    last_ = std::move(made.frame);
+    last_layers_ = std::move(made.layers);
 }
 
 // Draws on at what is on its way; true: its geometry is whole.
@@ -169,9 +199,14 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
     } else if ((plan != Plan::kNothing && plan != Plan::kShow) || state_.partial()) {
         give_up();
     }
+    if (plan != Plan::kCast) card_.passes.cast.forget();
     if (plan == Plan::kNothing) return done;
+    bool in_time = plan == Plan::kCast && seconds != kUntilDone; // the caster may be given a thread of its own
     if (plan == Plan::kCast || plan == Plan::kDraw) {
         const bool other_size = card_.picture.size != frame.size;
+        // What is shown says what lies under its pixels until there is another picture: its targets must stay.
+        in_time = in_time && last_ && !other_size && card_.targets.view.size == frame.size;
+        if (!in_time) card_.passes.cast.forget();
         if (auto resized = resize(frame, plan); !resized) return failed(resized.error());
         if (plan == Plan::kDraw) begin(wanted, frame, layers);
         if (!last_ || other_size) seconds = kUntilDone; // there is no picture meanwhile
@@ -179,6 +214,12 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
     card_.passes.begin(card_.targets.view);
     const Subject subject = subject_of(frame, layers);
     Region region{glm::ivec2(0), card_.targets.view.size};
+    if (in_time) {
+        done.shaded = cast_in_time(subject, seconds - watch.seconds(), done);
+        if (!done.shaded) end_passes();
+        if (gl_ran_out_of_memory()) throw OutOfGraphicsMemory(0);
+        return done;
+    }
     if (plan == Plan::kCast) {
         done.cones = cast(subject);
         done.geometry = true;
@@ -300,6 +341,7 @@ Result<void> Renderer::begin_refinement() {
 }
 
 void Renderer::finish() {
+    if (auto made = card_.passes.cast.take(kUntilDone)) show_cast(std::move(*made));
     if (!unfinished_) return;
     const Frame wanted = unfinished_->wanted;
     (void)draw(wanted, 0, kUntilDone);
@@ -324,6 +366,7 @@ void Renderer::let_go() {
     give_up();
     last_.reset();
     state_.lose();
+    card_.passes.cast.forget();
     wanted_mesh_ = nullptr;
     card_.let_go();
 }

@@ -1,8 +1,6 @@
-// From what was lit to the picture: CopyPass brings it there, MeanPass makes it the mean of several views, CastPass has
-// the caster make it.
+// From what was lit to the picture: CopyPass brings it there, MeanPass makes it the mean of several views.
 #pragma once
 
-#include "render/caster/caster.h"
 #include "render/renderer/passes/shade_pass.h"
 #include "render/renderer/targets.h"
 
@@ -34,18 +32,6 @@ public:
 
 private:
     Fullscreen add_, mean_;
-};
-
-class CastPass {
-public:
-    // Returns the number of cones. `records`: of the branches, made for this.
-    std::uint64_t draw(const Subject& subject, const ViewSetup& view, BranchRecords& records);
-    void send_picture(const PictureTarget& to) const;
-    void send_depths(const PictureTarget& picture, const ResolvedTarget& to) const; // for what is drawn over it
-    [[nodiscard]] const caster::Caster& caster() const { return caster_; }
-
-private:
-    caster::Caster caster_;
 };
 
 } // namespace ramus::render

@@ -1,0 +1,100 @@
+// Pictures that the caster makes on a thread of its own, for who has no time to wait: they are those that it makes at
+// once, and meanwhile the picture before is shown and answers.
+#include "render/renderer/renderer.h"
+#include "tests/support/gl_test.h"
+#include "tests/support/tube_scene.h"
+
+#include <doctest/doctest.h>
+
+using namespace ramus::render;
+using namespace ramus;
+
+namespace {
+
+struct Shown {
+    DrawStatistics last;
+    int pictures = 0;
+};
+
+// Until the frame itself is shown.
+Shown draw_in_time(Renderer& renderer, const Frame& frame) {
+    Shown shown;
+    for (int i = 0; i < 100'000; ++i) {
+        const auto done = renderer.draw(frame, kUploadAll, 0.01);
+        REQUIRE(done);
+        shown.pictures += done->shaded ? 1 : 0;
+        shown.last = *done;
+        if (!done->unfinished) return shown;
+    }
+    FAIL("it never comes");
+    return shown;
+}
+
+} // namespace
+
+TEST_CASE("a picture that is cast in time is the one that is cast at once, and the one before answers meanwhile") {
+    const test::WatchedContext context;
+    const auto renderer = Renderer::create().value(), at_once = Renderer::create().value();
+    Frame frame = test::tube(3.0F, {600, 400});
+    REQUIRE(renderer->draw(frame));
+    REQUIRE(at_once->draw(frame));
+    frame.quality = Quality::kInteractive;
+    for (int step = 0; step < 6; ++step) { // the view moves on, whether or not there is a picture of where it was
+        frame.camera = turned(frame.camera, 4.0, 1.0);
+        const auto done = renderer->draw(frame, kUploadAll, 0.0);
+        REQUIRE(done);
+        CHECK(done->triangles == 0);
+        CHECK(renderer->pick(300, 200).branch == 0);
+        CHECK(renderer->read_depths());
+    }
+    const Shown shown = draw_in_time(*renderer, frame);
+    CHECK(shown.pictures >= 1);
+    const auto there = at_once->draw(frame);
+    REQUIRE(there);
+    CHECK(there->cones > 0);
+    CHECK(shown.last.cones == there->cones);
+    CHECK(renderer->read_image() == at_once->read_image());
+    CHECK(renderer->pick(310, 190) == at_once->pick(310, 190));
+
+    const auto same = renderer->draw(frame, kUploadAll, 0.0);
+    REQUIRE(same);
+    CHECK_FALSE(same->shaded);
+    CHECK_FALSE(same->unfinished);
+    frame.overlays.caption = "over it"; // casts nothing
+    const auto over = renderer->draw(frame, kUploadAll, 0.0);
+    REQUIRE(over);
+    CHECK(over->shaded);
+    CHECK_FALSE(over->unfinished);
+    CHECK_FALSE(over->geometry);
+
+    // What is on its way when the view rests is shown by nobody.
+    frame.camera = turned(frame.camera, 4.0, 1.0);
+    REQUIRE(renderer->draw(frame, kUploadAll, 0.0));
+    frame.quality = Quality::kFull;
+    const auto full = renderer->draw(frame);
+    REQUIRE(full);
+    CHECK(full->triangles > 0);
+    CHECK(full->cones == 0);
+    const Image resting = renderer->read_image();
+    REQUIRE(renderer->draw(frame, kUploadAll, 0.0));
+    CHECK(renderer->read_image() == resting);
+}
+
+TEST_CASE("what is cast when a window changes its size, or is closed, does no harm") {
+    const test::WatchedContext context;
+    auto renderer = Renderer::create().value();
+    Frame frame = test::tube(3.0F, {600, 400});
+    REQUIRE(renderer->draw(frame));
+    frame.quality = Quality::kInteractive;
+    frame.camera = turned(frame.camera, 4.0, 1.0);
+    REQUIRE(renderer->draw(frame, kUploadAll, 0.0));
+    frame.size = {500, 300};
+    const auto other = renderer->draw(frame, kUploadAll, 0.0);
+    REQUIRE(other);
+    CHECK(other->shaded); // there was no picture of this size
+    CHECK_FALSE(other->unfinished);
+    CHECK(renderer->read_image().width == 500);
+    frame.camera = turned(frame.camera, 4.0, 1.0);
+    REQUIRE(renderer->draw(frame, kUploadAll, 0.0));
+    renderer.reset();
+}
