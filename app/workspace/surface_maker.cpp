@@ -8,6 +8,7 @@
 #include "render/scene/bounds.h"
 
 #include <algorithm>
+#include <future>
 #include <iterator>
 
 namespace ramus::app {
@@ -209,14 +210,20 @@ void SurfaceFollower::open(std::shared_ptr<SurfaceMaker> maker, ReadySurface sho
 void SurfaceFollower::change_tree(const std::shared_ptr<const tree::VesselTree>& tree, const SurfaceRequest& request) {
     open(std::make_shared<SurfaceMaker>(tree), {});
     follow(request, false);
+    // Made meanwhile, and mostly in vain.
+    const auto make_cones = [&] {
+        Job job;
+        return first_cones(*tree, request, job);
+    };
+    std::future<Result<ReadySurface>> cones = std::async(std::launch::async, make_cones);
     worker_.wait(kEditPatience);
     worker_.drain();
+    const Result<ReadySurface> made = cones.get();
     if (shown_.mesh) return;
-    Job job;
-    if (auto cones = first_cones(*tree, request, job))
-        show(std::move(*cones));
+    if (made)
+        show(*made);
     else
-        problem_ = cones.error().message();
+        problem_ = made.error().message();
 }
 
 void SurfaceFollower::show(ReadySurface surface) {
