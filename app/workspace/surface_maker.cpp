@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <future>
 #include <iterator>
+#include <tbb/task_arena.h>
 
 namespace ramus::app {
 
@@ -198,6 +199,8 @@ Result<void> SurfaceMaker::follow_systems(Followed& followed, const std::vector<
 
 void SurfaceFollower::open(std::shared_ptr<SurfaceMaker> maker, ReadySurface shown) {
     worker_.cancel();
+    // The one before may hold gigabytes, and the system takes its time to take them back.
+    if (maker_) tbb::this_task_arena::enqueue([before = std::move(maker_)] {});
     maker_ = std::move(maker);
     shown_ = std::move(shown);
     cached_.clear();
