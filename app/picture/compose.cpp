@@ -163,6 +163,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     frame.width = width.width;
     frame.beyond_ends = width.beyond_ends;
     frame.only_mesh = !drawn_along_lines(options, method);
+    frame.bends = method == mesh::Method::kConvolutionSurface;
     show_outline(frame, session, assets);
     draw_cuts(frame, marks, plan);
     if (assets.measurements) draw_measurements(frame, assets.measurements->found, viewing.measurement);

@@ -3,6 +3,7 @@
 #include "render/gl/bindings.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace ramus::render {
 
@@ -39,11 +40,11 @@ bool send_pages(GLuint buffer, Pages& have, const Pages& want, std::size_t& budg
 } // namespace
 
 // Neighbours are joined.
-void GpuMesh::Ranges::add(std::size_t first, std::size_t count) {
+void GpuMesh::Ranges::add(std::size_t first, std::size_t count, bool near) {
     constexpr std::size_t kPart = std::size_t{1} << 15; // triangles
     while (count > 0) {
-        if (part_begins_.empty() || in_part_ == kPart) {
-            part_begins_.push_back(counts_.size());
+        if (parts_.empty() || in_part_ == kPart || parts_.back().near != near) {
+            parts_.push_back({counts_.size(), near});
             in_part_ = 0;
         }
         const std::size_t now = std::min(count, kPart - in_part_);
@@ -96,7 +97,10 @@ std::size_t GpuMesh::bytes_of(const PagedMesh& mesh) {
            with_reserve(mesh.triangle_pages().size()) * kTrianglePageBytes;
 }
 
-std::size_t GpuMesh::bytes() const { return (drawn_ ? drawn_->bytes() : 0) + (coming_ ? coming_->bytes() : 0); }
+std::size_t GpuMesh::bytes() const {
+    const auto of = [](const std::unique_ptr<Copy>& copy) { return copy ? copy->bytes() : 0; };
+    return of(drawn_) + of(coming_) + of(near_copy_);
+}
 
 bool GpuMesh::Copy::fits(const PagedMesh& mesh) const {
     return mesh.vertex_pages().size() <= vertex_pages.size() && mesh.triangle_pages().size() <= triangle_pages.size();
@@ -130,13 +134,13 @@ void GpuMesh::follow(const std::shared_ptr<const PagedMesh>& mesh, std::size_t& 
     if (!mesh || (shown_ && shown_->origin() != mesh->origin())) {
         drawn_.reset();
         coming_.reset();
-        shown_.reset();
+        show(nullptr);
         if (!mesh) return;
     }
     if (drawn_ && drawn_->fits(*mesh) && drawn_->missing(*mesh) <= budget) {
         (void)drawn_->send(*mesh, budget);
         coming_.reset();
-        shown_ = mesh;
+        show(mesh);
         return;
     }
     if (!coming_ || !coming_->fits(*mesh)) coming_ = std::make_unique<Copy>(*mesh);
@@ -147,27 +151,49 @@ void GpuMesh::follow(const std::shared_ptr<const PagedMesh>& mesh, std::size_t& 
     budget -= part - left;
     if (!whole) return;
     drawn_ = std::move(coming_);
+    show(mesh);
+}
+
+void GpuMesh::show(const std::shared_ptr<const PagedMesh>& mesh) {
     shown_ = mesh;
+    near_ = {};
+    if (!mesh) near_copy_.reset();
+}
+
+void GpuMesh::come_near(NearSurface surface) {
+    near_ = std::move(surface);
+    if (!near_.mesh) return;
+    if (!near_copy_ || !near_copy_->fits(*near_.mesh)) {
+        near_copy_.reset();
+        near_copy_ = std::make_unique<Copy>(*near_.mesh);
+    }
+    std::size_t budget = std::numeric_limits<std::size_t>::max();
+    (void)near_copy_->send(*near_.mesh, budget);
 }
 
 template <class Call> void GpuMesh::for_pages(const glm::dmat4& to_clip, const Call& call) const {
     if (!shown_) return;
-    std::size_t first = 0;
-    for (const auto& page : shown_->triangle_pages()) {
-        if (page->count > 0 && in_picture(page->lower, page->upper, to_clip)) call(*page, first);
-        first += TrianglePage::kSize;
-    }
+    const auto for_those_of = [&](const PagedMesh& mesh, bool near) {
+        for (std::size_t i = 0; i < mesh.triangle_pages().size(); ++i) {
+            const TrianglePage& page = *mesh.triangle_pages()[i];
+            if (!near && near_.mesh && near_.replaced[i] != 0) continue;
+            if (page.count > 0 && in_picture(page.lower, page.upper, to_clip))
+                call(page, i * TrianglePage::kSize, near);
+        }
+    };
+    for_those_of(*shown_, false);
+    if (near_.mesh) for_those_of(*near_.mesh, true);
 }
 
 GpuMesh::Ranges GpuMesh::choose(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const {
     Ranges ranges;
     const bool all_opaque = std::ranges::all_of(layers, [](Layer l) { return l == Layer::kOpaque; });
     if (all_opaque && layer != Layer::kOpaque) return ranges;
-    for_pages(to_clip, [&](const TrianglePage& page, std::size_t first) {
-        if (all_opaque) return ranges.add(first, page.first_border);
+    for_pages(to_clip, [&](const TrianglePage& page, std::size_t first, bool near) {
+        if (all_opaque) return ranges.add(first, page.first_border, near);
         for (const TrianglePage::Run& run : page.runs)
             if (layer_of(layers, static_cast<std::size_t>(run.branch)) == layer)
-                ranges.add(first + run.first, run.count);
+                ranges.add(first + run.first, run.count, near);
     });
     return ranges;
 }
@@ -178,18 +204,18 @@ GpuMesh::Ranges GpuMesh::choose_borders(const std::vector<Layer>& layers, Layer 
     const auto is_wanted = [&](std::int32_t branch) {
         return layer_of(layers, static_cast<std::size_t>(branch)) == layer;
     };
-    for_pages(to_clip, [&](const TrianglePage& page, std::size_t first) {
+    for_pages(to_clip, [&](const TrianglePage& page, std::size_t first, bool near) {
         if (std::ranges::any_of(page.borders,
                                 [&](const auto& pair) { return is_wanted(pair[0]) || is_wanted(pair[1]); }))
-            ranges.add(first + page.first_border, page.count - page.first_border);
+            ranges.add(first + page.first_border, page.count - page.first_border, near);
     });
     return ranges;
 }
 
 void GpuMesh::draw_part(const Ranges& ranges, std::size_t part) const {
-    const std::size_t begin = ranges.part_begins_[part];
-    const std::size_t end = part + 1 < ranges.parts() ? ranges.part_begins_[part + 1] : ranges.counts_.size();
-    glBindVertexArray(drawn_->vertex_array);
+    const auto [begin, near] = ranges.parts_[part];
+    const std::size_t end = part + 1 < ranges.parts() ? ranges.parts_[part + 1].begin : ranges.counts_.size();
+    glBindVertexArray((near ? near_copy_ : drawn_)->vertex_array);
     glMultiDrawElements(GL_TRIANGLES, &ranges.counts_[begin], GL_UNSIGNED_INT, &ranges.offsets_[begin],
                         static_cast<GLsizei>(end - begin));
 }
@@ -201,7 +227,7 @@ std::uint64_t GpuMesh::draw(const Ranges& ranges) const {
 
 std::uint64_t GpuMesh::triangles_in_picture(const glm::dmat4& to_clip) const {
     std::uint64_t count = 0;
-    for_pages(to_clip, [&](const TrianglePage& page, std::size_t) { count += page.count; });
+    for_pages(to_clip, [&](const TrianglePage& page, std::size_t, bool) { count += page.count; });
     return count;
 }
 

@@ -5,6 +5,7 @@
 
 #include "render/gl/gl_objects.h"
 #include "render/scene/layer.h"
+#include "render/scene/near_surface.h"
 #include "render/scene/paged_mesh.h"
 
 #include <cstdint>
@@ -24,22 +25,28 @@ public:
     void follow(const std::shared_ptr<const PagedMesh>& mesh, std::size_t& budget);
     // What is drawn: the mesh last given to follow(), or the one before until that has come; null: nothing.
     [[nodiscard]] const std::shared_ptr<const PagedMesh>& shown() const { return shown_; }
+    // Draws `surface`, of what is shown now, in place of those of its pages, until something else is shown.
+    void come_near(NearSurface surface);
 
     // Triangles that are drawn together: stretches of the index buffer, in parts that a software rasteriser takes a
     // few milliseconds for.
     class Ranges {
     public:
         [[nodiscard]] std::uint64_t triangles() const { return triangles_; }
-        [[nodiscard]] std::size_t parts() const { return part_begins_.size(); }
+        [[nodiscard]] std::size_t parts() const { return parts_.size(); }
 
     private:
         friend GpuMesh;
-        void add(std::size_t first, std::size_t count);
+        struct Part {
+            std::size_t begin; // in what follows
+            bool near;         // of the near surface
+        };
+        void add(std::size_t first, std::size_t count, bool near);
         std::vector<GLsizei> counts_; // of indices
         std::vector<const void*> offsets_;
-        std::vector<std::size_t> part_begins_; // in these two
-        std::size_t end_ = 0;                  // of the last stretch
-        std::size_t in_part_ = 0;              // triangles of the last part
+        std::vector<Part> parts_;
+        std::size_t end_ = 0;     // of the last stretch
+        std::size_t in_part_ = 0; // triangles of the last part
         std::uint64_t triangles_ = 0;
     };
 
@@ -55,7 +62,7 @@ public:
     [[nodiscard]] std::uint64_t triangles_in_picture(const glm::dmat4& to_clip) const;
 
 private:
-    // call(page, its first triangle) for those in the picture.
+    // call(page, its first triangle, whether it is the near surface's) for those in the picture.
     template <class Call> void for_pages(const glm::dmat4& to_clip, const Call& call) const;
 
     // Buffers and what is in them, page by page.
@@ -74,8 +81,11 @@ private:
         bool send(const PagedMesh& mesh, std::size_t& budget); // true: all is there
     };
 
-    std::unique_ptr<Copy> drawn_, coming_;
+    void show(const std::shared_ptr<const PagedMesh>& mesh);
+
+    std::unique_ptr<Copy> drawn_, coming_, near_copy_;
     std::shared_ptr<const PagedMesh> shown_;
+    NearSurface near_; // of that
 };
 
 } // namespace ramus::render

@@ -5,6 +5,7 @@
 // | owner                  | what                                         | bytes
 // | Passes                 | programs: some twenty, and shade_pass.h      | the driver's
 // | SceneOnCard (surfaces) | pages of mesh and preview                    | GpuMesh::bytes(), surface_bytes
+// | SceneOnCard (near)     | what stands for some of those pages          | 120 MB at most, beside
 // | SceneOnCard (the rest) | centerlines, skeleton, context and lesions   | 24 a point and vertex, 12 a triangle
 // | ShadePass              | branches, cuts, lesions, ramp, distances     | 8 a branch; 4 a grid's sample
 // | ViewTargets            | samples, resolved, occlusion, lit: targets.h | 12 s + 30 a pixel

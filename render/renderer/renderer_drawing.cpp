@@ -54,9 +54,9 @@ bool same_shapes(const std::vector<ContextMesh>& a, const std::vector<ContextMes
 
 // Whether the passes up to the occlusion would make the same of both, where all else is the same.
 bool same_geometry(const Frame& a, const Frame& b, bool has_glass) {
-    return a.mesh == b.mesh && a.camera == b.camera && a.size == b.size && a.quality == b.quality &&
-           a.lesions == b.lesions && same_shapes(a.context, b.context) && a.pixel_ratio == b.pixel_ratio &&
-           (!has_glass || a.centerlines == b.centerlines) &&
+    return a.mesh == b.mesh && a.bends == b.bends && a.camera == b.camera && a.size == b.size &&
+           a.quality == b.quality && a.lesions == b.lesions && same_shapes(a.context, b.context) &&
+           a.pixel_ratio == b.pixel_ratio && (!has_glass || a.centerlines == b.centerlines) &&
            (a.appearance.shadows > 0.0F || !(b.appearance.shadows > 0.0F)) &&
            (a.appearance.occlusion > 0.0F || !(b.appearance.occlusion > 0.0F));
 }

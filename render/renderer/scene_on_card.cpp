@@ -13,6 +13,9 @@ namespace ramus::render {
 
 namespace {
 
+// More take more memory than smooth outlines are worth: 120 MB.
+constexpr std::size_t kMostNearTriangles = 3'000'000;
+
 std::size_t most_surface_bytes() {
     constexpr double kShare = 0.75; // of the graphics card's memory
     const double bytes = kShare * graphics_memory_bytes();
@@ -44,6 +47,7 @@ Result<Frame> SceneOnCard::take_up(const Frame& wanted, std::size_t upload_budge
     if (done.coarse || (crowded && mesh_.shown())) mesh_.follow(nullptr, left);
     preview_.follow(wanted.preview, left);
     if (!done.coarse) mesh_.follow(wanted.mesh, left);
+    if (mesh_.shown() != near_.mesh) near_ = {};
     done.uploaded = upload_budget - left;
     const bool mesh_there = done.coarse || mesh_.shown() == wanted.mesh;
     const bool preview_there = wanted.preview && preview_.shown() == wanted.preview;
@@ -63,6 +67,19 @@ Result<Frame> SceneOnCard::take_up(const Frame& wanted, std::size_t upload_budge
     if (frame.quality != Quality::kInteractive) frame.cones = nullptr; // nothing casts it
     done.quality = frame.quality;
     return frame;
+}
+
+// Views of a picture that are shifted by less than a pixel have the same.
+void SceneOnCard::come_near(const Frame& frame, const ViewSetup& view) {
+    const bool bends = frame.bends && frame.quality == Quality::kFull && drawn_ == &mesh_;
+    const Near near = bends ? Near{mesh_.shown(), frame.camera, view.size} : Near{};
+    if (near == near_) return;
+    near_ = {};
+    mesh_.come_near(bends ? near_surface(*near.mesh,
+                                         near_view(frame.camera, near.mesh->origin(), view.to_clip, view.size.y),
+                                         kMostNearTriangles)
+                          : NearSurface{});
+    near_ = near;
 }
 
 // Whether the mesh does. Its preview has to.
@@ -86,6 +103,7 @@ bool SceneOnCard::casts(const Frame& frame) const {
 void SceneOnCard::let_go() {
     drawn_ = nullptr;
     whole_surface_ = nullptr;
+    near_ = {};
     mesh_ = {};
     preview_ = {};
     lines_ = {};

@@ -25,6 +25,8 @@ public:
     // preview is sent first, and stands in until the mesh has come: drawing the mesh before it in full would be in
     // vain. Fails where neither fits.
     [[nodiscard]] Result<Frame> take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done);
+    // Before the frame taken up last is drawn as `view` looks at it: its surface is divided where that shows.
+    void come_near(const Frame& frame, const ViewSetup& view);
     // Whether the caster can draw it.
     [[nodiscard]] bool casts(const Frame& frame) const;
     void let_go(); // after memory has run out
@@ -53,6 +55,13 @@ private:
     BranchLayers branch_layers_;
     const GpuMesh* drawn_ = nullptr; // null: nothing
     std::shared_ptr<const PagedMesh> whole_surface_;
+    struct Near { // what mesh_ is divided for
+        std::shared_ptr<const PagedMesh> mesh;
+        Camera camera;
+        glm::ivec2 size{0};
+        bool operator==(const Near&) const = default;
+    };
+    Near near_;
     std::size_t surface_bytes_; // that surfaces may take
 };
 

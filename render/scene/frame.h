@@ -116,6 +116,7 @@ struct Frame {
     float width = 0.0F;          // of the kernel of the convolution surface, 1 or more; 0: it is no such surface
     float beyond_ends = 0.7075F; // how far the surface goes on beyond a free end, in radii there
     bool only_mesh = false;      // what the surface is like can be told by the mesh alone, not along centerlines
+    bool bends = false;          // the mesh's surface bends between its vertices as their normals say
     ColourScale scale;           // instead of colours
     Lesions lesions;
     std::vector<ContextMesh> context;

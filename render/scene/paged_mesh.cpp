@@ -80,8 +80,10 @@ std::shared_ptr<const TrianglePage> make_triangle_page(const Source& source, std
     for (std::size_t i = first; i < end; ++i) {
         const glm::uvec3& t = source.mesh.triangles[i];
         if (t.x == t.y) continue; // a gap
-        for (int corner = 0; corner < 3; ++corner) {
-            const glm::vec3 p = source.position(t[corner]);
+        const std::array<glm::vec3, 3> at{source.position(t.x), source.position(t.y), source.position(t.z)};
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const glm::vec3& p = at.at(corner);
+            made->longest_edge = std::max(made->longest_edge, glm::distance(p, at.at((corner + 1) % 3)));
             const bool first_corner = made->first_border + border_count == 0 && corner == 0;
             made->lower = first_corner ? p : glm::min(made->lower, p);
             made->upper = first_corner ? p : glm::max(made->upper, p);

@@ -49,6 +49,7 @@ struct TrianglePage {
     std::uint32_t first_border = 0, count = 0;        // triangles
     std::vector<std::array<std::int32_t, 2>> borders; // branches that meet, each pair once, the lower first
     glm::vec3 lower{0.0F}, upper{0.0F};               // relative to origin
+    float longest_edge = 0.0F;                        // mm
     std::array<glm::uvec3, kSize> triangles;
 };
 
@@ -88,6 +89,12 @@ public:
     [[nodiscard]] glm::vec3 position(std::uint32_t vertex) const {
         return glm::vec3(origin_ + glm::dvec3(this->vertex(vertex).position));
     }
+    [[nodiscard]] const GpuVertex& vertex(std::uint32_t number) const {
+        return vertex_pages_[number / VertexPage::kSize]->vertices[number % VertexPage::kSize];
+    }
+    [[nodiscard]] float value(std::uint32_t vertex) const { // of those that have any
+        return value_pages_[vertex / VertexPage::kSize]->values[vertex % VertexPage::kSize];
+    }
 
     // Positions in mm of the vertices that triangles use, of the branches that `wanted` accepts. Takes a few
     // milliseconds for a million triangles.
@@ -101,9 +108,6 @@ public:
 
 private:
     void summarise();
-    [[nodiscard]] const GpuVertex& vertex(std::uint32_t number) const {
-        return vertex_pages_[number / VertexPage::kSize]->vertices[number % VertexPage::kSize];
-    }
 
     VertexPages vertex_pages_;
     TrianglePages triangle_pages_;
