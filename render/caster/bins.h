@@ -18,7 +18,9 @@ using Bins = Grouped<std::uint32_t>;
                            const std::function<bool(std::size_t)>& included);
 [[nodiscard]] Bins bins_of(int across, int up, const std::vector<Triangle>& triangles);
 
-// Triangles `order` of `all` by the blocks of the tile whose lower left pixel is (x, y); `kept` is what it points into.
+// Those in `order` of `all` by the blocks of the tile whose lower left pixel is (x, y); `kept` is what it points into.
+[[nodiscard]] BlockCones by_block(const std::vector<RoundCone>& all, std::span<const std::uint32_t> order, int x, int y,
+                                  Bins& kept);
 [[nodiscard]] BlockTriangles by_block(const std::vector<Triangle>& all, std::span<const std::uint32_t> order, int x,
                                       int y, Bins& kept);
 

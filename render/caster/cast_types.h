@@ -26,6 +26,10 @@ inline constexpr float kNothing = 1e30F; // depth where there is no surface
 inline constexpr float kSampleX[kSamples] = {0.375F, 0.875F, 0.125F, 0.625F};
 inline constexpr float kSampleY[kSamples] = {0.125F, 0.375F, 0.625F, 0.875F};
 
+// In between the first two, and the last two.
+inline constexpr float kPairX[kSamples / 2] = {0.625F, 0.375F};
+inline constexpr float kPairY[kSamples / 2] = {0.25F, 0.75F};
+
 struct View {
     int width = 0, height = 0, stride = 0; // pixels; rows of the arrays below are `stride` apart
     float centre_x = 0, centre_y = 0;      // pixel that the eye looks through
@@ -78,11 +82,13 @@ struct TileCones {
     std::size_t count;
 };
 
-// The triangles that touch each block of a tile: of block b those numbered from *first[b] to before *first[b + 1].
-struct BlockTriangles {
-    const Triangle* all;
+// What may be seen in each block of a tile: in block b those numbered from *first[b] to before *first[b + 1].
+template <class Thing> struct InBlocks {
+    const Thing* all;
     const std::uint32_t* first[kBlocks * kBlocks + 1];
 };
+using BlockTriangles = InBlocks<Triangle>;
+using BlockCones = InBlocks<RoundCone>; // nearest first
 
 // A segment of the convolution surface's field, in eye space, mm.
 struct FieldSegment {
@@ -125,9 +131,10 @@ struct alignas(64) Samples {
 };
 
 // What is shaded at once: one record for the pixels of one surface, one a sample on edges.
-inline constexpr std::uint32_t kPixelMask = kTilePixels - 1, kSampleShift = 10, kWhole = 1U << 12;
+inline constexpr std::uint32_t kPixelMask = kTilePixels - 1, kSampleShift = 10, kWhole = 1U << 12,
+                               kPair = 1U << 13; // of the sample and the next one
 struct Records {
-    std::uint32_t* position; // pixel of the tile, sample << kSampleShift, kWhole: of all samples
+    std::uint32_t* position; // pixel of the tile, sample << kSampleShift; kWhole: of all samples, kPair: of two
     std::uint32_t* id;
     std::uint32_t* normal;
     float* depth;

@@ -26,11 +26,15 @@ struct RingSteps : LookBlock {
 
 } // namespace
 
+// Cones of glass in a tile, from which on what one sees through them is not told from half as many samples: vessels
+// narrower than pixels, in many layers. Tuned on the kidney of 78,000 segments, a third of a second a picture without.
+constexpr std::size_t kCrowded = 64;
+
 struct Caster::Scratches {
     struct Scratch {
         Samples samples;
         Colours colours;
-        Bins blocks;
+        Bins triangle_blocks, cone_blocks;
         std::vector<std::uint32_t> order, words = std::vector<std::uint32_t>(3 * kMaxFragmentsOfTile);
         std::vector<float> floats = std::vector<float>(2 * kMaxFragmentsOfTile);
 
@@ -124,7 +128,7 @@ void Caster::cast(int index, const Binned& binned, bool with_values) {
         return TileCones{cones_.cones.data(), scratch.order.data(), scratch.order.size()};
     };
     const auto in_blocks = [&](const std::vector<Triangle>& all, const Bins& bins) {
-        return by_block(all, in_tile(bins), task.x, task.y, scratch.blocks);
+        return by_block(all, in_tile(bins), task.x, task.y, scratch.triangle_blocks);
     };
     cast_tile(task, sorted(binned.opaque), scratch.samples);
     if (!in_tile(binned.solid_triangles).empty())
@@ -137,8 +141,9 @@ void Caster::cast(int index, const Binned& binned, bool with_values) {
     const TileCones glass_cones = sorted(binned.glass);
     if (glass_cones.count == 0 && in_tile(binned.clear_triangles).empty()) return;
     Records glass = scratch.records(false);
-    list_fragments(task, glass_cones, in_blocks(clear_triangles_, binned.clear_triangles), scratch.samples, picture_,
-                   glass);
+    const BlockCones cone_blocks = by_block(cones_.cones, scratch.order, task.x, task.y, scratch.cone_blocks);
+    list_fragments(task, cone_blocks, in_blocks(clear_triangles_, binned.clear_triangles), scratch.samples,
+                   glass_cones.count > kCrowded, picture_, glass);
     tile.glass.keep(glass);
 }
 

@@ -13,8 +13,6 @@ namespace ramus::render::caster::HWY_NAMESPACE {
 
 using namespace record;
 
-constexpr std::uint32_t kNoCone = ~0U;
-
 // The stretches of one ray inside cones, sorted by where they begin.
 struct RayIntervals {
     float entry[kMaxFragments], exit[kMaxFragments];
@@ -45,37 +43,47 @@ struct IntervalLanes {
     VU id, normal;
 };
 
-// Those of a block's samples and pixels.
+// Those of a block's rays and pixels.
 struct BlockIntervals {
     RayIntervals of[kSamples][kBlockPixels];
+    bool in_pairs;   // a ray for two samples each, of the first half of `of`; else one for each
     bool any = true; // something was inserted since clear()
+
+    [[nodiscard]] HWY_INLINE int rays() const { return in_pairs ? kSamples / 2 : kSamples; }
+    [[nodiscard]] HWY_INLINE float right(int ray) const { return in_pairs ? kPairX[ray] : kSampleX[ray]; }
+    [[nodiscard]] HWY_INLINE float up(int ray) const { return in_pairs ? kPairY[ray] : kSampleY[ray]; }
+    // What a ray sees before anything opaque: before what any of its samples sees.
+    [[nodiscard]] HWY_INLINE Float opaque_depth(const Samples& samples, int block, int ray, int lane) const {
+        if (!samples.touched[block]) return kNothing;
+        const auto of_sample = [&](int s) { return Float(hn::Load(D(), samples.depth[block][s] + lane)); };
+        return in_pairs ? min(of_sample(2 * ray), of_sample(2 * ray + 1)) : of_sample(ray);
+    }
 
     HWY_INLINE void clear() {
         if (!any) return;
-        for (auto& sample : of)
-            for (RayIntervals& ray : sample) ray.count = 0;
+        for (int k = 0; k < rays(); ++k)
+            for (RayIntervals& ray : of[k]) ray.count = 0;
         any = false;
     }
-    HWY_INLINE void insert(int sample, int lane, const IntervalLanes& lanes, std::uint32_t cone) {
+    HWY_INLINE void insert(int ray, int lane, const IntervalLanes& lanes, std::uint32_t cone) {
         const D d;
         const DU du;
-        alignas(64) float entry[kBlockPixels], exit[kBlockPixels], marks[kBlockPixels];
+        alignas(64) float entry[kBlockPixels], exit[kBlockPixels];
         alignas(64) std::uint32_t id[kBlockPixels], normal[kBlockPixels];
         hn::Store(lanes.entry.v, d, entry);
         hn::Store(lanes.exit.v, d, exit);
-        hn::Store(select(lanes.where, 1.0F, 0.0F).v, d, marks);
         hn::Store(lanes.id, du, id);
         hn::Store(lanes.normal, du, normal);
-        for (int k = 0; k < kN; ++k)
-            if (marks[k] != 0.0F) of[sample][lane + k].insert(entry[k], exit[k], id[k], normal[k], cone);
+        // Few rays of a block meet a thin vessel.
+        std::uint8_t bytes[8] = {};
+        hn::StoreMaskBits(d, lanes.where.m, bytes);
+        for (std::uint32_t left = bytes[0] | std::uint32_t{bytes[1]} << 8U; left != 0; left &= left - 1) {
+            const int k = __builtin_ctz(left);
+            of[ray][lane + k].insert(entry[k], exit[k], id[k], normal[k], cone);
+        }
         any = true;
     }
 };
-
-// What a sample sees before anything opaque.
-HWY_INLINE Float opaque_depth(const Samples& samples, int block, int sample, int lane) {
-    return samples.touched[block] ? Float(hn::Load(D(), samples.depth[block][sample] + lane)) : Float(kNothing);
-}
 
 template <bool Flat>
 HWY_INLINE void insert_cone(const Block& block, const RoundCone& cone, std::uint32_t number, const Samples& samples,
@@ -84,20 +92,26 @@ HWY_INLINE void insert_cone(const Block& block, const RoundCone& cone, std::uint
     for (int lane = 0; lane < kBlockPixels; lane += kN) {
         bool any_hit = false; // normals are those at the pixels' middles, once there is a sample to have them
         VU normal = hn::Zero(du);
-        for (int sample = 0; sample < kSamples; ++sample) {
-            const Rays<Float> rays = sample_rays(block, lane, sample);
-            const auto found = intersect<Flat, true>(cone, rays);
-            const Mask before = found.hit && found.depth < opaque_depth(samples, block.index, sample, lane);
-            if (!any(before)) continue;
+        const auto insert = [&](int ray, const Rays<Float>& rays, Mask hit, Float depth, Float exit) {
+            const Mask before = hit && depth < intervals.opaque_depth(samples, block.index, ray, lane);
+            if (!any(before)) return;
             if (!any_hit) normal = packed_normal(pixel_normal<Flat>(cone, pixel_rays(block, lane)));
             any_hit = true;
             VU id = hn::Set(du, cone.id);
             if (cone.near_other_layer) {
-                const Vec3 at = point_on(block.tile.view, rays, found.depth);
+                const Vec3 at = point_on(block.tile.view, rays, depth);
                 const Mask own = own_layer_leads(block.tile.field, number, before, at);
                 id = hn::IfThenElseZero(hn::RebindMask(du, own.m), id);
             }
-            intervals.insert(sample, lane, {before, found.depth, found.exit, id, normal}, number);
+            intervals.insert(ray, lane, {before, depth, exit, id, normal}, number);
+        };
+        const auto rays_of = [&](int ray) { return rays_at(block, lane, intervals.right(ray), intervals.up(ray)); };
+        for (int ray = 0; ray < intervals.rays(); ray += 2) { // two at a time
+            const Rays<Float> first = rays_of(ray), second = rays_of(ray + 1);
+            const auto found = intersect<Flat, true>(cone, Rays<FloatPair>{{first.x, second.x}, {first.y, second.y}});
+            if (!any(found.hit)) continue;
+            insert(ray, first, found.hit.a, found.depth.a, found.exit.a);
+            insert(ray + 1, second, found.hit.b, found.depth.b, found.exit.b);
         }
     }
 }
@@ -111,9 +125,9 @@ HWY_INLINE void insert_triangle(const Block& block, const Triangle& t, const Sam
         bool any_covered = false;
         VU normal = hn::Zero(du);
         Mask seen = {hn::FirstN(D(), kBlockPixels)};
-        for (int sample = 0; sample < kSamples; ++sample) {
-            const Coverage found = coverage<Flat>(t, block, lane, sample);
-            const Mask before = found.covered && found.depth < opaque_depth(samples, block.index, sample, lane);
+        for (int ray = 0; ray < intervals.rays(); ++ray) {
+            const Coverage found = coverage_at<Flat>(t, block, lane, intervals.right(ray), intervals.up(ray));
+            const Mask before = found.covered && found.depth < intervals.opaque_depth(samples, block.index, ray, lane);
             if (!any(before)) continue;
             if (!any_covered) {
                 const Vec3 facing = pixel_normal(t, block, lane);
@@ -122,20 +136,18 @@ HWY_INLINE void insert_triangle(const Block& block, const Triangle& t, const Sam
                 if (lines) seen = facing.x >= kLeastShare;
             }
             any_covered = true;
-            intervals.insert(sample, lane, {before && seen, found.depth, found.depth, hn::Set(du, t.id), normal},
-                             kNoCone);
+            intervals.insert(ray, lane, {before && seen, found.depth, found.depth, hn::Set(du, t.id), normal}, kNoCone);
         }
     }
 }
 
 template <bool Flat>
-HWY_INLINE void find_intervals(const Block& block, const TileCones& cones, const BlockTriangles& triangles,
+HWY_INLINE void find_intervals(const Block& block, const BlockCones& cones, const BlockTriangles& triangles,
                                const Samples& samples, BlockIntervals& intervals) {
     intervals.clear();
-    for (std::size_t i = 0; i < cones.count; ++i) {
-        const RoundCone& cone = cones.all[cones.order[i]];
-        if (reaches(cone, block, samples.farthest[block.index]))
-            insert_cone<Flat>(block, cone, cones.order[i], samples, intervals);
+    for (const std::uint32_t* i = cones.first[block.index]; i < cones.first[block.index + 1]; ++i) {
+        const RoundCone& cone = cones.all[*i];
+        if (reaches(cone, block, samples.farthest[block.index])) insert_cone<Flat>(block, cone, *i, samples, intervals);
     }
     for (const std::uint32_t* i = triangles.first[block.index]; i < triangles.first[block.index + 1]; ++i)
         insert_triangle<Flat>(block, triangles.all[*i], samples, intervals);
@@ -144,7 +156,7 @@ HWY_INLINE void find_intervals(const Block& block, const TileCones& cones, const
 // Whether two cones that overlap are of one vessel there, or of vessels that are joined: then one adds to the other's
 // surface.
 HWY_INLINE bool are_joined(const Field& field, std::uint32_t a, std::uint32_t b) {
-    if (a == b || a == kNoCone || b == kNoCone || field.segments == nullptr) return true;
+    if (field.segments == nullptr) return true;
     const auto has = [&](std::uint32_t cone, std::uint32_t other) {
         for (std::uint32_t n = field.first[cone]; n < field.first[cone + 1]; ++n)
             if (field.neighbours[n] == other) return true;
@@ -153,19 +165,45 @@ HWY_INLINE bool are_joined(const Field& field, std::uint32_t a, std::uint32_t b)
     return has(a, b) || has(b, a);
 }
 
+// What was found of pairs of cones: rays side by side meet the same ones.
+class JoinedCones {
+public:
+    explicit HWY_INLINE JoinedCones(const Field& field) : field_(field) {
+        for (Pair& pair : pairs_) pair = {kNoCone, kNoCone, false};
+    }
+    HWY_INLINE bool operator()(std::uint32_t a, std::uint32_t b) {
+        if (a == b || a == kNoCone || b == kNoCone) return true;
+        Pair& pair = pairs_[(a * 0x9e3779b1U ^ b * 0x85ebca6bU) >> 22U];
+        if (pair.a != a || pair.b != b) pair = {a, b, are_joined(field_, a, b)};
+        return pair.joined;
+    }
+
+private:
+    struct Pair {
+        std::uint32_t a, b;
+        bool joined;
+    };
+    const Field& field_;
+    Pair pairs_[1024];
+};
+
 // What of a ray's stretches it is in.
 struct OpenIntervals {
     float exit[kMaxFragments];
     std::uint32_t cone[kMaxFragments];
     int count = 0;
 
-    // Where the ray enters a cone's vessel that it comes to at `from`; kNothing: it is in there already. Where it is in
-    // another vessel that only presses on it, a wall parts the two half-way through what both claim.
-    HWY_INLINE float front(const Field& field, float from, float to, std::uint32_t number) const {
+    // Where the ray enters a cone's vessel that it comes to at `from`, nowhere before the one asked for last; kNothing:
+    // it is in there already. Where it is in another vessel that only presses on it, a wall parts the two half-way
+    // through what both claim.
+    HWY_INLINE float front(JoinedCones& joined, float from, float to, std::uint32_t number) {
+        int left = 0;
+        for (int k = 0; k < count; ++k)
+            if (exit[k] >= from) exit[left] = exit[k], cone[left++] = cone[k];
+        count = left;
         float farthest = from;
-        for (int k = 0; k < count; ++k) {
-            if (exit[k] < from) continue;
-            if (are_joined(field, cone[k], number)) return kNothing;
+        for (int k = count - 1; k >= 0; --k) {
+            if (joined(cone[k], number)) return kNothing;
             farthest = exit[k] > farthest ? exit[k] : farthest;
         }
         return to > farthest ? 0.5F * (from + farthest) : from;
@@ -173,25 +211,25 @@ struct OpenIntervals {
 };
 
 // Leaves those where the ray goes into glass or meets a shell. Of lesions and context each is one, wherever.
-HWY_INLINE void keep_fronts(RayIntervals& ray, const Field& field) {
+HWY_INLINE void keep_fronts(RayIntervals& ray, JoinedCones& joined) {
     OpenIntervals open;
     int kept = 0;
     for (int k = 0; k < ray.count; ++k) {
         const bool shell = (ray.id[k] & kSolid) != 0;
         const float from = ray.entry[k], to = ray.exit[k];
         const std::uint32_t cone = ray.cone[k];
-        const float front = shell ? from : open.front(field, from, to, cone);
+        const float front = shell ? from : open.front(joined, from, to, cone);
         if (!shell) open.exit[open.count] = to, open.cone[open.count++] = cone;
         if (front < kNothing && ray.id[k] != 0) ray.put(kept++, front, to, ray.id[k], ray.normal[k], cone);
     }
     ray.count = kept;
 }
 
-// Whether all samples of a pixel see the same fragments, which then are shaded once.
+// Whether all rays of a pixel see the same fragments, which then are shaded once.
 HWY_INLINE bool all_see_the_same(const BlockIntervals& intervals, int lane) {
     const RayIntervals& first = intervals.of[0][lane];
-    for (int sample = 1; sample < kSamples; ++sample) {
-        const RayIntervals& other = intervals.of[sample][lane];
+    for (int r = 1; r < intervals.rays(); ++r) {
+        const RayIntervals& other = intervals.of[r][lane];
         if (other.count != first.count) return false;
         for (int k = 0; k < first.count; ++k)
             if (other.id[k] != first.id[k] || other.normal[k] != first.normal[k]) return false;
@@ -218,29 +256,33 @@ HWY_INLINE void add_fragment(const RayIntervals& ray, int k, float depth, std::u
 }
 
 // Of one pixel of a block.
-HWY_INLINE void add_pixel(BlockIntervals& intervals, const Field& field, int lane, std::uint32_t position,
+HWY_INLINE void add_pixel(BlockIntervals& intervals, JoinedCones& joined, int lane, std::uint32_t position,
                           std::size_t at, const PictureArrays& picture, Records& fragments) {
-    for (auto& sample : intervals.of) keep_fronts(sample[lane], field);
+    const int rays = intervals.rays();
+    for (int r = 0; r < rays; ++r) keep_fronts(intervals.of[r][lane], joined);
     if (all_see_the_same(intervals, lane)) {
         const RayIntervals& ray = intervals.of[0][lane];
         for (int k = 0; k < ray.count; ++k) {
             float depth = 0.0F;
-            for (const auto& sample : intervals.of) depth += 0.25F * sample[lane].entry[k];
-            add_fragment(ray, k, depth, position | kWhole, at, picture, fragments);
+            for (int r = 0; r < rays; ++r) depth += intervals.of[r][lane].entry[k];
+            add_fragment(ray, k, depth / static_cast<float>(rays), position | kWhole, at, picture, fragments);
         }
         return;
     }
-    for (std::uint32_t sample = 0; sample < kSamples; ++sample) {
-        const RayIntervals& ray = intervals.of[sample][lane];
-        for (int k = 0; k < ray.count; ++k)
-            add_fragment(ray, k, ray.entry[k], position | sample << kSampleShift, at, picture, fragments);
+    for (int r = 0; r < rays; ++r) {
+        const RayIntervals& ray = intervals.of[r][lane];
+        const auto sample = static_cast<std::uint32_t>(intervals.in_pairs ? 2 * r : r);
+        const std::uint32_t seen_by = position | sample << kSampleShift | (intervals.in_pairs ? kPair : 0U);
+        for (int k = 0; k < ray.count; ++k) add_fragment(ray, k, ray.entry[k], seen_by, at, picture, fragments);
     }
 }
 
-void list_fragment_lanes(const TileTask& tile, const TileCones& cones, const BlockTriangles& triangles,
-                         const Samples& samples, const PictureArrays& picture, Records& fragments) {
+void list_fragment_lanes(const TileTask& tile, const BlockCones& cones, const BlockTriangles& triangles,
+                         const Samples& samples, bool in_pairs, const PictureArrays& picture, Records& fragments) {
     fragments.count = 0;
     BlockIntervals intervals;
+    intervals.in_pairs = in_pairs;
+    JoinedCones joined(tile.field);
     for (int index = 0; index < kBlocks * kBlocks; ++index) {
         const int left = index % kBlocks * kBlock, low = index / kBlocks * kBlock;
         if (tile.x + left >= tile.view.width || tile.y + low >= tile.view.height) continue;
@@ -254,7 +296,7 @@ void list_fragment_lanes(const TileTask& tile, const TileCones& cones, const Blo
             const int column = left + lane % kBlock, row = low + lane / kBlock;
             const std::size_t at =
                 std::size_t(tile.y + row) * std::size_t(tile.view.stride) + std::size_t(tile.x + column);
-            add_pixel(intervals, tile.field, lane, static_cast<std::uint32_t>(row * kTile + column), at, picture,
+            add_pixel(intervals, joined, lane, static_cast<std::uint32_t>(row * kTile + column), at, picture,
                       fragments);
         }
     }
@@ -268,9 +310,9 @@ namespace ramus::render::caster {
 
 HWY_EXPORT(list_fragment_lanes);
 
-void list_fragments(const TileTask& tile, const TileCones& cones, const BlockTriangles& triangles,
-                    const Samples& samples, const PictureArrays& picture, Records& fragments) {
-    HWY_DYNAMIC_DISPATCH(list_fragment_lanes)(tile, cones, triangles, samples, picture, fragments);
+void list_fragments(const TileTask& tile, const BlockCones& cones, const BlockTriangles& triangles,
+                    const Samples& samples, bool in_pairs, const PictureArrays& picture, Records& fragments) {
+    HWY_DYNAMIC_DISPATCH(list_fragment_lanes)(tile, cones, triangles, samples, in_pairs, picture, fragments);
 }
 
 } // namespace ramus::render::caster

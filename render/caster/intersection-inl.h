@@ -205,8 +205,9 @@ struct Coverage {
     Mask covered;
     Float depth;
 };
-template <bool Flat> HWY_INLINE Coverage coverage(const Triangle& t, const Block& block, int lane, int sample) {
-    const EdgeFunctions edges = edge_functions(t, block, lane, kSampleX[sample], kSampleY[sample]);
+template <bool Flat>
+HWY_INLINE Coverage coverage_at(const Triangle& t, const Block& block, int lane, float right, float up) {
+    const EdgeFunctions edges = edge_functions(t, block, lane, right, up);
     Coverage found{{hn::FirstN(D(), kBlockPixels)}, 0.0F};
     for (int i = 0; i < 3; ++i) {
         found.covered = found.covered && (t.edge[i].own ? edges.of[i] >= 0.0F : edges.of[i] > 0.0F);
@@ -214,6 +215,9 @@ template <bool Flat> HWY_INLINE Coverage coverage(const Triangle& t, const Block
     }
     if constexpr (!Flat) found.depth = reciprocal(found.depth);
     return found;
+}
+template <bool Flat> HWY_INLINE Coverage coverage(const Triangle& t, const Block& block, int lane, int sample) {
+    return coverage_at<Flat>(t, block, lane, kSampleX[sample], kSampleY[sample]);
 }
 
 // At the pixels' middles, as in fragment.frag: of any length; of lines, in x how much of the pixel they take.

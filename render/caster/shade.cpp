@@ -85,10 +85,13 @@ void shade_glass(LookOfPixels& look, const Shading& shading, const Records& glas
                 const float through = 1.0F - front[3];
                 for (std::size_t c = 0; c < 4; ++c) front[c] += through * found[4 * k + c];
             };
-            if ((at & kWhole) == 0)
-                lay(at >> kSampleShift & 3U);
-            else
+            const std::uint32_t sample = at >> kSampleShift & 3U;
+            if ((at & kWhole) != 0)
                 lay(0), lay(1), lay(2), lay(3);
+            else if ((at & kPair) != 0)
+                lay(sample), lay(sample + 1);
+            else
+                lay(sample);
         }
     }
 }

@@ -26,8 +26,9 @@ inline constexpr std::size_t kMaxFragmentsOfTile = std::size_t{kTilePixels} * kS
 // What lies before the samples' opaque surfaces: pixel by pixel, fragments of all its samples together where they are
 // the same, else sample by sample; nearest first. Pixels of `picture` without anything opaque are picked as the glass
 // they show, lesions before all else.
-void list_fragments(const TileTask& tile, const TileCones& cones, const BlockTriangles& triangles,
-                    const Samples& samples, const PictureArrays& picture, Records& fragments);
+// `in_pairs`: two samples of a pixel look along one ray in between, for half of the work.
+void list_fragments(const TileTask& tile, const BlockCones& cones, const BlockTriangles& triangles,
+                    const Samples& samples, bool in_pairs, const PictureArrays& picture, Records& fragments);
 
 // The caster's second and third stage: ambient occlusion from the picture's depths, and its noise removed; what
 // occlusion.frag and occlusion_blur.frag do.

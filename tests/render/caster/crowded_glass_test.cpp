@@ -1,0 +1,87 @@
+// Glass in so many layers that two samples of a pixel share a ray while the view moves.
+#include "render/renderer/renderer.h"
+#include "render/scene/centerlines.h"
+#include "tests/support/gl_test.h"
+#include "tests/support/tube_mesh.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <doctest/doctest.h>
+#include <memory>
+
+using namespace ramus::render;
+
+namespace {
+
+constexpr int kThinVessels = 300;
+
+// Three hundred thin vessels of glass across, behind a thick one that is none.
+Frame crowded_frame() {
+    ramus::mesh::TriangleMesh mesh;
+    auto lines = std::make_shared<Centerlines>();
+    const auto add = [&](const glm::vec3& from, const glm::vec3& to, float radius, int branch) {
+        ramus::test::add_capsule(mesh, from, to, radius, radius, branch, 16);
+        lines->runs.push_back({static_cast<std::uint32_t>(lines->points.size()), 2});
+        for (const glm::vec3& place : {from, to}) {
+            lines->points.emplace_back(place, 0.0F);
+            lines->details.push_back({2.0F * radius, branch});
+        }
+    };
+    for (int i = 0; i < kThinVessels; ++i) {
+        const float at = static_cast<float>(i) / kThinVessels, away = 30.0F * std::sin(40.0F * at);
+        add({-30.0F, away, 40.0F * at - 20.0F}, {30.0F, -away, 38.0F * at - 18.0F}, 0.25F, i);
+    }
+    add({-3.0F, 40.0F, -20.0F}, {3.0F, 40.0F, 20.0F}, 4.0F, kThinVessels);
+    Frame frame;
+    frame.mesh = std::make_shared<const PagedMesh>(mesh);
+    frame.centerlines = lines;
+    frame.beyond_ends = 1.0F; // as the capsules do
+    frame.size = {160, 120};
+    frame.camera = camera_for(frame.mesh->positions(), View::kAnterior, frame.size, false);
+    frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
+    frame.states.assign(kThinVessels, BranchState::kDefocused);
+    frame.states.push_back(BranchState::kNormal);
+    return frame;
+}
+
+} // namespace
+
+TEST_CASE("glass that crowds looks while the view moves as it does at rest") {
+    const ramus::test::WatchedContext context(GlVersion{99, 0});
+    const auto still = Renderer::create().value(), moving = Renderer::create().value();
+    Frame frame = crowded_frame();
+    frame.quality = Quality::kInteractive;
+    REQUIRE(moving->draw(frame)); // what moves has been somewhere else
+    frame.camera = turned(frame.camera, 10.0, 5.0);
+    const auto cast = moving->draw(frame);
+    REQUIRE(cast);
+    CHECK(cast->cones == kThinVessels + 1);
+    frame.quality = Quality::kFull;
+    REQUIRE(still->draw(frame));
+    const Image on_the_way = moving->read_image(), at_rest = still->read_image();
+    const BranchPicture there = moving->read_branches(), here = still->read_branches();
+    std::size_t vessels = 0, missing = 0, solid = 0;
+    double apart = 0.0, brighter = 0.0;
+    for (std::size_t i = 0; i < here.branches.size(); ++i) {
+        if (here.branches[i] == kNoBranch) continue;
+        ++vessels;
+        missing += there.branches[i] == kNoBranch ? 1 : 0;
+        double more = 0.0;
+        for (std::size_t k = 4 * i; k < 4 * i + 3; ++k) {
+            more += (on_the_way.rgba[k] - at_rest.rgba[k]) / 3.0;
+            apart += std::abs(on_the_way.rgba[k] - at_rest.rgba[k]) / 3.0;
+        }
+        if (here.branches[i] != kThinVessels || there.branches[i] != kThinVessels) continue;
+        ++solid;
+        brighter += more;
+    }
+    apart /= static_cast<double>(vessels);
+    brighter /= static_cast<double>(solid);
+    MESSAGE("mean difference " << apart << " of 255, " << missing << " missing of " << vessels
+                               << "; what is no glass: " << brighter << " brighter");
+    REQUIRE(vessels > 8'000);
+    REQUIRE(solid > 300);
+    CHECK(apart < 12.0); // of vessels a pixel wide, each with a sample more or less
+    CHECK(missing * 100 <= vessels);
+    CHECK(std::abs(brighter) < 1.0); // glass behind it does not shine through
+}
