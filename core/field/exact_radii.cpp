@@ -190,13 +190,12 @@ private:
 
 tree::PreparedTree with_exact_radii(tree::PreparedTree prepared, const Kernel& kernel) {
     std::vector<double> radii(prepared.tree.points.size());
-    for (std::uint32_t p = 0; p < radii.size(); ++p) radii[p] = prepared.kernel_radius(p);
+    for (std::size_t p = 0; p < radii.size(); ++p) radii[p] = prepared.tree.points[p].radius;
     tbb::parallel_for(std::size_t(0), prepared.tree.branches.size(), [&](std::size_t id) {
         const tree::Branch& branch = prepared.tree.branches[id];
         StraightBranch straight(prepared, branch, kernel);
         const std::vector<double>& found = straight.radii();
-        for (std::size_t i = 1; i + 1 < found.size(); ++i)
-            radii[branch.points[i]] *= found[i] / prepared.tree.points[branch.points[i]].radius;
+        for (std::size_t i = 1; i + 1 < found.size(); ++i) radii[branch.points[i]] = found[i];
     });
     prepared.kernel_radii = std::move(radii);
     return prepared;

@@ -21,8 +21,7 @@ namespace ramus::field {
 inline constexpr double kNarrowest = 0.4, kWidest = 1.25; // of the tree's radius
 inline constexpr double kAmiss = 0.001;                   // of a radius
 
-// The same tree with `kernel_radii` for this kernel; by as much sharper as they are now, where bends have changed them
-// (bends.h).
+// The same tree with `kernel_radii` for this kernel.
 [[nodiscard]] tree::PreparedTree with_exact_radii(tree::PreparedTree prepared, const Kernel& kernel);
 
 } // namespace ramus::field

@@ -13,6 +13,14 @@ double beyond_for(double slope) {
     return 1.0 / (1.0 + 4.0 * steepness * (1.0 + 8.0 * steepness));
 }
 
+namespace {
+
+double kernel_radius(const tree::PreparedTree& prepared, std::uint32_t point) {
+    return prepared.kernel_radii.empty() ? prepared.tree.points[point].radius : prepared.kernel_radii[point];
+}
+
+} // namespace
+
 Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii) {
     const tree::VesselTree& tree = prepared.tree;
     const std::size_t count = tree.segment_count();
@@ -31,8 +39,8 @@ Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii) {
             // Smoothing may pull two points of a tight zigzag onto each other; such a segment has no integral.
             if (!(length > 0.0)) continue;
             const glm::dvec3 direction = (to.position - from.position) / length;
-            const double radius = prepared.kernel_radius(branch.points[i - 1]);
-            const double end_radius = prepared.kernel_radius(branch.points[i]);
+            const double radius = kernel_radius(prepared, branch.points[i - 1]);
+            const double end_radius = kernel_radius(prepared, branch.points[i]);
             const double slope = (end_radius - radius) / length;
             const std::size_t index = prepared.segment_index.empty() ? ordinal : prepared.segment_index[ordinal];
             segments[index] = {from.position.x,

@@ -3,7 +3,6 @@
 #include "core/base/bounded.h"
 #include "core/base/memory.h"
 #include "core/base/stopwatch.h"
-#include "core/field/bends.h"
 #include "core/field/exact_radii.h"
 #include "core/field/kernel.h"
 #include "core/field/vessel_field.h"
@@ -101,7 +100,7 @@ PreparedTree prepare_tree(const tree::VesselTree& source, const SurfaceOptions& 
     // Numbers of pieces stay what they are, whatever is pruned.
     const std::vector<std::uint8_t> pieces = tree::pieces_of_curves(
         prepared.segment_index.empty() ? prepared.tree : tree::smooth(source, options.smooth_passes));
-    return field::thinner_in_bends(tree::along_curves(std::move(prepared), pieces), kernel_of(options));
+    return tree::along_curves(std::move(prepared), pieces);
 }
 
 namespace {
@@ -114,8 +113,7 @@ field::Frame frame_of_all_parts(const tree::VesselTree& source, SurfaceOptions o
         return field::Skeleton(prepare_tree(source, options), support_radii).frame();
     };
     options.prune_ratio = 0.0;
-    const double in_bends = options.centerline == tree::Centerline::kSmooth ? field::kThinnestInBends : 1.0;
-    const double thinnest = in_bends * frame_of(options.smooth_passes).thinnest; // where a twig goes, a bend comes
+    const double thinnest = frame_of(options.smooth_passes).thinnest;
     options.centerline = tree::Centerline::kLines; // curves stay within the hull of their points
     field::Frame frame = frame_of(0);
     frame.thinnest = thinnest;

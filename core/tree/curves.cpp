@@ -16,7 +16,7 @@ constexpr double kShort = 0.25;    // radii: corners of segments of twice this l
 constexpr double kSlight = 5.0;    // degrees: a corner that turns by less stays
 constexpr double kPerPiece = 20.0; // degrees that a piece of half a corner stands for
 constexpr int kMostPieces = 3;     // of half a corner
-constexpr double kSettled = 1.5;   // radii from a point, at most, where radii are straight again
+constexpr double kSettled = 1.8;   // radii from a point, at most, where radii are straight again
 
 // How an inner point is rounded.
 struct Corner {

@@ -17,12 +17,8 @@ struct PreparedTree {
     std::vector<std::uint32_t> segment_index;
     std::size_t source_segments = 0;
     Centerline centerline = Centerline::kLines;
-    // Radii that go into a kernel, by point, where those are not the tree's (core/field/bends.h, exact_radii.h); else
-    // empty.
+    // Radii that go into a kernel, by point, where those are not the tree's (core/field/exact_radii.h); else empty.
     std::vector<double> kernel_radii{};
-    [[nodiscard]] double kernel_radius(std::uint32_t point) const {
-        return kernel_radii.empty() ? tree.points[point].radius : kernel_radii[point];
-    }
 };
 
 // Pruning of short leaf branches: the spurs that thinning leaves behind (after Hahn et al. 2001, the paper's [6]).

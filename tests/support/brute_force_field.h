@@ -19,7 +19,7 @@ public:
     struct Sample {
         double value = 0.0;
         glm::dvec3 gradient{0.0};
-        double radius = 0.0; // the tree's, at the foot on the strongest contributor
+        double radius = 0.0; // at the foot on the strongest contributor
         std::size_t strongest = 0;
     };
 
@@ -31,15 +31,13 @@ public:
                 const tree::Point& a = prepared.tree.points[branch.points[i - 1]];
                 const tree::Point& b = prepared.tree.points[branch.points[i]];
                 const double length = glm::distance(a.position, b.position);
-                const double ra = prepared.kernel_radius(branch.points[i - 1]);
-                const double rb = prepared.kernel_radius(branch.points[i]);
-                const double slope = (rb - ra) / length;
+                const double slope = (b.radius - a.radius) / length;
                 if (!(length > 0.0)) continue;
                 const double beyond = smooth ? field::beyond_for(slope) : 0.0;
-                segments_.push_back({a.position, (b.position - a.position) / length, length, ra, rb, beyond,
-                                     a.radius - ra, b.radius - rb, prepared.segment_source[ordinal]});
+                segments_.push_back({a.position, (b.position - a.position) / length, length, a.radius, b.radius, beyond,
+                                     prepared.segment_source[ordinal]});
                 constexpr double kReach = 5.0; // radii: beyond 4.2 kernel() is 0 across and, as good as, along
-                const double reach = kReach * std::max(ra, rb) * (1.0 + std::abs(slope) * beyond);
+                const double reach = kReach * std::max(a.radius, b.radius) * (1.0 + std::abs(slope) * beyond);
                 reaches_.push_back({0.5 * (a.position + b.position), std::pow(0.5 * length + reach, 2.0)});
             }
         }
@@ -107,12 +105,11 @@ private:
     struct Segment {
         glm::dvec3 a, u;
         double length, ra, rb;
-        double beyond;             // as in field::FieldSegment
-        double excess_a, excess_b; // of the tree's radii over the kernel's
+        double beyond; // as in field::FieldSegment
         int branch;
     };
     struct Kernel {
-        double h, r; // r: the tree's
+        double h, r;
     };
     struct Reach { // the ball in which a segment's kernel is not nothing
         glm::dvec3 middle;
@@ -129,11 +126,9 @@ private:
         const double r = room > 0.0 ? at_end + slope * excess * room / (std::abs(excess) + room) : at_end;
         const glm::dvec3 off = v - t * s.u;
         const double q = w_ * glm::dot(off, off) / (r * r);
-        const double share = std::clamp(t, 0.0, s.length) / s.length;
-        const double tree_radius = r + std::lerp(s.excess_a, s.excess_b, share);
-        if (q > 60.0) return {0.0, tree_radius}; // below 1e-26: nothing, in double precision, next to the isovalue
+        if (q > 60.0) return {0.0, r}; // below 1e-26: nothing, in double precision, next to the isovalue
         const double scale = std::sqrt(w_) / r;
-        return {std::exp(-q) * 0.5 * (std::erf(scale * t) + std::erf(scale * (s.length - t))), tree_radius};
+        return {std::exp(-q) * 0.5 * (std::erf(scale * t) + std::erf(scale * (s.length - t))), r};
     }
 
     double w_;

@@ -97,8 +97,8 @@ TEST_CASE("radii change steadily, and are straight but near their points") {
         while (i + 2 < points.size() && found[n].position.x > points[i + 1].position.x) ++i;
         const Point &a = points[i], &b = points[i + 1];
         const double share = (found[n].position.x - a.position.x) / (b.position.x - a.position.x);
-        // share (1 - share)^2 is 4 / 27 at the most, over 1.5 radii of the nearest point, by the segment's own slope.
-        const double reach = 1.5 * (share < 0.5 ? a.radius : b.radius), slope = (b.radius - a.radius) / 6.04;
+        // share (1 - share)^2 is 4 / 27 at the most, over 1.8 radii of the nearest point, by the segment's own slope.
+        const double reach = 1.8 * (share < 0.5 ? a.radius : b.radius), slope = (b.radius - a.radius) / 6.04;
         const double off = std::abs(found[n].radius - std::lerp(a.radius, b.radius, share));
         CHECK(off <= 4.0 / 27.0 * reach * slope + 1e-3);
         most = std::max(most, off);
