@@ -16,7 +16,6 @@ constexpr double kShort = 0.25;    // radii: corners of segments of twice this l
 constexpr double kSlight = 5.0;    // degrees: a corner that turns by less stays
 constexpr double kPerPiece = 20.0; // degrees that a piece of half a corner stands for
 constexpr int kMostPieces = 3;     // of half a corner
-constexpr double kSettled = 1.8;   // radii from a point, at most, where radii are straight again
 
 // How an inner point is rounded.
 struct Corner {
@@ -99,20 +98,12 @@ private:
     [[nodiscard]] double slope(std::size_t i, std::size_t segment) const {
         return is_smooth(i) ? monotone_slope(step(i - 1), step(i), lengths_[i - 1], lengths_[i]) : step(segment);
     }
-    // Near one end of a segment, so many mm from it: how much more the radius is than straight from point to point, of
-    // a slope more there, per mm. A cubic that is as straight as the segment where it ends; of short segments the two
-    // of both ends make one cubic.
-    [[nodiscard]] double unsettled(std::size_t end, std::size_t segment, double from) const {
-        const double length = lengths_[segment], settled = kSettled * points_[end].radius;
-        const double shorter = kSettled * std::min(points_[segment].radius, points_[segment + 1].radius);
-        const double reach = length <= shorter ? length : std::min(settled, 0.5 * length);
-        const double share = std::min(from / reach, 1.0);
-        return reach * share * (1.0 - share) * (1.0 - share) * (slope(end, segment) - step(segment));
-    }
     // So far along a segment, mm.
     [[nodiscard]] double radius(std::size_t segment, double along) const {
-        return points_[segment].radius + step(segment) * along + unsettled(segment, segment, along) -
-               unsettled(segment + 1, segment, lengths_[segment] - along);
+        const double length = lengths_[segment], s = along / length, s2 = s * s, s3 = s2 * s;
+        return (2.0 * s3 - 3.0 * s2 + 1.0) * points_[segment].radius +
+               (s3 - 2.0 * s2 + s) * length * slope(segment, segment) +
+               (3.0 * s2 - 2.0 * s3) * points_[segment + 1].radius + (s3 - s2) * length * slope(segment + 1, segment);
     }
 
     std::vector<Point> points_;

@@ -3,10 +3,9 @@
 // At an inner point a parabola (a quadratic Bezier curve with the point as its control point) leads from one segment to
 // the next. It begins and ends on the segments, a radius from the point or half a segment, whichever is less: so the
 // curve has no corner, is nowhere outside of the hull of its segments' points, and passes each point closer than
-// half of that distance. Corners that the kernel rounds by itself, those of short segments, stay. Radii are those of
-// the points, and straight between them but for 1.8 radii from each, or half a segment: there they follow a
-// cubic whose slope at the point is that of a monotone curve (Fritsch and Carlson 1980), so that narrow places keep
-// their radius, and nothing becomes narrower or wider than its points say. Nodes stay where they are.
+// half of that distance. Corners that the kernel rounds by itself, those of short segments, stay. Radii follow a
+// monotone cubic through the points (Fritsch and Carlson 1980): narrow places keep their radius, and nothing becomes
+// narrower or wider than its points say. Nodes stay where they are.
 #pragma once
 
 #include "core/tree/prepare.h"

@@ -185,6 +185,7 @@ Result<bool> Renderer::draw_parts(double seconds, DrawStatistics& done) {
 Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t upload_budget, double seconds) {
     const Stopwatch watch;
     DrawStatistics done;
+    card_.scene.hurry(seconds != kUntilDone);
     const auto taken = card_.scene.take_up(wanted, upload_budget, done);
     if (!taken) {
         give_up();

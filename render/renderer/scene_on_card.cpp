@@ -13,8 +13,10 @@ namespace ramus::render {
 
 namespace {
 
-// More take more memory than smooth outlines are worth: 120 MB.
-constexpr std::size_t kMostNearTriangles = 3'000'000;
+// More made take more memory than smooth outlines are worth: 120 MB.
+constexpr NearLimits kMostNear{3'000'000, std::numeric_limits<std::size_t>::max()};
+// So many take some hundredths of a second. What has more is so far away that its outlines are off by little.
+constexpr NearLimits kMostNearInTime{500'000, 250'000};
 
 std::size_t most_surface_bytes() {
     constexpr double kShare = 0.75; // of the graphics card's memory
@@ -77,7 +79,7 @@ void SceneOnCard::come_near(const Frame& frame, const ViewSetup& view) {
     near_ = {};
     mesh_.come_near(bends ? near_surface(*near.mesh,
                                          near_view(frame.camera, near.mesh->origin(), view.to_clip, view.size.y),
-                                         kMostNearTriangles)
+                                         in_time_ ? kMostNearInTime : kMostNear)
                           : NearSurface{});
     near_ = near;
 }

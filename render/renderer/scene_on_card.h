@@ -27,6 +27,8 @@ public:
     [[nodiscard]] Result<Frame> take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done);
     // Before the frame taken up last is drawn as `view` looks at it: its surface is divided where that shows.
     void come_near(const Frame& frame, const ViewSetup& view);
+    // Whether somebody waits for the picture: it is divided as far as that takes no time to speak of.
+    void hurry(bool in_time) { in_time_ = in_time; }
     // Whether the caster can draw it.
     [[nodiscard]] bool casts(const Frame& frame) const;
     void let_go(); // after memory has run out
@@ -62,6 +64,7 @@ private:
         bool operator==(const Near&) const = default;
     };
     Near near_;
+    bool in_time_ = false;
     std::size_t surface_bytes_; // that surfaces may take
 };
 

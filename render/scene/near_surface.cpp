@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -138,11 +139,14 @@ public:
     PageDivision(const PagedMesh& mesh, const Creased& creased, const NearView& view, float most_off)
         : mesh_(mesh), creased_(creased), view_(view), most_off_(most_off) {}
 
+    // Whether some edge is to be divided that is beside no crease.
+    [[nodiscard]] bool any_divided(const TrianglePage& page) const {
+        return std::any_of(page.triangles.begin(), page.triangles.begin() + page.count,
+                           [&](const glm::uvec3& t) { return any_divided(t); });
+    }
     // False: there is nothing to divide, and nothing is made.
     bool divide(const TrianglePage& page) {
-        const bool any = std::any_of(page.triangles.begin(), page.triangles.begin() + page.count,
-                                     [&](const glm::uvec3& t) { return any_divided(t); });
-        if (!any) return false;
+        if (!any_divided(page)) return false;
         for (std::uint32_t i = 0; i < page.count; ++i) {
             const glm::uvec3& t = page.triangles[i];
             add({corner(t.x), corner(t.y), corner(t.z)}, 0);
@@ -166,12 +170,13 @@ private:
     [[nodiscard]] bool any_divided(const glm::uvec3& t) const {
         for (int i = 0; i < 3; ++i) {
             const std::uint32_t a = t[i], b = t[(i + 1) % 3];
-            if (creased_[a] + creased_[b] == 0 && is_divided(end_of(mesh_.vertex(a)), end_of(mesh_.vertex(b))))
+            if (!is_creased(a) && !is_creased(b) && is_divided(end_of(mesh_.vertex(a)), end_of(mesh_.vertex(b))))
                 return true;
         }
         return false;
     }
 
+    [[nodiscard]] bool is_creased(std::uint32_t vertex) const { return !creased_.empty() && creased_[vertex] != 0; }
     std::uint32_t corner(std::uint32_t number) {
         const auto [at, is_new] = corners_.try_emplace(number, static_cast<std::uint32_t>(made.positions.size()));
         if (!is_new) return at->second;
@@ -253,6 +258,18 @@ std::vector<std::size_t> pages_to_look_at(const PagedMesh& mesh, const NearView&
     return pages;
 }
 
+// Whether an edge of some page is to be divided, beside a crease or not: from afar none is, which is told without
+// looking for creases.
+bool any_divided(const PagedMesh& mesh, const std::vector<std::size_t>& pages, const NearView& view, float most_off) {
+    const Creased nothing;
+    const PageDivision division(mesh, nothing, view, most_off);
+    std::atomic<bool> any{false};
+    tbb::parallel_for(std::size_t{0}, pages.size(), [&](std::size_t i) {
+        if (!any && division.any_divided(*mesh.triangle_pages()[pages[i]])) any = true;
+    });
+    return any;
+}
+
 template <class T> void append_all(LargeArray<T>& to, const LargeArray<T>& from) {
     to.insert(to.end(), from.begin(), from.end());
 }
@@ -292,9 +309,13 @@ NearView near_view(const Camera& camera, const glm::dvec3& origin, const glm::dm
             camera.orthographic, glm::translate(to_clip, origin)};
 }
 
-NearSurface near_surface(const PagedMesh& mesh, const NearView& view, std::size_t most) {
+NearSurface near_surface(const PagedMesh& mesh, const NearView& view, const NearLimits& most) {
     for (float most_off = kMostOffOutline;; most_off *= 2.0F) {
         const std::vector<std::size_t> pages = pages_to_look_at(mesh, view, most_off);
+        std::size_t looked_at = 0;
+        for (const std::size_t page : pages) looked_at += mesh.triangle_pages()[page]->count;
+        if (looked_at > most.looked_at) continue;
+        if (!any_divided(mesh, pages, view, most_off)) return {};
         const Creased creased = creased_vertices(mesh, pages);
         std::vector<std::optional<PageDivision>> divisions(pages.size());
         tbb::parallel_for(std::size_t{0}, pages.size(), [&](std::size_t i) {
@@ -303,7 +324,7 @@ NearSurface near_surface(const PagedMesh& mesh, const NearView& view, std::size_
         });
         std::size_t triangles = 0;
         for (const auto& division : divisions) triangles += division ? division->made.triangles.size() : 0;
-        if (triangles <= most) return together(mesh, pages, divisions);
+        if (triangles <= most.made) return together(mesh, pages, divisions);
     }
 }
 

@@ -34,8 +34,12 @@ struct NearSurface {
 // Pixels that the middle of an edge may be off its outline in a picture. Four samples a pixel tell a quarter.
 inline constexpr float kMostOffOutline = 0.2F;
 
-// The triangles of pages in the picture that have an edge to divide. Pictures with more triangles than `most` get
-// coarser outlines instead.
-[[nodiscard]] NearSurface near_surface(const PagedMesh& mesh, const NearView& view, std::size_t most);
+// Triangles: that are made, and those that may have an edge to divide, which all take time.
+struct NearLimits {
+    std::size_t made, looked_at;
+};
+// The triangles of pages in the picture that have an edge to divide. Pictures with more triangles get coarser outlines
+// instead.
+[[nodiscard]] NearSurface near_surface(const PagedMesh& mesh, const NearView& view, const NearLimits& most);
 
 } // namespace ramus::render

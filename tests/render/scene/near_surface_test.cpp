@@ -195,7 +195,7 @@ mesh::TriangleMesh surface_of(const tree::VesselTree& tree, int detail) {
     return std::move(surface->mesh);
 }
 
-constexpr std::size_t kEnough = 10'000'000;
+constexpr NearLimits kEnough{10'000'000, 10'000'000};
 
 } // namespace
 
@@ -298,8 +298,9 @@ TEST_CASE("triangles are divided near the eye alone, and nothing opens between t
     }
     CHECK(open == 0);
     // Fewer triangles when there may not be so many.
-    const NearSurface fewer = near_surface(mesh, view, near.mesh->triangle_count() - 1);
+    const NearSurface fewer = near_surface(mesh, view, {near.mesh->triangle_count() - 1, kEnough.looked_at});
     CHECK((!fewer.mesh || fewer.mesh->triangle_count() < near.mesh->triangle_count()));
+    CHECK_FALSE(near_surface(mesh, view, {kEnough.made, 0}).mesh); // nothing may be looked at
 }
 
 TEST_CASE("where edges are divided, values and branches are those between their ends") {
