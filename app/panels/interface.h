@@ -167,8 +167,8 @@ struct Unsaid {
     bool open = false;
     std::string unit = "open"; // a name, "voxels", or "open": nobody says it
     std::array<char, 64> voxel{};
-    std::array<std::optional<io::Side>, 3> sides{}; // that x, y, z lead to; never two on one line
-    void show(const io::ReadOptions& options); // said_of() the document
+    std::array<std::optional<io::Side>, 3> sides{};                   // that x, y, z lead to; never two on one line
+    void show(const io::ReadOptions& options);                        // said_of() the document
     [[nodiscard]] std::optional<io::Orientation> orientation() const; // none: not all three are chosen
     // What the picture of a tree that is read so calls its axes while the choice is tried; none: as ever.
     [[nodiscard]] std::optional<render::AxisNames> axes(const tree::Claims& claims,
