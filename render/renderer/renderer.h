@@ -92,6 +92,7 @@ private:
     // shows is begun where that is another. False: nothing new is shown.
     bool cast_in_time(const Subject& subject, double seconds, DrawStatistics& done);
     void show_cast(CastPass::Made made);
+    void go_on_or_give_up(Plan plan, const Frame& wanted, const Frame& frame);
     void begin(const Frame& wanted, const Frame& frame, const std::vector<Layer>& layers);
     Result<bool> draw_parts(double seconds, DrawStatistics& done);
     Result<Region> shade(const Subject& subject, Plan plan);

@@ -182,6 +182,17 @@ Result<bool> Renderer::draw_parts(double seconds, DrawStatistics& done) {
     return true;
 }
 
+// What is on its way goes on, if it is of the plan.
+void Renderer::go_on_or_give_up(Plan plan, const Frame& wanted, const Frame& frame) {
+    if (plan == Plan::kGoOn) {
+        unfinished_->wanted = wanted;
+        unfinished_->view.shade_as(frame);
+    } else if ((plan != Plan::kNothing && plan != Plan::kShow) || state_.partial()) {
+        give_up();
+    }
+    if (plan != Plan::kCast) card_.passes.cast.forget();
+}
+
 Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t upload_budget, double seconds) {
     const Stopwatch watch;
     DrawStatistics done;
@@ -194,13 +205,7 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
     const Frame& frame = *taken;
     std::vector<Layer> layers = layers_of(frame.states);
     const Plan plan = plan_for(wanted, frame, layers);
-    if (plan == Plan::kGoOn) {
-        unfinished_->wanted = wanted;
-        unfinished_->view.shade_as(frame);
-    } else if ((plan != Plan::kNothing && plan != Plan::kShow) || state_.partial()) {
-        give_up();
-    }
-    if (plan != Plan::kCast) card_.passes.cast.forget();
+    go_on_or_give_up(plan, wanted, frame);
     if (plan == Plan::kNothing) return done;
     bool in_time = plan == Plan::kCast && seconds != kUntilDone; // the caster may be given a thread of its own
     if (plan == Plan::kCast || plan == Plan::kDraw) {
