@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -132,21 +131,43 @@ Creased creased_vertices(const PagedMesh& mesh, const std::vector<std::size_t>& 
     return creased;
 }
 
+// Which edges are divided: those that one can see to be straight.
+struct EdgeDivision {
+    const NearView& view;
+    float most_off; // kMostOffOutline, or more
+
+    [[nodiscard]] bool operator()(const EdgeEnd& a, const EdgeEnd& b) const {
+        const glm::vec3 from_eye = 0.5F * (a.position + b.position) - view.eye;
+        const float length = glm::distance(a.position, b.position), depth = glm::dot(from_eye, view.forward);
+        const float pixels = pixels_at(view, depth, length);
+        if (depth < -length || kMostBend * length * pixels <= most_off) return false;
+        const glm::vec3 bend = bend_of(a, b), sight = view.flat ? view.forward : glm::normalize(from_eye);
+        return pixels * glm::length(bend - glm::dot(bend, sight) * sight) > most_off;
+    }
+    // Whether one of a page is, both ends of which may be bent to: straight(number) says which vertices are not.
+    template <class Straight>
+    [[nodiscard]] bool any(const PagedMesh& mesh, const TrianglePage& page, const Straight& straight) const {
+        return std::any_of(page.triangles.begin(), page.triangles.begin() + page.count, [&](const glm::uvec3& t) {
+            for (int i = 0; i < 3; ++i) {
+                const std::uint32_t a = t[i], b = t[(i + 1) % 3];
+                if (!straight(a) && !straight(b) && (*this)(end_of(mesh.vertex(a)), end_of(mesh.vertex(b))))
+                    return true;
+            }
+            return false;
+        });
+    }
+};
+
 // Divides the triangles of one page.
 class PageDivision {
 public:
     // What is referred to outlasts it.
-    PageDivision(const PagedMesh& mesh, const Creased& creased, const NearView& view, float most_off)
-        : mesh_(mesh), creased_(creased), view_(view), most_off_(most_off) {}
+    PageDivision(const PagedMesh& mesh, const Creased& creased, const EdgeDivision& is_divided)
+        : mesh_(mesh), creased_(creased), is_divided_(is_divided) {}
 
-    // Whether some edge is to be divided that is beside no crease.
-    [[nodiscard]] bool any_divided(const TrianglePage& page) const {
-        return std::any_of(page.triangles.begin(), page.triangles.begin() + page.count,
-                           [&](const glm::uvec3& t) { return any_divided(t); });
-    }
     // False: there is nothing to divide, and nothing is made.
     bool divide(const TrianglePage& page) {
-        if (!any_divided(page)) return false;
+        if (!is_divided_.any(mesh_, page, [&](std::uint32_t vertex) { return creased_[vertex] != 0; })) return false;
         for (std::uint32_t i = 0; i < page.count; ++i) {
             const glm::uvec3& t = page.triangles[i];
             add({corner(t.x), corner(t.y), corner(t.z)}, 0);
@@ -158,25 +179,6 @@ public:
     std::vector<float> values; // none where the mesh has none
 
 private:
-    // Whether one can see that it is straight.
-    [[nodiscard]] bool is_divided(const EdgeEnd& a, const EdgeEnd& b) const {
-        const glm::vec3 from_eye = 0.5F * (a.position + b.position) - view_.eye;
-        const float length = glm::distance(a.position, b.position), depth = glm::dot(from_eye, view_.forward);
-        const float pixels = pixels_at(view_, depth, length);
-        if (depth < -length || kMostBend * length * pixels <= most_off_) return false;
-        const glm::vec3 bend = bend_of(a, b), sight = view_.flat ? view_.forward : glm::normalize(from_eye);
-        return pixels * glm::length(bend - glm::dot(bend, sight) * sight) > most_off_;
-    }
-    [[nodiscard]] bool any_divided(const glm::uvec3& t) const {
-        for (int i = 0; i < 3; ++i) {
-            const std::uint32_t a = t[i], b = t[(i + 1) % 3];
-            if (!is_creased(a) && !is_creased(b) && is_divided(end_of(mesh_.vertex(a)), end_of(mesh_.vertex(b))))
-                return true;
-        }
-        return false;
-    }
-
-    [[nodiscard]] bool is_creased(std::uint32_t vertex) const { return !creased_.empty() && creased_[vertex] != 0; }
     std::uint32_t corner(std::uint32_t number) {
         const auto [at, is_new] = corners_.try_emplace(number, static_cast<std::uint32_t>(made.positions.size()));
         if (!is_new) return at->second;
@@ -199,7 +201,7 @@ private:
         const auto [at, is_new] = middles_.try_emplace(key, kStraight);
         if (!is_new) return at->second;
         const EdgeEnd one{made.positions[a], made.normals[a]}, other{made.positions[b], made.normals[b]};
-        if (creases_[a] + creases_[b] > 0 || !is_divided(one, other)) return kStraight;
+        if (creases_[a] + creases_[b] > 0 || !is_divided_(one, other)) return kStraight;
         at->second = static_cast<std::uint32_t>(made.positions.size());
         const float value = mesh_.has_values() ? value_between(values[a], values[b]) : kNotKnown;
         append(middle_of(one, other),
@@ -237,8 +239,7 @@ private:
 
     const PagedMesh& mesh_;
     const Creased& creased_;
-    const NearView& view_;
-    const float most_off_;
+    const EdgeDivision& is_divided_;
     std::vector<std::uint8_t> creases_;                        // as `creased`, of what is made
     std::unordered_map<std::uint32_t, std::uint32_t> corners_; // by vertex of the mesh
     std::unordered_map<std::uint64_t, std::uint32_t> middles_; // by the ends of an edge, the lower first
@@ -258,16 +259,18 @@ std::vector<std::size_t> pages_to_look_at(const PagedMesh& mesh, const NearView&
     return pages;
 }
 
-// Whether an edge of some page is to be divided, beside a crease or not: from afar none is, which is told without
+// Those of some pages that have an edge to divide, beside a crease or not: from afar none has, which is told without
 // looking for creases.
-bool any_divided(const PagedMesh& mesh, const std::vector<std::size_t>& pages, const NearView& view, float most_off) {
-    const Creased nothing;
-    const PageDivision division(mesh, nothing, view, most_off);
-    std::atomic<bool> any{false};
+std::vector<std::size_t> pages_to_divide(const PagedMesh& mesh, const std::vector<std::size_t>& pages,
+                                         const EdgeDivision& is_divided) {
+    std::vector<std::uint8_t> any(pages.size());
     tbb::parallel_for(std::size_t{0}, pages.size(), [&](std::size_t i) {
-        if (!any && division.any_divided(*mesh.triangle_pages()[pages[i]])) any = true;
+        any[i] = is_divided.any(mesh, *mesh.triangle_pages()[pages[i]], [](std::uint32_t) { return false; }) ? 1 : 0;
     });
-    return any;
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < pages.size(); ++i)
+        if (any[i] != 0) found.push_back(pages[i]);
+    return found;
 }
 
 template <class T> void append_all(LargeArray<T>& to, const LargeArray<T>& from) {
@@ -315,16 +318,18 @@ NearSurface near_surface(const PagedMesh& mesh, const NearView& view, const Near
         std::size_t looked_at = 0;
         for (const std::size_t page : pages) looked_at += mesh.triangle_pages()[page]->count;
         if (looked_at > most.looked_at) continue;
-        if (!any_divided(mesh, pages, view, most_off)) return {};
+        const EdgeDivision is_divided{view, most_off};
+        const std::vector<std::size_t> divided = pages_to_divide(mesh, pages, is_divided);
+        if (divided.empty()) return {};
         const Creased creased = creased_vertices(mesh, pages);
-        std::vector<std::optional<PageDivision>> divisions(pages.size());
-        tbb::parallel_for(std::size_t{0}, pages.size(), [&](std::size_t i) {
-            PageDivision division(mesh, creased, view, most_off);
-            if (division.divide(*mesh.triangle_pages()[pages[i]])) divisions[i].emplace(std::move(division));
+        std::vector<std::optional<PageDivision>> divisions(divided.size());
+        tbb::parallel_for(std::size_t{0}, divided.size(), [&](std::size_t i) {
+            PageDivision division(mesh, creased, is_divided);
+            if (division.divide(*mesh.triangle_pages()[divided[i]])) divisions[i].emplace(std::move(division));
         });
         std::size_t triangles = 0;
         for (const auto& division : divisions) triangles += division ? division->made.triangles.size() : 0;
-        if (triangles <= most.made) return together(mesh, pages, divisions);
+        if (triangles <= most.made) return together(mesh, divided, divisions);
     }
 }
 

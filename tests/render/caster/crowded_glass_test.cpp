@@ -1,13 +1,12 @@
 // Glass in so many layers that two samples of a pixel share a ray while the view moves.
 #include "render/renderer/renderer.h"
-#include "render/scene/centerlines.h"
 #include "tests/support/gl_test.h"
-#include "tests/support/tube_mesh.h"
+#include "tests/support/straight_vessels.h"
 
 #include <cmath>
 #include <cstdlib>
 #include <doctest/doctest.h>
-#include <memory>
+#include <vector>
 
 using namespace ramus::render;
 
@@ -17,28 +16,13 @@ constexpr int kThinVessels = 300;
 
 // Three hundred thin vessels of glass across, behind a thick one that is none.
 Frame crowded_frame() {
-    ramus::mesh::TriangleMesh mesh;
-    auto lines = std::make_shared<Centerlines>();
-    const auto add = [&](const glm::vec3& from, const glm::vec3& to, float radius, int branch) {
-        ramus::test::add_capsule(mesh, from, to, radius, radius, branch, 16);
-        lines->runs.push_back({static_cast<std::uint32_t>(lines->points.size()), 2});
-        for (const glm::vec3& place : {from, to}) {
-            lines->points.emplace_back(place, 0.0F);
-            lines->details.push_back({2.0F * radius, branch});
-        }
-    };
+    std::vector<ramus::test::StraightVessel> vessels;
     for (int i = 0; i < kThinVessels; ++i) {
         const float at = static_cast<float>(i) / kThinVessels, away = 30.0F * std::sin(40.0F * at);
-        add({-30.0F, away, 40.0F * at - 20.0F}, {30.0F, -away, 38.0F * at - 18.0F}, 0.25F, i);
+        vessels.push_back({{-30.0F, away, 40.0F * at - 20.0F}, {30.0F, -away, 38.0F * at - 18.0F}, 0.25F, 0.25F});
     }
-    add({-3.0F, 40.0F, -20.0F}, {3.0F, 40.0F, 20.0F}, 4.0F, kThinVessels);
-    Frame frame;
-    frame.mesh = std::make_shared<const PagedMesh>(mesh);
-    frame.centerlines = lines;
-    frame.beyond_ends = 1.0F; // as the capsules do
-    frame.size = {160, 120};
-    frame.camera = camera_for(frame.mesh->positions(), View::kAnterior, frame.size, false);
-    frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
+    vessels.push_back({{-3.0F, 40.0F, -20.0F}, {3.0F, 40.0F, 20.0F}, 4.0F, 4.0F});
+    Frame frame = ramus::test::frame_of(vessels, 16, {160, 120}, false);
     frame.states.assign(kThinVessels, BranchState::kDefocused);
     frame.states.push_back(BranchState::kNormal);
     return frame;

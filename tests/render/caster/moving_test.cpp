@@ -5,6 +5,7 @@
 #include "render/scene/centerlines.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/gl_test.h"
+#include "tests/support/straight_vessels.h"
 #include "tests/support/tube_mesh.h"
 
 #include <algorithm>
@@ -20,15 +21,11 @@ using ramus::test::add_capsule;
 
 namespace {
 
-struct Vessel {
-    glm::vec3 from, to;
-    float first, last; // radii
-};
 // None begins just where another ends: those would be one vessel, smooth at their joint.
-const std::array<Vessel, 4> kVessels{{{{0, 0, -30}, {0, 0, 10}, 5.0F, 5.0F},
-                                      {{0, 0, 10.001F}, {-25, 0, 30}, 4.0F, 4.0F},
-                                      {{0, 0, 10.002F}, {22, 10, 28}, 2.0F, 2.0F},
-                                      {{-20, 12, -14}, {20, 14, -10}, 1.0F, 1.0F}}};
+const std::array<ramus::test::StraightVessel, 4> kVessels{{{{0, 0, -30}, {0, 0, 10}, 5.0F, 5.0F},
+                                                           {{0, 0, 10.001F}, {-25, 0, 30}, 4.0F, 4.0F},
+                                                           {{0, 0, 10.002F}, {22, 10, 28}, 2.0F, 2.0F},
+                                                           {{-20, 12, -14}, {20, 14, -10}, 1.0F, 1.0F}}};
 
 // The cones' own surface, finely.
 struct Scene {
@@ -37,24 +34,7 @@ struct Scene {
     Frame frame;
 
     explicit Scene(bool orthographic) {
-        TriangleMesh mesh;
-        auto lines = std::make_shared<Centerlines>();
-        for (std::size_t i = 0; i < kVessels.size(); ++i) {
-            const Vessel& v = kVessels[i];
-            add_capsule(mesh, v.from, v.to, v.first, v.last, static_cast<int>(i), 160);
-            lines->runs.push_back({static_cast<std::uint32_t>(lines->points.size()), 2});
-            for (const auto& [place, radius] : {std::pair{v.from, v.first}, {v.to, v.last}}) {
-                lines->points.emplace_back(place, glm::distance(place, v.from));
-                lines->details.push_back({2.0F * radius, static_cast<std::int32_t>(i)});
-            }
-        }
-        frame.mesh = std::make_shared<const PagedMesh>(mesh);
-        frame.centerlines = lines;
-        frame.beyond_ends = 1.0F; // as the capsules do
-        frame.size = {640, 480};
-        frame.camera = camera_for(frame.mesh->positions(), View::kAnterior, frame.size, orthographic);
-        frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
-        frame.states.assign(kVessels.size(), BranchState::kNormal);
+        frame = ramus::test::frame_of(kVessels, 160, {640, 480}, orthographic);
         frame.quality = Quality::kInteractive;
     }
     ~Scene() {
