@@ -95,9 +95,12 @@ struct Projection {
     void clear() { size_ = 0; }
     void add(glm::vec3 guess, glm::vec3 centre, float half_extent) {
         if (size_ == x.size()) grow(2 * size_ + 64);
-        x[size_] = guess.x, y[size_] = guess.y, z[size_] = guess.z;
-        cx[size_] = centre.x, cy[size_] = centre.y, cz[size_] = centre.z;
-        reach[size_++] = half_extent;
+        set(size_++, guess, centre, half_extent);
+    }
+    void set(std::size_t n, glm::vec3 guess, glm::vec3 centre, float half_extent) {
+        x[n] = guess.x, y[n] = guess.y, z[n] = guess.z;
+        cx[n] = centre.x, cy[n] = centre.y, cz[n] = centre.z;
+        reach[n] = half_extent;
     }
     // Adds `count` points to be filled in, and returns the first. The arrays go on for a whole vector behind the last.
     std::size_t extend(std::size_t count) {

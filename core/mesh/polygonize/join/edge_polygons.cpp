@@ -1,5 +1,7 @@
 #include "core/mesh/polygonize/join/edge_polygons.h"
 
+#include "core/mesh/polygonize/join/unfolded_fan.h"
+
 #include <algorithm>
 #include <cassert>
 #include <glm/common.hpp>
@@ -10,6 +12,11 @@ namespace ramus::mesh::bricks {
 namespace {
 
 constexpr std::uint32_t kNoArcVertex = 0xFFFFFFFFU;
+
+bool has_one_vertex(const CellRecord& record) {
+    return record.walls == kNoWalls &&
+           std::ranges::all_of(record.loop_of, [](std::uint8_t loop) { return loop == kNoLoop || loop == 0; });
+}
 
 } // namespace
 
@@ -138,7 +145,11 @@ EdgePolygons::Around EdgePolygons::same_level(std::uint32_t brick, const Edge& e
         return entry;
     }
     entry.recorded = surface_.is_recorded(brick, entry.cell);
-    entry.walled = entry.recorded && surface_.record(octree_.bricks[brick], brick, entry.cell).walled;
+    entry.alone = true;
+    if (entry.recorded) {
+        const CellRecord& record = surface_.record(octree_.bricks[brick], brick, entry.cell);
+        entry.walled = record.walled, entry.alone = has_one_vertex(record);
+    }
     entry.vertex = surface_.vertex(octree_.bricks[brick], brick, entry.cell, entry.crossing);
     return entry;
 }
@@ -162,7 +173,11 @@ EdgePolygons::Around EdgePolygons::coarser(std::uint32_t brick, const Edge& edge
         entry.vertex = SurfaceCells::kAbsent;
         return entry;
     }
-    entry.walled = surface_.is_recorded(brick, entry.cell) && surface_.record(other, brick, entry.cell).walled;
+    entry.alone = true;
+    if (surface_.is_recorded(brick, entry.cell)) {
+        const CellRecord& record = surface_.record(other, brick, entry.cell);
+        entry.walled = record.walled, entry.alone = has_one_vertex(record);
+    }
     entry.vertex = surface_.vertex(octree_.bricks[brick], brick, entry.cell, entry.crossing);
     return entry;
 }
@@ -207,11 +222,16 @@ EdgePolygons::Polygon EdgePolygons::polygon_of(std::span<const Around> ring, boo
     polygon.walled = std::ranges::any_of(ring, &Around::walled);
     polygon.extra = polygon.walled;
     const bool any_arcs = std::ranges::any_of(ring, &Around::recorded);
+    const bool alone = polygon.walled && !open && std::ranges::all_of(ring, &Around::alone);
     for (std::size_t n = 0; n < ring.size(); ++n) {
         polygon.vertices[polygon.count++] = ring[n].vertex;
         if (!any_arcs || (open && n + 1 == ring.size())) continue;
-        const std::uint32_t between = arc_vertex(ring[n], ring[(n + 1) % ring.size()]);
-        if (between == kNoArcVertex) continue;
+        const Around& next = ring[(n + 1) % ring.size()];
+        const std::uint32_t between = arc_vertex(ring[n], next);
+        if (between == kNoArcVertex) {
+            polygon.may_fold = polygon.may_fold || (alone && ring[n].level != next.level);
+            continue;
+        }
         polygon.vertices[polygon.count++] = between;
         polygon.extra = true;
     }
@@ -268,7 +288,8 @@ std::uint32_t EdgePolygons::add_centre(const Polygon& polygon, const Edge& edge,
     const EdgeKind kind = edge.walled ? EdgeKind::kWall : edge.upper ? EdgeKind::kUpperInside : EdgeKind::kLowerInside;
     const std::array<field::LatticePoint, 2> ends{lattice_point(edge.point), lattice_point(upper)};
     const bool second = edge.walled && edge.upper && !out.edges.empty() && out.edges.back().ends == ends;
-    out.edges.push_back({ends, kind, edge.upper, polygon.walled, second});
+    out.edges.push_back({ends, kind, edge.upper, polygon.walled, second, out.triangles.size(),
+                         polygon.may_fold && !edge.walled ? polygon.count : 0});
     return kAddedBit | static_cast<std::uint32_t>(out.added.count + whose.guess);
 }
 
@@ -311,7 +332,28 @@ void EdgePolygons::find_centres(field::BrickField& field, std::uint32_t index, J
         if (!edge.exact) continue;
         whose.place = field::OwnedGuess::Place::kPlaced;
         whose.placed = edge.upper ? found.ends.upper : found.ends.lower;
+        if (edge.triangle_count > 0) unfold(index, edge, out, whose);
     }
+}
+
+// Moves a centre off its edge where its fan would fold over.
+void EdgePolygons::unfold(std::uint32_t index, const JoinedSubtree::GuessEdge& edge, JoinedSubtree& out,
+                          field::OwnedGuess& whose) const {
+    const Brick& brick = octree_.bricks[index];
+    const glm::dvec3 corner = octree_.lattice.position(brick.corner);
+    std::array<glm::vec3, 8> corners;
+    glm::vec3 facing(0.0F);
+    for (std::size_t n = 0; n < edge.triangle_count; ++n) {
+        const std::uint32_t v = out.triangles[edge.first_triangle + n].y;
+        corners[n] = glm::vec3(glm::dvec3(vertices_.positions[v]) - corner);
+        facing += vertices_.normals[v];
+    }
+    const auto at = unfolded_centre(std::span(corners).first(edge.triangle_count), facing, whose.placed.at);
+    if (!at) return;
+    const float reach = 0.02F * static_cast<float>(octree_.lattice.cell_mm(brick.level));
+    out.guesses.set(whose.guess, *at, *at, reach);
+    whose.place = field::OwnedGuess::Place::kBox;
+    whose.lower = *at - reach, whose.upper = *at + reach;
 }
 
 void EdgePolygons::finish(std::uint32_t index, JoinedSubtree& out) const {

@@ -31,6 +31,8 @@ struct JoinedSubtree {
         bool upper = false;  // the vertex is of the upper end
         bool exact = false;  // the vertex is on the edge
         bool second = false; // of a wall, after that of the lower end
+        // Of a polygon that may fold over about a centre on the edge: its fan, in `triangles`; else 0 of them.
+        std::size_t first_triangle = 0, triangle_count = 0;
     };
     std::vector<GuessEdge> edges; // by guess
 
@@ -74,6 +76,7 @@ private:
         std::int32_t place = 0;    // of four around the edge, the first that it takes
         bool recorded = false;
         bool walled = false; // the cell has walls
+        bool alone = false;  // it has one vertex
     };
 
     struct Ring {
@@ -99,16 +102,19 @@ private:
     // Which diagonals of four cells may cut their polygon: from the first, from the second.
     [[nodiscard]] std::pair<bool, bool> diagonals_of(std::span<const Around> ring, const Edge& edge) const;
     // The polygon with the vertices of arcs between the cells. `extra`: it has such, or some cell has walls.
+    // `may_fold`: all its cells have one vertex, and two of different size none on the arc between them.
     struct Polygon {
         std::array<std::uint32_t, 8> vertices{};
         std::size_t count = 0;
-        bool extra = false, walled = false;
+        bool extra = false, walled = false, may_fold = false;
         [[nodiscard]] std::span<const std::uint32_t> span() const { return std::span(vertices).first(count); }
     };
     [[nodiscard]] Polygon polygon_of(std::span<const Around> ring, bool open) const;
     void emit(std::span<const Around> ring, const Edge& edge, JoinedSubtree& out) const;
     std::uint32_t add_centre(const Polygon& polygon, const Edge& edge, JoinedSubtree& out) const;
     void find_centres(field::BrickField& field, std::uint32_t index, JoinedSubtree& out) const;
+    void unfold(std::uint32_t index, const JoinedSubtree::GuessEdge& edge, JoinedSubtree& out,
+                field::OwnedGuess& whose) const;
     std::uint32_t add_fan(const Ring& ring, const Edge& edge, JoinedSubtree& out) const; // its centre
     static void emit_fan(std::uint32_t centre, const Polygon& polygon, bool open, JoinedSubtree& out);
 
