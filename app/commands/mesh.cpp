@@ -143,6 +143,7 @@ void report(const MeshFlags& flags, const WrittenSurface& written, const tree::C
             figures["loops"] = written.shape.loops;
             figures["tree"] = {{"components", written.tree_shape->pieces}, {"loops", written.tree_shape->loops}};
         }
+        if (written.cut_loops > 0) figures["cut_loops"] = written.cut_loops;
         if (!flags.mask.iso) figures["evaluations"] = written.evaluations;
         figures.update({{"units", claims.unit_word()}, {"orientation", claims.axes_word()}});
         figures.update({{"load_s", load_s}, {"mesh_s", written.mesh_s}, {"write_s", written.write_s}});
@@ -215,6 +216,8 @@ Result<int> run_mesh(const MeshFlags& flags) {
                                opened.session.tree.path.string()));
     say(flags.surface, counted(written.evaluations, "evaluation", "evaluations") + " of the field in " +
                            rounded(written.mesh_s) + " s" + (written.streamed ? ", streamed to the disk" : ""));
+    if (written.cut_loops > 0)
+        say(flags.surface, counted(written.cut_loops, "loop", "loops") + " that the tree has not cut");
     warn_of_shape(flags, written, opened.session.marks.options.blend);
     report(flags, written, target.names.claims, load_s);
     return kDone;

@@ -26,20 +26,20 @@ public:
         count_.add_triangles(more);
         return file_.add_triangles(more, vertices);
     }
-    [[nodiscard]] measure::Connectivity shape() const { return count_.connectivity(); }
+    [[nodiscard]] mesh::Connectivity shape() const { return count_.connectivity(); }
     [[nodiscard]] const mesh::SeenBranches& seen() const { return seen_; }
 
 private:
     io::SurfaceFile& file_;
     mesh::SeenBranches seen_;
-    measure::ConnectivityCount count_;
+    mesh::ConnectivityCount count_;
 };
 
 // Cones are no closed surface.
 void compare_shapes(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,
                     std::span<const std::uint8_t> hidden, WrittenSurface& written) {
     if (options.method != mesh::Method::kConvolutionSurface) return;
-    measure::Connectivity all = validate::expected_shape(tree, hidden);
+    mesh::Connectivity all = validate::expected_shape(tree, hidden);
     all.pieces -= static_cast<std::int64_t>(written.lost_pieces.size());
     written.tree_shape = all;
 }
@@ -77,7 +77,7 @@ Result<void> write_surface(const mesh::TriangleMesh& surface, const SurfaceTarge
         if (auto closed = mesh::check_closed(surface, target.file.string()); !closed) return closed;
         written.thicknesses = measure::least_thicknesses(surface, target.threads);
     }
-    written.shape = measure::connectivity_of(surface);
+    written.shape = mesh::connectivity_of(surface);
     written.mesh_s += watch.lap();
     if (auto saved = io::write_mesh(surface, target.file, target.names); !saved) return saved;
     written.write_s = watch.lap();
@@ -97,6 +97,7 @@ Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::S
     RAMUS_TRY(surface, with_progress("surface", make, kNothingWritten));
     WrittenSurface written;
     written.evaluations = surface.statistics.evaluations;
+    written.cut_loops = surface.statistics.cut_loops;
     mesh::SeenBranches seen(tree.branches.size());
     seen.add(surface.mesh.branches);
     written.lost_pieces = mesh::lost_pieces(tree, hidden, seen);

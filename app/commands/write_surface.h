@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/io/meshes/mesh_names.h"
-#include "core/measure/connectivity.h"
+#include "core/mesh/connectivity.h"
 #include "core/measure/wall_thickness.h"
 #include "core/mesh/surface.h"
 
@@ -18,9 +18,10 @@ namespace ramus::app {
 
 struct WrittenSurface {
     std::uint64_t vertices = 0, triangles = 0, evaluations = 0;
-    measure::Connectivity shape; // loops: where it is closed
+    mesh::Connectivity shape; // loops: where it is closed
     // Of the tree's branches that are on a closed surface of it: what that has to be like.
-    std::optional<measure::Connectivity> tree_shape;
+    std::optional<mesh::Connectivity> tree_shape;
+    std::size_t cut_loops = 0; // that the tree has not
     bool streamed = false;
     std::vector<std::vector<int>> lost_pieces; // of the tree, by branch: not on the surface (core/mesh/lost_pieces.h)
     double mesh_s = 0.0, write_s = 0.0;

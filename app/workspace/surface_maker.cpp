@@ -3,6 +3,7 @@
 #include "core/base/bounded.h"
 #include "core/base/stopwatch.h"
 #include "core/mesh/check_kernel.h"
+#include "core/mesh/loops/cut_false_loops.h"
 #include "core/mesh/systems.h"
 #include "core/tree/prepare.h"
 #include "render/scene/bounds.h"
@@ -103,6 +104,7 @@ Result<ReadySurface> SurfaceMaker::next_surface(const SurfaceRequest& request, J
     if (auto takes = mesh::check_kernel(request.options); !takes) return tl::unexpected(takes.error());
     if (!field_ || field_options_ != request.options) {
         field_ = mesh::make_field(*tree_, request.options, {});
+        prepared_ = mesh::prepare_tree(*tree_, request.options);
         field_options_ = request.options;
     }
     const std::vector<field::VesselField> fields = visible_fields(request.hidden);
@@ -123,6 +125,8 @@ Result<ReadySurface> SurfaceMaker::next_surface(const SurfaceRequest& request, J
         options.cell_mm = request.options.cell_mm;
         surface_of_.reset();
         if (auto made = follow(surface_, fields, options, job); !made) return tl::unexpected(made.error());
+        cut_loops(surface_, request, job);
+        if (job.cancelled()) return fail("cancelled");
         surface_of_ = request;
     }
     ReadySurface ready;
@@ -195,6 +199,32 @@ Result<void> SurfaceMaker::follow_systems(Followed& followed, const std::vector<
     }
     followed.mesh = paged(all, *tree_);
     return {};
+}
+
+// Where a surface has loops that its tree has not, which is rare, it is shown without them. The polygonizers go on from
+// what they made.
+void SurfaceMaker::cut_loops(Followed& followed, const SurfaceRequest& request, Job& job) const {
+    if (request.options.blend != mesh::Blend::kTree || followed.current->triangle_count() == 0) return;
+    const auto flags = hidden_flags(request.hidden, tree_->branches.size());
+    const std::size_t systems = followed.polygonizers.size();
+    std::vector<tree::VesselTree> visible;
+    bool other = false;
+    for (std::size_t system = 0; system < systems; ++system) {
+        const auto hidden = systems == 1 ? flags : mesh::hidden_beside(*tree_, static_cast<int>(system), flags);
+        visible.push_back(mesh::visible_part(prepared_, hidden).tree);
+        if (visible.back().branches.empty()) continue;
+        other = other || mesh::has_other_loops(followed.polygonizers[system].slots(), visible.back());
+    }
+    if (!other) return;
+    mesh::TriangleMesh all;
+    std::size_t cut = 0;
+    for (std::size_t system = 0; system < systems; ++system) {
+        if (visible[system].branches.empty()) continue;
+        mesh::TriangleMesh one = followed.polygonizers[system].compact();
+        cut += mesh::cut_false_loops(one, visible[system], job);
+        mesh::append(all, std::move(one));
+    }
+    if (cut > 0) followed.current = paged(all, *tree_);
 }
 
 void SurfaceFollower::open(std::shared_ptr<SurfaceMaker> maker, ReadySurface shown) {

@@ -80,12 +80,14 @@ private:
                                           const mesh::PolygonizeOptions& options, Job& job) const;
     [[nodiscard]] Result<void> follow_systems(Followed& followed, const std::vector<field::VesselField>& fields,
                                               const mesh::PolygonizeOptions& options, Job& job) const;
+    void cut_loops(Followed& followed, const SurfaceRequest& request, Job& job) const;
     [[nodiscard]] bool changes_much(const SurfaceRequest& request) const;
 
     std::shared_ptr<const tree::VesselTree> tree_;
     std::mutex turn_;                         // guards what follows
     std::optional<field::VesselField> field_; // of all branches, under field_options_
-    mesh::SurfaceOptions field_options_;
+    mesh::PreparedTree prepared_;
+    mesh::SurfaceOptions field_options_;                    // of these two
     std::optional<SurfaceRequest> surface_of_, preview_of_; // what the two are up to
     Followed surface_, preview_;
 };

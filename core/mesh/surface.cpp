@@ -8,6 +8,7 @@
 #include "core/field/vessel_field.h"
 #include "core/mesh/check_kernel.h"
 #include "core/mesh/cones.h"
+#include "core/mesh/loops/cut_false_loops.h"
 #include "core/mesh/polygonize/feasible.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/systems.h"
@@ -19,36 +20,6 @@
 namespace ramus::mesh {
 
 namespace {
-
-// Cones are drawn branch by branch: hidden ones are left out.
-PreparedTree without(PreparedTree prepared, std::span<const std::uint8_t> hidden) {
-    const auto is_hidden = [&](int branch) {
-        const auto index = static_cast<std::size_t>(branch);
-        return index < hidden.size() && hidden[index] != 0;
-    };
-    if (std::ranges::none_of(hidden, [](std::uint8_t h) { return h != 0; })) return prepared;
-    std::vector<int> kept_source;
-    std::vector<tree::Branch> kept;
-    std::size_t ordinal = 0;
-    for (const tree::Branch& branch : prepared.tree.branches) {
-        // Pruning joins branches of the file into one: the run is cut where hidden ones begin and end.
-        tree::Branch run;
-        for (std::size_t i = 1; i < branch.points.size(); ++i, ++ordinal) {
-            if (is_hidden(prepared.segment_source[ordinal])) {
-                if (run.points.size() > 1) kept.push_back(run);
-                run.points.clear();
-                continue;
-            }
-            if (run.points.empty()) run.points.push_back(branch.points[i - 1]);
-            run.points.push_back(branch.points[i]);
-            kept_source.push_back(prepared.segment_source[ordinal]);
-        }
-        if (run.points.size() > 1) kept.push_back(run);
-    }
-    prepared.tree.branches = std::move(kept);
-    prepared.segment_source = std::move(kept_source);
-    return prepared;
-}
 
 // As many as 31 bits count; of one system, the polygonizer sees to it.
 constexpr std::size_t kMostVertices = std::size_t{1} << 31U;
@@ -103,6 +74,35 @@ PreparedTree prepare_tree(const tree::VesselTree& source, const SurfaceOptions& 
     return tree::along_curves(std::move(prepared), pieces);
 }
 
+PreparedTree visible_part(PreparedTree prepared, std::span<const std::uint8_t> hidden) {
+    const auto is_hidden = [&](int branch) {
+        const auto index = static_cast<std::size_t>(branch);
+        return index < hidden.size() && hidden[index] != 0;
+    };
+    if (std::ranges::none_of(hidden, [](std::uint8_t h) { return h != 0; })) return prepared;
+    std::vector<int> kept_source;
+    std::vector<tree::Branch> kept;
+    std::size_t ordinal = 0;
+    for (const tree::Branch& branch : prepared.tree.branches) {
+        // Pruning joins branches of the file into one: the run is cut where hidden ones begin and end.
+        tree::Branch run;
+        for (std::size_t i = 1; i < branch.points.size(); ++i, ++ordinal) {
+            if (is_hidden(prepared.segment_source[ordinal])) {
+                if (run.points.size() > 1) kept.push_back(run);
+                run.points.clear();
+                continue;
+            }
+            if (run.points.empty()) run.points.push_back(branch.points[i - 1]);
+            run.points.push_back(branch.points[i]);
+            kept_source.push_back(prepared.segment_source[ordinal]);
+        }
+        if (run.points.size() > 1) kept.push_back(run);
+    }
+    prepared.tree.branches = std::move(kept);
+    prepared.segment_source = std::move(kept_source);
+    return prepared;
+}
+
 namespace {
 
 // Of all trees that pruning may leave. Pruning may take the thinnest vessel, or the one that reaches farthest; bounds
@@ -134,8 +134,8 @@ field::ConvolutionField plain_sum(const tree::VesselTree& source, const SurfaceO
 // Of all systems. What cannot be met is known before contacts are looked for, which takes longer the thicker vessels
 // are.
 Result<field::VesselField> feasible_field(const tree::VesselTree& source, const SurfaceOptions& options,
+                                          const PreparedTree& prepared,
                                           std::span<const std::vector<std::uint8_t>> parts, PolygonizeMode mode) {
-    const PreparedTree prepared = prepare_tree(source, options);
     const field::ConvolutionField sum = plain_sum(source, options, prepared);
     const field::VesselField merged(sum, std::make_shared<const tree::Contacts>());
     for (const auto& part : parts) {
@@ -154,14 +154,18 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
     const Stopwatch watch;
     Surface surface;
     if (options.method == Method::kTruncatedCones) {
-        RAMUS_TRY(mesh, cones(without(prepare_tree(source, options), hidden), options.detail, job));
+        RAMUS_TRY(mesh, cones(visible_part(prepare_tree(source, options), hidden), options.detail, job));
         surface.mesh = std::move(mesh);
     } else {
         const auto parts = hidden_by_system(source, hidden);
-        RAMUS_TRY(whole, feasible_field(source, options, parts, PolygonizeMode::kWhole));
+        const PreparedTree prepared = prepare_tree(source, options);
+        RAMUS_TRY(whole, feasible_field(source, options, prepared, parts, PolygonizeMode::kWhole));
         for (const auto& part : parts) {
             PolygonizeStatistics statistics;
             RAMUS_TRY(mesh, polygonize(whole.without(part), polygonize_options(options), job, &statistics));
+            if (options.blend == Blend::kTree)
+                surface.statistics.cut_loops += cut_false_loops(mesh, visible_part(prepared, part).tree, job);
+            if (job.cancelled()) return fail("cancelled");
             if (surface.mesh.positions.size() + mesh.positions.size() > kMostVertices) return too_many_vertices();
             append(surface.mesh, std::move(mesh));
             surface.statistics.evaluations += statistics.evaluations;
@@ -215,7 +219,8 @@ Result<SurfaceStatistics> stream_surface(const tree::VesselTree& source, const S
         std::uint64_t evaluations = 0;
         CountedSink counted(sink);
         const auto parts = hidden_by_system(source, hidden);
-        RAMUS_TRY(whole, feasible_field(source, options, parts, PolygonizeMode::kStream));
+        RAMUS_TRY(whole,
+                  feasible_field(source, options, prepare_tree(source, options), parts, PolygonizeMode::kStream));
         for (const auto& part : parts) {
             PolygonizeStatistics statistics;
             if (auto done = polygonize_to(counted, whole.without(part), polygonize_options(options), job, &statistics,

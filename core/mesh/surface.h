@@ -39,6 +39,7 @@ struct SurfaceOptions {
 struct SurfaceStatistics {
     std::uint64_t evaluations = 0; // kernel evaluations, one per segment and point
     double seconds = 0.0;
+    std::size_t cut_loops = 0; // that the tree has no cycle for (core/mesh/loops/cut_false_loops.h)
 };
 
 struct Surface {
@@ -51,6 +52,10 @@ using tree::PreparedTree;
 // The tree as the surface sees it: pruned first, then smoothed.
 [[nodiscard]] PreparedTree prepare_tree(const tree::VesselTree& source, const SurfaceOptions& options);
 
+// What is left of a prepared tree without the hidden branches (by id in its source, not 0: hidden): its branches may be
+// fewer, and run where these did.
+[[nodiscard]] PreparedTree visible_part(PreparedTree prepared, std::span<const std::uint8_t> hidden);
+
 // The kernel that is asked for.
 [[nodiscard]] field::Kernel kernel_of(const SurfaceOptions& options);
 
@@ -59,10 +64,11 @@ using tree::PreparedTree;
 [[nodiscard]] field::VesselField make_field(const tree::VesselTree& source, const SurfaceOptions& options,
                                             std::span<const std::uint8_t> hidden);
 
-// Surface of `source` under `options`, closed where hidden branches were; vertex branch ids are those of `source`. Of
-// several systems each has a surface of its own, one after the other (core/mesh/systems.h).
-// Fails when the options cannot be met (more triangles than memory holds, a kernel that does not take the width), when
-// every branch is hidden, when nothing has a surface, or when `job` is cancelled (what == "cancelled").
+// Surface of `source` under `options`, closed where hidden branches were, with the loops of what is visible where
+// vessels blend along the tree; vertex branch ids are those of `source`. Of several systems each has a surface of its
+// own, one after the other (core/mesh/systems.h). Fails when the options cannot be met (more triangles than memory
+// holds, a kernel that does not take the width), when every branch is hidden, when nothing has a surface, or when `job`
+// is cancelled (what == "cancelled").
 [[nodiscard]] Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                                            std::span<const std::uint8_t> hidden = {});
 
@@ -73,7 +79,8 @@ using tree::PreparedTree;
 [[nodiscard]] bool asks_for_streaming(const tree::VesselTree& source, SurfaceOptions options,
                                       std::span<const std::uint8_t> hidden = {});
 
-// The same surface in parts, which `sink` takes as they are made. Not of truncated cones.
+// The same surface in parts, which `sink` takes as they are made; loops that the tree has not stay. Not of truncated
+// cones.
 [[nodiscard]] Result<SurfaceStatistics> stream_surface(const tree::VesselTree& source, const SurfaceOptions& options,
                                                        SurfaceSink& sink, Job& job,
                                                        std::span<const std::uint8_t> hidden = {});

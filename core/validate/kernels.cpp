@@ -1,7 +1,7 @@
 #include "core/validate/kernels.h"
 
 #include "core/field/kernel.h"
-#include "core/measure/connectivity.h"
+#include "core/mesh/connectivity.h"
 #include "core/measure/deviation/deviation.h"
 
 #include <array>
@@ -43,7 +43,7 @@ Result<KernelFigures> figures_of(std::pair<KernelKind, double> kernel, const tre
     LargeArray<double> distances = measure::deviations(surface.mesh, cones, options.threads);
     const measure::DeviationStatistics to_cones = measure::statistics_of(distances, {});
     found.to_cones_mean_mm = to_cones.mean, found.to_cones_max_mm = to_cones.max;
-    const measure::Connectivity shape = measure::connectivity_of(surface.mesh);
+    const mesh::Connectivity shape = mesh::connectivity_of(surface.mesh);
     found.pieces = shape.pieces, found.loops = shape.loops;
     found.evaluations = surface.statistics.evaluations, found.triangles = surface.mesh.triangles.size();
     found.mesh_s = surface.statistics.seconds;

@@ -150,7 +150,7 @@ Table shape_table(std::span<const ValidatedDataSet> sets) {
 }
 
 std::string text_of(const validate::Shape& shape) {
-    const auto counts = [](const measure::Connectivity& one) {
+    const auto counts = [](const mesh::Connectivity& one) {
         return counted(static_cast<std::uint64_t>(one.pieces), "piece", "pieces") + ", " +
                counted(static_cast<std::uint64_t>(one.loops), "loop", "loops");
     };

@@ -48,8 +48,8 @@ TEST_CASE("vessels that the surface merges are found, gone to and reported") {
     CHECK(first.kind == Finding::Kind::kMerged);
     CHECK(first.branches == test::Ids{0, 1});
     REQUIRE(stage.assets.validation.found->shape); // two tubes that are one piece
-    CHECK(stage.assets.validation.found->shape->surface == measure::Connectivity{1, 0});
-    CHECK(stage.assets.validation.found->shape->tree == measure::Connectivity{2, 0});
+    CHECK(stage.assets.validation.found->shape->surface == mesh::Connectivity{1, 0});
+    CHECK(stage.assets.validation.found->shape->tree == mesh::Connectivity{2, 0});
     CHECK(first.value_mm == doctest::Approx(-0.2).epsilon(0.1)); // mm between the walls
     CHECK(glm::distance(first.at, glm::dvec3(0.0, 0.0, 0.9)) < 0.3);
     CHECK(text_of(first, Lengths()).starts_with("overlap 0.2"));

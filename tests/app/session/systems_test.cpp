@@ -6,7 +6,7 @@
 #include "app/session/session_file.h"
 #include "app/session/systems.h"
 #include "app/workspace/surface_maker.h"
-#include "core/measure/connectivity.h"
+#include "core/mesh/connectivity.h"
 #include "tests/support/command_stage.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/two_systems.h"

@@ -1,6 +1,7 @@
 // The window's surface: what it shows on the way, and that it ends where a surface made from nothing ends.
 #include "app/workspace/surface_maker.h"
 #include "tests/support/grown_tree.h"
+#include "tests/support/packed_trees.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -11,9 +12,11 @@ using namespace ramus::app;
 namespace {
 
 struct Shop {
-    std::shared_ptr<const tree::VesselTree> tree =
-        std::make_shared<const tree::VesselTree>(test::grown_tree(400).value());
-    SurfaceMaker maker{tree};
+    explicit Shop(tree::VesselTree of = test::grown_tree(400).value())
+        : tree(std::make_shared<const tree::VesselTree>(std::move(of))), maker(tree) {}
+
+    std::shared_ptr<const tree::VesselTree> tree;
+    SurfaceMaker maker;
     std::vector<ReadySurface> shown;
 
     void make(const SurfaceRequest& request) {
@@ -56,6 +59,22 @@ TEST_CASE("a preview comes first, the surface last, and it is the one made from 
     CHECK(shop.shown[1].preview == shop.shown[0].mesh);
     Job job;
     check_same(*shop.shown[1].mesh, *make_ready(*shop.tree, request, job)->mesh);
+}
+
+TEST_CASE("loops that the tree has not are cut in the window's surface too, whatever is hidden before and after") {
+    Shop shop(test::packed_trees(25));
+    SurfaceRequest request;
+    const int last = static_cast<int>(shop.tree->branches.size()) - 1;
+    for (const std::vector<int>& hidden : {std::vector<int>{}, {last}, {}, {34}}) {
+        request.hidden = hidden;
+        shop.make(request);
+        Job job;
+        const auto flags = hidden_flags(hidden, shop.tree->branches.size());
+        const auto made = mesh::make_surface(*shop.tree, request.options, job, flags);
+        REQUIRE(made);
+        CHECK((made->statistics.cut_loops > 0) == (hidden != std::vector<int>{34})); // the vessel that threads a fork
+        check_same(*shop.shown.back().mesh, *paged(made->mesh, *shop.tree));
+    }
 }
 
 TEST_CASE("hiding and showing follows the surface page by page") {

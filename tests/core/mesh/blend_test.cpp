@@ -174,6 +174,7 @@ Shape shape_of(const tree::VesselTree& tree, const SurfaceOptions& options) {
     Job job;
     const auto surface = make_surface(tree, options, job);
     REQUIRE(surface.has_value());
+    CHECK(surface->statistics.cut_loops == 0); // the field and the cells keep vessels apart by themselves
     return shape_of(surface->mesh);
 }
 
@@ -227,6 +228,21 @@ TEST_CASE("the surfaces of real trees have their pieces and loops") {
             CHECK(shape.pieces == static_cast<long>(tree->roots.size()));
             CHECK(shape.loops == tree->loop_count);
         }
+    }
+}
+
+TEST_CASE("a loop beside a fork of the airways that their finest surface has is cut") {
+    for (const auto& path : test::shared_trees()) {
+        if (path.filename() != "airways_from_mask.swc") continue;
+        const auto tree = io::read_tree(path);
+        REQUIRE(tree.has_value());
+        Job job;
+        const auto surface = make_surface(*tree, {.smooth_passes = 0, .detail = 24}, job);
+        REQUIRE(surface.has_value());
+        CHECK(surface->statistics.cut_loops == 1);
+        const Shape shape = shape_of(surface->mesh);
+        CHECK(shape.pieces == 1);
+        CHECK(shape.loops == 0);
     }
 }
 

@@ -2,7 +2,7 @@
 // width 1.
 #include "core/field/convolution_field.h"
 #include "core/field/kernels/gaussian.h"
-#include "core/measure/connectivity.h"
+#include "core/mesh/connectivity.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/mesh_topology.h"
@@ -113,7 +113,7 @@ TEST_CASE("two parallel vessels 3 mm apart merge at the radius the paper found")
     for (const auto& known : {std::pair(5.0, 1.36931), std::pair(1.0, 1.06066)}) {
         const double width = known.first, merging = known.second, length = 14.0;
         const auto pieces_at = [&](double r) {
-            return measure::component_count(surface(
+            return mesh::component_count(surface(
                 {{glm::dvec3(0.0), length * kAxis, r}, {3.0 * side, 3.0 * side + length * kAxis, r}}, width, 110));
         };
         CAPTURE(width);

@@ -1,5 +1,5 @@
 // Surfaces of several vessel systems: each is what it is without the others, however near they come.
-#include "core/measure/connectivity.h"
+#include "core/mesh/connectivity.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/systems.h"
 #include "core/tree/build_tree.h"
@@ -62,9 +62,9 @@ private:
 TEST_CASE("vessels of two systems that overlap have a closed surface each") {
     // Half of each vessel's width lies within the other: the field of both together is one.
     const mesh::SurfaceOptions merged{.blend = mesh::Blend::kPaper};
-    CHECK(measure::component_count(surface_without(two_vessels(2.0, false), merged)) == 1);
+    CHECK(mesh::component_count(surface_without(two_vessels(2.0, false), merged)) == 1);
     const mesh::TriangleMesh apart = surface_without(two_vessels(2.0, true));
-    CHECK(measure::component_count(apart) == 2);
+    CHECK(mesh::component_count(apart) == 2);
     CHECK(test::topology(apart).closed_manifold());
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("pruning and smoothing leave every branch in its system") {
     CHECK(prepared.tree.systems == tree.systems);
     REQUIRE(prepared.tree.branches.size() == 2);
     for (std::size_t id = 0; id < 2; ++id) CHECK(prepared.tree.branches[id].system == static_cast<int>(id));
-    CHECK(measure::component_count(surface_without(tree, options)) == 2);
+    CHECK(mesh::component_count(surface_without(tree, options)) == 2);
 }
 
 TEST_CASE("systems are streamed as they are made at once") {

@@ -1,6 +1,6 @@
 // Surfaces of masks and fields: closed, manifold, with the topology of the voxels, and where geometry says they are.
 #include "core/base/memory.h"
-#include "core/measure/connectivity.h"
+#include "core/mesh/connectivity.h"
 #include "core/volume/isosurface.h"
 #include "tests/support/mesh_topology.h"
 #include "tests/support/voxel_topology.h"
@@ -112,7 +112,7 @@ TEST_CASE("every mask's surface is closed, manifold and has the pieces, tunnels 
             CHECK(topology.volume > 0.0);
             const test::VoxelTopology voxels = test::voxel_topology(mask);
             CHECK(topology.euler == 2 * voxels.euler);
-            CHECK(measure::component_count(mesh) == voxels.pieces + voxels.cavities);
+            CHECK(mesh::component_count(mesh) == voxels.pieces + voxels.cavities);
             check_normals(mesh);
         }
     }
@@ -213,7 +213,7 @@ TEST_CASE("label sets are inside, all other labels outside") {
     CHECK(extent_x(of({1})) == glm::vec2(-0.5, 3.5));
     CHECK(extent_x(of({2})) == glm::vec2(3.5, 7.5));
     CHECK(extent_x(of({2, 3})) == glm::vec2(3.5, 11.5));
-    CHECK(measure::component_count(of({1, 3})) == 2);
+    CHECK(mesh::component_count(of({1, 3})) == 2);
     CHECK(of({1, 2, 3}) == of({}));
     CHECK(of({3, 2, 2}) == of({2, 3}));
 

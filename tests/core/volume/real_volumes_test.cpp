@@ -2,7 +2,7 @@
 #include "core/io/input_file.h"
 #include "core/io/trees/tree_file.h"
 #include "core/io/volumes/volume_file.h"
-#include "core/measure/connectivity.h"
+#include "core/mesh/connectivity.h"
 #include "core/volume/isosurface.h"
 #include "core/volume/label_counts.h"
 #include "tests/support/mesh_topology.h"
@@ -54,7 +54,7 @@ TEST_CASE("surfaces of real masks have their pieces, tunnels and cavities") {
         CHECK(topology.closed_manifold());
         CHECK(topology.zero_area == 0);
         CHECK(topology.euler == 2 * (known.pieces - known.tunnels + known.cavities));
-        CHECK(measure::component_count(*mesh) == known.pieces + known.cavities);
+        CHECK(mesh::component_count(*mesh) == known.pieces + known.cavities);
         // The surface of a mask cuts corners: it holds a little less than its voxels.
         const double voxels_mm3 = static_cast<double>(known.voxels) * volume::voxel_volume_mm3(volume->to_patient);
         CHECK(topology.volume < voxels_mm3);

@@ -1,5 +1,5 @@
 // Trees of masks whose vessels are known.
-#include "core/measure/connectivity.h"
+#include "core/mesh/connectivity.h"
 #include "core/volume/isosurface.h"
 #include "core/volume/skeletonize/skeletonize.h"
 #include "core/volume/skeletonize/topology.h"
@@ -209,7 +209,7 @@ TEST_CASE("whatever the mask is, the tree has its pieces and its tunnels") {
         Job job;
         const auto surface = volume::mask_surface(mask, glm::dmat4(1.0), {}, job);
         REQUIRE(surface);
-        const int pieces = measure::component_count(*surface);
+        const int pieces = mesh::component_count(*surface);
         const int loops = pieces - test::topology(*surface).euler / 2;
         const tree::VesselTree tree = tree_of(mask, glm::dvec3(1.0, 1.0, 1.0 + 0.3 * (seed % 4)));
         CHECK(static_cast<int>(tree.roots.size()) == pieces);

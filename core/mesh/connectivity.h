@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace ramus::measure {
+namespace ramus::mesh {
 
 struct Connectivity {
     std::int64_t pieces = 0, loops = 0;
@@ -20,7 +20,7 @@ struct Connectivity {
 
 // How many connected pieces a mesh has, closed or not: triangles that share a vertex belong together. Vertices that no
 // triangle uses do not count, here and below.
-[[nodiscard]] int component_count(const mesh::TriangleMesh& mesh);
+[[nodiscard]] int component_count(const TriangleMesh& mesh);
 
 // Of a closed surface that comes in parts, by Euler's formula.
 class ConnectivityCount {
@@ -35,8 +35,8 @@ private:
     std::int64_t triangles_ = 0;
 };
 
-[[nodiscard]] Connectivity connectivity_of(const mesh::TriangleMesh& closed);
+[[nodiscard]] Connectivity connectivity_of(const TriangleMesh& closed);
 // Of what is left of a tree without the branches whose entry in `hidden` is not 0; it may be empty.
 [[nodiscard]] Connectivity connectivity_of(const tree::VesselTree& tree, std::span<const std::uint8_t> hidden = {});
 
-} // namespace ramus::measure
+} // namespace ramus::mesh

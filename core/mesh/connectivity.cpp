@@ -1,10 +1,10 @@
-#include "core/measure/connectivity.h"
+#include "core/mesh/connectivity.h"
 
 #include <algorithm>
 
-namespace ramus::measure {
+namespace ramus::mesh {
 
-int component_count(const mesh::TriangleMesh& mesh) { return static_cast<int>(connectivity_of(mesh).pieces); }
+int component_count(const TriangleMesh& mesh) { return static_cast<int>(connectivity_of(mesh).pieces); }
 
 void ConnectivityCount::add_vertices(std::size_t count) {
     pieces_.add(count);
@@ -28,7 +28,7 @@ Connectivity ConnectivityCount::connectivity() const {
     return {pieces, pieces - (vertices - triangles_ / 2) / 2};
 }
 
-Connectivity connectivity_of(const mesh::TriangleMesh& closed) {
+Connectivity connectivity_of(const TriangleMesh& closed) {
     ConnectivityCount count;
     count.add_vertices(closed.positions.size());
     count.add_triangles(closed.triangles);
@@ -54,4 +54,4 @@ Connectivity connectivity_of(const tree::VesselTree& tree, std::span<const std::
     return {pieces, segments - (static_cast<std::int64_t>(tree.points.size()) - unused) + pieces};
 }
 
-} // namespace ramus::measure
+} // namespace ramus::mesh

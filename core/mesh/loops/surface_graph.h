@@ -1,0 +1,44 @@
+// SurfaceGraph: the edges of a closed surface, which triangles are on their two sides, and which lie at each vertex.
+#pragma once
+
+#include "core/mesh/triangle_mesh.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ramus::mesh {
+
+struct SurfaceEdge {
+    std::array<std::uint32_t, 2> ends{}; // ascending
+    std::array<std::uint32_t, 2> triangles{};
+};
+
+class SurfaceGraph {
+public:
+    // Of a surface, which must outlive it.
+    explicit SurfaceGraph(const TriangleMesh& mesh);
+
+    [[nodiscard]] const TriangleMesh& mesh() const { return *mesh_; }
+    // Whether each edge has two triangles. Only then does it have edges.
+    [[nodiscard]] bool is_closed() const { return closed_; }
+    [[nodiscard]] std::span<const SurfaceEdge> edges() const { return edges_; }
+    // The edges at a vertex.
+    [[nodiscard]] std::span<const std::uint32_t> edges_at(std::uint32_t vertex) const {
+        return std::span(at_).subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
+    }
+    [[nodiscard]] double length(std::uint32_t edge) const; // mm
+    [[nodiscard]] std::uint32_t other_end(std::uint32_t edge, std::uint32_t vertex) const {
+        const auto& [a, b] = edges_[edge].ends;
+        return a == vertex ? b : a;
+    }
+
+private:
+    const TriangleMesh* mesh_;
+    bool closed_ = true;
+    std::vector<SurfaceEdge> edges_;
+    std::vector<std::uint32_t> first_, at_; // by vertex
+};
+
+} // namespace ramus::mesh

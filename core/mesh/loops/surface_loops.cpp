@@ -1,0 +1,209 @@
+#include "core/mesh/loops/surface_loops.h"
+
+#include "core/base/disjoint_sets.h"
+
+#include <algorithm>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <oneapi/tbb/parallel_sort.h>
+#include <queue>
+#include <utility>
+
+namespace ramus::mesh {
+
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+struct Reached {
+    double distance;
+    std::uint32_t vertex;
+    bool operator>(const Reached& other) const {
+        return distance != other.distance ? distance > other.distance : vertex > other.vertex;
+    }
+};
+using Front = std::priority_queue<Reached, std::vector<Reached>, std::greater<>>;
+
+void flip(std::vector<std::uint64_t>& bits, const std::vector<std::uint64_t>& by) {
+    for (std::size_t n = 0; n < by.size(); ++n) bits[n] ^= by[n];
+}
+
+bool any(const std::vector<std::uint64_t>& bits) {
+    return std::ranges::any_of(bits, [](std::uint64_t word) { return word != 0; });
+}
+
+} // namespace
+
+std::vector<glm::dvec3> positions_of(const TriangleMesh& mesh, const SurfaceLoop& loop) {
+    std::vector<glm::dvec3> positions;
+    for (const std::uint32_t v : loop.vertices) positions.emplace_back(mesh.positions[v]);
+    return positions;
+}
+
+// The shortest paths from one vertex of each piece.
+struct SurfaceLoops::Tree {
+    std::vector<double> distance;
+    std::vector<std::uint32_t> edge; // toward the start, by vertex
+};
+
+SurfaceLoops::Tree SurfaceLoops::shortest_paths() const {
+    const std::size_t count = graph_.mesh().positions.size();
+    Tree tree{std::vector<double>(count, std::numeric_limits<double>::max()), std::vector<std::uint32_t>(count, kNone)};
+    Front front;
+    for (std::uint32_t start = 0; start < count; ++start) {
+        if (graph_.edges_at(start).empty() || tree.distance[start] < std::numeric_limits<double>::max()) continue;
+        tree.distance[start] = 0.0;
+        front.push({0.0, start});
+        while (!front.empty()) {
+            const auto [distance, vertex] = front.top();
+            front.pop();
+            if (distance > tree.distance[vertex]) continue;
+            for (const std::uint32_t edge : graph_.edges_at(vertex)) {
+                const std::uint32_t to = graph_.other_end(edge, vertex);
+                const double there = distance + graph_.length(edge);
+                if (!(there < tree.distance[to])) continue;
+                tree.distance[to] = there, tree.edge[to] = edge;
+                front.push({there, to});
+            }
+        }
+    }
+    return tree;
+}
+
+SurfaceLoops::SurfaceLoops(const SurfaceGraph& graph) : graph_(graph) {
+    const auto edges = graph.edges();
+    const Tree tree = shortest_paths();
+    std::vector<bool> in_tree(edges.size(), false);
+    for (const std::uint32_t edge : tree.edge)
+        if (edge != kNone) in_tree[edge] = true;
+    std::vector<std::pair<double, std::uint32_t>> others; // by the length of the loop that each closes
+    for (std::uint32_t e = 0; e < edges.size(); ++e) {
+        if (in_tree[e]) continue;
+        const auto& [a, b] = edges[e].ends;
+        others.emplace_back(tree.distance[a] + tree.distance[b] + graph.length(e), e);
+    }
+    tbb::parallel_sort(others.begin(), others.end(), std::greater<>());
+    DisjointSets joined(graph.mesh().triangles.size());
+    std::vector<std::uint32_t> of_triangles; // the edges that the tree of triangles crosses
+    for (const auto& [length, edge] : others) {
+        const auto& [s, t] = edges[edge].triangles;
+        (joined.join(s, t) ? of_triangles : edges_).push_back(edge);
+    }
+    find_crossings(of_triangles);
+}
+
+// The loop of triangles of each edge that is left: along the tree of triangles from its one side to its other one.
+void SurfaceLoops::find_crossings(std::span<const std::uint32_t> tree) {
+    if (edges_.empty()) return;
+    const std::size_t count = graph_.mesh().triangles.size();
+    std::vector<std::array<std::uint32_t, 3>> beside(count, {kNone, kNone, kNone});
+    for (const std::uint32_t edge : tree)
+        for (const std::uint32_t t : graph_.edges()[edge].triangles) *std::ranges::find(beside[t], kNone) = edge;
+    std::vector<std::uint32_t> up(count, kNone), depth(count, kNone), order;
+    const auto other_side = [&](std::uint32_t edge, std::uint32_t t) {
+        const auto& sides = graph_.edges()[edge].triangles;
+        return sides[0] == t ? sides[1] : sides[0];
+    };
+    for (std::uint32_t root = 0; root < count; ++root) {
+        if (depth[root] != kNone) continue;
+        depth[root] = 0;
+        order.assign(1, root);
+        for (std::size_t n = 0; n < order.size(); ++n)
+            for (const std::uint32_t edge : beside[order[n]]) {
+                if (edge == kNone || edge == up[order[n]]) continue;
+                const std::uint32_t t = other_side(edge, order[n]);
+                depth[t] = depth[order[n]] + 1, up[t] = edge;
+                order.push_back(t);
+            }
+    }
+    for (std::size_t loop = 0; loop < edges_.size(); ++loop) {
+        cross(edges_[loop], loop);
+        auto [s, t] = graph_.edges()[edges_[loop]].triangles;
+        while (s != t) {
+            std::uint32_t& deeper = depth[s] > depth[t] ? s : t;
+            cross(up[deeper], loop);
+            deeper = other_side(up[deeper], deeper);
+        }
+    }
+}
+
+void SurfaceLoops::cross(std::uint32_t edge, std::size_t loop) {
+    Crossings& bits = crossings_.try_emplace(edge, edges_.size() / 64 + 1, 0).first->second;
+    bits[loop / 64] ^= std::uint64_t{1} << loop % 64;
+}
+
+// A vertex that the search from another one has come to.
+struct SurfaceLoops::Known {
+    double distance;
+    std::uint32_t edge; // toward the start
+    Crossings crossed;  // on the way
+    bool settled = false;
+};
+
+std::vector<SurfaceLoop> SurfaceLoops::shortest(std::uint32_t vertex, double longest) const {
+    struct Closing {
+        double length;
+        std::uint32_t edge;
+    };
+    std::map<Crossings, Closing> kinds;
+    KnownVertices known;
+    known.try_emplace(vertex, Known{0.0, kNone, Crossings(edges_.size() / 64 + 1, 0)});
+    Front front;
+    front.push({0.0, vertex});
+    while (!front.empty()) {
+        const auto [distance, at] = front.top();
+        front.pop();
+        if (2.0 * distance > longest) break;
+        Known& here = known.at(at);
+        if (here.settled) continue;
+        here.settled = true;
+        for (const std::uint32_t edge : graph_.edges_at(at)) {
+            if (edge == here.edge) continue;
+            const std::uint32_t to = graph_.other_end(edge, at);
+            Crossings there = here.crossed;
+            if (const auto by = crossings_.find(edge); by != crossings_.end()) flip(there, by->second);
+            const double along = distance + graph_.length(edge);
+            const auto [entry, fresh] = known.try_emplace(to, Known{along, edge, there});
+            Known& other = entry->second;
+            if (fresh || (!other.settled && along < other.distance)) {
+                other = {along, edge, std::move(there)};
+                front.push({along, to});
+            } else if (const double length = along + other.distance; other.settled && length <= longest) {
+                flip(there, other.crossed);
+                if (!any(there)) continue;
+                const auto [kind, first] = kinds.try_emplace(std::move(there), Closing{length, edge});
+                if (!first && length < kind->second.length) kind->second = {length, edge};
+            }
+        }
+    }
+    std::vector<SurfaceLoop> loops;
+    for (const auto& [kind, closing] : kinds) loops.push_back(closed(known, vertex, closing.edge));
+    std::ranges::stable_sort(loops, {}, &SurfaceLoop::length);
+    return loops;
+}
+
+// The loop that an edge closes, without what its two ways from the start share.
+SurfaceLoop SurfaceLoops::closed(const KnownVertices& known, std::uint32_t start, std::uint32_t edge) const {
+    std::array<std::vector<std::uint32_t>, 2> ways; // from the start to the edge's ends
+    for (std::size_t side = 0; side < 2; ++side) {
+        for (std::uint32_t at = graph_.edges()[edge].ends[side];; at = graph_.other_end(known.at(at).edge, at)) {
+            ways[side].push_back(at);
+            if (at == start) break;
+        }
+        std::ranges::reverse(ways[side]);
+    }
+    const auto [first, second] = std::ranges::mismatch(ways[0], ways[1]);
+    SurfaceLoop loop;
+    loop.vertices.assign(first - 1, ways[0].end());
+    loop.vertices.insert(loop.vertices.end(), ways[1].rbegin(), std::make_reverse_iterator(second));
+    const auto position = [&](std::size_t n) {
+        return glm::dvec3(graph_.mesh().positions[loop.vertices[n % loop.vertices.size()]]);
+    };
+    for (std::size_t n = 0; n < loop.vertices.size(); ++n) loop.length += glm::distance(position(n), position(n + 1));
+    return loop;
+}
+
+} // namespace ramus::mesh

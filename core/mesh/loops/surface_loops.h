@@ -1,0 +1,53 @@
+// Loops of a surface: closed lines along its edges that do not part it. A closed surface has two that are independent
+// for each cycle of its graph, one around a vessel and one along the cycle, and two more where it connects what its
+// tree does not: one around the connection, one around the hole beside it.
+//
+// A spanning tree of the edges and, without crossing it, one of the triangles leave two edges for each loop (Eppstein,
+// Dynamic generators of topologically embedded graphs, SODA 2003). With the shortest paths as the first and the longest
+// ways crossed first by the second these edges lie where the connections are (Erickson and Whittlesey, Greedy optimal
+// homotopy and homology generators, SODA 2005). Each belongs to a closed row of triangles; how often a closed line
+// crosses each of these rows, an even or odd number of times, tells whether it parts the surface.
+#pragma once
+
+#include "core/mesh/loops/surface_graph.h"
+
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace ramus::mesh {
+
+struct SurfaceLoop {
+    std::vector<std::uint32_t> vertices; // in order, each once
+    double length = 0.0;                 // mm
+};
+
+[[nodiscard]] std::vector<glm::dvec3> positions_of(const TriangleMesh& mesh, const SurfaceLoop& loop); // mm
+
+class SurfaceLoops {
+public:
+    explicit SurfaceLoops(const SurfaceGraph& graph);
+
+    // Two for each of the surface's loops, as connectivity_of() counts them.
+    [[nodiscard]] std::span<const std::uint32_t> edges() const { return edges_; }
+    // The shortest loops through a vertex that are no longer than `longest`, mm: one of each kind, which cross
+    // the same loops of triangles an odd number of times; the shortest first.
+    [[nodiscard]] std::vector<SurfaceLoop> shortest(std::uint32_t vertex, double longest) const;
+
+private:
+    using Crossings = std::vector<std::uint64_t>; // a bit for each of edges_
+    struct Tree;
+    [[nodiscard]] Tree shortest_paths() const;
+    void find_crossings(std::span<const std::uint32_t> tree);
+    void cross(std::uint32_t edge, std::size_t loop);
+    struct Known;
+    using KnownVertices = std::unordered_map<std::uint32_t, Known>;
+    [[nodiscard]] SurfaceLoop closed(const KnownVertices& known, std::uint32_t start, std::uint32_t edge) const;
+
+    const SurfaceGraph& graph_;
+    std::vector<std::uint32_t> edges_;
+    std::unordered_map<std::uint32_t, Crossings> crossings_; // of edges that any row of triangles crosses
+};
+
+} // namespace ramus::mesh

@@ -1,0 +1,195 @@
+// Loops of surfaces: found, cut, and left alone where the tree has a cycle.
+#include "core/mesh/connectivity.h"
+#include "core/mesh/loops/cut_false_loops.h"
+#include "core/mesh/loops/cut_loop.h"
+#include "core/mesh/loops/spanning_triangles.h"
+#include "core/mesh/surface.h"
+#include "core/mesh/systems.h"
+#include "tests/support/mesh_topology.h"
+#include "tests/support/packed_trees.h"
+#include "tests/support/surface_shape.h"
+
+#include <cmath>
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <set>
+
+namespace ramus::mesh {
+
+namespace {
+
+constexpr float kRadius = 10.0F, kTube = 3.0F; // of a torus
+
+// Around the z axis.
+TriangleMesh torus(int along = 48, int around = 16, const glm::vec3& middle = glm::vec3(0.0F)) {
+    TriangleMesh mesh;
+    for (int i = 0; i < along; ++i)
+        for (int k = 0; k < around; ++k) {
+            const float u = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(along);
+            const float v = 2.0F * std::numbers::pi_v<float> * static_cast<float>(k) / static_cast<float>(around);
+            const glm::vec3 outward(std::cos(u), std::sin(u), 0.0F);
+            const glm::vec3 normal = std::cos(v) * outward + std::sin(v) * glm::vec3(0.0F, 0.0F, 1.0F);
+            mesh.positions.push_back(middle + kRadius * outward + kTube * normal);
+            mesh.normals.push_back(normal);
+            const auto at = [&](int a, int b) { return static_cast<std::uint32_t>(a % along * around + b % around); };
+            mesh.triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+            mesh.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+        }
+    mesh.radii.resize(mesh.positions.size(), kTube);
+    mesh.branches.resize(mesh.positions.size(), 0);
+    mesh.dominance.resize(mesh.positions.size());
+    return mesh;
+}
+
+// Along the middle of the torus's tube, from one angle to another, in turns.
+tree::VesselTree arc(double from, double to) {
+    constexpr int kSteps = 60;
+    tree::VesselTree tree;
+    tree::Branch branch;
+    for (int n = 0; n <= kSteps; ++n) {
+        const double angle = 2.0 * std::numbers::pi * (from + (to - from) * n / kSteps);
+        const bool closes = n == kSteps && to - from == 1.0;
+        branch.points.push_back(closes ? 0U : static_cast<std::uint32_t>(tree.points.size()));
+        if (!closes) tree.points.push_back({{kRadius * std::cos(angle), kRadius * std::sin(angle), 0.0}, kTube});
+    }
+    tree.branches.push_back(branch);
+    return tree;
+}
+
+double angle_of(const glm::vec3& p) { return std::atan2(p.y, p.x) / (2.0 * std::numbers::pi); } // in turns
+
+} // namespace
+
+TEST_CASE("each loop of a surface has a line around its tube and one along it") {
+    TriangleMesh mesh = torus();
+    {
+        const SurfaceGraph graph(mesh);
+        const SurfaceLoops loops(graph);
+        CHECK(graph.edges().size() == 3 * mesh.triangles.size() / 2);
+        CHECK(loops.edges().size() == 2);
+        const auto shortest = loops.shortest(0, 100.0);
+        REQUIRE(shortest.size() == 3); // around the tube, along it, and both
+        const double meridian = 2.0 * 16 * kTube * std::sin(std::numbers::pi / 16);
+        const double inner = 2.0 * 48 * (kRadius - kTube) * std::sin(std::numbers::pi / 48);
+        CHECK(shortest[0].length == doctest::Approx(meridian).epsilon(1e-5));
+        CHECK(shortest[0].vertices.size() == 16);
+        // Vertex 0 is on the torus's outside: the line goes to its inside and back.
+        CHECK(shortest[1].length > inner);
+        for (const SurfaceLoop& loop : shortest) {
+            const std::set<std::uint32_t> each(loop.vertices.begin(), loop.vertices.end());
+            CHECK(each.size() == loop.vertices.size());
+        }
+        const auto inside = loops.shortest(8, 100.0); // on the torus's inside
+        REQUIRE(inside.size() == 3);
+        CHECK(inside[1].length == doctest::Approx(inner).epsilon(1e-5));
+        CHECK(loops.shortest(0, 0.99 * meridian).empty());
+    }
+    append(mesh, torus(30, 12, {40, 0, 0}));
+    CHECK(SurfaceLoops(SurfaceGraph(mesh)).edges().size() == 4);
+    cut_along(mesh, SurfaceLoops(SurfaceGraph(mesh)).shortest(0, 20.0).front());
+    CHECK(SurfaceLoops(SurfaceGraph(mesh)).edges().size() == 2);
+}
+
+TEST_CASE("a surface with a hole has no edges that could be cut along") {
+    Job job;
+    TriangleMesh mesh = torus();
+    mesh.triangles.pop_back();
+    CHECK(!SurfaceGraph(mesh).is_closed());
+    const TriangleMesh before = mesh;
+    CHECK(cut_false_loops(mesh, arc(-0.4, 0.4), job) == 0);
+    CHECK(mesh == before);
+}
+
+TEST_CASE("a surface cut along a line is closed, with a loop less and a hair's breadth between its caps") {
+    for (const std::size_t kind : {0U, 1U}) {
+        CAPTURE(kind);
+        TriangleMesh mesh = torus();
+        const TriangleMesh before = mesh;
+        const SurfaceGraph graph(before);
+        const SurfaceLoop loop = SurfaceLoops(graph).shortest(8, 100.0)[kind];
+        cut_along(mesh, loop);
+        CHECK(test::topology(mesh).closed_manifold());
+        CHECK(connectivity_of(mesh) == Connectivity{1, 0});
+        CHECK(mesh.positions.size() == before.positions.size() + loop.vertices.size());
+        CHECK(mesh.triangles.size() == before.triangles.size() + 2 * (loop.vertices.size() - 2));
+        CHECK(mesh.dominance.size() == mesh.positions.size());
+        for (std::size_t n = 0; n < loop.vertices.size(); ++n) {
+            const glm::vec3 left = mesh.positions[loop.vertices[n]];
+            const glm::vec3 right = mesh.positions[before.positions.size() + n];
+            CHECK(glm::distance(left, right) > 0.01F * kTube);
+            CHECK(glm::distance(left, right) < 0.03F * kTube);
+            CHECK(glm::distance(left, before.positions[loop.vertices[n]]) < 0.015F * kTube);
+        }
+    }
+}
+
+TEST_CASE("a loop that the tree has no cycle for is cut where no vessel runs, and another one stays") {
+    Job job;
+    TriangleMesh mesh = torus();
+    const TriangleMesh before = mesh;
+    CHECK(!has_other_loops(mesh, arc(0.0, 1.0)));
+    CHECK(cut_false_loops(mesh, arc(0.0, 1.0), job) == 0);
+    CHECK(mesh == before);
+    CHECK(has_other_loops(mesh, arc(-0.4, 0.4)));
+    CHECK(cut_false_loops(mesh, arc(-0.4, 0.4), job) == 1);
+    CHECK(test::topology(mesh).closed_manifold());
+    CHECK(connectivity_of(mesh) == Connectivity{1, 0});
+    for (std::size_t v = before.positions.size(); v < mesh.positions.size(); ++v)
+        CHECK(std::abs(angle_of(mesh.positions[v])) > 0.4);
+    CHECK(!has_other_loops(mesh, arc(-0.4, 0.4)));
+}
+
+TEST_CASE("where a vessel runs all along a loop, its hole is filled, unless another vessel goes through") {
+    Job job;
+    const tree::VesselTree open = arc(0.005, 1.01); // its ends pass each other
+    TriangleMesh mesh = torus();
+    CHECK(cut_false_loops(mesh, open, job) == 1);
+    CHECK(connectivity_of(mesh) == Connectivity{1, 0});
+    tree::VesselTree threaded = open;
+    threaded.points.push_back({{0.5, 0.3, -20.0}, 1.0});
+    threaded.points.push_back({{0.5, 0.3, 20.0}, 1.0});
+    threaded.branches.push_back({});
+    threaded.branches.back().points = {static_cast<std::uint32_t>(threaded.points.size() - 2),
+                                       static_cast<std::uint32_t>(threaded.points.size() - 1)};
+    mesh = torus();
+    const TriangleMesh before = mesh;
+    CHECK(cut_false_loops(mesh, threaded, job) == 0);
+    CHECK(mesh == before);
+}
+
+TEST_CASE("a closed line is spanned by triangles of least area") {
+    const auto area = [](const std::vector<glm::dvec3>& line) {
+        double sum = 0.0;
+        for (const glm::uvec3& t : spanning_triangles(line)) {
+            CHECK(t.x < t.y);
+            CHECK(t.y < t.z);
+            sum += 0.5 * glm::length(glm::cross(line[t.y] - line[t.x], line[t.z] - line[t.x]));
+        }
+        return sum;
+    };
+    const std::vector<glm::dvec3> bent{{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}};
+    CHECK(spanning_triangles(bent).size() == 4);
+    CHECK(area(bent) == doctest::Approx(7.0));
+    // Of two diagonals the better one, wherever the line begins.
+    CHECK(area({{0, 0, 0}, {1, 0, 1}, {2, 0, 0}, {1, 3, 0}}) == doctest::Approx(4.0));
+    CHECK(area({{1, 0, 1}, {2, 0, 0}, {1, 3, 0}, {0, 0, 0}}) == doctest::Approx(4.0));
+    CHECK(spanning_triangles(std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}}).empty());
+}
+
+TEST_CASE("a fork that another vessel threads keeps the loops of its tree") {
+    for (const std::uint64_t seed : {25U, 49U}) {
+        CAPTURE(seed);
+        const tree::VesselTree tree = test::packed_trees(seed);
+        SurfaceOptions options;
+        options.detail = 8;
+        Job job;
+        const auto surface = make_surface(tree, options, job);
+        REQUIRE(surface);
+        CHECK(surface->statistics.cut_loops > 0);
+        CHECK(test::topology(surface->mesh).closed_manifold());
+        CHECK(connectivity_of(surface->mesh) == connectivity_of(tree));
+    }
+}
+
+} // namespace ramus::mesh
