@@ -4,8 +4,8 @@
 
 #include "core/base/error.h"
 #include "core/io/meshes/mesh_names.h"
-#include "core/mesh/connectivity.h"
 #include "core/measure/wall_thickness.h"
+#include "core/mesh/connectivity.h"
 #include "core/mesh/surface.h"
 
 #include <cstdint>

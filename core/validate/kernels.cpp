@@ -1,8 +1,8 @@
 #include "core/validate/kernels.h"
 
 #include "core/field/kernel.h"
-#include "core/mesh/connectivity.h"
 #include "core/measure/deviation/deviation.h"
+#include "core/mesh/connectivity.h"
 
 #include <array>
 #include <utility>

@@ -19,7 +19,7 @@ struct Shape {
 // What the surface of a tree has where each vessel system has a surface of its own (core/mesh/systems.h). `hidden`: by
 // branch id, not 0: left out; may be empty.
 [[nodiscard]] mesh::Connectivity expected_shape(const tree::VesselTree& tree,
-                                                   std::span<const std::uint8_t> hidden = {});
+                                                std::span<const std::uint8_t> hidden = {});
 
 // `closed`: the surface of all branches, without a hole. Cones are many surfaces, and say nothing here.
 [[nodiscard]] Shape shape_of(const tree::VesselTree& tree, const mesh::TriangleMesh& closed);
