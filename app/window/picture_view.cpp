@@ -73,10 +73,13 @@ bool PictureView::draw(bool dragging) {
     const render::Quality quality = quality_now(dragging);
     dress(viewports, surfaces, quality);
     tell_panels(viewports);
+    state_.did("compose");
     const auto drawn = sheets_.draw(sheet_, kUploadBudget, state_.watched() ? kDrawingSeconds : render::kUntilDone);
+    state_.did("picture");
     take(drawn, quality);
     ask_depths(drawn && drawn->geometry);
     tell_nothing_in_view();
+    state_.did("depths");
     return drawn && drawn->shaded;
 }
 

@@ -129,10 +129,9 @@ private:
 };
 
 Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keeper& keeper,
-                  const WindowOptions& options, std::optional<std::vector<ScriptLine>> script) {
+                  const WindowOptions& options, std::optional<std::vector<ScriptLine>> script, LoopWatch& watch) {
     StatusFile status(options.status);
     SpareMemory spare_memory;
-    LoopWatch watch;
     watch.waits();
     if (!options.status.empty()) viewer.note_controls();
     while (!viewer.files().closing()) {
@@ -210,8 +209,10 @@ int run_window(const WindowOptions& options) {
     auto renderer = render::Renderer::create(render::kGlassBytes, options.graphics_bytes);
     if (!renderer) return complain(renderer.error());
     fonts.wait();
+    LoopWatch watch;
     auto viewer = Viewer::create(workspace, **renderer, (*window)->scale(), wake_window);
     if (!viewer) return complain(viewer.error());
+    (*viewer)->tell_steps([&watch](const char* step) { watch.did(step); });
     (*window)->attach(viewer->get());
     (*viewer)->resize((*window)->framebuffer_size(), (*window)->scale());
     if (options.files.size() > 1) (*viewer)->say("One tree at a time: only " + options.files.front() + " was opened");
@@ -221,7 +222,7 @@ int run_window(const WindowOptions& options) {
     (*viewer)->files().offer(autosave::find_abandoned(Keeper::folder()));
     Keeper keeper(settings, own_scale);
     (*window)->show();
-    const auto done = loop(**window, **viewer, workspace, keeper, options, std::move(script));
+    const auto done = loop(**window, **viewer, workspace, keeper, options, std::move(script), watch);
     keeper.leave(**window, **viewer);
     (*window)->attach(nullptr);
     return done ? 0 : complain(done.error());

@@ -56,20 +56,26 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     state_.now = now;
     lay_out();
     take_news();
+    state_.did("news");
     lay_out_viewports();
     // Of the picture that is there: where nothing else moves, this very frame shows what the pointer came to.
     input_.ask_pick();
     input_.take_pick();
     previewer_.update(); // before its texture is used
+    state_.did("pick");
     build_interface();
+    state_.did("interface");
     const bool drawn = picture_.draw(input_.dragging());
     if (drawn) input_.look_again();
     input_.ask_pick();
     const std::uint64_t looks = fingerprint(*ImGui::GetDrawData());
+    state_.did("pick");
     const bool finer = picture_.refine(drawn || looks != state_.presented || !resting());
+    state_.did("refine");
     if (!drawn && !finer && looks == state_.presented) return false;
     state_.presented = looks;
     present(framebuffer);
+    state_.did("present");
     return true;
 }
 

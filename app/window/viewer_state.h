@@ -22,6 +22,7 @@ struct ViewerState {
         : wake(std::move(its_wake)), workspace(with), commands(wake) {}
 
     std::function<void()> wake; // called on other threads when there is something to do
+    std::function<void(const char* step)> did = [](const char*) {}; // told after each step of a frame (LoopWatch)
 
     Workspace& workspace;
     CommandRunner commands;

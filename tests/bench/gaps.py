@@ -5,22 +5,30 @@ A measurement, no test: of a grown tree of 30,000 branches and, with RAMUS_SHARE
 driver compiles for the first time is in it, 0.1 to 0.5 s for a shader of Mesa's rasteriser; where XDG_CACHE_HOME names a
 folder that a run before has filled, the driver finds it there.
 
-Usage: gaps.py PROGRAM [PART]    PART: only steps with it in their name, and opening
+Usage: gaps.py PROGRAM [PART [TREE]]    PART: only steps with it in their name, and opening; "" for all
+                                        TREE: only of grown, kidney
 """
 
 import os
+import re
 import subprocess
 import sys
 import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "journey"))
+import screen as journeys  # noqa: E402
 from screen import Failure, Window, click, drag, run_journeys, saved_session  # noqa: E402
 
-KIDNEY = Path(os.environ.get("RAMUS_SHARED_DATA", "")) / "trees" / "kidney_77922_segments.swc"
+journeys.PATIENCE = 600.0  # seconds: reports of large trees on a busy machine
+SHARED = Path(os.environ.get("RAMUS_SHARED_DATA", ""))
+KIDNEY = SHARED / "trees" / "kidney_77922_segments.swc"
+ORGAN = SHARED / "volumes" / "kidney.nii.gz"
 PROMISED = 0.1  # seconds
 EXPORTS = {  # by what their pages are said to be
     "picture": "What the window shows.",
+    "sheet": "Four views on one sheet, all at one scale.",
+    "turntable": "Once around, as pictures or as a video.",
     "report": "A page with pictures and tables of the plan.",
     "table": "The figures of each branch.",
     "surface": "The smooth surface, as triangles.",
@@ -80,9 +88,10 @@ class Explorer:
         window = self.window
         window.xdotool("key", "ctrl+k")
         window.wait("the palette", lambda s: s["palette"]["open"] and s["typing"])
-        window.xdotool("type", title.replace("›", "").replace("…", ""))
-        controls = window.wait("its row", lambda s: title in s["controls"])["controls"]
-        left, top, width, _ = controls[title]
+        window.xdotool("type", re.sub("›|…|[0-9, ]* mm", "", title))
+        row = re.compile(re.escape(title).replace(r"\ mm", " [a-z]+"))  # of a file that says no unit: units
+        controls = window.wait("its row", lambda s: any(map(row.fullmatch, s["controls"])))["controls"]
+        left, top, width, _ = next(at for words, at in controls.items() if row.fullmatch(words))
         above = sum(at[0] == left and at[2] == width and at[1] < top for at in controls.values())
         window.xdotool("key", *["Down"] * above, "Return")
         if arguments:
@@ -156,8 +165,13 @@ def colour_and_view(explorer):
 def plan(explorer):
     explorer.command("lesion", "10,0,0,8")
     explorer.command("Plan › Margins 5, 10, 20 mm")
+    explorer.command("Colour › Distance to lesion")
+    explorer.command("lesion-change", "1 12,4,0,9")
+    explorer.command("Colour › State")
+    explorer.command("select-within", "20")
     explorer.command("select", "3")
     explorer.key("cut", "c")
+    explorer.command("cut", "0 0.5")
     explorer.command("Plan › Remove all cuts")
     explorer.command("Plan › Remove all lesions")
     explorer.command("measure", "path 0 30")
@@ -189,6 +203,36 @@ def look_up(explorer):
     explorer.key("select nothing again", "Escape", "Escape")
 
 
+def compare(explorer):
+    explorer.command("compare", "side-by-side cs,cones")
+    explorer.key("turn both", "Left", "Left", "Left")
+    explorer.command("compare", "wipe cs,paper")
+    explorer.command("compare", "off")
+    explorer.command("deviation-from", "cones")
+    explorer.command("Colour › Deviation")
+    explorer.key("turn with deviation", "Left", "Left", "Left")
+    explorer.command("Colour › State")
+
+
+def add_context(explorer):
+    if not ORGAN.is_file():
+        return
+    explorer.command("context", f"{ORGAN} --opacity 0.4")
+    explorer.key("turn with context", "Left", "Left", "Left")
+    explorer.command("context-clear")
+
+
+def travel(explorer):
+    explorer.command("select", "5")
+    explorer.key("fly along", "j")
+    explorer.key("stop flying", "j")
+    explorer.command("View › Warnings")
+    explorer.command("View › Warnings")
+    explorer.command("lasso", "400,300 900,300 900,700 400,700")
+    explorer.command("View › Light theme")
+    explorer.command("View › Light theme")
+
+
 def change_surface(explorer):
     for change in ("width 2", "detail 8", "smooth 3", "method cones"):
         explorer.command("surface", change)
@@ -200,6 +244,9 @@ def edit(explorer):
     explorer.command("Edit › Disconnect the selected")
     explorer.key("undo disconnect", "ctrl+z")
     explorer.command("name", "3 renal subtree")
+    explorer.command("scale-radius", "1.2 20")
+    explorer.command("move-root", "30 end")
+    explorer.command("units", "mm")
 
 
 def put_out(explorer):
@@ -208,6 +255,17 @@ def put_out(explorer):
     for what, kind in EXPORTS.items():
         explorer.exported(what, kind)
     explorer.step("save", lambda: saved_session(explorer.window))
+
+    def open_again():
+        window = explorer.window
+        file = window.status()["session_file"]
+        window.xdotool("key", "ctrl+o")
+        window.wait("the dialog", lambda s: s["open_dialog"] and s["typing"])
+        window.xdotool("key", "ctrl+a")
+        window.xdotool("type", file)
+        window.xdotool("key", "Return")
+        window.wait("no dialog", lambda s: not s["open_dialog"])
+    explorer.step("open the session", open_again)
 
 
 def resize(explorer):
@@ -223,7 +281,8 @@ def explore(program, screen, folder, tree, name):
     try:
         if explorer.window.status()["unsaid"]:
             explorer.key("answer about units", "Escape")
-        for part in (turn_and_zoom, mark, colour_and_view, plan, look_up, change_surface, edit, put_out, resize):
+        for part in (turn_and_zoom, mark, colour_and_view, plan, look_up, travel, change_surface, compare, add_context, edit,
+                     put_out, resize):
             part(explorer)
         longest = max(explorer.rows, key=lambda row: row[1])
         beyond = sum(row[1] > PROMISED for row in explorer.rows)
@@ -246,4 +305,5 @@ def kidney(program, screen, folder):
 
 
 if __name__ == "__main__":
-    sys.exit(run_journeys(grown, kidney, size=(1600, 1000)))
+    trees = [tree for tree in (grown, kidney) if len(sys.argv) < 4 or tree.__name__ == sys.argv[3]]
+    sys.exit(run_journeys(*trees, size=(1600, 1000)))
