@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 namespace ramus::render {
 
@@ -17,17 +18,66 @@ void GpuLines::follow(const std::shared_ptr<const Centerlines>& lines) {
     if (lines == shown_) return;
     shown_ = lines && !lines->points.empty() ? lines : nullptr;
     bounds_ = shown_ ? bounds_of(*shown_) : Box{};
+    thinned_ = {};
+    levels_ = {};
     if (!shown_) return;
+    balls_ = line_balls(*shown_);
+    extent_mm_ = shown_->extent_mm();
     whole_.send(*shown_);
-    thinned_there_ = false;
 }
 
 const GpuLines::Copy& GpuLines::thinned() {
-    if (shown_ && !thinned_there_) {
-        thinned_.send(shown_->thinned(kThinnedShare * shown_->extent_mm()));
-        thinned_there_ = true;
-    }
+    if (shown_ && !thinned_.sent()) thinned_.send(shown_->thinned(kThinnedShare * extent_mm_));
     return thinned_;
+}
+
+// The step from a branch to the next one is no segment, which the shader sees: neighbours are drawn as one.
+void GpuLines::Stretches::add(int level, const Centerlines::Run& run) {
+    std::uint32_t first = run.first;
+    segments_ += run.count - 1;
+    for (std::uint32_t left = run.count - 1; left > 0;) {
+        if (parts_.empty() || in_part_ >= kMostInPart || parts_.back().level != level) {
+            parts_.push_back({level, counts_.size()});
+            in_part_ = 0;
+        }
+        const std::uint32_t now = std::min(left, kMostInPart - in_part_);
+        if (in_part_ > 0 && first == end_ + 1) {
+            counts_.back() += static_cast<GLsizei>(6 * (now + 1));
+        } else {
+            firsts_.push_back(static_cast<GLint>(6 * first));
+            counts_.push_back(static_cast<GLsizei>(6 * now));
+        }
+        first += now;
+        left -= now;
+        end_ = first;
+        in_part_ += now;
+    }
+}
+
+GpuLines::Stretches GpuLines::stretches(const Camera& camera, glm::ivec2 size, const std::vector<Layer>& layers,
+                                        std::initializer_list<Layer> drawn) {
+    Stretches found;
+    if (!shown_) return found;
+    std::vector<std::int8_t> levels = line_levels(balls_, extent_mm_, camera, size);
+    for (std::size_t branch = 0; branch < levels.size(); ++branch)
+        if (std::ranges::find(drawn, layer_of(layers, branch)) == drawn.end()) levels[branch] = kNotInPicture;
+    for (int number = 0; number < kLineLevels; ++number) {
+        if (std::ranges::find(levels, static_cast<std::int8_t>(number)) == levels.end()) continue;
+        if (!level(number).sent())
+            levels_.at(static_cast<std::size_t>(number))
+                .send(shown_->thinned(level_mm(number, extent_mm_), std::numeric_limits<double>::infinity()));
+        for (std::size_t branch = 0; branch < levels.size(); ++branch)
+            if (levels[branch] == number) found.add(number, level(number).runs_[branch]);
+    }
+    return found;
+}
+
+void GpuLines::draw_part(const Stretches& stretches, std::size_t part) const {
+    const auto [number, begin] = stretches.parts_[part];
+    const std::size_t end = part + 1 < stretches.parts() ? stretches.parts_[part + 1].begin : stretches.counts_.size();
+    level(number).bind();
+    glMultiDrawArrays(GL_TRIANGLES, &stretches.firsts_[begin], &stretches.counts_[begin],
+                      static_cast<GLsizei>(end - begin));
 }
 
 void GpuLines::Copy::send(const Centerlines& lines) {

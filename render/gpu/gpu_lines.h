@@ -1,5 +1,7 @@
 // GpuLines: centerlines on the graphics card, sent once for each that comes. The passes read them as buffer textures:
-// lines are drawn from them, and a point of the surface finds what its branch is like there.
+// lines are drawn from them, and a point of the surface finds what its branch is like there. Lines are drawn with as
+// many points as the view needs (render/scene/line_levels.h), in parts that a software rasteriser takes a few
+// milliseconds for.
 #pragma once
 
 #include "render/gl/gl_objects.h"
@@ -7,7 +9,9 @@
 #include "render/scene/bounds.h"
 #include "render/scene/camera.h"
 #include "render/scene/centerlines.h"
+#include "render/scene/line_levels.h"
 
+#include <array>
 #include <initializer_list>
 #include <memory>
 #include <vector>
@@ -27,8 +31,10 @@ public:
         // Draws six corners a segment, without attributes, of branches whose entry in `layers` is one of `drawn`
         // (missing entries are opaque); bound. Returns the number of segments.
         [[nodiscard]] std::uint64_t draw(const std::vector<Layer>& layers, std::initializer_list<Layer> drawn) const;
+        [[nodiscard]] bool sent() const { return points_.buffer != 0; }
 
     private:
+        friend GpuLines;
         std::vector<Centerlines::Run> runs_;
         BufferTexture points_;    // RGBA32F: position, mm from the root
         BufferTexture details_;   // RG32UI: bits of the diameter, branch
@@ -37,11 +43,43 @@ public:
     [[nodiscard]] const Copy& whole() const { return whole_; }
     [[nodiscard]] const Copy& thinned(); // for what moves; made and sent when it is asked for first
 
+    // Stretches of lines that are drawn together.
+    class Stretches {
+    public:
+        [[nodiscard]] std::size_t parts() const { return parts_.size(); }
+        [[nodiscard]] std::uint64_t segments() const { return segments_; }
+        static constexpr std::uint32_t kMostInPart = std::uint32_t{1} << 14; // segments
+
+    private:
+        friend GpuLines;
+        struct Part {
+            int level;
+            std::size_t begin; // in what follows
+        };
+        void add(int level, const Centerlines::Run& run);
+        std::vector<GLint> firsts_; // of vertices
+        std::vector<GLsizei> counts_;
+        std::vector<Part> parts_;
+        std::uint32_t end_ = 0, in_part_ = 0; // of the last stretch: its last point; segments of the last part
+        std::uint64_t segments_ = 0;
+    };
+    // The lines in a picture of `size` of branches whose entry in `layers` is one of `drawn` (missing entries are
+    // opaque).
+    [[nodiscard]] Stretches stretches(const Camera& camera, glm::ivec2 size, const std::vector<Layer>& layers,
+                                      std::initializer_list<Layer> drawn);
+    void draw_part(const Stretches& stretches, std::size_t part) const; // six corners a segment, without attributes
+
 private:
+    [[nodiscard]] const Copy& level(int number) const {
+        return number + 1 < kLineLevels ? levels_.at(static_cast<std::size_t>(number)) : whole_;
+    }
+
     std::shared_ptr<const Centerlines> shown_;
     Box bounds_;
+    std::vector<LineBall> balls_;
+    double extent_mm_ = 0.0;
     Copy whole_, thinned_;
-    bool thinned_there_ = false;
+    std::array<Copy, kLineLevels - 1> levels_; // made and sent when they are first needed
 };
 
 // GpuSkeleton: centerlines with rings of the local radius on the graphics card, sent once for each that comes. Rings
@@ -66,8 +104,7 @@ public:
     void follow(const std::shared_ptr<const Centerlines>& lines);
     [[nodiscard]] const Centerlines* shown() const { return lines_.shown(); } // null: nothing
 
-    // With fewer points while the view moves.
-    [[nodiscard]] const GpuLines::Copy& lines(bool moving) { return moving ? lines_.thinned() : lines_.whole(); }
+    [[nodiscard]] GpuLines& lines() { return lines_; }
     [[nodiscard]] GLuint rings() const { return rings_.texture; } // RGBA32F: centre, radius; axis
 
     // The rings that can be seen, by how many corners they need: indices into rings().

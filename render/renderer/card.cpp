@@ -62,7 +62,10 @@ InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& t
     draw_opaque_into(targets.samples);
     triangles += context.draw_opaque(subject, view);
     glDisable(GL_CULL_FACE);
-    if (targets.has_glass && has_lines) centerlines.draw_lines(subject, view);
+    if (targets.has_glass && has_lines) {
+        InParts<std::uint64_t> lines = centerlines.draw_lines(subject, view, targets.samples);
+        while (lines.resume()) co_await kPartEnds;
+    }
 
     if (!targets.has_glass) {
         co_await kPartEnds;

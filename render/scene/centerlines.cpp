@@ -3,6 +3,7 @@
 #include "core/base/lines.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -38,10 +39,13 @@ double Centerlines::extent_mm() const {
 
 namespace {
 
-constexpr double kThinningShare = 0.15; // of the radius; tuned by eye
+struct Most {
+    double mm, radii;
+};
 
 // The point between `first` and `last` that is farthest from their line, in what it may be: 1 is too far.
-std::pair<std::size_t, double> farthest(const Centerlines& lines, std::size_t first, std::size_t last, double most_mm) {
+std::pair<std::size_t, double> farthest(const Centerlines& lines, std::size_t first, std::size_t last,
+                                        const Most& most) {
     const glm::dvec3 a(lines.points[first]), ab = glm::dvec3(lines.points[last]) - a;
     const double ra = 0.5 * lines.details[first].diameter_mm, rb = 0.5 * lines.details[last].diameter_mm;
     std::pair<std::size_t, double> found{first, 0.0};
@@ -50,7 +54,8 @@ std::pair<std::size_t, double> farthest(const Centerlines& lines, std::size_t fi
         const double t = share_along(ap, ab);
         const double radius = 0.5 * lines.details[i].diameter_mm;
         const double off = glm::length(ap - t * ab) + std::abs(radius - (ra + t * (rb - ra)));
-        const double share = off / std::max(1e-9, std::min(kThinningShare * radius, most_mm));
+        const double by_radius = std::isinf(most.radii) ? most.mm : most.radii * radius;
+        const double share = off / std::max(1e-9, std::min(by_radius, most.mm));
         if (share > found.second) found = {i, share};
     }
     return found;
@@ -59,7 +64,7 @@ std::pair<std::size_t, double> farthest(const Centerlines& lines, std::size_t fi
 } // namespace
 
 // Douglas and Peucker (1973): what is farthest off stays, and both sides are looked at again.
-Centerlines Centerlines::thinned(double most_mm) const {
+Centerlines Centerlines::thinned(double most_mm, double most_radii) const {
     Centerlines fewer;
     fewer.origin = origin;
     fewer.runs.resize(runs.size());
@@ -74,7 +79,7 @@ Centerlines Centerlines::thinned(double most_mm) const {
         std::vector<std::size_t> ends; // of what is still to do, the nearest last
         if (run.count > 1) ends.push_back(run.first + run.count - 1);
         for (std::size_t from = run.first; !ends.empty();) {
-            const auto [point, share] = farthest(*this, from, ends.back(), most_mm);
+            const auto [point, share] = farthest(*this, from, ends.back(), {most_mm, most_radii});
             if (share > 1.0) {
                 ends.push_back(point);
                 continue;

@@ -34,7 +34,8 @@ struct Centerlines {
     [[nodiscard]] double extent_mm() const;
     // The same with fewer points: each branch's line and its radius go no farther from these than a share of the radius
     // and than `most_mm`.
-    [[nodiscard]] Centerlines thinned(double most_mm) const;
+    static constexpr double kThinnedRadii = 0.15; // tuned by eye
+    [[nodiscard]] Centerlines thinned(double most_mm, double most_radii = kThinnedRadii) const;
 
     // A point of a branch, `fraction` of its length from the parent's end; nothing where the branch has no points.
     struct BranchPoint {

@@ -139,7 +139,10 @@ void SkeletonPass::draw(const Subject& subject, const ViewSetup& view, GLuint op
     draw_rings(subject);
     use(lines_, subject, view);
     set_stripe(subject.frame, view, kCenterlineWidth, glm::vec4(kLineColour, kHiddenLine));
-    (void)skeleton.lines(subject.quick()).draw(subject.layers, {Layer::kOpaque, Layer::kGlass});
+    GpuLines& lines = skeleton.lines();
+    const GpuLines::Stretches seen =
+        lines.stretches(subject.frame.camera, subject.frame.size, subject.layers, {Layer::kOpaque, Layer::kGlass});
+    for (std::size_t part = 0; part < seen.parts(); ++part) lines.draw_part(seen, part);
 }
 
 Result<void> MarkPass::make() { return make_programs({{&program_, "mark.vert", "mark.frag"}}); }

@@ -127,16 +127,25 @@ std::uint64_t CenterlinePass::draw_cones(const Subject& subject) const {
     return 2 * segments;
 }
 
-void CenterlinePass::draw_lines(const Subject& subject, const ViewSetup& view) const {
-    const GpuLines& lines = subject.scene.lines();
-    glUseProgram(lines_);
-    glBindVertexArray(no_vertices_);
+InParts<std::uint64_t> CenterlinePass::draw_lines(const Subject& subject, const ViewSetup& view,
+                                                  const SampleTarget& to) const {
+    GpuLines& lines = subject.scene.lines();
     const glm::mat4 to_clip(view.clip_from(lines.shown()->origin));
-    glUniformMatrix4fv(kUniformToClip, 1, GL_FALSE, glm::value_ptr(to_clip));
     const float pixels = kCenterlineWidth * view.pixels_a_point(subject.frame);
-    glUniform3f(kUniformHalfPicture, 0.5F * float(view.size.x), 0.5F * float(view.size.y),
-                0.5F * std::max(pixels, 1.0F));
-    (void)lines.whole().draw(subject.layers, {Layer::kGlass});
+    const GpuLines::Stretches seen =
+        lines.stretches(subject.frame.camera, subject.frame.size, subject.layers, {Layer::kGlass});
+    for (std::size_t part = 0; part < seen.parts(); ++part) {
+        draw_opaque_into(to);
+        glDisable(GL_CULL_FACE);
+        glUseProgram(lines_);
+        glBindVertexArray(no_vertices_);
+        glUniformMatrix4fv(kUniformToClip, 1, GL_FALSE, glm::value_ptr(to_clip));
+        glUniform3f(kUniformHalfPicture, 0.5F * float(view.size.x), 0.5F * float(view.size.y),
+                    0.5F * std::max(pixels, 1.0F));
+        lines.draw_part(seen, part);
+        if (part + 1 < seen.parts()) co_await kPartEnds;
+    }
+    co_return seen.segments();
 }
 
 Result<void> ContextPass::make() {

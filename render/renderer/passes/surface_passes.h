@@ -39,8 +39,10 @@ public:
     // What moves fast enough that nobody sees the difference: a rectangle a segment takes a software rasteriser a tenth
     // of the time that its triangles do. Returns the number of triangles.
     [[nodiscard]] std::uint64_t draw_cones(const Subject& subject) const;
-    // Of branches of glass: seen through it, and hidden by what is opaque.
-    void draw_lines(const Subject& subject, const ViewSetup& view) const;
+    // Of branches of glass: seen through it, and hidden by what is opaque. In parts, as SurfacePass. Returns the number
+    // of segments.
+    [[nodiscard]] InParts<std::uint64_t> draw_lines(const Subject& subject, const ViewSetup& view,
+                                                    const SampleTarget& to) const;
 
 private:
     Program cones_, lines_;

@@ -103,6 +103,32 @@ TEST_CASE("the skeleton lies where it belongs, over what rests and what moves, a
     }
 }
 
+TEST_CASE("many lines are drawn in parts, each of so many segments at the most") {
+    const WatchedContext context;
+    auto lines = std::make_shared<Centerlines>();
+    constexpr std::uint32_t kPoints = 25'001; // of each of three branches
+    for (int branch = 0; branch < 3; ++branch) {
+        lines->runs.push_back({static_cast<std::uint32_t>(lines->points.size()), kPoints});
+        for (std::uint32_t i = 0; i < kPoints; ++i) {
+            const float x = 0.004F * float(i) - 50.0F;
+            lines->points.emplace_back(x, float(branch), i % 2 == 0 ? 0.0F : 1.0F, 0.0F);
+            lines->details.push_back({1.0F, branch});
+        }
+    }
+    GpuLines sent;
+    sent.follow(lines);
+    Camera camera; // so near that every point is needed
+    camera.orthographic = true;
+    camera.scale = 0.01;
+    const auto all = sent.stretches(camera, {400, 300}, {}, {Layer::kOpaque});
+    CHECK(all.segments() == 3 * (kPoints - 1));
+    const std::uint64_t most = GpuLines::Stretches::kMostInPart;
+    CHECK(all.parts() >= (all.segments() + most - 1) / most);
+    CHECK(sent.stretches(camera, {400, 300}, {Layer::kOpaque, Layer::kGlass}, {Layer::kGlass}).segments() ==
+          kPoints - 1);
+    CHECK(sent.stretches(camera, {400, 300}, {}, {Layer::kGlass}).parts() == 0);
+}
+
 TEST_CASE("a skeleton needs no surface to lie in, and a line behind another vessel is faint") {
     const WatchedContext context;
     const auto renderer = Renderer::create().value();
