@@ -5,7 +5,7 @@ A measurement, no test: of a grown tree of 30,000 branches and, with RAMUS_SHARE
 driver compiles for the first time is in it, 0.1 to 0.5 s for a shader of Mesa's rasteriser; where XDG_CACHE_HOME names a
 folder that a run before has filled, the driver finds it there.
 
-Usage: gaps.py PROGRAM [PART [TREE]]    PART: only steps with it in their name, and opening; "" for all
+Usage: gaps.py PROGRAM [PART [TREE]]    PART: only steps whose name has it, a regular expression; "" for all
                                         TREE: only of grown, kidney
 """
 
@@ -69,7 +69,7 @@ class Explorer:
         self.rows.append((name, thread["processor_seconds"]))
 
     def step(self, name, act):
-        if PART not in name:
+        if not re.search(PART, name):
             return
         since = time.monotonic()
         try:
@@ -90,7 +90,11 @@ class Explorer:
         window.wait("the palette", lambda s: s["palette"]["open"] and s["typing"])
         window.xdotool("type", re.sub("›|…|[0-9, ]* mm", "", title))
         row = re.compile(re.escape(title).replace(r"\ mm", " [a-z]+"))  # of a file that says no unit: units
-        controls = window.wait("its row", lambda s: any(map(row.fullmatch, s["controls"])))["controls"]
+        end = time.monotonic() + 30.0
+        window.wait("its row", lambda s: any(map(row.fullmatch, s["controls"])) or time.monotonic() > end)
+        if not any(map(row.fullmatch, window.status()["controls"])):
+            raise Failure("no such row in the palette")
+        controls = window.status()["controls"]
         left, top, width, _ = next(at for words, at in controls.items() if row.fullmatch(words))
         above = sum(at[0] == left and at[2] == width and at[1] < top for at in controls.values())
         window.xdotool("key", *["Down"] * above, "Return")
@@ -166,12 +170,13 @@ def plan(explorer):
     explorer.command("lesion", "10,0,0,8")
     explorer.command("Plan › Margins 5, 10, 20 mm")
     explorer.command("Colour › Distance to lesion")
-    explorer.command("lesion-change", "1 12,4,0,9")
+    explorer.command("lesion change", "1 12,4,0,9")
     explorer.command("Colour › State")
-    explorer.command("select-within", "20")
+    explorer.command("select within", "20")
     explorer.command("select", "3")
     explorer.key("cut", "c")
-    explorer.command("cut", "0 0.5")
+    explorer.command("select", "0")
+    explorer.key("cut the root", "c")
     explorer.command("Plan › Remove all cuts")
     explorer.command("Plan › Remove all lesions")
     explorer.command("measure", "path 0 30")
@@ -208,7 +213,7 @@ def compare(explorer):
     explorer.key("turn both", "Left", "Left", "Left")
     explorer.command("compare", "wipe cs,paper")
     explorer.command("compare", "off")
-    explorer.command("deviation-from", "cones")
+    explorer.command("deviation from", "cones")
     explorer.command("Colour › Deviation")
     explorer.key("turn with deviation", "Left", "Left", "Left")
     explorer.command("Colour › State")
@@ -219,7 +224,7 @@ def add_context(explorer):
         return
     explorer.command("context", f"{ORGAN} --opacity 0.4")
     explorer.key("turn with context", "Left", "Left", "Left")
-    explorer.command("context-clear")
+    explorer.command("context clear")
 
 
 def travel(explorer):
@@ -228,7 +233,6 @@ def travel(explorer):
     explorer.key("stop flying", "j")
     explorer.command("View › Warnings")
     explorer.command("View › Warnings")
-    explorer.command("lasso", "400,300 900,300 900,700 400,700")
     explorer.command("View › Light theme")
     explorer.command("View › Light theme")
 
@@ -244,8 +248,8 @@ def edit(explorer):
     explorer.command("Edit › Disconnect the selected")
     explorer.key("undo disconnect", "ctrl+z")
     explorer.command("name", "3 renal subtree")
-    explorer.command("scale-radius", "1.2 20")
-    explorer.command("move-root", "30 end")
+    explorer.command("scale radius", "1.2 20")
+    explorer.command("move root", "30 end")
     explorer.command("units", "mm")
 
 
