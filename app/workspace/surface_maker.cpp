@@ -1,6 +1,7 @@
 #include "app/workspace/surface_maker.h"
 
 #include "core/base/bounded.h"
+#include "core/base/memory.h"
 #include "core/base/stopwatch.h"
 #include "core/mesh/check_kernel.h"
 #include "core/mesh/loops/cut_false_loops.h"
@@ -18,6 +19,7 @@ namespace ramus::app {
 namespace {
 
 constexpr int kPreviewDetail = 6;
+constexpr std::size_t kGivesBackFrom = 10'000'000; // triangles: it takes a fraction of a second
 constexpr std::uint64_t kPreviewFrom = 150'000; // triangles: below, even a software rasteriser keeps up
 
 } // namespace
@@ -180,6 +182,8 @@ Result<void> SurfaceMaker::follow_one(Followed& followed, const field::VesselFie
     if (auto updated = polygonizer.update(field, options, job); !updated) return updated;
     const mesh::SurfaceEdit edit = polygonizer.take_edit();
     const mesh::TriangleMesh& slots = polygonizer.slots();
+    // What polygonizing worked in is as large as its pages: they shall not come beside it.
+    if (edit.whole && slots.triangles.size() >= kGivesBackFrom) release_unused_memory();
     if (!followed.mesh)
         followed.mesh = paged(slots, *tree_);
     else if (edit.whole || !edit.vertices.empty() || !edit.triangles.empty())
@@ -268,6 +272,15 @@ void SurfaceFollower::show(ReadySurface surface) {
     std::erase_if(cached_, [&](const ReadySurface& cached) { return cached.request == shown_.request; });
     cached_.push_front(shown_);
     if (cached_.size() > kCachedSurfaces) cached_.pop_back();
+    const auto bytes_beside = [](const ReadySurface& one, const ReadySurface& other) {
+        const auto of = [](const auto& mesh, const auto& with) { return mesh && with ? mesh->bytes_beside(*with) : 0; };
+        return of(one.mesh, other.mesh) + of(one.preview, other.preview);
+    };
+    std::size_t bytes = 0;
+    for (std::size_t i = 1; i < cached_.size(); ++i) {
+        bytes += bytes_beside(cached_[i], cached_[i - 1]);
+        if (bytes > kCachedBytes) cached_.resize(i);
+    }
 }
 
 void SurfaceFollower::follow(const SurfaceRequest& request, bool tried) {

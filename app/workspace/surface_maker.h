@@ -134,6 +134,9 @@ public:
 
 private:
     static constexpr std::size_t kCachedSurfaces = 3;
+    // Beside the one that is shown. Surfaces that differ in branches that are hidden share nearly all; others of a
+    // large tree would take more than all else.
+    static constexpr std::size_t kCachedBytes = std::size_t{1} << 30;
     // A branch that is hidden is gone from the surface within a frame or two: then the next picture is the right one.
     static constexpr std::chrono::milliseconds kPatience{25};
     static constexpr std::chrono::milliseconds kPreviewPatience{80};

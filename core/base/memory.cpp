@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <malloc.h>
 #include <oneapi/tbb/scalable_allocator.h>
 #include <unistd.h>
 
@@ -46,6 +47,9 @@ void release_unused_memory() {
     // Before the allocator's first block the command reads a key of thread-local data that may be another library's.
     scalable_free(scalable_malloc(1));
     (void)scalable_allocation_command(TBBMALLOC_CLEAN_ALL_BUFFERS, nullptr);
+#ifdef __GLIBC__
+    malloc_trim(0); // what lies between blocks in use as well
+#endif
 }
 
 } // namespace ramus

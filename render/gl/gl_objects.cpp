@@ -117,11 +117,27 @@ LargeBuffer::LargeBuffer(std::size_t bytes) {
     allocate(bytes, [&] {
         void* pages = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
         if (pages == MAP_FAILED) throw OutOfGraphicsMemory(bytes);
-        pages_ = {pages, GiveBackPages{bytes}};
-        glBindBuffer(kOwnMemory, buffer_);
-        glBufferData(kOwnMemory, static_cast<GLsizeiptr>(bytes), pages, GL_DYNAMIC_DRAW);
-        glBindBuffer(kOwnMemory, 0);
+        lie_in(pages, bytes);
     });
+}
+
+LargeBuffer::LargeBuffer(const SharedPages& pages, bool& shared) {
+    void* again = gl_takes_own_memory() ? pages.mapped_again() : nullptr;
+    shared = again != nullptr;
+    if (!shared) {
+        *this = LargeBuffer(pages.bytes());
+        return;
+    }
+    buffer_ = created<Buffer>(glCreateBuffers);
+    allocate(pages.bytes(), [&] { lie_in(again, pages.bytes()); });
+}
+
+// Bound, the driver takes them as the buffer's memory.
+void LargeBuffer::lie_in(void* pages, std::size_t bytes) {
+    pages_ = {pages, GiveBackPages{bytes}};
+    glBindBuffer(kOwnMemory, buffer_);
+    glBufferData(kOwnMemory, static_cast<GLsizeiptr>(bytes), pages, GL_DYNAMIC_DRAW);
+    glBindBuffer(kOwnMemory, 0);
 }
 
 void set_filter(GLuint texture, GLint filter) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/shared_pages.h"
 #include "render/gl/bindings.h"
 
 #include <cstddef>
@@ -110,6 +111,9 @@ class LargeBuffer {
 public:
     LargeBuffer() = default;
     explicit LargeBuffer(std::size_t bytes);
+    // Of these bytes, which take memory once as long as nothing else is written; where the driver takes no pages of
+    // this process's own, or the system gives none, of as many bytes that are unset. `shared`: whether they are there.
+    LargeBuffer(const SharedPages& pages, bool& shared);
     LargeBuffer(LargeBuffer&& other) noexcept = default;
     LargeBuffer& operator=(LargeBuffer&& other) noexcept {
         std::swap(pages_, other.pages_);
@@ -120,6 +124,8 @@ public:
     operator GLuint() const { return buffer_; } // NOLINT: it stands for its name
 
 private:
+    void lie_in(void* pages, std::size_t bytes);
+
     std::unique_ptr<void, GiveBackPages> pages_; // none: the memory is the driver's
     Buffer buffer_;                              // goes before its memory
 };

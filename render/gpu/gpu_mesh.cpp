@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 namespace ramus::render {
 
 namespace {
 
 constexpr std::size_t kVertexPageBytes = sizeof(VertexPage::vertices);
-constexpr std::size_t kTrianglePageBytes = sizeof(TrianglePage::triangles);
 constexpr std::size_t kValuePageBytes = sizeof(ValuePage::values);
 constexpr std::size_t kCostOfFresh = 3;               // of memory, measured on a software rasteriser
 constexpr GLuint kVertexSource = 0, kValueSource = 1; // of a vertex array
@@ -29,10 +29,11 @@ bool send_pages(GLuint buffer, Pages& have, const Pages& want, std::size_t& budg
     for (std::size_t i = 0; i < want.size(); ++i) {
         if (have[i] == want[i]) continue;
         if (budget == 0) return false;
-        const auto& content = bytes(*want[i]);
-        glNamedBufferSubData(buffer, static_cast<GLintptr>(i * sizeof content), sizeof content, content.data());
+        const std::span content(bytes(*want[i]));
+        glNamedBufferSubData(buffer, static_cast<GLintptr>(i * content.size_bytes()),
+                             static_cast<GLsizeiptr>(content.size_bytes()), content.data());
         have[i] = want[i];
-        budget -= std::min(budget, sizeof content);
+        budget -= std::min(budget, content.size_bytes());
     }
     return true;
 }
@@ -65,8 +66,27 @@ void GpuMesh::Ranges::add(std::size_t first, std::size_t count, bool near) {
 GpuMesh::Copy::Copy(const PagedMesh& mesh)
     : vertex_array(make_vertex_array()), vertex_pages(with_reserve(mesh.vertex_pages().size())),
       triangle_pages(with_reserve(mesh.triangle_pages().size())) {
-    vertices = LargeBuffer(vertex_pages.size() * kVertexPageBytes);
-    triangles = LargeBuffer(triangle_pages.size() * kTrianglePageBytes);
+    const PageMemory* memory = mesh.memory().get();
+    if (memory != nullptr && memory->vertex_pages() >= mesh.vertex_pages().size() &&
+        memory->triangle_pages() >= mesh.triangle_pages().size()) {
+        vertex_pages.resize(memory->vertex_pages());
+        triangle_pages.resize(memory->triangle_pages());
+        bool shares_vertices = false, shares_triangles = false;
+        vertices = LargeBuffer(*memory->vertices, shares_vertices);
+        triangles = LargeBuffer(*memory->triangles, shares_triangles);
+        for (std::size_t i = 0; shares_vertices && i < mesh.vertex_pages().size(); ++i)
+            if (mesh.vertex_pages()[i].get() == memory->vertex_page(i)) vertex_pages[i] = mesh.vertex_pages()[i];
+        for (std::size_t i = 0; shares_triangles && i < mesh.triangle_pages().size(); ++i)
+            if (mesh.triangle_pages()[i]->triangles.data() == memory->triangle_page(i))
+                triangle_pages[i] = mesh.triangle_pages()[i];
+    } else {
+        vertices = LargeBuffer(vertex_pages.size() * kVertexPageBytes);
+        triangles = LargeBuffer(triangle_pages.size() * kTrianglePageBytes);
+    }
+    set_out();
+}
+
+void GpuMesh::Copy::set_out() {
     glVertexArrayVertexBuffer(vertex_array, kVertexSource, vertices, 0, sizeof(GpuVertex));
     glVertexArrayElementBuffer(vertex_array, triangles);
     glVertexArrayAttribFormat(vertex_array, kAttributePosition, 3, GL_FLOAT, GL_FALSE, offsetof(GpuVertex, position));

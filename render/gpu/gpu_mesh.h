@@ -1,6 +1,7 @@
 // GpuMesh: a copy of a PagedMesh on the graphics card that follows it from one state to the next. Only pages that
 // differ are sent: a small change at once and in place; a large one beside what is there, some at every call, which
-// goes on being drawn until all has come. States, colours and views send nothing.
+// goes on being drawn until all has come. States, colours and views send nothing. Where the processor draws, the pages
+// of a large mesh are shared with it (PageMemory): nothing is sent of them, and they are there once.
 #pragma once
 
 #include "render/gl/gl_objects.h"
@@ -73,7 +74,8 @@ private:
         PagedMesh::TrianglePages triangle_pages;
         PagedMesh::ValuePages value_pages;
 
-        explicit Copy(const PagedMesh& mesh); // for it, and a reserve for growth
+        explicit Copy(const PagedMesh& mesh); // for it, and a reserve for growth; shares its memory where it can
+        void set_out();
         [[nodiscard]] bool fits(const PagedMesh& mesh) const;
         [[nodiscard]] std::size_t bytes() const;
         [[nodiscard]] std::size_t missing(const PagedMesh& mesh) const; // bytes

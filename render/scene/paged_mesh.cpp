@@ -45,8 +45,11 @@ struct Source {
     [[nodiscard]] glm::vec3 position(std::size_t vertex) const { return {glm::dvec3(mesh.positions[vertex]) - origin}; }
 };
 
-std::shared_ptr<const VertexPage> make_vertex_page(const Source& source, std::size_t page) {
-    const auto made = std::make_shared_for_overwrite<VertexPage>();
+// In the page's place of `memory`, or where that is null elsewhere.
+std::shared_ptr<const VertexPage> make_vertex_page(const Source& source, std::size_t page,
+                                                   const std::shared_ptr<const PageMemory>& memory) {
+    const auto made = memory ? std::shared_ptr<VertexPage>(memory, memory->vertex_page(page))
+                             : std::make_shared_for_overwrite<VertexPage>();
     const std::size_t first = page * VertexPage::kSize;
     const std::size_t count = std::min(VertexPage::kSize, source.mesh.positions.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
@@ -69,8 +72,16 @@ void note_borders(const glm::ivec3& branches, std::vector<std::array<std::int32_
     }
 }
 
-std::shared_ptr<const TrianglePage> make_triangle_page(const Source& source, std::size_t page) {
-    const auto made = std::make_shared_for_overwrite<TrianglePage>();
+std::shared_ptr<glm::uvec3> triangles_of_page(std::size_t page, const std::shared_ptr<const PageMemory>& memory) {
+    if (memory) return {memory, memory->triangle_page(page)};
+    const auto own = std::make_shared_for_overwrite<std::array<glm::uvec3, TrianglePage::kSize>>();
+    return {own, own->data()};
+}
+
+std::shared_ptr<const TrianglePage> make_triangle_page(const Source& source, std::size_t page,
+                                                       const std::shared_ptr<const PageMemory>& memory) {
+    const auto made = std::make_shared<TrianglePage>();
+    const std::shared_ptr<glm::uvec3> triangles = triangles_of_page(page, memory);
     const std::size_t first = page * TrianglePage::kSize;
     const std::size_t end = std::min(first + TrianglePage::kSize, source.mesh.triangles.size());
     std::array<glm::uvec3, TrianglePage::kSize> whole, on_border; // NOLINT: written as far as they are read
@@ -113,11 +124,13 @@ std::shared_ptr<const TrianglePage> make_triangle_page(const Source& source, std
     }
     for (std::uint32_t i = 0; i < made->first_border; ++i) {
         TrianglePage::Run& r = runs[run_of[i]];
-        made->triangles[r.first + r.count++] = whole[i];
+        triangles.get()[r.first + r.count++] = whole[i];
     }
-    std::copy_n(on_border.begin(), border_count, made->triangles.begin() + made->first_border);
+    std::copy_n(on_border.begin(), border_count, triangles.get() + made->first_border);
     made->count = made->first_border + border_count;
-    std::fill(made->triangles.begin() + made->count, made->triangles.end(), glm::uvec3(0));
+    std::fill(triangles.get() + made->count, triangles.get() + TrianglePage::kSize, glm::uvec3(0));
+    made->triangles = {triangles.get(), TrianglePage::kSize};
+    made->memory = triangles;
     return made;
 }
 
@@ -138,6 +151,14 @@ std::vector<std::size_t> touched(std::span<const mesh::SlotRange> ranges, std::s
 
 } // namespace
 
+std::shared_ptr<const PageMemory> PageMemory::make(std::size_t vertex_pages, std::size_t triangle_pages) {
+    const auto with_room = [](std::size_t pages) { return pages + pages / 8 + 1; };
+    auto vertices = SharedPages::make(with_room(vertex_pages) * sizeof(VertexPage));
+    auto triangles = SharedPages::make(with_room(triangle_pages) * kTrianglePageBytes);
+    if (!vertices || !triangles) return nullptr;
+    return std::make_shared<const PageMemory>(PageMemory{std::move(vertices), std::move(triangles)});
+}
+
 PagedMesh::PagedMesh(const mesh::TriangleMesh& mesh) : PagedMesh(mesh, bounds_of(mesh).centre()) {}
 
 PagedMesh::PagedMesh(const mesh::TriangleMesh& mesh, const glm::dvec3& origin) : origin_(origin) {
@@ -152,6 +173,12 @@ PagedMesh PagedMesh::edited(const mesh::TriangleMesh& mesh, const mesh::SurfaceE
     if (!edit.whole) next.vertex_pages_ = vertex_pages_, next.triangle_pages_ = triangle_pages_;
     next.vertex_pages_.resize(pages_for(mesh.positions.size(), VertexPage::kSize));
     next.triangle_pages_.resize(pages_for(mesh.triangles.size(), TrianglePage::kSize));
+    const std::size_t bytes =
+        next.vertex_pages_.size() * sizeof(VertexPage) + next.triangle_pages_.size() * kTrianglePageBytes;
+    const auto memory = edit.whole && bytes >= kSharedFrom
+                            ? PageMemory::make(next.vertex_pages_.size(), next.triangle_pages_.size())
+                            : nullptr;
+    next.memory_ = edit.whole ? memory : memory_;
     const mesh::SlotRange everything{0, std::max(mesh.positions.size(), mesh.triangles.size())};
     const std::span whole(&everything, 1);
     const auto vertices =
@@ -163,11 +190,12 @@ PagedMesh PagedMesh::edited(const mesh::TriangleMesh& mesh, const mesh::SurfaceE
     const Source source{mesh, has_normals ? mesh.normals : computed, origin_};
     tbb::parallel_for(std::size_t{0}, vertices.size() + triangles.size(), [&](std::size_t i) {
         if (i < vertices.size())
-            next.vertex_pages_[vertices[i]] = make_vertex_page(source, vertices[i]);
+            next.vertex_pages_[vertices[i]] = make_vertex_page(source, vertices[i], memory);
         else
             next.triangle_pages_[triangles[i - vertices.size()]] =
-                make_triangle_page(source, triangles[i - vertices.size()]);
+                make_triangle_page(source, triangles[i - vertices.size()], memory);
     });
+    if (memory) memory->vertices->rest(), memory->triangles->rest();
     next.summarise();
     return next;
 }
@@ -181,6 +209,17 @@ void PagedMesh::summarise() {
         bounds_.include(origin_ + glm::dvec3(page->lower));
         bounds_.include(origin_ + glm::dvec3(page->upper));
     }
+}
+
+std::size_t PagedMesh::bytes_beside(const PagedMesh& other) const {
+    const auto others = [](const auto& pages, const auto& those) {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < pages.size(); ++i) count += i >= those.size() || pages[i] != those[i] ? 1 : 0;
+        return count;
+    };
+    return others(vertex_pages_, other.vertex_pages_) * sizeof(VertexPage) +
+           others(triangle_pages_, other.triangle_pages_) * kTrianglePageBytes +
+           others(value_pages_, other.value_pages_) * sizeof(ValuePage);
 }
 
 PagedMesh PagedMesh::with_values(std::span<const float> values) const {

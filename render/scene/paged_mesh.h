@@ -5,10 +5,13 @@
 // It may be made from a mesh with gaps: triangles without area are left out, and vertices that no triangle uses
 // influence nothing. Positions are single precision relative to `origin`.
 //
+// Of a large mesh all pages lie side by side in memory that a copy for a software rasteriser may share (PageMemory).
+//
 // It may have a value for each vertex, of any quantity that a scale of colours shows (ColourScale::Value::kSurface):
 // pages of their own, so that a surface with values shares all else with the one without.
 #pragma once
 
+#include "core/base/shared_pages.h"
 #include "core/mesh/triangle_mesh.h"
 #include "render/scene/bounds.h"
 #include "render/scene/uniform_blocks.h"
@@ -50,7 +53,26 @@ struct TrianglePage {
     std::vector<std::array<std::int32_t, 2>> borders; // branches that meet, each pair once, the lower first
     glm::vec3 lower{0.0F}, upper{0.0F};               // relative to origin
     float longest_edge = 0.0F;                        // mm
-    std::array<glm::uvec3, kSize> triangles;
+    std::span<const glm::uvec3> triangles;            // kSize of them, without area from `count` on
+    std::shared_ptr<const void> memory;               // in which they are
+};
+inline constexpr std::size_t kTrianglePageBytes = TrianglePage::kSize * sizeof(glm::uvec3);
+
+// Where the pages of a mesh lie, by their number, that was made in one go, and room behind them. Pages that came later
+// lie elsewhere.
+struct PageMemory {
+    std::shared_ptr<const SharedPages> vertices, triangles;
+
+    // For so many pages; null: the system has none.
+    [[nodiscard]] static std::shared_ptr<const PageMemory> make(std::size_t vertex_pages, std::size_t triangle_pages);
+    [[nodiscard]] VertexPage* vertex_page(std::size_t number) const {
+        return reinterpret_cast<VertexPage*>(vertices->data()) + number;
+    }
+    [[nodiscard]] glm::uvec3* triangle_page(std::size_t number) const {
+        return reinterpret_cast<glm::uvec3*>(triangles->data() + number * kTrianglePageBytes);
+    }
+    [[nodiscard]] std::size_t vertex_pages() const { return vertices->bytes() / sizeof(VertexPage); }
+    [[nodiscard]] std::size_t triangle_pages() const { return triangles->bytes() / kTrianglePageBytes; }
 };
 
 // Of vertices, as a page has them; kNotKnown where there is none. What lies between a value that is known and one that
@@ -78,6 +100,11 @@ public:
     [[nodiscard]] std::uint64_t triangle_count() const { return triangle_count_; }
     [[nodiscard]] const VertexPages& vertex_pages() const { return vertex_pages_; }
     [[nodiscard]] const TrianglePages& triangle_pages() const { return triangle_pages_; }
+    // Null: every page lies for itself. Which lie there is told by their addresses.
+    [[nodiscard]] const std::shared_ptr<const PageMemory>& memory() const { return memory_; }
+    static constexpr std::size_t kSharedFrom = std::size_t{32} << 20; // bytes of pages: less is copied soon
+    // Of the pages that `other` does not have in the same place.
+    [[nodiscard]] std::size_t bytes_beside(const PagedMesh& other) const;
 
     // The same surface with these values, by vertex; vertices beyond their end have kNotKnown.
     [[nodiscard]] PagedMesh with_values(std::span<const float> values) const;
@@ -112,6 +139,7 @@ private:
     VertexPages vertex_pages_;
     TrianglePages triangle_pages_;
     ValuePages value_pages_;
+    std::shared_ptr<const PageMemory> memory_;
     Box bounds_;
     glm::dvec3 origin_{0.0};
     int branch_count_ = 0;

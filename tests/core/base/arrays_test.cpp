@@ -3,12 +3,15 @@
 #include "core/base/large_array.h"
 #include "core/base/mapped_pages.h"
 #include "core/base/memory.h"
+#include "core/base/shared_pages.h"
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <doctest/doctest.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <set>
+#include <sys/mman.h>
 
 using namespace ramus;
 
@@ -27,6 +30,32 @@ TEST_CASE("memory that arrays gave back is no longer the process's after it is r
     }
     release_unused_memory();
     CHECK(process_memory() - before < 4e6);
+}
+
+TEST_CASE(
+    "pages that are mapped again take memory once, until either side writes, and neither sees what the other wrote") {
+    auto pages = SharedPages::make(64 * kMiB - 5);
+    REQUIRE(pages != nullptr);
+    REQUIRE(pages->bytes() == 64 * kMiB); // whole pages
+    CHECK(std::all_of(pages->data(), pages->data() + pages->bytes(), [](std::byte b) { return b == std::byte{0}; }));
+    std::memset(pages->data(), 7, pages->bytes());
+    const double written = process_memory();
+    pages->rest();
+    CHECK(written - process_memory() > 60e6); // they are still there, and not counted
+
+    auto* const again = static_cast<std::byte*>(pages->mapped_again());
+    REQUIRE(again != nullptr);
+    const double before = process_memory();
+    CHECK(std::all_of(again, again + pages->bytes(), [](std::byte b) { return b == std::byte{7}; }));
+    CHECK(process_memory() - before < 70e6);
+    again[5 * kMiB] = std::byte{1};
+    CHECK(pages->data()[5 * kMiB] == std::byte{7});
+    CHECK(pages->data()[6 * kMiB] == std::byte{7});
+    const std::size_t bytes = pages->bytes();
+    pages.reset();
+    CHECK(again[5 * kMiB] == std::byte{1}); // it outlasts what it is of
+    CHECK(again[6 * kMiB] == std::byte{7});
+    munmap(again, bytes);
 }
 
 TEST_CASE("a sparse array is zero where nothing was written, whatever was given back before") {

@@ -9,6 +9,8 @@
 #include "tests/support/grown_tree.h"
 #include "tests/support/tube_mesh.h"
 
+#include <algorithm>
+#include <cstring>
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 #include <vector>
@@ -75,6 +77,56 @@ TEST_CASE("after hiding and showing, the picture is the one of a mesh made from 
             if (branch == 280) CHECK(4 * done.uploaded < whole.uploaded);
         }
     }
+}
+
+TEST_CASE(
+    "where the processor draws, the pages of a large mesh are shared, and what is written to them is the card's") {
+    Explorer explorer;
+    explorer.tree = test::grown_tree(1500).value();
+    explorer.polygonizer = {};
+    explorer.mesh = nullptr;
+    explorer.update({});
+    const auto before = explorer.mesh;
+    REQUIRE(before->memory() != nullptr); // large enough
+    explorer.frame.camera =
+        camera_for(before->farthest(fitting_directions({}, explorer.frame.size)), View::kAnterior, explorer.frame.size);
+    const auto whole = explorer.renderer->draw(explorer.frame, 1).value();
+    CHECK(whole.uploaded == 0); // nothing is sent
+    CHECK_FALSE(whole.pending);
+
+    // The same pages, each for itself.
+    const PagedMesh apart = PagedMesh(mesh::TriangleMesh(), before->origin()).edited(explorer.polygonizer.slots(), [&] {
+        mesh::SurfaceEdit edit;
+        edit.vertices = {{0, explorer.polygonizer.slots().positions.size()}};
+        edit.triangles = {{0, explorer.polygonizer.slots().triangles.size()}};
+        return edit;
+    }());
+    REQUIRE(apart.memory() == nullptr);
+    CHECK(apart.bytes_beside(*before) > PagedMesh::kSharedFrom);
+    const Image shared = explorer.renderer->read_image();
+    Frame sent = explorer.frame;
+    sent.mesh = std::make_shared<const PagedMesh>(apart);
+    const auto other = Renderer::create().value();
+    CHECK(other->draw(sent).value().uploaded == apart.bytes_beside(*before));
+    CHECK(other->read_image() == shared);
+
+    explorer.update(explorer.without_subtree(700));
+    const std::size_t differs = explorer.mesh->bytes_beside(*before);
+    CHECK(differs > 0);
+    CHECK(4 * differs < apart.bytes_beside(*before));
+    const auto less = explorer.renderer->draw(explorer.frame).value();
+    CHECK(less.uploaded == differs);
+    CHECK(explorer.renderer->read_image() == explorer.from_nothing());
+
+    // The mesh before is what it was.
+    for (std::size_t page = 0; page < apart.vertex_pages().size(); ++page)
+        REQUIRE(std::memcmp(apart.vertex_pages()[page].get(), before->vertex_pages()[page].get(), sizeof(VertexPage)) ==
+                0);
+    for (std::size_t page = 0; page < apart.triangle_pages().size(); ++page)
+        REQUIRE(std::ranges::equal(apart.triangle_pages()[page]->triangles, before->triangle_pages()[page]->triangles));
+    explorer.update({});
+    (void)explorer.renderer->draw(explorer.frame).value();
+    CHECK(explorer.renderer->read_image() == explorer.from_nothing());
 }
 
 TEST_CASE("a large mesh comes over several frames, and the one before is drawn until it is there") {
