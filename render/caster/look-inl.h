@@ -93,10 +93,10 @@ private:
     HWY_INLINE const vec4& cut_texel(int i) const { return shading_.cuts[i]; }
     HWY_INLINE const vec4& lesion_sphere(int i) const { return shading_.lesions[i]; }
 
-    // sRGB, as a texture is read: texels' values lie in their middles.
+    // sRGB. The ends of the scale have the first and the last colour, as in the shaders.
     HWY_INLINE Vec3 ramp_colour(Float along) const {
         const auto steps = static_cast<float>(shading_.ramp_steps);
-        const Float at = clamp(along * steps - 0.5F, 0.0F, steps - 1.0F);
+        const Float at = along * (steps - 1.0F);
         const Float low = min(hn::Floor(at.v), steps > 1.0F ? steps - 2.0F : 0.0F), t = at - low;
         const VI index = hn::Mul(hn::NearestInt(low.v), hn::Set(DI(), 3));
         const int next = shading_.ramp_steps > 1 ? 3 : 0;

@@ -1,15 +1,13 @@
 // Vessels that press on each other in pictures: while the view moves they look as they do at rest, and a wall of glass
 // is one layer.
-#include "core/mesh/surface.h"
 #include "render/renderer/renderer.h"
-#include "render/scene/centerlines.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/gl_test.h"
+#include "tests/support/surface_frame.h"
 
 #include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
-#include <memory>
 
 using namespace ramus::render;
 
@@ -20,29 +18,9 @@ Frame crossing_frame(double distance, double radius) {
     const ramus::tree::VesselTree tree = ramus::test::built_tree(
         {{{-30, 0, 0}, 4}, {{30, 0, 0}, 4}, {{1, distance, -30}, radius}, {{-1, distance, 30}, radius}},
         {{0, 1}, {2, 3}}, {0, 2});
-    ramus::Job job;
     ramus::mesh::SurfaceOptions options;
     options.detail = 24;
-    auto surface = ramus::mesh::make_surface(tree, options, job);
-    REQUIRE(surface);
-    auto lines = std::make_shared<Centerlines>();
-    for (std::size_t branch = 0; branch < tree.branches.size(); ++branch) {
-        lines->runs.push_back({static_cast<std::uint32_t>(lines->points.size()), 2});
-        for (const std::uint32_t point : tree.branches[branch].points) {
-            lines->points.emplace_back(tree.points[point].position, 0.0F);
-            lines->details.push_back(
-                {static_cast<float>(2.0 * tree.points[point].radius), static_cast<std::int32_t>(branch)});
-        }
-    }
-    Frame frame;
-    frame.mesh = std::make_shared<const PagedMesh>(surface->mesh);
-    frame.centerlines = lines;
-    frame.width = 5.0F;
-    frame.size = {480, 480};
-    frame.camera = camera_for(frame.mesh->positions(), View::kAnterior, frame.size, false);
-    frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
-    frame.states.assign(2, BranchState::kNormal);
-    return frame;
+    return ramus::test::surface_frame(tree, options, {480, 480});
 }
 
 // The picture at rest, or on the way there.
