@@ -115,6 +115,15 @@ HWY_INLINE void load(const Samples& samples, int block, int lane, Pixels& p) {
     }
 }
 
+// Mean of the squares of how far a pixel's samples are from its middle, across as well as up.
+constexpr float spread_of(const float (&at)[kSamples]) {
+    float sum = 0.0F;
+    for (const float x : at) sum += (x - 0.5F) * (x - 0.5F) / kSamples;
+    return sum;
+}
+constexpr float kSpread = spread_of(kSampleX);
+static_assert(kSpread == spread_of(kSampleY));
+
 // Where the surface goes on through a pixel it is smooth, across creases of cones and from vessel to vessel.
 HWY_INLINE void smooth_with_field(const Block& block, int lane, const Samples& samples, Pixels& p) {
     const TileTask& tile = block.tile;
@@ -126,8 +135,10 @@ HWY_INLINE void smooth_with_field(const Block& block, int lane, const Samples& s
     const VU cones = hn::Load(du, samples.cone[block.index] + lane);
     const Mask goes_on = on_surface && Uint{cones} != kNoCone; // triangles have their vertices' normals
     if (!any(goes_on)) return;
-    const Vec3 at = point_on(tile.view, pixel_rays(block, lane), p.mean_depth);
-    p.normal_sum = field_normals(tile.field, goes_on, cones, at, p.normal_sum);
+    const Rays<Float> middle = pixel_rays(block, lane);
+    const Vec3 sight = tile.view.flat ? Vec3(0.0F, 0.0F, 1.0F) : normalize(Vec3(middle.x, middle.y, 1.0F));
+    const SeenPoints seen{point_on(tile.view, middle, p.mean_depth), sight, kSpread * pixel_mm * pixel_mm};
+    p.normal_sum = field_normals(tile.field, goes_on, cones, seen, p.normal_sum);
     p.whole = p.whole || (goes_on && p.one_surface);
     const auto smooth = hn::RebindMask(du, goes_on.m);
     const VU packed = packed_normal(p.normal_sum);

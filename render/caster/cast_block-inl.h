@@ -58,12 +58,12 @@ HWY_INLINE void cast_block(const Block& block, const RoundCone& cone, std::uint3
     clear_untouched(block.index, samples);
     Float farthest = 0.0F;
     for (int lane = 0; lane < kBlockPixels; lane += kN) {
-        bool any_hit = false; // normals are those at the pixels' middles, once there is a sample to have them
-        VU normal = hn::Zero(DU());
+        const Rays<Float> middle = pixel_rays(block, lane);
         for (int sample = 0; sample < kSamples; sample += 2) {
             const auto depths = [&](int s) { return Float(hn::Load(d, samples.depth[block.index][s] + lane)); };
             const Rays<Float> first = sample_rays(block, lane, sample), second = sample_rays(block, lane, sample + 1);
-            const auto found = intersect<Flat, false>(cone, Rays<FloatPair>{{first.x, second.x}, {first.y, second.y}});
+            const Rays<FloatPair> rays{{first.x, second.x}, {first.y, second.y}};
+            const auto found = intersect<Flat, false>(cone, rays);
             const FloatPair old{depths(sample), depths(sample + 1)};
             const MaskPair nearer = found.hit && found.depth < old;
             if (!any(nearer)) {
@@ -72,10 +72,12 @@ HWY_INLINE void cast_block(const Block& block, const RoundCone& cone, std::uint3
             }
             const FloatPair now = select(nearer, found.depth, old);
             farthest = max(farthest, max(now.a, now.b));
-            if (!any_hit) normal = packed_normal(pixel_normal<Flat>(cone, pixel_rays(block, lane)));
-            any_hit = true;
-            write(block, cone, number, sample, lane, {nearer.a, now.a, found.along.a, normal}, samples);
-            write(block, cone, number, sample + 1, lane, {nearer.b, now.b, found.along.b, normal}, samples);
+            const auto normal =
+                sample_normal<Flat>(cone, rays, Rays<FloatPair>{middle.x, middle.y}, found.depth, found.along);
+            const VU facing_a = packed_normal({normal.x.a, normal.y.a, normal.z.a});
+            const VU facing_b = packed_normal({normal.x.b, normal.y.b, normal.z.b});
+            write(block, cone, number, sample, lane, {nearer.a, now.a, found.along.a, facing_a}, samples);
+            write(block, cone, number, sample + 1, lane, {nearer.b, now.b, found.along.b, facing_b}, samples);
         }
     }
     samples.farthest[block.index] = hn::GetLane(hn::MaxOfLanes(d, farthest.v));
@@ -100,7 +102,10 @@ HWY_INLINE void cast_mixed_block(const Block& block, const RoundCone& cone, std:
             const Mask front = own(before, found.depth), open = before && found.exit < old && !front;
             const Mask lid = any(open) ? own(open, found.exit) : open, seen = front || lid;
             const Float depth = select(seen, select(lid, found.exit, found.depth), old);
-            const Vec3 normal = select(lid, Vec3(0.0F, 0.0F, 1.0F), pixel_normal<Flat>(cone, pixel_rays(block, lane)));
+            const auto front_normal =
+                sample_normal<Flat>(cone, rays, pixel_rays(block, lane), found.depth, found.along);
+            const Vec3 normal =
+                select(lid, Vec3(0.0F, 0.0F, 1.0F), Vec3(front_normal.x, front_normal.y, front_normal.z));
             write(block, cone, number, sample, lane, {seen, depth, found.along, packed_normal(normal)}, samples);
         }
     }

@@ -105,9 +105,31 @@ HWY_INLINE Vec3 local_gradient(const Field& field, std::uint32_t cone, Mask here
     return sum;
 }
 
-// Normals of the points `at` where rays hit `cones`, of `which` of them; `normal` (of any length) elsewhere, and where
-// the field says nothing sound.
-HWY_INLINE Vec3 field_normals(const Field& field, Mask which, VU cones, Vec3 at, Vec3 normal) {
+// What samples see of a vessel through a pixel.
+struct SeenPoints {
+    Vec3 at;      // where the ray through the pixel's middle has come to the samples' mean depth
+    Vec3 sight;   // that ray's direction, of unit length
+    Float spread; // of the samples around the middle: mean square, mm^2, of x as of y
+};
+
+// From there towards the eye, mm, to where the planes that touch the vessel at the samples meet the ray: for which
+// normals count see sample_normal(). The vessel falls away from its plane by v^2 / 2 r at a distance of v around its
+// axis; that is how far the mean depth lies behind the vessel, and the planes lie as far before it. Of samples around a
+// ray that meets the vessel at an angle, of cosine f, the mean square of v is spread sin^2(ray, axis) / f^2, and what
+// falls away along the normal is 1 / f times that along the ray.
+HWY_INLINE Float way_to_planes(const FieldSegment& vessel, const SeenPoints& seen, Vec3 normal) {
+    constexpr float kLeastFacing = 0.25F; // tuned: beyond it the vessel has ended before it falls away so far
+    const Vec3 axis(vessel.direction[0], vessel.direction[1], vessel.direction[2]);
+    const Float along = dot(axis, seen.sight), across = nmad(along, along, 1.0F);
+    const Float facing = nmad(normal.x, seen.sight.x, msub(normal.z, seen.sight.z, normal.y * seen.sight.y));
+    const Float inverse = reciprocal(max(facing, kLeastFacing));
+    const float radius = vessel.radius + 0.5F * vessel.slope * vessel.length;
+    return min(seen.spread * across * (1.0F / radius) * inverse * inverse * inverse, 0.5F * radius);
+}
+
+// Normals where rays hit `cones`, of `which` of them; `normal` (of any length) elsewhere, and where the field says
+// nothing sound.
+HWY_INLINE Vec3 field_normals(const Field& field, Mask which, VU cones, const SeenPoints& seen, Vec3 normal) {
     const D d;
     const DU du;
     alignas(64) std::uint32_t index[hn::MaxLanes(D())];
@@ -121,7 +143,8 @@ HWY_INLINE Vec3 field_normals(const Field& field, Mask which, VU cones, Vec3 at,
             here = here || Uint{cones} == field.neighbours[i];
         here = here && left;
         left = left && !here;
-        const Vec3 inward = local_gradient(field, cone, here, at);
+        const Float nearer = way_to_planes(field.segments[cone], seen, before);
+        const Vec3 inward = local_gradient(field, cone, here, seen.at - nearer * seen.sight);
         Vec3 outward = {-inward.x, -inward.y, inward.z}; // depth grows away from the eye, normals have z towards it
         const Float squared = dot(outward, outward);
         outward = Float(inverse_root(max(squared, 1e-20F).v)) * outward;

@@ -104,6 +104,9 @@ Tip tip_of(float width, float beyond) {
     return {radius, radius - beyond};
 }
 
+// The mesh's corners lie on the surface, what is between them within. Tuned like those, with 16 cells around a vessel.
+constexpr float kInscribed = 0.995F;
+
 CrossSection cross_section(const glm::vec3& middle, const glm::vec3& direction, float radius, std::size_t segment) {
     const bool along_x = std::abs(direction.x) >= 0.6F * glm::length(direction);
     const glm::vec3 aside = along_x ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
@@ -171,6 +174,8 @@ void fit_balls(FittedCones& cones) {
         if (segment.previous == Segment::kFree) end_at(segment.point, segment.point + 1);
         if (segment.next == Segment::kFree) end_at(segment.point + 1, segment.point);
     }
+    if (cones.width > 0.0F)
+        for (glm::vec4& ball : cones.fitted) ball.w *= kInscribed;
 }
 
 } // namespace ramus::render::caster

@@ -201,6 +201,7 @@ struct FloatPair {
     FloatPair() = default;
     HWY_INLINE FloatPair(Float first, Float second) : a(first), b(second) {}
     HWY_INLINE FloatPair(float both) : a(both), b(both) {}
+    HWY_INLINE FloatPair(Float both) : a(both), b(both) {}
     friend HWY_INLINE FloatPair operator-(FloatPair x) { return {-x.a, -x.b}; }
     friend HWY_INLINE FloatPair operator+(FloatPair x, FloatPair y) { return {x.a + y.a, x.b + y.b}; }
     friend HWY_INLINE FloatPair operator-(FloatPair x, FloatPair y) { return {x.a - y.a, x.b - y.b}; }

@@ -135,8 +135,7 @@ HWY_INLINE auto intersect(const RoundCone& cone, const Rays<Number>& rays) {
                                                    found.exit + cone.middle_depth, found.along};
 }
 
-// Which way the cone faces a ray that may pass it by, closely: as it does where the ray comes nearest. In the resting
-// picture the samples of a pixel share their triangle's normal at the pixel's middle, wherever that lies. Upright on
+// Which way the cone faces a ray that may pass it by, closely: as it does where the ray comes nearest. Upright on
 // the vessel's own direction rather than on the segment's: the eye sees no joints. Y up, z towards the eye; not of unit
 // length.
 template <bool Flat> HWY_INLINE Vec3 pixel_normal(const RoundCone& cone, const Rays<Float>& rays) {
@@ -162,6 +161,37 @@ template <bool Flat> HWY_INLINE Vec3 pixel_normal(const RoundCone& cone, const R
     const Mask straightened = on_side || direction(3) > 0.5F;
     const Float slant = select(straightened, mad(x, dx, mad(y, dy, z * dz)), 0.0F);
     return {nmad(slant, dx, x), nmad(slant, dy, y), msub(slant, dz, z)};
+}
+
+// Which way samples see a cone face, y up and z towards the eye; of any length.
+template <class Number> struct SampleNormal { Number x, y, z; };
+
+// As the resting picture has it: there the samples of a pixel have their triangle's normal at the pixel's middle, which
+// goes on beyond the triangle along its plane. So this is the normal where the ray through the middle meets the plane
+// that touches the cone at the sample: along the outline of a vessel some pixels wide it faces the eye more than the
+// cone does. Upright on the vessel's own direction, as pixel_normal(). `depth` and `along`: of the hit.
+template <bool Flat, class Number>
+HWY_INLINE SampleNormal<Number> sample_normal(const RoundCone& cone, const Rays<Number>& rays,
+                                              const Rays<Number>& middle, Number depth, Number along) {
+    // No triangle that is seen is steeper: it spans a sixteenth of the way around.
+    constexpr float kLeastFacing = 0.1F;
+    const Number x = nmad(along, cone.axis[0], Flat ? rays.x - cone.from[0] : msub(rays.x, depth, cone.from[0]));
+    const Number y = nmad(along, cone.axis[1], Flat ? rays.y - cone.from[1] : msub(rays.y, depth, cone.from[1]));
+    const Number z = nmad(along, cone.axis[2], depth - cone.from[2]);
+    const Number dx = Flat ? middle.x - rays.x : (middle.x - rays.x) * depth;
+    const Number dy = Flat ? middle.y - rays.y : (middle.y - rays.y) * depth;
+    const Number against = Flat ? Number(z) : mad(middle.x, x, mad(middle.y, y, z));
+    const Number radius = mad(along, cone.radius_change, cone.first_radius);
+    const Number way = mad(dx, x, dy * y) * reciprocal(max(-against, kLeastFacing * radius));
+    const Number px = x + (Flat ? dx : mad(way, middle.x, dx)), py = y + (Flat ? dy : mad(way, middle.y, dy)),
+                 pz = z + way;
+    const auto direction = [&](int i) {
+        return mad(along, cone.to_direction[i] - cone.from_direction[i], cone.from_direction[i]);
+    };
+    const Number ux = direction(0), uy = direction(1), uz = direction(2);
+    const auto straightened = (along > 0.0F && along < 1.0F) || direction(3) > 0.5F;
+    const Number slant = select(straightened, mad(px, ux, mad(py, uy, pz * uz)), 0.0F);
+    return {nmad(slant, ux, px), nmad(slant, uy, py), msub(slant, uz, pz)};
 }
 
 // Whether the cone may come into the block before `farthest`.
