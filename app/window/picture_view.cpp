@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ramus::app {
 
@@ -100,7 +101,9 @@ void PictureView::take_depths() {
 // Those on their way are waited for: while the view moves some picture's depths come.
 void PictureView::ask_depths(bool drawn) {
     depths_wanted_ |= drawn;
-    if (!depths_wanted_ || depths_pending_) return;
+    // What the first ones need is made then: not after a first picture, which has taken its time.
+    depths_put_off_ = drawn && !std::exchange(has_drawn_, true);
+    if (depths_put_off_ || !depths_wanted_ || depths_pending_) return;
     depths_pending_ = sheets_.request_depths();
     depths_wanted_ = !depths_pending_;
 }
@@ -217,7 +220,7 @@ void PictureView::present(unsigned framebuffer) {
 }
 
 double PictureView::wait_seconds(double now) const {
-    if (glide_ || upload_pending_ || unfinished_) return 0.0;
+    if (glide_ || upload_pending_ || unfinished_ || depths_put_off_) return 0.0;
     double wait = std::numeric_limits<double>::infinity();
     if (quality_ != render::Quality::kFull && !awaits_)
         wait = std::min(wait, std::max(0.0, pace_.rests_at() - now) + 1e-3);
@@ -227,7 +230,8 @@ double PictureView::wait_seconds(double now) const {
 }
 
 bool PictureView::resting() const {
-    return !upload_pending_ && !unfinished_ && !glide_ && !depths_pending_ && quality_ == render::Quality::kFull;
+    return !upload_pending_ && !unfinished_ && !glide_ && !depths_pending_ && !depths_put_off_ &&
+           quality_ == render::Quality::kFull;
 }
 
 std::shared_ptr<const render::PagedMesh> PictureView::picture_mesh() const { return state_.workspace.shown().mesh; }

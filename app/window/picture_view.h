@@ -107,6 +107,7 @@ private:
     std::optional<glm::dvec3> pivot_;
     std::optional<render::ScaleBar> scale_bar_;
     bool depths_wanted_ = false, depths_pending_ = false; // of a picture that has been drawn; they are on their way
+    bool depths_put_off_ = false, has_drawn_ = false;     // until the next frame; any picture
     Pace pace_;
     render::Quality quality_ = render::Quality::kFull; // of the last picture
     bool cast_ = false;                                // it was made along centerlines, not of a mesh

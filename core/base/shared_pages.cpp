@@ -1,6 +1,7 @@
 #include "core/base/shared_pages.h"
 
 #include <sys/mman.h>
+#include <thread>
 #include <unistd.h>
 
 namespace ramus {
@@ -24,9 +25,17 @@ std::shared_ptr<const SharedPages> SharedPages::make(std::size_t bytes) {
 #endif
 }
 
+// The system takes long for many pages, and whoever is the last to read them may have no time: another thread waits.
 SharedPages::~SharedPages() {
-    munmap(data_, bytes_);
-    close(file_);
+    const auto give_back = [data = data_, bytes = bytes_, file = file_] {
+        munmap(data, bytes);
+        close(file);
+    };
+    constexpr std::size_t kMany = std::size_t{16} << 20;
+    if (bytes_ < kMany)
+        give_back();
+    else
+        std::thread(give_back).detach();
 }
 
 void* SharedPages::mapped_again() const {

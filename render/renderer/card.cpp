@@ -41,6 +41,7 @@ InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& t
               scene.beside_tree(frame));
     send(view);
     scene.come_near(frame, view);
+    co_await kPartEnds;
     targets.has_glass = subject.has_glass();
     if (subject.has_mesh()) scene.branch_layers().send(*subject.mesh.shown(), subject.layers);
 

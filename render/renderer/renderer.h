@@ -40,6 +40,7 @@ public:
     // its pixels stays as it is. The next draw() of another frame begins anew; memory that there is not is no error.
     Refined refine(double seconds = kUntilDone);
 
+    [[nodiscard]] bool has_picture() const { return last_.has_value(); }
     // The current picture. Straight alpha when the background is transparent.
     [[nodiscard]] Image read_image() const { return card_.picture.read(); }
     // The same as a texture: sRGB, premultiplied, rows from below. It is another one after a draw() of another size.
@@ -85,7 +86,8 @@ private:
     Result<DrawStatistics> draw_all(const Frame& wanted, std::size_t upload_budget, double seconds);
     [[nodiscard]] Plan plan_for(const Frame& wanted, const Frame& frame, const std::vector<Layer>& layers) const;
     [[nodiscard]] bool moves(const Frame& wanted, const Frame& frame) const;
-    Result<void> resize(const Frame& frame, Plan plan);
+    // Whether what passes draw into was made.
+    Result<bool> resize(const Frame& frame, Plan plan);
     [[nodiscard]] ViewSetup cast_view(const Subject& subject) const;
     std::uint64_t cast(const Subject& subject);
     // What the caster has made on its thread within the time, perhaps of a frame before, is shown; what the subject

@@ -106,7 +106,7 @@ Renderer::Plan Renderer::plan_for(const Frame& wanted, const Frame& frame, const
 
 // Most that passes draw into is made when the first of them draws: a window's first picture is the caster's, and comes
 // that much sooner.
-Result<void> Renderer::resize(const Frame& frame, Plan plan) {
+Result<bool> Renderer::resize(const Frame& frame, Plan plan) {
     const bool full = plan == Plan::kCast || frame.quality == Quality::kFull;
     const int divisor = full ? 1 : kInteractiveDivisor, samples = full ? most_samples() : 1;
     const bool reads_depths = lies_over_depths(frame);
@@ -115,7 +115,7 @@ Result<void> Renderer::resize(const Frame& frame, Plan plan) {
     targets.view.size = (frame.size + divisor - 1) / divisor;
     const bool passes = plan == Plan::kDraw || reads_depths;
     const bool make_targets = passes && !targets.fit(targets.view.size, samples);
-    if (card_.picture.size == frame.size && !make_targets) return {};
+    if (card_.picture.size == frame.size && !make_targets) return false;
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (std::max(frame.size.x, frame.size.y) > largest)
@@ -130,7 +130,7 @@ Result<void> Renderer::resize(const Frame& frame, Plan plan) {
                         std::to_string(frame.size.y) + " pixels",
                     gl_description(), "give a smaller size, or use another driver: ramus render --backend osmesa");
     }
-    return {};
+    return make_targets;
 }
 
 ViewSetup Renderer::cast_view(const Subject& subject) const {
@@ -213,9 +213,15 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
         // What is shown says what lies under its pixels until there is another picture: its targets must stay.
         in_time = in_time && last_ && !other_size && card_.targets.view.size == frame.size;
         if (!in_time) card_.passes.cast.forget();
-        if (auto resized = resize(frame, plan); !resized) return failed(resized.error());
+        const auto made_targets = resize(frame, plan);
+        if (!made_targets) return failed(made_targets.error());
         if (plan == Plan::kDraw) begin(wanted, frame, layers);
-        if (!last_ || other_size) seconds = kUntilDone; // there is no picture meanwhile
+        if (!last_ || other_size) seconds = kUntilDone;                      // there is no picture meanwhile
+        if (plan == Plan::kDraw && *made_targets && seconds != kUntilDone) { // that has taken as long as a part
+            end_passes();
+            done.unfinished = true;
+            return done;
+        }
     }
     card_.passes.begin(card_.targets.view);
     const Subject subject = subject_of(frame, layers);

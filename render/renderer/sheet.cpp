@@ -46,11 +46,21 @@ Sheet sheet_of(Frame frame) {
 Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t upload_budget, double seconds) {
     if (auto fits = check_size(sheet.size.x, sheet.size.y); !fits) return tl::unexpected(fits.error());
     others_.resize(std::min(others_.size(), sheet.viewports.size() - 1));
+    DrawStatistics sum;
+    const bool at_once = seconds == kUntilDone;
     while (others_.size() + 1 < sheet.viewports.size()) {
         RAMUS_TRY(made, Renderer::create(kGlassBytes, first_.surface_bytes()));
         others_.push_back(std::move(made));
+        sum.unfinished = !at_once;
+        if (sum.unfinished) return sum; // its programs take as long as a part
     }
-    DrawStatistics sum;
+    // Nobody can wait for a picture where there is none yet: one in a call.
+    for (std::size_t i = 1; i < sheet.viewports.size() && !at_once; ++i) {
+        if (renderer(i).has_picture()) continue;
+        auto first = renderer(i).draw(sheet.viewports[i].frame, upload_budget, seconds);
+        if (first) first->unfinished = true;
+        return first;
+    }
     for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {
         auto done = renderer(i).draw(sheet.viewports[i].frame, upload_budget, seconds);
         if (!done) return done;

@@ -83,26 +83,41 @@ class Explorer:
     def key(self, name, *keys):
         self.step(name, lambda: self.window.xdotool("key", *keys))
 
+    def soon(self, what, condition):
+        """As rest(), for what takes no work."""
+        usual, journeys.PATIENCE = journeys.PATIENCE, 60.0
+        try:
+            return self.window.wait(what, condition)
+        finally:
+            journeys.PATIENCE = usual
+
     def palette(self, title, arguments=""):
         """Runs a command by its row in the palette, which has this title ("Menu › Label", or a name)."""
         window = self.window
         window.xdotool("key", "ctrl+k")
-        window.wait("the palette", lambda s: s["palette"]["open"] and s["typing"])
+        self.soon("the palette", lambda s: s["palette"]["open"] and s["typing"])
         window.xdotool("type", re.sub("›|…|[0-9, ]* mm", "", title))
         row = re.compile(re.escape(title).replace(r"\ mm", " [a-z]+"))  # of a file that says no unit: units
-        end = time.monotonic() + 30.0
-        window.wait("its row", lambda s: any(map(row.fullmatch, s["controls"])) or time.monotonic() > end)
-        if not any(map(row.fullmatch, window.status()["controls"])):
-            raise Failure("no such row in the palette")
-        controls = window.status()["controls"]
+        controls = self.soon("its row", lambda s: any(map(row.fullmatch, s["controls"])))["controls"]
         left, top, width, _ = next(at for words, at in controls.items() if row.fullmatch(words))
         above = sum(at[0] == left and at[2] == width and at[1] < top for at in controls.values())
         window.xdotool("key", *["Down"] * above, "Return")
         if arguments:
-            window.wait("what it asks", lambda s: s["palette"]["open"] and s["typing"])
+            self.soon("what it asks", lambda s: s["palette"]["open"] and s["typing"])
             window.xdotool("type", arguments)
             window.xdotool("key", "Return")
-        window.wait("no palette", lambda s: not s["palette"]["open"])
+        self.soon("no palette", lambda s: not s["palette"]["open"])
+
+    def file(self, name, title, path):
+        """A command that asks for a file."""
+        def act():
+            self.palette(title)
+            self.soon("the dialog", lambda s: s["open_dialog"] and s["typing"])
+            self.window.xdotool("key", "shift+Tab", "ctrl+a")  # from the filter to the path
+            self.window.xdotool("type", str(path))
+            self.window.xdotool("key", "Return")
+            self.soon("no dialog", lambda s: not s["open_dialog"])
+        self.step(name, act)
 
     def command(self, title, arguments=""):
         self.step(f"{title} {arguments}".strip(), lambda: self.palette(title, arguments))
@@ -111,9 +126,9 @@ class Explorer:
         """By the dialog, as it suggests: only the kind is chosen."""
         def act():
             self.window.xdotool("key", "ctrl+e")
-            self.window.wait("the dialog", lambda s: s["open_dialog"] and "Write it" in s["controls"])
+            self.soon("the dialog", lambda s: s["open_dialog"] and "Write it" in s["controls"])
             click(self.window, kind)
-            self.window.wait("its page", lambda s: s["export"].startswith(what))
+            self.soon("its page", lambda s: s["export"].startswith(what))
             click(self.window, "Write it")
             self.window.wait("the file", lambda s: not s["open_dialog"])
         self.step(f"export: {what}", act)
@@ -213,7 +228,6 @@ def compare(explorer):
     explorer.key("turn both", "Left", "Left", "Left")
     explorer.command("compare", "wipe cs,paper")
     explorer.command("compare", "off")
-    explorer.command("deviation from", "cones")
     explorer.command("Colour › Deviation")
     explorer.key("turn with deviation", "Left", "Left", "Left")
     explorer.command("Colour › State")
@@ -222,7 +236,7 @@ def compare(explorer):
 def add_context(explorer):
     if not ORGAN.is_file():
         return
-    explorer.command("context", f"{ORGAN} --opacity 0.4")
+    explorer.file("add context", "File › Add context...", ORGAN)
     explorer.key("turn with context", "Left", "Left", "Left")
     explorer.command("context clear")
 
@@ -248,9 +262,9 @@ def edit(explorer):
     explorer.command("Edit › Disconnect the selected")
     explorer.key("undo disconnect", "ctrl+z")
     explorer.command("name", "3 renal subtree")
-    explorer.command("scale radius", "1.2 20")
-    explorer.command("move root", "30 end")
-    explorer.command("units", "mm")
+    explorer.command("select", "30")
+    explorer.command("Edit › Root at the selected")
+    explorer.key("undo the root", "ctrl+z")
 
 
 def put_out(explorer):
@@ -260,16 +274,7 @@ def put_out(explorer):
         explorer.exported(what, kind)
     explorer.step("save", lambda: saved_session(explorer.window))
 
-    def open_again():
-        window = explorer.window
-        file = window.status()["session_file"]
-        window.xdotool("key", "ctrl+o")
-        window.wait("the dialog", lambda s: s["open_dialog"] and s["typing"])
-        window.xdotool("key", "ctrl+a")
-        window.xdotool("type", file)
-        window.xdotool("key", "Return")
-        window.wait("no dialog", lambda s: not s["open_dialog"])
-    explorer.step("open the session", open_again)
+    explorer.file("open the session", "File › Open...", explorer.window.status()["session_file"])
 
 
 def resize(explorer):

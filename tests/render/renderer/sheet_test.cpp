@@ -55,6 +55,31 @@ struct TwoViewports {
 
 } // namespace
 
+TEST_CASE_FIXTURE(TwoViewports,
+                  "with little time a second viewport gets its renderer and its first picture in a call each") {
+    Sheet one;
+    one.size = thick.size;
+    one.viewports = {{{0, 0}, thick, true}};
+    REQUIRE(sheets.draw(one));
+    const auto made = sheets.draw(sheet, kUploadAll, 0.01);
+    REQUIRE(made);
+    CHECK(made->unfinished);
+    CHECK_FALSE(made->geometry); // programs alone
+    const auto drawn_first = sheets.draw(sheet, kUploadAll, 0.01);
+    REQUIRE(drawn_first);
+    CHECK(drawn_first->unfinished);
+    CHECK(drawn_first->geometry);
+    for (int calls = 0; calls < 1000; ++calls) {
+        const auto done = sheets.draw(sheet, kUploadAll, 0.01);
+        REQUIRE(done);
+        if (!done->unfinished) break;
+    }
+    const Image in_time = sheets.read_image();
+    SheetRenderer at_once(*renderer);
+    REQUIRE(at_once.draw(sheet));
+    CHECK(in_time == at_once.read_image());
+}
+
 TEST_CASE_FIXTURE(TwoViewports, "a sheet of one viewport is that frame's picture, of several each in its place") {
     Sheet one;
     one.size = thick.size;
