@@ -3,8 +3,13 @@
 #include "render/gl/bindings.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <exception>
 #include <glm/gtc/constants.hpp>
+#include <limits>
+#include <oneapi/tbb/task_arena.h>
+#include <span>
 #include <utility>
 
 namespace ramus::render {
@@ -43,22 +48,26 @@ Shape::As as(const ContextMesh& mesh) { return mesh.wireframe ? Shape::As::kLine
 
 } // namespace
 
-Shape::Shape(const mesh::TriangleMesh& mesh, As as) : made_of_(std::make_shared<const ShapeTriangles>(mesh)), as_(as) {
-    const std::vector<glm::uvec3>& triangles = made_of_->triangles;
+Shape::Made Shape::make(const mesh::TriangleMesh& mesh, As as) {
+    Made made{std::make_shared<const ShapeTriangles>(mesh), as, {}};
+    if (as != As::kLines) return made;
+    made.corners.reserve(3 * made.of->triangles.size());
+    for (const glm::uvec3& t : made.of->triangles)
+        for (const std::uint32_t corner : {t.x, t.y, t.z}) made.corners.push_back(made.of->vertices[corner]);
+    return made;
+}
+
+Shape::Shape(Made made)
+    : made_of_(std::move(made.of)), as_(made.as), triangle_count_(made_of_->triangles.size()),
+      corners_(std::move(made.corners)), vertex_array_(make_vertex_array()) {
     using Vertex = ShapeTriangles::Vertex;
-    vertex_array_ = make_vertex_array();
-    corners_ = static_cast<GLsizei>(3 * triangles.size());
-    if (triangles.empty()) return;
+    if (triangle_count_ == 0) return;
     if (lines()) {
-        std::vector<Vertex> corners;
-        corners.reserve(3 * triangles.size());
-        for (const glm::uvec3& t : triangles)
-            for (const std::uint32_t corner : {t.x, t.y, t.z}) corners.push_back(made_of_->vertices[corner]);
-        vertices_ = make_buffer(corners.size() * sizeof corners[0], corners.data());
+        vertices_ = LargeBuffer(corners_.size() * sizeof(Vertex));
     } else {
-        triangles_ = make_buffer(triangles.size() * sizeof triangles[0], triangles.data());
+        triangles_ = LargeBuffer(triangle_count_ * sizeof(glm::uvec3));
         glVertexArrayElementBuffer(vertex_array_, triangles_);
-        vertices_ = make_buffer(made_of_->vertices.size() * sizeof(Vertex), made_of_->vertices.data());
+        vertices_ = LargeBuffer(made_of_->vertices.size() * sizeof(Vertex));
     }
     glVertexArrayVertexBuffer(vertex_array_, 0, vertices_, 0, sizeof(Vertex));
     glVertexArrayAttribFormat(vertex_array_, kAttributePosition, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, position));
@@ -66,17 +75,65 @@ Shape::Shape(const mesh::TriangleMesh& mesh, As as) : made_of_(std::make_shared<
     use_attributes(vertex_array_, {kAttributePosition, kAttributeNormal});
 }
 
-std::uint64_t Shape::draw() const {
-    if (corners_ == 0) return 0;
-    glBindVertexArray(vertex_array_);
-    if (lines())
-        glDrawArrays(GL_TRIANGLES, 0, corners_);
-    else
-        glDrawElements(GL_TRIANGLES, corners_, GL_UNSIGNED_INT, nullptr);
-    return static_cast<std::uint64_t>(corners_) / 3;
+bool Shape::send(std::size_t& budget) {
+    if (triangle_count_ == 0) return true;
+    const auto send_more = [&](GLuint buffer, const auto& values, std::size_t& sent) {
+        const std::span bytes = std::as_bytes(std::span(values)).subspan(sent);
+        const std::size_t now = std::min(budget, bytes.size());
+        if (now == 0) return bytes.empty();
+        glNamedBufferSubData(buffer, static_cast<GLintptr>(sent), static_cast<GLsizeiptr>(now), bytes.data());
+        sent += now;
+        budget -= now;
+        return now == bytes.size();
+    };
+    if (!lines())
+        return send_more(triangles_, made_of_->triangles, sent_triangles_) &&
+               send_more(vertices_, made_of_->vertices, sent_vertices_);
+    if (corners_.empty()) return true;
+    const bool whole = send_more(vertices_, corners_, sent_vertices_);
+    if (whole) corners_ = {};
+    return whole;
 }
 
-void GpuShapes::follow(const std::vector<ContextMesh>& context, const Lesions& lesions) {
+std::uint64_t Shape::draw_part(std::size_t part) const {
+    const std::size_t first = part * kMostInPart, count = std::min(kMostInPart, triangle_count_ - first);
+    const auto corners = static_cast<GLsizei>(3 * count);
+    glBindVertexArray(vertex_array_);
+    if (lines())
+        glDrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * first), corners);
+    else
+        glDrawElements(GL_TRIANGLES, corners, GL_UNSIGNED_INT, offset_pointer(first * sizeof(glm::uvec3)));
+    return count;
+}
+
+void GpuShapes::begin(Sent& sent) {
+    const auto promise = std::make_shared<std::promise<Shape::Made>>();
+    sent.making = promise->get_future();
+    oneapi::tbb::this_task_arena::enqueue([promise, mesh = sent.mesh, as = sent.as] {
+        try {
+            promise->set_value(Shape::make(*mesh, as));
+        } catch (...) {
+            promise->set_exception(std::current_exception());
+        }
+    });
+}
+
+void GpuShapes::go_on(Sent& sent, bool wait, std::size_t& budget) {
+    if (!sent.shape) {
+        if (wait && !sent.making.valid())
+            sent.shape.emplace(Shape::make(*sent.mesh, sent.as));
+        else if (!sent.making.valid())
+            begin(sent);
+        if (sent.making.valid() && (wait || sent.making.wait_for(std::chrono::seconds(0)) == std::future_status::ready))
+            sent.shape.emplace(sent.making.get());
+        if (!sent.shape) return;
+    }
+    std::size_t all = std::numeric_limits<std::size_t>::max();
+    sent.whole = sent.shape->send(wait ? all : budget);
+}
+
+bool GpuShapes::follow(const std::vector<ContextMesh>& context, const Lesions& lesions, bool wait,
+                       std::size_t& budget) {
     std::vector<std::pair<std::shared_ptr<const mesh::TriangleMesh>, Shape::As>> wanted;
     for (const ContextMesh& one : context) {
         if (!one.shown()) continue;
@@ -87,15 +144,25 @@ void GpuShapes::follow(const std::vector<ContextMesh>& context, const Lesions& l
     std::erase_if(sent_, [&](const Sent& sent) {
         return std::ranges::find(wanted, std::pair(sent.mesh, sent.as)) == wanted.end();
     });
-    for (const auto& [mesh, as] : wanted)
-        if (find(mesh, as) == nullptr) sent_.push_back({mesh, as, Shape(*mesh, as)});
-    if (!lesions.spheres.empty() && !ball_) ball_.emplace(unit_sphere(), Shape::As::kSurface);
+    for (const auto& one : wanted) {
+        const auto known =
+            std::ranges::find_if(sent_, [&](const Sent& sent) { return std::pair(sent.mesh, sent.as) == one; });
+        Sent& sent = known != sent_.end() ? *known : sent_.emplace_back(Sent{one.first, one.second, {}, {}, false});
+        const bool of_lesion = std::ranges::find(lesions.meshes, one.first) != lesions.meshes.end();
+        if (!sent.whole) go_on(sent, wait || of_lesion, budget);
+    }
+    if (!lesions.spheres.empty() && !ball_) {
+        ball_.emplace(Shape::make(unit_sphere(), Shape::As::kSurface));
+        std::size_t all = std::numeric_limits<std::size_t>::max();
+        (void)ball_->send(all);
+    }
+    return std::ranges::all_of(sent_, &Sent::whole);
 }
 
 const Shape* GpuShapes::find(const std::shared_ptr<const mesh::TriangleMesh>& mesh, Shape::As as) const {
     const auto found =
-        std::ranges::find_if(sent_, [&](const Sent& sent) { return sent.mesh == mesh && sent.as == as; });
-    return found != sent_.end() ? &found->shape : nullptr;
+        std::ranges::find_if(sent_, [&](const Sent& sent) { return sent.whole && sent.mesh == mesh && sent.as == as; });
+    return found != sent_.end() ? &*found->shape : nullptr;
 }
 
 const Shape* GpuShapes::of(const ContextMesh& context, bool preview_will_do) const {

@@ -60,8 +60,10 @@ InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& t
         while (vessels.resume()) co_await kPartEnds;
         triangles += vessels.result();
     }
+    InParts<std::uint64_t> opaque_context = context.draw_opaque(subject, view, targets.samples);
+    while (opaque_context.resume()) co_await kPartEnds;
+    triangles += opaque_context.result();
     draw_opaque_into(targets.samples);
-    triangles += context.draw_opaque(subject, view);
     glDisable(GL_CULL_FACE);
     if (targets.has_glass && has_lines) {
         InParts<std::uint64_t> lines = centerlines.draw_lines(subject, view, targets.samples);

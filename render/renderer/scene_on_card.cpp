@@ -31,18 +31,25 @@ SceneOnCard::SceneOnCard(std::size_t surface_bytes)
 
 Result<Frame> SceneOnCard::take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done) {
     lines_.follow(wanted.centerlines);
-    shapes_.follow(wanted.context, wanted.lesions);
+    std::size_t left = upload_budget;
+    const bool shapes_there = shapes_.follow(wanted.context, wanted.lesions, !in_time_, left);
+    const auto with_what_is_there = [&](Frame frame) {
+        std::erase_if(frame.context, [&](const ContextMesh& one) {
+            return one.shown() && (shapes_.of(one, false) == nullptr || shapes_.of(one, true) == nullptr);
+        });
+        return frame;
+    };
     if (wanted.surface_awaited && wanted.quality == Quality::kInteractive && casts(wanted)) {
         drawn_ = nullptr;
         whole_surface_ = nullptr;
         done.quality = wanted.quality;
-        Frame frame = wanted;
+        done.pending = !shapes_there;
+        Frame frame = with_what_is_there(wanted);
         frame.mesh = frame.preview = nullptr;
         return frame;
     }
     RAMUS_TRY(whole, fits(wanted));
     done.coarse = !whole;
-    std::size_t left = upload_budget;
     // Where both do not fit, the surface before gives way first.
     const bool crowded = whole && wanted.mesh && mesh_.shown() != wanted.mesh &&
                          preview_.bytes() + mesh_.bytes() + GpuMesh::bytes_of(*wanted.mesh) > surface_bytes_;
@@ -53,8 +60,8 @@ Result<Frame> SceneOnCard::take_up(const Frame& wanted, std::size_t upload_budge
     done.uploaded = upload_budget - left;
     const bool mesh_there = done.coarse || mesh_.shown() == wanted.mesh;
     const bool preview_there = wanted.preview && preview_.shown() == wanted.preview;
-    done.pending = !mesh_there || preview_.shown() != wanted.preview;
-    Frame frame = wanted;
+    done.pending = !mesh_there || preview_.shown() != wanted.preview || !shapes_there;
+    Frame frame = with_what_is_there(wanted);
     if (preview_there && !mesh_there) frame.quality = Quality::kInteractive;
     const bool quick = preview_there && frame.quality == Quality::kInteractive;
     const GpuMesh& mesh = quick || done.coarse ? preview_ : mesh_;

@@ -117,8 +117,10 @@ InParts<FragmentListPass::Listed> FragmentListPass::list(const Subject& subject,
         }
         listed.triangles += ranges.triangles();
     }
-    begin_band(targets, band);
-    listed.triangles += context_.draw_clear(subject, view, ContextPass::Clear::kAll, prepare);
+    InParts<std::uint64_t> clear = context_.draw_clear(
+        subject, view, ContextPass::Clear::kAll, [&targets, band] { begin_band(targets, band); }, prepare);
+    while (clear.resume()) co_await kPartEnds;
+    listed.triangles += clear.result();
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
@@ -198,7 +200,11 @@ bool LayerPass::draw_layer(const Subject& subject, const ViewTargets& targets, i
 // What draw_layer() draws of what is clear.
 std::uint64_t LayerPass::draw_clear(const Subject& subject, const ViewTargets& targets, ContextPass::Clear what,
                                     int layer) const {
-    return context_.draw_clear(subject, targets.view, what, [&](const Program&) { bind_layer_before(targets, layer); });
+    const auto bind = [&](const Program&) { bind_layer_before(targets, layer); };
+    return context_
+        .draw_clear(
+            subject, targets.view, what, [] {}, bind)
+        .finish();
 }
 
 // Their nearest layer alone: into the layers' fragments and the depths of `target`.

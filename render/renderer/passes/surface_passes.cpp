@@ -33,15 +33,11 @@ OpenAndClosed open_and_closed(const PagedMesh& mesh, const std::vector<Layer>& l
     return found;
 }
 
-// `to_clip`: from mm about the middle of the shape's bounds.
-std::uint64_t draw_shape(const Shape& shape, GLuint number, const glm::dmat4& to_clip, const ViewSetup& view) {
+void use_for_shape(const Shape& shape, GLuint number, const glm::dmat4& to_clip, const ViewSetup& view) {
     glUniformMatrix4fv(kUniformToClip, 1, GL_FALSE, glm::value_ptr(glm::mat4(to_clip)));
     glUniformMatrix3fv(kUniformToEye, 1, GL_FALSE, glm::value_ptr(view.to_eye));
     glUniform1ui(kUniformNumber, number);
     if (!shape.closed()) glDisable(GL_CULL_FACE);
-    const std::uint64_t triangles = shape.draw();
-    glEnable(GL_CULL_FACE);
-    return triangles;
 }
 
 } // namespace
@@ -155,27 +151,49 @@ Result<void> ContextPass::make() {
          {&lines_, "geometry.vert", "context.frag", "#define CONTEXT\n#define TRANSPARENT\n#define LINES\n"}});
 }
 
-std::uint64_t ContextPass::draw_opaque(const Subject& subject, const ViewSetup& view) const {
+InParts<std::uint64_t> ContextPass::draw_opaque(const Subject& subject, const ViewSetup& view,
+                                                const SampleTarget& to) const {
     std::uint64_t triangles = 0;
     for (std::size_t i = 0; i < subject.frame.context.size(); ++i) {
         const ContextMesh& mesh = subject.frame.context[i];
         const Shape* shape = subject.scene.shapes().of(mesh, subject.quick());
         if (shape == nullptr || !mesh.solid()) continue;
-        glUseProgram(opaque_);
-        triangles += draw_shape(*shape, number_of(i), view.clip_from(shape->bounds().centre()), view);
+        for (std::size_t part = 0; part < shape->parts(); ++part) {
+            draw_opaque_into(to);
+            glUseProgram(opaque_);
+            use_for_shape(*shape, number_of(i), view.clip_from(shape->bounds().centre()), view);
+            triangles += shape->draw_part(part);
+            co_await kPartEnds;
+        }
     }
-    return triangles;
+    co_return triangles;
 }
 
-std::uint64_t ContextPass::draw_clear(const Subject& subject, const ViewSetup& view, Clear what,
-                                      const Prepare& prepare) const {
-    const std::uint64_t triangles = what == Clear::kAll ? draw_context(subject, view, prepare) : 0;
-    return triangles + draw_lesions(subject, view, prepare);
-}
-
-std::uint64_t ContextPass::draw_context(const Subject& subject, const ViewSetup& view, const Prepare& prepare) const {
-    const Frame& frame = subject.frame;
+InParts<std::uint64_t> ContextPass::draw_clear(const Subject& subject, const ViewSetup& view, Clear what, Begin begin,
+                                               Prepare prepare) const {
+    std::vector<ShapeDraw> draws;
+    if (what == Clear::kAll) add_context(subject, view, draws);
+    add_lesions(subject, view, draws);
     std::uint64_t triangles = 0;
+    for (const ShapeDraw& draw : draws) {
+        const Program& program = draw.shape->lines() ? lines_ : clear_;
+        for (std::size_t part = 0; part < draw.shape->parts(); ++part) {
+            begin();
+            glUseProgram(program);
+            prepare(program);
+            if (draw.shape->lines())
+                glUniform1f(kUniformHalfWidth, 0.5F * kContextLineWidth * view.pixels_a_point(subject.frame));
+            use_for_shape(*draw.shape, draw.number, draw.to_clip, view);
+            triangles += draw.shape->draw_part(part);
+            glEnable(GL_CULL_FACE);
+            co_await kPartEnds;
+        }
+    }
+    co_return triangles;
+}
+
+void ContextPass::add_context(const Subject& subject, const ViewSetup& view, std::vector<ShapeDraw>& to) const {
+    const Frame& frame = subject.frame;
     const double nearer = kContextLinesNearer * double(view.block.pixel_to_eye.z);
     const glm::dmat4 off = frame.camera.orthographic ? glm::translate(glm::dmat4(1.0), {0.0, 0.0, nearer})
                                                      : glm::scale(glm::dmat4(1.0), glm::dvec3(1.0 - nearer));
@@ -183,34 +201,24 @@ std::uint64_t ContextPass::draw_context(const Subject& subject, const ViewSetup&
     for (std::size_t i = 0; i < frame.context.size(); ++i) {
         const Shape* shape = subject.scene.shapes().of(frame.context[i], subject.quick());
         if (shape == nullptr || !frame.context[i].clear()) continue;
-        const Program& program = shape->lines() ? lines_ : clear_;
-        glUseProgram(program);
-        prepare(program);
-        if (shape->lines()) glUniform1f(kUniformHalfWidth, 0.5F * kContextLineWidth * view.pixels_a_point(frame));
         const glm::dmat4& to_clip = shape->lines() ? lines_to_clip : view.to_clip;
-        triangles += draw_shape(*shape, number_of(i), glm::translate(to_clip, shape->bounds().centre()), view);
+        to.push_back({shape, number_of(i), glm::translate(to_clip, shape->bounds().centre())});
     }
-    return triangles;
 }
 
-std::uint64_t ContextPass::draw_lesions(const Subject& subject, const ViewSetup& view, const Prepare& prepare) const {
-    if (!subject.has_lesions()) return 0;
+void ContextPass::add_lesions(const Subject& subject, const ViewSetup& view, std::vector<ShapeDraw>& to) const {
+    if (!subject.has_lesions()) return;
     const Lesions& lesions = subject.frame.lesions;
-    std::uint64_t triangles = 0;
     std::size_t index = 0;
-    glUseProgram(clear_);
-    prepare(clear_);
-    const auto draw = [&](const Shape* shape, const glm::dvec3& centre, double scale) {
+    const auto add = [&](const Shape* shape, const glm::dvec3& centre, double scale) {
         const GLuint number = record::kLesionFragment | number_of(index++);
-        if (shape == nullptr) return;
-        triangles += draw_shape(*shape, number, glm::scale(view.clip_from(centre), glm::dvec3(scale)), view);
+        if (shape != nullptr) to.push_back({shape, number, glm::scale(view.clip_from(centre), glm::dvec3(scale))});
     };
-    for (const glm::dvec4& sphere : lesions.spheres) draw(subject.scene.shapes().ball(), glm::dvec3(sphere), sphere.w);
+    for (const glm::dvec4& sphere : lesions.spheres) add(subject.scene.shapes().ball(), glm::dvec3(sphere), sphere.w);
     for (const auto& lesion : lesions.meshes) {
         const Shape* shape = subject.scene.shapes().of(lesion);
-        draw(shape, shape != nullptr ? shape->bounds().centre() : glm::dvec3(0.0), 1.0);
+        add(shape, shape != nullptr ? shape->bounds().centre() : glm::dvec3(0.0), 1.0);
     }
-    return triangles;
 }
 
 } // namespace ramus::render

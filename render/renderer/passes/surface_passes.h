@@ -11,6 +11,8 @@
 #include "render/renderer/targets.h"
 
 #include <functional>
+#include <glm/mat4x4.hpp>
+#include <vector>
 
 namespace ramus::render {
 
@@ -52,20 +54,26 @@ private:
 class ContextPass {
 public:
     [[nodiscard]] Result<void> make();
-    // Into what is bound.
-    [[nodiscard]] std::uint64_t draw_opaque(const Subject& subject, const ViewSetup& view) const;
+    // In parts, as SurfacePass; and so what is clear.
+    [[nodiscard]] InParts<std::uint64_t> draw_opaque(const Subject& subject, const ViewSetup& view,
+                                                     const SampleTarget& to) const;
 
     enum class Clear { kAll, kLesions };
+    // Where it goes: bound at the beginning of each part.
+    using Begin = std::function<void()>;
     // Gives a program that is in use what it needs beside the mesh.
     using Prepare = std::function<void(const Program&)>;
-    [[nodiscard]] std::uint64_t draw_clear(const Subject& subject, const ViewSetup& view, Clear what,
-                                           const Prepare& prepare) const;
+    [[nodiscard]] InParts<std::uint64_t> draw_clear(const Subject& subject, const ViewSetup& view, Clear what,
+                                                    Begin begin, Prepare prepare) const;
 
 private:
-    [[nodiscard]] std::uint64_t draw_context(const Subject& subject, const ViewSetup& view,
-                                             const Prepare& prepare) const;
-    [[nodiscard]] std::uint64_t draw_lesions(const Subject& subject, const ViewSetup& view,
-                                             const Prepare& prepare) const;
+    struct ShapeDraw { // of a shape
+        const Shape* shape = nullptr;
+        GLuint number = 0;
+        glm::dmat4 to_clip{1.0}; // from mm about the middle of the shape's bounds
+    };
+    void add_context(const Subject& subject, const ViewSetup& view, std::vector<ShapeDraw>& to) const;
+    void add_lesions(const Subject& subject, const ViewSetup& view, std::vector<ShapeDraw>& to) const;
 
     Program opaque_, clear_, lines_;
 };

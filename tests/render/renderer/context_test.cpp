@@ -1,13 +1,16 @@
 // Context meshes against what geometry says: opaque ones hide and are hidden, clear ones veil what lies behind them as
 // reckoned by hand, lines are as wide as they say. A tube along x of 5 mm radius and a sphere of 12 mm around its
 // middle, seen from the front without perspective, 0.1 mm a pixel.
+#include "render/gpu/gpu_shapes.h"
 #include "tests/support/beside_scene.h"
 
 #include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <random>
+#include <utility>
 
 using namespace ramus::render;
 using ramus::mesh::TriangleMesh;
@@ -46,6 +49,54 @@ TEST_CASE("an opaque context mesh hides vessels, glass and lines behind it, and 
             const glm::ivec2 p = scene.at(0, 0);
             CHECK(scene.renderer->read_branches().at(p.x, p.y) == kNoBranch);
         }
+}
+
+TEST_CASE("who has no time sees large context a little later, and then as at once") {
+    for (const float opacity : {1.0F, 0.5F})
+        for (const bool lines : {false, true}) {
+            CAPTURE(opacity);
+            CAPTURE(lines);
+            Scene scene;
+            const Image without = scene.picture();
+            scene.add_sphere(opacity); // 81,920 triangles
+            scene.frame.context[0].wireframe = lines;
+            const Image with = scene.picture();
+            CHECK(with != without);
+
+            const auto in_time = Renderer::create().value();
+            Frame frame = scene.frame;
+            const auto context = std::exchange(frame.context, {});
+            REQUIRE(in_time->draw(frame));
+            frame.context = context;
+            constexpr std::size_t kBudget = 100'000; // bytes a call
+            int calls = 0;
+            std::uint64_t most = 0;
+            for (bool more = true; more && calls < 100'000; ++calls) {
+                const auto done = in_time->draw(frame, kBudget, 0.01);
+                REQUIRE(done);
+                most = std::max(most, done->uploaded);
+                more = done->pending || done->unfinished;
+                if (done->pending) CHECK(in_time->read_image() == without);
+            }
+            CHECK(most <= kBudget);
+            CHECK(calls > 10);
+            CHECK(in_time->read_image() == with);
+        }
+}
+
+TEST_CASE("a large mesh beside the tree is drawn in parts, each of so many triangles at the most") {
+    const WatchedContext context;
+    const TriangleMesh mesh = icosphere(6, glm::dvec3(0.0), 10.0);
+    Shape shape(Shape::make(mesh, Shape::As::kSurface));
+    std::size_t all = std::numeric_limits<std::size_t>::max();
+    CHECK(shape.send(all));
+    std::uint64_t triangles = 0;
+    for (std::size_t part = 0; part < shape.parts(); ++part) {
+        const std::uint64_t of_part = shape.draw_part(part);
+        CHECK(of_part <= Shape::kMostInPart);
+        triangles += of_part;
+    }
+    CHECK(triangles == mesh.triangles.size());
 }
 
 TEST_CASE("a clear context mesh veils what lies behind it as reckoned by hand, and vessels are picked through it") {
