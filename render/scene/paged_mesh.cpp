@@ -134,6 +134,20 @@ std::shared_ptr<const TrianglePage> make_triangle_page(const Source& source, std
     return made;
 }
 
+// Whether more than a third of a mesh's pages would lie elsewhere than in its memory, once so many have been written:
+// they take memory beside those that they stand for, for the mesh and again for who shares it.
+bool lies_apart(const PagedMesh& mesh, std::size_t written) {
+    const PageMemory& memory = *mesh.memory();
+    std::size_t apart = written;
+    for (std::size_t i = 0; i < mesh.vertex_pages().size(); ++i)
+        apart += mesh.vertex_pages()[i].get() != memory.vertex_page(i) ? 1 : 0;
+    for (std::size_t i = 0; i < mesh.triangle_pages().size(); ++i) {
+        const auto& page = mesh.triangle_pages()[i];
+        apart += !page || page->triangles.data() != memory.triangle_page(i) ? 1 : 0;
+    }
+    return 3 * apart > mesh.vertex_pages().size() + mesh.triangle_pages().size();
+}
+
 std::size_t pages_for(std::size_t count, std::size_t size) { return (count + size - 1) / size; }
 
 // Numbers of the pages that the ranges touch, ascending.
@@ -185,6 +199,11 @@ PagedMesh PagedMesh::edited(const mesh::TriangleMesh& mesh, const mesh::SurfaceE
         touched(edit.whole ? whole : std::span(edit.vertices), VertexPage::kSize, next.vertex_pages_.size());
     const auto triangles =
         touched(edit.whole ? whole : std::span(edit.triangles), TrianglePage::kSize, next.triangle_pages_.size());
+    if (!edit.whole && memory_ && lies_apart(next, vertices.size() + triangles.size())) {
+        mesh::SurfaceEdit all;
+        all.whole = true;
+        return edited(mesh, all);
+    }
     const bool has_normals = mesh.normals.size() == mesh.positions.size();
     const LargeArray<glm::vec3> computed = has_normals ? LargeArray<glm::vec3>() : normals_of(mesh);
     const Source source{mesh, has_normals ? mesh.normals : computed, origin_};

@@ -127,6 +127,18 @@ TEST_CASE(
     explorer.update({});
     (void)explorer.renderer->draw(explorer.frame).value();
     CHECK(explorer.renderer->read_image() == explorer.from_nothing());
+
+    // Once much of it lies elsewhere, all pages lie side by side again.
+    std::vector<std::uint8_t> half(explorer.tree.branches.size(), 0);
+    std::fill(half.begin() + static_cast<std::ptrdiff_t>(half.size() / 2), half.end(), 1);
+    explorer.update(half);
+    const auto& memory = explorer.mesh->memory();
+    REQUIRE(memory != nullptr);
+    CHECK(memory != before->memory());
+    for (std::size_t page = 0; page < explorer.mesh->vertex_pages().size(); ++page)
+        REQUIRE(explorer.mesh->vertex_pages()[page].get() == memory->vertex_page(page));
+    CHECK(explorer.renderer->draw(explorer.frame, 1).value().uploaded == 0);
+    CHECK(explorer.renderer->read_image() == explorer.from_nothing());
 }
 
 TEST_CASE("a large mesh comes over several frames, and the one before is drawn until it is there") {
