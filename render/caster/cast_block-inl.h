@@ -8,6 +8,7 @@
 
 #include "render/caster/field-inl.h"
 #include "render/caster/intersection-inl.h"
+#include "render/scene/record_flags.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
@@ -56,6 +57,7 @@ template <bool Flat>
 HWY_INLINE void cast_block(const Block& block, const RoundCone& cone, std::uint32_t number, Samples& samples) {
     const D d;
     clear_untouched(block.index, samples);
+    const bool has_light = (cone.id & record::kLine) == 0;
     Float farthest = 0.0F;
     for (int lane = 0; lane < kBlockPixels; lane += kN) {
         const Rays<Float> middle = pixel_rays(block, lane);
@@ -72,10 +74,13 @@ HWY_INLINE void cast_block(const Block& block, const RoundCone& cone, std::uint3
             }
             const FloatPair now = select(nearer, found.depth, old);
             farthest = max(farthest, max(now.a, now.b));
-            const auto normal =
-                sample_normal<Flat>(cone, rays, Rays<FloatPair>{middle.x, middle.y}, found.depth, found.along);
-            const VU facing_a = packed_normal({normal.x.a, normal.y.a, normal.z.a});
-            const VU facing_b = packed_normal({normal.x.b, normal.y.b, normal.z.b});
+            VU facing_a = hn::Zero(DU()), facing_b = facing_a; // the eye
+            if (has_light) {
+                const auto normal =
+                    sample_normal<Flat>(cone, rays, Rays<FloatPair>{middle.x, middle.y}, found.depth, found.along);
+                facing_a = packed_normal({normal.x.a, normal.y.a, normal.z.a});
+                facing_b = packed_normal({normal.x.b, normal.y.b, normal.z.b});
+            }
             write(block, cone, number, sample, lane, {nearer.a, now.a, found.along.a, facing_a}, samples);
             write(block, cone, number, sample + 1, lane, {nearer.b, now.b, found.along.b, facing_b}, samples);
         }

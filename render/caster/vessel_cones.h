@@ -46,10 +46,18 @@ private:
         glm::mat4 to_eye;
     };
     void find_mixed_layers(const std::vector<Layer>& layers); // lasts until what is in glass changes
-    // False: there is nothing of it to see. The ends are those of `points` that the segment joins.
-    [[nodiscard]] bool prepare(const Segment& segment, const Placement& placement, const std::vector<glm::vec4>& points,
+    // Segments of one branch, the first and how many.
+    struct Run {
+        std::size_t first, count;
+    };
+    // False: there is nothing of it to see. The ends are those of `points` that the run joins.
+    [[nodiscard]] bool prepare(const Run& run, const Placement& placement, const std::vector<glm::vec4>& points,
                                RoundCone& cone) const;
-    [[nodiscard]] bool prepare_line(const Segment& segment, const Placement& placement, RoundCone& cone) const;
+    [[nodiscard]] bool prepare_line(const Run& run, const Placement& placement, RoundCone& cone) const;
+    // Whether one cone, from end to end, looks as those of its segments do.
+    [[nodiscard]] bool is_straight(const Run& run, const Placement& placement) const;
+    // Cones of the run, as few as look like it: each in the place of its first segment. Returns how many are seen.
+    std::size_t prepare_run(const Run& run, const Placement& placement, ConeList& list) const;
 
     std::shared_ptr<const FittedCones> fitted_;
     std::vector<Layer> layers_, segment_layers_; // by branch; by segment

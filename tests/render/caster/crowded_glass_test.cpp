@@ -1,11 +1,15 @@
 // Glass in so many layers that two samples of a pixel share a ray while the view moves.
 #include "render/renderer/renderer.h"
+#include "tests/support/built_tree.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/straight_vessels.h"
+#include "tests/support/surface_frame.h"
 
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <doctest/doctest.h>
+#include <utility>
 #include <vector>
 
 using namespace ramus::render;
@@ -28,7 +32,59 @@ Frame crowded_frame() {
     return frame;
 }
 
+// What moves, from a little beside where it was before.
+DrawStatistics move_to(Renderer& renderer, Frame frame) {
+    frame.quality = Quality::kInteractive;
+    Frame before = frame;
+    before.camera = turned(frame.camera, 10.0, 5.0);
+    REQUIRE(renderer.draw(before));
+    const auto cast = renderer.draw(frame);
+    REQUIRE(cast);
+    return *cast;
+}
+
 } // namespace
+
+TEST_CASE("of glass one cone stands for segments far shorter than pixels, and looks like them") {
+    constexpr std::uint32_t kSegments = 256;
+    std::vector<ramus::tree::Point> points;
+    std::vector<ramus::tree::Edge> edges;
+    for (std::uint32_t i = 0; i <= kSegments; ++i) {
+        const double along = double(i) / kSegments;
+        points.push_back({{30.0 * along, 5.0 * std::sin(5.0 * along), 20.0 * along}, 1.0 - 0.3 * along});
+        if (i > 0) edges.push_back({i - 1, i});
+    }
+    ramus::mesh::SurfaceOptions options;
+    options.smooth_passes = 0;
+    const ramus::test::WatchedContext context(GlVersion{99, 0});
+    const auto still = Renderer::create().value(), moving = Renderer::create().value();
+    const ramus::tree::VesselTree tree = ramus::test::built_tree(std::move(points), std::move(edges));
+    Frame frame = ramus::test::surface_frame(tree, options, {160, 120});
+    const std::uint64_t all = move_to(*moving, frame).cones; // where nothing is glass
+    frame.states = {BranchState::kDefocused};
+    const std::uint64_t few = move_to(*moving, frame).cones;
+    const Image on_the_way = moving->read_image();
+    REQUIRE(still->draw(frame));
+    const Image at_rest = still->read_image();
+    const BranchPicture branches = still->read_branches();
+    double apart = 0.0;
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < branches.branches.size(); ++i) {
+        if (branches.branches[i] == kNoBranch) continue;
+        ++seen;
+        for (std::size_t k = 4 * i; k < 4 * i + 3; ++k) apart += std::abs(on_the_way.rgba[k] - at_rest.rgba[k]) / 3.0;
+    }
+    apart /= static_cast<double>(seen);
+    frame.size = {3200, 2400};
+    const std::uint64_t near = move_to(*moving, frame).cones;
+    MESSAGE(few << " cones of " << all << ", " << near << " of a picture 20 times as large; " << apart << " of 255 in "
+                << seen << " pixels");
+    CHECK(all > 64);
+    CHECK(2 * few < all);
+    CHECK(near == all);
+    REQUIRE(seen > 500);
+    CHECK(apart < 1.3);
+}
 
 TEST_CASE("glass that crowds looks while the view moves as it does at rest") {
     const ramus::test::WatchedContext context(GlVersion{99, 0});
