@@ -1,6 +1,5 @@
 // Whether surfaces have the pieces and loops of their trees, and whether triangles intersect: on the trees named, and
-// on
-// --packed grown trees that overlap. A row for each tree, --detail and --smooth, and below it what is wrong, with
+// on --packed grown trees that overlap. A row for each tree, --detail and --smooth, and below it what is wrong, with
 // places. Exit status 1: some surface has other pieces or loops than its tree, or is not a closed manifold. With
 // --contacts N: how long the contacts of a grown tree of N branches take to find.
 //
