@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kPreviewDetail = 6;
 constexpr std::size_t kGivesBackFrom = 10'000'000; // triangles: it takes a fraction of a second
-constexpr std::uint64_t kPreviewFrom = 150'000; // triangles: below, even a software rasteriser keeps up
+constexpr std::uint64_t kPreviewFrom = 150'000;    // triangles: below, even a software rasteriser keeps up
 
 } // namespace
 

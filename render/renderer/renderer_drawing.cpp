@@ -61,6 +61,13 @@ bool same_geometry(const Frame& a, const Frame& b, bool has_glass) {
            (a.appearance.occlusion > 0.0F || !(b.appearance.occlusion > 0.0F));
 }
 
+// The picture comes in another call.
+DrawStatistics later(DrawStatistics done) {
+    end_passes();
+    done.unfinished = true;
+    return done;
+}
+
 int most_samples() {
     GLint integer_samples = 0;
     glGetIntegerv(GL_MAX_INTEGER_SAMPLES, &integer_samples);
@@ -216,12 +223,9 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
         const auto made_targets = resize(frame, plan);
         if (!made_targets) return failed(made_targets.error());
         if (plan == Plan::kDraw) begin(wanted, frame, layers);
-        if (!last_ || other_size) seconds = kUntilDone;                      // there is no picture meanwhile
-        if (plan == Plan::kDraw && *made_targets && seconds != kUntilDone) { // that has taken as long as a part
-            end_passes();
-            done.unfinished = true;
-            return done;
-        }
+        if (!last_ || other_size) seconds = kUntilDone; // there is no picture meanwhile
+        if (plan == Plan::kDraw && *made_targets && seconds != kUntilDone)
+            return later(done); // it took as long as a part
     }
     card_.passes.begin(card_.targets.view);
     const Subject subject = subject_of(frame, layers);
@@ -240,12 +244,7 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
         if (unfinished_) {
             const auto whole = draw_parts(seconds - watch.seconds(), done);
             if (!whole) return failed(whole.error());
-            if (!*whole) {
-                end_passes();
-                unfinished_->seconds += watch.seconds();
-                done.unfinished = true;
-                return done;
-            }
+            if (!*whole) return unfinished_->seconds += watch.seconds(), later(done);
             unfinished_.reset();
         }
         const auto shaded = shade(subject, plan);
