@@ -11,6 +11,7 @@ Usage: gaps.py PROGRAM [PART [TREE]]    PART: only steps whose name has it, a re
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 import time
@@ -310,7 +311,9 @@ def kidney(program, screen, folder):
     if not KIDNEY.is_file():
         print("without the kidney: it is not here")
         return
-    explore(program, screen, folder, KIDNEY, "kidney")
+    # What is exported goes beside the tree.
+    tree = Path(shutil.copy(KIDNEY, folder))
+    explore(program, screen, folder, tree, "kidney")
 
 
 if __name__ == "__main__":
