@@ -225,7 +225,8 @@ void SurfaceMaker::cut_loops(Followed& followed, const SurfaceRequest& request, 
     for (std::size_t system = 0; system < systems; ++system) {
         if (visible[system].branches.empty()) continue;
         mesh::TriangleMesh one = followed.polygonizers[system].compact();
-        cut += mesh::cut_false_loops(one, visible[system], job);
+        const double memory = memory_left(static_cast<double>(request.options.memory_bytes));
+        cut += mesh::cut_false_loops(one, visible[system], memory, job);
         mesh::append(all, std::move(one));
     }
     if (cut > 0) followed.current = paged(all, *tree_);

@@ -164,7 +164,8 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
             PolygonizeStatistics statistics;
             RAMUS_TRY(mesh, polygonize(whole.without(part), polygonize_options(options), job, &statistics));
             if (options.blend == Blend::kTree)
-                surface.statistics.cut_loops += cut_false_loops(mesh, visible_part(prepared, part).tree, job);
+                surface.statistics.cut_loops += cut_false_loops(mesh, visible_part(prepared, part).tree,
+                                                                polygonize_options(options).memory_bytes, job);
             if (job.cancelled()) return fail("cancelled");
             if (surface.mesh.positions.size() + mesh.positions.size() > kMostVertices) return too_many_vertices();
             append(surface.mesh, std::move(mesh));

@@ -1,6 +1,7 @@
 #include "core/mesh/loops/cut_false_loops.h"
 
 #include "core/mesh/connectivity.h"
+#include "core/mesh/line_triangle.h"
 #include "core/mesh/loops/cut_loop.h"
 #include "core/mesh/loops/spanning_triangles.h"
 
@@ -12,7 +13,9 @@ namespace ramus::mesh {
 
 namespace {
 
-constexpr double kLongest = 16.0; // radii of the vessel there, that a line is
+constexpr double kLongest = 16.0;           // radii of the vessel there, that a line is
+constexpr std::size_t kMostCorners = 512;   // of a line: caps take time as the cube of them
+constexpr double kBytesPerTriangle = 120.0; // that looking for loops takes
 
 // Pieces less loops: half of the Euler characteristic.
 std::int64_t half_characteristic(const TriangleMesh& mesh) {
@@ -26,16 +29,6 @@ std::int64_t half_characteristic(const TriangleMesh& mesh) {
     return (static_cast<std::int64_t>(std::ranges::count(used, 1)) - triangles / 2) / 2;
 }
 
-double volume(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
-    return glm::dot(glm::cross(b - a, c - a), d - a);
-}
-
-bool meets(const glm::dvec3& p, const glm::dvec3& q, const std::array<glm::dvec3, 3>& t) {
-    if ((volume(t[0], t[1], t[2], p) > 0.0) == (volume(t[0], t[1], t[2], q) > 0.0)) return false;
-    const double a = volume(p, q, t[0], t[1]), b = volume(p, q, t[1], t[2]), c = volume(p, q, t[2], t[0]);
-    return (a >= 0.0 && b >= 0.0 && c >= 0.0) || (a <= 0.0 && b <= 0.0 && c <= 0.0);
-}
-
 // Whether an axis goes through a cap on a line.
 bool goes_around_vessel(std::span<const glm::dvec3> line, const tree::VesselTree& tree) {
     const std::vector<glm::uvec3> cap = spanning_triangles(line);
@@ -47,7 +40,7 @@ bool goes_around_vessel(std::span<const glm::dvec3> line, const tree::VesselTree
             if (glm::any(glm::lessThan(glm::max(p, q), lower)) || glm::any(glm::greaterThan(glm::min(p, q), upper)))
                 continue;
             for (const glm::uvec3& t : cap)
-                if (meets(p, q, {line[t.x], line[t.y], line[t.z]})) return true;
+                if (line_meets(p, q, {line[t.x], line[t.y], line[t.z]})) return true;
         }
     return false;
 }
@@ -92,7 +85,7 @@ private:
         for (SurfaceLoop& loop : loops.shortest(vertex, std::min(cost_, kLongest * double{mesh_.radii[vertex]}))) {
             const bool connects = goes_around_inside(mesh_, loop);
             const double cost = connects ? loop.length : kFilled * loop.length;
-            if (!connects && !fill_holes_) continue;
+            if (loop.vertices.size() > kMostCorners || (!connects && !fill_holes_)) continue;
             if (!(cost < cost_) || goes_around_vessel(positions_of(mesh_, loop), tree_)) continue;
             cost_ = cost;
             best_ = std::move(loop);
@@ -113,8 +106,9 @@ bool has_other_loops(const TriangleMesh& mesh, const tree::VesselTree& tree) {
     return half_characteristic(mesh) != asked.pieces - asked.loops;
 }
 
-std::size_t cut_false_loops(TriangleMesh& mesh, const tree::VesselTree& tree, Job& job) {
+std::size_t cut_false_loops(TriangleMesh& mesh, const tree::VesselTree& tree, double memory_bytes, Job& job) {
     if (!has_other_loops(mesh, tree)) return 0;
+    if (kBytesPerTriangle * static_cast<double>(mesh.triangles.size()) > memory_bytes) return 0;
     const Connectivity asked = connectivity_of(tree);
     std::size_t cut = 0;
     for (std::int64_t more = connectivity_of(mesh).loops - asked.loops; more > 0; --more, ++cut) {

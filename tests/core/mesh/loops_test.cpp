@@ -20,6 +20,7 @@ namespace ramus::mesh {
 namespace {
 
 constexpr float kRadius = 10.0F, kTube = 3.0F; // of a torus
+constexpr double kEnough = 1e9;                // bytes
 
 // Around the z axis.
 TriangleMesh torus(int along = 48, int around = 16, const glm::vec3& middle = glm::vec3(0.0F)) {
@@ -97,7 +98,7 @@ TEST_CASE("a surface with a hole has no edges that could be cut along") {
     mesh.triangles.pop_back();
     CHECK(!SurfaceGraph(mesh).is_closed());
     const TriangleMesh before = mesh;
-    CHECK(cut_false_loops(mesh, arc(-0.4, 0.4), job) == 0);
+    CHECK(cut_false_loops(mesh, arc(-0.4, 0.4), kEnough, job) == 0);
     CHECK(mesh == before);
 }
 
@@ -129,10 +130,12 @@ TEST_CASE("a loop that the tree has no cycle for is cut where no vessel runs, an
     TriangleMesh mesh = torus();
     const TriangleMesh before = mesh;
     CHECK(!has_other_loops(mesh, arc(0.0, 1.0)));
-    CHECK(cut_false_loops(mesh, arc(0.0, 1.0), job) == 0);
+    CHECK(cut_false_loops(mesh, arc(0.0, 1.0), kEnough, job) == 0);
     CHECK(mesh == before);
     CHECK(has_other_loops(mesh, arc(-0.4, 0.4)));
-    CHECK(cut_false_loops(mesh, arc(-0.4, 0.4), job) == 1);
+    CHECK(cut_false_loops(mesh, arc(-0.4, 0.4), 100e3, job) == 0); // it has 1,536 triangles
+    CHECK(mesh == before);
+    CHECK(cut_false_loops(mesh, arc(-0.4, 0.4), kEnough, job) == 1);
     CHECK(test::topology(mesh).closed_manifold());
     CHECK(connectivity_of(mesh) == Connectivity{1, 0});
     for (std::size_t v = before.positions.size(); v < mesh.positions.size(); ++v)
@@ -144,7 +147,7 @@ TEST_CASE("where a vessel runs all along a loop, its hole is filled, unless anot
     Job job;
     const tree::VesselTree open = arc(0.005, 1.01); // its ends pass each other
     TriangleMesh mesh = torus();
-    CHECK(cut_false_loops(mesh, open, job) == 1);
+    CHECK(cut_false_loops(mesh, open, kEnough, job) == 1);
     CHECK(connectivity_of(mesh) == Connectivity{1, 0});
     tree::VesselTree threaded = open;
     threaded.points.push_back({{0.5, 0.3, -20.0}, 1.0});
@@ -154,7 +157,7 @@ TEST_CASE("where a vessel runs all along a loop, its hole is filled, unless anot
                                        static_cast<std::uint32_t>(threaded.points.size() - 1)};
     mesh = torus();
     const TriangleMesh before = mesh;
-    CHECK(cut_false_loops(mesh, threaded, job) == 0);
+    CHECK(cut_false_loops(mesh, threaded, kEnough, job) == 0);
     CHECK(mesh == before);
 }
 

@@ -1,5 +1,7 @@
 #include "core/mesh/polygonize/cells/fans.h"
 
+#include "core/mesh/line_triangle.h"
+
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -10,21 +12,10 @@ namespace {
 
 using Triangle = std::array<glm::dvec3, 3>;
 
-double volume(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
-    return glm::dot(glm::cross(b - a, c - a), d - a);
-}
-
-// Whether a line meets a triangle. What lies in its plane meets where the other triangle's edges are looked at.
-bool meets(const glm::dvec3& p, const glm::dvec3& q, const Triangle& t) {
-    const double above = volume(t[0], t[1], t[2], p), below = volume(t[0], t[1], t[2], q);
-    if ((above > 0.0) == (below > 0.0)) return false;
-    const double a = volume(p, q, t[0], t[1]), b = volume(p, q, t[1], t[2]), c = volume(p, q, t[2], t[0]);
-    return (a >= 0.0 && b >= 0.0 && c >= 0.0) || (a <= 0.0 && b <= 0.0 && c <= 0.0);
-}
-
+// What lies in a triangle's plane meets it where the other triangle's edges are looked at.
 bool meet(const Triangle& s, const Triangle& t) {
     for (std::size_t n = 0; n < 3; ++n)
-        if (meets(s[n], s[(n + 1) % 3], t) || meets(t[n], t[(n + 1) % 3], s)) return true;
+        if (line_meets(s[n], s[(n + 1) % 3], t) || line_meets(t[n], t[(n + 1) % 3], s)) return true;
     return false;
 }
 
