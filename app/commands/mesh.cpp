@@ -217,7 +217,7 @@ Result<int> run_mesh(const MeshFlags& flags) {
     say(flags.surface, counted(written.evaluations, "evaluation", "evaluations") + " of the field in " +
                            rounded(written.mesh_s) + " s" + (written.streamed ? ", streamed to the disk" : ""));
     if (written.cut_loops > 0)
-        say(flags.surface, counted(written.cut_loops, "loop", "loops") + " that the tree has not cut");
+        say(flags.surface, "cut " + counted(written.cut_loops, "loop", "loops") + " that the tree does not have");
     warn_of_shape(flags, written, opened.session.marks.options.blend);
     report(flags, written, target.names.claims, load_s);
     return kDone;
