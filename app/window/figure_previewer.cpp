@@ -46,10 +46,6 @@ render::Sheet FigurePreviewer::small_sheet(glm::ivec2 size) const {
 }
 
 Result<render::Image> FigurePreviewer::drawn(glm::ivec2 size) {
-    if (!renderer_) {
-        RAMUS_TRY(made, render::Renderer::create());
-        renderer_ = std::move(made);
-    }
     render::SheetRenderer sheets(*renderer_);
     FigureOptions options = shown_->options;
     options.supersample = 1;
@@ -95,14 +91,21 @@ void FigurePreviewer::update() {
     const glm::ivec2 size = fitting(full, preview.most);
     Wanted wanted{small_sheet(size), preview.request.options, full};
     if (shown_ == wanted) return;
-    shown_ = std::move(wanted);
     state_.redraw();
+    if (!renderer_) { // takes about as long as a preview: in a frame of its own
+        if (auto made = render::Renderer::create()) {
+            renderer_ = std::move(*made);
+            return;
+        }
+    }
+    shown_ = std::move(wanted);
+    preview.texture = 0;
+    if (!renderer_) return;
     try {
         if (auto image = drawn(size)) return show(*image);
     } catch (const render::OutOfGraphicsMemory&) {
         renderer_.reset(); // the file is drawn elsewhere; the dialog goes without
     }
-    preview.texture = 0;
 }
 
 } // namespace ramus::app

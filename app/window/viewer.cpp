@@ -61,8 +61,9 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     // Of the picture that is there: where nothing else moves, this very frame shows what the pointer came to.
     input_.ask_pick();
     input_.take_pick();
-    previewer_.update(); // before its texture is used
     state_.did("pick");
+    previewer_.update(); // before its texture is used
+    state_.did("preview");
     build_interface();
     state_.did("interface");
     const bool drawn = picture_.draw(input_.dragging());
