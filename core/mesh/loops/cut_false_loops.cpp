@@ -29,6 +29,10 @@ std::int64_t half_characteristic(const TriangleMesh& mesh) {
     return (static_cast<std::int64_t>(std::ranges::count(used, 1)) - triangles / 2) / 2;
 }
 
+bool differs(const TriangleMesh& mesh, const Connectivity& asked) {
+    return half_characteristic(mesh) != asked.pieces - asked.loops;
+}
+
 // Whether an axis goes through a cap on a line.
 bool goes_around_vessel(std::span<const glm::dvec3> line, const tree::VesselTree& tree) {
     const std::vector<glm::uvec3> cap = spanning_triangles(line);
@@ -102,14 +106,13 @@ private:
 } // namespace
 
 bool has_other_loops(const TriangleMesh& mesh, const tree::VesselTree& tree) {
-    const Connectivity asked = connectivity_of(tree);
-    return half_characteristic(mesh) != asked.pieces - asked.loops;
+    return differs(mesh, connectivity_of(tree));
 }
 
 std::size_t cut_false_loops(TriangleMesh& mesh, const tree::VesselTree& tree, double memory_bytes, Job& job) {
-    if (!has_other_loops(mesh, tree)) return 0;
-    if (kBytesPerTriangle * static_cast<double>(mesh.triangles.size()) > memory_bytes) return 0;
     const Connectivity asked = connectivity_of(tree);
+    if (!differs(mesh, asked)) return 0;
+    if (kBytesPerTriangle * static_cast<double>(mesh.triangles.size()) > memory_bytes) return 0;
     std::size_t cut = 0;
     for (std::int64_t more = connectivity_of(mesh).loops - asked.loops; more > 0; --more, ++cut) {
         const SurfaceLoop loop = FalseLoop(mesh, tree, asked.loops == 0).find(job);

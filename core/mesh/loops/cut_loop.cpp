@@ -29,13 +29,12 @@ class Cut {
 public:
     Cut(TriangleMesh& mesh, const SurfaceLoop& loop)
         : mesh_(mesh), line_(loop.vertices), cap_(spanning_triangles(positions_of(mesh, loop))) {
-        const std::span<const std::uint32_t> line = line_;
-        for (const std::uint32_t v : line) around_[v];
+        for (const std::uint32_t v : line_) around_[v];
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
             for (int corner = 0; corner < 3; ++corner)
                 if (const auto at = around_.find(mesh.triangles[t][corner]); at != around_.end())
                     at->second.push_back(static_cast<std::uint32_t>(t));
-        for (std::size_t n = 0; n < line.size(); ++n)
+        for (std::size_t n = 0; n < line_.size(); ++n)
             for (std::size_t side = 0; side < kSides; ++side) rims_[side].push_back(rim(n, side));
     }
 

@@ -13,11 +13,6 @@ namespace {
 
 constexpr std::uint32_t kNoArcVertex = 0xFFFFFFFFU;
 
-bool has_one_vertex(const CellRecord& record) {
-    return record.walls == kNoWalls &&
-           std::ranges::all_of(record.loop_of, [](std::uint8_t loop) { return loop == kNoLoop || loop == 0; });
-}
-
 } // namespace
 
 void JoinedSubtree::write_triangles(const VertexSpan& vertices, std::uint64_t first_added,
@@ -145,11 +140,7 @@ EdgePolygons::Around EdgePolygons::same_level(std::uint32_t brick, const Edge& e
         return entry;
     }
     entry.recorded = surface_.is_recorded(brick, entry.cell);
-    entry.alone = true;
-    if (entry.recorded) {
-        const CellRecord& record = surface_.record(octree_.bricks[brick], brick, entry.cell);
-        entry.walled = record.walled, entry.alone = has_one_vertex(record);
-    }
+    entry.walled = entry.recorded && surface_.record(octree_.bricks[brick], brick, entry.cell).walled;
     entry.vertex = surface_.vertex(octree_.bricks[brick], brick, entry.cell, entry.crossing);
     return entry;
 }
@@ -173,11 +164,7 @@ EdgePolygons::Around EdgePolygons::coarser(std::uint32_t brick, const Edge& edge
         entry.vertex = SurfaceCells::kAbsent;
         return entry;
     }
-    entry.alone = true;
-    if (surface_.is_recorded(brick, entry.cell)) {
-        const CellRecord& record = surface_.record(other, brick, entry.cell);
-        entry.walled = record.walled, entry.alone = has_one_vertex(record);
-    }
+    entry.walled = surface_.is_recorded(brick, entry.cell) && surface_.record(other, brick, entry.cell).walled;
     entry.vertex = surface_.vertex(octree_.bricks[brick], brick, entry.cell, entry.crossing);
     return entry;
 }
@@ -217,24 +204,32 @@ glm::ivec3 EdgePolygons::low_corner(const Around& a) const {
     return brick.corner + glm::ivec3(a.cell & 3, a.cell >> 2 & 3, a.cell >> 4) * cell_units(a.level);
 }
 
+bool EdgePolygons::has_one_vertex(const Around& a) const {
+    if (!surface_.is_recorded(a.brick, a.cell)) return true;
+    const CellRecord& record = surface_.record(octree_.bricks[a.brick], a.brick, a.cell);
+    return record.walls == kNoWalls &&
+           std::ranges::all_of(record.loop_of, [](std::uint8_t loop) { return loop == kNoLoop || loop == 0; });
+}
+
 EdgePolygons::Polygon EdgePolygons::polygon_of(std::span<const Around> ring, bool open) const {
     Polygon polygon;
     polygon.walled = std::ranges::any_of(ring, &Around::walled);
     polygon.extra = polygon.walled;
     const bool any_arcs = std::ranges::any_of(ring, &Around::recorded);
-    const bool alone = polygon.walled && !open && std::ranges::all_of(ring, &Around::alone);
     for (std::size_t n = 0; n < ring.size(); ++n) {
         polygon.vertices[polygon.count++] = ring[n].vertex;
         if (!any_arcs || (open && n + 1 == ring.size())) continue;
         const Around& next = ring[(n + 1) % ring.size()];
         const std::uint32_t between = arc_vertex(ring[n], next);
         if (between == kNoArcVertex) {
-            polygon.may_fold = polygon.may_fold || (alone && ring[n].level != next.level);
+            polygon.may_fold = polygon.may_fold || (polygon.walled && !open && ring[n].level != next.level);
             continue;
         }
         polygon.vertices[polygon.count++] = between;
         polygon.extra = true;
     }
+    polygon.may_fold =
+        polygon.may_fold && std::ranges::all_of(ring, [this](const Around& a) { return has_one_vertex(a); });
     return polygon;
 }
 

@@ -76,7 +76,6 @@ private:
         std::int32_t place = 0;    // of four around the edge, the first that it takes
         bool recorded = false;
         bool walled = false; // the cell has walls
-        bool alone = false;  // it has one vertex
     };
 
     struct Ring {
@@ -99,6 +98,7 @@ private:
     [[nodiscard]] Around coarser(std::uint32_t brick, const Edge& edge, glm::ivec3 cell) const;
     [[nodiscard]] std::uint32_t arc_vertex(const Around& a, const Around& b) const;
     [[nodiscard]] glm::ivec3 low_corner(const Around& a) const;
+    [[nodiscard]] bool has_one_vertex(const Around& a) const; // its cell
     // Which diagonals of four cells may cut their polygon: from the first, from the second.
     [[nodiscard]] std::pair<bool, bool> diagonals_of(std::span<const Around> ring, const Edge& edge) const;
     // The polygon with the vertices of arcs between the cells. `extra`: it has such, or some cell has walls.
