@@ -31,51 +31,16 @@ Bounds<glm::vec3> box_around(const Link& link, double limit) {
 
 } // namespace
 
-LinkBoxes::Eight::Eight() {
-    for (auto& row : least) row.fill(kFar);
-    for (auto& row : most) row.fill(-kFar);
-}
-
-void LinkBoxes::Eight::set(std::size_t n, const Box& box) {
-    for (int axis = 0; axis < 3; ++axis) {
-        least[static_cast<std::size_t>(axis)][n] = box.least[axis];
-        most[static_cast<std::size_t>(axis)][n] = box.most[axis];
-    }
-}
-
-LinkBoxes::Box LinkBoxes::Eight::box(std::size_t n) const {
-    return {{least[0][n], least[1][n], least[2][n]}, {most[0][n], most[1][n], most[2][n]}};
-}
-
-LinkBoxes::Box LinkBoxes::Eight::around() const {
-    Box all;
-    for (std::size_t n = 0; n < kFan; ++n) all.hold(box(n));
-    return all;
-}
-
-unsigned LinkBoxes::Eight::meeting(const Box& box) const {
-    unsigned bits = 0;
-    for (std::size_t n = 0; n < kFan; ++n) {
-        bool meets = true; // no test depends on another: nothing to guess for a processor
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            meets &= least[axis][n] <= box.most[static_cast<int>(axis)];
-            meets &= most[axis][n] >= box.least[static_cast<int>(axis)];
-        }
-        bits |= static_cast<unsigned>(meets) << n;
-    }
-    return bits;
-}
-
 LinkBoxes::LinkBoxes(const Links& links, double limit) {
     std::vector<Box> boxes(links.all().size());
     tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t n) { boxes[n] = box_around(links[n], limit); });
     sort_by_place(boxes);
-    std::vector<Eight> level((boxes.size() + kFan - 1) / kFan);
+    std::vector<EightBoxes> level((boxes.size() + kFan - 1) / kFan);
     for (std::size_t n = 0; n < boxes.size(); ++n) level[n / kFan].set(n % kFan, boxes[order_[n]]);
     levels_.push_back(std::move(level));
     while (levels_.back().size() > 1) {
-        const std::vector<Eight>& below = levels_.back();
-        std::vector<Eight> above((below.size() + kFan - 1) / kFan);
+        const std::vector<EightBoxes>& below = levels_.back();
+        std::vector<EightBoxes> above((below.size() + kFan - 1) / kFan);
         for (std::size_t n = 0; n < below.size(); ++n) above[n / kFan].set(n % kFan, below[n].around());
         levels_.push_back(std::move(above));
     }

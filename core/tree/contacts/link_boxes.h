@@ -2,20 +2,18 @@
 // the next level. Boxes are in single precision and a little too large.
 #pragma once
 
-#include "core/base/bounds.h"
+#include "core/base/eight_boxes.h"
 #include "core/tree/contacts/links.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <vector>
 
 namespace ramus::tree {
 
 class LinkBoxes {
 public:
-    static constexpr std::size_t kFan = 8;
+    static constexpr std::size_t kFan = EightBoxes::kCount;
 
     // Links touch where their closeness is below `limit`.
     LinkBoxes(const Links& links, double limit);
@@ -32,24 +30,14 @@ public:
     }
 
 private:
-    using Box = Bounds<glm::vec3>;
-    // Side by side, so that they are tested by vectors.
-    struct Eight {
-        std::array<std::array<float, kFan>, 3> least, most;
-
-        Eight();
-        void set(std::size_t n, const Box& box);
-        [[nodiscard]] Box box(std::size_t n) const;
-        [[nodiscard]] Box around() const;
-        [[nodiscard]] unsigned meeting(const Box& box) const;
-    };
+    using Box = EightBoxes::Box;
 
     void sort_by_place(const std::vector<Box>& boxes);
     void descend(std::size_t level, std::size_t n, std::size_t leaf, const Box& box,
                  std::vector<std::uint32_t>& beside) const;
 
-    std::vector<std::uint32_t> order_;       // links in Morton order
-    std::vector<std::vector<Eight>> levels_; // the first: of links; the last: one
+    std::vector<std::uint32_t> order_;            // links in Morton order
+    std::vector<std::vector<EightBoxes>> levels_; // the first: of links; the last: one
 };
 
 } // namespace ramus::tree
