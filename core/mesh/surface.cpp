@@ -12,6 +12,7 @@
 #include "core/mesh/polygonize/feasible.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/systems.h"
+#include "core/mesh/untangle/untangle.h"
 #include "core/tree/curves.h"
 
 #include <algorithm>
@@ -150,7 +151,7 @@ Result<field::VesselField> feasible_field(const tree::VesselTree& source, const 
 }
 
 Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
-                     std::span<const std::uint8_t> hidden) {
+                     std::span<const std::uint8_t> hidden, bool untangled) {
     const Stopwatch watch;
     Surface surface;
     if (options.method == Method::kTruncatedCones) {
@@ -166,6 +167,11 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
             if (options.blend == Blend::kTree)
                 surface.statistics.cut_loops += cut_false_loops(mesh, visible_part(prepared, part).tree,
                                                                 polygonize_options(options).memory_bytes, job);
+            if (untangled && !job.cancelled()) {
+                const Untangled pairs = untangle(mesh, job);
+                surface.statistics.untangled.found += pairs.found;
+                surface.statistics.untangled.left += pairs.left;
+            }
             if (job.cancelled()) return fail("cancelled");
             if (surface.mesh.positions.size() + mesh.positions.size() > kMostVertices) return too_many_vertices();
             append(surface.mesh, std::move(mesh));
@@ -200,7 +206,13 @@ tl::unexpected<Error> empty_surface(double cell_mm) {
 Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                              std::span<const std::uint8_t> hidden) {
     if (auto takes = check_kernel(options); !takes) return tl::unexpected(takes.error());
-    return bounded(options.threads, at_memory_end, [&] { return make(source, options, job, hidden); });
+    return bounded(options.threads, at_memory_end, [&] { return make(source, options, job, hidden, false); });
+}
+
+Result<Surface> make_untangled_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
+                                       std::span<const std::uint8_t> hidden) {
+    if (auto takes = check_kernel(options); !takes) return tl::unexpected(takes.error());
+    return bounded(options.threads, at_memory_end, [&] { return make(source, options, job, hidden, true); });
 }
 
 bool asks_for_streaming(const tree::VesselTree& source, SurfaceOptions options, std::span<const std::uint8_t> hidden) {
@@ -231,7 +243,9 @@ Result<SurfaceStatistics> stream_surface(const tree::VesselTree& source, const S
             evaluations += statistics.evaluations;
         }
         if (counted.triangles() == 0) return empty_surface(options.cell_mm);
-        return SurfaceStatistics{evaluations, watch.seconds()};
+        SurfaceStatistics statistics;
+        statistics.evaluations = evaluations, statistics.seconds = watch.seconds();
+        return statistics;
     });
 }
 

@@ -8,6 +8,7 @@
 #include "core/mesh/method.h"
 #include "core/mesh/radii.h"
 #include "core/mesh/surface_sink.h"
+#include "core/mesh/untangle/untangle.h"
 #include "core/tree/prepare.h"
 
 #include <cstdint>
@@ -40,6 +41,7 @@ struct SurfaceStatistics {
     std::uint64_t evaluations = 0; // kernel evaluations, one per segment and point
     double seconds = 0.0;
     std::size_t cut_loops = 0; // that the tree has no cycle for (core/mesh/loops/cut_false_loops.h)
+    Untangled untangled;       // where it was asked for
 };
 
 struct Surface {
@@ -71,6 +73,10 @@ using tree::PreparedTree;
 // is cancelled (what == "cancelled").
 [[nodiscard]] Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                                            std::span<const std::uint8_t> hidden = {});
+// The same for files, which simulations and printers read: where it goes through itself within a few triangles, their
+// vertices are moved (core/mesh/untangle). Takes some more time, and makes no difference that can be seen.
+[[nodiscard]] Result<Surface> make_untangled_surface(const tree::VesselTree& source, const SurfaceOptions& options,
+                                                     Job& job, std::span<const std::uint8_t> hidden = {});
 
 // The error of a surface that has no triangle.
 [[nodiscard]] tl::unexpected<Error> empty_surface(double cell_mm);
@@ -79,8 +85,8 @@ using tree::PreparedTree;
 [[nodiscard]] bool asks_for_streaming(const tree::VesselTree& source, SurfaceOptions options,
                                       std::span<const std::uint8_t> hidden = {});
 
-// The same surface in parts, which `sink` takes as they are made; loops that the tree has not stay. Not of truncated
-// cones.
+// The same surface in parts, which `sink` takes as they are made; loops that the tree has not stay, and so does what
+// goes through itself. Not of truncated cones.
 [[nodiscard]] Result<SurfaceStatistics> stream_surface(const tree::VesselTree& source, const SurfaceOptions& options,
                                                        SurfaceSink& sink, Job& job,
                                                        std::span<const std::uint8_t> hidden = {});

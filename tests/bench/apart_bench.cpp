@@ -6,10 +6,10 @@
 // --tubes looks at pairs of straight tubes instead.
 //
 // Columns: triangles; seconds (not quiet); pieces and loops of the mesh and of the graph as smoothed, counted by
-// themselves; loops that were cut; pieces that are not one of the graph with its own loops; open edges; edges and
-// vertices that are no manifold; contacts, those of them whose axes cross (closeness below 0.005), and those whose axes
-// as good as cross (0.06); pairs of triangles that intersect, within two radii of the tubes of a contact's both
-// vessels, and elsewhere.
+// themselves; loops that were cut; pairs of triangles that intersected and were moved apart; pieces that are not one of
+// the graph with its own loops; open edges; edges and vertices that are no manifold; contacts, those of them whose axes
+// cross (closeness below 0.005), and those whose axes as good as cross (0.06); pairs of triangles that intersect,
+// within two radii of the tubes of a contact's both vessels, and elsewhere.
 #include "core/base/disjoint_sets.h"
 #include "core/field/apart/wall.h"
 #include "core/field/vessel_field.h"
@@ -42,6 +42,7 @@ namespace {
 struct ApartOptions {
     mesh::SurfaceOptions surface;
     bool intersections = true;
+    bool as_drawn = false;
     int most_places = 12;
 };
 
@@ -134,16 +135,16 @@ Intersections find_intersections(const mesh::TriangleMesh& mesh, const tree::Pre
 }
 
 void print_head() {
-    std::printf("%-26s %3s %2s %-5s %10s %7s  %13s  %13s %4s %5s %5s %5s  %5s %5s %5s  %6s %6s\n", "tree", "det", "sm",
-                "blend", "triangles", "s", "pieces m/g", "loops m/g", "cut", "wrong", "open", "nonm", "cont", "cross",
-                "near", "x-cont", "x-else");
+    std::printf("%-26s %3s %2s %-5s %10s %7s  %13s  %13s %4s %4s %5s %5s %5s  %5s %5s %5s  %6s %6s\n", "tree", "det",
+                "sm", "blend", "triangles", "s", "pieces m/g", "loops m/g", "cut", "mend", "wrong", "open", "nonm",
+                "cont", "cross", "near", "x-cont", "x-else");
 }
 
 // What was counted of one surface.
 struct Row {
     mesh::TriangleMesh mesh;
     double seconds = 0.0;
-    std::size_t cut = 0;
+    std::size_t cut = 0, mended = 0;
     tree::Contacts contacts;
     test::Topology topology;
     std::vector<test::MeshPiece> pieces;
@@ -162,10 +163,10 @@ void print(const std::string& name, const mesh::SurfaceOptions& options, const R
     };
     const test::Shape of_mesh = test::shape_of(row.pieces), of_graph = row.graph.shape();
     std::printf(
-        "%-26s %3d %2d %-5s %10zu %7.2f  %6ld/%-6ld  %6ld/%-6ld %4zu %5zu %5zu %5zu  %5zu %5ld %5ld  %6zu %6zu\n",
+        "%-26s %3d %2d %-5s %10zu %7.2f  %6ld/%-6ld  %6ld/%-6ld %4zu %4zu %5zu %5zu %5zu  %5zu %5ld %5ld  %6zu %6zu\n",
         name.c_str(), options.detail, options.smooth_passes, std::string(mesh::name_of(options.blend)).c_str(),
         row.mesh.triangles.size(), row.seconds, of_mesh.pieces, of_graph.pieces, of_mesh.loops, of_graph.loops, row.cut,
-        row.wrong.of_mesh.size() + row.wrong.of_graph.size(), row.topology.open_edges,
+        row.mended, row.wrong.of_mesh.size() + row.wrong.of_graph.size(), row.topology.open_edges,
         row.topology.repeated_edges + row.topology.split_vertices + row.topology.degenerate, row.contacts.list.size(),
         static_cast<long>(closer(0.005)), static_cast<long>(closer(0.06)), row.found.at_contacts, row.found.elsewhere);
 }
@@ -205,13 +206,15 @@ bool look_at(const std::string& name, const tree::VesselTree& tree, const ApartO
     row.contacts = tree::find_contacts(prepared, tree::limits_of_gaussian(options.surface.width));
     Result<mesh::Surface> surface;
     Job job;
-    row.seconds = seconds_of([&] { surface = mesh::make_surface(tree, options.surface, job); });
+    const auto make = options.as_drawn ? mesh::make_surface : mesh::make_untangled_surface;
+    row.seconds = seconds_of([&] { surface = make(tree, options.surface, job, {}); });
     if (!surface) {
         std::printf("%s: %s\n", name.c_str(), surface.error().message().c_str());
         return false;
     }
     row.mesh = std::move(surface->mesh);
     row.cut = surface->statistics.cut_loops;
+    row.mended = surface->statistics.untangled.found;
     row.topology = test::topology(row.mesh);
     row.pieces = test::pieces_of(row.mesh);
     row.graph = test::pieces_of(prepared);
@@ -330,6 +333,7 @@ int main(int argc, char** argv) {
     app.add_option("--contacts", contacts, "time the contacts of a grown tree of so many branches");
     app.add_option("--most", options.most_places, "places to print below a row (12)");
     app.add_flag("--tubes", tubes, "two straight tubes, crossing and parallel, 1:1 and 1:5, from close to touching");
+    app.add_flag("--as-drawn", options.as_drawn, "surfaces as in pictures: what intersects stays");
     app.add_flag("--quick", quick, "without intersections of triangles");
     app.add_flag("--open-ends-stay", open_ends_stay, "do not join open ends");
     CLI11_PARSE(app, argc, argv);

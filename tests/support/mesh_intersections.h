@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
-#include "tests/support/exact_triangles.h"
+#include "core/mesh/untangle/exact_triangles.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -106,7 +106,7 @@ struct IntersectingPair {
     tbb::enumerable_thread_specific<std::vector<IntersectingPair>> found;
     tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(mesh.triangles.size()), [&](std::uint32_t n) {
         tree.for_each_in(tree.box(n), [&](std::uint32_t other) {
-            if (other > n && triangles_meet(mesh.positions, mesh.triangles[n], mesh.triangles[other]))
+            if (other > n && mesh::triangles_meet(mesh.positions, mesh.triangles[n], mesh.triangles[other]))
                 found.local().push_back({n, other});
         });
     });

@@ -1,4 +1,5 @@
-// The tests' own answer to whether triangles meet: general places, and all the ways to touch.
+// Whether triangles meet: general places, and all the ways to touch.
+#include "core/mesh/untangle/exact_triangles.h"
 #include "tests/support/mesh_intersections.h"
 
 #include <algorithm>
@@ -25,14 +26,14 @@ bool meet_by(const Corners& a, const Corners& b, bool shared) {
             for (int j = 0; j < 3; ++j)
                 if (positions[static_cast<std::size_t>(3 + i)] == positions[static_cast<std::size_t>(j)])
                     second[i] = first[j];
-    const bool answer = triangles_meet(positions, first, second);
+    const bool answer = mesh::triangles_meet(positions, first, second);
     // Neither the order of the two nor that of their corners matters.
-    CHECK(triangles_meet(positions, second, first) == answer);
+    CHECK(mesh::triangles_meet(positions, second, first) == answer);
     for (int turn = 0; turn < 3; ++turn) {
         first = {first.y, first.z, first.x};
-        CHECK(triangles_meet(positions, first, second) == answer);
+        CHECK(mesh::triangles_meet(positions, first, second) == answer);
         second = {second.z, second.y, second.x};
-        CHECK(triangles_meet(positions, first, second) == answer);
+        CHECK(mesh::triangles_meet(positions, first, second) == answer);
         second = {second.y, second.z, second.x};
     }
     return answer;
@@ -122,17 +123,17 @@ TEST_CASE("signs of determinants are exact where doubles round") {
             const int x = (axis + 1) % 3, y = (axis + 2) % 3;
             const Exact det = d(b, x) * d(c, y) - d(b, y) * d(c, x);
             const int sign = det > 0 ? 1 : det < 0 ? -1 : 0;
-            CHECK(exact::turn(a, b, c, axis) == sign);
+            CHECK(mesh::exact::turn(a, b, c, axis) == sign);
             ++signs[static_cast<std::size_t>(sign + 1)];
         }
         // Any point is in one plane with three of a line, and with two others and itself.
-        CHECK(exact::side_of_plane(a, b, p, a) == 0);
-        CHECK(exact::side_of_plane(a, b, p, b) == 0);
-        CHECK(exact::side_of_plane(a, b, p, p) == 0);
-        const int side = exact::side_of_plane(a, b, c, p);
-        CHECK(exact::side_of_plane(b, a, c, p) == -side);
-        CHECK(exact::side_of_plane(b, c, a, p) == side);
-        CHECK(exact::side_of_plane(p, c, b, a) == -exact::side_of_plane(a, c, b, p));
+        CHECK(mesh::exact::side_of_plane(a, b, p, a) == 0);
+        CHECK(mesh::exact::side_of_plane(a, b, p, b) == 0);
+        CHECK(mesh::exact::side_of_plane(a, b, p, p) == 0);
+        const int side = mesh::exact::side_of_plane(a, b, c, p);
+        CHECK(mesh::exact::side_of_plane(b, a, c, p) == -side);
+        CHECK(mesh::exact::side_of_plane(b, c, a, p) == side);
+        CHECK(mesh::exact::side_of_plane(p, c, b, a) == -mesh::exact::side_of_plane(a, c, b, p));
     }
     CHECK(std::ranges::min(signs) > 0);
 }
@@ -154,7 +155,7 @@ TEST_CASE("which side of a plane a point is on is exact, as whole numbers tell")
             det += d(b, i) * (d(c, j) * d(p, k) - d(c, k) * d(p, j));
         }
         const int sign = det > 0 ? 1 : det < 0 ? -1 : 0;
-        CHECK(exact::side_of_plane(glm::vec3(a), glm::vec3(b), glm::vec3(c), glm::vec3(p)) == sign);
+        CHECK(mesh::exact::side_of_plane(glm::vec3(a), glm::vec3(b), glm::vec3(c), glm::vec3(p)) == sign);
         ++signs[static_cast<std::size_t>(sign + 1)];
     }
     CHECK(std::ranges::min(signs) > 50);
@@ -173,7 +174,7 @@ TEST_CASE("the tree of boxes finds the pairs that a look at all of them finds") 
     std::vector<IntersectingPair> all;
     for (std::uint32_t a = 0; a < 600; ++a)
         for (std::uint32_t b = a + 1; b < 600; ++b)
-            if (triangles_meet(mesh.positions, mesh.triangles[a], mesh.triangles[b])) all.push_back({a, b});
+            if (mesh::triangles_meet(mesh.positions, mesh.triangles[a], mesh.triangles[b])) all.push_back({a, b});
     CHECK(all.size() > 20);
     CHECK(intersecting_triangles(mesh) == all);
 }

@@ -1,18 +1,15 @@
-// Whether two triangles with corners in single precision meet, decided exactly: signs of determinants are found in
-// double precision where that is certain, and as sums of doubles without any rounding elsewhere. Triangles contain
-// their edges and corners. Corners that two of them share are told by number: such triangles meet there anyway, and
-// what is asked is whether they meet beyond. A triangle may have no area.
-#pragma once
+#include "core/mesh/untangle/exact_triangles.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <glm/vec3.hpp>
 #include <limits>
 #include <vector>
 
-namespace ramus::test {
+namespace ramus::mesh {
+
+namespace {
 
 // A number as a sum of doubles, of which none overlaps another: smallest first, without zeros (Shewchuk 1997).
 class ExactSum {
@@ -55,14 +52,13 @@ private:
     std::vector<double> terms_;
 };
 
+constexpr double kRounding = 0.5 * std::numeric_limits<double>::epsilon();
+
+} // namespace
+
 namespace exact {
 
-using Corner = glm::vec3;
-
-inline constexpr double kRounding = 0.5 * std::numeric_limits<double>::epsilon();
-
-// The sign of det(b - a, c - a, p - a): on which side of the plane through a, b and c the point is.
-inline int side_of_plane(const Corner& a, const Corner& b, const Corner& c, const Corner& p) {
+int side_of_plane(const Corner& a, const Corner& b, const Corner& c, const Corner& p) {
     const glm::dvec3 u = glm::dvec3(b) - glm::dvec3(a);
     const glm::dvec3 v = glm::dvec3(c) - glm::dvec3(a);
     const glm::dvec3 w = glm::dvec3(p) - glm::dvec3(a);
@@ -93,8 +89,7 @@ inline int side_of_plane(const Corner& a, const Corner& b, const Corner& c, cons
     return sum.sign();
 }
 
-// Seen along an axis: the sign of the turn from a over b to c.
-inline int turn(const Corner& a, const Corner& b, const Corner& c, int axis) {
+int turn(const Corner& a, const Corner& b, const Corner& c, int axis) {
     const int x = (axis + 1) % 3;
     const int y = (axis + 2) % 3;
     const auto at = [](const Corner& p, int i) { return static_cast<double>(p[i]); };
@@ -110,12 +105,18 @@ inline int turn(const Corner& a, const Corner& b, const Corner& c, int axis) {
     return sum.sign();
 }
 
-inline bool on_a_line(const Corner& a, const Corner& b, const Corner& c) {
+} // namespace exact
+
+namespace {
+
+using exact::Corner, exact::side_of_plane, exact::turn;
+
+bool on_a_line(const Corner& a, const Corner& b, const Corner& c) {
     return turn(a, b, c, 0) == 0 && turn(a, b, c, 1) == 0 && turn(a, b, c, 2) == 0;
 }
 
 // Seen along an axis.
-inline bool lines_meet_seen(const Corner& a, const Corner& b, const Corner& c, const Corner& d, int axis) {
+bool lines_meet_seen(const Corner& a, const Corner& b, const Corner& c, const Corner& d, int axis) {
     for (int i = 0; i < 3; ++i)
         if (i != axis && (std::max(a[i], b[i]) < std::min(c[i], d[i]) || std::max(c[i], d[i]) < std::min(a[i], b[i])))
             return false;
@@ -123,7 +124,7 @@ inline bool lines_meet_seen(const Corner& a, const Corner& b, const Corner& c, c
 }
 
 // The line from a to b and that from c to d.
-inline bool lines_meet(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
+bool lines_meet(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
     if (side_of_plane(a, b, c, d) != 0) return false;
     // Seen along one of the axes at least, no two places of their plane fall together.
     return lines_meet_seen(a, b, c, d, 0) && lines_meet_seen(a, b, c, d, 1) && lines_meet_seen(a, b, c, d, 2);
@@ -135,7 +136,7 @@ struct Triangle {
 };
 
 // Of a point in the triangle's plane; the triangle has an area.
-inline bool contains_in_plane(const Triangle& t, const Corner& p) {
+bool contains_in_plane(const Triangle& t, const Corner& p) {
     for (int axis = 0; axis < 3; ++axis) {
         const int whole = turn(t.at[0], t.at[1], t.at[2], axis);
         if (whole == 0) continue;
@@ -145,7 +146,7 @@ inline bool contains_in_plane(const Triangle& t, const Corner& p) {
     return true;
 }
 
-inline bool line_meets(const Corner& p, const Corner& q, const Triangle& t) {
+bool line_meets(const Corner& p, const Corner& q, const Triangle& t) {
     const auto& [a, b, c] = t.at;
     const int from = side_of_plane(a, b, c, p);
     const int to = side_of_plane(a, b, c, q);
@@ -160,8 +161,15 @@ inline bool line_meets(const Corner& p, const Corner& q, const Triangle& t) {
     return (first >= 0 && second >= 0 && third >= 0) || (first <= 0 && second <= 0 && third <= 0);
 }
 
+// Whether the corners of the one, but for so many that come first, are all on one side of the other's plane.
+bool is_beside(const Triangle& s, const Triangle& t, std::size_t first) {
+    int sum = 0;
+    for (std::size_t i = first; i < 3; ++i) sum += side_of_plane(t.at[0], t.at[1], t.at[2], s.at[i]);
+    return std::abs(sum) == static_cast<int>(3 - first);
+}
+
 // Whether the lines from a corner to two others run in one direction.
-inline bool same_direction(const Corner& from, const Corner& a, const Corner& b) {
+bool same_direction(const Corner& from, const Corner& a, const Corner& b) {
     if (!on_a_line(from, a, b)) return false;
     for (int i = 0; i < 3; ++i)
         if ((a[i] > from[i] && b[i] > from[i]) || (a[i] < from[i] && b[i] < from[i])) return true;
@@ -169,7 +177,7 @@ inline bool same_direction(const Corner& from, const Corner& a, const Corner& b)
 }
 
 // Whether the line from the first corner to p has more of the triangle than that corner.
-inline bool line_from_corner_meets(const Corner& p, const Triangle& t) {
+bool line_from_corner_meets(const Corner& p, const Triangle& t) {
     const auto& [corner, c, d] = t.at;
     if (t.flat()) return same_direction(corner, p, c) || same_direction(corner, p, d);
     if (p == corner || side_of_plane(corner, c, d, p) != 0) return false;
@@ -178,14 +186,15 @@ inline bool line_from_corner_meets(const Corner& p, const Triangle& t) {
 
 // Two that share their first corner. Where they have more in common, they have a line from there, which ends in the far
 // side of one of them.
-inline bool meet_beyond_corner(const Triangle& s, const Triangle& t) {
+bool meet_beyond_corner(const Triangle& s, const Triangle& t) {
+    if (is_beside(s, t, 1) || is_beside(t, s, 1)) return false;
     if (s.flat()) return line_from_corner_meets(s.at[1], t) || line_from_corner_meets(s.at[2], t);
     if (t.flat()) return meet_beyond_corner(t, s);
     return line_meets(s.at[1], s.at[2], t) || line_meets(t.at[1], t.at[2], s);
 }
 
 // Two that share their first two corners: one lies on the other.
-inline bool meet_beyond_edge(const Triangle& s, const Triangle& t) {
+bool meet_beyond_edge(const Triangle& s, const Triangle& t) {
     const auto& [a, b, c] = s.at;
     const Corner& d = t.at[2];
     if (s.flat() && t.flat()) return same_direction(a, c, d) || same_direction(b, c, d);
@@ -194,17 +203,16 @@ inline bool meet_beyond_edge(const Triangle& s, const Triangle& t) {
     return side_of_plane(a, b, c, d) == 0 && !s.flat() && !t.flat();
 }
 
-inline bool meet(const Triangle& s, const Triangle& t) {
+bool meet(const Triangle& s, const Triangle& t) {
+    if (is_beside(s, t, 0) || is_beside(t, s, 0)) return false;
     for (std::size_t i = 0; i < 3; ++i)
         if (line_meets(s.at[i], s.at[(i + 1) % 3], t) || line_meets(t.at[i], t.at[(i + 1) % 3], s)) return true;
     return false;
 }
 
-} // namespace exact
+} // namespace
 
-// Triangles of one mesh: numbers of their corners, and where those are. One that is there twice meets itself.
-template <class Positions>
-[[nodiscard]] bool triangles_meet(const Positions& positions, const glm::uvec3& s, const glm::uvec3& t) {
+bool triangles_meet(std::span<const glm::vec3> positions, const glm::uvec3& s, const glm::uvec3& t) {
     // Shared corners first, in the same order.
     std::array<std::uint32_t, 3> first{}, second{};
     int shared = 0;
@@ -225,18 +233,18 @@ template <class Positions>
         if (!taken_t[static_cast<std::size_t>(i)]) second[rest_t++] = t[i];
     }
     const auto triangle = [&](const std::array<std::uint32_t, 3>& corners) {
-        return exact::Triangle{{positions[corners[0]], positions[corners[1]], positions[corners[2]]}};
+        return Triangle{{positions[corners[0]], positions[corners[1]], positions[corners[2]]}};
     };
     switch (shared) {
     case 0:
-        return exact::meet(triangle(first), triangle(second));
+        return meet(triangle(first), triangle(second));
     case 1:
-        return exact::meet_beyond_corner(triangle(first), triangle(second));
+        return meet_beyond_corner(triangle(first), triangle(second));
     case 2:
-        return exact::meet_beyond_edge(triangle(first), triangle(second));
+        return meet_beyond_edge(triangle(first), triangle(second));
     default:
         return true;
     }
 }
 
-} // namespace ramus::test
+} // namespace ramus::mesh

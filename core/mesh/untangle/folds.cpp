@@ -1,0 +1,74 @@
+#include "core/mesh/untangle/folds.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <span>
+#include <utility>
+
+namespace ramus::mesh {
+
+namespace {
+
+using Lists = tbb::enumerable_thread_specific<std::vector<std::uint32_t>>;
+
+std::vector<std::uint32_t> put_together(const Lists& lists) {
+    std::vector<std::uint32_t> all;
+    for (const std::vector<std::uint32_t>& some : lists) all.insert(all.end(), some.begin(), some.end());
+    std::ranges::sort(all);
+    return all;
+}
+
+bool faces_away(const TriangleMesh& mesh, const glm::uvec3& t) {
+    const glm::vec3 a = mesh.positions[t.x], b = mesh.positions[t.y], c = mesh.positions[t.z];
+    const glm::vec3 area = glm::cross(b - a, c - a);
+    bool away = false; // no test depends on another
+    for (int corner = 0; corner < 3; ++corner) away |= glm::dot(area, mesh.normals[t[corner]]) <= 0.0F;
+    return away;
+}
+
+std::vector<std::uint32_t> at_corners_of(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles) {
+    std::vector<std::uint8_t> marked(mesh.positions.size(), 0); // no bits: several threads read them
+    for (const std::uint32_t n : triangles)
+        for (int corner = 0; corner < 3; ++corner) marked[mesh.triangles[n][corner]] = 1;
+    Lists found;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.triangles.size()), [&](const auto& range) {
+        std::vector<std::uint32_t>& mine = found.local();
+        for (std::size_t n = range.begin(); n < range.end(); ++n) {
+            const glm::uvec3& t = mesh.triangles[n];
+            if ((marked[t.x] | marked[t.y] | marked[t.z]) != 0) mine.push_back(static_cast<std::uint32_t>(n));
+        }
+    });
+    return put_together(found);
+}
+
+} // namespace
+
+Folds find_folds(const TriangleMesh& mesh) {
+    constexpr std::size_t kGroup = TriangleBoxes::kGroup, kEight = EightBoxes::kCount;
+    const std::size_t count = mesh.triangles.size();
+    TriangleBoxes::Groups groups((count + kGroup * kEight - 1) / (kGroup * kEight));
+    Lists folded;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups.size()), [&](const auto& range) {
+        std::vector<std::uint32_t>& mine = folded.local();
+        for (std::size_t eight = range.begin(); eight < range.end(); ++eight) {
+            groups[eight] = EightBoxes();
+            for (std::size_t group = 0; group < kEight; ++group) {
+                const std::size_t first = kGroup * (kEight * eight + group);
+                TriangleBox box;
+                for (std::size_t n = first; n < std::min(first + kGroup, count); ++n) {
+                    box.hold(box_of(mesh, mesh.triangles[n]));
+                    if (faces_away(mesh, mesh.triangles[n])) mine.push_back(static_cast<std::uint32_t>(n));
+                }
+                groups[eight].set(group, box);
+            }
+        }
+    });
+    std::vector<std::uint32_t> triangles = put_together(folded);
+    if (!triangles.empty()) triangles = at_corners_of(mesh, triangles);
+    return {std::move(triangles), TriangleBoxes(mesh, std::move(groups))};
+}
+
+} // namespace ramus::mesh

@@ -1,0 +1,93 @@
+#include "core/mesh/untangle/untangle.h"
+
+#include "core/mesh/untangle/exact_triangles.h"
+#include "core/mesh/untangle/folds.h"
+#include "core/mesh/untangle/patches.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+
+namespace ramus::mesh {
+
+namespace {
+
+constexpr int kRounds = 32;       // some in most surfaces, 20 where vessels are packed
+constexpr float kStep = 0.5F;     // of the way to the middle of the neighbours
+constexpr float kFarthest = 0.5F; // of the vessel's radius, that a vertex moves
+
+// Of a surface's triangles, pairs of which at least one is at a fold, ascending.
+std::vector<TrianglePair> meeting_at_folds(const TriangleMesh& mesh, const Folds& folds) {
+    tbb::enumerable_thread_specific<std::vector<TrianglePair>> found;
+    tbb::parallel_for(std::size_t{0}, folds.triangles.size(), [&](std::size_t at) {
+        const std::uint32_t n = folds.triangles[at];
+        folds.boxes.for_each_in(box_of(mesh, mesh.triangles[n]), [&](std::uint32_t other) {
+            if (other != n && triangles_meet(mesh.positions, mesh.triangles[n], mesh.triangles[other]))
+                found.local().push_back({std::min(n, other), std::max(n, other)});
+        });
+    });
+    std::vector<TrianglePair> pairs;
+    for (const std::vector<TrianglePair>& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
+    std::ranges::sort(pairs);
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
+// The vertices of pairs, ascending.
+std::vector<std::uint32_t> vertices_of(const Patches& patches, std::span<const TrianglePair> pairs) {
+    std::vector<std::uint32_t> vertices;
+    for (const TrianglePair& pair : pairs)
+        for (const std::uint32_t n : {pair.first, pair.second})
+            for (int corner = 0; corner < 3; ++corner) vertices.push_back(patches.triangles[n][corner]);
+    std::ranges::sort(vertices);
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+}
+
+void draw_smooth(Patches& patches, std::span<const std::uint32_t> moving, const TriangleMesh& mesh) {
+    const std::vector<glm::vec3> before = patches.positions;
+    for (const std::uint32_t vertex : moving) {
+        if (patches.has_all[vertex] == 0) continue;
+        const std::span<const std::uint32_t> neighbours = patches.neighbours.of(vertex);
+        glm::vec3 middle(0.0F);
+        for (const std::uint32_t other : neighbours) middle += before[other] / static_cast<float>(neighbours.size());
+        const glm::vec3 to = glm::mix(before[vertex], middle, kStep);
+        const std::uint32_t in_mesh = patches.vertices[vertex];
+        if (glm::distance(to, mesh.positions[in_mesh]) < kFarthest * mesh.radii[in_mesh])
+            patches.positions[vertex] = to;
+    }
+}
+
+// What meets after vertices have moved: nothing else had met before.
+std::vector<TrianglePair> meeting_at(const Patches& patches, std::span<const std::uint32_t> moved) {
+    std::vector<std::uint8_t> is_moved(patches.vertices.size(), 0), asked;
+    for (const std::uint32_t vertex : moved) is_moved[vertex] = 1;
+    asked.reserve(patches.triangles.size());
+    for (const glm::uvec3& t : patches.triangles) asked.push_back(is_moved[t.x] | is_moved[t.y] | is_moved[t.z]);
+    return meeting_triangles(patches.positions, patches.triangles, asked);
+}
+
+} // namespace
+
+Untangled untangle(TriangleMesh& mesh, Job& job) {
+    const Folds folds = find_folds(mesh);
+    const std::vector<TrianglePair> found = meeting_at_folds(mesh, folds);
+    if (found.empty()) return {};
+    Patches patches = patches_around(mesh, folds.boxes, found);
+    std::vector<TrianglePair> pairs = patches.pairs;
+    std::vector<glm::vec3> best = patches.positions;
+    std::size_t least = pairs.size();
+    for (int round = 0; round < kRounds && least > 0; ++round) {
+        if (job.cancelled()) return {found.size(), found.size()};
+        const std::vector<std::uint32_t> moving = vertices_of(patches, pairs);
+        draw_smooth(patches, moving, mesh);
+        pairs = meeting_at(patches, moving);
+        if (pairs.size() < least) least = pairs.size(), best = patches.positions;
+    }
+    for (std::size_t n = 0; n < best.size(); ++n) mesh.positions[patches.vertices[n]] = best[n];
+    return {found.size(), least};
+}
+
+} // namespace ramus::mesh

@@ -1,0 +1,20 @@
+// Untangling: a surface that goes through itself here and there, within a few triangles, is drawn smooth there until it
+// does not. So it bounds a solid that simulations can take.
+#pragma once
+
+#include "core/base/job.h"
+#include "core/mesh/triangle_mesh.h"
+
+namespace ramus::mesh {
+
+struct Untangled {
+    std::size_t found = 0; // pairs of triangles that met beyond the corners that they share
+    std::size_t left = 0;  // of these, and of what has come to meet
+};
+
+// Looks for triangles that meet, near folds (folds.h), and moves their vertices toward the middle of their neighbours
+// until none meet, at most by half of the vessel's radius; normals stay. Where that does not help in some rounds, what
+// met least stays. Of a closed surface with normals and radii. If cancelled, the surface is as it was.
+Untangled untangle(TriangleMesh& mesh, Job& job);
+
+} // namespace ramus::mesh
