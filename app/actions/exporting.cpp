@@ -50,7 +50,7 @@ Result<Continuation> write_surface_of(const SurfaceWork& work, Job& job) {
         if (auto written = stream(work, job); !written) return tl::unexpected(written.error());
         return has_written(work.wanted.file, sentence);
     }
-    RAMUS_TRY(surface, mesh::make_surface(*work.tree, work.options, job, work.hidden));
+    RAMUS_TRY(surface, mesh::make_untangled_surface(*work.tree, work.options, job, work.hidden));
     std::string printing;
     if (work.wanted.for_printing) {
         if (auto closed = mesh::check_closed(surface.mesh, work.wanted.file.string()); !closed)

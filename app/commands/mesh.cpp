@@ -134,6 +134,13 @@ void warn_of_shape(const MeshFlags& flags, const WrittenSurface& written, mesh::
               << '\n';
 }
 
+void warn_of_intersections(const MeshFlags& flags, const WrittenSurface& written) {
+    if (written.untangled.left == 0) return;
+    std::cerr << "ramus: " << flags.output << ": "
+              << counted(written.untangled.left, "pair of triangles goes", "pairs of triangles go")
+              << " through each other; another --detail may have none\n";
+}
+
 void report(const MeshFlags& flags, const WrittenSurface& written, const tree::Claims& claims, double load_s) {
     warn_of_lost(flags, written);
     if (flags.json) {
@@ -144,6 +151,8 @@ void report(const MeshFlags& flags, const WrittenSurface& written, const tree::C
             figures["tree"] = {{"components", written.tree_shape->pieces}, {"loops", written.tree_shape->loops}};
         }
         if (written.cut_loops > 0) figures["cut_loops"] = written.cut_loops;
+        if (written.untangled.found > 0)
+            figures["intersections"] = {{"found", written.untangled.found}, {"left", written.untangled.left}};
         if (!flags.mask.iso) figures["evaluations"] = written.evaluations;
         figures.update({{"units", claims.unit_word()}, {"orientation", claims.axes_word()}});
         figures.update({{"load_s", load_s}, {"mesh_s", written.mesh_s}, {"write_s", written.write_s}});
@@ -218,6 +227,11 @@ Result<int> run_mesh(const MeshFlags& flags) {
                            rounded(written.mesh_s) + " s" + (written.streamed ? ", streamed to the disk" : ""));
     if (written.cut_loops > 0)
         say(flags.surface, "cut " + counted(written.cut_loops, "loop", "loops") + " that the tree does not have");
+    if (written.untangled.found > 0)
+        say(flags.surface, "moved vertices where " +
+                               counted(written.untangled.found, "pair of triangles", "pairs of triangles") +
+                               " went through each other");
+    warn_of_intersections(flags, written);
     warn_of_shape(flags, written, opened.session.marks.options.blend);
     report(flags, written, target.names.claims, load_s);
     return kDone;

@@ -93,11 +93,12 @@ Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::S
         return write_streamed(tree, options, hidden, target.file);
     }
     Stopwatch watch;
-    const auto make = [&](Job& job) { return mesh::make_surface(tree, options, job, hidden); };
+    const auto make = [&](Job& job) { return mesh::make_untangled_surface(tree, options, job, hidden); };
     RAMUS_TRY(surface, with_progress("surface", make, kNothingWritten));
     WrittenSurface written;
     written.evaluations = surface.statistics.evaluations;
     written.cut_loops = surface.statistics.cut_loops;
+    written.untangled = surface.statistics.untangled;
     mesh::SeenBranches seen(tree.branches.size());
     seen.add(surface.mesh.branches);
     written.lost_pieces = mesh::lost_pieces(tree, hidden, seen);

@@ -1,5 +1,5 @@
 // A tree's surface, made and written: as a whole, or streamed to the disk when it is more than memory holds. The file
-// is the same either way.
+// is the same either way, but for the places where a whole one is mended (make_untangled_surface()).
 #pragma once
 
 #include "core/base/error.h"
@@ -22,6 +22,7 @@ struct WrittenSurface {
     // Of the tree's branches that are on a closed surface of it: what that has to be like.
     std::optional<mesh::Connectivity> tree_shape;
     std::size_t cut_loops = 0; // that the tree has not
+    mesh::Untangled untangled; // pairs of triangles that met
     bool streamed = false;
     std::vector<std::vector<int>> lost_pieces; // of the tree, by branch: not on the surface (core/mesh/lost_pieces.h)
     double mesh_s = 0.0, write_s = 0.0;

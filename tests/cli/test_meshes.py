@@ -129,5 +129,17 @@ class PrintingTest(CommandLineTest):
         self.assertEqual(figures["thin"], [])
 
 
+class IntersectionsTest(CommandLineTest):
+    def test_no_triangle_goes_through_another_one(self):
+        self.expect_done("grow", "-o", "tree.swc", "--branches", "100")
+        figures = self.json("mesh", "tree.swc", "-o", "m.stl", "--detail", "6", "--json")
+        self.assertGreater(figures["intersections"]["found"], 0)
+        self.assertEqual(figures["intersections"]["left"], 0)
+        done = self.expect_done("mesh", "tree.swc", "-o", "m.stl", "--detail", "6", "--verbose")
+        self.assertIn("went through each other", done.stderr)
+        self.write("tube.swc", TUBE)
+        self.assertNotIn("intersections", self.json("mesh", "tube.swc", "-o", "m.stl", "--json"))
+
+
 if __name__ == "__main__":
     unittest.main()
