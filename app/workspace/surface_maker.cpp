@@ -19,8 +19,7 @@ namespace ramus::app {
 namespace {
 
 constexpr int kPreviewDetail = 6;
-constexpr std::size_t kGivesBackFrom = 10'000'000; // triangles: it takes a fraction of a second
-constexpr std::uint64_t kPreviewFrom = 150'000;    // triangles: below, even a software rasteriser keeps up
+constexpr std::uint64_t kPreviewFrom = 150'000; // triangles: below, even a software rasteriser keeps up
 
 } // namespace
 
@@ -183,7 +182,7 @@ Result<void> SurfaceMaker::follow_one(Followed& followed, const field::VesselFie
     const mesh::SurfaceEdit edit = polygonizer.take_edit();
     const mesh::TriangleMesh& slots = polygonizer.slots();
     // What polygonizing worked in is as large as its pages: they shall not come beside it.
-    if (edit.whole && slots.triangles.size() >= kGivesBackFrom) release_unused_memory();
+    if (edit.whole && slots.triangles.size() >= kWorthReleasing) release_unused_memory();
     if (!followed.mesh)
         followed.mesh = paged(slots, *tree_);
     else if (edit.whole || !edit.vertices.empty() || !edit.triangles.empty())

@@ -1,6 +1,7 @@
 #include "app/workspace/validation_maker.h"
 
 #include "app/workspace/compared_surfaces.h"
+#include "core/base/memory.h"
 #include "core/field/kernel.h"
 
 #include <memory>
@@ -14,6 +15,14 @@ validate::ValidationOptions how_to_validate(const mesh::SurfaceOptions& options)
     return {options.smooth_passes, mesh::kernel_of(options).limits, options.threads};
 }
 
+// Where steps end, as shares of the work (of a tree of 30,000 branches).
+struct Steps {
+    explicit Steps(bool with_mask) {
+        if (with_mask) looked = 0.4F, cones = 0.7F;
+    }
+    float made = 0.1F, looked = 0.55F, cones = 1.0F;
+};
+
 Result<std::vector<double>> radii_of(const ValidationOf& of, const validate::Validation& found, Compared kind,
                                      Job& job) {
     ComparedRequest request;
@@ -23,9 +32,10 @@ Result<std::vector<double>> radii_of(const ValidationOf& of, const validate::Val
     request.mask = of.mask;
     request.units = of.mask_units;
     request.labels = of.labels;
-    RAMUS_TRY(other, compared_mesh(*of.tree, request, job));
+    Job making(job, 0.0F, 0.1F), looking(job, 0.1F, 1.0F);
+    RAMUS_TRY(other, compared_mesh(*of.tree, request, making));
     if (other.mesh.triangles.empty()) return fail("there is no surface in it", of.mask);
-    return validate::radii_in(other.mesh, found.radii, how_to_validate(of.options), job);
+    return validate::radii_in(other.mesh, found.radii, how_to_validate(of.options), looking);
 }
 
 } // namespace
@@ -33,22 +43,32 @@ Result<std::vector<double>> radii_of(const ValidationOf& of, const validate::Val
 Result<TreeValidation> make_validation(const ValidationOf& of, Job& job) {
     TreeValidation made;
     made.of = of;
-    RAMUS_TRY(surface, mesh::make_surface(*of.tree, of.options, job));
-    RAMUS_TRY(found, validate::validate(*of.tree, surface.mesh, how_to_validate(of.options), job));
+    const Steps steps(!of.mask.empty());
+    Job making(job, 0.0F, steps.made), looking(job, steps.made, steps.looked);
+    RAMUS_TRY(surface, mesh::make_surface(*of.tree, of.options, making));
+    surface.mesh.radii = {}; // nobody asks for these, and of millions of vertices they are large
+    surface.mesh.branches = {};
+    const bool large = surface.mesh.triangles.size() >= kWorthReleasing;
+    if (large) release_unused_memory();
+    RAMUS_TRY(found, validate::validate(*of.tree, surface.mesh, how_to_validate(of.options), looking));
     const bool cones = of.options.method == mesh::Method::kTruncatedCones;
     if (!cones) found.shape = validate::shape_of(*of.tree, surface.mesh);
     surface.mesh = {};
+    if (large) release_unused_memory();
     if (!cones) {
-        RAMUS_TRY(radii, radii_of(of, found, Compared::kTruncatedCones, job));
+        Job of_cones(job, steps.looked, steps.cones);
+        RAMUS_TRY(radii, radii_of(of, found, Compared::kTruncatedCones, of_cones));
         made.cones_mm = std::move(radii);
     }
     if (!of.mask.empty()) {
-        auto radii = radii_of(of, found, Compared::kIsosurface, job);
+        Job of_mask(job, steps.cones, 1.0F);
+        auto radii = radii_of(of, found, Compared::kIsosurface, of_mask);
         if (radii)
             made.mask_mm = std::move(*radii);
         else
             made.mask_trouble = radii.error().message();
     }
+    if (large) release_unused_memory();
     if (job.cancelled()) return fail("cancelled");
     made.findings = std::make_shared<const std::vector<Finding>>(findings_of(found));
     made.found = std::make_shared<const validate::Validation>(std::move(found));

@@ -8,14 +8,26 @@ namespace ramus {
 
 class Job {
 public:
+    Job() = default;
+    // A step of another job, which outlives it, for what takes a Job: its progress is this part of the other's, and it
+    // is cancelled with it.
+    Job(Job& whole, float begin, float end) : whole_(&whole), begin_(begin), share_(end - begin) {}
+
     // Fraction of the whole job that is done, 0 to 1.
-    void report(float fraction) { progress_.store(fraction, std::memory_order_relaxed); }
+    void report(float fraction) {
+        progress_.store(fraction, std::memory_order_relaxed);
+        if (whole_ != nullptr) whole_->report(begin_ + share_ * fraction);
+    }
     [[nodiscard]] float progress() const { return progress_.load(std::memory_order_relaxed); }
 
     void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
-    [[nodiscard]] bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+    [[nodiscard]] bool cancelled() const {
+        return cancelled_.load(std::memory_order_relaxed) || (whole_ != nullptr && whole_->cancelled());
+    }
 
 private:
+    Job* whole_ = nullptr;
+    float begin_ = 0.0F, share_ = 1.0F;
     std::atomic<float> progress_{0.0F};
     std::atomic<bool> cancelled_{false};
 };

@@ -1,6 +1,7 @@
 // How much memory may be used, and how much of it this process has. In bytes.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -14,7 +15,9 @@ namespace ramus {
 // "the surface takes 12 MB of memory; 5 MB are left to it"
 [[nodiscard]] std::string takes_too_much(std::string_view what, double bytes, double left);
 
-// Gives back to the system what is kept for arrays to come (large_array.h).
+// Gives back to the system what is kept for arrays to come (large_array.h). It takes a fraction of a second, which work
+// on so many triangles is worth.
 void release_unused_memory();
+inline constexpr std::size_t kWorthReleasing = 10'000'000;
 
 } // namespace ramus

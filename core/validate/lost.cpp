@@ -47,34 +47,40 @@ bool is_aside(const Reference& reference, const Probe& probe, const Place& place
 // Within another vessel, where nobody can tell whether this one is there, too.
 bool is_covered(const Place& place) { return place.beside < 1.0; }
 
+// Whether all that is so long about `at` lies within the joint's reach.
+bool reaches(const MovedJoint& joint, const glm::dvec3& at, double length_mm) {
+    return glm::distance(at, joint.at) + 0.5 * length_mm <= joint.reach;
+}
+
 } // namespace
 
 std::vector<MovedJoint> moved_joints(const Reference& reference, std::span<const LostStretch> lost) {
+    if (lost.empty()) return {};
     const tree::VesselTree& tree = reference.prepared().tree;
+    std::vector<double> beside(tree.points.size(), 0.0); // mm from a branch's end to the farthest point next to it
+    const auto take = [&](std::uint32_t end, std::uint32_t next) {
+        beside[end] = std::max(beside[end], glm::distance(tree.points[end].position, tree.points[next].position));
+    };
+    for (const tree::Branch& branch : tree.branches) {
+        take(branch.points.front(), branch.points[1]);
+        take(branch.points.back(), branch.points[branch.points.size() - 2]);
+    }
     std::vector<MovedJoint> joints;
-    for (const LostStretch& one : lost) {
+    for (std::size_t n = 0; n < lost.size(); ++n) {
+        const LostStretch& one = lost[n];
         const tree::Branch& branch = tree.branches[static_cast<std::size_t>(one.lost.branch)];
         for (const auto& [point, is_gone] :
              {std::pair{branch.points.front(), one.from <= 0.0},
-              std::pair{branch.points.back(), one.to >= tree::length_mm(tree, branch) * (1.0 - 1e-9)}}) {
-            if (!is_gone) continue;
-            MovedJoint joint{tree.points[point].position, 0.0};
-            for (const tree::Branch& other : tree.branches)
-                for (const bool at_end : {false, true}) {
-                    if ((at_end ? other.points.back() : other.points.front()) != point) continue;
-                    const std::uint32_t next = at_end ? other.points[other.points.size() - 2] : other.points[1];
-                    joint.reach = std::max(joint.reach, glm::distance(joint.at, tree.points[next].position));
-                }
-            joint.reach = joint.reach * reference.smooth_passes() + kOwn * tree.points[point].radius;
-            joints.push_back(joint);
-        }
+              std::pair{branch.points.back(), one.to >= tree::length_mm(tree, branch) * (1.0 - 1e-9)}})
+            if (is_gone)
+                joints.push_back({tree.points[point].position,
+                                  beside[point] * reference.smooth_passes() + kOwn * tree.points[point].radius, n});
     }
     return joints;
 }
 
 bool is_moved(std::span<const MovedJoint> joints, const glm::dvec3& at, double length_mm) {
-    return std::ranges::any_of(
-        joints, [&](const MovedJoint& joint) { return glm::distance(at, joint.at) + 0.5 * length_mm <= joint.reach; });
+    return std::ranges::any_of(joints, [&](const MovedJoint& joint) { return reaches(joint, at, length_mm); });
 }
 
 std::vector<LostStretch> lost_stretches(const Reference& reference, const Probe& probe,
@@ -110,13 +116,17 @@ std::vector<LostStretch> lost_stretches(const Reference& reference, const Probe&
         }
     }
     // Of stretches at one joint, the longest is what is lost.
+    const std::vector<MovedJoint> joints = moved_joints(reference, found);
     std::vector<LostStretch> kept;
     for (const LostStretch& one : found) {
-        std::vector<LostStretch> longer;
-        std::ranges::copy_if(found, std::back_inserter(longer), [&](const LostStretch& other) {
-            return other.lost.branch != one.lost.branch && other.lost.length_mm > one.lost.length_mm;
-        });
-        if (!is_moved(moved_joints(reference, longer), one.lost.at, one.lost.length_mm)) kept.push_back(one);
+        const auto is_of_longer = [&](const MovedJoint& joint) {
+            const Lost& other = found[joint.of].lost;
+            return other.branch != one.lost.branch && other.length_mm > one.lost.length_mm;
+        };
+        if (std::ranges::none_of(joints, [&](const MovedJoint& joint) {
+                return is_of_longer(joint) && reaches(joint, one.lost.at, one.lost.length_mm);
+            }))
+            kept.push_back(one);
     }
     return kept;
 }

@@ -1,6 +1,7 @@
 #include "core/validate/probe.h"
 
 #include "core/base/infinity.h"
+#include "core/base/memory.h"
 #include "core/validate/reference.h"
 
 #include <algorithm>
@@ -27,6 +28,8 @@ constexpr std::array<glm::dvec3, 5> kWindingRays{{{0.8506508083520400, 0.4472135
 
 Probe::Probe(const mesh::TriangleMesh& surface, std::span<const Place> places)
     : surface_(surface), triangles_(surface) {
+    // What packing worked in shall not stay beside what follows.
+    if (surface.triangles.size() >= kWorthReleasing) release_unused_memory();
     glm::dvec3 least(kInfinity), most(-kInfinity);
     for (const glm::vec3& position : surface.positions) {
         least = glm::min(least, glm::dvec3(position));

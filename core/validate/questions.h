@@ -5,6 +5,7 @@
 #include "core/validate/reference.h"
 #include "core/validate/validation.h"
 
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <vector>
@@ -26,6 +27,7 @@ struct LostStretch {
 struct MovedJoint {
     glm::dvec3 at{0.0};
     double reach = 0.0;
+    std::size_t of = 0; // the stretch, by its number
 };
 [[nodiscard]] std::vector<MovedJoint> moved_joints(const Reference& reference, std::span<const LostStretch> lost);
 [[nodiscard]] bool is_moved(std::span<const MovedJoint> joints, const glm::dvec3& at, double length_mm);

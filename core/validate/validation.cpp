@@ -17,7 +17,9 @@ namespace {
 constexpr double kReach = 4.0;   // of the rays across, in radii
 constexpr double kFromEnd = 1.5; // radii: nearer to a free end, the surface closes
 
-std::vector<CrossSection> sections_at(const std::vector<Place>& places, const Probe& probe) {
+// In stretches, so that work can be cancelled and tells how far it is; unfinished where it was cancelled.
+std::vector<CrossSection> sections_at(const std::vector<Place>& places, const Probe& probe, const JobRange& job) {
+    constexpr std::size_t kStretch = 1U << 13U;
     std::vector<double> widest; // of each branch: a stenosis may be filled to the width beside it
     for (const Place& place : places) {
         const auto branch = static_cast<std::size_t>(place.branch);
@@ -25,12 +27,16 @@ std::vector<CrossSection> sections_at(const std::vector<Place>& places, const Pr
         widest[branch] = std::max(widest[branch], place.radius);
     }
     std::vector<CrossSection> sections(places.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 64), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i)
-            sections[i] = probe.cross_section(
-                places[i].at, places[i].direction,
-                std::max(kReach * places[i].radius, 2.0 * widest[static_cast<std::size_t>(places[i].branch)]));
-    });
+    for (std::size_t first = 0; first < places.size() && !job.cancelled(); first += kStretch) {
+        const std::size_t end = std::min(first + kStretch, places.size());
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(first, end, 64), [&](const auto& range) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i)
+                sections[i] = probe.cross_section(
+                    places[i].at, places[i].direction,
+                    std::max(kReach * places[i].radius, 2.0 * widest[static_cast<std::size_t>(places[i].branch)]));
+        });
+        job.report(static_cast<float>(end) / static_cast<float>(places.size()));
+    }
     return sections;
 }
 
@@ -91,23 +97,25 @@ std::vector<double> errors_at_points(const tree::VesselTree& source, const Refer
 
 Result<Validation> run(const tree::VesselTree& source, const mesh::TriangleMesh& surface,
                        const ValidationOptions& options, Job& job) {
+    constexpr float kPacked = 0.15F, kSections = 0.85F; // of the work
     const Reference reference(source, options.smooth_passes);
+    if (job.cancelled()) return fail("cancelled");
     const Probe probe(surface, reference.places());
     const std::vector<Place>& places = reference.places();
+    job.report(kPacked);
+    const std::vector<CrossSection> sections = sections_at(places, probe, JobRange(job, kPacked, kSections));
     if (job.cancelled()) return fail("cancelled");
-    job.report(0.2F);
-    const std::vector<CrossSection> sections = sections_at(places, probe);
-    if (job.cancelled()) return fail("cancelled");
-    job.report(0.6F);
     Validation found;
     const std::vector<LostStretch> lost = lost_stretches(reference, probe, sections);
     for (const LostStretch& stretch : lost) found.lost.push_back(stretch.lost);
-    job.report(0.7F);
+    if (job.cancelled()) return fail("cancelled");
+    job.report(0.87F);
     found.false_parts = false_parts(reference, surface, lost);
     if (job.cancelled()) return fail("cancelled");
-    job.report(0.8F);
-    found.merged = merged_vessels(reference, probe, options.limits, lost);
     job.report(0.95F);
+    found.merged = merged_vessels(reference, probe, options.limits, lost);
+    if (job.cancelled()) return fail("cancelled");
+    job.report(0.97F);
     const auto smoothed = [&](std::size_t i) { return places[i].radius; };
     found.constrictions = changed_constrictions(reference, smoothed, [&](std::size_t i) { return sections[i].radius; });
     std::erase_if(found.constrictions, [&](const Constriction& one) { return is_oblique(reference, probe, one); });
@@ -141,7 +149,10 @@ Result<std::vector<double>> radii_in(const mesh::TriangleMesh& surface, const st
         places[i].radius = radii[i].expected_mm;
     }
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-    const auto sections = arena.execute([&] { return sections_at(places, Probe(surface, places)); });
+    const auto sections = arena.execute([&] {
+        const Probe probe(surface, places);
+        return sections_at(places, probe, JobRange(job, 0.1F, 1.0F));
+    });
     if (job.cancelled()) return fail("cancelled");
     std::vector<double> found;
     found.reserve(sections.size());

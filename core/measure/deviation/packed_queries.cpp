@@ -44,6 +44,13 @@ HWY_INLINE Vector corner(const PackedLeaf& leaf, int number, std::size_t n) {
     return {wide(leaf.corner[number][0] + n), wide(leaf.corner[number][1] + n), wide(leaf.corner[number][2] + n)};
 }
 
+// In `room` where there is no copy of it.
+HWY_INLINE const PackedLeaf& leaf_of(const PackedView& view, std::uint32_t number, PackedLeaf& room) {
+    if (view.leaves != nullptr) return view.leaves[number];
+    fill_leaf(view, number, room);
+    return room;
+}
+
 // Squared distance from the origin to the line from `a` along `edge`.
 HWY_INLINE Values to_edge(const Vector& a, const Vector& edge) {
     const Doubles d;
@@ -107,7 +114,8 @@ HWY_INLINE float limit_of(double squared) { return static_cast<float>(squared * 
 HWY_INLINE double nearest_squared(const PackedView& view, const float* place, std::uint32_t& leaf) {
     const double place_wide[3] = {place[0], place[1], place[2]};
     const Vector point = all(place_wide);
-    double best = least_squared(view.leaves[leaf], point);
+    PackedLeaf room;
+    double best = least_squared(leaf_of(view, leaf, room), point);
     const std::uint32_t begin = leaf;
     float limit = limit_of(best);
     Open open[kMostOpen];
@@ -118,7 +126,7 @@ HWY_INLINE double nearest_squared(const PackedView& view, const float* place, st
         if (!(next.bound <= limit)) continue;
         if (next.level == kLeafLevel) {
             if (next.node == begin) continue;
-            const double squared = least_squared(view.leaves[next.node], point);
+            const double squared = least_squared(leaf_of(view, next.node, room), point);
             if (squared >= best) continue;
             best = squared;
             limit = limit_of(best);
@@ -173,7 +181,8 @@ HWY_INLINE std::uint32_t boxes_met(const PackedNode& node, const double* from, c
 // edge counts for both triangles, at one place.
 HWY_INLINE std::size_t crossings_of(const PackedView& view, std::uint32_t number, const Vector& from,
                                     const Vector& direction, double length, Crossing* found) {
-    const PackedLeaf& leaf = view.leaves[number];
+    PackedLeaf room;
+    const PackedLeaf& leaf = leaf_of(view, number, room);
     const Doubles d;
     const Values zero = hn::Zero(d);
     std::size_t count = 0;

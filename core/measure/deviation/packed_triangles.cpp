@@ -86,22 +86,25 @@ FloatBox box_of(const PackedNode& node) {
     return box;
 }
 
-// One level of nodes above `count` leaves or nodes.
-template <class Below> void put_level(PackedNode* nodes, std::size_t number, const Below* below, std::size_t count) {
+// One level of nodes above `count` leaves or nodes, which have these boxes.
+template <class BoxOf> void put_level(PackedNode* nodes, std::size_t number, std::size_t count, const BoxOf& box_at) {
     for_all(number, [&](std::size_t n) {
         for (std::uint32_t child = 0; child < kPack; ++child) {
             const std::size_t at = n * kPack + child;
-            const FloatBox box = at < count ? box_of(below[at]) : FloatBox();
+            const FloatBox box = at < count ? box_at(at) : FloatBox();
             put_box(nodes[n], child, box.least, box.most);
         }
     });
 }
 
-} // namespace
-
-std::vector<std::uint32_t> along_hilbert_curve(std::span<const glm::vec3> places) {
+// The numbers of places below `count` in the order in which a Hilbert curve through their box meets them. Places are
+// asked for twice, and kept nowhere.
+template <class PlaceAt> std::vector<std::uint32_t> hilbert_order(std::size_t count, const PlaceAt& place_at) {
     FloatBox box;
-    for (const glm::vec3& place : places) box.take(place, place);
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::vec3 place = place_at(i);
+        box.take(place, place);
+    }
     const glm::dvec3 least(box.least), size = glm::dvec3(box.most) - least;
     const double side = std::max({size.x, size.y, size.z});
     const double scale = side > 0.0 ? 65535.0 / side : 0.0;
@@ -109,9 +112,9 @@ std::vector<std::uint32_t> along_hilbert_curve(std::span<const glm::vec3> places
         std::uint64_t index;
         std::uint32_t place;
     };
-    LargeArray<Key> keys(places.size());
-    for_all(places.size(), [&](std::size_t i) {
-        const glm::dvec3 cell = scale * (glm::dvec3(places[i]) - least);
+    LargeArray<Key> keys(count);
+    for_all(count, [&](std::size_t i) {
+        const glm::dvec3 cell = scale * (glm::dvec3(place_at(i)) - least);
         keys[i] = {hilbert_index({static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y),
                                   static_cast<std::uint32_t>(cell.z)}),
                    static_cast<std::uint32_t>(i)};
@@ -119,50 +122,66 @@ std::vector<std::uint32_t> along_hilbert_curve(std::span<const glm::vec3> places
     tbb::parallel_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
         return a.index < b.index || (a.index == b.index && a.place < b.place);
     });
-    std::vector<std::uint32_t> order(places.size());
-    for_all(order.size(), [&](std::size_t i) { order[i] = keys[i].place; });
+    std::vector<std::uint32_t> order(count);
+    for_all(count, [&](std::size_t i) { order[i] = keys[i].place; });
     return order;
 }
 
-PackedTriangles::PackedTriangles(const mesh::TriangleMesh& mesh) {
+} // namespace
+
+std::vector<std::uint32_t> along_hilbert_curve(std::span<const glm::vec3> places) {
+    return hilbert_order(places.size(), [&](std::size_t i) { return places[i]; });
+}
+
+PackedTriangles::PackedTriangles(const mesh::TriangleMesh& mesh, std::size_t most_copied) {
     const std::size_t count = mesh.triangles.size();
-    LargeArray<glm::vec3> middles(count);
-    for_all(count, [&](std::size_t i) {
+    order_ = hilbert_order(count, [&](std::size_t i) {
         const glm::uvec3& t = mesh.triangles[i];
         const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
-        middles[i] = 0.5F * (glm::min(glm::min(a, b), c) + glm::max(glm::max(a, b), c));
+        return 0.5F * (glm::min(glm::min(a, b), c) + glm::max(glm::max(a, b), c));
     });
-    order_ = along_hilbert_curve(middles);
-    leaves_.resize((count + kPack - 1) / kPack);
-    for_all(leaves_.size(), [&](std::size_t leaf) {
-        for (std::uint32_t n = 0; n < kPack; ++n) {
-            const glm::uvec3& t = mesh.triangles[order_[std::min(leaf * kPack + n, count - 1)]];
-            for (int corner = 0; corner < 3; ++corner)
-                for (int axis = 0; axis < 3; ++axis)
-                    leaves_[leaf].corner[corner][axis][n] = mesh.positions[t[corner]][axis];
-        }
-    });
+    view_.positions = mesh.positions.data();
+    view_.triangles = mesh.triangles.data();
+    view_.order = order_.data();
+    view_.count = count;
+    const std::size_t leaves = (count + kPack - 1) / kPack;
+    if (count <= most_copied) {
+        leaves_.resize(leaves);
+        for_all(leaves, [&](std::size_t leaf) { fill_leaf(view_, leaf, leaves_[leaf]); });
+        view_.leaves = leaves_.data();
+    }
+    make_nodes(leaves);
+}
+
+void PackedTriangles::make_nodes(std::size_t leaves) {
     std::vector<std::size_t> numbers; // of nodes of each level
-    std::size_t total = 0, below = leaves_.size();
+    std::size_t total = 0, below = leaves;
     do {
         below = (below + kPack - 1) / kPack;
         numbers.push_back(below);
         total += below;
     } while (below > 1);
     nodes_.resize(total);
+    view_.nodes = nodes_.data();
+    view_.levels = static_cast<std::uint32_t>(numbers.size());
+    const auto box_of_leaf = [this](std::size_t number) {
+        if (view_.leaves != nullptr) return box_of(view_.leaves[number]);
+        PackedLeaf leaf;
+        fill_leaf(view_, number, leaf);
+        return box_of(leaf);
+    };
     std::size_t first = 0;
     for (std::size_t level = 0; level < numbers.size(); ++level) {
         view_.first[level] = static_cast<std::uint32_t>(first);
-        if (level == 0)
-            put_level(nodes_.data(), numbers[0], leaves_.data(), leaves_.size());
-        else
-            put_level(nodes_.data() + first, numbers[level], nodes_.data() + view_.first[level - 1],
-                      numbers[level - 1]);
+        PackedNode* const nodes = nodes_.data() + first;
+        if (level == 0) {
+            put_level(nodes, numbers[0], leaves, box_of_leaf);
+        } else {
+            const PackedNode* const lower = nodes_.data() + view_.first[level - 1];
+            put_level(nodes, numbers[level], numbers[level - 1], [&](std::size_t n) { return box_of(lower[n]); });
+        }
         first += numbers[level];
     }
-    view_.leaves = leaves_.data();
-    view_.nodes = nodes_.data();
-    view_.levels = static_cast<std::uint32_t>(numbers.size());
 }
 
 LargeArray<double> PackedTriangles::distances(std::span<const glm::vec3> points) const {

@@ -2,11 +2,14 @@
 // vectors look at all of them at once. Triangles are put along a Hilbert curve and packed in that order: the tree is
 // made in the time that sorting takes. Distances are those to the triangles themselves, in double precision from the
 // mesh's single ones; the same bits for any number of threads, any order of points and any instruction set. Immutable.
+// Corners are copied for the vectors where the mesh is small; of a large one, the copy would be larger than the mesh
+// itself, and those of a leaf are gathered from the mesh whenever it is looked at: slower, with the same bits.
 #pragma once
 
 #include "core/base/large_array.h"
 #include "core/mesh/triangle_mesh.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -28,11 +31,26 @@ struct PackedNode {
 // What queries need, as plain arrays. Level 0 has the nodes whose children are leaves, the last level the root alone;
 // the children of node n of a level are 8 n and on, one level below.
 struct PackedView {
-    const PackedLeaf* leaves = nullptr;
-    const PackedNode* nodes = nullptr; // level by level
-    std::uint32_t first[12] = {};      // node of each level
+    const PackedLeaf* leaves = nullptr; // null: fill_leaf() makes them
+    const PackedNode* nodes = nullptr;  // level by level
+    std::uint32_t first[12] = {};       // node of each level
     std::uint32_t levels = 0;
+    const glm::vec3* positions = nullptr; // of the mesh
+    const glm::uvec3* triangles = nullptr;
+    const std::uint32_t* order = nullptr; // of the triangles in the leaves
+    std::size_t count = 0;                // of triangles
 };
+
+inline void fill_leaf(const PackedView& view, std::size_t number, PackedLeaf& leaf) {
+    for (std::uint32_t n = 0; n < kPack; ++n) {
+        const std::size_t at = number * kPack + n;
+        const glm::uvec3& t = view.triangles[view.order[at < view.count ? at : view.count - 1]];
+        for (int corner = 0; corner < 3; ++corner)
+            for (int axis = 0; axis < 3; ++axis) leaf.corner[corner][axis][n] = view.positions[t[corner]][axis];
+    }
+}
+
+inline constexpr std::size_t kMostCopied = 16'000'000; // triangles, 36 bytes each
 
 // Where a line leaves a surface, or enters one.
 struct Crossing {
@@ -43,8 +61,11 @@ struct Crossing {
 
 class PackedTriangles {
 public:
-    // The mesh has a triangle at least, and need not outlive this.
-    explicit PackedTriangles(const mesh::TriangleMesh& mesh);
+    // The mesh has a triangle at least, and outlives this. Of more than `most_copied` triangles corners are not copied.
+    explicit PackedTriangles(const mesh::TriangleMesh& mesh, std::size_t most_copied = kMostCopied);
+    explicit PackedTriangles(mesh::TriangleMesh&& mesh, std::size_t most_copied = kMostCopied) = delete;
+    PackedTriangles(const PackedTriangles&) = delete; // view_ points into it
+    PackedTriangles& operator=(const PackedTriangles&) = delete;
 
     // mm from each point to the nearest triangle. All of TBB's threads of the caller's arena; quick where points that
     // are near each other are near the surface.
@@ -56,7 +77,9 @@ public:
                    std::vector<Crossing>& found) const;
 
 private:
-    LargeArray<PackedLeaf> leaves_;
+    void make_nodes(std::size_t leaves); // of so many
+
+    LargeArray<PackedLeaf> leaves_; // none where corners are not copied
     LargeArray<PackedNode> nodes_;
     std::vector<std::uint32_t> order_; // of the mesh's triangles in the leaves
     PackedView view_;

@@ -127,6 +127,7 @@ TEST_CASE("the radii of cones and of a mask stand beside those of the surface") 
     ValidationOf of{tube, {}, folder.write("wide.nrrd", mask_of_tube(4.0)).string(), {}, {}};
     const auto made = make_validation(of, job);
     REQUIRE(made);
+    CHECK(job.progress() == doctest::Approx(1.0)); // of all its surfaces together
     CHECK(made->fits(of));
     const std::vector<validate::RadiusPlace>& places = made->found->radii;
     REQUIRE(made->cones_mm.size() == places.size());

@@ -120,7 +120,8 @@ TEST_CASE("deviation: neither threads nor the order of vertices change a bit") {
 }
 
 TEST_CASE("packed triangles: a line crosses a closed surface as often inward as outward, edges and corners included") {
-    const PackedTriangles cube(test::cube(2.0));
+    const mesh::TriangleMesh mesh = test::cube(2.0);
+    const PackedTriangles cube(mesh);
     std::vector<measure::Crossing> found;
     // The middles of faces are on the edge between two triangles.
     for (const glm::dvec3& way :
@@ -168,6 +169,29 @@ TEST_CASE("packed triangles: all crossings of lines at random are found") {
         CHECK(found.size() == expected);
         CHECK(std::ranges::is_sorted(found, {}, &measure::Crossing::at));
     }
+}
+
+TEST_CASE("packed triangles: where corners are not copied, distances and crossings have the same bits") {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> place(-12.0, 12.0);
+    mesh::TriangleMesh sphere = test::icosphere(3, {0, 0, 0}, 10.0);
+    sphere.triangles.pop_back(); // the last leaf is not full
+    const PackedTriangles copied(sphere), gathered(sphere, sphere.triangles.size() - 1);
+    const mesh::TriangleMesh points = random_triangles(3000, random);
+    CHECK(gathered.distances(points.positions) == copied.distances(points.positions));
+    std::vector<measure::Crossing> some, same;
+    std::size_t met = 0;
+    for (int round = 0; round < 1000; ++round) {
+        const glm::dvec3 from(place(random), place(random), place(random));
+        const glm::dvec3 way = glm::normalize(glm::dvec3(place(random), place(random), place(random)));
+        copied.crossings(from, way, 1000.0, some);
+        gathered.crossings(from, way, 1000.0, same);
+        CHECK(std::ranges::equal(some, same, [](const measure::Crossing& a, const measure::Crossing& b) {
+            return a.at == b.at && a.out == b.out && a.triangle == b.triangle;
+        }));
+        met += some.size();
+    }
+    CHECK(met > 500);
 }
 
 TEST_CASE("deviation: statistics of values that can be worked out by hand") {
