@@ -232,8 +232,7 @@ Result<Figure> draw_figure(render::SheetRenderer& renderer, render::Sheet sheet,
     return figure;
 }
 
-Result<Figure> draw_four_views(render::SheetRenderer& renderer, const ComposeSheet& compose, glm::ivec2 size,
-                               const FigureOptions& options) {
+Result<FourViews> four_views(const ComposeSheet& compose, glm::ivec2 size, const FigureOptions& options) {
     RAMUS_TRY(whole, compose(size));
     const Grid grid = grid_for(whole, size);
     const glm::ivec2 part = grid.part();
@@ -251,16 +250,25 @@ Result<Figure> draw_four_views(render::SheetRenderer& renderer, const ComposeShe
     // Views in one direction and surfaces in the other, unless the picture is so long that both go the same way.
     const bool below = composed.viewports.back().at.y > 0;
     const bool table = side_by_side(composed) && below == (grid.count.x > 1);
-    Figure picture{render::Image(size.x, size.y), {}};
+    FourViews all{render::Image(size.x, size.y), {}};
     if (side_by_side(composed) && !composed.viewports.front().frame.background.transparent)
-        picture.image.fill(composed.divider);
+        all.ground.fill(composed.divider);
     for (std::size_t i = 0; i < kViews.size(); ++i) {
-        render::Sheet one = composed;
-        look_from(one, cameras[i]);
-        label(one, i, table);
-        auto part_of_it = draw_figure(renderer, std::move(one), options);
+        all.views.push_back({composed, grid.at(static_cast<int>(i))});
+        look_from(all.views.back().sheet, cameras[i]);
+        label(all.views.back().sheet, i, table);
+    }
+    return all;
+}
+
+Result<Figure> draw_four_views(render::SheetRenderer& renderer, const ComposeSheet& compose, glm::ivec2 size,
+                               const FigureOptions& options) {
+    RAMUS_TRY(all, four_views(compose, size, options));
+    Figure picture{std::move(all.ground), {}};
+    for (std::size_t i = 0; i < all.views.size(); ++i) {
+        auto part_of_it = draw_figure(renderer, std::move(all.views[i].sheet), options);
         if (!part_of_it) return part_of_it;
-        picture.image.put(part_of_it->image, grid.at(static_cast<int>(i)));
+        picture.image.put(part_of_it->image, all.views[i].at);
         keep_common(picture.scale_bar, part_of_it->scale_bar, i == 0);
     }
     return picture;

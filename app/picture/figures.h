@@ -36,6 +36,15 @@ using ComposeSheet = std::function<Result<render::Sheet>(glm::ivec2 size)>;
 // Anterior, left, posterior and superior, all at one scale, in a picture of this size: two and two; where surfaces are
 // compared side by side a column each, with the surfaces below each other, or a row each in a picture that is higher
 // than wide. What stands over all of a row or a column stands there once.
+struct FourViews {
+    render::Image ground; // of the whole size, what lies between the views in it
+    struct View {
+        render::Sheet sheet; // for draw_figure()
+        glm::ivec2 at;       // its upper left pixel
+    };
+    std::vector<View> views;
+};
+[[nodiscard]] Result<FourViews> four_views(const ComposeSheet& compose, glm::ivec2 size, const FigureOptions& options);
 [[nodiscard]] Result<Figure> draw_four_views(render::SheetRenderer& renderer, const ComposeSheet& compose,
                                              glm::ivec2 size, const FigureOptions& options);
 

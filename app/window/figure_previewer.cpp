@@ -1,7 +1,6 @@
 #include "app/window/figure_previewer.h"
 
 #include "app/picture/compose_sheet.h"
-#include "app/picture/figures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,22 +44,39 @@ render::Sheet FigurePreviewer::small_sheet(glm::ivec2 size) const {
     return sheet;
 }
 
-Result<render::Image> FigurePreviewer::drawn(glm::ivec2 size) {
-    render::SheetRenderer sheets(*renderer_);
+Result<FourViews> FigurePreviewer::views_of(glm::ivec2 size, const FigureOptions& options) const {
+    const auto compose = [this](glm::ivec2 part) -> Result<render::Sheet> { return small_sheet(part); };
+    if (options.sheet) return four_views(compose, size, options);
+    FourViews one{render::Image(size.x, size.y), {{small_sheet(size), glm::ivec2(0)}}};
+    render::Sheet& sheet = one.views.front().sheet;
+    dress(sheet, options);
+    if (options.turntable > 0) look_around(sheet, options, 0);
+    return one;
+}
+
+void FigurePreviewer::begin(glm::ivec2 size) {
+    drawing_.reset();
     FigureOptions options = shown_->options;
     options.supersample = 1;
     options.samples = 4;
     options.text_size *= double(size.x) / shown_->full.x;
-    const auto compose = [this](glm::ivec2 part) -> Result<render::Sheet> { return small_sheet(part); };
-    const auto image_of = [](Result<Figure> figure) -> Result<render::Image> {
-        if (!figure) return tl::unexpected(figure.error());
-        return std::move(figure->image);
-    };
-    if (options.sheet) return image_of(draw_four_views(sheets, compose, size, options));
-    render::Sheet sheet = small_sheet(size);
-    dress(sheet, options);
-    if (options.turntable > 0) look_around(sheet, options, 0);
-    return image_of(draw_figure(sheets, std::move(sheet), options));
+    if (auto views = views_of(size, options)) drawing_ = Drawing{std::move(*views), options};
+}
+
+// What draw_figure() asks for is drawn before, in parts as the window's picture is.
+Result<void> FigurePreviewer::go_on() {
+    state_.redraw();
+    const FourViews::View& view = drawing_->all.views[drawing_->next];
+    const auto drawn =
+        sheets_->draw(view.sheet, kUploadBudget, state_.watched() ? kDrawingSeconds : render::kUntilDone);
+    if (!drawn) return tl::unexpected(drawn.error());
+    if (drawn->unfinished || drawn->pending) return {};
+    RAMUS_TRY(figure, draw_figure(*sheets_, view.sheet, drawing_->options));
+    drawing_->all.ground.put(figure.image, view.at);
+    if (++drawing_->next < drawing_->all.views.size()) return {};
+    show(drawing_->all.ground);
+    drawing_.reset();
+    return {};
 }
 
 void FigurePreviewer::show(const render::Image& image) {
@@ -74,6 +90,8 @@ void FigurePreviewer::show(const render::Image& image) {
 }
 
 void FigurePreviewer::let_go() {
+    drawing_.reset();
+    sheets_.reset();
     renderer_.reset();
     texture_ = {};
     shown_.reset();
@@ -90,22 +108,29 @@ void FigurePreviewer::update() {
     if (!render::check_size(full.x, full.y)) return;
     const glm::ivec2 size = fitting(full, preview.most);
     Wanted wanted{small_sheet(size), preview.request.options, full};
-    if (shown_ == wanted) return;
+    if (shown_ == wanted && !drawing_) return;
     state_.redraw();
     if (!renderer_) { // takes about as long as a preview: in a frame of its own
         if (auto made = render::Renderer::create()) {
             renderer_ = std::move(*made);
+            sheets_.emplace(*renderer_);
             return;
         }
     }
-    shown_ = std::move(wanted);
-    preview.texture = 0;
-    if (!renderer_) return;
-    try {
-        if (auto image = drawn(size)) return show(*image);
-    } catch (const render::OutOfGraphicsMemory&) {
-        renderer_.reset(); // the file is drawn elsewhere; the dialog goes without
+    if (shown_ != wanted) {
+        shown_ = std::move(wanted);
+        if (renderer_) begin(size);
     }
+    if (!drawing_) return;
+    try {
+        if (go_on()) return;
+        drawing_.reset();
+    } catch (const render::OutOfGraphicsMemory&) {
+        drawing_.reset(); // the file is drawn elsewhere; the dialog goes without
+        sheets_.reset();
+        renderer_.reset();
+    }
+    preview.texture = 0;
 }
 
 } // namespace ramus::app

@@ -67,11 +67,9 @@ public:
 private:
     static constexpr float kToolBarHeight = 48.0F; // points at the top of the picture that the tools' bar takes
     static constexpr double kGlideSeconds = 0.35;
-    static constexpr double kDrawingSeconds = 0.03; // a frame may take for a picture at rest, and a part more
-    static constexpr double kSlowToRefine = 3.0;    // seconds of a full picture; one that takes more is fine enough
-    static constexpr double kRefiningRest = 0.5;    // seconds that nothing happens before the picture gets finer
-    static constexpr double kPollSeconds = 0.004;   // between looks for depths that are on their way
-    static constexpr std::size_t kUploadBudget = std::size_t{24} << 20; // bytes a frame: a few milliseconds
+    static constexpr double kSlowToRefine = 3.0;  // seconds of a full picture; one that takes more is fine enough
+    static constexpr double kRefiningRest = 0.5;  // seconds that nothing happens before the picture gets finer
+    static constexpr double kPollSeconds = 0.004; // between looks for depths that are on their way
 
     // A picture that is kept may take so long to get finer while the window waits; of a large surface it stays coarser.
     [[nodiscard]] double keeping_seconds() const { return state_.watched() ? 1.0 : render::kUntilDone; }

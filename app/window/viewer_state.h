@@ -7,12 +7,17 @@
 #include "app/picture/compose_sheet.h"
 #include "app/workspace/workspace.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <utility>
 #include <vector>
 
 namespace ramus::app {
+
+// What pictures may take of a frame while somebody watches.
+inline constexpr double kDrawingSeconds = 0.03;                     // and a part more
+inline constexpr std::size_t kUploadBudget = std::size_t{24} << 20; // bytes that are sent: a few milliseconds
 
 struct ViewerState {
     // ImGui needs a few frames until popups and their sizes have settled.
