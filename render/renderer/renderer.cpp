@@ -23,17 +23,10 @@ Result<std::unique_ptr<Renderer>> Renderer::create(std::size_t glass_bytes, std:
     return renderer;
 }
 
-// The caster draws every pixel of a picture, whatever passes are to draw next.
-ViewSetup Renderer::shown_view() const {
-    ViewSetup view = card_.targets.view;
-    if (state_.by_caster()) view.size = view.picture;
-    return view;
-}
-
 Pick Renderer::pick(double x, double y) {
     if (!state_.answers()) finish();
     if (!last_ || !state_.answers()) return {};
-    const ViewSetup view = shown_view();
+    const ViewSetup& view = shown_view_;
     const PickWindow window = pick_window(*last_, view, x, y);
     if (window.pixels() == 0) return {};
     std::vector<std::uint32_t> ids(window.pixels());
@@ -57,7 +50,7 @@ BranchPicture Renderer::read_branches() {
     if (!state_.answers()) finish();
     BranchPicture picture;
     if (!last_ || !state_.answers()) return picture;
-    const ViewSetup view = shown_view();
+    const ViewSetup& view = shown_view_;
     const glm::ivec2 drawn = view.size;
     const bool by_caster = state_.by_caster();
     std::vector<std::uint32_t> read;
@@ -85,7 +78,7 @@ void Renderer::request_pick(double x, double y) {
     if (!state_.answers()) return request_.answer({});
     if (state_.by_caster()) return request_.answer(pick(x, y));
     try {
-        request_.ask(pick_window(*last_, shown_view(), x, y), last_->camera, card_.targets.resolved);
+        request_.ask(pick_window(*last_, shown_view_, x, y), last_->camera, card_.targets.resolved);
     } catch (const OutOfGraphicsMemory&) {
         request_.answer({}); // nothing there
     }
@@ -94,7 +87,7 @@ void Renderer::request_pick(double x, double y) {
 bool Renderer::request_depths() {
     depths_.drop();
     if (!last_ || !state_.answers()) return false;
-    const ViewSetup view = shown_view();
+    const ViewSetup& view = shown_view_;
     try {
         if (state_.by_caster()) {
             const caster::Caster& caster = card_.passes.cast.caster();
@@ -114,7 +107,7 @@ std::optional<DepthMap> Renderer::read_depths() {
 }
 
 std::optional<Pick> Renderer::poll_pick() {
-    const auto found = request_.poll(shown_view());
+    const auto found = request_.poll(shown_view_);
     return found && !last_ ? Pick{} : found;
 }
 

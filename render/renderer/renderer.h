@@ -47,10 +47,13 @@ public:
     [[nodiscard]] unsigned texture() const { return card_.picture.colour; }
     // What every pixel of the current picture shows, as pick() sees it; waits for the GPU.
     [[nodiscard]] BranchPicture read_branches();
-    // Copies the current picture into `framebuffer` (0 = the window's), its lower left corner at (x, y) in GL's sense.
-    // Changes the bound draw framebuffer to that one. The picture's own pixels stay as they are: draw the interface
-    // there.
-    void present(unsigned framebuffer, int x = 0, int y = 0) const { card_.picture.present(framebuffer, x, y); }
+    // Copies the current picture into `framebuffer` (0 = the window's), its lower left corner at (x, y) in GL's sense;
+    // as PictureTarget::present() where that shall be filled, and the next picture of that size is on its way. Changes
+    // the bound draw framebuffer to that one. The picture's own pixels stay as they are: draw the interface there.
+    void present(unsigned framebuffer, int x, int y, glm::ivec2 filled) const {
+        card_.picture.present(framebuffer, x, y, filled);
+    }
+    [[nodiscard]] glm::ivec2 picture_size() const { return card_.picture.size; } // of what texture() has
 
     // Nearest vessel within the pick radius of pixel (x, y) of the current picture; waits for the GPU.
     [[nodiscard]] Pick pick(double x, double y);
@@ -88,19 +91,20 @@ private:
     [[nodiscard]] bool moves(const Frame& wanted, const Frame& frame) const;
     // Whether what passes draw into was made.
     Result<bool> resize(const Frame& frame, Plan plan);
+    Result<void> fit_picture(glm::ivec2 size);
     [[nodiscard]] ViewSetup cast_view(const Subject& subject) const;
     std::uint64_t cast(const Subject& subject);
     // What the caster has made on its thread within the time, perhaps of a frame before, is shown; what the subject
     // shows is begun where that is another. False: nothing new is shown.
-    bool cast_in_time(const Subject& subject, double seconds, DrawStatistics& done);
-    void show_cast(CastPass::Made made);
+    Result<bool> cast_in_time(const Subject& subject, double seconds, DrawStatistics& done);
+    Result<void> show_cast(CastPass::Made made);
+    Result<void> back_to_cast();
     void go_on_or_give_up(Plan plan, const Frame& wanted, const Frame& frame);
     void begin(const Frame& wanted, const Frame& frame, const std::vector<Layer>& layers);
     Result<bool> draw_parts(double seconds, DrawStatistics& done);
     Result<Region> shade(const Subject& subject, Plan plan);
     void show(const Subject& subject, const Region& region);
     Result<void> begin_refinement();
-    [[nodiscard]] ViewSetup shown_view() const;
     void finish();  // what is on its way
     void give_up(); // that, or further views of what is shown
     tl::unexpected<Error> failed(const Error& error);
@@ -115,6 +119,7 @@ private:
     std::unique_ptr<Refinement> refinement_; // while it is refining
     std::optional<Frame> last_;              // the frame that is shown; none: the state is kEmpty
     std::vector<Layer> last_layers_;
+    ViewSetup shown_view_;                         // that it was drawn from; targets may have another one already
     std::shared_ptr<const PagedMesh> wanted_mesh_; // of the last frame that triangles were drawn for, there or not
     PickRequest request_;
     DepthRequest depths_;

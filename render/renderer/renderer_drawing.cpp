@@ -68,6 +68,16 @@ DrawStatistics later(DrawStatistics done) {
     return done;
 }
 
+bool is_complete(unsigned framebuffer) {
+    return glCheckNamedFramebufferStatus(framebuffer, GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+tl::unexpected<Error> cannot_draw(glm::ivec2 size) {
+    return fail("this graphics driver cannot draw a picture of " + std::to_string(size.x) + "x" +
+                    std::to_string(size.y) + " pixels",
+                gl_description(), "give a smaller size, or use another driver: ramus render --backend osmesa");
+}
+
 int most_samples() {
     GLint integer_samples = 0;
     glGetIntegerv(GL_MAX_INTEGER_SAMPLES, &integer_samples);
@@ -128,20 +138,26 @@ Result<bool> Renderer::resize(const Frame& frame, Plan plan) {
     if (std::max(frame.size.x, frame.size.y) > largest)
         return fail("this graphics driver draws at most " + std::to_string(largest) + " pixels a side", {},
                     "give a smaller size");
-    if (make_targets) targets.make(samples);
-    if (card_.picture.size != frame.size) card_.picture.make(frame.size);
-    const GLuint drawn = passes ? targets.samples.framebuffer : card_.picture.framebuffer;
-    if (glCheckNamedFramebufferStatus(drawn, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        let_go();
-        return fail("this graphics driver cannot draw a picture of " + std::to_string(frame.size.x) + "x" +
-                        std::to_string(frame.size.y) + " pixels",
-                    gl_description(), "give a smaller size, or use another driver: ramus render --backend osmesa");
-    }
-    return make_targets;
+    if (!make_targets) return false;
+    targets.make(samples);
+    if (is_complete(targets.samples.framebuffer)) return true;
+    let_go();
+    return cannot_draw(frame.size);
 }
 
+// The picture before is shown until the next one is there.
+Result<void> Renderer::fit_picture(glm::ivec2 size) {
+    if (card_.picture.size == size) return {};
+    card_.picture.make(size);
+    if (is_complete(card_.picture.framebuffer)) return {};
+    let_go();
+    return cannot_draw(size);
+}
+
+// The caster draws every pixel of a picture, whatever passes are to draw next.
 ViewSetup Renderer::cast_view(const Subject& subject) const {
     ViewSetup view = card_.targets.view;
+    view.size = view.picture = subject.frame.size;
     view.look(subject.frame, subject.has_mesh() ? subject.mesh.shown()->bounds() : card_.scene.lines().bounds(),
               card_.scene.beside_tree(subject.frame));
     return view;
@@ -153,7 +169,7 @@ std::uint64_t Renderer::cast(const Subject& subject) {
     return card_.passes.cast.draw(subject, card_.targets.view, card_.passes.shade.records());
 }
 
-bool Renderer::cast_in_time(const Subject& subject, double seconds, DrawStatistics& done) {
+Result<bool> Renderer::cast_in_time(const Subject& subject, double seconds, DrawStatistics& done) {
     CastPass& pass = card_.passes.cast;
     const auto begin_cast = [&] { pass.begin(subject, cast_view(subject), card_.passes.shade.records()); };
     if (!pass.busy()) begin_cast();
@@ -164,18 +180,29 @@ bool Renderer::cast_in_time(const Subject& subject, double seconds, DrawStatisti
     done.cones = made->cones;
     done.seconds = made->seconds;
     done.geometry = true;
-    show_cast(std::move(*made));
+    if (auto shown = show_cast(std::move(*made)); !shown) return tl::unexpected(shown.error());
     if (another) begin_cast();
     return true;
 }
 
-void Renderer::show_cast(CastPass::Made made) {
+Result<void> Renderer::show_cast(CastPass::Made made) {
+    if (auto fits = resize(made.frame, Plan::kCast); !fits) return tl::unexpected(fits.error());
+    if (auto fits = fit_picture(made.frame.size); !fits) return fits;
     card_.targets.view = made.view;
     card_.passes.begin(made.view);
     state_.cast();
     show(subject_of(made.frame, made.layers), {glm::ivec2(0), made.view.size});
     last_ = std::move(made.frame);
     last_layers_ = std::move(made.layers);
+    shown_view_ = made.view;
+    return {};
+}
+
+// What was to come was of another size or camera, and is not wanted any more.
+Result<void> Renderer::back_to_cast() {
+    if (auto fits = resize(*last_, Plan::kCast); !fits) return tl::unexpected(fits.error());
+    card_.targets.view = shown_view_;
+    return {};
 }
 
 // Draws on at what is on its way; true: its geometry is whole.
@@ -214,24 +241,27 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
     const Plan plan = plan_for(wanted, frame, layers);
     go_on_or_give_up(plan, wanted, frame);
     if (plan == Plan::kNothing) return done;
-    bool in_time = plan == Plan::kCast && seconds != kUntilDone; // the caster may be given a thread of its own
-    if (plan == Plan::kCast || plan == Plan::kDraw) {
+    // The caster may be given a thread of its own; what is shown says what lies under its pixels meanwhile.
+    const bool in_time = plan == Plan::kCast && seconds != kUntilDone && last_;
+    if (!in_time && (plan == Plan::kCast || plan == Plan::kDraw)) {
+        card_.passes.cast.forget();
         const bool other_size = card_.picture.size != frame.size;
-        // What is shown says what lies under its pixels until there is another picture: its targets must stay.
-        in_time = in_time && last_ && !other_size && card_.targets.view.size == frame.size;
-        if (!in_time) card_.passes.cast.forget();
         const auto made_targets = resize(frame, plan);
         if (!made_targets) return failed(made_targets.error());
         if (plan == Plan::kDraw) begin(wanted, frame, layers);
-        if (!last_ || other_size) seconds = kUntilDone; // there is no picture meanwhile
-        if (plan == Plan::kDraw && *made_targets && seconds != kUntilDone)
-            return later(done); // it took as long as a part
+        if (!last_) seconds = kUntilDone; // there is no picture meanwhile
+        // It took as long as a part. Of another size in each frame, as while an edge is dragged, none would come.
+        if (plan == Plan::kDraw && *made_targets && !other_size && seconds != kUntilDone) return later(done);
+    } else if (plan == Plan::kShow && state_.by_caster()) {
+        if (auto back = back_to_cast(); !back) return failed(back.error());
     }
     card_.passes.begin(card_.targets.view);
     const Subject subject = subject_of(frame, layers);
     Region region{glm::ivec2(0), card_.targets.view.size};
     if (in_time) {
-        done.shaded = cast_in_time(subject, seconds - watch.seconds(), done);
+        const auto shown = cast_in_time(subject, seconds - watch.seconds(), done);
+        if (!shown) return failed(shown.error());
+        done.shaded = *shown;
         if (!done.shaded) end_passes();
         if (gl_ran_out_of_memory()) throw OutOfGraphicsMemory(0);
         return done;
@@ -251,10 +281,12 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
         if (!shaded) return failed(shaded.error());
         if (last_ && last_->overlays == frame.overlays) region = *shaded;
     }
+    if (auto fits = fit_picture(frame.size); !fits) return failed(fits.error());
     show(subject, region);
     done.shaded = true;
     last_ = frame;
     last_layers_ = std::move(layers);
+    shown_view_ = card_.targets.view;
     if (gl_ran_out_of_memory()) throw OutOfGraphicsMemory(0); // drivers may say it late
     done.seconds += watch.seconds();
     return done;
@@ -352,7 +384,7 @@ Result<void> Renderer::begin_refinement() {
 }
 
 void Renderer::finish() {
-    if (auto made = card_.passes.cast.take(kUntilDone)) show_cast(std::move(*made));
+    if (auto made = card_.passes.cast.take(kUntilDone)) (void)show_cast(std::move(*made));
     if (!unfinished_) return;
     const Frame wanted = unfinished_->wanted;
     (void)draw(wanted, 0, kUntilDone);

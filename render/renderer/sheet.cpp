@@ -79,9 +79,11 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
     scale_bar_ = scale_bar_in(sheet);
     Sheet outline = outline_of(sheet);
     const bool arranged = outline != shown_;
+    const bool whole =
+        first_.picture_size() == sheet.size && (!sheet.mixed() || others_[0]->picture_size() == sheet.size);
     if (!sheet.mixed()) {
         blend_.reset();
-    } else if (sum.shaded || arranged || !blend_) {
+    } else if (whole && (sum.shaded || arranged || !blend_)) { // else one is of the size before
         if (auto blended = blend(sheet); !blended) return tl::unexpected(blended.error());
     }
     shown_ = std::move(outline);
@@ -165,7 +167,7 @@ std::vector<bool> SheetRenderer::read_covered() {
 }
 
 void SheetRenderer::present(unsigned framebuffer, int x, int y) {
-    if (blend_) return blend_->picture().present(framebuffer, x, y);
+    if (blend_) return blend_->picture().present(framebuffer, x, y, shown_.size);
     if (shown_.viewports.size() > 1) {
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
         glEnable(GL_SCISSOR_TEST);
@@ -176,7 +178,8 @@ void SheetRenderer::present(unsigned framebuffer, int x, int y) {
     }
     for (std::size_t i = 0; i < shown_.viewports.size(); ++i) {
         const Sheet::Viewport& viewport = shown_.viewports[i];
-        renderer(i).present(framebuffer, x + viewport.at.x, y + shown_.size.y - viewport.at.y - viewport.frame.size.y);
+        renderer(i).present(framebuffer, x + viewport.at.x, y + shown_.size.y - viewport.at.y - viewport.frame.size.y,
+                            viewport.frame.size);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "render/gl/gl_context.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace ramus::render {
@@ -91,12 +92,20 @@ Image PictureTarget::read() const {
     return image;
 }
 
-void PictureTarget::present(GLuint to, int x, int y) const {
+void PictureTarget::present(GLuint to, int x, int y, glm::ivec2 filled) const {
     if (size.x == 0) return;
-    glDisable(GL_SCISSOR_TEST);
-    glBlitNamedFramebuffer(framebuffer, to, 0, 0, size.x, size.y, x, y, x + size.x, y + size.y, GL_COLOR_BUFFER_BIT,
-                           GL_NEAREST);
+    const bool fits = size == filled;
+    const int width = fits ? size.x : static_cast<int>(std::lround(double(size.x) * filled.y / size.y));
+    const int left = x + (filled.x - width) / 2;
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
+    glDisable(GL_SCISSOR_TEST);
+    if (!fits) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(x, y, filled.x, filled.y);
+    }
+    glBlitNamedFramebuffer(framebuffer, to, 0, 0, size.x, size.y, left, y, left + width, y + filled.y,
+                           GL_COLOR_BUFFER_BIT, fits ? GL_NEAREST : GL_LINEAR);
+    glDisable(GL_SCISSOR_TEST);
 }
 
 } // namespace ramus::render

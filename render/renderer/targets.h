@@ -92,9 +92,10 @@ struct PictureTarget {
     // Straight alpha, rows from above. Of no size: an empty image.
     [[nodiscard]] Image read() const;
     [[nodiscard]] Image read_premultiplied() const;
-    // Copies the picture into framebuffer `to` (0 = the window's), its lower left corner at (x, y). Leaves `to` bound
-    // for drawing.
-    void present(GLuint to, int x, int y) const;
+    // Copies the picture into framebuffer `to` (0 = the window's), its lower left corner at (x, y). One of another size
+    // than `filled` is scaled to be as high, its middle in the middle, and cut off beyond. Leaves `to` bound for
+    // drawing.
+    void present(GLuint to, int x, int y, glm::ivec2 filled) const;
 };
 
 } // namespace ramus::render

@@ -78,6 +78,24 @@ TEST_CASE("a picture made in parts is the one made at once, and the one before s
         }
 }
 
+TEST_CASE("a picture of another size comes in parts, too, and the one before stays until then") {
+    const PartsScene scene;
+    (void)scene.draw(scene.frame);
+    const Image first = scene.renderer->read_image();
+    Frame wanted = scene.seen_from(View::kSuperior);
+    wanted.size = scene.frame.size * 3 / 2;
+    int calls = 1;
+    while (scene.draw(wanted, 0.0).unfinished) {
+        ++calls;
+        REQUIRE(largest_difference(scene.renderer->read_image(), first) == 0);
+    }
+    CHECK(calls > 5);
+    const auto other = Renderer::create().value();
+    REQUIRE(other->draw(wanted));
+    CHECK(largest_difference(scene.renderer->read_image(), other->read_image()) == 0);
+    CHECK(scene.renderer->pick(160, 120) == other->pick(160, 120));
+}
+
 TEST_CASE("two renderers make their pictures by turns") {
     const PartsScene scene;
     const auto other = Renderer::create().value();

@@ -198,7 +198,7 @@ TEST_CASE("presenting copies the picture, which itself stays untouched") {
     const Image image = scene.draw();
     PictureTarget target;
     target.make({scene.frame.size.x, scene.frame.size.y});
-    scene.renderer->present(target.framebuffer);
+    scene.renderer->present(target.framebuffer, 0, 0, target.size);
     CHECK(target.read_premultiplied() == image);
     CHECK(scene.renderer->read_image() == image);
 }

@@ -250,3 +250,29 @@ TEST_CASE("fading is the mean of linear light, exact at both ends, and draws no 
         }
     }
 }
+
+TEST_CASE("a picture of another size than its place is scaled to be as high, and covers nothing beside it") {
+    const ramus::test::WatchedContext context;
+    const auto filled = [](PictureTarget& target, glm::ivec2 size, glm::vec4 colour) {
+        target.make(size);
+        glClearNamedFramebufferfv(target.framebuffer, GL_COLOR, 0, &colour.x);
+    };
+    const auto is_red = [](const Image& image, int x, int row_from_below) {
+        return image.rgba[4 * (static_cast<std::size_t>(image.height - 1 - row_from_below) * 64 + x)] > 128;
+    };
+    PictureTarget picture, window;
+    filled(picture, {40, 20}, {1, 0, 0, 1});
+    filled(window, {64, 64}, {0, 0, 1, 1});
+    picture.present(window.framebuffer, 8, 4, {30, 40}); // it would be 80 wide
+    Image seen = window.read();
+    for (const int x : {8, 20, 37}) CHECK(is_red(seen, x, 4) == is_red(seen, x, 43));
+    CHECK(is_red(seen, 8, 4));
+    CHECK(is_red(seen, 37, 43));
+    for (const auto& [x, y] : {std::pair{7, 20}, {38, 20}, {20, 3}, {20, 44}}) CHECK_FALSE(is_red(seen, x, y));
+    filled(window, {64, 64}, {0, 0, 1, 1});
+    picture.present(window.framebuffer, 4, 4, {50, 10}); // it is 20 wide, in the middle
+    seen = window.read();
+    CHECK(is_red(seen, 19, 4));
+    CHECK(is_red(seen, 38, 13));
+    for (const auto& [x, y] : {std::pair{18, 8}, {39, 8}, {30, 14}}) CHECK_FALSE(is_red(seen, x, y));
+}
