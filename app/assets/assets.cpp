@@ -19,7 +19,7 @@ bool grid_needed(const Marks& marks, GridIs grid) {
 void refresh_centerlines(Assets& assets, const mesh::SurfaceOptions& options) {
     if (!assets.tree)
         assets.centerlines = {};
-    else if (!assets.centerlines.fits(options))
+    else if (!assets.centerlines.fits(options) && !centerlines_awaited(assets, options))
         assets.centerlines = centerlines_of(*assets.tree, options);
 }
 
@@ -108,6 +108,12 @@ void refresh(Assets& assets, const Document& document, const mesh::SurfaceOption
     refresh_measurements(assets, document.marks());
     refresh_centerlines(assets, options);
     refresh_outline(assets, document.session());
+}
+
+bool centerlines_awaited(const Assets& assets, const mesh::SurfaceOptions& options) {
+    constexpr std::size_t kLarge = 20'000; // segments: they take a fiftieth of a second
+    if (!assets.centerlines_follow || !assets.tree || !assets.centerlines.lines) return false;
+    return !assets.centerlines.fits(options) && assets.tree->segment_count() > kLarge;
 }
 
 const Plan& refresh_plan(Assets& assets, const Document& document) {

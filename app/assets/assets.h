@@ -43,6 +43,7 @@ struct Assets {
     std::shared_ptr<const Plan> plan;
     std::shared_ptr<const Measurements> measurements;
     SurfaceCenterlines centerlines;
+    bool centerlines_follow = false; // of large trees: whoever owns the assets makes them, and refresh() leaves them
     std::shared_ptr<const SelectionOutline> outline;
     SurfaceDeviation deviation; // whoever has the surface measures it
     TreeValidation validation;  // of a tree and options that were, perhaps, until others are looked at
@@ -69,6 +70,8 @@ struct Assets {
 // they are not the session's.
 void refresh(Assets& assets, const Document& document);
 void refresh(Assets& assets, const Document& document, const mesh::SurfaceOptions& options);
+// Whether centerlines of other options are there, which somebody makes new.
+[[nodiscard]] bool centerlines_awaited(const Assets& assets, const mesh::SurfaceOptions& options);
 // The plan alone: for commands.
 const Plan& refresh_plan(Assets& assets, const Document& document); // the document has a tree
 

@@ -8,7 +8,9 @@ namespace ramus::app {
 
 Workspace::Workspace(const std::function<void()>& wake)
     : context(wake), loader_(wake), surface_(wake), comparison_(wake), deviation_(wake), validation_(wake),
-      lesions_(wake), contacts_(wake), cones_(wake) {}
+      lesions_(wake), contacts_(wake), centerlines_(wake), cones_(wake) {
+    assets.centerlines_follow = true;
+}
 
 void Workspace::open(const std::filesystem::path& path) {
     io::note_input(path, io::InputKind::kSession); // until a tree is read from it
@@ -65,9 +67,11 @@ void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
     comparison_.forget();
     deviation_.forget();
     validation_.forget();
+    centerlines_.forget();
     cones_.forget();
     keep_loaded(loaded.assets, std::exchange(assets, {}), loaded.session.marks);
     assets = std::move(loaded.assets);
+    assets.centerlines_follow = true;
     tried_.reset();
     if (!loaded.maker && assets.tree) loaded.maker = std::make_shared<SurfaceMaker>(assets.tree);
     surface_.open(std::move(loaded.maker), std::move(loaded.cones));
@@ -247,6 +251,7 @@ void Workspace::take_failures() {
     tell(comparison_.take_failure(), comparison_.worker());
     tell(deviation_.take_failure(), deviation_.worker());
     tell(contacts_.take_failure(), contacts_);
+    tell(centerlines_.take_failure(), centerlines_.worker());
     tell(cones_.take_failure(), cones_.worker());
     tell(validation_.take_failure(), validation_.worker());
 }
@@ -266,6 +271,7 @@ bool Workspace::update() {
     follow_lesions();
     if (!surface_.take_just_shown()) follow_surface();
     follow_contacts();
+    if (assets.tree == document.tree()) changed_ |= centerlines_.update(assets, request().options);
     follow_cones();
     follow_deviation();
     follow_validation();

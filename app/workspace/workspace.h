@@ -11,6 +11,7 @@
 #include "app/assets/assets.h"
 #include "app/session/document.h"
 #include "app/storage/autosave.h"
+#include "app/workspace/centerlines_maker.h"
 #include "app/workspace/compared_surfaces.h"
 #include "app/workspace/cones_maker.h"
 #include "app/workspace/context_reader.h"
@@ -69,7 +70,8 @@ public:
     }
     // Whether all is there that the document shows, a tree's surface or what is shown without one.
     [[nodiscard]] bool all_shown() const {
-        return document.tree() ? surface_ready() : document.has_scene() && !context.busy();
+        return document.tree() ? surface_ready() && !centerlines_.worker().busy()
+                               : document.has_scene() && !context.busy();
     }
     // What is shown, and the surfaces that it is compared with, as far as they are there: those that are being made are
     // as they were before.
@@ -164,6 +166,7 @@ private:
     ValidationMaker validation_;
     Worker lesions_;
     Worker contacts_;
+    CenterlinesMaker centerlines_;
     ConesMaker cones_;
 };
 

@@ -272,6 +272,35 @@ TEST_CASE("a lesion's file that was written since is read again, and distances f
     CHECK(*load_lesion_mesh(assets, file.string()) == second);
 }
 
+TEST_CASE("centerlines of a large tree are made beside the window's thread, and those before stay until then") {
+    std::string line;
+    for (int i = 1; i <= 20'010; ++i)
+        line += std::to_string(i) + " 2 " + std::to_string(i % 7) + " 0 " + std::to_string(i) + " 1 " +
+                (i == 1 ? "-1" : std::to_string(i - 1)) + "\n";
+    const auto tree = std::make_shared<const tree::VesselTree>(io::parse_tree(line, "line.swc").value());
+    Document document;
+    document.open(tree, {});
+    Assets alone, assets;
+    assets.centerlines_follow = true;
+    refresh(alone, document);
+    refresh(assets, document); // the first ones nobody can do without
+    REQUIRE(assets.centerlines.lines);
+    const auto before = assets.centerlines.lines;
+    Marks marks = document.marks();
+    marks.options.smooth_passes += 2;
+    document.change(marks);
+    refresh(alone, document);
+    CHECK(alone.centerlines.fits(marks.options));
+    refresh(assets, document);
+    CHECK(assets.centerlines.lines == before);
+    CHECK(centerlines_awaited(assets, marks.options));
+    CenterlinesMaker maker({});
+    while (!maker.update(assets, marks.options)) std::this_thread::yield();
+    CHECK_FALSE(centerlines_awaited(assets, marks.options));
+    CHECK(assets.centerlines.lines->points == alone.centerlines.lines->points);
+    CHECK_FALSE(maker.update(assets, marks.options));
+}
+
 TEST_CASE("a task that throws ends, and says so") {
     Worker worker({});
     worker.start("too much", [](Job&, const Worker::Post&) { throw std::runtime_error("it broke"); });
