@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace ramus::app {
@@ -97,6 +98,7 @@ void draw_branch_headings() {
         if (column == kMark) continue;
         if (column == kId || column == kName || column == kSystem) {
             ImGui::TableHeader(name);
+            widgets::note_item(("Sort by " + std::string(name)).c_str());
             continue;
         }
         const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -106,6 +108,7 @@ void draw_branch_headings() {
         ImGui::PushID(column);
         ImGui::TableHeader("##header");
         ImGui::PopID();
+        widgets::note_item(("Sort by " + std::string(name)).c_str());
         ImGui::GetWindowDrawList()->AddText({std::round(right - ImGui::CalcTextSize(name).x), at.y},
                                             ImGui::GetColorU32(ImGuiCol_Text), name);
     }

@@ -35,6 +35,8 @@ EXPORTS = {  # by what their pages are said to be
     "surface": "The smooth surface, as triangles.",
     "tree": "Centerlines and radii, as they were read.",
 }
+CANCEL = "Cancel what goes on"
+WATCHED = 90  # seconds
 FILTER = "Conditions, all of which hold: "  # and examples
 PART = sys.argv[2] if len(sys.argv) > 2 else ""
 
@@ -118,6 +120,9 @@ class Explorer:
             self.window.xdotool("type", str(path))
             self.window.xdotool("key", "Return")
             self.soon("no dialog", lambda s: not s["open_dialog"])
+            if path == ORGAN:  # what becomes of a mask is asked
+                self.window.wait("what it holds", lambda s: s["volume_dialog"] == {"open": True, "read": True})
+                self.window.xdotool("key", "b")
         self.step(name, act)
 
     def command(self, title, arguments=""):
@@ -131,8 +136,21 @@ class Explorer:
             click(self.window, kind)
             self.soon("its page", lambda s: s["export"].startswith(what))
             click(self.window, "Write it")
-            self.window.wait("the file", lambda s: not s["open_dialog"])
+            self.end_or_cancel()
         self.step(f"export: {what}", act)
+
+    def end_or_cancel(self):
+        """What is worked on elsewhere is cancelled where it takes longer than the window can be watched."""
+        window = self.window
+        window.wait("no dialog", lambda s: not s["open_dialog"])
+        end = time.monotonic() + WATCHED
+        while CANCEL in window.status()["controls"]:
+            if time.monotonic() > end:
+                click(window, CANCEL)
+                print(f"    cancelled after {WATCHED} s", flush=True)
+                break
+            time.sleep(0.5)
+        window.wait("nothing going on", lambda s: CANCEL not in s["controls"])
 
 
 def turn_and_zoom(explorer):
@@ -156,6 +174,8 @@ def mark(explorer):
     explorer.key("turn with glass", "Left", "Left", "Left")
     explorer.key("defocus others", "shift+g")
     explorer.key("select all", "ctrl+a")
+    explorer.key("undo select all", "ctrl+z")
+    explorer.key("redo select all", "ctrl+shift+z")
     explorer.key("defocus all", "g")
     explorer.key("undo defocus all", "ctrl+z")
     explorer.key("redo defocus all", "ctrl+shift+z")
@@ -166,6 +186,48 @@ def mark(explorer):
     explorer.command("select diameter", "0 1")
     explorer.key("select the others", "ctrl+i")
     explorer.key("select nothing", "Escape")
+
+
+def hide_subtrees(explorer):
+    for branch in (1, 2):
+        explorer.command("select", branch)
+        explorer.key(f"dependents of {branch}", "d")
+        explorer.key(f"hide the subtree {branch}", "x")
+    explorer.key("undo hide the subtree", "ctrl+z")
+    explorer.key("redo hide the subtree", "ctrl+shift+z")
+    explorer.key("show the subtrees", "shift+n")
+
+
+def use_tools(explorer):
+    window = explorer.window
+    x, y, width, height = window.status()["viewport"]
+    middle = (x + width // 2, y + height // 2)
+    inner = [(x + width // 10 + i * width * 8 // 100, y + height // 10) for i in range(10)]
+    outer = [(at, y + height * 9 // 10) for at, _ in reversed(inner)]
+
+    def tool(name, key):
+        window.xdotool("key", key)
+        explorer.soon("the tool", lambda s: s["tool"] == name)
+
+    def measure(name, key):
+        tool(name, key)
+        for i in (-8, 8):
+            window.xdotool("mousemove", middle[0] + i, middle[1], "click", 1)
+            explorer.rest("a place")
+
+    explorer.step("measure a distance", lambda: measure("measure-distance", "m"))
+    explorer.step("measure a path", lambda: measure("measure-path", "shift+m"))
+    explorer.key("no tool", "Escape", "Escape")
+    explorer.command("Plan › Remove all measurements")
+    explorer.step("take the lasso", lambda: tool("lasso", "w"))
+    explorer.step("lasso nearly all", lambda: drag(window, [*inner, *outer, inner[0]]))
+    explorer.key("hide what was lassoed", "x")
+    explorer.key("undo hide what was lassoed", "ctrl+z")
+    explorer.key("undo the lasso", "ctrl+z")
+    explorer.key("redo the lasso", "ctrl+shift+z")
+    explorer.key("no lasso", "Escape", "Escape")
+    explorer.step("menu of a branch", lambda: window.xdotool("mousemove", *middle, "click", 3))
+    explorer.key("no menu", "Escape")
 
 
 def colour_and_view(explorer):
@@ -224,6 +286,13 @@ def look_up(explorer):
     explorer.key("select nothing again", "Escape", "Escape")
 
 
+def sort_the_list(explorer):
+    window = explorer.window
+    for words in sorted(words for words in window.status()["controls"] if words.startswith("Sort by "))[:3]:
+        explorer.step(words, lambda words=words: click(window, words))
+        explorer.step(f"{words}, the other way", lambda words=words: click(window, words))
+
+
 def compare(explorer):
     explorer.command("compare", "side-by-side cs,cones")
     explorer.key("turn both", "Left", "Left", "Left")
@@ -239,7 +308,7 @@ def add_context(explorer):
         return
     explorer.file("add context", "File › Add context...", ORGAN)
     explorer.key("turn with context", "Left", "Left", "Left")
-    explorer.command("context clear")
+    explorer.command("context-clear")
 
 
 def travel(explorer):
@@ -253,9 +322,11 @@ def travel(explorer):
 
 
 def change_surface(explorer):
-    for change in ("width 2", "detail 8", "smooth 3", "method cones"):
+    for change in ("width 2", "detail 8", "smooth 3", "prune 1", "method cones"):
         explorer.command("surface", change)
         explorer.key(f"undo {change}", "ctrl+z")
+    explorer.command("blend", "paper")
+    explorer.key("undo blend", "ctrl+z")
 
 
 def edit(explorer):
@@ -263,6 +334,8 @@ def edit(explorer):
     explorer.command("Edit › Disconnect the selected")
     explorer.key("undo disconnect", "ctrl+z")
     explorer.command("name", "3 renal subtree")
+    explorer.key("undo the name", "ctrl+z")
+    explorer.key("redo the name", "ctrl+shift+z")
     explorer.command("select", "30")
     explorer.command("Edit › Root at the selected")
     explorer.key("undo the root", "ctrl+z")
@@ -291,8 +364,8 @@ def explore(program, screen, folder, tree, name):
     try:
         if explorer.window.status()["unsaid"]:
             explorer.key("answer about units", "Escape")
-        for part in (turn_and_zoom, mark, colour_and_view, plan, look_up, travel, change_surface, compare, add_context, edit,
-                     put_out, resize):
+        for part in (turn_and_zoom, mark, hide_subtrees, use_tools, colour_and_view, plan, look_up, sort_the_list, travel,
+                     change_surface, compare, add_context, edit, put_out, resize):
             part(explorer)
         longest = max(explorer.rows, key=lambda row: row[1])
         beyond = sum(row[1] > PROMISED for row in explorer.rows)
