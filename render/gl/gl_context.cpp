@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdio>
 #include <glad/gl.h>
 #include <limits>
+#include <mutex>
 #include <string_view>
 #include <utility>
 
@@ -15,18 +17,21 @@ namespace ramus::render {
 
 namespace {
 
-// What a context has to tell comes by a callback of the process, and its functions are the process's.
-int error_count = 0;
-bool out_of_memory = false;
-int looked_at = 0; // error_count when glGetError() was last asked
+// What a context has to tell comes by a callback of the process, on any thread, and its functions are the process's.
+std::atomic<int> error_count{0};
+std::mutex last_error_mutex;
 std::string last_error;
 GlVersion found_version;
 GlVersion newest_allowed{99, 0};
+// Of the context that is current on a thread.
+thread_local bool out_of_memory = false;
+thread_local int looked_at = 0; // error_count when glGetError() was last asked
 
 void count_error(std::string text) {
-    ++error_count;
+    std::fprintf(stderr, "ramus: OpenGL: %s\n", text.c_str());
+    const std::lock_guard lock(last_error_mutex);
     last_error = std::move(text);
-    std::fprintf(stderr, "ramus: OpenGL: %s\n", last_error.c_str());
+    ++error_count;
 }
 
 void GLAD_API_PTR note_message(GLenum source, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message,
@@ -125,6 +130,9 @@ bool gl_ran_out_of_memory() {
     return std::exchange(out_of_memory, false);
 }
 
-const std::string& gl_last_error() { return last_error; }
+std::string gl_last_error() {
+    const std::lock_guard lock(last_error_mutex);
+    return last_error;
+}
 
 } // namespace ramus::render

@@ -3,8 +3,9 @@
 // it is current.
 //
 // The GL function pointers are the process's, not the context's: whoever makes a context of another kind current calls
-// load_gl() again (GlContext::make_current() does). All GL runs on one thread. Nothing here links libGL: under OSMesa
-// that would bring a second, wrong implementation.
+// load_gl() again (GlContext::make_current() does). Two threads may use contexts of one kind, each its own, where no
+// function is put in other terms (gl_takes_threads()). Nothing here links libGL: under OSMesa that would bring a second,
+// wrong implementation.
 #pragma once
 
 #include "core/base/error.h"
@@ -38,6 +39,8 @@ inline constexpr std::array kWantedGl{GlVersion{4, 5}, GlVersion{4, 3}, kOldestG
 [[nodiscard]] GlVersion gl_version();
 // Whether shaders can write lists (4.3): glass is one pass then, else one a layer.
 [[nodiscard]] inline bool gl_has_lists() { return gl_version() >= GlVersion{4, 3}; }
+// Whether a second context of the same kind may be used by another thread: from 4.5 on (see gl_floor.h).
+[[nodiscard]] inline bool gl_takes_threads() { return gl_version() >= GlVersion{4, 5}; }
 // For tests: contexts that are made current from now on count as no newer than this.
 void limit_gl_version(GlVersion newest);
 
@@ -60,7 +63,7 @@ void limit_gl_version(GlVersion newest);
 // GL errors and messages of high severity since the process began, but for memory that ran out. A correct program keeps
 // it at 0; tests check it. The last one is `gl_last_error`.
 [[nodiscard]] int gl_error_count();
-[[nodiscard]] const std::string& gl_last_error();
+[[nodiscard]] std::string gl_last_error();
 // Whether memory ran out since the last call. Counts what else went wrong.
 [[nodiscard]] bool gl_ran_out_of_memory();
 // Counts what glGetError() has to tell; `where` names what was just done. Contexts with debug messages tell by

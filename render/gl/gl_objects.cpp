@@ -5,6 +5,7 @@
 #include "render/gl/shader_text.h"
 
 #include <algorithm>
+#include <atomic>
 #include <string>
 #include <sys/mman.h>
 #include <thread>
@@ -14,8 +15,9 @@ namespace ramus::render {
 
 namespace {
 
-// For tests: objects of all contexts, and what memory there seems to be.
-int alive = 0;
+// For tests: objects of all contexts, what each thread has linked, and what memory there seems to be.
+std::atomic<int> alive{0};
+thread_local int programs_made = 0;
 std::size_t largest_allocation = std::numeric_limits<std::size_t>::max();
 
 std::size_t texel_bytes(GLenum format) {
@@ -71,6 +73,7 @@ OutOfGraphicsMemory::OutOfGraphicsMemory(std::size_t bytes)
                       : ": " + std::to_string((bytes + (1U << 20) - 1) >> 20) + " MiB more are not to be had")) {}
 
 int gl_objects_alive() { return alive; }
+int gl_programs_made() { return programs_made; }
 void count_gl_object(int change) { alive += change; }
 void limit_gl_allocation(std::size_t bytes) { largest_allocation = bytes; }
 
@@ -193,6 +196,7 @@ Result<Program> make_program(std::string_view vertex_shader, std::string_view fr
                                                 : compile(GL_GEOMETRY_SHADER, geometry_shader, defines));
     RAMUS_TRY(fragment, compile(GL_FRAGMENT_SHADER, fragment_shader, defines));
     Program program(glCreateProgram());
+    ++programs_made;
     const auto of_all = [&](auto call) {
         for (const auto* made : {&vertex, &geometry, &fragment})
             if (made->shader != 0) call(program, made->shader);

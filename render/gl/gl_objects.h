@@ -29,6 +29,8 @@ public:
 // GL objects that are alive, of all contexts: 0 once everything that draws is gone.
 [[nodiscard]] int gl_objects_alive();
 void count_gl_object(int change);
+// Programs that the calling thread has linked so far. A driver takes its time for each, and for the first use.
+[[nodiscard]] int gl_programs_made();
 
 template <void (*destroy)(GLuint)> class GlObject {
 public:

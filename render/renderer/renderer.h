@@ -2,8 +2,8 @@
 // lies under a pixel. It keeps the last frame's meshes on the graphics card and sends only pages that changed; a change
 // of states, colours, hover or selection draws no triangle again, a frame equal to the last one draws nothing.
 //
-// All calls need the GL context current that was current at create(), the destructor too. Pixels have their origin at
-// the top left.
+// All calls need the GL context current that was current at create(), the destructor too; after create_later(), that of
+// the first draw(). Pixels have their origin at the top left.
 #pragma once
 
 #include "render/renderer/card.h"
@@ -23,6 +23,9 @@ class Renderer {
 public:
     [[nodiscard]] static Result<std::unique_ptr<Renderer>> create(std::size_t glass_bytes = kGlassBytes,
                                                                   std::size_t surface_bytes = kMostOfGraphicsMemory);
+    // The same, but the first draw() makes the programs, and fails where that does: no shader is compiled here.
+    [[nodiscard]] static std::unique_ptr<Renderer> create_later(std::size_t glass_bytes = kGlassBytes,
+                                                                std::size_t surface_bytes = kMostOfGraphicsMemory);
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
@@ -86,6 +89,7 @@ private:
         kDraw,    // all passes
     };
 
+    Result<void> make(); // unless it is
     Result<DrawStatistics> draw_all(const Frame& wanted, std::size_t upload_budget, double seconds);
     [[nodiscard]] Plan plan_for(const Frame& wanted, const Frame& frame, const std::vector<Layer>& layers) const;
     [[nodiscard]] bool moves(const Frame& wanted, const Frame& frame) const;
@@ -114,6 +118,7 @@ private:
     }
 
     Card card_;
+    bool made_ = false; // its programs are
     PictureState state_;
     std::unique_ptr<Unfinished> unfinished_; // while the state is partial
     std::unique_ptr<Refinement> refinement_; // while it is refining

@@ -91,6 +91,7 @@ int most_samples() {
 Result<DrawStatistics> Renderer::draw(const Frame& wanted, std::size_t upload_budget, double seconds) {
     if (auto fits = check_size(wanted.size.x, wanted.size.y); !fits) return tl::unexpected(fits.error());
     try {
+        if (auto ready = make(); !ready) return tl::unexpected(ready.error());
         return draw_all(wanted, upload_budget, seconds);
     } catch (const OutOfGraphicsMemory& error) {
         let_go();
