@@ -19,12 +19,15 @@ constexpr float kLeastViewWidth = 320.0F;  // the panel gives way in a narrow wi
 constexpr float kLeastViewHeight = 200.0F; // and the overview in a low one
 constexpr float kLeastOverviewHeight = 90.0F;
 
-// What to do when there is nothing to see.
+// What to do when there is nothing to see, or why there is not yet.
 void draw_empty_view(InterfaceContext& context) {
-    if (context.workspace.shown().mesh || context.workspace.document.has_scene()) return;
-    const bool busy = context.workspace.busy();
-    const char* title = busy ? "Reading..." : "No vessel tree";
-    const char* hint = busy ? "" : "Drop a tree, a mask or a scan here, or press Ctrl+O";
+    const bool prepares = context.interface.preparing == Preparing::kFirstPicture;
+    if (!prepares && (context.workspace.shown().mesh || context.workspace.document.has_scene())) return;
+    const bool waits = prepares || context.workspace.busy();
+    const char* title = prepares ? "Preparing graphics..." : waits ? "Reading..." : "No vessel tree";
+    const char* hint = prepares ? "The graphics driver translates the shaders; mostly once for a machine"
+                       : waits  ? ""
+                                : "Drop a tree, a mask or a scan here, or press Ctrl+O";
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     const ImVec2 centre(
         static_cast<float>(context.layout.view_at.x) + 0.5F * static_cast<float>(context.layout.view_size.x),

@@ -17,6 +17,7 @@
 #include "app/workspace/workspace.h"
 
 #include <array>
+#include <cstdint>
 #include <deque>
 #include <glm/vec2.hpp>
 #include <map>
@@ -198,6 +199,9 @@ struct ValidationList {
     std::shared_ptr<const std::vector<Finding>> of; // what `current` counts in
 };
 
+// What a person waits for, so long that it is told.
+enum class Preparing : std::uint8_t { kNothing, kFirstPicture, kPicture };
+
 struct Interface {
     bool panel_open = true;
     // A menu of the bar: it shall come; it is there; it shall go.
@@ -227,8 +231,9 @@ struct Interface {
     Written written;
     int hovered = tree::kNoBranch; // under the pointer in the picture
     bool nothing_in_view = false;  // of all that there is
-    bool tooltip = false;          // the pointer rests on the picture
-    int listed = tree::kNoBranch;  // under the pointer in the list of branches
+    Preparing preparing = Preparing::kNothing;
+    bool tooltip = false;         // the pointer rests on the picture
+    int listed = tree::kNoBranch; // under the pointer in the list of branches
     BranchList list;
     Rename rename;
     RadiusDialog radius;

@@ -114,7 +114,9 @@ float draw_facts(InterfaceContext& context) {
     const bool marked = !marks.states.empty() || !marks.selection.empty(); // these marks need room
     const float available = (marked ? 0.25F : 0.5F) * static_cast<float>(context.layout.window.x);
     std::string text;
-    if (shown.mesh) {
+    if (context.interface.preparing == Preparing::kPicture) {
+        text = "Preparing the picture...";
+    } else if (shown.mesh) {
         const bool cones = shown.request.options.method == mesh::Method::kTruncatedCones;
         const field::KernelKind kernel = shown.request.options.kernel;
         std::string kind(cones ? "Cones" : "Convolution surface");

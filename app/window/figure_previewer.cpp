@@ -64,19 +64,53 @@ void FigurePreviewer::begin(glm::ivec2 size) {
 }
 
 // What draw_figure() asks for is drawn before, in parts as the window's picture is.
-Result<void> FigurePreviewer::go_on() {
+Result<FigurePreviewer::Part> FigurePreviewer::draw_part(Its& its, const render::Sheet& sheet,
+                                                         const FigureOptions& options, double seconds) {
+    try {
+        if (!its.renderer) { // takes about as long as a part
+            RAMUS_TRY(made, render::Renderer::create());
+            its.renderer = std::move(made);
+            its.sheets.emplace(*its.renderer);
+            return Part();
+        }
+        const auto drawn = its.sheets->draw(sheet, kUploadBudget, seconds);
+        if (!drawn) return tl::unexpected(drawn.error());
+        if (drawn->unfinished || drawn->pending) return Part();
+        RAMUS_TRY(figure, draw_figure(*its.sheets, sheet, options));
+        return Part(std::move(figure.image));
+    } catch (const render::OutOfGraphicsMemory& error) {
+        its.sheets.reset(); // the file is drawn elsewhere; the dialog goes without
+        its.renderer.reset();
+        return fail(error.what());
+    }
+}
+
+void FigurePreviewer::begin_part() {
+    if (!its_) its_ = std::make_shared<Its>();
+    const double seconds = state_.watched() ? kDrawingSeconds : render::kUntilDone;
+    part_ = thread_.begin([its = its_, sheet = drawing_->all.views[drawing_->next].sheet, options = drawing_->options,
+                           seconds] { return draw_part(*its, sheet, options, seconds); });
+}
+
+void FigurePreviewer::take_part(double seconds) {
+    if (!part_.valid() || !thread_.done(part_, seconds)) return;
     state_.redraw();
-    const FourViews::View& view = drawing_->all.views[drawing_->next];
-    const auto drawn =
-        sheets_->draw(view.sheet, kUploadBudget, state_.watched() ? kDrawingSeconds : render::kUntilDone);
-    if (!drawn) return tl::unexpected(drawn.error());
-    if (drawn->unfinished || drawn->pending) return {};
-    RAMUS_TRY(figure, draw_figure(*sheets_, view.sheet, drawing_->options));
-    drawing_->all.ground.put(figure.image, view.at);
-    if (++drawing_->next < drawing_->all.views.size()) return {};
-    show(drawing_->all.ground);
+    const auto part = part_.get();
+    if (!part) return give_up();
+    if (!*part) return;
+    drawing_->all.ground.put(**part, drawing_->all.views[drawing_->next].at);
+    if (++drawing_->next < drawing_->all.views.size()) return;
+    try {
+        show(drawing_->all.ground);
+        drawing_.reset();
+    } catch (const render::OutOfGraphicsMemory&) {
+        give_up();
+    }
+}
+
+void FigurePreviewer::give_up() {
     drawing_.reset();
-    return {};
+    state_.interface.preview.texture = 0;
 }
 
 void FigurePreviewer::show(const render::Image& image) {
@@ -89,10 +123,16 @@ void FigurePreviewer::show(const render::Image& image) {
     preview.size = {image.width, image.height};
 }
 
+// A part that is being drawn is finished for nobody.
 void FigurePreviewer::let_go() {
     drawing_.reset();
-    sheets_.reset();
-    renderer_.reset();
+    part_ = {};
+    if (its_)
+        thread_.let([its = std::move(its_)] {
+            its->sheets.reset();
+            its->renderer.reset();
+        });
+    its_ = nullptr;
     texture_ = {};
     shown_.reset();
     state_.interface.preview.texture = 0;
@@ -101,36 +141,23 @@ void FigurePreviewer::let_go() {
 void FigurePreviewer::update() {
     FigurePreview& preview = state_.interface.preview;
     if (!preview.wanted || !preview.request.size || !state_.workspace.shown().mesh) {
-        if (renderer_) let_go();
+        if (its_) let_go();
         return;
     }
+    take_part(0.0);
     const glm::ivec2 full = *preview.request.size;
-    if (!render::check_size(full.x, full.y)) return;
+    if (part_.valid() || !render::check_size(full.x, full.y)) return;
     const glm::ivec2 size = fitting(full, preview.most);
     Wanted wanted{small_sheet(size), preview.request.options, full};
     if (shown_ == wanted && !drawing_) return;
     state_.redraw();
-    if (!renderer_) { // takes about as long as a preview: in a frame of its own
-        if (auto made = render::Renderer::create()) {
-            renderer_ = std::move(*made);
-            sheets_.emplace(*renderer_);
-            return;
-        }
-    }
     if (shown_ != wanted) {
         shown_ = std::move(wanted);
-        if (renderer_) begin(size);
+        begin(size);
     }
-    if (!drawing_) return;
-    try {
-        if (go_on()) return;
-        drawing_.reset();
-    } catch (const render::OutOfGraphicsMemory&) {
-        drawing_.reset(); // the file is drawn elsewhere; the dialog goes without
-        sheets_.reset();
-        renderer_.reset();
-    }
-    preview.texture = 0;
+    if (!drawing_) return give_up();
+    begin_part();
+    if (!thread_.apart()) take_part(0.0);
 }
 
 } // namespace ramus::app

@@ -138,6 +138,7 @@ GlfwWindow::~GlfwWindow() {
     let_wake(false);
     for (const auto& [kind, shape] : cursors_)
         if (shape != nullptr) glfwDestroyCursor(shape);
+    if (beside_ != nullptr) glfwDestroyWindow(beside_);
     glfwDestroyWindow(window_);
     glfwTerminate();
 }
@@ -148,6 +149,28 @@ Result<void> GlfwWindow::make_current() {
         [](const char* name) { return glfwGetProcAddress(name); }, window_,
         "update the graphics driver, set LIBGL_ALWAYS_SOFTWARE=1, or draw without a window: ramus render "
         "FILE -o PNG");
+}
+
+// GL's functions are the process's, and loaded here: the thread only makes the context current. RAMUS_ONE_THREAD is for
+// drivers that say they can and cannot, and for tests.
+std::unique_ptr<DrawingThread> GlfwWindow::make_drawing_thread() {
+    auto none = std::make_unique<DrawingThread>();
+    const char* one_thread = std::getenv("RAMUS_ONE_THREAD");
+    const render::GlVersion version = render::gl_version();
+    if (!render::gl_takes_threads() || (one_thread != nullptr && *one_thread != '\0')) return none;
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    beside_ = glfwCreateWindow(1, 1, "", nullptr, window_);
+    if (beside_ == nullptr) return none;
+    glfwMakeContextCurrent(beside_);
+    const auto loaded = render::load_gl([](const char* name) { return glfwGetProcAddress(name); }, beside_);
+    const bool same = loaded && render::gl_version() == version;
+    if (auto back = make_current(); !back || !same) return none;
+    const auto enter = [beside = beside_] {
+        glfwMakeContextCurrent(beside);
+        return glfwGetCurrentContext() == beside;
+    };
+    return std::make_unique<DrawingThread>(
+        enter, [] { glfwMakeContextCurrent(nullptr); }, wake_window);
 }
 
 namespace {
@@ -290,6 +313,8 @@ std::optional<glm::ivec2> GlfwWindow::size_points() const {
     const glm::ivec2 size(points(pixels.x), points(pixels.y));
     return size.x >= 480 && size.y >= 360 ? std::optional(size) : std::nullopt;
 }
+
+void GlfwWindow::hide() { glfwHideWindow(window_); }
 
 void GlfwWindow::swap() { glfwSwapBuffers(window_); }
 

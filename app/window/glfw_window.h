@@ -1,6 +1,7 @@
 // A GLFW window with an OpenGL core context, its events handed to a Viewer in framebuffer pixels. One at a time.
 #pragma once
 
+#include "app/window/drawing_thread.h"
 #include "app/window/viewer.h"
 #include "core/base/error.h"
 #include "render/gl/gl_context.h"
@@ -23,6 +24,12 @@ public:
     ~GlfwWindow() override;
 
     Result<void> make_current() override;
+
+    // Has another thread draw: with a context of its own that shares textures and buffers with the window's, which
+    // stays current here. Where the driver gives none, or two threads cannot use what it has, it is none, and who asks
+    // draws. The window outlives it.
+    [[nodiscard]] std::unique_ptr<DrawingThread> make_drawing_thread();
+
     void attach(Viewer* viewer); // null: events go nowhere
     void show();
     void set_title(const std::string& title);
@@ -33,6 +40,7 @@ public:
     void refuse_close();                                         // and not wanted any more
     void set_scale(float pixels_per_point);                      // 0: the display's
     [[nodiscard]] std::optional<glm::ivec2> size_points() const; // none while it fills the screen
+    void hide();
     void swap();
     void wait(double seconds); // for events; infinite is allowed, 0 only looks
 
@@ -44,7 +52,8 @@ private:
     void key(int number, int scancode, int action, int modifiers);
 
     GLFWwindow* window_;
-    float fixed_scale_; // 0: the display's
+    GLFWwindow* beside_ = nullptr; // never seen: GLFW has a context with a window alone
+    float fixed_scale_;            // 0: the display's
     Viewer* viewer_ = nullptr;
     std::string title_;
     Cursor cursor_ = Cursor::kArrow;

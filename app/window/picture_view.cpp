@@ -13,8 +13,8 @@
 
 namespace ramus::app {
 
-PictureView::PictureView(ViewerState& state, render::Renderer& renderer)
-    : state_(state), renderer_(renderer), sheets_(renderer), pace_(render::is_software_rasteriser()) {
+PictureView::PictureView(ViewerState& state, render::Renderer& renderer, DrawingThread& thread)
+    : state_(state), drawer_(renderer, thread), pace_(render::is_software_rasteriser()) {
     state.workspace.want_cones(render::is_software_rasteriser());
 }
 
@@ -75,13 +75,41 @@ bool PictureView::draw(bool dragging) {
     dress(viewports, surfaces, quality);
     tell_panels(viewports);
     state_.did("compose");
-    const auto drawn = sheets_.draw(sheet_, kUploadBudget, state_.watched() ? kDrawingSeconds : render::kUntilDone);
+    Taken taken;
+    take_picture(0.0, taken); // of an earlier frame
+    if (!drawer_.busy()) {
+        const bool watched = state_.watched();
+        drawer_.draw(sheet_, kUploadBudget, watched ? kDrawingSeconds : render::kUntilDone);
+        begun_at_ = state_.now;
+        take_picture(watched ? kPatience : render::kUntilDone, taken);
+    }
+    tell_preparing();
     state_.did("picture");
-    take(drawn, quality);
-    ask_depths(drawn && drawn->geometry);
+    ask_depths(taken.geometry);
     tell_nothing_in_view();
     state_.did("depths");
-    return drawn && drawn->shaded;
+    return taken.shaded;
+}
+
+void PictureView::take_picture(double seconds, Taken& taken) {
+    const auto made = drawer_.take(seconds);
+    if (!made) return;
+    if (made->finer) {
+        refines_ = refines_ && made->finer->more;
+        finer_ |= made->finer->changed;
+        return;
+    }
+    take(*made);
+    taken.shaded |= made->drawn && made->drawn->shaded;
+    taken.geometry |= made->drawn && made->drawn->geometry;
+}
+
+void PictureView::tell_preparing() {
+    const bool waits = drawer_.drawing() && state_.now >= begun_at_ + kUntilTold;
+    const Preparing tells = !waits                  ? Preparing::kNothing
+                            : drawer_.has_picture() ? Preparing::kPicture
+                                                    : Preparing::kFirstPicture;
+    if (std::exchange(state_.interface.preparing, tells) != tells) state_.redraw();
 }
 
 void PictureView::point(glm::dvec2 at, glm::dvec2 in_viewport) {
@@ -91,8 +119,8 @@ void PictureView::point(glm::dvec2 at, glm::dvec2 in_viewport) {
 }
 
 void PictureView::take_depths() {
-    if (!depths_pending_) return;
-    auto maps = sheets_.poll_depths();
+    if (!depths_pending_ || !drawer_.idle()) return;
+    auto maps = drawer_.poll_depths();
     if (!maps) return;
     depths_pending_ = false;
     aim_.see(std::move(*maps), state_.workspace.document.session().camera);
@@ -103,8 +131,8 @@ void PictureView::ask_depths(bool drawn) {
     depths_wanted_ |= drawn;
     // What the first ones need is made then: not after a first picture, which has taken its time.
     depths_put_off_ = drawn && !std::exchange(has_drawn_, true);
-    if (depths_put_off_ || !depths_wanted_ || depths_pending_) return;
-    depths_pending_ = sheets_.request_depths();
+    if (depths_put_off_ || !depths_wanted_ || depths_pending_ || !drawer_.idle()) return;
+    depths_pending_ = drawer_.request_depths();
     depths_wanted_ = !depths_pending_;
 }
 
@@ -182,8 +210,10 @@ void PictureView::tell_panels(const std::vector<Viewport>& viewports) {
     interface.picture = std::move(look);
 }
 
-void PictureView::take(const Result<render::DrawStatistics>& drawn, render::Quality quality) {
-    const render::Frame& frame = sheet_.viewports.front().frame;
+void PictureView::take(const PictureDrawer::Made& made) {
+    const render::Frame& frame = made.sheet.viewports.front().frame;
+    const Result<render::DrawStatistics>& drawn = made.drawn;
+    const render::Quality quality = frame.quality;
     const render::DrawStatistics done = drawn.value_or(render::DrawStatistics{});
     // Said once; the interface goes on without a picture.
     const std::string problem = drawn ? std::string() : drawn.error().message();
@@ -199,7 +229,7 @@ void PictureView::take(const Result<render::DrawStatistics>& drawn, render::Qual
         state_.warn(Warning{"The surface is more than graphics memory holds: a coarser one is shown",
                             {},
                             "lower the detail, or hide what is not needed; files that are exported have all of it"});
-    scale_bar_ = sheets_.scale_bar();
+    scale_bar_ = made.scale_bar;
     upload_pending_ = done.pending;
     unfinished_ = done.unfinished;
     if (done.geometry && !cast_ && quality == render::Quality::kFull) full_seconds_ = done.seconds;
@@ -208,18 +238,25 @@ void PictureView::take(const Result<render::DrawStatistics>& drawn, render::Qual
 
 bool PictureView::refine(bool stirred) {
     if (stirred) stirred_at_ = state_.now;
-    if (!refines_ || state_.now < stirred_at_ + kRefiningRest) return false;
-    const auto done = sheets_.refine(sheet_, kDrawingSeconds);
-    refines_ = done && done->more;
-    return done && done->changed;
+    if (refines_ && !drawer_.busy() && state_.now >= stirred_at_ + kRefiningRest) {
+        drawer_.refine(sheet_, kDrawingSeconds);
+        Taken none;
+        take_picture(kPatience, none);
+    }
+    return std::exchange(finer_, false);
 }
 
 void PictureView::present(unsigned framebuffer) {
     const Layout& layout = state_.layout;
-    sheets_.present(framebuffer, layout.view_at.x, layout.window.y - layout.view_at.y - layout.view_size.y);
+    const int below = layout.window.y - layout.view_at.y - layout.view_size.y;
+    drawer_.present(framebuffer, {layout.view_at.x, below}, layout.view_size);
 }
 
 double PictureView::wait_seconds(double now) const {
+    if (drawer_.busy()) { // the window wakes when it is there
+        const double told_at = begun_at_ + kUntilTold;
+        return drawer_.drawing() && now < told_at ? told_at - now + 1e-3 : std::numeric_limits<double>::infinity();
+    }
     if (glide_ || upload_pending_ || unfinished_ || depths_put_off_) return 0.0;
     double wait = std::numeric_limits<double>::infinity();
     if (quality_ != render::Quality::kFull && !awaits_)
@@ -230,7 +267,7 @@ double PictureView::wait_seconds(double now) const {
 }
 
 bool PictureView::resting() const {
-    return !upload_pending_ && !unfinished_ && !glide_ && !depths_pending_ && !depths_put_off_ &&
+    return !drawer_.drawing() && !upload_pending_ && !unfinished_ && !glide_ && !depths_pending_ && !depths_put_off_ &&
            quality_ == render::Quality::kFull;
 }
 
@@ -261,15 +298,19 @@ render::Sheet PictureView::sheet_for_keeping(glm::ivec2 size) {
 
 Result<void> PictureView::write_picture(const std::filesystem::path& path) {
     const render::Sheet sheet = sheet_for_keeping(state_.layout.view_size);
-    if (const auto drawn = sheets_.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());
-    if (const auto finer = sheets_.refine(sheet, keeping_seconds()); !finer) return tl::unexpected(finer.error());
-    return render::write_png(sheets_.read_image(), path);
+    return drawer_.with([&](render::Renderer&, render::SheetRenderer& sheets) -> Result<void> {
+        if (const auto drawn = sheets.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());
+        if (const auto finer = sheets.refine(sheet, keeping_seconds()); !finer) return tl::unexpected(finer.error());
+        return render::write_png(sheets.read_image(), path);
+    });
 }
 
 Result<void> PictureView::write_figure(const FigureRequest& request, Job& job) {
     const auto compose_sized = [this](glm::ivec2 size) -> Result<render::Sheet> { return sheet_for_keeping(size); };
-    render::SheetRenderer alone(renderer_); // as below
-    return app::write_figure(alone, compose_sized, whole_size(), request, job);
+    return drawer_.with([&](render::Renderer& renderer, render::SheetRenderer&) {
+        render::SheetRenderer alone(renderer); // as below
+        return app::write_figure(alone, compose_sized, whole_size(), request, job);
+    });
 }
 
 Result<std::function<Result<void>(Job&)>> PictureView::done_elsewhere(const std::vector<std::string>& words) {
@@ -280,16 +321,20 @@ Result<std::function<Result<void>(Job&)>> PictureView::done_elsewhere(const std:
 
 Result<render::Image> PictureView::draw_picture(const render::Camera& camera, glm::ivec2 size) {
     const render::Sheet sheet = render::sheet_of(frame_for_keeping(camera, size));
-    render::SheetRenderer alone(renderer_); // those of other viewports keep what they have
-    if (const auto drawn = alone.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());
-    (void)alone.refine(sheet, keeping_seconds());
-    return alone.read_image();
+    return drawer_.with([&](render::Renderer& renderer, render::SheetRenderer&) -> Result<render::Image> {
+        render::SheetRenderer alone(renderer); // those of other viewports keep what they have
+        if (const auto drawn = alone.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());
+        (void)alone.refine(sheet, keeping_seconds());
+        return alone.read_image();
+    });
 }
 
 Result<render::BranchPicture> PictureView::branch_picture() {
     const render::Frame frame = frame_for_keeping(state_.workspace.document.session().camera, picture_size());
-    if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
-    return renderer_.read_branches();
+    return drawer_.with([&](render::Renderer& renderer, render::SheetRenderer&) -> Result<render::BranchPicture> {
+        if (const auto drawn = renderer.draw(frame); !drawn) return tl::unexpected(drawn.error());
+        return renderer.read_branches();
+    });
 }
 
 } // namespace ramus::app

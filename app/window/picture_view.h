@@ -4,6 +4,7 @@
 
 #include "app/tools/aim.h"
 #include "app/window/pace.h"
+#include "app/window/picture_drawer.h"
 #include "app/window/viewer_state.h"
 #include "render/renderer/sheet.h"
 
@@ -15,7 +16,7 @@ namespace ramus::app {
 
 class PictureView final : public PictureHost {
 public:
-    PictureView(ViewerState& state, render::Renderer& renderer);
+    PictureView(ViewerState& state, render::Renderer& renderer, DrawingThread& thread);
 
     // `dragging`: somebody turns the view by hand. True when the picture is another one than before.
     bool draw(bool dragging);
@@ -29,9 +30,9 @@ public:
     [[nodiscard]] const render::Camera& shown_camera() const { return shown_camera_; } // of the last picture
 
     // Pixels of the picture. The first waits for the card; the answer to the second comes a frame or two later.
-    [[nodiscard]] render::Pick pick(glm::dvec2 at) { return sheets_.pick(at); }
-    void request_pick(glm::dvec2 at) { sheets_.request_pick(at); }
-    [[nodiscard]] std::optional<render::Pick> poll_pick() { return sheets_.poll_pick(); }
+    [[nodiscard]] render::Pick pick(glm::dvec2 at) { return drawer_.pick(at); }
+    void request_pick(glm::dvec2 at) { drawer_.request_pick(at); }
+    [[nodiscard]] std::optional<render::Pick> poll_pick() { return drawer_.poll_pick(); }
 
     // What is pointed at, and a pixel of the picture that the pointer is on, which is `in_viewport` of its viewport.
     [[nodiscard]] Aim& aim() { return aim_; }
@@ -43,6 +44,7 @@ public:
     [[nodiscard]] double wait_seconds(double now) const; // until it wants to be drawn again; infinite: not by itself
     [[nodiscard]] bool resting() const;                  // full, and of what is known now
     [[nodiscard]] bool refines() const { return refines_; }
+    [[nodiscard]] bool under_way() const { return drawer_.busy(); } // a picture is; when it is there the window wakes
     // What the last picture was made of, and the kernel's width in it: maybe of a surface that is not there yet.
     [[nodiscard]] bool cast() const { return cast_; }
     [[nodiscard]] float pictured_width() const { return pictured_width_; }
@@ -67,6 +69,8 @@ public:
 private:
     static constexpr float kToolBarHeight = 48.0F; // points at the top of the picture that the tools' bar takes
     static constexpr double kGlideSeconds = 0.35;
+    static constexpr double kPatience = 0.05;     // seconds that a frame waits for a picture that is drawn elsewhere
+    static constexpr double kUntilTold = 0.25;    // seconds after which a person is told that there is one to come
     static constexpr double kSlowToRefine = 3.0;  // seconds of a full picture; one that takes more is fine enough
     static constexpr double kRefiningRest = 0.5;  // seconds that nothing happens before the picture gets finer
     static constexpr double kPollSeconds = 0.004; // between looks for depths that are on their way
@@ -82,7 +86,13 @@ private:
     [[nodiscard]] render::Quality quality_now(bool dragging);
     void dress(const std::vector<Viewport>& viewports, const ShownSurfaces& surfaces, render::Quality quality);
     void tell_panels(const std::vector<Viewport>& viewports);
-    void take(const Result<render::DrawStatistics>& drawn, render::Quality quality);
+    // What has come of a picture: another one to be shown, with another geometry.
+    struct Taken {
+        bool shaded = false, geometry = false;
+    };
+    void take_picture(double seconds, Taken& taken);
+    void take(const PictureDrawer::Made& made);
+    void tell_preparing();
     void take_depths();
     void ask_depths(bool drawn);
     void tell_nothing_in_view();
@@ -91,9 +101,10 @@ private:
     [[nodiscard]] render::Frame frame_for_keeping(const render::Camera& camera, glm::ivec2 size);
 
     ViewerState& state_;
-    render::Renderer& renderer_;
-    render::SheetRenderer sheets_; // draws with it
-    render::Sheet sheet_;          // of the last picture
+    PictureDrawer drawer_;
+    render::Sheet sheet_;   // of the last picture, or of the one that is on its way
+    double begun_at_ = 0.0; // when that was begun
+    bool finer_ = false;    // what is shown, since refine() said so
     // The picture's way to a camera that a command has set.
     struct Glide {
         render::Camera from;

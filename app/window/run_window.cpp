@@ -7,6 +7,7 @@
 #include "app/storage/settings.h"
 #include "app/storage/tree_source.h"
 #include "app/storage/user_folders.h"
+#include "app/window/drawing_thread.h"
 #include "app/window/glfw_window.h"
 #include "app/window/imgui_renderer.h"
 #include "app/window/loop_watch.h"
@@ -24,6 +25,7 @@
 #include <imgui.h>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -128,6 +130,32 @@ private:
     Worker returner_{[] {}}; // the system takes long for much of it
 };
 
+// The renderer of a drawing thread: it ends where it draws. Without a thread a driver that cannot draw says so at once.
+class ItsRenderer {
+public:
+    explicit ItsRenderer(DrawingThread& thread) : thread_(thread) {}
+    ~ItsRenderer() {
+        thread_.run([this] { renderer_.reset(); });
+    }
+    ItsRenderer(const ItsRenderer&) = delete;
+    ItsRenderer& operator=(const ItsRenderer&) = delete;
+
+    [[nodiscard]] Result<void> make(std::size_t surface_bytes) {
+        if (thread_.apart()) {
+            renderer_ = render::Renderer::create_later(render::kGlassBytes, surface_bytes);
+            return {};
+        }
+        RAMUS_TRY(made, render::Renderer::create(render::kGlassBytes, surface_bytes));
+        renderer_ = std::move(made);
+        return {};
+    }
+    [[nodiscard]] render::Renderer& get() { return *renderer_; }
+
+private:
+    DrawingThread& thread_;
+    std::unique_ptr<render::Renderer> renderer_;
+};
+
 Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keeper& keeper,
                   const WindowOptions& options, std::optional<std::vector<ScriptLine>> script, LoopWatch& watch) {
     StatusFile status(options.status);
@@ -206,11 +234,12 @@ int run_window(const WindowOptions& options) {
     });
     auto window = GlfwWindow::create(options.size.x > 0 ? options.size : settings.window, wanted_scale);
     if (!window) return complain(window.error());
-    auto renderer = render::Renderer::create(render::kGlassBytes, options.graphics_bytes);
-    if (!renderer) return complain(renderer.error());
+    const std::unique_ptr<DrawingThread> thread = (*window)->make_drawing_thread();
+    ItsRenderer renderer(*thread);
+    if (auto made = renderer.make(options.graphics_bytes); !made) return complain(made.error());
     fonts.wait();
     LoopWatch watch;
-    auto viewer = Viewer::create(workspace, **renderer, (*window)->scale(), wake_window);
+    auto viewer = Viewer::create(workspace, renderer.get(), (*window)->scale(), wake_window, thread.get());
     if (!viewer) return complain(viewer.error());
     (*viewer)->tell_steps([&watch](const char* step) { watch.did(step); });
     (*window)->attach(viewer->get());
@@ -223,6 +252,7 @@ int run_window(const WindowOptions& options) {
     Keeper keeper(settings, own_scale);
     (*window)->show();
     const auto done = loop(**window, **viewer, workspace, keeper, options, std::move(script), watch);
+    (*window)->hide(); // what is being drawn is waited for
     keeper.leave(**window, **viewer);
     (*window)->attach(nullptr);
     return done ? 0 : complain(done.error());

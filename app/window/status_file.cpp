@@ -5,6 +5,7 @@
 #include "app/window/viewer.h"
 #include "core/io/json_text.h"
 #include "core/io/output_file.h"
+#include "render/gl/gl_objects.h"
 
 #include <filesystem>
 #include <fstream>
@@ -117,7 +118,9 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const 
     status["shown"] = !shown.mesh ? "nothing" : cones ? "cones" : shown.provisional ? "preview" : "surface";
     status["picture"] = {{"of", viewer.picture().cast() ? "centerlines" : "mesh"},
                          {"width", viewer.picture().pictured_width()},
-                         {"refined", viewer.refined()}};
+                         {"refined", viewer.refined()},
+                         {"under_way", viewer.picture().under_way()}};
+    status["programs_made_here"] = render::gl_programs_made(); // by the window's own thread
     status["problem"] = workspace.surface_problem();
     status["resting"] = viewer.resting();
     status["hovered"] = interface.hovered;

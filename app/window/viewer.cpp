@@ -11,8 +11,9 @@
 
 namespace ramus::app {
 
-Viewer::Viewer(Workspace& workspace, render::Renderer& renderer, std::function<void()> wake)
-    : state_(workspace, std::move(wake)), picture_(state_, renderer), previewer_(state_), input_(state_, picture_),
+Viewer::Viewer(Workspace& workspace, render::Renderer& renderer, std::function<void()> wake, DrawingThread* thread)
+    : state_(workspace, std::move(wake)), picture_(state_, renderer, thread != nullptr ? *thread : no_thread_),
+      previewer_(state_, thread != nullptr ? *thread : no_thread_), input_(state_, picture_),
       files_(state_, [this](const Workspace::Opened& opened) { begin_tree(opened); }),
       parts_(state_), actions_{.document = workspace.document,
                                .picture = picture_,
@@ -26,8 +27,8 @@ Viewer::Viewer(Workspace& workspace, render::Renderer& renderer, std::function<v
 }
 
 Result<std::unique_ptr<Viewer>> Viewer::create(Workspace& workspace, render::Renderer& renderer, float scale,
-                                               std::function<void()> wake) {
-    std::unique_ptr<Viewer> viewer(new Viewer(workspace, renderer, std::move(wake)));
+                                               std::function<void()> wake, DrawingThread* thread) {
+    std::unique_ptr<Viewer> viewer(new Viewer(workspace, renderer, std::move(wake), thread));
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr; // nothing of the interface is worth a file in the user's folder
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
@@ -164,7 +165,8 @@ void Viewer::present(unsigned framebuffer) {
 }
 
 double Viewer::wait_seconds(double now) const {
-    if (state_.frames_left > 0 || state_.interface.fly.playing || interface_waits_ || input_.pick_wanted()) return 0.0;
+    if (state_.frames_left > 0 || interface_waits_ || input_.pick_wanted()) return 0.0;
+    if (state_.interface.fly.playing && !picture_.under_way()) return 0.0;
     double wait = picture_.wait_seconds(now);
     if (input_.pick_pending()) wait = std::min(wait, kPollSeconds);
     if (working()) wait = std::min(wait, kProgressSeconds);
@@ -175,7 +177,7 @@ double Viewer::wait_seconds(double now) const {
 
 bool Viewer::resting() const {
     return !working() && state_.frames_left == 0 && !interface_waits_ && !input_.pick_wanted() &&
-           !input_.pick_pending() && picture_.resting();
+           !input_.pick_pending() && !previewer_.drawing() && picture_.resting();
 }
 
 std::string Viewer::title() const {

@@ -26,9 +26,10 @@ namespace ramus::app {
 class Viewer {
 public:
     // An ImGui context must be current. All references outlive the viewer. `wake` is called from other threads when
-    // draw() has something to do.
+    // draw() has something to do. `thread` draws pictures, with `renderer`; null: draw() itself does.
     [[nodiscard]] static Result<std::unique_ptr<Viewer>> create(Workspace& workspace, render::Renderer& renderer,
-                                                                float scale, std::function<void()> wake = {});
+                                                                float scale, std::function<void()> wake = {},
+                                                                DrawingThread* thread = nullptr);
 
     void resize(glm::ivec2 window, float scale);
     [[nodiscard]] const Layout& layout() const { return state_.layout; }
@@ -64,7 +65,7 @@ private:
     static constexpr double kPollSeconds = 0.004;
     static constexpr double kProgressSeconds = 0.25; // each redraw takes from the work
 
-    Viewer(Workspace& workspace, render::Renderer& renderer, std::function<void()> wake);
+    Viewer(Workspace& workspace, render::Renderer& renderer, std::function<void()> wake, DrawingThread* thread);
     [[nodiscard]] bool working() const {
         return state_.workspace.busy() || state_.commands.busy() || files_.reading_volume();
     }
@@ -76,6 +77,7 @@ private:
     void present(unsigned framebuffer);
 
     ViewerState state_;
+    DrawingThread no_thread_;
     PictureView picture_;
     FigurePreviewer previewer_;
     ViewerInput input_;

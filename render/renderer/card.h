@@ -11,7 +11,7 @@
 // | ViewTargets            | samples, resolved, occlusion, lit: targets.h | 12 s + 30 a pixel
 // | ViewTargets.lists      | glass from OpenGL 4.3 on                     | 4 a pixel, 16 a fragment: kGlassBytes
 // | ViewTargets.layers     | glass before that                            | 16 s + 64 a pixel
-// | PictureTarget          | the picture                                  | 4 a pixel
+// | PictureTarget          | the picture                                  | 4 a pixel; the window's 8 more, ShownPicture
 // | Refinement             | ViewTargets once more, and MeanTarget        | 8 a pixel beside
 // | PickRequest            | what a pick reads back                       | some KB
 // clang-format on

@@ -2,8 +2,8 @@
 (--status, gaps): a table of what was done, the longest time that its thread was on a processor in between, at what, and
 the longest time by the clock, which has the software rasteriser's threads and all else that runs on the machine in it.
 A measurement, no test: of a grown tree of 30,000 branches and, with RAMUS_SHARED_DATA, the kidney. What the graphics
-driver compiles for the first time is in it, 0.1 to 0.5 s for a shader of Mesa's rasteriser; where XDG_CACHE_HOME names a
-folder that a run before has filled, the driver finds it there.
+driver compiles for the first time, 0.1 to 0.5 s for a shader of Mesa's rasteriser, is in it where the window draws alone
+(RAMUS_ONE_THREAD=1) and XDG_CACHE_HOME does not name a folder that a run before has filled.
 
 Usage: gaps.py PROGRAM [PART [TREE]]    PART: only steps whose name has it, a regular expression; "" for all
                                         TREE: only of grown, kidney

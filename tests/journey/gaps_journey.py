@@ -1,10 +1,12 @@
 """A window looks at its events again within a tenth of a second, whatever was asked of it: on a tree that is large enough
 for what goes through all of a surface to show. In time that the window's own thread is on a processor, so that a busy
-machine changes little, and each step for the second time: what the graphics driver compiles for the first is not ours.
+machine changes little, from the start on and with nothing in the graphics driver's cache: it compiles a shader when that
+is used for the first time.
 
 Usage: gaps_journey.py PROGRAM
 """
 
+import os
 import subprocess
 import sys
 
@@ -41,19 +43,19 @@ def steps(window):
 def answers_in_time(program, screen, folder):
     tree = folder / "grown.swc"
     subprocess.run([program, "grow", "-o", tree, "--branches", "3000"], check=True)
+    os.environ["XDG_CACHE_HOME"] = str(folder / "nothing in it")
     window = Window(program, screen, folder, [tree])
     try:
         if window.wait("the surface", rested)["unsaid"]:
             window.xdotool("key", "Escape")
-        longest = {}
-        for again in (False, True):
-            for name, take in steps(window):
-                known = {gap["ended"] for gap in window.wait(f"rest before: {name}", rested)["gaps"]}
-                take()
-                window.wait(f"rest after: {name}", rested)
-                window.xdotool("key", "shift")  # its last gap is in the next status
-                gaps = window.wait(f"the gaps of: {name}", rested)["gaps"]
-                longest[name] = max([gap["processor_seconds"] for gap in gaps if gap["ended"] not in known], default=0.0)
+        longest = {"the start": window.wait("the first rest", rested)["longest_gap"]["processor_seconds"]}
+        for name, take in steps(window):
+            known = {gap["ended"] for gap in window.wait(f"rest before: {name}", rested)["gaps"]}
+            take()
+            window.wait(f"rest after: {name}", rested)
+            window.xdotool("key", "shift")  # its last gap is in the next status
+            gaps = window.wait(f"the gaps of: {name}", rested)["gaps"]
+            longest[name] = max([gap["processor_seconds"] for gap in gaps if gap["ended"] not in known], default=0.0)
         slowest = max(longest, key=longest.get)
         check(longest[slowest] < PROMISED,
               f"the window answers within {PROMISED} s: longest {longest[slowest]:.3f} s, {slowest}")

@@ -1,0 +1,99 @@
+#include "app/window/picture_drawer.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace ramus::app {
+
+PictureDrawer::PictureDrawer(render::Renderer& renderer, DrawingThread& thread)
+    : renderer_(renderer), thread_(thread), sheets_(renderer) {}
+
+PictureDrawer::~PictureDrawer() {
+    thread_.run([this] {
+        sheets_.reset();
+        shown_.let_go();
+    });
+}
+
+void PictureDrawer::draw(const render::Sheet& sheet, std::size_t upload_budget, double seconds) {
+    refines_ = false;
+    made_ = thread_.begin([this, sheet, upload_budget, seconds] { return drawn(sheet, upload_budget, seconds); });
+}
+
+void PictureDrawer::refine(const render::Sheet& sheet, double seconds) {
+    refines_ = true;
+    made_ = thread_.begin([this, sheet, seconds] { return refined(sheet, seconds); });
+}
+
+std::optional<PictureDrawer::Made> PictureDrawer::take(double seconds) {
+    if (!busy()) return {};
+    constexpr double kLongest = 1e6;
+    if (!thread_.done(made_, std::min(seconds, kLongest))) return {};
+    return made_.get();
+}
+
+PictureDrawer::Made PictureDrawer::drawn(render::Sheet sheet, std::size_t upload_budget, double seconds) {
+    Made made{.sheet = std::move(sheet)};
+    made.drawn = sheets_->draw(made.sheet, upload_budget, seconds);
+    made.scale_bar = sheets_->scale_bar();
+    if (made.drawn && made.drawn->shaded)
+        if (auto kept = keep(made.sheet); !kept) made.drawn = tl::unexpected(kept.error());
+    return made;
+}
+
+PictureDrawer::Made PictureDrawer::refined(render::Sheet sheet, double seconds) {
+    Made made{.sheet = std::move(sheet)};
+    made.finer = sheets_->refine(made.sheet, seconds).value_or(render::Refined{});
+    made.scale_bar = sheets_->scale_bar();
+    if (made.finer->changed && !keep(made.sheet)) made.finer = render::Refined{};
+    return made;
+}
+
+Result<void> PictureDrawer::keep(const render::Sheet& sheet) {
+    if (!thread_.apart()) return {}; // it is shown from where it was drawn
+    try {
+        shown_.keep(*sheets_, sheet.size);
+        return {};
+    } catch (const render::OutOfGraphicsMemory& error) {
+        return fail(error.what(), {}, "make the window smaller");
+    }
+}
+
+void PictureDrawer::present(unsigned framebuffer, glm::ivec2 at, glm::ivec2 size) {
+    if (thread_.apart()) return shown_.present(framebuffer, at, size);
+    sheets_->present(framebuffer, at.x, at.y);
+}
+
+render::Pick PictureDrawer::pick(glm::dvec2 at) {
+    const bool same = asked_.answer && glm::distance(asked_.at, at) < 1.0;
+    if (!idle() && same) return *asked_.answer;
+    return thread_.run([&] { return sheets_->pick(at); });
+}
+
+void PictureDrawer::request_pick(glm::dvec2 at) {
+    asked_ = {at, {}};
+    ask_when_idle_ = !idle();
+    if (!ask_when_idle_) thread_.run([&] { sheets_->request_pick(at); });
+}
+
+std::optional<render::Pick> PictureDrawer::poll_pick() {
+    if (!idle()) return {};
+    const bool ask = std::exchange(ask_when_idle_, false);
+    const auto pick = thread_.run([&] {
+        if (ask) sheets_->request_pick(asked_.at);
+        return sheets_->poll_pick();
+    });
+    if (pick) asked_.answer = pick;
+    return pick;
+}
+
+bool PictureDrawer::request_depths() {
+    return thread_.run([this] { return sheets_->request_depths(); });
+}
+
+std::optional<std::vector<render::DepthMap>> PictureDrawer::poll_depths() {
+    return thread_.run([this] { return sheets_->poll_depths(); });
+}
+
+} // namespace ramus::app
