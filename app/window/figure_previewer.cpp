@@ -141,7 +141,7 @@ void FigurePreviewer::let_go() {
 void FigurePreviewer::update() {
     FigurePreview& preview = state_.interface.preview;
     if (!preview.wanted || !preview.request.size || !state_.workspace.shown().mesh) {
-        if (its_) let_go();
+        if (its_ || shown_) let_go();
         return;
     }
     take_part(0.0);

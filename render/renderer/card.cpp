@@ -11,16 +11,22 @@ constexpr std::uint64_t kMostMovingTriangles = 40'000; // more are drawn as cone
 
 } // namespace
 
-Result<void> Passes::make() {
-    view_block_ = make_buffer(sizeof(ViewBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
+Result<void> Passes::make(For what) {
     const auto make_all = [](auto&... passes) {
         Result<void> made;
         (void)((made = passes.make()) && ...);
         return made;
     };
-    auto made = make_all(surface, centerlines, context, resolve, occlusion, shade, mean, copy, marks, sprites);
-    if (!made) return made;
-    return gl_has_lists() ? lists.make() : layers.make();
+    if (!made_for_cast_) {
+        view_block_ = make_buffer(sizeof(ViewBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
+        if (auto made = make_all(marks, sprites); !made) return made;
+        made_for_cast_ = true;
+    }
+    if (what == For::kCast || made_) return {};
+    auto made = make_all(surface, centerlines, context, resolve, occlusion, shade, mean, copy);
+    if (made) made = gl_has_lists() ? lists.make() : layers.make();
+    made_ = made.has_value();
+    return made;
 }
 
 void Passes::send(const ViewSetup& view) const {

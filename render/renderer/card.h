@@ -29,7 +29,9 @@ namespace ramus::render {
 struct Passes {
     explicit Passes(std::size_t glass_bytes)
         : lists(context, resolve, glass_bytes), layers(context, resolve), shade(lists, layers) {}
-    [[nodiscard]] Result<void> make();
+    // Makes their programs, unless they are there. The caster's pictures need few, and a window's first is one.
+    enum class For { kCast, kAll };
+    [[nodiscard]] Result<void> make(For what);
 
     // Before passes of a view, whatever others have left.
     void begin(const ViewSetup& view) const;
@@ -57,6 +59,7 @@ struct Passes {
 private:
     void send(const ViewSetup& view) const;
     Buffer view_block_;
+    bool made_for_cast_ = false, made_ = false;
 };
 
 struct Card {

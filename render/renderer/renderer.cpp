@@ -19,19 +19,12 @@ Result<void> check_size(std::int64_t width, std::int64_t height) {
 
 Result<std::unique_ptr<Renderer>> Renderer::create(std::size_t glass_bytes, std::size_t surface_bytes) {
     auto renderer = create_later(glass_bytes, surface_bytes);
-    if (auto ready = renderer->make(); !ready) return tl::unexpected(ready.error());
+    if (auto ready = renderer->card_.passes.make(Passes::For::kAll); !ready) return tl::unexpected(ready.error());
     return renderer;
 }
 
 std::unique_ptr<Renderer> Renderer::create_later(std::size_t glass_bytes, std::size_t surface_bytes) {
     return std::unique_ptr<Renderer>(new Renderer(glass_bytes, surface_bytes));
-}
-
-Result<void> Renderer::make() {
-    if (made_) return {};
-    auto ready = card_.passes.make();
-    made_ = ready.has_value();
-    return ready;
 }
 
 Pick Renderer::pick(double x, double y) {

@@ -23,7 +23,7 @@ class Renderer {
 public:
     [[nodiscard]] static Result<std::unique_ptr<Renderer>> create(std::size_t glass_bytes = kGlassBytes,
                                                                   std::size_t surface_bytes = kMostOfGraphicsMemory);
-    // The same, but the first draw() makes the programs, and fails where that does: no shader is compiled here.
+    // The same, but draw() makes the programs that it needs, and fails where that does: no shader is compiled here.
     [[nodiscard]] static std::unique_ptr<Renderer> create_later(std::size_t glass_bytes = kGlassBytes,
                                                                 std::size_t surface_bytes = kMostOfGraphicsMemory);
     Renderer(const Renderer&) = delete;
@@ -89,11 +89,10 @@ private:
         kDraw,    // all passes
     };
 
-    Result<void> make(); // unless it is
     Result<DrawStatistics> draw_all(const Frame& wanted, std::size_t upload_budget, double seconds);
     [[nodiscard]] Plan plan_for(const Frame& wanted, const Frame& frame, const std::vector<Layer>& layers) const;
     [[nodiscard]] bool moves(const Frame& wanted, const Frame& frame) const;
-    // Whether what passes draw into was made.
+    // Makes what the plan needs, unless it is there: programs, and what passes draw into. Whether the latter was made.
     Result<bool> resize(const Frame& frame, Plan plan);
     Result<void> fit_picture(glm::ivec2 size);
     [[nodiscard]] ViewSetup cast_view(const Subject& subject) const;
@@ -118,7 +117,6 @@ private:
     }
 
     Card card_;
-    bool made_ = false; // its programs are
     PictureState state_;
     std::unique_ptr<Unfinished> unfinished_; // while the state is partial
     std::unique_ptr<Refinement> refinement_; // while it is refining

@@ -91,7 +91,6 @@ int most_samples() {
 Result<DrawStatistics> Renderer::draw(const Frame& wanted, std::size_t upload_budget, double seconds) {
     if (auto fits = check_size(wanted.size.x, wanted.size.y); !fits) return tl::unexpected(fits.error());
     try {
-        if (auto ready = make(); !ready) return tl::unexpected(ready.error());
         return draw_all(wanted, upload_budget, seconds);
     } catch (const OutOfGraphicsMemory& error) {
         let_go();
@@ -122,9 +121,11 @@ Renderer::Plan Renderer::plan_for(const Frame& wanted, const Frame& frame, const
     return Plan::kDraw;
 }
 
-// Most that passes draw into is made when the first of them draws: a window's first picture is the caster's, and comes
-// that much sooner.
+// Most programs, and what passes draw into, are made when the first of them draws: a window's first picture is the
+// caster's, and comes that much sooner.
 Result<bool> Renderer::resize(const Frame& frame, Plan plan) {
+    const auto what = plan == Plan::kDraw ? Passes::For::kAll : Passes::For::kCast;
+    if (auto made = card_.passes.make(what); !made) return tl::unexpected(made.error());
     const bool full = plan == Plan::kCast || frame.quality == Quality::kFull;
     const int divisor = full ? 1 : kInteractiveDivisor, samples = full ? most_samples() : 1;
     const bool reads_depths = lies_over_depths(frame);
