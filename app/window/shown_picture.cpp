@@ -1,25 +1,20 @@
 #include "app/window/shown_picture.h"
 
 #include <glad/gl.h>
-#include <glm/common.hpp>
+#include <utility>
 
 namespace ramus::app {
 
 void ShownPicture::keep(render::SheetRenderer& sheets, glm::ivec2 size) {
     const Kept before = shown();
-    Kept next{.which = before.made > 0 ? 1 - before.which : 0, .size = size};
-    render::PictureTarget& picture = pictures_.at(next.which);
-    if (picture.size != size) {
-        picture.make(size);
-        made_.at(next.which) = ++count_;
-    }
-    next.made = made_.at(next.which);
-    next.texture = picture.colour;
+    const std::size_t which = 1 - before.which;
+    render::PictureTarget& picture = pictures_.at(which);
+    if (picture.size != size) picture.make(size);
     sheets.present(picture.framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glFinish(); // the other context must find it whole
     const std::lock_guard lock(mutex_);
-    shown_ = next;
+    shown_ = {which, before.number + 1, picture.colour, size};
 }
 
 void ShownPicture::let_go() {
@@ -33,22 +28,16 @@ ShownPicture::Kept ShownPicture::shown() const {
     return shown_;
 }
 
-bool ShownPicture::any() const { return shown().made > 0; }
+bool ShownPicture::any() const { return shown().number > 0; }
 
-void ShownPicture::present(unsigned framebuffer, glm::ivec2 at, glm::ivec2 size) {
+void ShownPicture::present(unsigned framebuffer, glm::ivec2 at, glm::ivec2 filled) {
     const Kept picture = shown();
-    if (picture.made == 0) return;
-    render::Framebuffer& from = framebuffers_.at(picture.which);
-    if (of_.at(picture.which) != picture.made) {
-        from = render::make_framebuffer({picture.texture});
-        of_.at(picture.which) = picture.made;
+    if (picture.number == 0) return;
+    if (std::exchange(attached_, picture.number) != picture.number) {
+        seen_.framebuffer = render::make_framebuffer({picture.texture});
+        seen_.size = picture.size;
     }
-    const glm::ivec2 seen = glm::min(size, picture.size);
-    const int below = picture.size.y - seen.y, y = at.y + size.y - seen.y;
-    glDisable(GL_SCISSOR_TEST);
-    glBlitNamedFramebuffer(from, framebuffer, 0, below, seen.x, picture.size.y, at.x, y, at.x + seen.x, y + seen.y,
-                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    seen_.present(framebuffer, at.x, at.y, filled);
 }
 
 } // namespace ramus::app

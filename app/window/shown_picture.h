@@ -18,15 +18,14 @@ public:
     void keep(render::SheetRenderer& sheets, glm::ivec2 size);
     void let_go(); // of what the drawing thread has of it
 
-    // On the window's. As Renderer::present(); of a picture of another size than `size` what there is, from the top
-    // left.
-    void present(unsigned framebuffer, glm::ivec2 at, glm::ivec2 size);
+    // On the window's. As PictureTarget::present().
+    void present(unsigned framebuffer, glm::ivec2 at, glm::ivec2 filled);
     [[nodiscard]] bool any() const; // there is a picture
 
 private:
     struct Kept {
         std::size_t which = 0;
-        int made = 0; // how many textures were made before; 0: there is none
+        int number = 0; // of the pictures so far; 0: there is none
         unsigned texture = 0;
         glm::ivec2 size{0};
     };
@@ -34,12 +33,10 @@ private:
 
     // The drawing thread's.
     std::array<render::PictureTarget, 2> pictures_;
-    std::array<int, 2> made_{}; // of each, when
-    int count_ = 0;
 
-    // The window's: framebuffers are of one context.
-    std::array<render::Framebuffer, 2> framebuffers_;
-    std::array<int, 2> of_{}; // the texture that each has
+    // The window's: framebuffers are of one context. What another one drew is sure to be seen when it is attached anew.
+    render::PictureTarget seen_; // without the texture, which is not its own
+    int attached_ = 0;           // the picture that it has
 
     mutable std::mutex mutex_; // guards what follows
     Kept shown_;

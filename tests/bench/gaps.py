@@ -173,7 +173,7 @@ def mark(explorer):
     explorer.key("defocus", "g")
     explorer.key("turn with glass", "Left", "Left", "Left")
     explorer.key("defocus others", "shift+g")
-    explorer.key("select all", "ctrl+a")
+    explorer.key("select all", "Escape", "ctrl+i")
     explorer.key("undo select all", "ctrl+z")
     explorer.key("redo select all", "ctrl+shift+z")
     explorer.key("defocus all", "g")

@@ -29,11 +29,15 @@ def first_uses(window):
     def compare():
         choose(window, "Surfaces of the same vessels, seen together", "Side by side")
 
-    yield "a selection", press("ctrl+a"), ready
-    yield "glass", press("g"), ready
-    yield "the picture turns", press("Left", "Left"), ready
-    yield "nothing is selected", press("Escape", "ctrl+z"), ready
-    yield "the skeleton", skeleton, ready
+    def turned(status):
+        return ready(status) and status["camera"] != before
+
+    before = window.status()["camera"]
+    yield "a selection", press("ctrl+i"), lambda s: len(s["selection"]) == s["branch_count"]
+    yield "glass", press("g"), lambda s: ready(s) and len(s["states"]["defocused"]) == s["branch_count"]
+    yield "the picture turns", press("Left", "Left"), turned
+    yield "no glass", press("ctrl+z", "Escape"), lambda s: not s["states"]["defocused"]
+    yield "the skeleton", skeleton, lambda s: s["options"].get("skeleton")
     yield "two surfaces side by side", compare, lambda s: ready(s) and len(s["viewports"]) == 2
     yield "the preview of an export", press("ctrl+e"), lambda s: s["open_dialog"]
     yield "no dialog", press("Escape"), lambda s: not s["open_dialog"]

@@ -30,7 +30,7 @@ def steps(window):
     yield "all in the picture", lambda: press("f")
     yield "another view", lambda: press("3")
     yield "the first view", lambda: press("1")
-    yield "all selected", lambda: press("ctrl+a")
+    yield "all selected", lambda: press("ctrl+i")
     yield "all glass", lambda: press("g")
     yield "undo", lambda: press("ctrl+z")
     yield "nothing selected", lambda: press("Escape")
