@@ -70,6 +70,7 @@ Result<FigurePreviewer::Part> FigurePreviewer::draw_part(Its& its, const render:
         if (!its.renderer) { // takes about as long as a part
             RAMUS_TRY(made, render::Renderer::create());
             its.renderer = std::move(made);
+            its.renderer->let_first_wait();
             its.sheets.emplace(*its.renderer);
             return Part();
         }

@@ -43,6 +43,11 @@ public:
     // its pixels stays as it is. The next draw() of another frame begins anew; memory that there is not is no error.
     Refined refine(double seconds = kUntilDone);
 
+    // The first picture, for which draw() takes the time that it needs, comes in parts, too: for who shows nothing
+    // until it is there.
+    void let_first_wait() { first_waits_ = true; }
+    [[nodiscard]] bool first_waits() const { return first_waits_; }
+
     [[nodiscard]] bool has_picture() const { return last_.has_value(); }
     // The current picture. Straight alpha when the background is transparent.
     [[nodiscard]] Image read_image() const { return card_.picture.read(); }
@@ -102,6 +107,8 @@ private:
     Result<bool> cast_in_time(const Subject& subject, double seconds, DrawStatistics& done);
     Result<void> show_cast(CastPass::Made made);
     Result<void> back_to_cast();
+    // What the plan draws into, and its first part begun. True: making it took as long as a part.
+    Result<bool> make_room(Plan plan, const Frame& wanted, const Frame& frame, const std::vector<Layer>& layers);
     void go_on_or_give_up(Plan plan, const Frame& wanted, const Frame& frame);
     void begin(const Frame& wanted, const Frame& frame, const std::vector<Layer>& layers);
     Result<bool> draw_parts(double seconds, DrawStatistics& done);
@@ -122,6 +129,7 @@ private:
     std::unique_ptr<Refinement> refinement_; // while it is refining
     std::optional<Frame> last_;              // the frame that is shown; none: the state is kEmpty
     std::vector<Layer> last_layers_;
+    bool first_waits_ = false;
     ViewSetup shown_view_;                         // that it was drawn from; targets may have another one already
     std::shared_ptr<const PagedMesh> wanted_mesh_; // of the last frame that triangles were drawn for, there or not
     PickRequest request_;

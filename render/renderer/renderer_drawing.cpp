@@ -229,6 +229,19 @@ void Renderer::go_on_or_give_up(Plan plan, const Frame& wanted, const Frame& fra
     if (plan != Plan::kCast) card_.passes.cast.forget();
 }
 
+Result<bool> Renderer::make_room(Plan plan, const Frame& wanted, const Frame& frame, const std::vector<Layer>& layers) {
+    if (plan == Plan::kShow && state_.by_caster()) {
+        if (auto back = back_to_cast(); !back) return tl::unexpected(back.error());
+    }
+    if (plan != Plan::kCast && plan != Plan::kDraw) return false;
+    card_.passes.cast.forget();
+    const bool other_size = card_.picture.size != frame.size;
+    RAMUS_TRY(made_targets, resize(frame, plan));
+    if (plan == Plan::kDraw) begin(wanted, frame, layers);
+    // Of another size in each frame, as while an edge is dragged, no picture would come.
+    return plan == Plan::kDraw && made_targets && !other_size;
+}
+
 Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t upload_budget, double seconds) {
     const Stopwatch watch;
     DrawStatistics done;
@@ -245,17 +258,11 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
     if (plan == Plan::kNothing) return done;
     // The caster may be given a thread of its own; what is shown says what lies under its pixels meanwhile.
     const bool in_time = plan == Plan::kCast && seconds != kUntilDone && last_;
-    if (!in_time && (plan == Plan::kCast || plan == Plan::kDraw)) {
-        card_.passes.cast.forget();
-        const bool other_size = card_.picture.size != frame.size;
-        const auto made_targets = resize(frame, plan);
-        if (!made_targets) return failed(made_targets.error());
-        if (plan == Plan::kDraw) begin(wanted, frame, layers);
-        if (!last_) seconds = kUntilDone; // there is no picture meanwhile
-        // It took as long as a part. Of another size in each frame, as while an edge is dragged, none would come.
-        if (plan == Plan::kDraw && *made_targets && !other_size && seconds != kUntilDone) return later(done);
-    } else if (plan == Plan::kShow && state_.by_caster()) {
-        if (auto back = back_to_cast(); !back) return failed(back.error());
+    if (!in_time) {
+        const auto took_long = make_room(plan, wanted, frame, layers);
+        if (!took_long) return failed(took_long.error());
+        if (!last_ && !first_waits_) seconds = kUntilDone; // there is no picture meanwhile
+        if (*took_long && seconds != kUntilDone) return later(done);
     }
     card_.passes.begin(card_.targets.view);
     const Subject subject = subject_of(frame, layers);

@@ -96,6 +96,23 @@ TEST_CASE("a picture of another size comes in parts, too, and the one before sta
     CHECK(scene.renderer->pick(160, 120) == other->pick(160, 120));
 }
 
+TEST_CASE("the first picture comes in parts, too, for who can wait for it") {
+    const PartsScene scene;
+    (void)scene.draw(scene.frame);
+    const auto other = Renderer::create().value();
+    other->let_first_wait();
+    int calls = 0;
+    for (bool more = true; more; ++calls) {
+        SheetRenderer::finish();
+        const auto done = other->draw(scene.frame, kUploadAll, 0.0);
+        REQUIRE(done);
+        more = done->unfinished;
+        CHECK(other->has_picture() != more);
+    }
+    CHECK(calls > 5);
+    CHECK(largest_difference(other->read_image(), scene.renderer->read_image()) == 0);
+}
+
 TEST_CASE("two renderers make their pictures by turns") {
     const PartsScene scene;
     const auto other = Renderer::create().value();
