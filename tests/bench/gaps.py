@@ -19,7 +19,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "journey"))
 import screen as journeys  # noqa: E402
-from screen import Failure, Window, click, drag, run_journeys, saved_session  # noqa: E402
+from screen import Failure, Window, click, drag, middle_of, run_journeys, saved_session  # noqa: E402
 
 journeys.PATIENCE = 600.0  # seconds: reports of large trees on a busy machine
 SHARED = Path(os.environ.get("RAMUS_SHARED_DATA", ""))
@@ -88,7 +88,7 @@ class Explorer:
 
     def soon(self, what, condition):
         """As rest(), for what takes no work."""
-        usual, journeys.PATIENCE = journeys.PATIENCE, 60.0
+        usual, journeys.PATIENCE = journeys.PATIENCE, 180.0
         try:
             return self.window.wait(what, condition)
         finally:
@@ -120,9 +120,6 @@ class Explorer:
             self.window.xdotool("type", str(path))
             self.window.xdotool("key", "Return")
             self.soon("no dialog", lambda s: not s["open_dialog"])
-            if path == ORGAN:  # what becomes of a mask is asked
-                self.window.wait("what it holds", lambda s: s["volume_dialog"] == {"open": True, "read": True})
-                self.window.xdotool("key", "b")
         self.step(name, act)
 
     def command(self, title, arguments=""):
@@ -142,15 +139,14 @@ class Explorer:
     def end_or_cancel(self):
         """What is worked on elsewhere is cancelled where it takes longer than the window can be watched."""
         window = self.window
-        window.wait("no dialog", lambda s: not s["open_dialog"])
         end = time.monotonic() + WATCHED
-        while CANCEL in window.status()["controls"]:
-            if time.monotonic() > end:
-                click(window, CANCEL)
+        while (status := window.status())["open_dialog"] or CANCEL in status["controls"]:  # it does not rest meanwhile
+            if time.monotonic() > end and CANCEL in status["controls"]:
+                window.xdotool("mousemove", *middle_of(status, CANCEL), "click", 1)
                 print(f"    cancelled after {WATCHED} s", flush=True)
                 break
             time.sleep(0.5)
-        window.wait("nothing going on", lambda s: CANCEL not in s["controls"])
+        window.wait("nothing going on", lambda s: not s["open_dialog"] and CANCEL not in s["controls"])
 
 
 def turn_and_zoom(explorer):
@@ -322,11 +318,9 @@ def travel(explorer):
 
 
 def change_surface(explorer):
-    for change in ("width 2", "detail 8", "smooth 3", "prune 1", "method cones"):
+    for change in ("width 2", "detail 8", "smooth 3", "prune 1", "blend paper", "method cones"):
         explorer.command("surface", change)
         explorer.key(f"undo {change}", "ctrl+z")
-    explorer.command("blend", "paper")
-    explorer.key("undo blend", "ctrl+z")
 
 
 def edit(explorer):
