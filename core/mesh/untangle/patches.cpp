@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace ramus::mesh {
 
@@ -14,6 +15,7 @@ constexpr float kReach = 4.0F; // sides, that a patch reaches beyond what meets
 
 std::vector<std::uint32_t> triangles_around(const TriangleMesh& mesh, const TriangleBoxes& boxes,
                                             std::span<const TrianglePair> pairs) {
+    std::vector<std::uint8_t> taken(mesh.triangles.size(), 0); // places of pairs have the same triangles around them
     std::vector<std::uint32_t> around;
     for (const TrianglePair& pair : pairs) {
         TriangleBox box;
@@ -25,11 +27,11 @@ std::vector<std::uint32_t> triangles_around(const TriangleMesh& mesh, const Tria
                 longest =
                     std::max(longest, glm::distance(mesh.positions[t[corner]], mesh.positions[t[(corner + 1) % 3]]));
         }
-        boxes.for_each_in({box.least - kReach * longest, box.most + kReach * longest},
-                          [&](std::uint32_t n) { around.push_back(n); });
+        boxes.for_each_in({box.least - kReach * longest, box.most + kReach * longest}, [&](std::uint32_t n) {
+            if (std::exchange(taken[n], std::uint8_t{1}) == 0) around.push_back(n);
+        });
     }
     std::ranges::sort(around);
-    around.erase(std::unique(around.begin(), around.end()), around.end());
     return around;
 }
 

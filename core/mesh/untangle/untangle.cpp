@@ -5,6 +5,7 @@
 #include "core/mesh/untangle/patches.h"
 
 #include <algorithm>
+#include <atomic>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <oneapi/tbb/enumerable_thread_specific.h>
@@ -17,22 +18,39 @@ namespace {
 constexpr int kRounds = 32;       // some in most surfaces, 20 where vessels are packed
 constexpr float kStep = 0.5F;     // of the way to the middle of the neighbours
 constexpr float kFarthest = 0.5F; // of the vessel's radius, that a vertex moves
+// What has more is no surface with a fold here and there: cells are larger than its vessels.
+constexpr std::size_t kMostPairs = 4096;
+constexpr std::size_t kMostTriangles = 200'000; // of all patches: they are compared some tens of times
+constexpr std::size_t kMostLooks = 400;         // for each triangle at a fold; 20 where nothing is wrong
 
-// Of a surface's triangles, pairs of which at least one is at a fold, ascending.
-std::vector<TrianglePair> meeting_at_folds(const TriangleMesh& mesh, const Folds& folds) {
+struct Meeting {
+    std::vector<TrianglePair> pairs; // ascending
+    bool all = true;                 // false: there are far too many, and these are some
+};
+
+// Of a surface's triangles, pairs of which at least one is at a fold.
+Meeting meeting_at_folds(const TriangleMesh& mesh, const Folds& folds) {
     tbb::enumerable_thread_specific<std::vector<TrianglePair>> found;
+    std::atomic<std::size_t> looks{0};
+    const std::size_t most = kMostLooks * folds.triangles.size();
     tbb::parallel_for(std::size_t{0}, folds.triangles.size(), [&](std::size_t at) {
+        if (looks.load(std::memory_order_relaxed) > most) return;
         const std::uint32_t n = folds.triangles[at];
+        std::size_t its = 0;
         folds.boxes.for_each_in(box_of(mesh, mesh.triangles[n]), [&](std::uint32_t other) {
+            ++its;
             if (other != n && triangles_meet(mesh.positions, mesh.triangles[n], mesh.triangles[other]))
                 found.local().push_back({std::min(n, other), std::max(n, other)});
         });
+        looks += its;
     });
-    std::vector<TrianglePair> pairs;
+    Meeting meeting;
+    std::vector<TrianglePair>& pairs = meeting.pairs;
     for (const std::vector<TrianglePair>& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
     std::ranges::sort(pairs);
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    return pairs;
+    meeting.all = looks <= most && pairs.size() <= kMostPairs;
+    return meeting;
 }
 
 // The vertices of pairs, ascending.
@@ -73,9 +91,11 @@ std::vector<TrianglePair> meeting_at(const Patches& patches, std::span<const std
 
 Untangled untangle(TriangleMesh& mesh, Job& job) {
     const Folds folds = find_folds(mesh);
-    const std::vector<TrianglePair> found = meeting_at_folds(mesh, folds);
+    const auto [found, all_found] = meeting_at_folds(mesh, folds);
     if (found.empty()) return {};
+    if (!all_found) return {found.size(), found.size()};
     Patches patches = patches_around(mesh, folds.boxes, found);
+    if (patches.triangles.size() > kMostTriangles) return {found.size(), found.size()};
     std::vector<TrianglePair> pairs = patches.pairs;
     std::vector<glm::vec3> best = patches.positions;
     std::size_t least = pairs.size();

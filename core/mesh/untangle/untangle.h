@@ -14,7 +14,8 @@ struct Untangled {
 
 // Looks for triangles that meet, near folds (folds.h), and moves their vertices toward the middle of their neighbours
 // until none meet, at most by half of the vessel's radius; normals stay. Where that does not help in some rounds, what
-// met least stays. Of a closed surface with normals and radii. If cancelled, the surface is as it was.
+// met least stays; where very much meets, as with cells larger than vessels, all stays, and not every pair is counted.
+// Of a closed surface with normals and radii. If cancelled, the surface is as it was.
 Untangled untangle(TriangleMesh& mesh, Job& job);
 
 } // namespace ramus::mesh

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
+#include <random>
 
 using namespace ramus;
 
@@ -97,6 +98,16 @@ TEST_CASE("of two pieces that go through each other nothing is moved, and where 
     CHECK(pairs.found > 0);
     CHECK(pairs.left == pairs.found);
     CHECK(stiff == dragged);
+
+    mesh::TriangleMesh crumpled = sphere();
+    std::mt19937 random(20051025);
+    std::uniform_real_distribution<float> place(0.0F, 5.0F);
+    for (glm::vec3& p : crumpled.positions) p = {place(random), place(random), place(random)};
+    const mesh::TriangleMesh as_it_was = crumpled;
+    const mesh::Untangled many = mesh::untangle(crumpled, job);
+    CHECK(many.found > 10000);
+    CHECK(many.left == many.found);
+    CHECK(crumpled == as_it_was);
 
     drag(two, 100, 0.6F);
     const mesh::TriangleMesh tangled = two;
