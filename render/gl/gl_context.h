@@ -4,8 +4,8 @@
 //
 // The GL function pointers are the process's, not the context's: whoever makes a context of another kind current calls
 // load_gl() again (GlContext::make_current() does). Two threads may use contexts of one kind, each its own, where no
-// function is put in other terms (gl_takes_threads()). Nothing here links libGL: under OSMesa that would bring a second,
-// wrong implementation.
+// function is put in other terms (gl_takes_threads()). Nothing here links libGL: under OSMesa that would bring a
+// second, wrong implementation.
 #pragma once
 
 #include "core/base/error.h"
