@@ -7,6 +7,7 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_sort.h>
+#include <utility>
 
 namespace ramus::mesh {
 
@@ -47,6 +48,10 @@ std::vector<SweptBox> swept_boxes(std::span<const glm::vec3> positions, std::spa
 
 } // namespace
 
+void sort_pairs(std::vector<TrianglePair>& pairs) {
+    std::ranges::sort(pairs, {}, [](const TrianglePair& pair) { return std::pair(pair.first, pair.second); });
+}
+
 std::vector<TrianglePair> meeting_triangles(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
                                             std::span<const std::uint8_t> asked) {
     const std::vector<SweptBox> boxes = swept_boxes(positions, triangles);
@@ -62,7 +67,7 @@ std::vector<TrianglePair> meeting_triangles(std::span<const glm::vec3> positions
     });
     std::vector<TrianglePair> pairs;
     for (const std::vector<TrianglePair>& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
-    std::ranges::sort(pairs);
+    sort_pairs(pairs);
     return pairs;
 }
 

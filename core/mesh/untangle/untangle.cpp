@@ -47,7 +47,7 @@ Meeting meeting_at_folds(const TriangleMesh& mesh, const Folds& folds) {
     Meeting meeting;
     std::vector<TrianglePair>& pairs = meeting.pairs;
     for (const std::vector<TrianglePair>& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
-    std::ranges::sort(pairs);
+    sort_pairs(pairs);
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     meeting.all = looks <= most && pairs.size() <= kMostPairs;
     return meeting;
