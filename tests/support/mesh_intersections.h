@@ -2,14 +2,15 @@
 // tree of boxes, in threads.
 #pragma once
 
+#include "core/base/lists_by_thread.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/mesh/untangle/exact_triangles.h"
+#include "core/mesh/untangle/meeting_triangles.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <glm/common.hpp>
 #include <limits>
-#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_sort.h>
 #include <utility>
@@ -96,24 +97,18 @@ private:
     std::vector<Box> nodes_; // the root at 1, those below n at 2 n and 2 n + 1, groups from 1 << levels_ on
 };
 
-struct IntersectingPair {
-    std::uint32_t first = 0, second = 0; // triangles, the lower first
-    bool operator==(const IntersectingPair&) const = default;
-};
+using IntersectingPair = mesh::TrianglePair; // triangles, the lower first
 
 [[nodiscard]] inline std::vector<IntersectingPair> intersecting_triangles(const mesh::TriangleMesh& mesh) {
     const BoxTree tree(mesh);
-    tbb::enumerable_thread_specific<std::vector<IntersectingPair>> found;
+    ListsByThread<IntersectingPair> found;
     tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(mesh.triangles.size()), [&](std::uint32_t n) {
         tree.for_each_in(tree.box(n), [&](std::uint32_t other) {
             if (other > n && mesh::triangles_meet(mesh.positions, mesh.triangles[n], mesh.triangles[other]))
                 found.local().push_back({n, other});
         });
     });
-    std::vector<IntersectingPair> all;
-    for (const auto& some : found) all.insert(all.end(), some.begin(), some.end());
-    std::ranges::sort(all, {}, [](const IntersectingPair& pair) { return std::pair(pair.first, pair.second); });
-    return all;
+    return found.sorted();
 }
 
 // The middle of the two triangles of a pair, mm.

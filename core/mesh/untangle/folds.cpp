@@ -1,9 +1,10 @@
 #include "core/mesh/untangle/folds.h"
 
+#include "core/base/lists_by_thread.h"
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <span>
 #include <utility>
@@ -11,15 +12,6 @@
 namespace ramus::mesh {
 
 namespace {
-
-using Lists = tbb::enumerable_thread_specific<std::vector<std::uint32_t>>;
-
-std::vector<std::uint32_t> put_together(const Lists& lists) {
-    std::vector<std::uint32_t> all;
-    for (const std::vector<std::uint32_t>& some : lists) all.insert(all.end(), some.begin(), some.end());
-    std::ranges::sort(all);
-    return all;
-}
 
 bool faces_away(const TriangleMesh& mesh, const glm::uvec3& t) {
     const glm::vec3 a = mesh.positions[t.x], b = mesh.positions[t.y], c = mesh.positions[t.z];
@@ -33,7 +25,7 @@ std::vector<std::uint32_t> at_corners_of(const TriangleMesh& mesh, std::span<con
     std::vector<std::uint8_t> marked(mesh.positions.size(), 0); // no bits: several threads read them
     for (const std::uint32_t n : triangles)
         for (int corner = 0; corner < 3; ++corner) marked[mesh.triangles[n][corner]] = 1;
-    Lists found;
+    ListsByThread<std::uint32_t> found;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.triangles.size()), [&](const auto& range) {
         std::vector<std::uint32_t>& mine = found.local();
         for (std::size_t n = range.begin(); n < range.end(); ++n) {
@@ -41,7 +33,7 @@ std::vector<std::uint32_t> at_corners_of(const TriangleMesh& mesh, std::span<con
             if ((marked[t.x] | marked[t.y] | marked[t.z]) != 0) mine.push_back(static_cast<std::uint32_t>(n));
         }
     });
-    return put_together(found);
+    return found.sorted();
 }
 
 } // namespace
@@ -50,7 +42,7 @@ Folds find_folds(const TriangleMesh& mesh) {
     constexpr std::size_t kGroup = TriangleBoxes::kGroup, kEight = EightBoxes::kCount;
     const std::size_t count = mesh.triangles.size();
     TriangleBoxes::Groups groups((count + kGroup * kEight - 1) / (kGroup * kEight));
-    Lists folded;
+    ListsByThread<std::uint32_t> folded;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups.size()), [&](const auto& range) {
         std::vector<std::uint32_t>& mine = folded.local();
         for (std::size_t eight = range.begin(); eight < range.end(); ++eight) {
@@ -66,7 +58,7 @@ Folds find_folds(const TriangleMesh& mesh) {
             }
         }
     });
-    std::vector<std::uint32_t> triangles = put_together(folded);
+    std::vector<std::uint32_t> triangles = folded.sorted();
     if (!triangles.empty()) triangles = at_corners_of(mesh, triangles);
     return {std::move(triangles), TriangleBoxes(mesh, std::move(groups))};
 }

@@ -1,13 +1,12 @@
 #include "core/mesh/untangle/meeting_triangles.h"
 
 #include "core/base/bounds.h"
+#include "core/base/lists_by_thread.h"
 #include "core/mesh/untangle/exact_triangles.h"
 
 #include <algorithm>
-#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_sort.h>
-#include <utility>
 
 namespace ramus::mesh {
 
@@ -48,14 +47,10 @@ std::vector<SweptBox> swept_boxes(std::span<const glm::vec3> positions, std::spa
 
 } // namespace
 
-void sort_pairs(std::vector<TrianglePair>& pairs) {
-    std::ranges::sort(pairs, {}, [](const TrianglePair& pair) { return std::pair(pair.first, pair.second); });
-}
-
 std::vector<TrianglePair> meeting_triangles(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
                                             std::span<const std::uint8_t> asked) {
     const std::vector<SweptBox> boxes = swept_boxes(positions, triangles);
-    tbb::enumerable_thread_specific<std::vector<TrianglePair>> found;
+    ListsByThread<TrianglePair> found;
     tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t n) {
         const SweptBox& box = boxes[n];
         for (std::size_t other = n + 1; other < boxes.size() && boxes[other].from <= box.to; ++other) {
@@ -65,10 +60,7 @@ std::vector<TrianglePair> meeting_triangles(std::span<const glm::vec3> positions
                 found.local().push_back({first, second});
         }
     });
-    std::vector<TrianglePair> pairs;
-    for (const std::vector<TrianglePair>& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
-    sort_pairs(pairs);
-    return pairs;
+    return found.sorted();
 }
 
 } // namespace ramus::mesh

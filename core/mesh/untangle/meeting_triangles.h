@@ -11,9 +11,10 @@ namespace ramus::mesh {
 struct TrianglePair {
     std::uint32_t first = 0, second = 0; // triangles, by their places in the set; the lower first
     bool operator==(const TrianglePair&) const = default;
+    [[nodiscard]] bool operator<(const TrianglePair& other) const {
+        return first != other.first ? first < other.first : second < other.second;
+    }
 };
-
-void sort_pairs(std::vector<TrianglePair>& pairs);
 
 // The pairs that meet beyond the corners that they share (exact_triangles.h), ascending, of which at least one is asked
 // for (`asked`, by triangle). Takes time as the number of triangles and of those that lie beside each other along the

@@ -1,5 +1,6 @@
 #include "core/mesh/untangle/untangle.h"
 
+#include "core/base/lists_by_thread.h"
 #include "core/mesh/untangle/exact_triangles.h"
 #include "core/mesh/untangle/folds.h"
 #include "core/mesh/untangle/patches.h"
@@ -8,7 +9,6 @@
 #include <atomic>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 
 namespace ramus::mesh {
@@ -30,7 +30,7 @@ struct Meeting {
 
 // Of a surface's triangles, pairs of which at least one is at a fold.
 Meeting meeting_at_folds(const TriangleMesh& mesh, const Folds& folds) {
-    tbb::enumerable_thread_specific<std::vector<TrianglePair>> found;
+    ListsByThread<TrianglePair> found;
     std::atomic<std::size_t> looks{0};
     const std::size_t most = kMostLooks * folds.triangles.size();
     tbb::parallel_for(std::size_t{0}, folds.triangles.size(), [&](std::size_t at) {
@@ -44,10 +44,8 @@ Meeting meeting_at_folds(const TriangleMesh& mesh, const Folds& folds) {
         });
         looks += its;
     });
-    Meeting meeting;
+    Meeting meeting{found.sorted()};
     std::vector<TrianglePair>& pairs = meeting.pairs;
-    for (const std::vector<TrianglePair>& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
-    sort_pairs(pairs);
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     meeting.all = looks <= most && pairs.size() <= kMostPairs;
     return meeting;
