@@ -31,16 +31,15 @@ public:
             middles_.push_back(
                 {set.spacing() * glm::dvec3(inner + set.origin()), static_cast<double>(distances[number]), number});
         }
+        joined_.add(addresses_.size());
         node_of_.assign(addresses_.size(), kNone);
         walked_.assign(addresses_.size(), false);
     }
 
     VoxelGraph build() && {
         make_knots();
-        for (std::uint32_t v = 0; v < kinds_.size(); ++v)
-            if (kinds_[v] == Kind::kEnd) node_of_[v] = add_node(middles_[v]);
-        for (std::uint32_t v = 0; v < kinds_.size(); ++v)
-            if (kinds_[v] == Kind::kEnd) connect_end(v);
+        for_ends([&](std::uint32_t v) { node_of_[v] = add_node(middles_[v]); });
+        connect_ends();
         for (std::uint32_t v = 0; v < kinds_.size(); ++v)
             if (kinds_[v] == Kind::kKnot)
                 for_neighbours(v, [&](std::uint32_t next) {
@@ -71,23 +70,26 @@ private:
             call(voxels_.number(
                 static_cast<Address>(static_cast<std::int64_t>(addresses_[v]) + voxels_.step(std::countr_zero(left)))));
     }
+    template <class Call> void for_ends(const Call& call) const {
+        for (std::uint32_t v = 0; v < kinds_.size(); ++v)
+            if (kinds_[v] == Kind::kEnd) call(v);
+    }
     int add_node(const MidPoint& at) {
         graph_.nodes.push_back(at);
         return static_cast<int>(graph_.nodes.size()) - 1;
     }
 
     void make_knots() {
-        DisjointSets sets(kinds_.size());
         for (std::uint32_t v = 0; v < kinds_.size(); ++v)
             if (kinds_[v] == Kind::kKnot)
                 for_neighbours(v, [&](std::uint32_t other) {
-                    if (kinds_[other] == Kind::kKnot) sets.join(v, other);
+                    if (kinds_[other] == Kind::kKnot) joined_.join(v, other);
                 });
         std::vector<std::vector<std::uint32_t>> knots;
         std::vector<int> knot_of(kinds_.size(), kNone);
         for (std::uint32_t v = 0; v < kinds_.size(); ++v) {
             if (kinds_[v] != Kind::kKnot) continue;
-            int& knot = knot_of[sets.find(v)];
+            int& knot = knot_of[joined_.find(v)];
             if (knot == kNone) knot = static_cast<int>(knots.size()), knots.emplace_back();
             knots[static_cast<std::size_t>(knot)].push_back(v);
         }
@@ -160,26 +162,33 @@ private:
             graph_.lines.push_back({node_of_[further[n].a], node_of_[further[n].b], {}});
     }
 
-    // An end has one way on, to the nearest of its neighbours.
-    void connect_end(std::uint32_t v) {
-        std::uint32_t next = v;
-        double nearest = 1e300;
-        for_neighbours(v, [&](std::uint32_t other) {
-            const double distance = glm::distance(middles_[v].position, middles_[other].position);
-            if (distance < nearest) nearest = distance, next = other;
+    // An end has one way on. Where ends and a knot meet in threes, each beside both others, the shortest ways that
+    // connect them all.
+    void connect_ends() {
+        struct Link {
+            double length;
+            std::uint32_t end, other; // of two ends the later one is first
+        };
+        std::vector<Link> links;
+        for_ends([&](std::uint32_t v) {
+            for_neighbours(v, [&](std::uint32_t other) {
+                if (kinds_[other] == Kind::kKnot || (kinds_[other] == Kind::kEnd && other < v))
+                    links.push_back({glm::distance(middles_[v].position, middles_[other].position), v, other});
+            });
         });
-        if (next == v) return; // alone
-        if (kinds_[next] == Kind::kLine) {
-            if (!walked_[next]) walk(v, next);
-            return;
-        }
-        // Of two ends side by side, the later one connects.
-        if (kinds_[next] == Kind::kEnd && next > v) {
-            bool comes_back = false;
-            for_neighbours(next, [&](std::uint32_t other) { comes_back |= other == v; });
-            if (comes_back && std::popcount(around(addresses_[next])) == 1) return;
-        }
-        graph_.lines.push_back({node_of_[v], node_of_[next], {}});
+        std::ranges::stable_sort(links, {}, &Link::length);
+        std::vector<Link> ways;
+        for (const Link& link : links)
+            if (joined_.join(link.end, link.other)) ways.push_back(link);
+        std::ranges::stable_sort(ways, {}, &Link::end);
+        auto way = ways.begin();
+        for_ends([&](std::uint32_t v) {
+            for_neighbours(v, [&](std::uint32_t next) {
+                if (kinds_[next] == Kind::kLine && !walked_[next]) walk(v, next);
+            });
+            for (; way != ways.end() && way->end == v; ++way)
+                graph_.lines.push_back({node_of_[v], node_of_[way->other], {}});
+        });
     }
 
     void walk(std::uint32_t from, std::uint32_t first) {
@@ -224,6 +233,7 @@ private:
     std::vector<Address> addresses_;
     std::vector<Kind> kinds_;
     std::vector<MidPoint> middles_;
+    DisjointSets joined_; // voxels of one knot, then also ends with what they connect to
     std::vector<int> node_of_;
     std::vector<bool> walked_;
     VoxelGraph graph_;
