@@ -27,6 +27,7 @@ public:
     // The same without the branches (ids in the file's tree) whose entry is not 0.
     [[nodiscard]] VesselField without(std::span<const std::uint8_t> hidden) const;
     [[nodiscard]] const ConvolutionField& sum() const { return sum_; }
+    [[nodiscard]] const tree::Contacts& contacts() const { return *contacts_; }
 
     // As FieldModel asks.
     [[nodiscard]] const Skeleton& skeleton() const { return sum_.skeleton(); }

@@ -12,6 +12,7 @@
 #include "core/mesh/polygonize/feasible.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/systems.h"
+#include "core/mesh/untangle/places_apart.h"
 #include "core/mesh/untangle/untangle.h"
 #include "core/tree/curves.h"
 
@@ -168,7 +169,7 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
                 surface.statistics.cut_loops += cut_false_loops(mesh, visible_part(prepared, part).tree,
                                                                 polygonize_options(options).memory_bytes, job);
             if (untangled && !job.cancelled()) {
-                const Untangled pairs = untangle(mesh, job);
+                const Untangled pairs = untangle(mesh, places_apart(prepared, whole.contacts()), job);
                 surface.statistics.untangled.found += pairs.found;
                 surface.statistics.untangled.left += pairs.left;
             }

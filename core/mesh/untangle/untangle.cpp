@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <oneapi/tbb/parallel_for.h>
@@ -21,33 +22,48 @@ constexpr float kFarthest = 0.5F; // of the vessel's radius, that a vertex moves
 // What has more is no surface with a fold here and there: cells are larger than its vessels.
 constexpr std::size_t kMostPairs = 4096;
 constexpr std::size_t kMostTriangles = 200'000; // of all patches: they are compared some tens of times
-constexpr std::size_t kMostLooks = 400;         // for each triangle at a fold; 20 where nothing is wrong
+constexpr std::size_t kMostLooks = 400;         // for each triangle suspected; 20 where nothing is wrong
 
 struct Meeting {
     std::vector<TrianglePair> pairs; // ascending
     bool all = true;                 // false: there are far too many, and these are some
 };
 
-// Of a surface's triangles, pairs of which at least one is at a fold.
-Meeting meeting_at_folds(const TriangleMesh& mesh, const Folds& folds) {
+// By triangle: whether it is at a fold, or at one of the places.
+std::vector<std::uint8_t> suspects(const TriangleMesh& mesh, const Folds& folds, std::span<const TriangleBox> places) {
+    std::vector<std::uint8_t> suspected(mesh.triangles.size(), 0);
+    for (const std::uint32_t n : folds.triangles) suspected[n] = 1;
+    for (const TriangleBox& place : places) folds.boxes.for_each_in(place, [&](std::uint32_t n) { suspected[n] = 1; });
+    return suspected;
+}
+
+// Pairs of a surface's triangles of which at least one is suspected. Those of a group are looked at together.
+Meeting meeting_among(const TriangleMesh& mesh, const TriangleBoxes& boxes, std::span<const std::uint8_t> suspected) {
     ListsByThread<TrianglePair> found;
     std::atomic<std::size_t> looks{0};
-    const std::size_t most = kMostLooks * folds.triangles.size();
-    tbb::parallel_for(std::size_t{0}, folds.triangles.size(), [&](std::size_t at) {
-        if (looks.load(std::memory_order_relaxed) > most) return;
-        const std::uint32_t n = folds.triangles[at];
+    const auto count = static_cast<std::size_t>(std::ranges::count(suspected, 1));
+    constexpr std::size_t kGroup = TriangleBoxes::kGroup;
+    tbb::parallel_for(std::size_t{0}, (suspected.size() + kGroup - 1) / kGroup, [&](std::size_t group) {
+        const std::size_t begin = kGroup * group, end = std::min(begin + kGroup, suspected.size());
+        if (std::ranges::count(suspected.subspan(begin, end - begin), 1) == 0) return;
+        if (looks.load(std::memory_order_relaxed) > kMostLooks * count) return;
+        EightBoxes asked; // around nothing of what is not suspected
+        for (std::size_t n = begin; n < end; ++n)
+            if (suspected[n] != 0) asked.set(n - begin, box_of(mesh, mesh.triangles[n]));
         std::size_t its = 0;
-        folds.boxes.for_each_in(box_of(mesh, mesh.triangles[n]), [&](std::uint32_t other) {
-            ++its;
-            if (other != n && triangles_meet(mesh.positions, mesh.triangles[n], mesh.triangles[other]))
-                found.local().push_back({std::min(n, other), std::max(n, other)});
+        boxes.for_each_in(asked.around(), [&](std::uint32_t other) {
+            for (unsigned bits = asked.meeting(box_of(mesh, mesh.triangles[other])); bits != 0; bits &= bits - 1) {
+                const auto n = static_cast<std::uint32_t>(begin) + static_cast<std::uint32_t>(std::countr_zero(bits));
+                if (n == other || (suspected[other] != 0 && other < n)) continue; // which it finds itself
+                ++its;
+                if (triangles_meet(mesh.positions, mesh.triangles[n], mesh.triangles[other]))
+                    found.local().push_back({std::min(n, other), std::max(n, other)});
+            }
         });
         looks += its;
     });
     Meeting meeting{found.sorted()};
-    std::vector<TrianglePair>& pairs = meeting.pairs;
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    meeting.all = looks <= most && pairs.size() <= kMostPairs;
+    meeting.all = looks <= kMostLooks * count && meeting.pairs.size() <= kMostPairs;
     return meeting;
 }
 
@@ -87,9 +103,9 @@ std::vector<TrianglePair> meeting_at(const Patches& patches, std::span<const std
 
 } // namespace
 
-Untangled untangle(TriangleMesh& mesh, Job& job) {
+Untangled untangle(TriangleMesh& mesh, std::span<const TriangleBox> places, Job& job) {
     const Folds folds = find_folds(mesh);
-    const auto [found, all_found] = meeting_at_folds(mesh, folds);
+    const auto [found, all_found] = meeting_among(mesh, folds.boxes, suspects(mesh, folds, places));
     if (found.empty()) return {};
     if (!all_found) return {found.size(), found.size()};
     Patches patches = patches_around(mesh, folds.boxes, found);

@@ -4,6 +4,9 @@
 
 #include "core/base/job.h"
 #include "core/mesh/triangle_mesh.h"
+#include "core/mesh/untangle/triangle_boxes.h"
+
+#include <span>
 
 namespace ramus::mesh {
 
@@ -12,10 +15,10 @@ struct Untangled {
     std::size_t left = 0;  // of these, and of what has come to meet
 };
 
-// Looks for triangles that meet, near folds (folds.h), and moves their vertices toward the middle of their neighbours
-// until none meet, at most by half of the vessel's radius; normals stay. Where that does not help in some rounds, what
-// met least stays; where very much meets, as with cells larger than vessels, all stays, and not every pair is counted.
-// Of a closed surface with normals and radii. If cancelled, the surface is as it was.
-Untangled untangle(TriangleMesh& mesh, Job& job);
+// Looks for triangles that meet, near folds (folds.h) and at `places` (places_apart.h), and moves their vertices toward
+// the middle of their neighbours until none meet, at most by half of the vessel's radius; normals stay. Where that does
+// not help in some rounds, what met least stays; where very much meets, as with cells larger than vessels, all stays,
+// and not every pair is counted. Of a closed surface with normals and radii. If cancelled, the surface is as it was.
+Untangled untangle(TriangleMesh& mesh, std::span<const TriangleBox> places, Job& job);
 
 } // namespace ramus::mesh
