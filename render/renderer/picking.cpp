@@ -16,11 +16,11 @@ constexpr int kFirstLesion = int{record::kSolid}, kFirstContext = int{record::kS
 
 } // namespace
 
-PickWindow pick_window(const Frame& frame, const ViewSetup& view, double x, double y) {
+PickWindow pick_window(float pixel_ratio, const ViewSetup& view, double x, double y) {
     PickWindow window;
     if (!std::isfinite(x) || !std::isfinite(y)) return window;
     window.at = glm::dvec2(x, view.picture.y - y) * glm::dvec2(view.size) / glm::dvec2(view.picture);
-    window.reach = kPickRadius * std::max(1.0, double(frame.pixel_ratio)) * view.size.y / view.picture.y + 0.5;
+    window.reach = kPickRadius * std::max(1.0, double(pixel_ratio)) * view.size.y / view.picture.y + 0.5;
     const int radius = static_cast<int>(std::ceil(window.reach));
     const double px = std::floor(window.at.x), py = std::floor(window.at.y);
     if (px < -radius || py < -radius || px > view.size.x + radius || py > view.size.y + radius) return window;

@@ -20,7 +20,7 @@ struct PickWindow {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     }
 };
-[[nodiscard]] PickWindow pick_window(const Frame& frame, const ViewSetup& view, double x, double y);
+[[nodiscard]] PickWindow pick_window(float pixel_ratio, const ViewSetup& view, double x, double y);
 
 // The id nearest to the middle of the window, within its reach. Row by row as `window` has them; depths in mm.
 [[nodiscard]] Pick nearest_in(const PickWindow& window, const std::uint32_t* ids, const float* depths,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace ramus::render {
 
@@ -30,24 +31,51 @@ std::unique_ptr<Renderer> Renderer::create_later(std::size_t glass_bytes, std::s
 Pick Renderer::pick(double x, double y) {
     if (!state_.answers()) finish();
     if (!last_ || !state_.answers()) return {};
-    const ViewSetup& view = shown_view_;
-    const PickWindow window = pick_window(*last_, view, x, y);
+    const Under shown{number_, shown_view_, last_->camera, last_->pixel_ratio};
+    return state_.by_caster() ? pick_in_cast(shown, x, y) : pick_in(shown, card_.targets.resolved, x, y);
+}
+
+Pick Renderer::pick(double x, double y, int of) {
+    if (of > 0 && of == in_kept_.number) return pick_in(in_kept_, kept_.resolved, x, y);
+    if (of > 0 && of == in_targets_.number) return pick_in(in_targets_, card_.targets.resolved, x, y);
+    if (of > 0 && of == in_cast_.number) return pick_in_cast(in_cast_, x, y);
+    return pick(x, y);
+}
+
+Pick Renderer::pick_in(const Under& under, const ResolvedTarget& from, double x, double y) {
+    const PickWindow window = pick_window(under.pixel_ratio, under.view, x, y);
     if (window.pixels() == 0) return {};
     std::vector<std::uint32_t> ids(window.pixels());
     std::vector<float> depths(window.pixels());
-    if (state_.by_caster()) {
-        const caster::Caster& caster = card_.passes.cast.caster();
-        for (int row = 0; row < window.height; ++row) {
-            const std::ptrdiff_t from = std::ptrdiff_t{window.y + row} * caster.stride() + window.x;
-            const std::ptrdiff_t to = std::ptrdiff_t{row} * window.width;
-            std::copy_n(caster.ids() + from, window.width, ids.data() + to);
-            std::copy_n(caster.depths() + from, window.width, depths.data() + to);
-        }
-    } else {
-        read_pixels(window, card_.targets.resolved, kTargetIdNormal, ids.data());
-        read_pixels(window, card_.targets.resolved, kTargetPickedDepth, depths.data());
+    read_pixels(window, from, kTargetIdNormal, ids.data());
+    read_pixels(window, from, kTargetPickedDepth, depths.data());
+    return nearest_in(window, ids.data(), depths.data(), under.camera, under.view);
+}
+
+Pick Renderer::pick_in_cast(const Under& under, double x, double y) const {
+    const PickWindow window = pick_window(under.pixel_ratio, under.view, x, y);
+    if (window.pixels() == 0) return {};
+    std::vector<std::uint32_t> ids(window.pixels());
+    std::vector<float> depths(window.pixels());
+    const caster::Caster& caster = card_.passes.cast.caster();
+    for (int row = 0; row < window.height; ++row) {
+        const std::ptrdiff_t from = std::ptrdiff_t{window.y + row} * caster.stride() + window.x;
+        const std::ptrdiff_t to = std::ptrdiff_t{row} * window.width;
+        std::copy_n(caster.ids() + from, window.width, ids.data() + to);
+        std::copy_n(caster.depths() + from, window.width, depths.data() + to);
     }
-    return nearest_in(window, ids.data(), depths.data(), last_->camera, view);
+    return nearest_in(window, ids.data(), depths.data(), under.camera, under.view);
+}
+
+Renderer::Under Renderer::next_under(const Frame& frame, const ViewSetup& view) {
+    return {++number_, view, frame.camera, frame.pixel_ratio};
+}
+
+// Before another picture is drawn into the targets. What is there of one that was given up is nobody's.
+void Renderer::keep_under() {
+    if (in_targets_.number == 0) return;
+    card_.targets.keep_resolved(kept_);
+    in_kept_ = std::exchange(in_targets_, {});
 }
 
 BranchPicture Renderer::read_branches() {
@@ -82,7 +110,7 @@ void Renderer::request_pick(double x, double y) {
     if (!state_.answers()) return request_.answer({});
     if (state_.by_caster()) return request_.answer(pick(x, y));
     try {
-        request_.ask(pick_window(*last_, shown_view_, x, y), last_->camera, card_.targets.resolved);
+        request_.ask(pick_window(last_->pixel_ratio, shown_view_, x, y), last_->camera, card_.targets.resolved);
     } catch (const OutOfGraphicsMemory&) {
         request_.answer({}); // nothing there
     }

@@ -65,6 +65,11 @@ public:
 
     // Nearest vessel within the pick radius of pixel (x, y) of the current picture; waits for the GPU.
     [[nodiscard]] Pick pick(double x, double y);
+    // The same in the picture that number() said this of, which may be the one before, or one that is not whole since:
+    // a person pointed at what was shown. Of an older one, that of the caster perhaps: in the current picture.
+    [[nodiscard]] Pick pick(double x, double y, int of);
+    // Of the current picture; another one where it shows something else, or from elsewhere. 0: there is none.
+    [[nodiscard]] int number() const { return last_ ? number_ : 0; }
     // The same without waiting, for hovering: ask now, look every frame until an answer is there. A newer request
     // replaces an older one.
     void request_pick(double x, double y);
@@ -123,8 +128,23 @@ private:
         return {frame, layers, card_.scene.mesh(), card_.scene};
     }
 
+    // A picture whose ids and depths are still there.
+    struct Under {
+        int number = 0; // 0: none
+        ViewSetup view;
+        Camera camera;
+        float pixel_ratio = 1.0F;
+    };
+    [[nodiscard]] static Pick pick_in(const Under& under, const ResolvedTarget& from, double x, double y);
+    [[nodiscard]] Pick pick_in_cast(const Under& under, double x, double y) const;
+    [[nodiscard]] Under next_under(const Frame& frame, const ViewSetup& view);
+    void keep_under();
+
     Card card_;
     PictureState state_;
+    int number_ = 0;
+    Under in_targets_, in_kept_, in_cast_; // what the targets hold, what was kept of them, and the caster shown
+    KeptTarget kept_;
     std::unique_ptr<Unfinished> unfinished_; // while the state is partial
     std::unique_ptr<Refinement> refinement_; // while it is refining
     std::optional<Frame> last_;              // the frame that is shown; none: the state is kEmpty

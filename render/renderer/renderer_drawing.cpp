@@ -143,6 +143,7 @@ Result<bool> Renderer::resize(const Frame& frame, Plan plan) {
     if (!make_targets) return false;
     targets.make(samples);
     if (is_complete(targets.samples.framebuffer)) return true;
+    in_targets_ = {};
     let_go();
     return cannot_draw(frame.size);
 }
@@ -195,6 +196,7 @@ Result<void> Renderer::show_cast(CastPass::Made made) {
     state_.cast();
     show(subject_of(made.frame, made.layers), {glm::ivec2(0), made.view.size});
     last_ = std::move(made.frame);
+    in_cast_ = next_under(made.frame, made.view);
     last_layers_ = std::move(made.layers);
     shown_view_ = made.view;
     return {};
@@ -237,6 +239,7 @@ Result<bool> Renderer::make_room(Plan plan, const Frame& wanted, const Frame& fr
     card_.passes.cast.forget();
     const bool other_size = card_.picture.size != frame.size;
     RAMUS_TRY(made_targets, resize(frame, plan));
+    if (plan == Plan::kDraw) keep_under();
     if (plan == Plan::kDraw) begin(wanted, frame, layers);
     // Of another size in each frame, as while an edge is dragged, no picture would come.
     return plan == Plan::kDraw && made_targets && !other_size;
@@ -281,12 +284,14 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
         state_.cast();
     } else if (plan != Plan::kShow) {
         if (unfinished_) {
+        in_cast_ = next_under(frame, card_.targets.view);
             const auto whole = draw_parts(seconds - watch.seconds(), done);
             if (!whole) return failed(whole.error());
             if (!*whole) return unfinished_->seconds += watch.seconds(), later(done);
             unfinished_.reset();
         }
         const auto shaded = shade(subject, plan);
+            in_targets_ = next_under(frame, card_.targets.view);
         if (!shaded) return failed(shaded.error());
         if (last_ && last_->overlays == frame.overlays) region = *shaded;
     }
@@ -424,3 +429,5 @@ void Renderer::let_go() {
 }
 
 } // namespace ramus::render
+    in_targets_ = in_kept_ = in_cast_ = {};
+    kept_ = {};

@@ -213,6 +213,20 @@ Pick SheetRenderer::pick(glm::dvec2 at) {
     return without_branch(viewport, renderer(viewport).pick(in.x, in.y));
 }
 
+Pick SheetRenderer::pick(glm::dvec2 at, const std::vector<int>& of) {
+    if (shown_.viewports.empty()) return {};
+    const std::size_t viewport = viewport_at(shown_, at);
+    const glm::dvec2 in = at - glm::dvec2(shown_.viewports[viewport].at);
+    const int number = of.size() == shown_.viewports.size() ? of[viewport] : 0;
+    return without_branch(viewport, renderer(viewport).pick(in.x, in.y, number));
+}
+
+std::vector<int> SheetRenderer::numbers() const {
+    std::vector<int> numbers{first_.number()};
+    for (const auto& other : others_) numbers.push_back(other->number());
+    return numbers;
+}
+
 void SheetRenderer::request_pick(glm::dvec2 at) {
     if (shown_.viewports.empty()) return;
     asked_ = viewport_at(shown_, at);

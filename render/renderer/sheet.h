@@ -92,6 +92,9 @@ public:
 
     // As of Renderer. Of a blend what there is more of that has branches; beside a line what is seen.
     [[nodiscard]] Pick pick(glm::dvec2 at);
+    // The same in the pictures that numbers() said these of, of the viewports.
+    [[nodiscard]] Pick pick(glm::dvec2 at, const std::vector<int>& of);
+    [[nodiscard]] std::vector<int> numbers() const;
     void request_pick(glm::dvec2 at);
     [[nodiscard]] std::optional<Pick> poll_pick();
     // How far away all is that each viewport shows. False: ask again after the next draw().

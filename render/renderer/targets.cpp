@@ -62,6 +62,20 @@ void ViewTargets::make_values() {
     samples.values = std::move(values); // the last: all is there
 }
 
+void ViewTargets::keep_resolved(KeptTarget& kept) {
+    std::swap(resolved.id_normal, kept.resolved.id_normal);
+    std::swap(resolved.opaque_depth, kept.resolved.opaque_depth);
+    std::swap(resolved.picked_depth, kept.resolved.picked_depth);
+    std::swap(resolved.framebuffer, kept.resolved.framebuffer);
+    if (std::exchange(kept.size, made_for_) != made_for_) {
+        resolved.id_normal = make_texture(GL_RG32UI, made_for_.x, made_for_.y);
+        resolved.opaque_depth = make_texture(GL_R32F, made_for_.x, made_for_.y);
+        resolved.picked_depth = make_texture(GL_R32F, made_for_.x, made_for_.y);
+    }
+    resolved.framebuffer =
+        make_framebuffer({resolved.id_normal, resolved.opaque_depth, resolved.picked_depth}, resolved.covered);
+}
+
 void PictureTarget::make(glm::ivec2 pixels) {
     size = glm::ivec2(0);
     colour = make_texture(GL_RGBA8, pixels.x, pixels.y);

@@ -31,6 +31,12 @@ struct ResolvedTarget {   // ResolvePass: one value a pixel
     Framebuffer framebuffer;
 };
 
+// What is pointed at in a view that was drawn into a ResolvedTarget, which another one is drawn into since.
+struct KeptTarget {
+    glm::ivec2 size{0};
+    ResolvedTarget resolved; // without `covered`
+};
+
 struct OcclusionTarget {                // OcclusionPass, 6 bytes
     Texture raw, half_blurred, blurred; // RG8: of the sky; of the key light
     Framebuffer raw_target, half_target, blurred_target;
@@ -76,6 +82,8 @@ struct ViewTargets {
     // Makes them for views of so many pixels, `view.size`, and samples. Throws OutOfGraphicsMemory.
     void make(int samples_a_pixel);
     void make_values(); // unless they are there
+    // Keeps what was resolved; the next view is drawn into what was kept before. Throws OutOfGraphicsMemory.
+    void keep_resolved(KeptTarget& kept);
 
 private:
     glm::ivec2 made_for_{0};

@@ -6,7 +6,9 @@
 #include "tests/support/gl_test.h"
 
 #include <doctest/doctest.h>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 using namespace ramus::render;
 using ramus::test::largest_difference;
@@ -214,4 +216,48 @@ TEST_CASE("memory that runs out between parts is told, and the next picture is d
     limit_gl_allocation();
     CHECK(failed);
     CHECK(scene.draw(wanted).shaded);
+}
+
+TEST_CASE("what a pixel of the picture before showed is known while the next one is drawn, and after it") {
+    for (const GlVersion version : {GlVersion{99, 0}, GlVersion{3, 3}}) {
+        CAPTURE(version.major);
+        const PartsScene scene(version);
+        Renderer& renderer = *scene.renderer;
+        const Frame before = scene.frame, wanted = scene.seen_from(View::kSuperior);
+        const glm::dvec2 size(before.size);
+        const auto picks = [&](std::optional<int> of) {
+            std::vector<Pick> all;
+            for (double y = 0.05; y < 1.0; y += 0.1)
+                for (double x = 0.05; x < 1.0; x += 0.1)
+                    all.push_back(of ? renderer.pick(x * size.x, y * size.y, *of)
+                                     : renderer.pick(x * size.x, y * size.y));
+            return all;
+        };
+        CHECK(renderer.number() == 0);
+        (void)scene.draw(wanted);
+        const std::vector<Pick> next = picks({});
+        (void)scene.draw(before);
+        const int shown = renderer.number();
+        const std::vector<Pick> first = picks({});
+        CHECK(first != next);
+        CHECK(picks(shown) == first);
+        int parts = 0;
+        for (; scene.draw(wanted, 0.0).unfinished; ++parts) {
+            CHECK(renderer.number() == shown);
+            CHECK(picks(shown) == first);
+        }
+        CHECK(parts > 3); // asking did not draw the rest
+        CHECK(renderer.number() != shown);
+        CHECK(picks(shown) == first);
+        CHECK(picks(renderer.number()) == next);
+        // Colours alone make no other picture of it; one that is given up leaves what is shown.
+        Frame red = wanted;
+        red.colours.assign(8, glm::vec3(1.0F, 0.0F, 0.0F));
+        const int second = renderer.number();
+        (void)scene.draw(red);
+        CHECK(renderer.number() == second);
+        CHECK(scene.draw(before, 0.0).unfinished);
+        CHECK(scene.draw(scene.seen_from(View::kLeft), 0.0).unfinished);
+        CHECK(picks(second) == next);
+    }
 }
