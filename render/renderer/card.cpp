@@ -96,11 +96,11 @@ InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& t
 }
 
 void Passes::draw_overlays(const Subject& subject, const ViewTargets& targets, const PictureTarget& to,
-                           const Region& region) {
+                           const Region& region, GLuint ids) {
     const GLuint depth = targets.resolved.opaque_depth;
     begin_blending(Blending::kOver);
     skeleton.draw(subject, targets.view, depth);
-    marks.draw(subject, targets, shade.records().table());
+    marks.draw(subject, targets, ids, shade.records().table());
     sprites.draw(subject.frame, targets.view.enlarged() ? Region{glm::ivec2(0), to.size} : region);
     glDisable(GL_BLEND);
 }

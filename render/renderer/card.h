@@ -37,9 +37,9 @@ struct Passes {
     void begin(const ViewSetup& view) const;
     // A view up to its occlusion. `moving`: cones may stand for the surface. Returns the number of triangles.
     [[nodiscard]] InParts<Result<std::uint64_t>> draw_view(Subject subject, ViewTargets& targets, bool moving) const;
-    // What lies over the picture, as far as `region` shows what is new.
+    // What lies over the picture, as far as `region` shows what is new. `ids`: of who is at its pixels.
     void draw_overlays(const Subject& subject, const ViewTargets& targets, const PictureTarget& to,
-                       const Region& region);
+                       const Region& region, GLuint ids);
 
     CastPass cast; // in place of all up to the shading
     SurfacePass surface;

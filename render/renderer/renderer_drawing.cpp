@@ -13,8 +13,10 @@ namespace ramus::render {
 namespace {
 
 // Whether anything over the picture is fainter behind vessels while these are the ray caster's.
-bool lies_over_depths(const Frame& frame) {
-    return frame.skeleton || std::ranges::any_of(frame.lines, [](const MarkLine& line) { return !line.of_selection; });
+bool lies_over_depths(const Frame& frame) { return frame.skeleton || !frame.lines.empty(); }
+
+bool outlines_selection(const Frame& frame) {
+    return std::ranges::any_of(frame.lines, [](const MarkLine& line) { return line.of_selection; });
 }
 
 constexpr int kInteractiveDivisor = 2; // of width and height
@@ -141,9 +143,9 @@ Result<bool> Renderer::resize(const Frame& frame, Plan plan) {
         return fail("this graphics driver draws at most " + std::to_string(largest) + " pixels a side", {},
                     "give a smaller size");
     if (!make_targets) return false;
+    in_targets_ = {};
     targets.make(samples);
     if (is_complete(targets.samples.framebuffer)) return true;
-    in_targets_ = {};
     let_go();
     return cannot_draw(frame.size);
 }
@@ -194,9 +196,9 @@ Result<void> Renderer::show_cast(CastPass::Made made) {
     card_.targets.view = made.view;
     card_.passes.begin(made.view);
     state_.cast();
+    in_cast_ = next_under(made.frame, made.view);
     show(subject_of(made.frame, made.layers), {glm::ivec2(0), made.view.size});
     last_ = std::move(made.frame);
-    in_cast_ = next_under(made.frame, made.view);
     last_layers_ = std::move(made.layers);
     shown_view_ = made.view;
     return {};
@@ -237,9 +239,9 @@ Result<bool> Renderer::make_room(Plan plan, const Frame& wanted, const Frame& fr
     }
     if (plan != Plan::kCast && plan != Plan::kDraw) return false;
     card_.passes.cast.forget();
+    if (plan == Plan::kDraw) keep_under();
     const bool other_size = card_.picture.size != frame.size;
     RAMUS_TRY(made_targets, resize(frame, plan));
-    if (plan == Plan::kDraw) keep_under();
     if (plan == Plan::kDraw) begin(wanted, frame, layers);
     // Of another size in each frame, as while an edge is dragged, no picture would come.
     return plan == Plan::kDraw && made_targets && !other_size;
@@ -282,16 +284,16 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
         done.cones = cast(subject);
         done.geometry = true;
         state_.cast();
+        in_cast_ = next_under(frame, card_.targets.view);
     } else if (plan != Plan::kShow) {
         if (unfinished_) {
-        in_cast_ = next_under(frame, card_.targets.view);
             const auto whole = draw_parts(seconds - watch.seconds(), done);
             if (!whole) return failed(whole.error());
             if (!*whole) return unfinished_->seconds += watch.seconds(), later(done);
             unfinished_.reset();
+            in_targets_ = next_under(frame, card_.targets.view);
         }
         const auto shaded = shade(subject, plan);
-            in_targets_ = next_under(frame, card_.targets.view);
         if (!shaded) return failed(shaded.error());
         if (last_ && last_->overlays == frame.overlays) region = *shaded;
     }
@@ -340,10 +342,12 @@ void Renderer::show(const Subject& subject, const Region& region) {
     if (state_.by_caster()) {
         card_.passes.cast.send_picture(picture);
         if (lies_over_depths(subject.frame)) card_.passes.cast.send_depths(picture, targets.resolved);
+        if (outlines_selection(subject.frame)) card_.passes.cast.send_ids(picture);
     } else {
         card_.passes.copy.draw(targets.view, targets.lit, picture, region);
     }
-    card_.passes.draw_overlays(subject, targets, picture, region);
+    const GLuint ids = state_.by_caster() ? card_.passes.cast.ids() : targets.resolved.id_normal;
+    card_.passes.draw_overlays(subject, targets, picture, region, ids);
     note_gl_errors("the overlays");
     end_passes();
 }
@@ -425,9 +429,9 @@ void Renderer::let_go() {
     state_.lose();
     card_.passes.cast.forget();
     wanted_mesh_ = nullptr;
+    in_targets_ = in_kept_ = in_cast_ = {};
+    kept_ = {};
     card_.let_go();
 }
 
 } // namespace ramus::render
-    in_targets_ = in_kept_ = in_cast_ = {};
-    kept_ = {};

@@ -91,7 +91,7 @@ struct MarkLine {
     std::vector<glm::dvec3> points;
     glm::vec3 colour{1.0F};
     float width = 1.6F;
-    // Of something selected: seen only where what is not selected hides it, and not while the view moves.
+    // Of something selected: seen only where what is not selected hides it.
     bool of_selection = false;
     bool operator==(const MarkLine&) const = default;
 };

@@ -148,4 +148,17 @@ void CastPass::send_depths(const PictureTarget& picture, const ResolvedTarget& t
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
+void CastPass::send_ids(const PictureTarget& picture) {
+    if (ids_size_ != picture.size) {
+        ids_size_ = glm::ivec2(0); // until it is there
+        ids_texture_ = make_texture(GL_R32UI, picture.size.x, picture.size.y);
+        ids_size_ = picture.size;
+    }
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, caster().stride());
+    glTextureSubImage2D(ids_texture_, 0, 0, 0, picture.size.x, picture.size.y, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                        caster().ids());
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+}
+
 } // namespace ramus::render

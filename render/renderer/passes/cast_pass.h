@@ -38,6 +38,9 @@ public:
 
     void send_picture(const PictureTarget& to) const;
     void send_depths(const PictureTarget& picture, const ResolvedTarget& to) const; // for what is drawn over it
+    // Likewise: who is at its pixels, as a texture of ids. Throws OutOfGraphicsMemory.
+    void send_ids(const PictureTarget& picture);
+    [[nodiscard]] GLuint ids() const { return ids_texture_; }
     [[nodiscard]] const caster::Caster& caster() const { return casters_.at(shown_); }
 
 private:
@@ -49,6 +52,8 @@ private:
 
     std::array<caster::Caster, 2> casters_; // what is shown is one's, what is made the other's
     std::size_t shown_ = 0;
+    Texture ids_texture_; // R32UI, 4 bytes: made when it is needed
+    glm::ivec2 ids_size_{0};
     std::shared_ptr<Work> work_;     // on its way; null: nothing is
     std::unique_ptr<Worker> worker_; // null: none yet. The last: its thread ends first
 };

@@ -147,14 +147,11 @@ void SkeletonPass::draw(const Subject& subject, const ViewSetup& view, GLuint op
 
 Result<void> MarkPass::make() { return make_programs({{&program_, "mark.vert", "mark.frag"}}); }
 
-void MarkPass::draw(const Subject& subject, const ViewTargets& targets, GLuint branches) const {
+void MarkPass::draw(const Subject& subject, const ViewTargets& targets, GLuint ids, GLuint branches) const {
     const Frame& frame = subject.frame;
     const ViewSetup& view = targets.view;
     std::vector<MarkVertex> vertices;
-    // Who is selected at a pixel is not known of what the ray caster draws.
-    const bool moves = subject.quick() || frame.surface_awaited;
-    for (const MarkLine& line : frame.lines)
-        if (!line.of_selection || !moves) lay_out(line, frame, vertices);
+    for (const MarkLine& line : frame.lines) lay_out(line, frame, vertices);
     if (vertices.empty()) return;
     const Buffer buffer = make_buffer(vertices.size() * sizeof vertices[0], vertices.data());
     const VertexArray array = make_vertex_array();
@@ -169,7 +166,7 @@ void MarkPass::draw(const Subject& subject, const ViewTargets& targets, GLuint b
     glUniform2f(kUniformSize, float(view.picture.x), float(view.picture.y));
     glUniform2f(kUniformToInner, to_inner.x, to_inner.y);
     glBindTextureUnit(kUnitOpaqueDepth, targets.resolved.opaque_depth);
-    glBindTextureUnit(kUnitIdNormal, targets.resolved.id_normal);
+    glBindTextureUnit(kUnitIdNormal, ids);
     glBindTextureUnit(kUnitBranches, branches);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
 }

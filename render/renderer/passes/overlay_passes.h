@@ -28,8 +28,9 @@ class MarkPass {
 public:
     [[nodiscard]] Result<void> make();
     // Laid out in pixels, joined without gaps or overlaps, drawn with soft edges.
-    // `branches`: the table of their records (scene_tables.h), of the last picture that was shaded.
-    void draw(const Subject& subject, const ViewTargets& targets, GLuint branches) const;
+    // `ids`: of who is at each pixel; `branches`: the table of their records (scene_tables.h), of the last picture that
+    // was shaded.
+    void draw(const Subject& subject, const ViewTargets& targets, GLuint ids, GLuint branches) const;
 
 private:
     Program program_;

@@ -386,3 +386,30 @@ TEST_CASE("what is around the eye is cut off before it, not left out") {
     for (std::size_t i = 0; i < within.rgba.size(); i += 4) veiled += within.rgba[i + 2] != without.rgba[i + 2] ? 1 : 0;
     CHECK(4.0 * double(veiled) > 0.97 * double(within.rgba.size())); // but where the hole is
 }
+
+TEST_CASE("what is selected shows its outline through what hides it, while the view moves, too") {
+    Scene scene(false);
+    scene.frame.selected = {0};
+    // Along the trunk's axis: the trunk hides it, which is selected, and in the middle the twig, which is not.
+    scene.frame.lines = {
+        {.points = {{0, 0, -29}, {0, 0, 9}}, .colour = {0, 1, 0}, .width = 4.0F, .of_selection = true}};
+    const auto green = [&](int branch) { // pixels of it
+        const Image picture = scene.renderer->read_image();
+        const BranchPicture branches = scene.renderer->read_branches();
+        int found = 0;
+        for (std::size_t i = 0; i < branches.branches.size(); ++i)
+            if (branches.branches[i] == branch && picture.rgba[4 * i + 1] > 150 && picture.rgba[4 * i] < 100) ++found;
+        return found;
+    };
+    scene.draw();
+    scene.frame.camera = turned(scene.frame.camera, 24.0, 12.0);
+    CHECK(scene.draw().cones > 0);
+    const int moving = green(3), of_itself = green(0);
+    scene.frame.quality = Quality::kFull;
+    CHECK(scene.draw().cones == 0);
+    MESSAGE(moving << " pixels while it moves, " << green(3) << " at rest");
+    CHECK(green(3) > 30);
+    CHECK(std::abs(moving - green(3)) < 0.2 * green(3));
+    CHECK(of_itself == 0);
+    CHECK(green(0) == 0);
+}
