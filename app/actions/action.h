@@ -3,7 +3,11 @@
 //
 // An action that has to read or compute something slow first changes nothing and returns a Pending: `work` runs on any
 // thread and touches neither document nor hosts; the continuation that it returns does the rest on the document's
-// thread, for the document as it is by then, and may fail like an action. app/actions/command_runner.h runs both.
+// thread, for the document as it is by then, and may fail like an action.
+//
+// One that first has to know what the picture shows, which is drawn elsewhere, returns an Awaited: that is soon known,
+// and what is run after it waits, so that all takes effect in the order in which it came.
+// app/actions/command_runner.h runs all of them.
 #pragma once
 
 #include "app/actions/hosts.h"
@@ -47,8 +51,12 @@ struct Pending {
     std::string activity; // for people, while it goes on: "Reading liver.nii"
     std::function<Result<Continuation>(Job&)> work;
 };
+struct Awaited {
+    std::function<bool()> ready; // does not wait; when it is true `then` does not, either
+    Continuation then;
+};
 struct Done {};
-using Outcome = std::variant<Done, Pending>;
+using Outcome = std::variant<Done, Pending, Awaited>;
 [[nodiscard]] inline Result<Outcome> outcome_of(Result<void> result) {
     if (!result) return tl::unexpected(std::move(result.error()));
     return Done{};

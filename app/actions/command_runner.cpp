@@ -69,6 +69,7 @@ Result<void> finish(ActionContext& context, const Command& command, Arguments ar
 
 Result<void> run_at_once(ActionContext& context, const Command& command, Arguments arguments) {
     RAMUS_TRY(outcome, act(context, command, arguments));
+    if (const auto* awaited = std::get_if<Awaited>(&outcome)) return finish(context, command, arguments, awaited->then);
     const auto* pending = std::get_if<Pending>(&outcome);
     if (pending == nullptr) return {};
     Job job;
@@ -106,16 +107,61 @@ Result<void> run_entry(ActionContext& context, const Command& command) {
 
 Result<void> CommandRunner::run(ActionContext& context, std::span<const std::string> words) {
     if (words.empty()) return {};
-    const auto command = command_of(words);
-    return command ? start(context, **command, words.subspan(1)) : tl::unexpected(command.error());
+    RAMUS_TRY(command, command_of(words));
+    const auto run_it = [this, command = command, given = std::vector(words.begin() + 1, words.end())](
+                            ActionContext& with) { return start(with, *command, given); };
+    return in_turn(context, {.ready = nullptr, .then = run_it});
 }
 
+// Whether it is enabled is asked in its turn.
 Result<void> CommandRunner::run(ActionContext& context, const Command& entry) {
-    return enabled(context, entry) ? start(context, entry, entry.preset) : Result<void>{};
+    const auto run_it = [this, &entry](ActionContext& with) {
+        return enabled(with, entry) ? start(with, entry, entry.preset) : Result<void>{};
+    };
+    return in_turn(context, {.ready = nullptr, .then = run_it});
+}
+
+Result<void> CommandRunner::await(ActionContext& context, Awaited awaited) {
+    return in_turn(context, std::move(awaited));
+}
+
+// What comes of a turn that is being taken goes before those that wait.
+Result<void> CommandRunner::in_turn(ActionContext& context, Awaited awaited) {
+    Turn turn{std::move(awaited), context.document.base_tree()};
+    const bool first = put_in_ ? *put_in_ == 0 : turns_.empty();
+    const bool ready = turn.awaited.ready == nullptr || turn.awaited.ready();
+    if (first && ready) return take_turn(context, turn);
+    const std::size_t at = put_in_ ? (*put_in_)++ : turns_.size();
+    turns_.insert(turns_.begin() + static_cast<std::ptrdiff_t>(at), std::move(turn));
+    return {};
+}
+
+Result<void> CommandRunner::take_turn(ActionContext& context, const Turn& turn) {
+    const bool outermost = !put_in_;
+    if (outermost) put_in_ = 0;
+    auto done = turn.awaited.then(context);
+    if (outermost) put_in_.reset();
+    return done;
+}
+
+void CommandRunner::take_turns(ActionContext& context, std::vector<Error>& failed) {
+    while (!turns_.empty() && (turns_.front().awaited.ready == nullptr || turns_.front().awaited.ready())) {
+        const Turn turn = std::move(turns_.front());
+        turns_.pop_front();
+        if (turn.tree != context.document.base_tree()) continue;
+        if (const auto done = take_turn(context, turn); !done) failed.push_back(done.error());
+    }
 }
 
 Result<void> CommandRunner::start(ActionContext& context, const Command& command, Arguments arguments) {
     RAMUS_TRY(outcome, act(context, command, arguments));
+    if (auto* awaited = std::get_if<Awaited>(&outcome)) {
+        const auto then = [&command, given = std::vector(arguments.begin(), arguments.end()),
+                           then = std::move(awaited->then)](ActionContext& with) {
+            return finish(with, command, given, then);
+        };
+        return in_turn(context, {.ready = std::move(awaited->ready), .then = then});
+    }
     auto* pending = std::get_if<Pending>(&outcome);
     if (pending == nullptr) return {};
     pending_.push_back(
@@ -134,6 +180,7 @@ void CommandRunner::begin_work() {
 
 std::vector<Error> CommandRunner::update(ActionContext& context) {
     std::vector<Error> failed;
+    take_turns(context, failed);
     worker_.drain();
     if (const std::string why = worker_.take_failure(); !why.empty() && !pending_.empty())
         worked_ = fail("the work was given up: " + why, pending_.front().pending.activity,

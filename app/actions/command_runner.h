@@ -23,7 +23,8 @@ namespace ramus::app {
 
 // For a window, which must not wait: the work of pending commands is done on a thread of its own, in the order in which
 // they came, each finished before the next begins. Commands that need no work do not wait for those: a person goes on
-// while a file is read. What belongs to one tree is dropped when another is opened. For one thread, its owner's.
+// while a file is read. They do wait for what is awaited of the picture: for a click that selects, say. What belongs to
+// one tree is dropped when another is opened. For one thread, its owner's.
 class CommandRunner {
 public:
     // `wake` is called on another thread when update() has something to do.
@@ -33,7 +34,12 @@ public:
     [[nodiscard]] Result<void> run(ActionContext& context, std::span<const std::string> words);
     [[nodiscard]] Result<void> run(ActionContext& context, const Command& entry);
 
-    // Finishes the commands whose work is done, begins the next work, and returns what failed.
+    // Something else than a command that has to know what the picture shows, such as a click: in its turn with the
+    // commands that are run before and after it. At once where it can be.
+    [[nodiscard]] Result<void> await(ActionContext& context, Awaited awaited);
+    [[nodiscard]] bool awaits() const { return !turns_.empty(); } // of the picture: what is run now waits, too
+
+    // Finishes what was awaited and the commands whose work is done, begins the next work, and returns what failed.
     [[nodiscard]] std::vector<Error> update(ActionContext& context);
     void cancel(); // all that is pending
 
@@ -48,9 +54,19 @@ private:
         Pending pending;
         std::shared_ptr<const tree::VesselTree> tree; // that it is about
     };
+    // What takes effect in the order in which it came, once something is awaited.
+    struct Turn {
+        Awaited awaited;                              // without `ready`: nothing is
+        std::shared_ptr<const tree::VesselTree> tree; // that it is about
+    };
     [[nodiscard]] Result<void> start(ActionContext& context, const Command& command, Arguments arguments);
+    [[nodiscard]] Result<void> in_turn(ActionContext& context, Awaited awaited);
+    [[nodiscard]] Result<void> take_turn(ActionContext& context, const Turn& turn);
+    void take_turns(ActionContext& context, std::vector<Error>& failed);
     void begin_work();
 
+    std::deque<Turn> turns_;
+    std::optional<std::size_t> put_in_;          // while a turn is taken: so many of those that wait came of it
     std::deque<Waiting> pending_;                // the first is worked on
     std::optional<Result<Continuation>> worked_; // what came of its work
     Worker worker_;                              // last: its thread ends first

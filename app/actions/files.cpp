@@ -51,15 +51,28 @@ Result<void> save_as(ActionContext& context, Arguments) {
     return ask_for_file(context, FilePurpose::kSave, fail("save-as needs a window", {}, "save FILE"));
 }
 
-Result<void> shot(ActionContext& context, Arguments arguments) {
+Result<Outcome> shot(ActionContext& context, Arguments arguments) {
     if (arguments.empty() && context.files != nullptr && context.files->asks()) {
         context.files->ask_for_export("picture");
-        return {};
+        return Done{};
     }
     RAMUS_TRY(path, file_argument(context, arguments, "shot", ".png"));
-    if (auto written = context.picture.write_picture(path); !written) return written;
-    context.say("Picture saved: " + std::filesystem::absolute(path).lexically_normal().string());
-    return {};
+    const std::filesystem::path full = std::filesystem::absolute(path).lexically_normal();
+    const Continuation say = [full](ActionContext& then) -> Result<void> {
+        then.say("Picture saved: " + full.string());
+        return {};
+    };
+    if (const auto coming = context.picture.coming_picture())
+        return Pending{"Drawing " + full.filename().string(),
+                       [take = coming->take, full, say](Job& job) -> Result<Continuation> {
+                           RAMUS_TRY(image, take());
+                           if (job.cancelled()) return fail("cancelled");
+                           if (auto written = render::write_png(image, full); !written)
+                               return tl::unexpected(written.error());
+                           return say;
+                       }};
+    if (auto written = context.picture.write_picture(path); !written) return tl::unexpected(written.error());
+    return outcome_of(say(context));
 }
 
 Result<void> open_folder(ActionContext& context, Arguments) {

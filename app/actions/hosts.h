@@ -18,11 +18,22 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ramus::app {
 
 struct ToolSettings; // app/tools/tool.h
+
+// What was asked for and may not be there yet.
+template <class Value> struct Coming {
+    std::function<bool()> ready; // does not wait
+    std::function<Value()> take; // once; waits
+};
+template <class Value> [[nodiscard]] Coming<Value> here(Value value) {
+    auto kept = std::make_shared<Value>(std::move(value));
+    return {[] { return true; }, [kept] { return std::move(*kept); }};
+}
 
 // The picture of the document.
 class PictureHost {
@@ -48,6 +59,12 @@ public:
     }
     // Which branch each pixel shows, of the document as it is now.
     virtual Result<render::BranchPicture> branch_picture();
+    // The same, and what write_picture() writes, where a window must not wait for what another thread draws; any thread
+    // may take the second. Nothing: write_picture() does it.
+    [[nodiscard]] virtual Coming<Result<render::BranchPicture>> coming_branch_picture() {
+        return here(branch_picture());
+    }
+    [[nodiscard]] virtual std::optional<Coming<Result<render::Image>>> coming_picture() { return {}; }
     // The document from another camera, with scale bar and cube, for reports.
     virtual Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size);
     // A command has moved the camera at once: a window shows the way from the last one.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/vec2.hpp>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -51,20 +52,21 @@ Result<LassoArguments> read(Arguments arguments) {
     return read;
 }
 
-Result<void> lasso(ActionContext& context, Arguments arguments) {
-    RAMUS_TRY(wanted, read(arguments));
-    if (!context.document.tree()) return fail("there is no tree to lasso");
-    std::optional<render::BranchPicture> picture;
-    if (wanted.visible) {
-        RAMUS_TRY(taken, context.picture.branch_picture());
-        picture = std::move(taken);
-    }
+// The picture that the line was drawn over.
+struct LassoView {
+    render::Camera camera;
+    glm::ivec2 size{1};
+};
+
+// `visible`: what that picture shows; null: what lies behind is taken, too.
+Result<void> select_inside(ActionContext& context, const LassoArguments& wanted, const LassoView& view,
+                           const render::BranchPicture* visible) {
     const Document& document = context.document;
-    const LassoRule rule{.any_part = wanted.any_part, .visible = picture ? &*picture : nullptr};
+    if (!document.tree()) return fail("there is no tree to lasso");
+    const LassoRule rule{.any_part = wanted.any_part, .visible = visible};
     const std::vector<int> hidden = branches_in_state(document.marks(), render::BranchState::kHidden);
     std::vector<int> inside =
-        branches_inside(*document.tree(), document.session().camera, context.picture.picture_size(),
-                        PixelPolygon(std::move(wanted.corners)), rule,
+        branches_inside(*document.tree(), view.camera, view.size, PixelPolygon(wanted.corners), rule,
                         hidden_flags(hidden, static_cast<std::size_t>(document.branch_count())));
     const std::string count = counted(inside.size(), "branch", "branches");
     const auto& selection = document.marks().selection;
@@ -79,6 +81,19 @@ Result<void> lasso(ActionContext& context, Arguments arguments) {
     select_these(context, std::move(next));
     context.say(count + " inside the lasso" + (more ? "; D takes all that depends on the selection" : ""));
     return {};
+}
+
+Result<Outcome> lasso(ActionContext& context, Arguments arguments) {
+    RAMUS_TRY(wanted, read(arguments));
+    if (!context.document.tree()) return fail("there is no tree to lasso");
+    const LassoView view{context.document.session().camera, context.picture.picture_size()};
+    if (!wanted.visible) return outcome_of(select_inside(context, wanted, view, nullptr));
+    const auto coming = context.picture.coming_branch_picture();
+    const auto select = [coming, wanted, view](ActionContext& then) -> Result<void> {
+        RAMUS_TRY(picture, coming.take());
+        return select_inside(then, wanted, view, &picture);
+    };
+    return Awaited{coming.ready, select};
 }
 
 // How the lasso in hand takes branches: a setting with two values.

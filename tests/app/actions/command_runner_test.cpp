@@ -171,6 +171,94 @@ TEST_CASE("what was asked for of one tree does not reach the next, what is asked
     CHECK(stage.marks().selection == std::vector<int>{4});
 }
 
+namespace {
+
+// What is asked of a picture, and known once it is said to be.
+struct Asked {
+    bool known = false;
+    int taken = 0;
+    [[nodiscard]] Awaited select(int branch) {
+        const auto then = [this, branch](ActionContext& with) -> Result<void> {
+            ++taken;
+            Marks next = with.document.marks();
+            next.selection = {branch};
+            with.document.change(std::move(next));
+            return {};
+        };
+        return {[this] { return known; }, then};
+    }
+};
+
+} // namespace
+
+TEST_CASE("what is run after a click takes effect after it, however late it is known what the click is on") {
+    test::CommandStage stage(twigs());
+    CommandRunner runner({});
+    Asked first, second;
+    const auto run = [&](const std::string& name) {
+        REQUIRE(runner.run(stage.context, std::vector<std::string>{name}));
+    };
+    REQUIRE(runner.await(stage.context, first.select(3)));
+    run("hide");
+    REQUIRE(runner.await(stage.context, second.select(5)));
+    run("highlight");
+    second.known = true; // no sooner than the first
+    CHECK(runner.update(stage.context).empty());
+    CHECK(runner.awaits());
+    CHECK(stage.document.step_count() == 0);
+    first.known = true;
+    CHECK(runner.update(stage.context).empty());
+    CHECK_FALSE(runner.awaits());
+    CHECK(stage.marks().selection == std::vector<int>{5});
+    CHECK(branches_in_state(stage.marks(), render::BranchState::kHidden) == std::vector<int>{3});
+    CHECK(branches_in_state(stage.marks(), render::BranchState::kHighlighted) == std::vector<int>{5});
+    // What is known is not put off, nor what is run then.
+    REQUIRE(runner.await(stage.context, first.select(7)));
+    CHECK(first.taken == 2);
+    run("hide");
+    CHECK(branches_in_state(stage.marks(), render::BranchState::kHidden) == std::vector<int>{3, 7});
+}
+
+TEST_CASE("what comes of a click goes before what waited for it, and a refusal is told") {
+    test::CommandStage stage(twigs());
+    CommandRunner runner({});
+    Asked click, found;
+    const Command look("look", "", "", [&](ActionContext&, Arguments) -> Result<Outcome> { return found.select(4); });
+    Awaited then = click.select(2);
+    then.then = [&](ActionContext& with) { return runner.run(with, look); };
+    REQUIRE(runner.await(stage.context, then));
+    REQUIRE(runner.run(stage.context, std::vector<std::string>{"hide"}));
+    REQUIRE(runner.run(stage.context, std::vector<std::string>{"set-radius", "no number"}));
+    click.known = true;
+    CHECK(runner.update(stage.context).empty());
+    CHECK(runner.awaits()); // for what the look finds
+    CHECK(stage.document.step_count() == 0);
+    found.known = true;
+    CHECK(runner.update(stage.context).size() == 1);
+    CHECK(branches_in_state(stage.marks(), render::BranchState::kHidden) == std::vector<int>{4});
+    CHECK(stage.document.step_name(0) == "look: branch 4");
+}
+
+TEST_CASE("a click on one tree selects nothing of the next") {
+    test::CommandStage stage(twigs());
+    CommandRunner runner({});
+    Asked click;
+    REQUIRE(runner.await(stage.context, click.select(2)));
+    stage.document.open(std::make_shared<const tree::VesselTree>(twigs()), {});
+    click.known = true;
+    CHECK(runner.update(stage.context).empty());
+    CHECK_FALSE(runner.awaits());
+    CHECK(click.taken == 0);
+}
+
+TEST_CASE("a script waits for what a command awaits") {
+    test::CommandStage stage(twigs());
+    Asked found;
+    const Command look("look", "", "", [&](ActionContext&, Arguments) -> Result<Outcome> { return found.select(4); });
+    REQUIRE(run_entry(stage.context, look));
+    CHECK(stage.marks().selection == std::vector<int>{4});
+}
+
 TEST_CASE("a script's next line sees what the one before it read") {
     const TemporaryFolder folder;
     const std::string ball = sphere_file(folder, "ball.stl"), other = sphere_file(folder, "other.ply");

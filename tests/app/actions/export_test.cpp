@@ -152,6 +152,34 @@ TEST_CASE("an export that cannot be says why, and writes nothing") {
     CHECK(stage.folder.names().empty());
 }
 
+TEST_CASE("in a window a picture of it is written behind it, as it was when it was asked for") {
+    struct PictureElsewhere final : test::TestPicture {
+        std::optional<app::Coming<Result<render::Image>>> coming_picture() override {
+            return app::here<Result<render::Image>>(render::Image(30, 20));
+        }
+    } host;
+    ExportStage stage;
+    ActionContext context{
+        .document = stage.document, .picture = host, .assets = stage.assets, .tell = stage.context.tell};
+    CommandRunner runner({});
+    const auto settle = [&] {
+        std::vector<Error> failed;
+        for (int i = 0; i < 5000 && runner.busy(); ++i) {
+            for (const Error& error : runner.update(context)) failed.push_back(error);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        return failed;
+    };
+    REQUIRE(runner.run(context, std::vector<std::string>{"shot", stage.at("now.png")}));
+    CHECK(runner.activity() == "Drawing now.png");
+    CHECK(settle().empty());
+    CHECK(host.pictures.empty()); // by nobody who waits
+    CHECK(stage.said == "Picture saved: " + stage.at("now.png"));
+    CHECK(std::filesystem::file_size(stage.at("now.png")) > 0);
+    REQUIRE(runner.run(context, std::vector<std::string>{"shot", stage.at("missing/now.png")}));
+    CHECK(settle().size() == 1);
+}
+
 TEST_CASE("in a window an export is work behind it, which can be cancelled") {
     ExportStage stage;
     CommandRunner runner({});

@@ -1,3 +1,4 @@
+#include "app/actions/command_runner.h"
 #include "app/tools/lasso.h"
 #include "app/tools/pixel_polygon.h"
 #include "app/tools/tool.h"
@@ -243,6 +244,17 @@ struct LassoPicture final : test::TestPicture {
     }
 };
 
+// The same, drawn elsewhere.
+struct ComingPicture final : test::TestPicture {
+    bool there = false;
+    Coming<Result<render::BranchPicture>> coming_branch_picture() override {
+        const auto take = []() -> Result<render::BranchPicture> {
+            return render::BranchPicture{100, 100, std::vector<int>(10000, 2)};
+        };
+        return {[this] { return there; }, take};
+    }
+};
+
 class TestTools final : public ToolHost {
 public:
     void use_tool(std::string_view) override {}
@@ -309,4 +321,32 @@ TEST_CASE("the lasso command selects, adds and removes, and refuses what it cann
     CHECK_FALSE(tools.settings.lasso_any_part);
     CHECK_FALSE(tools.settings.lasso_visible);
     CHECK(run("lasso-mode some").starts_with("c.txt:1: lasso-mode is half or any"));
+}
+
+TEST_CASE("a lasso of what is visible waits for that, of the view in which it was drawn") {
+    Document document;
+    ComingPicture host;
+    host.size = {100, 100};
+    Session session;
+    session.camera.position = {20.0, 500.0, 0.0};
+    session.camera.focal_point = {20.0, 0.0, 0.0};
+    session.camera.orthographic = true;
+    session.camera.scale = 50.0;
+    document.open(std::make_shared<const tree::VesselTree>(rods()), session);
+    Assets assets;
+    ActionContext context{.document = document, .picture = host, .assets = assets};
+    CommandRunner runner({});
+    const std::vector<std::string> around{"lasso", "--visible", "0,0", "100,0", "100,100", "0,100"};
+    REQUIRE(runner.run(context, around));
+    REQUIRE(runner.run(context, std::vector<std::string>{"hide"}));
+    render::Camera away = session.camera;
+    away.position.x += 1000.0;
+    away.focal_point.x += 1000.0;
+    document.set_camera(away);
+    CHECK(runner.update(context).empty());
+    CHECK(document.marks().selection.empty());
+    host.there = true;
+    CHECK(runner.update(context).empty());
+    CHECK(document.marks().selection == Ids{2});
+    CHECK(branches_in_state(document.marks(), render::BranchState::kHidden) == Ids{2});
 }
