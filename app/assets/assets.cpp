@@ -112,8 +112,12 @@ void refresh(Assets& assets, const Document& document, const mesh::SurfaceOption
 
 bool centerlines_awaited(const Assets& assets, const mesh::SurfaceOptions& options) {
     constexpr std::size_t kLarge = 20'000; // segments: they take a fiftieth of a second
-    if (!assets.centerlines_follow || !assets.tree || !assets.centerlines.lines) return false;
+    if (!assets.centerlines_follow || !assets.tree) return false;
     return !assets.centerlines.fits(options) && assets.tree->segment_count() > kLarge;
+}
+
+void complete_centerlines(Assets& assets, const mesh::SurfaceOptions& options) {
+    if (centerlines_awaited(assets, options)) assets.centerlines = centerlines_of(*assets.tree, options);
 }
 
 const Plan& refresh_plan(Assets& assets, const Document& document) {

@@ -70,8 +70,9 @@ struct Assets {
 // they are not the session's.
 void refresh(Assets& assets, const Document& document);
 void refresh(Assets& assets, const Document& document, const mesh::SurfaceOptions& options);
-// Whether centerlines of other options are there, which somebody makes new.
+// Whether the centerlines are those of other options, or of no tree yet, and somebody makes them new.
 [[nodiscard]] bool centerlines_awaited(const Assets& assets, const mesh::SurfaceOptions& options);
+void complete_centerlines(Assets& assets, const mesh::SurfaceOptions& options); // makes them, if so
 // The plan alone: for commands.
 const Plan& refresh_plan(Assets& assets, const Document& document); // the document has a tree
 

@@ -67,6 +67,7 @@ render::Camera PictureView::camera_on_its_way() {
 
 bool PictureView::draw(bool dragging) {
     state_.follow_tree();
+    if (!state_.watched() && state_.workspace.between_trees()) state_.workspace.await_tree();
     take_depths();
     const std::vector<Viewport> viewports = state_.viewports();
     const ShownSurfaces surfaces = state_.workspace.surfaces();
@@ -77,8 +78,10 @@ bool PictureView::draw(bool dragging) {
     state_.did("compose");
     Taken taken;
     take_picture(0.0, taken); // of an earlier frame
-    if (!drawer_.busy()) {
-        const bool watched = state_.watched();
+    const bool watched = state_.watched();
+    const bool between = watched && state_.workspace.between_trees(); // the last picture stays
+    if (!drawer_.busy() && !between) {
+        begun_tree_ = state_.workspace.document.tree();
         drawer_.draw(sheet_, kUploadBudget, watched ? kDrawingSeconds : render::kUntilDone);
         begun_at_ = state_.now;
         take_picture(watched ? kPatience : render::kUntilDone, taken);
@@ -221,6 +224,7 @@ void PictureView::take(const PictureDrawer::Made& made) {
         state_.warn(Warning{drawn.error().what, drawn.error().where, drawn.error().hint});
     if (done.geometry && done.quality == quality) pace_.drawn(frame, done.seconds);
     if (done.geometry) cast_ = done.cones > 0;
+    if (done.shaded || !done.unfinished) shown_tree_ = begun_tree_;
     const bool as_wanted = cast_ || !frame.surface_awaited;
     if (drawn && !done.unfinished)
         pictured_width_ = as_wanted ? frame.width : static_cast<float>(state_.workspace.shown().request.options.width);
@@ -267,8 +271,8 @@ double PictureView::wait_seconds(double now) const {
 }
 
 bool PictureView::resting() const {
-    return !drawer_.drawing() && !upload_pending_ && !unfinished_ && !glide_ && !depths_pending_ && !depths_put_off_ &&
-           quality_ == render::Quality::kFull;
+    return !drawer_.drawing() && !state_.workspace.between_trees() && !upload_pending_ && !unfinished_ && !glide_ &&
+           !depths_pending_ && !depths_put_off_ && quality_ == render::Quality::kFull;
 }
 
 std::shared_ptr<const render::PagedMesh> PictureView::picture_mesh() const { return state_.workspace.shown().mesh; }
@@ -277,6 +281,7 @@ std::shared_ptr<const render::PagedMesh> PictureView::picture_mesh() const { ret
 render::Frame PictureView::frame_for_keeping(const render::Camera& camera, glm::ivec2 size) {
     state_.follow_tree();
     Workspace& workspace = state_.workspace;
+    if (workspace.between_trees()) workspace.await_tree();
     Job job;
     (void)load_context(workspace.assets, workspace.document.marks(), job); // waits for what a window leaves to a worker
     render::Frame frame = compose(workspace.document.session(), workspace.current_assets(), picture_mesh(),
@@ -289,6 +294,7 @@ render::Frame PictureView::frame_for_keeping(const render::Camera& camera, glm::
 render::Sheet PictureView::sheet_for_keeping(glm::ivec2 size) {
     state_.follow_tree();
     Workspace& workspace = state_.workspace;
+    if (workspace.between_trees()) workspace.await_tree();
     Job job;
     (void)load_context(workspace.assets, workspace.document.marks(), job); // as above
     state_.present_again();

@@ -47,6 +47,8 @@ public:
     [[nodiscard]] bool under_way() const { return drawer_.busy(); } // a picture is; when it is there the window wakes
     // What the last picture was made of, and the kernel's width in it: maybe of a surface that is not there yet.
     [[nodiscard]] bool cast() const { return cast_; }
+    // Whether the last picture is of the document's tree: not yet after an edit.
+    [[nodiscard]] bool shows_tree() const { return shown_tree_ == state_.workspace.document.tree(); }
     [[nodiscard]] float pictured_width() const { return pictured_width_; }
 
     // PictureHost
@@ -110,6 +112,7 @@ private:
         render::Camera from;
         double since;
     };
+    std::shared_ptr<const tree::VesselTree> begun_tree_, shown_tree_; // of that; of the one that is shown
     std::optional<Glide> glide_;
     render::Camera shown_camera_;
     Aim aim_;

@@ -86,7 +86,7 @@ void ViewerInput::take_pick() {
     pick_pending_ = false;
     const int hovered =
         pointer_over_picture_ && !mouse_.dragging() && points_at_branches() ? pick->branch : tree::kNoBranch;
-    if (hovered >= state_.workspace.document.branch_count()) return; // of a picture of another tree
+    if (!picture_.shows_tree() || hovered >= state_.workspace.document.branch_count()) return;
     if (hovered != state_.interface.hovered) state_.redraw();
     state_.interface.hovered = hovered;
 }
@@ -95,7 +95,7 @@ void ViewerInput::ask_pick() {
     if (!pick_wanted_ || mouse_.held() || state_.interface.wipe_held) return;
     pick_wanted_ = false;
     pointer_over_picture_ = over_picture(pointer_);
-    state_.interface.tooltip = pointer_over_picture_ && points_at_branches();
+    state_.interface.tooltip = pointer_over_picture_ && points_at_branches() && picture_.shows_tree();
     if (!state_.interface.tooltip) {
         if (state_.interface.hovered != tree::kNoBranch) state_.redraw();
         state_.interface.hovered = tree::kNoBranch;

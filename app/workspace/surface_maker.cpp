@@ -10,9 +10,9 @@
 #include "render/scene/bounds.h"
 
 #include <algorithm>
-#include <future>
 #include <iterator>
 #include <tbb/task_arena.h>
+#include <thread>
 
 namespace ramus::app {
 
@@ -233,6 +233,7 @@ void SurfaceMaker::cut_loops(Followed& followed, const SurfaceRequest& request, 
 
 void SurfaceFollower::open(std::shared_ptr<SurfaceMaker> maker, ReadySurface shown) {
     worker_.cancel();
+    cones_worker_.cancel();
     // The one before may hold gigabytes, and the system takes its time to take them back.
     if (maker_) tbb::this_task_arena::enqueue([before = std::move(maker_)] {});
     maker_ = std::move(maker);
@@ -248,22 +249,31 @@ void SurfaceFollower::change_tree(const std::shared_ptr<const tree::VesselTree>&
     open(std::make_shared<SurfaceMaker>(tree), {});
     follow(request, false);
     // Made meanwhile, and mostly in vain.
-    const auto make_cones = [&] {
-        Job job;
-        return first_cones(*tree, request, job);
-    };
-    std::future<Result<ReadySurface>> cones = std::async(std::launch::async, make_cones);
-    worker_.wait(kEditPatience);
-    worker_.drain();
-    const Result<ReadySurface> made = cones.get();
-    if (shown_.mesh) return;
-    if (made)
-        show(*made);
-    else
-        problem_ = made.error().message();
+    const auto until = std::chrono::steady_clock::now() + kEditPatience;
+    cones_worker_.start("Computing the surface", [this, tree, request, until](Job& job, const Worker::Post& post) {
+        const auto made = first_cones(*tree, request, job);
+        constexpr std::chrono::milliseconds kNap{5};
+        while (!job.cancelled() && std::chrono::steady_clock::now() < until) std::this_thread::sleep_for(kNap);
+        post([this, made] {
+            if (made)
+                show(*made);
+            else
+                problem_ = made.error().message();
+            changed_ = true;
+        });
+    });
+}
+
+void SurfaceFollower::await_tree() {
+    constexpr std::chrono::milliseconds kNap{5};
+    while (between_trees()) {
+        worker_.wait(kNap);
+        drain();
+    }
 }
 
 void SurfaceFollower::show(ReadySurface surface) {
+    cones_worker_.cancel(); // something is there
     shown_ = std::move(surface);
     changed_ = true;
     just_shown_ = shown_.provisional;
@@ -356,6 +366,7 @@ void SurfaceFollower::give_up(const SurfaceRequest& request, std::string why) {
 
 std::string SurfaceFollower::take_failure() {
     std::string failure = worker_.take_failure();
+    if (failure.empty()) failure = cones_worker_.take_failure();
     if (!failure.empty()) problem_ = "the work was given up: " + failure;
     return failure;
 }

@@ -96,16 +96,23 @@ private:
 // better; a few surfaces are cached, so that undo finds the one that was there before. For one thread, its owner's.
 class SurfaceFollower {
 public:
-    explicit SurfaceFollower(std::function<void()> wake) : worker_(std::move(wake)) {}
+    explicit SurfaceFollower(const std::function<void()>& wake) : cones_worker_(wake), worker_(wake) {}
 
     // Another tree, and what is shown of it at first.
     void open(std::shared_ptr<SurfaceMaker> maker, ReadySurface shown);
-    // The same vessels, edited: the new surface where it is soon there, cones until it is where not.
+    // The same vessels, edited: the new surface where it is soon there, cones until it is where not. Until either is
+    // there nothing is shown.
     void change_tree(const std::shared_ptr<const tree::VesselTree>& tree, const SurfaceRequest& request);
     // What was made elsewhere.
     void show(ReadySurface surface);
+    // Whether what is to be shown of an edited tree is on its way, and waiting for it.
+    [[nodiscard]] bool between_trees() const { return !shown_.mesh && cones_worker_.busy(); }
+    void await_tree();
     // Takes what was made, and nothing more.
-    void drain() { worker_.drain(); }
+    void drain() {
+        worker_.drain();
+        cones_worker_.drain();
+    }
     // Starts what is requested; of what is only being tried (while a slider is held) a preview is enough. Waits a
     // moment for a small change.
     void follow(const SurfaceRequest& request, bool tried);
@@ -129,6 +136,7 @@ public:
     [[nodiscard]] bool take_changed() { return std::exchange(changed_, false); }
 
     [[nodiscard]] const Worker& worker() const { return worker_; }
+    [[nodiscard]] const Worker& cones_worker() const { return cones_worker_; }
     // Why the last task ended by an exception, once; empty: none did.
     [[nodiscard]] std::string take_failure();
 
@@ -156,6 +164,7 @@ private:
     bool just_shown_ = false;                       // something provisional, not drawn yet
     bool changed_ = false;
     std::string problem_;
+    Worker cones_worker_;
     Worker worker_; // last: its thread ends first
 };
 

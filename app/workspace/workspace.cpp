@@ -95,6 +95,21 @@ bool Workspace::follow_tree() {
     return true;
 }
 
+// Centerlines of a large tree come later than its cones.
+bool Workspace::between_trees() const {
+    if (!document.tree() || tree_shown_ != document.tree()) return false;
+    const bool no_lines = assets.tree == tree_shown_ && !assets.centerlines.lines;
+    return surface_.between_trees() || (no_lines && centerlines_.worker().busy());
+}
+
+void Workspace::await_tree() {
+    (void)follow_tree();
+    surface_.await_tree();
+    refresh(assets, document, request().options);
+    complete_centerlines(assets, request().options);
+    changed_ = true;
+}
+
 SurfaceRequest Workspace::request() const {
     SurfaceRequest request = surface_request(document.marks());
     if (tried_) request.options = *tried_;

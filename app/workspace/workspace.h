@@ -63,6 +63,10 @@ public:
     // of the new tree from here on. update() does so too; who draws after commands in between asks for it. True when
     // the tree is another.
     bool follow_tree();
+    // Whether what is to be shown of an edited tree is on its way: until it is there the picture stays as it is. And
+    // waiting for it, for who keeps a picture.
+    [[nodiscard]] bool between_trees() const;
+    void await_tree();
     // Whether what is shown is the surface of the session as it is now.
     [[nodiscard]] bool surface_ready() const {
         return tree_shown_ == document.tree() && shown().mesh && !shown().provisional &&
@@ -140,8 +144,8 @@ private:
     [[nodiscard]] bool contacts_due() const;
     static constexpr std::size_t kMostSoughtUnasked = 1'000'000; // points of the tree
     // Of the work that shows its progress, in the order in which it is named.
-    [[nodiscard]] std::array<const Worker*, 6> workers() const {
-        return {&loader_.worker(),     &surface_.worker(),   &lesions_,
+    [[nodiscard]] std::array<const Worker*, 7> workers() const {
+        return {&loader_.worker(),     &surface_.worker(),   &surface_.cones_worker(), &lesions_,
                 &comparison_.worker(), &deviation_.worker(), &validation_.worker()};
     }
 

@@ -283,8 +283,12 @@ TEST_CASE("centerlines of a large tree are made beside the window's thread, and 
     Assets alone, assets;
     assets.centerlines_follow = true;
     refresh(alone, document);
-    refresh(assets, document); // the first ones nobody can do without
+    refresh(assets, document);
+    CHECK_FALSE(assets.centerlines.lines);
+    CenterlinesMaker maker({});
+    while (!maker.update(assets, document.marks().options)) std::this_thread::yield();
     REQUIRE(assets.centerlines.lines);
+    CHECK(assets.centerlines.lines->points == alone.centerlines.lines->points);
     const auto before = assets.centerlines.lines;
     Marks marks = document.marks();
     marks.options.smooth_passes += 2;
@@ -294,11 +298,38 @@ TEST_CASE("centerlines of a large tree are made beside the window's thread, and 
     refresh(assets, document);
     CHECK(assets.centerlines.lines == before);
     CHECK(centerlines_awaited(assets, marks.options));
-    CenterlinesMaker maker({});
     while (!maker.update(assets, marks.options)) std::this_thread::yield();
     CHECK_FALSE(centerlines_awaited(assets, marks.options));
     CHECK(assets.centerlines.lines->points == alone.centerlines.lines->points);
     CHECK_FALSE(maker.update(assets, marks.options));
+}
+
+TEST_CASE("nobody waits for what is shown of an edited tree, and who keeps a picture may") {
+    const TemporaryFolder folder;
+    Workspace workspace({});
+    workspace.open(folder.write("fork.swc", kFork));
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
+    const auto edit = [&] {
+        REQUIRE(workspace.document.edit_tree({.kind = tree::Edit::Kind::kScale, .branches = {1}, .value = 0.5}));
+    };
+    const auto before = workspace.shown().mesh;
+    edit();
+    CHECK(workspace.follow_tree());
+    CHECK(workspace.between_trees());
+    CHECK_FALSE(workspace.shown().mesh); // nothing of either
+    CHECK_FALSE(workspace.surface_ready());
+    CHECK(workspace.busy());
+    REQUIRE(settle(workspace, [&] { return !workspace.between_trees(); }));
+    CHECK(workspace.shown().mesh);
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
+    CHECK(workspace.shown().mesh != before);
+
+    edit();
+    workspace.await_tree();
+    CHECK_FALSE(workspace.between_trees());
+    CHECK(workspace.shown().mesh);
+    CHECK(workspace.assets.tree == workspace.document.tree());
+    CHECK(workspace.assets.centerlines.lines);
 }
 
 TEST_CASE("a task that throws ends, and says so") {
