@@ -9,6 +9,7 @@ namespace ramus::app {
 class LassoBase : public Tool {
 public:
     bool escape() override;
+    [[nodiscard]] bool picks() const override { return false; }
     [[nodiscard]] bool busy() const override { return !points_.empty(); }
     [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override;
 

@@ -36,10 +36,11 @@ struct Pointing {
     float pixel_ratio = 1.0F;
     const Document& document; // its tree, marks and camera
     const ToolSettings& settings;
-    // The branch and the point of its surface that a pixel shows. Looked up when asked for: it waits for the picture.
-    std::function<render::Pick(glm::dvec2)> pick_at;
+    // The branch and the point of its surface that is shown there: of tools that pick(), when they are told of presses,
+    // moves and releases.
+    render::Pick under{};
 
-    [[nodiscard]] render::Pick pick() const { return pick_at ? pick_at(at) : render::Pick{}; }
+    [[nodiscard]] const render::Pick& pick() const { return under; }
     [[nodiscard]] const render::Camera& camera() const { return document.session().camera; }
 };
 
@@ -78,6 +79,8 @@ enum class Cursor { kArrow, kCross, kHand, kSideways, kLasso, kLassoPolygon };
 
 class Tool {
 public:
+    using Event = void (Tool::*)(const Pointing&);
+
     Tool() = default;
     Tool(const Tool&) = delete;
     Tool& operator=(const Tool&) = delete;
@@ -93,6 +96,9 @@ public:
     virtual bool right_click(const Pointing&) { return false; }
     // Escape. True: something that had begun was given up. False: there was nothing; the tool is left.
     virtual bool escape() { return false; }
+
+    // Whether it has to know what is under the pointer: then it is told of it once that is looked up.
+    [[nodiscard]] virtual bool picks() const { return true; }
 
     // Whether something has begun that escape() would give up.
     [[nodiscard]] virtual bool busy() const { return false; }

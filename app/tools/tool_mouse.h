@@ -1,5 +1,6 @@
 // ToolMouse: the left button's presses, moves and releases over the picture, as a Tool is told of them: it tells
-// double-clicks from two clicks. No clock of its own.
+// double-clicks from two clicks. No clock of its own. Who tells the tool may do so later: `tell` gets what there is to
+// be told.
 #pragma once
 
 #include "app/tools/tool.h"
@@ -8,9 +9,10 @@ namespace ramus::app {
 
 class ToolMouse {
 public:
-    void press(Tool& tool, Pointing pointing, double seconds);
-    void move(Tool& tool, Pointing pointing) const;
-    void release(Tool& tool, Pointing pointing);
+    using Tell = std::function<void(Tool::Event, const Pointing&)>;
+    void press(const Tell& tell, Pointing pointing, double seconds);
+    void move(const Tell& tell, Pointing pointing) const;
+    void release(const Tell& tell, Pointing pointing);
     void abandon() { held_ = false; } // another tool was taken
     [[nodiscard]] bool held() const { return held_; }
     [[nodiscard]] Modifiers modifiers() const { return modifiers_; }

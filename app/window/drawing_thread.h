@@ -6,6 +6,8 @@
 // It knows no OpenGL: whoever makes it says how the thread gets a context, and what it does with it.
 #pragma once
 
+#include "app/actions/hosts.h"
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -46,8 +48,18 @@ public:
             [this, promise, its = std::make_shared<std::optional<Work>>(std::move(work))] { fulfil(*promise, *its); });
         return future;
     }
+    // The same, for who looks whether it is there; any thread may take it.
+    template <class Work> [[nodiscard]] auto later(Work work) -> Coming<std::invoke_result_t<Work&>> {
+        const auto future = std::make_shared<std::future<std::invoke_result_t<Work&>>>(begin(std::move(work)));
+        return {[this, future] { return done(*future, 0.0); }, [future] { return future->get(); }};
+    }
     // The same, and waits for it.
-    template <class Work> auto run(Work work) { return begin(std::move(work)).get(); }
+    template <class Work> auto run(Work work) {
+        if (!idle()) ++waits_;
+        return begin(std::move(work)).get();
+    }
+    // How often that waited for something else, too.
+    [[nodiscard]] int waits() const { return waits_; }
     // The same, and nobody wants to know: `work` throws nothing.
     template <class Work> void let(Work work) { (void)begin(std::move(work)); }
 
@@ -89,6 +101,7 @@ private:
     std::function<bool()> enter_;
     std::function<void()> leave_, wake_;
     std::atomic<int> tasks_{0}; // that are not done
+    int waits_ = 0;
     std::atomic<bool> wake_wanted_{false};
 
     std::mutex mutex_; // guards what follows

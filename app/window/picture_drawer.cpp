@@ -30,13 +30,16 @@ std::optional<PictureDrawer::Made> PictureDrawer::take(double seconds) {
     if (!busy()) return {};
     constexpr double kLongest = 1e6;
     if (!thread_.done(made_, std::min(seconds, kLongest))) return {};
-    return made_.get();
+    Made made = made_.get();
+    numbers_ = made.numbers;
+    return made;
 }
 
 PictureDrawer::Made PictureDrawer::drawn(render::Sheet sheet, std::size_t upload_budget, double seconds) {
     Made made{.sheet = std::move(sheet)};
     made.drawn = sheets_->draw(made.sheet, upload_budget, seconds);
     made.scale_bar = sheets_->scale_bar();
+    made.numbers = sheets_->numbers();
     if (made.drawn && made.drawn->shaded)
         if (auto kept = keep(made.sheet); !kept) made.drawn = tl::unexpected(kept.error());
     return made;
@@ -46,6 +49,7 @@ PictureDrawer::Made PictureDrawer::refined(render::Sheet sheet, double seconds) 
     Made made{.sheet = std::move(sheet)};
     made.finer = sheets_->refine(made.sheet, seconds).value_or(render::Refined{});
     made.scale_bar = sheets_->scale_bar();
+    made.numbers = sheets_->numbers();
     if (made.finer->changed && !keep(made.sheet)) made.finer = render::Refined{};
     return made;
 }
@@ -65,10 +69,10 @@ void PictureDrawer::present(unsigned framebuffer, glm::ivec2 at, glm::ivec2 size
     sheets_->present(framebuffer, at.x, at.y);
 }
 
-render::Pick PictureDrawer::pick(glm::dvec2 at) {
+Coming<render::Pick> PictureDrawer::pick(glm::dvec2 at) {
     const bool same = asked_.answer && glm::distance(asked_.at, at) < 1.0;
-    if (!idle() && same) return *asked_.answer;
-    return thread_.run([&] { return sheets_->pick(at); });
+    if (!idle() && same) return here(*asked_.answer);
+    return thread_.later([this, at, of = numbers_] { return sheets_->pick(at, of); });
 }
 
 void PictureDrawer::request_pick(glm::dvec2 at) {
@@ -88,12 +92,19 @@ std::optional<render::Pick> PictureDrawer::poll_pick() {
     return pick;
 }
 
+// The first ones make a program.
 bool PictureDrawer::request_depths() {
-    return thread_.run([this] { return sheets_->request_depths(); });
+    if (!idle()) return false;
+    depths_asked_ = thread_.begin([this] { return sheets_->request_depths(); });
+    return true;
 }
 
-std::optional<std::vector<render::DepthMap>> PictureDrawer::poll_depths() {
-    return thread_.run([this] { return sheets_->poll_depths(); });
+std::optional<PictureDrawer::Depths> PictureDrawer::poll_depths() {
+    if (!idle()) return {};
+    if (depths_asked_ && !std::exchange(depths_asked_, std::nullopt)->get()) return Depths{};
+    auto maps = thread_.run([this] { return sheets_->poll_depths(); });
+    if (!maps) return {};
+    return Depths{std::move(maps)};
 }
 
 } // namespace ramus::app

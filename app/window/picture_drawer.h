@@ -9,6 +9,7 @@
 
 #include <future>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace ramus::app {
@@ -27,6 +28,7 @@ public:
         Result<render::DrawStatistics> drawn{};
         std::optional<render::Refined> finer{}; // none: it was drawn
         std::optional<render::ScaleBar> scale_bar{};
+        std::vector<int> numbers{}; // SheetRenderer::numbers()
     };
     // Begin it, as SheetRenderer has it, while none is on its way. take() has it, after waiting so long at most.
     void draw(const render::Sheet& sheet, std::size_t upload_budget, double seconds);
@@ -36,18 +38,27 @@ public:
     [[nodiscard]] bool drawing() const { return busy() && !refines_; }
     [[nodiscard]] bool has_picture() const { return !thread_.apart() || shown_.any(); }
 
+    [[nodiscard]] int waits() const { return thread_.waits(); }
+
     void present(unsigned framebuffer, glm::ivec2 at, glm::ivec2 size);
 
-    // As of SheetRenderer. The first waits for what is on its way, unless the answer to the same question is known.
-    [[nodiscard]] render::Pick pick(glm::dvec2 at);
+    // As of SheetRenderer. The first is of the picture that is shown now, whatever is drawn until it is there.
+    [[nodiscard]] Coming<render::Pick> pick(glm::dvec2 at);
     void request_pick(glm::dvec2 at);
     [[nodiscard]] std::optional<render::Pick> poll_pick();
-    [[nodiscard]] bool idle() const { return thread_.idle(); } // the next two do not wait
-    [[nodiscard]] bool request_depths();
-    [[nodiscard]] std::optional<std::vector<render::DepthMap>> poll_depths();
 
-    // `work(renderer, sheets)` where they are to be used, waiting for what is on its way. What it draws is not shown.
-    template <class Work> auto with(Work work) {
+    // Asks for depths when nothing is being done; false: it is not the time.
+    [[nodiscard]] bool request_depths();
+    struct Depths {
+        std::optional<std::vector<render::DepthMap>> maps; // none: to be asked for again after the next picture
+    };
+    [[nodiscard]] std::optional<Depths> poll_depths(); // of that
+
+    // `work(renderer, sheets)` where they are to be used, after what is on its way. What it draws is not shown.
+    template <class Work> [[nodiscard]] auto later(Work work) {
+        return thread_.later([this, work = std::move(work)] { return work(renderer_, *sheets_); });
+    }
+    template <class Work> auto with(Work work) { // and waits for it
         return thread_.run([this, &work] { return work(renderer_, *sheets_); });
     }
 
@@ -56,6 +67,7 @@ private:
         glm::dvec2 at{0.0};
         std::optional<render::Pick> answer;
     };
+    [[nodiscard]] bool idle() const { return thread_.idle(); }
     [[nodiscard]] Made drawn(render::Sheet sheet, std::size_t upload_budget, double seconds);
     [[nodiscard]] Made refined(render::Sheet sheet, double seconds);
     Result<void> keep(const render::Sheet& sheet);
@@ -66,8 +78,10 @@ private:
     ShownPicture shown_;
     std::future<Made> made_;
     bool refines_ = false;
+    std::vector<int> numbers_;   // of the picture that is shown
     Asked asked_;                // the last pick
     bool ask_when_idle_ = false; // it is to be sent
+    std::optional<std::future<bool>> depths_asked_;
 };
 
 } // namespace ramus::app

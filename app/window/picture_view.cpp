@@ -122,11 +122,11 @@ void PictureView::point(glm::dvec2 at, glm::dvec2 in_viewport) {
 }
 
 void PictureView::take_depths() {
-    if (!depths_pending_ || !drawer_.idle()) return;
-    auto maps = drawer_.poll_depths();
-    if (!maps) return;
+    if (!depths_pending_) return;
+    auto depths = drawer_.poll_depths();
+    if (!depths) return;
     depths_pending_ = false;
-    aim_.see(std::move(*maps), state_.workspace.document.session().camera);
+    if (depths->maps) aim_.see(std::move(*depths->maps), state_.workspace.document.session().camera);
 }
 
 // Those on their way are waited for: while the view moves some picture's depths come.
@@ -134,7 +134,7 @@ void PictureView::ask_depths(bool drawn) {
     depths_wanted_ |= drawn;
     // What the first ones need is made then: not after a first picture, which has taken its time.
     depths_put_off_ = drawn && !std::exchange(has_drawn_, true);
-    if (depths_put_off_ || !depths_wanted_ || depths_pending_ || !drawer_.idle()) return;
+    if (depths_put_off_ || !depths_wanted_ || depths_pending_) return;
     depths_pending_ = drawer_.request_depths();
     depths_wanted_ = !depths_pending_;
 }
@@ -302,13 +302,25 @@ render::Sheet PictureView::sheet_for_keeping(glm::ivec2 size) {
                          {.size = size, .pixel_ratio = state_.scale});
 }
 
-Result<void> PictureView::write_picture(const std::filesystem::path& path) {
-    const render::Sheet sheet = sheet_for_keeping(state_.layout.view_size);
-    return drawer_.with([&](render::Renderer&, render::SheetRenderer& sheets) -> Result<void> {
+Coming<Result<render::Image>> PictureView::picture_for_keeping() {
+    const auto draw = [sheet = sheet_for_keeping(state_.layout.view_size), seconds = keeping_seconds()](
+                          render::Renderer&, render::SheetRenderer& sheets) -> Result<render::Image> {
         if (const auto drawn = sheets.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());
-        if (const auto finer = sheets.refine(sheet, keeping_seconds()); !finer) return tl::unexpected(finer.error());
-        return render::write_png(sheets.read_image(), path);
-    });
+        if (const auto finer = sheets.refine(sheet, seconds); !finer) return tl::unexpected(finer.error());
+        return sheets.read_image();
+    };
+    return drawer_.later(draw);
+}
+
+Result<void> PictureView::write_picture(const std::filesystem::path& path) {
+    RAMUS_TRY(image, picture_for_keeping().take());
+    return render::write_png(image, path);
+}
+
+// A script goes on when the file is there.
+std::optional<Coming<Result<render::Image>>> PictureView::coming_picture() {
+    if (!state_.watched()) return {};
+    return picture_for_keeping();
 }
 
 Result<void> PictureView::write_figure(const FigureRequest& request, Job& job) {
@@ -335,12 +347,13 @@ Result<render::Image> PictureView::draw_picture(const render::Camera& camera, gl
     });
 }
 
-Result<render::BranchPicture> PictureView::branch_picture() {
-    const render::Frame frame = frame_for_keeping(state_.workspace.document.session().camera, picture_size());
-    return drawer_.with([&](render::Renderer& renderer, render::SheetRenderer&) -> Result<render::BranchPicture> {
+Coming<Result<render::BranchPicture>> PictureView::coming_branch_picture() {
+    const auto draw = [frame = frame_for_keeping(state_.workspace.document.session().camera, picture_size())](
+                          render::Renderer& renderer, render::SheetRenderer&) -> Result<render::BranchPicture> {
         if (const auto drawn = renderer.draw(frame); !drawn) return tl::unexpected(drawn.error());
         return renderer.read_branches();
-    });
+    };
+    return drawer_.later(draw);
 }
 
 } // namespace ramus::app

@@ -29,8 +29,9 @@ public:
     [[nodiscard]] bool gliding() const { return glide_.has_value(); }
     [[nodiscard]] const render::Camera& shown_camera() const { return shown_camera_; } // of the last picture
 
-    // Pixels of the picture. The first waits for the card; the answer to the second comes a frame or two later.
-    [[nodiscard]] render::Pick pick(glm::dvec2 at) { return drawer_.pick(at); }
+    // Pixels of the picture. The first is of the one that is shown now; the answer to the second comes a frame or two
+    // later.
+    [[nodiscard]] Coming<render::Pick> pick(glm::dvec2 at) { return drawer_.pick(at); }
     void request_pick(glm::dvec2 at) { drawer_.request_pick(at); }
     [[nodiscard]] std::optional<render::Pick> poll_pick() { return drawer_.poll_pick(); }
 
@@ -41,20 +42,23 @@ public:
     void hold_pivot(const std::optional<glm::dvec3>& pivot) { pivot_ = pivot; }
     [[nodiscard]] const std::optional<render::ScaleBar>& scale_bar() const { return scale_bar_; } // of the last picture
 
+    [[nodiscard]] int waits() const { return drawer_.waits(); } // of the window for what is drawn, beyond a frame's
     [[nodiscard]] double wait_seconds(double now) const; // until it wants to be drawn again; infinite: not by itself
     [[nodiscard]] bool resting() const;                  // full, and of what is known now
     [[nodiscard]] bool refines() const { return refines_; }
     [[nodiscard]] bool under_way() const { return drawer_.busy(); } // a picture is; when it is there the window wakes
-    // What the last picture was made of, and the kernel's width in it: maybe of a surface that is not there yet.
-    [[nodiscard]] bool cast() const { return cast_; }
     // Whether the last picture is of the document's tree: not yet after an edit.
     [[nodiscard]] bool shows_tree() const { return shown_tree_ == state_.workspace.document.tree(); }
+    // What the last picture was made of, and the kernel's width in it: maybe of a surface that is not there yet.
+    [[nodiscard]] bool cast() const { return cast_; }
     [[nodiscard]] float pictured_width() const { return pictured_width_; }
 
     // PictureHost
     [[nodiscard]] glm::ivec2 picture_size() const override { return state_.viewport_size(); }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override;
-    Result<render::BranchPicture> branch_picture() override;
+    Result<render::BranchPicture> branch_picture() override { return coming_branch_picture().take(); }
+    [[nodiscard]] Coming<Result<render::BranchPicture>> coming_branch_picture() override;
+    [[nodiscard]] std::optional<Coming<Result<render::Image>>> coming_picture() override;
     Result<void> write_picture(const std::filesystem::path& path) override;
     Result<void> write_figure(const FigureRequest& request, Job& job) override;
     [[nodiscard]] glm::ivec2 whole_size() const override { return state_.layout.view_size; }
@@ -100,6 +104,7 @@ private:
     void tell_nothing_in_view();
     [[nodiscard]] std::optional<render::Scale> scale_now() const;
     [[nodiscard]] render::Sheet sheet_for_keeping(glm::ivec2 size);
+    [[nodiscard]] Coming<Result<render::Image>> picture_for_keeping();
     [[nodiscard]] render::Frame frame_for_keeping(const render::Camera& camera, glm::ivec2 size);
 
     ViewerState& state_;
@@ -107,12 +112,12 @@ private:
     render::Sheet sheet_;   // of the last picture, or of the one that is on its way
     double begun_at_ = 0.0; // when that was begun
     bool finer_ = false;    // what is shown, since refine() said so
+    std::shared_ptr<const tree::VesselTree> begun_tree_, shown_tree_; // of that; of the one that is shown
     // The picture's way to a camera that a command has set.
     struct Glide {
         render::Camera from;
         double since;
     };
-    std::shared_ptr<const tree::VesselTree> begun_tree_, shown_tree_; // of that; of the one that is shown
     std::optional<Glide> glide_;
     render::Camera shown_camera_;
     Aim aim_;

@@ -120,6 +120,7 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const 
                          {"width", viewer.picture().pictured_width()},
                          {"refined", viewer.refined()},
                          {"under_way", viewer.picture().under_way()}};
+    status["waits_for_drawing"] = viewer.picture().waits();
     status["programs_made_here"] = render::gl_programs_made(); // by the window's own thread
     status["problem"] = workspace.surface_problem();
     status["resting"] = viewer.resting();
@@ -150,7 +151,8 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const 
     status["longest_gap"] = to_json(watch.longest());
     status["gaps"] = nlohmann::json::array();
     for (const LoopWatch::Gap& gap : watch.latest()) status["gaps"].push_back(to_json(gap));
-    status["answered"] = asked_;
+    if (!viewer.commands().awaits()) known_ = asked_; // a click takes effect once it is known what it is on
+    status["answered"] = known_;
     if (viewer.controls()) status["controls"] = *viewer.controls();
     std::string text = io::printed_json(status, -1) + "\n";
     if (text == written_) return;

@@ -23,7 +23,7 @@ public:
 
 private:
     std::string path_, written_;
-    std::uint64_t asked_ = 0;
+    std::uint64_t asked_ = 0, known_ = 0; // the last question; whose input is known
 };
 
 } // namespace ramus::app

@@ -176,8 +176,8 @@ double Viewer::wait_seconds(double now) const {
 }
 
 bool Viewer::resting() const {
-    return !working() && state_.frames_left == 0 && !interface_waits_ && !input_.pick_wanted() &&
-           !input_.pick_pending() && !previewer_.drawing() && picture_.resting();
+    return !working() && !state_.commands.awaits() && state_.frames_left == 0 && !interface_waits_ &&
+           !input_.pick_wanted() && !input_.pick_pending() && !previewer_.drawing() && picture_.resting();
 }
 
 std::string Viewer::title() const {

@@ -114,8 +114,7 @@ void ViewerInput::mouse_moved(glm::dvec2 at) {
     } else if (mouse_.held()) {
         drag_view(in_viewport(at));
     } else if (state_.interface.tool && (tool_mouse_.held() || over_picture(at))) {
-        tool_mouse_.move(*state_.interface.tool, pointing({}));
-        perform_tool();
+        tool_mouse_.move(tell(), pointing({}));
     }
     if (!mouse_.held()) aim();
     pick_wanted_ = true;
@@ -138,8 +137,7 @@ void ViewerInput::mouse_button(MouseButton button, bool down, Modifiers modifier
         if (!down && button == MouseButton::kLeft) drop_wipe_line();
     } else if (tool_mouse_.held()) { // one button at a time
         if (!down && button == MouseButton::kLeft && state_.interface.tool) {
-            tool_mouse_.release(*state_.interface.tool, pointing(modifiers));
-            perform_tool();
+            tool_mouse_.release(tell(), pointing(modifiers));
             pick_wanted_ = true;
         }
     } else if (down && button == MouseButton::kLeft && !mouse_.held() && on_wipe_line()) {
@@ -150,8 +148,7 @@ void ViewerInput::mouse_button(MouseButton button, bool down, Modifiers modifier
         state_.interface.tooltip = false;
     } else if (down && button == MouseButton::kLeft && state_.interface.tool && !mouse_.held() &&
                over_picture(pointer_)) {
-        tool_mouse_.press(*state_.interface.tool, pointing(modifiers), now);
-        perform_tool();
+        tool_mouse_.press(tell(), pointing(modifiers), now);
     } else if (down && over_picture(pointer_))
         mouse_.press(button, modifiers, in_viewport(pointer_), grip());
     else if (!down && mouse_.held()) {
@@ -209,8 +206,51 @@ Pointing ViewerInput::pointing(Modifiers modifiers) {
             .size = picture_.picture_size(),
             .pixel_ratio = state_.scale,
             .document = state_.workspace.document,
-            .settings = state_.interface.tool_settings,
-            .pick_at = [this](glm::dvec2 at) { return picture_.pick(from_viewport(at)); }};
+            .settings = state_.interface.tool_settings};
+}
+
+// An edit of the tree gives its branches other ids.
+void ViewerInput::look_up(glm::dvec2 in_viewport, const std::function<void(const render::Pick&)>& then) {
+    if (!picture_.shows_tree())
+        return state_.await([this] { return picture_.shows_tree(); },
+                            [this, in_viewport, then] { look_up(in_viewport, then); });
+    const Coming<render::Pick> pick = picture_.pick(from_viewport(in_viewport));
+    state_.await(pick.ready, [this, pick, then, tree = state_.workspace.document.tree()] {
+        if (state_.workspace.document.tree() == tree) then(pick.take());
+    });
+}
+
+// Moves come faster than they are looked up. A press or a release comes after all of them.
+void ViewerInput::tell_tool(Tool::Event event, const Pointing& pointing) {
+    const bool move = event == &Tool::move;
+    if (move && move_on_its_way_) {
+        next_move_.emplace(pointing);
+        return;
+    }
+    if (!move) tell_next_move();
+    const auto tell_it = [this, event, pointing, told = state_.interface.tool.get()](const render::Pick& under) {
+        if (state_.interface.tool.get() != told) return; // another one was taken
+        Pointing known = pointing;
+        known.under = under;
+        (told->*event)(known);
+        perform_tool();
+    };
+    if (!state_.interface.tool->picks()) return state_.await(nullptr, [tell_it] { tell_it({}); });
+    if (!move) return look_up(pointing.at, tell_it);
+    move_on_its_way_ = true;
+    look_up(pointing.at, [this, tell_it](const render::Pick& under) {
+        move_on_its_way_ = false;
+        tell_it(under);
+        tell_next_move();
+    });
+}
+
+void ViewerInput::tell_next_move() {
+    move_on_its_way_ = false;
+    if (!next_move_) return;
+    const Pointing next = *next_move_;
+    next_move_.reset();
+    if (state_.interface.tool) tell_tool(&Tool::move, next);
 }
 
 void ViewerInput::perform_tool() {
@@ -227,33 +267,41 @@ Cursor ViewerInput::cursor() const {
 
 void ViewerInput::clicked(const Click& click) {
     if (!state_.workspace.document.tree()) return;
-    if (click.kind == Click::Kind::kSecondary) {
-        const bool taken = state_.interface.tool && state_.interface.tool->right_click(pointing({}));
-        perform_tool();
-        if (!taken) open_context_menu(click.at);
-        return;
-    }
-    const render::Pick pick = picture_.pick(from_viewport(click.at));
+    look_up(click.at, [this, kind = click.kind, here = pointing({})](const render::Pick& under) {
+        if (kind != Click::Kind::kSecondary) return click_on(kind, under);
+        Pointing known = here;
+        known.under = under;
+        right_click_on(known);
+    });
+}
+
+void ViewerInput::click_on(Click::Kind kind, const render::Pick& pick) {
     const bool hit = pick.branch >= 0 && pick.branch < state_.workspace.document.branch_count();
     if (!hit) {
-        if (click.kind == Click::Kind::kSelect) state_.perform("select-none", {});
+        if (kind == Click::Kind::kSelect) state_.perform("select-none", {});
         return;
     }
-    if (click.kind == Click::Kind::kCentre) {
+    if (kind == Click::Kind::kCentre) {
         picture_.move_camera(render::centred_on(state_.workspace.document.session().camera, pick.position));
         picture_.camera_leapt();
         return;
     }
-    state_.perform(click.kind == Click::Kind::kSelect                 ? "select"
-                   : click.kind == Click::Kind::kSelectWithDependents ? "select-subtree"
-                   : click.kind == Click::Kind::kAdd                  ? "select-add"
-                                                                      : "select-toggle",
+    state_.perform(kind == Click::Kind::kSelect                 ? "select"
+                   : kind == Click::Kind::kSelectWithDependents ? "select-subtree"
+                   : kind == Click::Kind::kAdd                  ? "select-add"
+                                                                : "select-toggle",
                    {std::to_string(pick.branch)});
 }
 
+void ViewerInput::right_click_on(const Pointing& pointing) {
+    const bool taken = state_.interface.tool && state_.interface.tool->right_click(pointing);
+    perform_tool();
+    if (!taken) open_context_menu(pointing.under);
+}
+
 // About the branch there, which is selected first unless it is so already.
-void ViewerInput::open_context_menu(glm::dvec2 at) {
-    const int branch = picture_.pick(from_viewport(at)).branch;
+void ViewerInput::open_context_menu(const render::Pick& pick) {
+    const int branch = pick.branch;
     const bool hit = branch >= 0 && branch < state_.workspace.document.branch_count();
     if (hit && !is_selected(state_.workspace.document.marks(), branch))
         state_.perform("select", {std::to_string(branch)});
@@ -327,6 +375,8 @@ void ViewerInput::use_tool(std::string_view name) {
     state_.interface.tool_kind = kind;
     state_.interface.tool = kind->make != nullptr ? kind->make() : nullptr;
     tool_mouse_.abandon();
+    move_on_its_way_ = false;
+    next_move_.reset();
     pick_wanted_ = true;
     state_.redraw();
 }

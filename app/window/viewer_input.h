@@ -9,6 +9,7 @@
 #include "app/window/imgui_input.h"
 #include "app/window/picture_view.h"
 
+#include <functional>
 #include <optional>
 
 namespace ramus::app {
@@ -64,9 +65,18 @@ private:
     void drag_wipe_line();
     void drop_wipe_line();
     [[nodiscard]] Pointing pointing(Modifiers modifiers);
+    // `then` gets what the picture shows there now, once that is known; what is done after it takes effect after it.
+    void look_up(glm::dvec2 in_viewport, const std::function<void(const render::Pick&)>& then);
+    void tell_tool(Tool::Event event, const Pointing& pointing);
+    void tell_next_move();
+    [[nodiscard]] ToolMouse::Tell tell() {
+        return [this](Tool::Event event, const Pointing& pointing) { tell_tool(event, pointing); };
+    }
     void perform_tool();
     void clicked(const Click& click);
-    void open_context_menu(glm::dvec2 at);
+    void click_on(Click::Kind kind, const render::Pick& pick);
+    void right_click_on(const Pointing& pointing);
+    void open_context_menu(const render::Pick& pick);
     void run(const Command& command);
 
     ViewerState& state_;
@@ -79,6 +89,9 @@ private:
     double wipe_grip_ = 0.0; // from the line to where it was taken, pixels
     bool pointer_over_picture_ = false;
     bool pick_wanted_ = false, pick_pending_ = false;
+    // Of a tool that picks: one move is looked up at a time, and then the last that came meanwhile.
+    bool move_on_its_way_ = false;
+    std::optional<Pointing> next_move_;
 };
 
 } // namespace ramus::app

@@ -71,6 +71,16 @@ struct ViewerState {
         context().perform(name, arguments);
     }
 
+    // What takes effect once `ready`, before all that is done after it.
+    void await(std::function<bool()> ready, std::function<void()> then) {
+        const auto act = [this, then = std::move(then)](ActionContext&) -> Result<void> {
+            then();
+            redraw();
+            return {};
+        };
+        (void)commands.await(*actions, {std::move(ready), act});
+    }
+
     [[nodiscard]] std::vector<Viewport> viewports() const {
         return viewports_of(workspace.document.marks(), layout.view_size, scale);
     }

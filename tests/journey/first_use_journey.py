@@ -8,7 +8,7 @@ Usage: first_use_journey.py PROGRAM
 import os
 import sys
 
-from screen import SMALL_TREE, Window, check, choose, click, page, run_journeys
+from screen import SMALL_TREE, Window, check, choose, click, drag, page, project, run_journeys
 
 INTERFACE = 1  # program that the window's own thread makes
 
@@ -83,6 +83,38 @@ def drawn_by_one_thread(program, screen, folder):
     check(pictures[0] == pictures[1], "both ways the picture is the same, to the bit")
 
 
+def asked_meanwhile(program, screen, folder):
+    """With nothing in the driver's cache glass takes its time: what a person does meanwhile is of what is seen then, takes
+    effect in its order, and the window waits for none of it."""
+    os.environ["XDG_CACHE_HOME"] = str(folder / "empty cache")
+    (folder / "empty cache").mkdir()
+    commands = folder / "commands"
+    commands.write_text("lasso-depth visible\n")
+    window = opened(program, screen, folder, "--commands", commands)
+    try:
+        status = window.wait("the lasso takes what is visible", lambda s: ready(s) and s["lasso"]["depth"] == "visible")
+        x, y = project(status, [-30.0, 0.0, 20.0])  # the left child
+        window.xdotool("key", "ctrl+i", "g", "mousemove", x, y, "click", 1, "key", "x")
+        hidden = window.wait("one vessel hidden", lambda s: ready(s) and s["states"]["hidden"])["states"]["hidden"]
+        check(len(hidden) == 1, f"the vessel that was clicked is hidden: {hidden}")
+        window.xdotool("key", "ctrl+z", "w")
+        window.wait("the lasso", lambda s: ready(s) and s["tool"] == "lasso" and not s["states"]["hidden"])
+        window.xdotool("key", "shift+g")  # all else is glass: another picture
+        drag(window, [(x - 40, y - 40), (x + 60, y - 40), (x + 60, y + 60), (x - 40, y + 60), (x - 40, y - 40)])
+        window.xdotool("key", "x")
+        status = window.wait("what was lassoed hidden", lambda s: ready(s) and s["states"]["hidden"])
+        check(hidden[0] in status["states"]["hidden"], "so is what was lassoed")
+        check(status["waits_for_drawing"] == 0, "the window waited for no picture")
+        window.xdotool("key", "Escape", "Escape", "shift+n")
+        window.wait("all of it", lambda s: ready(s) and s["tool"] == "navigate" and not s["states"]["hidden"])
+        window.xdotool("mousemove", x, y)
+        status = window.wait("the vessel under the pointer", lambda s: s["hovered"] >= 0)
+        check([status["hovered"]] == hidden, "that vessel is what was under the pointer")
+    finally:
+        window.end()
+        del os.environ["XDG_CACHE_HOME"]
+
+
 def closed_meanwhile(program, screen, folder):
     """Nothing is in the driver's cache, so that the first picture takes its time."""
     os.environ["XDG_CACHE_HOME"] = str(folder / "empty cache")
@@ -98,4 +130,4 @@ def closed_meanwhile(program, screen, folder):
 
 
 if __name__ == "__main__":
-    sys.exit(run_journeys(drawn_elsewhere, drawn_by_one_thread, closed_meanwhile))
+    sys.exit(run_journeys(drawn_elsewhere, drawn_by_one_thread, asked_meanwhile, closed_meanwhile))

@@ -73,7 +73,7 @@ struct EditHand {
                 .size = {800, 600},
                 .document = stage.document,
                 .settings = settings,
-                .pick_at = [this](glm::dvec2) { return under; }};
+                .under = under};
     }
 };
 

@@ -40,7 +40,7 @@ struct ToolStage {
                 .size = size,
                 .document = document,
                 .settings = settings,
-                .pick_at = [this](glm::dvec2) { return under; }};
+                .under = under};
     }
 };
 

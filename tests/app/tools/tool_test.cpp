@@ -36,13 +36,14 @@ struct Hand {
                 .size = {400, 300},
                 .document = document,
                 .settings = settings,
-                .pick_at = [](glm::dvec2 at) {
-                    return render::Pick{at.x > 100.0 ? 7 : tree::kNoBranch, {}};
-                }};
+                .under = render::Pick{x > 100.0 ? 7 : tree::kNoBranch, {}}};
+    }
+    static ToolMouse::Tell tell(Tool& tool) {
+        return [&tool](Tool::Event event, const Pointing& pointing) { (tool.*event)(pointing); };
     }
     void click(Tool& tool, double x, double y, double seconds, Modifiers modifiers = {}) {
-        mouse.press(tool, at(x, y, modifiers), seconds);
-        mouse.release(tool, at(x, y));
+        mouse.press(tell(tool), at(x, y, modifiers), seconds);
+        mouse.release(tell(tool), at(x, y));
     }
 };
 
@@ -58,12 +59,12 @@ using Words = std::vector<std::string>;
 TEST_CASE("a tool is told of presses, drags, releases and double-clicks, with what lies under the pointer") {
     Hand hand;
     Diary tool;
-    hand.mouse.move(tool, hand.at(10, 10));
-    hand.mouse.press(tool, hand.at(10, 10, {.shift = true}), 1.0);
+    hand.mouse.move(Hand::tell(tool), hand.at(10, 10));
+    hand.mouse.press(Hand::tell(tool), hand.at(10, 10, {.shift = true}), 1.0);
     CHECK(hand.mouse.held());
-    hand.mouse.move(tool, hand.at(120, 10));
-    hand.mouse.release(tool, hand.at(120, 10));
-    hand.mouse.release(tool, hand.at(120, 10)); // one that was not pressed here
+    hand.mouse.move(Hand::tell(tool), hand.at(120, 10));
+    hand.mouse.release(Hand::tell(tool), hand.at(120, 10));
+    hand.mouse.release(Hand::tell(tool), hand.at(120, 10)); // one that was not pressed here
     CHECK(words(tool) == Words{"move", "press+shift", "drag+shift@7", "release+shift@7"});
     hand.click(tool, 50, 50, 5.0);
     hand.click(tool, 51, 50, 5.2);
@@ -76,11 +77,11 @@ TEST_CASE("a free-hand lasso becomes one command when it is let go") {
     Hand hand;
     LassoTool tool;
     const auto stroke = [&](Modifiers modifiers) {
-        hand.mouse.press(tool, hand.at(100, 100, modifiers), 1.0);
-        for (int i = 1; i <= 100; ++i) hand.mouse.move(tool, hand.at(100 + i, 100));
-        for (int i = 1; i <= 100; ++i) hand.mouse.move(tool, hand.at(200, 100 + i));
+        hand.mouse.press(Hand::tell(tool), hand.at(100, 100, modifiers), 1.0);
+        for (int i = 1; i <= 100; ++i) hand.mouse.move(Hand::tell(tool), hand.at(100 + i, 100));
+        for (int i = 1; i <= 100; ++i) hand.mouse.move(Hand::tell(tool), hand.at(200, 100 + i));
         CHECK(tool.drawing(hand.at(200, 200)).lines.at(0).points.size() > 100);
-        hand.mouse.release(tool, hand.at(200, 200));
+        hand.mouse.release(Hand::tell(tool), hand.at(200, 200));
         CHECK(tool.drawing(hand.at(200, 200)).lines.empty());
         return words(tool);
     };
@@ -91,11 +92,11 @@ TEST_CASE("a free-hand lasso becomes one command when it is let go") {
 
     hand.click(tool, 10, 10, 3.0);
     CHECK(words(tool).empty()); // a click encloses nothing
-    hand.mouse.press(tool, hand.at(100, 100), 4.0);
-    hand.mouse.move(tool, hand.at(180, 180));
+    hand.mouse.press(Hand::tell(tool), hand.at(100, 100), 4.0);
+    hand.mouse.move(Hand::tell(tool), hand.at(180, 180));
     CHECK(tool.escape()); // gives the stroke up,
-    hand.mouse.move(tool, hand.at(100, 180));
-    hand.mouse.release(tool, hand.at(100, 180));
+    hand.mouse.move(Hand::tell(tool), hand.at(100, 180));
+    hand.mouse.release(Hand::tell(tool), hand.at(100, 180));
     CHECK(words(tool).empty());
     CHECK_FALSE(tool.escape()); // then there is nothing left to give up
 }
