@@ -5,6 +5,8 @@ A measurement, no test: of a grown tree of 30,000 branches and, with RAMUS_SHARE
 driver compiles for the first time, 0.1 to 0.5 s for a shader of Mesa's rasteriser, is in it where the window draws alone
 (RAMUS_ONE_THREAD=1) and XDG_CACHE_HOME does not name a folder that a run before has filled.
 
+RAMUS_WATCHED is how many seconds an export may take before it is cancelled (90).
+
 Usage: gaps.py PROGRAM [PART [TREE]]    PART: only steps whose name has it, a regular expression; "" for all
                                         TREE: only of grown, kidney
 """
@@ -36,7 +38,8 @@ EXPORTS = {  # by what their pages are said to be
     "tree": "Centerlines and radii, as they were read.",
 }
 CANCEL = "Cancel what goes on"
-WATCHED = 90  # seconds
+WATCHED = float(os.environ.get("RAMUS_WATCHED", "90"))  # seconds
+BESIDE = 300  # pixels from the button that writes a file to the field for its name, left of Cancel
 FILTER = "Conditions, all of which hold: "  # and examples
 PART = sys.argv[2] if len(sys.argv) > 2 else ""
 
@@ -126,12 +129,18 @@ class Explorer:
         self.step(f"{title} {arguments}".strip(), lambda: self.palette(title, arguments))
 
     def exported(self, what, kind):
-        """By the dialog, as it suggests: only the kind is chosen."""
+        """By the dialog, as it suggests but for the kind and the name: it asks before it replaces a file, such as the
+        tree that is open."""
         def act():
             self.window.xdotool("key", "ctrl+e")
             self.soon("the dialog", lambda s: s["open_dialog"] and "Write it" in s["controls"])
             click(self.window, kind)
-            self.soon("its page", lambda s: s["export"].startswith(what))
+            status = self.soon("its page", lambda s: s["export"].startswith(what))
+            left, top, _, height = status["controls"]["Write it"]
+            self.window.xdotool("mousemove", left - BESIDE, top + height // 2, "click", 1)
+            self.soon("the field for the name", lambda s: s["typing"])
+            self.window.xdotool("key", "Home")
+            self.window.xdotool("type", f"{what}-of-")
             click(self.window, "Write it")
             self.end_or_cancel()
         self.step(f"export: {what}", act)
