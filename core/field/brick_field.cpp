@@ -23,8 +23,6 @@ std::uint64_t BrickField::find_owners(const LatticeAxes& /*lattice*/, std::span<
 
 bool BrickField::apart(Owner /*a*/, Owner /*b*/) const { return false; }
 
-bool BrickField::is_beside_contact(const glm::vec3& /*point*/) { return false; }
-
 OwnedPoint BrickField::move(const OwnedGuess& /*whose*/, const glm::vec3& guess) { return {guess, {}, 0.0F}; }
 
 OwnedPoint BrickField::way_out(Owner /*owner*/, const glm::vec3& from, const glm::vec3& /*to*/, float /*guess*/) {

@@ -179,9 +179,8 @@ struct OwnedGuess {
     std::uint32_t guess = 0; // in a Projection
     Owner owner = kNoOwner;  // of that vessel
     // Where it stays, in a box relative to the brick's corner, in mm: kFree, where it was, if nothing is kept apart
-    // there, else within its reach and the box; kCell, the same, but where it was only if that is in the box or nothing
-    // is kept apart around the box; kBox, in the box, which may be flat; kPlaced: it is known already.
-    enum class Place : std::uint8_t { kFree, kCell, kBox, kPlaced };
+    // there, else within its reach and the box; kBox, in the box, which may be flat; kPlaced: it is known already.
+    enum class Place : std::uint8_t { kFree, kBox, kPlaced };
     Place place = Place::kFree;
     glm::vec3 lower{std::numeric_limits<float>::lowest()}, upper{std::numeric_limits<float>::max()};
     OwnedPoint placed{}; // relative to the brick's corner
@@ -213,8 +212,6 @@ public:
     virtual std::uint64_t find_owners(const LatticeAxes& lattice, std::span<const LatticePoint> points,
                                       std::span<Owner> owners);
     [[nodiscard]] virtual bool apart(Owner a, Owner b) const;
-    // Whether something is kept apart at a point or near it. Relative to the brick's corner, mm.
-    [[nodiscard]] virtual bool is_beside_contact(const glm::vec3& point);
     // Where a guess of a vessel is moved to that does not stay kFree. Positions relative to the brick's corner, mm.
     [[nodiscard]] virtual OwnedPoint move(const OwnedGuess& whose, const glm::vec3& guess);
     // The last place on a straight way that is a vessel's; it is at `from`, and not at `to`. Relative to the brick's

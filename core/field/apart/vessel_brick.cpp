@@ -128,24 +128,9 @@ Bounds<glm::dvec3> VesselBrick::bounds_of(const OwnedGuess& one, const glm::dvec
     return {glm::max(lower, middle - reach), glm::min(upper, middle + reach)};
 }
 
-bool VesselBrick::is_beside_contact(const glm::vec3& point) {
-    const glm::dvec3 at = axes_.corner() + glm::dvec3(point);
-    return views_.in_zone(at) && (views_.look(at) != VesselViews::Sight::kPlain || views_.beside_contact());
-}
-
-// Whether a point, relative to the brick's corner, is in the box of a vertex.
-bool VesselBrick::within(const OwnedGuess& one, const glm::dvec3& point) {
-    const glm::vec3 at(point);
-    return glm::all(glm::greaterThanEqual(at, one.lower)) && glm::all(glm::lessThanEqual(at, one.upper));
-}
-
-// Whether something is kept apart around a vertex, as far as cells with fans may begin.
-bool VesselBrick::near_contact(const OwnedGuess& one, const glm::dvec3& point) {
-    constexpr float kNear = 1.5F; // boxes
-    const glm::vec3 at(point), step = kNear * (one.upper - one.lower);
-    for (int n = 0; n < 27; ++n)
-        if (is_beside_contact(at + step * glm::vec3(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1))) return true;
-    return false;
+// Whether something is kept apart at a point or near it.
+bool VesselBrick::is_beside_contact(const glm::dvec3& point) {
+    return views_.in_zone(point) && (views_.look(point) != VesselViews::Sight::kPlain || views_.beside_contact());
 }
 
 OwnedPoint VesselBrick::from_corner(const WallPoint& point) const {
@@ -181,15 +166,12 @@ std::uint64_t VesselBrick::project_apart(const Projection& guesses, std::span<co
             put(one.guess, {corner + glm::dvec3(p.at), p.normal, static_cast<double>(p.radius), p.branch, p.dominance});
             continue;
         }
-        const bool free = one.place == OwnedGuess::Place::kFree, of_cell = one.place == OwnedGuess::Place::kCell;
-        if (one.owner == kNoOwner && (free || of_cell)) continue;
+        const bool free = one.place == OwnedGuess::Place::kFree;
+        if (one.owner == kNoOwner && free) continue;
         const std::size_t n = one.guess;
         const glm::dvec3 guess = corner + glm::dvec3(guesses.x[n], guesses.y[n], guesses.z[n]);
-        const bool plain = !is_beside_contact(glm::vec3(guess - corner));
+        const bool plain = !is_beside_contact(guess);
         if (plain && free) continue;
-        if (plain && of_cell &&
-            (within(one, glm::dvec3(to.positions[n]) - corner) || !near_contact(one, guess - corner)))
-            continue;
         const glm::dvec3 middle = corner + glm::dvec3(guesses.cx[n], guesses.cy[n], guesses.cz[n]);
         const Bounds<glm::dvec3> bounds = bounds_of(one, middle, static_cast<double>(guesses.reach[n]));
         put(n, move_to_wall(views_, place_near(one.owner, guess), guess, bounds, kernels_));

@@ -27,7 +27,6 @@ public:
     std::uint64_t find_owners(const LatticeAxes& lattice, std::span<const LatticePoint> points,
                               std::span<Owner> owners) override;
     [[nodiscard]] bool apart(Owner a, Owner b) const override;
-    [[nodiscard]] bool is_beside_contact(const glm::vec3& point) override;
     [[nodiscard]] OwnedPoint move(const OwnedGuess& whose, const glm::vec3& guess) override;
     [[nodiscard]] OwnedPoint way_out(Owner owner, const glm::vec3& from, const glm::vec3& to, float guess) override;
     std::uint64_t project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
@@ -45,8 +44,7 @@ private:
     Verdict judge(const glm::dvec3& point, float plain);
     float value_at(const glm::dvec3& point, float plain);
     Owner owner_at(const glm::dvec3& point); // of one that is inside
-    [[nodiscard]] static bool within(const OwnedGuess& one, const glm::dvec3& point);
-    [[nodiscard]] bool near_contact(const OwnedGuess& one, const glm::dvec3& point);
+    [[nodiscard]] bool is_beside_contact(const glm::dvec3& point);
     [[nodiscard]] OwnedPoint from_corner(const WallPoint& point) const;
     [[nodiscard]] Bounds<glm::dvec3> bounds_of(const OwnedGuess& one, const glm::dvec3& middle, double reach) const;
 

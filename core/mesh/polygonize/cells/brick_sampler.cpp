@@ -46,7 +46,6 @@ void BrickSampler::fill(std::uint32_t index, const Neighbourhood& neighbours, Br
     hanging_inside_.clear();
     owned_.clear();
     walled_.begin(cell_mm_);
-    contact_.begin(*field_, *octree_, index, *neighbours_);
     if (neighbours_->finer != 0) sample_hanging(subtree);
     const bool parts = field_->parts_vessels();
     if (parts) find_owners(subtree);
@@ -143,8 +142,7 @@ void BrickSampler::sort_cells(BrickCells& cells) {
         const auto corner_signs =
             static_cast<unsigned>((at & 3U) | (at >> 3 & 0xCU) | (at >> 21 & 0x30U) | (at >> 24 & 0xC0U));
         const bool hangs = (hanging >> cell & 1) != 0;
-        const bool general = hangs || !kPlainCells[corner_signs] || (walled >> cell & 1) != 0 ||
-                             (parts && contact_.is_fanned(low_corner_of(static_cast<int>(cell)), false));
+        const bool general = hangs || !kPlainCells[corner_signs] || (walled >> cell & 1) != 0;
         if (general) {
             trace(static_cast<int>(cell), corner_signs, hangs ? finer : 0);
         } else {
@@ -189,15 +187,12 @@ void BrickSampler::trace(int cell, unsigned corner_signs, std::uint32_t finer) {
         }
     }
     traced.apart = -1;
-    traced.beside_contact = traced.fanned = false;
+    traced.walled = false;
     if (field_->parts_vessels()) {
         traced.apart = static_cast<int>(apart_points_.size());
         apart_points_.push_back(owners_.apart_points(*field_, low_corner_of(cell)));
-        const bool walled = std::ranges::any_of(apart_points_.back(), [](std::uint32_t others) { return others != 0; });
-        const glm::ivec3 at = low_corner_of(cell);
-        traced.beside_contact = walled || contact_.is_beside_contact(at);
-        traced.shape.coarser_faces = contact_.fanned_coarser_faces(at);
-        traced.fanned = walled || traced.shape.coarser_faces != 0 || contact_.is_fanned(at, finer != 0);
+        traced.walled = std::ranges::any_of(apart_points_.back(), [](std::uint32_t others) { return others != 0; });
+        if (traced.walled) traced.shape.coarser_faces = coarser_faces(low_corner_of(cell));
     }
     traced.loops = trace_loops(traced.shape, traced.centres, apart_points(traced));
     traced.first_centre = points_.size();
@@ -207,18 +202,6 @@ void BrickSampler::trace(int cell, unsigned corner_signs, std::uint32_t finer) {
         points_.push_back({static_cast<std::uint8_t>(2 * low.x + quarter.x),
                            static_cast<std::uint8_t>(2 * low.y + quarter.y),
                            static_cast<std::uint8_t>(2 * low.z + quarter.z)});
-        if (traced.apart >= 0) note_contact_face(traced, quarter);
-    }
-}
-
-// Notes the face with this centre, in quarter cells, where something is kept apart beside it: both of its cells find
-// the same.
-void BrickSampler::note_contact_face(TracedCell& traced, glm::ivec3 quarter) {
-    for (int face = 0; face < 6; ++face) {
-        glm::ivec3 centre(2);
-        centre[face / 2] = (face & 1) != 0 ? 4 : 0;
-        const glm::vec3 at = glm::vec3(low_corner_of(traced.cell)) + 0.25F * glm::vec3(quarter);
-        if (quarter == centre && field_->is_beside_contact(at * cell_mm_)) traced.shape.contact_faces |= 1U << face;
     }
 }
 
@@ -234,13 +217,10 @@ void BrickSampler::decide_face_centres(SubtreeCells& subtree) {
     }
 }
 
-// Beside contacts vertices stay in their cells, so that they do not reach into cells with fans. Where cells of
-// different size meet, fans go as far as the region that a contact changes: cells just outside of it keep their
-// vertices too.
+// Beside contacts vertices stay in their cells, so that they do not reach into cells with walls.
 void BrickSampler::keep_within(field::OwnedGuess& vertex, glm::ivec3 cell) const {
     const Span room = within_cell(cell, cell_mm_);
     vertex.lower = room.lower, vertex.upper = room.upper;
-    if ((neighbours_->coarser | neighbours_->finer) != 0) vertex.place = field::OwnedGuess::Place::kCell;
 }
 
 void BrickSampler::add_vertex(glm::vec3 guess, glm::ivec3 cell, bool alone, const field::OwnedGuess& whose) {
@@ -290,7 +270,7 @@ void BrickSampler::add_recorded_vertices(const TracedCell& traced, SubtreeCells&
         record.walls = static_cast<std::uint32_t>(subtree.upper_loops.size());
         std::copy_n(loops.loop_of.begin() + kUpperEnd, kQuarterPoints, subtree.upper_loops.emplace_back().begin());
     }
-    record.walled = traced.fanned || (traced.beside_contact && loops.loop_count > 1);
+    record.walled = traced.walled;
     if (record.walled) {
         add_walled_vertices(traced, subtree, record);
         return;
@@ -318,9 +298,22 @@ void BrickSampler::add_recorded_vertices(const TracedCell& traced, SubtreeCells&
     record.arcs_count = static_cast<std::uint32_t>(subtree.arc_vertices.size()) - record.arcs_begin;
 }
 
+// Of a cell the faces that are parts of coarser cells', a bit each; x-, x+, y-, ...
+std::uint8_t BrickSampler::coarser_faces(const glm::ivec3& cell) const {
+    unsigned faces = 0;
+    for (int face = 0; face < 6 && neighbours_->coarser != 0; ++face) {
+        const int axis = face / 2;
+        if (cell[axis] != (face & 1) * (kBrickCells - 1)) continue;
+        glm::ivec3 d(0);
+        d[axis] = (face & 1) != 0 ? 1 : -1;
+        if (neighbours_->kind(direction_index(d.x, d.y, d.z)) == Neighbour::kCoarser) faces |= 1U << face;
+    }
+    return static_cast<std::uint8_t>(faces);
+}
+
 // Arcs that need a vertex belong to the finer of the two cells, or the one on the negative side.
 bool BrickSampler::owns(const FaceArc& arc, glm::ivec3 cell) const {
-    return (arc.face & 1) != 0 || (contact_.coarser_faces(cell) >> arc.face & 1) != 0;
+    return (arc.face & 1) != 0 || (coarser_faces(cell) >> arc.face & 1) != 0;
 }
 
 void BrickSampler::add_walled_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record) {

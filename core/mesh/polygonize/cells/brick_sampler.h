@@ -6,7 +6,6 @@
 #include "core/field/field.h"
 #include "core/mesh/polygonize/cells/brick_grid.h"
 #include "core/mesh/polygonize/cells/brick_owners.h"
-#include "core/mesh/polygonize/cells/contact_cells.h"
 #include "core/mesh/polygonize/cells/vertex_guesses.h"
 #include "core/mesh/polygonize/cells/walled_cells.h"
 
@@ -17,8 +16,7 @@ namespace ramus::mesh::bricks {
 class BrickSampler {
 public:
     // The field must outlive it.
-    explicit BrickSampler(const field::Field& field)
-        : field_(field.in_brick()), isovalue_(field.isovalue()), contact_(field) {}
+    explicit BrickSampler(const field::Field& field) : field_(field.in_brick()), isovalue_(field.isovalue()) {}
 
     // Bricks come next that follow each other in a subtree.
     void begin(const Octree& octree, std::uint32_t first_brick, std::uint32_t brick_count, SurfaceVertices& vertices);
@@ -41,8 +39,7 @@ private:
         FaceCentres centres;
         std::size_t first_centre; // in points_
         int apart;                // in apart_points_, or -1
-        bool beside_contact;      // some of its points are apart, or something is near that is kept apart
-        bool fanned;              // some of its points are apart, or it has fans for another reason (contact_cells.h)
+        bool walled;              // some of its points are apart
     };
 
     void prepare_lattice();
@@ -51,7 +48,6 @@ private:
     void sample_points(SubtreeCells& subtree);
     void sort_cells(BrickCells& cells);
     void trace(int cell, unsigned corner_signs, std::uint32_t finer);
-    void note_contact_face(TracedCell& traced, glm::ivec3 quarter);
     void decide_face_centres(SubtreeCells& subtree);
 
     void add_recorded_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record);
@@ -60,6 +56,7 @@ private:
     [[nodiscard]] float value_at(glm::ivec3 fine) const;
     void add_vertex(glm::vec3 guess, glm::ivec3 cell, bool alone, const field::OwnedGuess& whose);
     void add_walled_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record);
+    [[nodiscard]] std::uint8_t coarser_faces(const glm::ivec3& cell) const;
     [[nodiscard]] bool owns(const FaceArc& arc, glm::ivec3 cell) const;
     void keep_within(field::OwnedGuess& vertex, glm::ivec3 cell) const;
     [[nodiscard]] const ApartPoints* apart_points(const TracedCell& traced) const {
@@ -96,7 +93,6 @@ private:
     std::vector<ApartPoints> apart_points_; // of traced cells
     std::vector<field::OwnedGuess> owned_;  // by guess
     WalledCells walled_;
-    ContactCells contact_;
 };
 
 } // namespace ramus::mesh::bricks

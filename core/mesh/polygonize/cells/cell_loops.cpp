@@ -155,14 +155,12 @@ void add_arcs(const CellShape& shape, const Ring& ring, const ApartPoints* apart
     }
     const std::size_t start = found.first_leaves == start_leaving ? 0 : 1;
     const bool coarser = (shape.coarser_faces >> ring.face & 1) != 0;
-    const bool several = found.count > 2 && (shape.contact_faces >> ring.face & 1) != 0;
     for (std::size_t n = 0; n < found.count; n += 2) {
         const std::uint8_t first = found.crossing[(start + n) % found.count];
         const std::uint8_t second = found.crossing[(start + n + 1) % found.count];
         const bool same_edge = first % kUpperEnd == second % kUpperEnd;
         arcs.arc[static_cast<std::size_t>(arcs.count++)] = {first, second, ring.face, ring.whole && found.count > 2,
-                                                            ring.whole && (found.any_apart || coarser || several) &&
-                                                                !same_edge};
+                                                            ring.whole && (found.any_apart || coarser) && !same_edge};
     }
 }
 
@@ -234,10 +232,7 @@ std::array<bool, 256> find_plain_cells() {
     return plain;
 }
 
-} // namespace
-
-std::pair<glm::ivec3, glm::ivec3> ends_of_edge(int crossing) {
-    const int edge = crossing % kQuarterPoints;
+std::pair<glm::ivec3, glm::ivec3> find_ends(int edge) {
     const glm::ivec3 middle(edge % 5, edge / 5 % 5, edge / 25);
     int axis = -1;
     int step = 1;
@@ -248,11 +243,23 @@ std::pair<glm::ivec3, glm::ivec3> ends_of_edge(int crossing) {
         for (int i = 0; i < 3; ++i)
             if (middle[i] == 2) axis = i;
     }
+    if (axis < 0) return {middle, middle}; // a corner
     glm::ivec3 low = middle;
     glm::ivec3 high = middle;
     low[axis] -= step;
     high[axis] += step;
     return {low, high};
+}
+
+} // namespace
+
+const std::pair<glm::ivec3, glm::ivec3>& ends_of_edge(int crossing) {
+    static const auto ends = [] {
+        std::array<std::pair<glm::ivec3, glm::ivec3>, kQuarterPoints> found{};
+        for (int edge = 0; edge < kQuarterPoints; ++edge) found[static_cast<std::size_t>(edge)] = find_ends(edge);
+        return found;
+    }();
+    return ends[static_cast<std::size_t>(crossing % kQuarterPoints)];
 }
 
 CellLoops trace_loops(const CellShape& shape, FaceCentres& centres, const ApartPoints* apart) {

@@ -42,7 +42,7 @@ constexpr int edge_midpoint(int edge) {
 
 // The ends of a crossing's edge on the quarter grid: one step along its axis for a half edge (odd coordinate), two for
 // a whole one.
-[[nodiscard]] std::pair<glm::ivec3, glm::ivec3> ends_of_edge(int crossing);
+[[nodiscard]] const std::pair<glm::ivec3, glm::ivec3>& ends_of_edge(int crossing);
 
 // By the signs of the corners (bit 1 = x, 2 = y, 4 = z of the bit's number): crossed in exactly one loop, whatever the
 // signs at the centres of the faces, if no corners hang.
@@ -50,11 +50,10 @@ extern const std::array<bool, 256> kPlainCells;
 
 // A cell with its neighbourhood.
 struct CellShape {
-    std::uint8_t split_faces = 0;  // bit 2 axis + side: four finer faces
-    std::uint16_t split_edges = 0; // bit = edge: two finer edges
-    // Beside contacts only: faces that are a quarter of a coarser cell's, and those whose centre decides.
-    std::uint8_t coarser_faces = 0, contact_faces = 0;
-    std::uint32_t inside = 0; // bit x + 3 y + 9 z of the 3 x 3 x 3 corners and hanging corners
+    std::uint8_t split_faces = 0;   // bit 2 axis + side: four finer faces
+    std::uint16_t split_edges = 0;  // bit = edge: two finer edges
+    std::uint8_t coarser_faces = 0; // those that are a quarter of a coarser cell's: where some points are apart only
+    std::uint32_t inside = 0;       // bit x + 3 y + 9 z of the 3 x 3 x 3 corners and hanging corners
 };
 
 // For each of a cell's 27 corners and hanging corners the others that belong to a vessel apart from its own.
@@ -71,8 +70,7 @@ struct CellLoops {
     // Arcs of whole faces that need a vertex of their own: where some loop crosses the face more than once, since, if
     // the cell beyond does the same, two arcs would join the same two vertices; and where vessels are apart on the
     // face, so that each has its surface in its own part of it; and, in cells where vessels are apart, toward coarser
-    // cells, since a line between vertices of cells of two sizes may leave both, and where the surface crosses a face
-    // twice.
+    // cells, since a line between vertices of cells of two sizes may leave both.
     std::vector<FaceArc> own_arcs;
     std::vector<FaceArc> arcs; // all of them, where some of its points are apart
 };
