@@ -46,6 +46,7 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
     const Doubles d;
     const Vector p = set(point);
     const Real reach2 = hn::Set(d, radii * radii), zero = hn::Zero(d);
+    const bool of_near = radii > 0.0;
     std::uint32_t* next = feet.places.data();
     for (std::size_t n = 0; n < axes.count; n += hn::Lanes(d)) {
         const Vector u = load(axes.rows, kAlongX, n);
@@ -56,6 +57,7 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
         const Real distance2 = dot(off, off);
         const Real slope = hn::LoadU(d, axes.rows.row(kAxisSlope) + n);
         const Real radius = hn::MulAdd(slope, t, hn::LoadU(d, axes.rows.row(kAxisRadius) + n));
+        if (of_near && hn::AllFalse(d, hn::Lt(distance2, hn::Mul(reach2, hn::Mul(radius, radius))))) continue;
         // As radius_along() of segment_foot-inl.h has it.
         const Real excess = hn::Sub(along_axis, t), size = hn::Abs(excess);
         const Real room =

@@ -82,7 +82,8 @@ struct AxisFeet {
         return {of(axis, kFootX), of(axis, kFootY), of(axis, kFootZ)};
     }
 };
-// Overwrites `feet`, which have room for all axes.
+// Overwrites `feet`, which have room for all axes: those of axes that are near, and of no others for sure; of all of
+// them where `radii` is 0.
 void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet);
 
 // Of some axes, what an axis is kept apart from (vessel_field.h): the closeness from which on the two count as
@@ -94,7 +95,8 @@ using ApartAxes = NumberRows<kApartRows>;
 void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apart, std::size_t count, double* left);
 
 // What others press on: after an axis, how far its ends count as moved (core/tree/contacts/spread_axes.h), and the
-// closeness from which on it and the vessel that it is an obstacle to count as together.
+// closeness from which on it and the vessel that it is an obstacle to count as together, and how near they come at
+// least, mm.
 enum ObstacleRow : std::uint8_t {
     kMoveStartX = kAxisRows,
     kMoveStartY,
@@ -103,6 +105,7 @@ enum ObstacleRow : std::uint8_t {
     kMoveEndY,
     kMoveEndZ,
     kApartFrom,
+    kLeastDistance,
     kObstacleRows
 };
 using ObstacleRows = NumberRows<kObstacleRows>;

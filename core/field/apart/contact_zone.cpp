@@ -6,25 +6,49 @@
 
 namespace ramus::field {
 
+// Cells of a layer whose x (step 1) or y (step kSide) is in a range.
+ContactZone::Ranges ContactZone::make_ranges(int step) {
+    Ranges ranges{};
+    for (int first = 0; first < kSide; ++first)
+        for (int last = first; last < kSide; ++last)
+            for (int cell = 0; cell < kSide * kSide; ++cell) {
+                const int at = cell / step % kSide;
+                Layer& layer = ranges[static_cast<std::size_t>(first)][static_cast<std::size_t>(last)];
+                if (at >= first && at <= last)
+                    layer.bits[static_cast<std::size_t>(cell / 64)] |= std::uint64_t{1} << cell % 64;
+            }
+    return ranges;
+}
+
+const ContactZone::Ranges ContactZone::kColumns = make_ranges(1), ContactZone::kRows = make_ranges(kSide);
+
 void ContactZone::begin(const GridAxes& axes) {
     const double cell = axes.x[1] - axes.x[0];
     origin_ = axes.corner() - kMargin * cell;
     cells_per_mm_ = 1.0 / cell;
     empty_ = true;
-    rows_.fill(0);
+    layers_.fill({});
 }
 
-void ContactZone::add(const Bounds<glm::dvec3>& box) {
-    if (glm::any(glm::greaterThan(box.least, box.most))) return;
-    // Rounded as in has(), so that a box has the cell of every point in it.
-    const glm::dvec3 low = glm::floor((box.least - origin_) * cells_per_mm_);
-    const glm::dvec3 high = glm::floor((box.most - origin_) * cells_per_mm_);
-    if (glm::any(glm::greaterThanEqual(low, glm::dvec3(kSide))) || glm::any(glm::lessThan(high, glm::dvec3(0.0))))
-        return;
-    const glm::ivec3 first(glm::max(low, 0.0)), last(glm::min(high, glm::dvec3(kSide - 1)));
-    const auto row = static_cast<std::uint16_t>((2U << last.x) - (1U << first.x));
-    for (int z = first.z; z <= last.z; ++z)
-        for (int y = first.y; y <= last.y; ++y) rows_[static_cast<std::size_t>(y + kSide * z)] |= row;
+// Rounded as in has(), so that a box has the cell of every point in it.
+ContactZone::Cells ContactZone::cells_of(const Bounds<glm::dvec3>& box) const {
+    const auto cell_of = [&](const glm::dvec3& place) {
+        return glm::ivec3(glm::clamp(glm::floor((place - origin_) * cells_per_mm_), -1.0, 1.0 * kSide));
+    };
+    return {glm::max(cell_of(box.least), 0), glm::min(cell_of(box.most), kSide - 1)};
+}
+
+void ContactZone::add(const Cells& cells) {
+    if (glm::any(glm::greaterThan(cells.least, cells.most))) return;
+    const auto range = [&](const Ranges& ranges, int axis) {
+        return ranges[static_cast<std::size_t>(cells.least[axis])][static_cast<std::size_t>(cells.most[axis])].bits;
+    };
+    const auto columns = range(kColumns, 0), rows = range(kRows, 1);
+    const std::uint64_t low = columns[0] & rows[0], high = columns[1] & rows[1];
+    for (int z = cells.least.z; z <= cells.most.z; ++z) {
+        Layer& layer = layers_[static_cast<std::size_t>(z)];
+        layer.bits[0] |= low, layer.bits[1] |= high;
+    }
     empty_ = false;
 }
 
@@ -33,7 +57,8 @@ bool ContactZone::has(const glm::dvec3& point) const {
     if (glm::any(glm::lessThan(cell, glm::dvec3(0.0))) || glm::any(glm::greaterThanEqual(cell, glm::dvec3(kSide))))
         return true;
     const glm::ivec3 at(cell);
-    return (rows_[static_cast<std::size_t>(at.y + kSide * at.z)] >> at.x & 1U) != 0;
+    const auto n = static_cast<std::size_t>(at.x + kSide * at.y);
+    return (layers_[static_cast<std::size_t>(at.z)].bits[n / 64] >> n % 64 & 1U) != 0;
 }
 
 } // namespace ramus::field

@@ -13,9 +13,14 @@ namespace ramus::field {
 
 class ContactZone {
 public:
+    // Whole cells, from the first to the last; none where one of these is before the other.
+    using Cells = Bounds<glm::ivec3>;
+
     // Begins a brick, with nothing in the zone.
     void begin(const GridAxes& axes);
-    void add(const Bounds<glm::dvec3>& box);
+    // The cells of a box: those with a point of it.
+    [[nodiscard]] Cells cells_of(const Bounds<glm::dvec3>& box) const;
+    void add(const Cells& cells);
     [[nodiscard]] bool empty() const { return empty_; }
     // Whether the zone has a point, or may have: it is known in whole cells, and not far beyond the brick.
     [[nodiscard]] bool has(const glm::dvec3& point) const;
@@ -23,10 +28,19 @@ public:
 private:
     static constexpr int kMargin = 3; // cells around the brick
     static constexpr int kSide = kGridSide - 1 + 2 * kMargin;
+    // The cells of one layer, a bit each: x + kSide y.
+    struct Layer {
+        std::array<std::uint64_t, 2> bits{};
+    };
+    static_assert(kSide * kSide <= 128);
+    using Ranges = std::array<std::array<Layer, kSide>, kSide>; // by the first and the last
+    static Ranges make_ranges(int step);
+    static const Ranges kColumns, kRows;
+
     glm::dvec3 origin_{0.0};
     double cells_per_mm_ = 1.0;
     bool empty_ = true;
-    std::array<std::uint16_t, static_cast<std::size_t>(kSide* kSide)> rows_{}; // along x, by y + kSide z
+    std::array<Layer, static_cast<std::size_t>(kSide)> layers_{}; // along z
 };
 
 } // namespace ramus::field

@@ -51,7 +51,12 @@ bool LocalContacts::enter(SegmentIndices list) {
         return found != pieces_.end() && *found == piece ? static_cast<int>(found - pieces_.begin()) : -1;
     };
     piece_of_.clear();
-    for (const std::uint32_t segment : list) piece_of_.push_back(number_of(all_.of_segment(segment)));
+    std::uint32_t last = 0;
+    for (const std::uint32_t segment : list) { // those of a piece follow each other
+        const std::uint32_t piece = all_.of_segment(segment);
+        piece_of_.push_back(!piece_of_.empty() && piece == last ? piece_of_.back() : number_of(piece));
+        last = piece;
+    }
     matrix_.assign(pieces_.size() * pieces_.size(), -1.0F);
     partner_bits_.assign(pieces_.size() * words(), 0);
     for (std::size_t a = 0; a < pieces_.size(); ++a)

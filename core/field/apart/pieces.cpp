@@ -12,11 +12,13 @@ namespace ramus::field {
 
 namespace {
 
-double distance_between(const PieceShape& a, const PieceShape& b) {
+// Of an obstacle's axis from a vessel's, as that counts, at least.
+double least_distance(const PieceShape& obstacle, const PieceShape& vessel) {
     const auto link = [](const glm::dvec3& start, const glm::dvec3& end) {
         return tree::Link{0, 0, {start, 0.5}, {end, 0.5}, 0}; // closeness is distance
     };
-    return tree::closest_approach(link(a.start, a.end), link(b.start, b.end)).closeness;
+    const auto axis_of = [&](const PieceShape& shape) { return link(shape.start, shape.end); };
+    return tree::closest_approach(axis_of(obstacle), axis_of(vessel)).closeness - vessel.move.most();
 }
 
 // How an obstacle lies to a vessel.
@@ -31,9 +33,8 @@ Shade shade_of(const PieceShape& obstacle, const PieceShape& vessel, const Kerne
     const double r = std::max(vessel.start_radius, vessel.end_radius);
     const double thin = std::min(obstacle.start_radius, obstacle.end_radius);
     const double thick = std::max(obstacle.start_radius, obstacle.end_radius);
-    const double moved = vessel.move.most();
-    const double reach = (kernel.claim_radii + kSlack) * r + moved,
-                 distance = distance_between(obstacle, vessel) - moved;
+    const double reach = (kernel.claim_radii + kSlack) * r + vessel.move.most();
+    const double distance = least_distance(obstacle, vessel);
     if (distance >= std::hypot(reach, thick)) return Shade::kNone;
     const double beyond = reach - std::sqrt(kernel.support_radii * kernel.support_radii - 1.0) * thin;
     return beyond > 0.0 && distance < std::hypot(beyond, thick) ? Shade::kPierces : Shade::kCasts;
@@ -61,7 +62,8 @@ Pieces::Pieces(const tree::Contacts& contacts, const Skeleton& skeleton, const K
     list_obstacles(kernel);
 }
 
-void Pieces::put_obstacle(std::size_t at, const PieceShape& shape, double apart_from) {
+void Pieces::put_obstacle(std::size_t at, const PieceShape& vessel, const tree::Contacts::Partner& partner) {
+    const PieceShape& shape = *this->shape(partner.piece);
     const auto put = [&](std::size_t row, const glm::dvec3& v) {
         for (int axis = 0; axis < 3; ++axis) obstacles_.row(row + static_cast<std::size_t>(axis))[at] = v[axis];
     };
@@ -73,7 +75,8 @@ void Pieces::put_obstacle(std::size_t at, const PieceShape& shape, double apart_
     obstacles_.row(kAxisLength)[at] = length;
     obstacles_.row(kAxisRadius)[at] = shape.start_radius;
     obstacles_.row(kAxisSlope)[at] = length > 0.0 ? (shape.end_radius - shape.start_radius) / length : 0.0;
-    obstacles_.row(kApartFrom)[at] = apart_from;
+    obstacles_.row(kApartFrom)[at] = static_cast<double>(partner.apart_from);
+    obstacles_.row(kLeastDistance)[at] = least_distance(shape, vessel);
 }
 
 void Pieces::list_obstacles(const Kernel& kernel) {
@@ -96,8 +99,7 @@ void Pieces::list_obstacles(const Kernel& kernel) {
         const std::size_t first = ranges_[n].all.first;
         for (const auto& [list, begin] :
              {std::pair(&pierce[n], first), std::pair(&cast[n], first + ObstacleRows::padded(pierce[n].size()))})
-            for (std::size_t k = 0; k < list->size(); ++k)
-                put_obstacle(begin + k, *shape((*list)[k]->piece), static_cast<double>((*list)[k]->apart_from));
+            for (std::size_t k = 0; k < list->size(); ++k) put_obstacle(begin + k, shapes_[n], *(*list)[k]);
     }
 }
 

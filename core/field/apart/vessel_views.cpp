@@ -13,18 +13,23 @@ namespace ramus::field {
 
 namespace {
 
-// So near to what is cut off, in radii, a point may have to be moved away.
-constexpr double kBesideRadii = 0.5;
+// So near to what is cut off, in cells, a point may have to be moved away.
+constexpr double kBesideCells = 1.5;
 
-// Around an obstacle's axis, as it counts.
-Bounds<glm::dvec3> box_around(const ObstacleRows& obstacles, std::size_t n, double reach) {
-    const auto vector = [&](std::size_t row) {
-        return glm::dvec3(obstacles.row(row)[n], obstacles.row(row + 1)[n], obstacles.row(row + 2)[n]);
-    };
-    const glm::dvec3 start = vector(kStartX), end = start + obstacles.row(kAxisLength)[n] * vector(kAlongX);
+// Around what an obstacle cuts off of a vessel, and so much around it, where the way out of the vessel is at most so
+// long: it passes the obstacle's axis at its radius, or before it ends.
+Bounds<glm::dvec3> box_behind(const ObstacleRows& obstacles, std::size_t n, double way, double around) {
+    const auto number = [&](std::size_t row) { return obstacles.row(row)[n]; };
+    const auto vector = [&](std::size_t row) { return glm::dvec3(number(row), number(row + 1), number(row + 2)); };
+    const double length = number(kAxisLength), radius = number(kAxisRadius);
+    const double lateral = std::max(radius, radius + number(kAxisSlope) * length) + 2.0 * around;
+    const double nearest = number(kLeastDistance);
+    const double begin = nearest > lateral ? std::sqrt(nearest * nearest - lateral * lateral) : 0.0;
+    const double behind = std::max(way - begin, around);
+    const double reach = std::sqrt(behind * behind + lateral * lateral);
+    const glm::dvec3 start = vector(kStartX), end = start + length * vector(kAlongX);
     Bounds<glm::dvec3> box;
-    box.hold(start + vector(kMoveStartX), reach);
-    box.hold(end + vector(kMoveEndX), reach);
+    box.hold(start, reach), box.hold(end, reach);
     return box;
 }
 
@@ -40,18 +45,18 @@ bool VesselViews::enter(SegmentIndices list, const GridAxes& axes) {
     find_zone(axes);
     if (zone_.empty()) return false;
     list_axes();
-    terms_ready_ = false;
+    looked_ = terms_ready_ = false;
     apart_ready_.assign(static_cast<std::size_t>(contacts_.piece_count()), 0);
     if (apart_.size() < apart_ready_.size()) apart_.resize(apart_ready_.size());
     return true;
 }
 
 // Two vessels concern each other where a point is near both, and where it is one's and a point next to it the other's.
-// An obstacle concerns a point of the vessel that is nearer to its axis than to the vessel's by so little that the way
-// to the point may have passed the middle between them (nearest_shadow()): at most a radius more.
+// An obstacle concerns a point that is behind it, and those next to such a one.
 void VesselViews::find_zone(const GridAxes& axes) {
     zone_.begin(axes);
     const double cell = axes.x[1] - axes.x[0];
+    beside_mm_ = kBesideCells * cell;
     reach_.assign(static_cast<std::size_t>(contacts_.piece_count()), {});
     for (std::uint32_t n = 0; n < list_.size(); ++n) {
         if (piece(n) < 0) continue;
@@ -67,31 +72,36 @@ void VesselViews::find_zone(const GridAxes& axes) {
             reach.radius = std::max(reach.radius, radius);
         }
     }
+    for (PieceReach& reach : reach_)
+        reach.near_cells = zone_.cells_of(reach.near), reach.claimed_cells = zone_.cells_of(reach.claims);
     for (int a = 0; a < contacts_.piece_count(); ++a) {
         const PieceReach& own = reach_[static_cast<std::size_t>(a)];
         for (int b = 0; b < a; ++b) {
             const PieceReach& other = reach_[static_cast<std::size_t>(b)];
             if (const float from = contacts_.apart_from(a, b); from > 0.0F)
-                zone_.add(own.near.common(other.near));
+                zone_.add(own.near_cells.common(other.near_cells));
             else if (from == 0.0F)
-                zone_.add(own.claims.common(other.claims));
+                zone_.add(own.claimed_cells.common(other.claimed_cells));
         }
-        const double most = (kernel_.claim_radii + 1.0) * own.radius + contacts_.shape(a).move.most();
+        const double way = (kernel_.claim_radii + 0.1) * own.radius + contacts_.shape(a).move.most();
         const ObstacleRange range = contacts_.piercing(a);
         for (std::size_t n = range.first; n < range.first + range.count; ++n)
-            zone_.add(own.claims.common(box_around(contacts_.all().obstacles(), n, most)));
+            zone_.add(
+                own.claimed_cells.common(zone_.cells_of(box_behind(contacts_.all().obstacles(), n, way, beside_mm_))));
     }
 }
 
 void VesselViews::list_axes() {
     axes_.clear(list_.size());
     moved_.assign(list_.size(), 0);
+    in_contact_.assign(list_.size(), 0);
     any_moved_ = false;
     for (std::uint32_t n = 0; n < list_.size(); ++n) {
         const FieldSegment& s = segments_[list_[n]];
         axes_.add({s.ax, s.ay, s.az}, {s.ux, s.uy, s.uz}, static_cast<double>(s.length), static_cast<double>(s.radius),
                   static_cast<double>(s.slope), static_cast<double>(s.beyond));
         const PieceShape* const shape = shape_of(n);
+        in_contact_[n] = shape != nullptr ? 1 : 0;
         moved_[n] = shape != nullptr && shape->move != tree::AxisMove{} ? 1 : 0;
         any_moved_ = any_moved_ || moved_[n] != 0;
     }
@@ -139,7 +149,15 @@ const ApartAxes& VesselViews::apart_from(int piece) {
 }
 
 VesselViews::Sight VesselViews::look(const glm::dvec3& point) {
+    if (looked_ && point == point_) return sight_;
+    looked_ = true;
     point_ = point;
+    sight_ = look_anew();
+    return sight_;
+}
+
+VesselViews::Sight VesselViews::look_anew() {
+    terms_known_ = false;
     counted_known_ = grouped_ = beside_contact_ = false;
     known_count_ = 0;
     find_feet(axes_, point_, reach_radii_, feet_);
@@ -147,11 +165,11 @@ VesselViews::Sight VesselViews::look(const glm::dvec3& point) {
     for (const std::uint32_t n : seen())
         if (piece(n) >= 0) kept_apart_.push_back(n);
     if (kept_apart_.empty()) return Sight::kPlain;
-    if (any_left_out()) return Sight::kParted;
     const std::uint32_t own = nearest_in_radii(kept_apart_);
+    if (any_left_out(own)) return Sight::kParted;
     if (feet_.of(own, kFootRelative2) > claim_radii2()) return Sight::kPlain;
     const double spare = shadow_on(own, contacts_.piercing(piece(own))).spare;
-    beside_contact_ = spare < kBesideRadii * radius(own);
+    beside_contact_ = spare < beside_mm_;
     return spare < 0.0 && nearest() == own ? Sight::kCut : Sight::kPlain;
 }
 
@@ -175,7 +193,9 @@ double VesselViews::tree_radius(std::uint32_t place) const {
 
 double VesselViews::distance(std::uint32_t place) const { return std::sqrt(feet_.of(place, kFootDistance2)); }
 
-bool VesselViews::any_left_out() {
+bool VesselViews::any_left_out(std::uint32_t nearest) {
+    for (const std::uint32_t n : kept_apart_) // most often it is one of these
+        if (leaves_out(nearest, n)) return true;
     near_piece_bits_.assign(contacts_.words(), 0);
     for (const std::uint32_t n : kept_apart_) {
         const auto of = static_cast<std::size_t>(piece(n));
@@ -218,18 +238,18 @@ std::uint64_t VesselViews::add_terms() {
         for (const std::uint32_t segment : list_) terms_.add(segments_[segment]);
         terms_ready_ = true;
     }
+    if (std::exchange(terms_known_, true)) return 0;
     terms_.see_from(point_);
     kernel_.sum->find_terms(kernel_, terms_);
     whole_ = {};
-    for (const std::uint32_t n : seen()) add_term(n, 1.0, whole_);
+    gradient_known_ = false;
+    for (const std::uint32_t n : seen()) whole_.value += term(n);
     return terms_.count;
 }
 
-void VesselViews::add_term(std::uint32_t place, double share, VesselView& view) const {
-    view.value += share * term(place);
-    view.gradient +=
-        share * glm::dvec3(terms_.row(SegmentTerms::kGradientX)[place], terms_.row(SegmentTerms::kGradientY)[place],
-                           terms_.row(SegmentTerms::kGradientZ)[place]);
+glm::dvec3 VesselViews::gradient(std::uint32_t place) const {
+    return {terms_.row(SegmentTerms::kGradientX)[place], terms_.row(SegmentTerms::kGradientY)[place],
+            terms_.row(SegmentTerms::kGradientZ)[place]};
 }
 
 VesselViews::Vessel& VesselViews::vessel(std::uint32_t place) {
@@ -253,13 +273,22 @@ std::span<const double> VesselViews::left_out(Vessel& own) {
     return own.left_out;
 }
 
+double VesselViews::value(std::uint32_t own) {
+    double value = whole_.value;
+    if (piece(own) < 0) return value;
+    const std::span<const double> left = left_out(own);
+    for (const std::uint32_t other : kept_apart_) value -= left[other] * term(other);
+    return value;
+}
+
 VesselView VesselViews::view(std::uint32_t own) {
-    VesselView view = whole_;
-    view.place = own;
+    if (!std::exchange(gradient_known_, true))
+        for (const std::uint32_t n : seen()) whole_.gradient += gradient(n);
+    VesselView view{own, value(own), whole_.gradient};
     if (piece(own) < 0) return view;
     const std::span<const double> left = left_out(own);
     for (const std::uint32_t other : kept_apart_)
-        if (left[other] > 0.0) add_term(other, -left[other], view);
+        if (left[other] > 0.0) view.gradient -= left[other] * gradient(other);
     return view;
 }
 
@@ -273,8 +302,8 @@ glm::dvec3 VesselViews::foot_as_it_counts(std::uint32_t own) {
     counted_known_ = true;
     std::uint32_t nearest = own;
     for (const std::uint32_t other : seen()) {
-        if (shape_of(other) == nullptr) continue; // of no vessel that is in contact with any other one
-        if (counted_feet_.of(other, kFootDistance2) < counted_feet_.of(nearest, kFootDistance2) && !apart(own, other))
+        if (in_contact_[other] != 0 &&
+            counted_feet_.of(other, kFootDistance2) < counted_feet_.of(nearest, kFootDistance2) && !apart(own, other))
             nearest = other;
     }
     return counted_feet_.foot(nearest);
@@ -341,7 +370,7 @@ VesselViews::Verdict VesselViews::judge() {
     const auto below = static_cast<double>(std::nextafter(isovalue, 0.0F));
     for (const std::uint32_t vessel : vessels_) {
         if (feet_.of(vessel, kFootRelative2) > claim_radii2()) break;
-        double value = view(vessel).value;
+        double value = this->value(vessel);
         if (shadow_on(vessel).spare < 0.0) value = std::min(value, below);
         const bool claims = static_cast<float>(value) >= isovalue;
         bool better = claims ? verdict.owner == kNone : verdict.owner == kNone && value > verdict.value;

@@ -45,7 +45,7 @@ public:
     // The plain sum holds; it holds, but the point is behind another vessel, which takes it away; or parts of the sum
     // are left out.
     enum class Sight : std::uint8_t { kPlain, kCut, kParted };
-    // Looks at a point, given in mm.
+    // Looks at a point, given in mm; at that of the last time it knows what it saw.
     Sight look(const glm::dvec3& point);
     [[nodiscard]] const glm::dvec3& point() const { return point_; }
     // The segments that reach it, ascending; whether none of them is kept apart from another one; the nearest in radii,
@@ -68,7 +68,7 @@ public:
     [[nodiscard]] std::int32_t branch(std::uint32_t place) const { return segments_[list_[place]].branch; }
     [[nodiscard]] bool apart(std::uint32_t a, std::uint32_t b) const { return contacts_.apart(piece(a), piece(b)); }
 
-    // Evaluates the segments' terms; returns their number. What follows needs them.
+    // Evaluates the segments' terms where they are not known; returns how many it did. What follows needs them.
     [[nodiscard]] std::uint64_t add_terms();
     [[nodiscard]] double term(std::uint32_t place) const {
         return static_cast<double>(terms_.row(SegmentTerms::kValue)[place]);
@@ -76,6 +76,7 @@ public:
     // How much of each segment's term is left out where the field is seen from one of them, 0 to 1, by place.
     [[nodiscard]] std::span<const double> left_out(std::uint32_t own) { return left_out(vessel(own)); }
     [[nodiscard]] VesselView view(std::uint32_t own);
+    [[nodiscard]] double value(std::uint32_t own); // of the view
 
     // How far a vessel's axis is from the point, as it counts where walls are drawn: the way from the nearest place.
     [[nodiscard]] glm::dvec3 way_from(std::uint32_t own) { return point_ - way_out(vessel(own)).foot; }
@@ -105,6 +106,7 @@ private:
         WayOut way;
         std::vector<double> left_out; // by place
     };
+    Sight look_anew();
     [[nodiscard]] Vessel& vessel(std::uint32_t place);
     [[nodiscard]] const WayOut& way_out(Vessel& own);
     [[nodiscard]] Shadow shadow_on(std::uint32_t own, const ObstacleRange& range);
@@ -112,7 +114,7 @@ private:
 
     [[nodiscard]] int piece(std::uint32_t place) const { return contacts_.piece(place); }
     [[nodiscard]] glm::dvec3 foot_as_it_counts(std::uint32_t own);
-    void add_term(std::uint32_t place, double share, VesselView& view) const;
+    [[nodiscard]] glm::dvec3 gradient(std::uint32_t place) const; // of the term
     void find_zone(const GridAxes& axes);
     [[nodiscard]] const PieceShape* shape_of(std::uint32_t place) const; // null: it is in contact with nothing
     void list_axes();
@@ -121,7 +123,7 @@ private:
     [[nodiscard]] std::uint32_t nearest_in_radii(std::span<const std::uint32_t> places) const;
     [[nodiscard]] bool nearer(std::uint32_t a, std::uint32_t b) const; // in radii; any is nearer than kNone
     void group_by_piece();
-    [[nodiscard]] bool any_left_out(); // of what is near
+    [[nodiscard]] bool any_left_out(std::uint32_t nearest); // of what is near
     [[nodiscard]] bool leaves_out(std::uint32_t a, std::uint32_t b) const;
 
     [[nodiscard]] double claim_radii2() const { return kernel_.claim_radii * kernel_.claim_radii; }
@@ -139,12 +141,15 @@ private:
     SegmentIndices list_;
     struct PieceReach {
         Bounds<glm::dvec3> near, claims; // where a point is near, and where it may be the piece's or next to such a one
+        ContactZone::Cells near_cells, claimed_cells;
         double radius = 0.0;
     };
     std::vector<PieceReach> reach_; // by piece
     ContactZone zone_;
+    double beside_mm_ = 0.0; // so near to what is cut off a point may have to be moved
     Axes axes_;
-    std::vector<std::uint8_t> moved_; // whether the axis counts as moved, where walls are drawn
+    std::vector<std::uint8_t> in_contact_; // whether the axis is of a piece with partners, here or elsewhere
+    std::vector<std::uint8_t> moved_;      // whether it counts as moved, where walls are drawn
     bool any_moved_ = false;
     Axes counted_axes_; // as they count, where any is moved
     SegmentTerms terms_;
@@ -154,6 +159,8 @@ private:
 
     // Of the point.
     glm::dvec3 point_{0.0};
+    bool looked_ = false, terms_known_ = false;
+    Sight sight_ = Sight::kPlain;
     AxisFeet feet_, counted_feet_;
     std::vector<std::uint32_t> kept_apart_; // of those near, what is of pieces with partners
     bool counted_known_ = false, grouped_ = false, beside_contact_ = false;
@@ -161,7 +168,8 @@ private:
     std::vector<std::uint32_t> nearest_of_piece_; // by piece, of those near
     std::uint32_t nearest_of_others_ = kNone;     // of those that are not kept apart
     std::vector<std::uint64_t> near_piece_bits_;  // scratch
-    VesselView whole_;                            // the terms of all
+    VesselView whole_;                            // the terms of all, with their gradients once they are asked for
+    bool gradient_known_ = false;
     std::vector<std::uint32_t> vessels_;
     std::array<Vessel, kMostVessels + 2> known_vessels_;
     std::size_t known_count_ = 0;

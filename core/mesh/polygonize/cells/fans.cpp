@@ -12,8 +12,18 @@ namespace {
 
 using Triangle = std::array<glm::dvec3, 3>;
 
+bool boxes_meet(const Triangle& s, const Triangle& t) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto [s_least, s_most] = std::minmax({s[0][axis], s[1][axis], s[2][axis]});
+        const auto [t_least, t_most] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
+        if (s_most < t_least || t_most < s_least) return false;
+    }
+    return true;
+}
+
 // What lies in a triangle's plane meets it where the other triangle's edges are looked at.
 bool meet(const Triangle& s, const Triangle& t) {
+    if (!boxes_meet(s, t)) return false;
     for (std::size_t n = 0; n < 3; ++n)
         if (line_meets(s[n], s[(n + 1) % 3], t) || line_meets(t[n], t[(n + 1) % 3], s)) return true;
     return false;

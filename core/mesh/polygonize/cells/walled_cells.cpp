@@ -46,6 +46,17 @@ field::OwnedGuess vertex_at(const field::OwnedPoint& point, const glm::vec3& fou
     return vertex;
 }
 
+// Within its brick, and the same for both cells at its face.
+std::uint32_t arc_number(const glm::ivec3& cell, const FaceArc& arc) {
+    const auto number = [&](int crossing) {
+        const auto [a, b] = ends_of_edge(crossing);
+        return 2 * edge_number(0, 4 * cell + (a + b) / 2) + (crossing < kUpperEnd ? 0U : 1U);
+    };
+    const auto [first, second] = std::minmax(number(arc.first), number(arc.second));
+    static_assert(2 * edge_number(1, glm::ivec3(0)) <= 1U << 14);
+    return first << 16 | second << 2 | static_cast<std::uint32_t>(arc.face / 2);
+}
+
 } // namespace
 
 // A vertex of a cell.
@@ -151,8 +162,9 @@ void WalledCells::place_arcs(Work& work) {
                 break;
             }
         const field::Owner owner = work.owners.of_crossing(work.cell, arcs[a].first);
-        const field::OwnedPoint point = move(work.field, owner, around(span, room_of(arcs[a])), guess);
-        work.of_arcs.push_back({point, point.at, owner});
+        const auto [known, fresh] = arcs_.try_emplace(arc_number(work.cell, arcs[a]));
+        if (fresh) known->second = move(work.field, owner, around(span, room_of(arcs[a])), guess);
+        work.of_arcs.push_back({known->second, known->second.at, owner});
     }
     const auto meet = [&](std::size_t a, std::size_t b) {
         return lines_meet({crossing(work, arcs[a].first), work.of_arcs[a].point.at, crossing(work, arcs[a].second)},
