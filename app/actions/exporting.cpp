@@ -6,6 +6,7 @@
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
 #include "app/picture/surface_names.h"
+#include "app/session/numbers.h"
 #include "app/session/systems.h"
 #include "app/session/thickness_text.h"
 #include "core/io/meshes/mesh_file.h"
@@ -42,27 +43,30 @@ Result<void> stream(const SurfaceWork& work, Job& job) {
 }
 
 Result<Continuation> write_surface_of(const SurfaceWork& work, Job& job) {
-    const std::string sentence = saved_text("Surface", work.wanted);
+    std::string sentence = saved_text("Surface", work.wanted);
     if (mesh::asks_for_streaming(*work.tree, work.options, work.hidden)) {
         if (work.wanted.for_printing)
             return fail("the surface is larger than memory, and cannot be measured for printing", {},
                         "use a lower detail");
         if (auto written = stream(work, job); !written) return tl::unexpected(written.error());
-        return has_written(work.wanted.file, sentence);
+        return has_written(work.wanted.file, sentence +
+                                                 "; streamed, for want of memory: triangles that go through each "
+                                                 "other were not looked for");
     }
     RAMUS_TRY(surface, mesh::make_untangled_surface(*work.tree, work.options, job, work.hidden));
-    std::string printing;
+    if (const std::size_t left = surface.statistics.untangled.left; left > 0)
+        sentence += "; " + counted(left, "pair of triangles goes", "pairs of triangles go") + " through each other";
     if (work.wanted.for_printing) {
         if (auto closed = mesh::check_closed(surface.mesh, work.wanted.file.string()); !closed)
             return tl::unexpected(closed.error());
         const auto thicknesses = measure::least_thicknesses(surface.mesh, work.options.threads);
         const std::string thin = thin_text(thicknesses, kThinnestPrintedMm);
-        printing = "; " + (thin.empty() ? printing_text(thicknesses, Lengths(work.names.claims)) : thin);
+        sentence += "; " + (thin.empty() ? printing_text(thicknesses, Lengths(work.names.claims)) : thin);
     }
     if (job.cancelled()) return fail("cancelled");
     if (auto written = io::write_mesh(surface.mesh, work.wanted.file, work.names); !written)
         return tl::unexpected(written.error());
-    return has_written(work.wanted.file, sentence + printing);
+    return has_written(work.wanted.file, sentence);
 }
 
 Result<Outcome> export_surface(ActionContext& context, const Export& wanted) {

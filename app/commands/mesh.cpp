@@ -121,6 +121,14 @@ std::string difference_text(std::int64_t here, std::int64_t wanted, const char* 
            (here > wanted ? " more" : " fewer");
 }
 
+// What to do about a surface of other pieces or loops than the tree's.
+const char* remedy_of_shape(const WrittenSurface& written, mesh::Blend blend) {
+    if (blend == mesh::Blend::kPaper) return "vessels that come close are merged: --blend tree keeps them apart";
+    if (written.streamed && written.shape.loops > written.tree_shape->loops)
+        return "loops are cut in surfaces that are not streamed: raise --memory, or lower --detail";
+    return "look where axes all but cross: ramus info --contacts lists them, the closest first";
+}
+
 // A surface that connects what the tree keeps apart, or the other way round, says so.
 void warn_of_shape(const MeshFlags& flags, const WrittenSurface& written, mesh::Blend blend) {
     if (!written.tree_shape || written.shape == *written.tree_shape) return;
@@ -128,17 +136,29 @@ void warn_of_shape(const MeshFlags& flags, const WrittenSurface& written, mesh::
     const std::string loops = difference_text(written.shape.loops, written.tree_shape->loops, "loop", "loops");
     if (!what.empty() && !loops.empty()) what += " and ";
     std::cerr << "ramus: " << flags.output << ": the surface has " << what << loops << " than the tree; "
-              << (blend == mesh::Blend::kPaper
-                      ? "vessels that come close are merged: --blend tree keeps them apart"
-                      : "look where axes all but cross: ramus info --contacts lists them, the closest first")
-              << '\n';
+              << remedy_of_shape(written, blend) << '\n';
 }
 
+// What is left, and what nobody looked for.
 void warn_of_intersections(const MeshFlags& flags, const WrittenSurface& written) {
-    if (written.untangled.left == 0) return;
-    std::cerr << "ramus: " << flags.output << ": "
-              << counted(written.untangled.left, "pair of triangles goes", "pairs of triangles go")
-              << " through each other; another --detail may have none\n";
+    if (written.untangled && written.untangled->left > 0)
+        std::cerr << "ramus: " << flags.output << ": "
+                  << counted(written.untangled->left, "pair of triangles goes", "pairs of triangles go")
+                  << " through each other; another --detail may have none\n";
+    if (written.streamed)
+        std::cerr << "ramus: " << flags.output
+                  << ": streamed, for want of memory: triangles that go through each other were not looked for; raise "
+                     "--memory, or lower --detail\n";
+}
+
+// Of what is looked for in some surfaces: null where it was not.
+nlohmann::ordered_json mended_json(const WrittenSurface& written) {
+    nlohmann::ordered_json mended = {
+        {"streamed", written.streamed}, {"cut_loops", nullptr}, {"intersections", nullptr}};
+    if (written.cut_loops) mended["cut_loops"] = *written.cut_loops;
+    if (written.untangled)
+        mended["intersections"] = {{"found", written.untangled->found}, {"left", written.untangled->left}};
+    return mended;
 }
 
 void report(const MeshFlags& flags, const WrittenSurface& written, const tree::Claims& claims, double load_s) {
@@ -150,10 +170,10 @@ void report(const MeshFlags& flags, const WrittenSurface& written, const tree::C
             figures["loops"] = written.shape.loops;
             figures["tree"] = {{"components", written.tree_shape->pieces}, {"loops", written.tree_shape->loops}};
         }
-        if (written.cut_loops > 0) figures["cut_loops"] = written.cut_loops;
-        if (written.untangled.found > 0)
-            figures["intersections"] = {{"found", written.untangled.found}, {"left", written.untangled.left}};
-        if (!flags.mask.iso) figures["evaluations"] = written.evaluations;
+        if (!flags.mask.iso) {
+            figures.update(mended_json(written));
+            figures["evaluations"] = written.evaluations;
+        }
         figures.update({{"units", claims.unit_word()}, {"orientation", claims.axes_word()}});
         figures.update({{"load_s", load_s}, {"mesh_s", written.mesh_s}, {"write_s", written.write_s}});
         if (!written.lost_pieces.empty()) figures["lost_pieces"] = written.lost_pieces;
@@ -225,11 +245,11 @@ Result<int> run_mesh(const MeshFlags& flags) {
                                opened.session.tree.path.string()));
     say(flags.surface, counted(written.evaluations, "evaluation", "evaluations") + " of the field in " +
                            rounded(written.mesh_s) + " s" + (written.streamed ? ", streamed to the disk" : ""));
-    if (written.cut_loops > 0)
-        say(flags.surface, "cut " + counted(written.cut_loops, "loop", "loops") + " that the tree does not have");
-    if (written.untangled.found > 0)
+    if (written.cut_loops.value_or(0) > 0)
+        say(flags.surface, "cut " + counted(*written.cut_loops, "loop", "loops") + " that the tree does not have");
+    if (written.untangled && written.untangled->found > 0)
         say(flags.surface, "moved vertices where " +
-                               counted(written.untangled.found, "pair of triangles", "pairs of triangles") +
+                               counted(written.untangled->found, "pair of triangles", "pairs of triangles") +
                                " went through each other");
     warn_of_intersections(flags, written);
     warn_of_shape(flags, written, opened.session.marks.options.blend);

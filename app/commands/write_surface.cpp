@@ -97,8 +97,10 @@ Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::S
     RAMUS_TRY(surface, with_progress("surface", make, kNothingWritten));
     WrittenSurface written;
     written.evaluations = surface.statistics.evaluations;
-    written.cut_loops = surface.statistics.cut_loops;
-    written.untangled = surface.statistics.untangled;
+    if (options.method == mesh::Method::kConvolutionSurface) {
+        if (options.blend == mesh::Blend::kTree) written.cut_loops = surface.statistics.cut_loops;
+        written.untangled = surface.statistics.untangled;
+    }
     mesh::SeenBranches seen(tree.branches.size());
     seen.add(surface.mesh.branches);
     written.lost_pieces = mesh::lost_pieces(tree, hidden, seen);

@@ -21,8 +21,10 @@ struct WrittenSurface {
     mesh::Connectivity shape; // loops: where it is closed
     // Of the tree's branches that are on a closed surface of it: what that has to be like.
     std::optional<mesh::Connectivity> tree_shape;
-    std::size_t cut_loops = 0; // that the tree has not
-    mesh::Untangled untangled; // pairs of triangles that met
+    // Loops that the tree has not, and pairs of triangles that met; none: not looked for, which is not that there is
+    // none.
+    std::optional<std::size_t> cut_loops;
+    std::optional<mesh::Untangled> untangled;
     bool streamed = false;
     std::vector<std::vector<int>> lost_pieces; // of the tree, by branch: not on the surface (core/mesh/lost_pieces.h)
     double mesh_s = 0.0, write_s = 0.0;

@@ -220,8 +220,9 @@ class Mesh(CommandLineTest):
             with self.subTest(method):
                 figures = self.json("mesh", tree, "-o", "out.ply", "--method", method, "--json")
                 shape = ["loops", "tree"] if method == "cs" else []  # of a closed surface
-                self.assertEqual(list(figures), ["vertices", "triangles", "components", *shape, "evaluations", "units",
-                                                 "orientation", "load_s", "mesh_s", "write_s"])
+                self.assertEqual(list(figures), ["vertices", "triangles", "components", *shape, "streamed", "cut_loops",
+                                                 "intersections", "evaluations", "units", "orientation", "load_s",
+                                                 "mesh_s", "write_s"])
                 self.assertGreater(figures["triangles"], 100)
                 self.check_closed(self.folder / "out.ply", figures)
                 if method == "cs":

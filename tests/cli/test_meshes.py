@@ -138,7 +138,13 @@ class IntersectionsTest(CommandLineTest):
         done = self.expect_done("mesh", "tree.swc", "-o", "m.stl", "--detail", "6", "--verbose")
         self.assertIn("went through each other", done.stderr)
         self.write("tube.swc", TUBE)
-        self.assertNotIn("intersections", self.json("mesh", "tube.swc", "-o", "m.stl", "--json"))
+        tube = ("mesh", "tube.swc", "-o", "m.stl", "--json")
+        none = {"found": 0, "left": 0}
+        self.assertEqual((self.json(*tube)["cut_loops"], self.json(*tube)["intersections"]), (0, none))
+        # What is not looked for is not told to be none.
+        paper, cones = self.json(*tube, "--blend", "paper"), self.json(*tube, "--method", "cones")
+        self.assertEqual((paper["cut_loops"], paper["intersections"]), (None, none))
+        self.assertEqual((cones["cut_loops"], cones["intersections"]), (None, None))
 
 
 if __name__ == "__main__":
