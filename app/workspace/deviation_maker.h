@@ -3,14 +3,10 @@
 #pragma once
 
 #include "app/assets/deviation.h"
-#include "core/base/error.h"
-#include "core/base/job.h"
-#include "core/base/worker.h"
+#include "app/workspace/missing_maker.h"
 
+#include <cstddef>
 #include <functional>
-#include <memory>
-#include <optional>
-#include <string>
 #include <utility>
 
 namespace ramus::app {
@@ -21,36 +17,22 @@ namespace ramus::app {
                                                       const SurfaceDeviation::Paged& mesh,
                                                       const SurfaceDeviation::Paged& preview, Job& job);
 
-// DeviationMaker: follows the surface that is shown, on a worker. For one thread, its owner's.
-class DeviationMaker {
+// What is measured for the surface that is shown.
+struct DeviationWork {
+    DeviationOf of;
+    int threads = 0;
+    std::size_t memory_bytes = 0;
+    SurfaceDeviation::Paged mesh, preview;
+    bool operator==(const DeviationWork&) const = default;
+};
+
+// On a worker.
+class DeviationMaker : public MissingMaker<DeviationWork, SurfaceDeviation> {
 public:
-    explicit DeviationMaker(std::function<void()> wake) : worker_(std::move(wake)) {}
-
-    void forget(); // all that was of another tree
-    void drain() { worker_.drain(); }
-    struct Wanted {
-        DeviationOf of;
-        int threads = 0;
-        std::size_t memory_bytes = 0;
-        SurfaceDeviation::Paged mesh, preview;
-        bool operator==(const Wanted&) const = default;
-    };
-    // Starts what is missing, unless it is on its way, could not be had, or something else comes first; none: nothing
-    // is.
-    void follow(const std::optional<Wanted>& missing, bool something_else_first);
-    // What was measured, or why it could not be, once.
-    [[nodiscard]] std::optional<SurfaceDeviation> take_news() { return std::exchange(news_, std::nullopt); }
-    void cancel(); // what is being measured is not tried again
-    [[nodiscard]] const Worker& worker() const { return worker_; }
-    // Why the last task ended by an exception, once; empty: none did.
-    [[nodiscard]] std::string take_failure();
-
-private:
-    void give_up(std::string why);
-
-    std::optional<Wanted> current_, failed_; // what is being measured; what could not be
-    std::optional<SurfaceDeviation> news_;
-    Worker worker_; // last: its thread ends first
+    explicit DeviationMaker(std::function<void()> wake)
+        : MissingMaker(std::move(wake), "Measuring the deviation", [](const DeviationWork& work, Job& job) {
+              return make_deviation(work.of, work.threads, work.memory_bytes, work.mesh, work.preview, job);
+          }) {}
 };
 
 } // namespace ramus::app

@@ -3,13 +3,9 @@
 #pragma once
 
 #include "app/assets/validation.h"
-#include "core/base/error.h"
-#include "core/base/job.h"
-#include "core/base/worker.h"
+#include "app/workspace/missing_maker.h"
 
 #include <functional>
-#include <optional>
-#include <string>
 #include <utility>
 
 namespace ramus::app {
@@ -18,36 +14,11 @@ namespace ramus::app {
 // told in the result. Fails as mesh::make_surface() and validate::validate() do.
 [[nodiscard]] Result<TreeValidation> make_validation(const ValidationOf& of, Job& job);
 
-// ValidationMaker: on a worker. For one thread, its owner's.
-class ValidationMaker {
+// On a worker.
+class ValidationMaker : public MissingMaker<ValidationOf, TreeValidation> {
 public:
-    explicit ValidationMaker(std::function<void()> wake) : worker_(std::move(wake)) {}
-
-    void forget(); // all that was of another tree
-    void drain() { worker_.drain(); }
-    // Starts what is missing, unless it is on its way, could not be had, or something else comes first; none: nothing
-    // is.
-    void follow(const std::optional<ValidationOf>& missing, bool something_else_first);
-    // What was found, once.
-    [[nodiscard]] std::optional<TreeValidation> take_news() { return std::exchange(news_, std::nullopt); }
-    // Why what is missing cannot be had; empty: it can.
-    [[nodiscard]] const std::string& problem() const { return problem_; }
-    [[nodiscard]] bool awaits(const std::optional<ValidationOf>& missing) const {
-        return missing && failed_ != missing;
-    }
-    void cancel(); // what is being made is not tried again
-    void retry();  // but for this
-    [[nodiscard]] const Worker& worker() const { return worker_; }
-    // Why the last task ended by an exception, once; empty: none did.
-    [[nodiscard]] std::string take_failure();
-
-private:
-    void give_up(std::string why);
-
-    std::optional<ValidationOf> current_, failed_; // what is being made; what could not be
-    std::optional<TreeValidation> news_;
-    std::string problem_;
-    Worker worker_; // last: its thread ends first
+    explicit ValidationMaker(std::function<void()> wake)
+        : MissingMaker(std::move(wake), "Validating the surface", make_validation) {}
 };
 
 } // namespace ramus::app

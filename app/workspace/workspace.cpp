@@ -180,7 +180,7 @@ void Workspace::follow_cones() {
 }
 
 // Of the surface that is shown, once it is more than provisional.
-std::optional<DeviationMaker::Wanted> Workspace::missing_deviation() const {
+std::optional<DeviationWork> Workspace::missing_deviation() const {
     const Marks& marks = document.marks();
     if (!document.tree() || tree_shown_ != document.tree() || marks.colour_by != ColourBy::kDeviation || !shown().mesh)
         return {};
@@ -190,13 +190,19 @@ std::optional<DeviationMaker::Wanted> Workspace::missing_deviation() const {
     if (!surface_.problem().empty()) return {}; // what is shown is no more than provisional
     if (have.of == of && !have.trouble.empty()) return {};
     if (have.fits(of, shown().mesh) && (have.preview == shown().preview || !shown().preview)) return {};
-    return DeviationMaker::Wanted{std::move(of), options.threads, options.memory_bytes, shown().mesh, shown().preview};
+    return DeviationWork{std::move(of), options.threads, options.memory_bytes, shown().mesh, shown().preview};
 }
 
 void Workspace::follow_deviation() {
     deviation_.drain();
     if (auto news = deviation_.take_news()) {
         assets.deviation = std::move(*news);
+        changed_ = true;
+    }
+    if (deviation_.failed()) { // once: nothing is missing then
+        assets.deviation = {};
+        assets.deviation.of = deviation_.failed()->of;
+        assets.deviation.trouble = deviation_.problem();
         changed_ = true;
     }
     if (document.marks().colour_by != ColourBy::kDeviation) assets.deviation = {};

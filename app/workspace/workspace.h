@@ -140,7 +140,7 @@ private:
     void follow_deviation();
     void follow_validation();
     [[nodiscard]] std::optional<ValidationOf> missing_validation() const;
-    [[nodiscard]] std::optional<DeviationMaker::Wanted> missing_deviation() const;
+    [[nodiscard]] std::optional<DeviationWork> missing_deviation() const;
     [[nodiscard]] bool contacts_due() const;
     static constexpr std::size_t kMostSoughtUnasked = 1'000'000; // points of the tree
     // Of the work that shows its progress, in the order in which it is named.
