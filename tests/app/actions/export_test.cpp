@@ -1,5 +1,6 @@
 #include "app/actions/command_runner.h"
 #include "app/actions/export_kinds.h"
+#include "core/base/memory.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/trees/tree_file.h"
 #include "tests/support/built_tree.h"
@@ -105,6 +106,19 @@ TEST_CASE("a picture is that of the picture's host, whatever is selected") {
     CHECK(stage.folder.text("r.html").find("<html") != std::string::npos);
     stage.good("select-invert\nhide");
     stage.exported("picture", "empty.png");
+}
+
+TEST_CASE("of a surface that is streamed the export says what nobody looked for") {
+    ExportStage stage;
+    CHECK(stage.exported("surface", "whole.ply").find("streamed") == std::string::npos);
+    Marks marks = stage.marks();
+    // Some two million triangles: 80 bytes each are more than that, 16 are less.
+    marks.options.detail = 230;
+    marks.options.memory_bytes = static_cast<std::uint64_t>(process_memory() + 140e6);
+    stage.document.change(marks);
+    CHECK(stage.exported("surface", "streamed.ply") ==
+          "Surface saved: " + stage.at("streamed.ply") +
+              "; streamed, for want of memory: triangles that go through each other were not looked for");
 }
 
 TEST_CASE("for printing, the export says what is thin") {
