@@ -89,11 +89,11 @@ def asked_meanwhile(program, screen, folder):
     os.environ["XDG_CACHE_HOME"] = str(folder / "empty cache")
     (folder / "empty cache").mkdir()
     commands = folder / "commands"
-    commands.write_text("lasso-depth visible\n")
+    commands.write_text("lasso-mode any\nlasso-depth visible\n")
     window = opened(program, screen, folder, "--commands", commands)
     try:
         status = window.wait("the lasso takes what is visible", lambda s: ready(s) and s["lasso"]["depth"] == "visible")
-        x, y = project(status, [-30.0, 0.0, 20.0])  # the left child
+        x, y = project(status, [-20.0, 0.0, 15.0])  # a point of the left child
         window.xdotool("key", "ctrl+i", "g", "mousemove", x, y, "click", 1, "key", "x")
         hidden = window.wait("one vessel hidden", lambda s: ready(s) and s["states"]["hidden"])["states"]["hidden"]
         check(len(hidden) == 1, f"the vessel that was clicked is hidden: {hidden}")

@@ -125,3 +125,33 @@ TEST_CASE("the window is woken for a result that it looked for in vain, and for 
     thread->run([] {});
     CHECK(told.woken == 1);
 }
+
+TEST_CASE("what is asked for later is looked at without waiting, and who waits for other work is counted") {
+    Told told;
+    const auto thread = thread_of(told);
+    CHECK(thread->run([] { return 1; }) == 1);
+    CHECK(thread->waits() == 0); // for nothing but its own
+    ramus::app::Coming<int> coming;
+    {
+        const Held held(*thread);
+        coming = thread->later([] { return 3; });
+        CHECK_FALSE(coming.ready());
+    }
+    while (!coming.ready()) std::this_thread::yield();
+    std::atomic<int> taken{0};
+    std::thread elsewhere([&] { taken = coming.take(); });
+    elsewhere.join();
+    CHECK(taken == 3);
+    std::promise<void> gate;
+    thread->let([shut = gate.get_future().share()] { shut.wait(); });
+    struct Opens { // when it is handed over, which is after run() has looked
+        explicit Opens(std::promise<void>& its) : gate(&its) {}
+        Opens(Opens&& other) noexcept {
+            if (other.gate != nullptr) other.gate->set_value();
+        }
+        void operator()() const {}
+        std::promise<void>* gate = nullptr;
+    };
+    thread->run(Opens(gate));
+    CHECK(thread->waits() == 1);
+}

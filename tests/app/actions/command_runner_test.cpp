@@ -236,7 +236,7 @@ TEST_CASE("what comes of a click goes before what waited for it, and a refusal i
     found.known = true;
     CHECK(runner.update(stage.context).size() == 1);
     CHECK(branches_in_state(stage.marks(), render::BranchState::kHidden) == std::vector<int>{4});
-    CHECK(stage.document.step_name(0) == "look: branch 4");
+    CHECK(stage.document.step_name(0) == "look branch 4");
 }
 
 TEST_CASE("a click on one tree selects nothing of the next") {

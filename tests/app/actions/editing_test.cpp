@@ -62,9 +62,10 @@ struct EditHand {
         session.camera.scale = 60.0;
         stage.document.open(stage.document.tree(), session);
     }
-    void point_at(int branch, const glm::dvec3& place) {
+    const render::Pick& point_at(int branch, const glm::dvec3& place) {
         under.branch = branch;
         under.position = place;
+        return under;
     }
     [[nodiscard]] Pointing over(int branch, const glm::dvec3& place) {
         point_at(branch, place);
@@ -244,7 +245,8 @@ TEST_CASE("the surface is made anew after an edit, and again after its undo") {
     const auto before = triangles();
     REQUIRE(workspace.document.edit_tree({tree::Edit::Kind::kDelete, {1, 3, 4}, {}, 0.0}));
     CHECK_FALSE(workspace.surface_ready());
-    CHECK(workspace.follow_tree()); // and there is something of the new tree at once
+    CHECK(workspace.follow_tree());
+    workspace.await_tree(); // something of the new tree, before its surface
     REQUIRE(workspace.shown().mesh);
     CHECK(workspace.current_assets().tree == workspace.document.tree());
     REQUIRE(test::settle(workspace, [&] { return workspace.surface_ready() && !workspace.busy(); }));
@@ -259,7 +261,7 @@ TEST_CASE("the surface is made anew after an edit, and again after its undo") {
 TEST_CASE("the tools for edits show what a click does, and a wrong place says why") {
     EditHand hand;
     DisconnectTool disconnect;
-    const Pointing pointing = hand.over(1, {20, 2, 40});
+    Pointing pointing = hand.over(1, {20, 2, 40});
     disconnect.move(pointing);
     const ToolDrawing shown = disconnect.drawing(pointing);
     REQUIRE(shown.lines.size() == 2); // with its rim; 4 mm, its diameter: 20 pixels
@@ -268,13 +270,13 @@ TEST_CASE("the tools for edits show what a click does, and a wrong place says wh
     CHECK(disconnect.take_commands() == std::vector<CommandLine>{{"disconnect", "1", "0.500"}});
 
     JoinTool join;
-    hand.point_at(5, {-31, 1, 40});
+    pointing.under = hand.point_at(5, {-31, 1, 40});
     join.move(pointing);
     CHECK(join.drawing(pointing).circles.size() == 2);
     join.press(pointing);
     CHECK(join.take_commands().empty());
     CHECK(join.busy());
-    hand.point_at(2, {-19, 1, 40});
+    pointing.under = hand.point_at(2, {-19, 1, 40});
     join.move(pointing);
     const ToolDrawing link = join.drawing(pointing);
     REQUIRE(link.lines.size() == 1); // 10 mm
@@ -282,7 +284,7 @@ TEST_CASE("the tools for edits show what a click does, and a wrong place says wh
     join.press(pointing);
     CHECK(join.take_commands() == std::vector<CommandLine>{{"join", "5", "start", "2", "end"}});
     CHECK_FALSE(join.busy());
-    hand.point_at(1, {20, 2, 40});
+    pointing.under = hand.point_at(1, {20, 2, 40});
     join.move(pointing);
     REQUIRE(join.drawing(pointing).texts.size() == 1);
     CHECK(join.drawing(pointing).texts[0].text == "no free end");
@@ -293,13 +295,13 @@ TEST_CASE("the tools for edits show what a click does, and a wrong place says wh
     CHECK(hand.stage.bad("join 1 end 1 end").find("no free end") != std::string::npos);
 
     SpurTool spur;
-    hand.point_at(2, {-10, 1, 40});
+    pointing.under = hand.point_at(2, {-10, 1, 40});
     spur.move(pointing);
     CHECK(spur.drawing(pointing).lines.size() == 2);
     spur.press(pointing);
     CHECK(spur.take_commands() == std::vector<CommandLine>{{"delete-spur", "2"}});
     RootTool root;
-    hand.point_at(2, {-10, 1, 40});
+    pointing.under = hand.point_at(2, {-10, 1, 40});
     root.move(pointing);
     CHECK(root.drawing(pointing).circles.size() == 2);
     root.press(pointing);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
+#include <string>
 
 using namespace ramus::render;
 
@@ -84,7 +85,7 @@ TEST_CASE("vessels that overlap look the same while the view moves") {
                 CHECK((ramus::test::largest_difference(quick, triangles) > 0) == cones);
                 const Compared found = compared(surface, quick, still->read_branches(), moving->read_branches());
                 const double mean = found.sum / double(found.vessels);
-                MESSAGE((cones ? "cones" : "triangles")
+                MESSAGE(std::string(cones ? "cones" : "triangles")
                         << ", radius " << radius << ", " << share << " of the radii apart: mean difference " << mean
                         << " of 255, " << 100.0 * double(found.others) / double(found.vessels)
                         << " % show another branch");
