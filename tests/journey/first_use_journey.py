@@ -86,8 +86,8 @@ def drawn_by_one_thread(program, screen, folder):
 def asked_meanwhile(program, screen, folder):
     """With nothing in the driver's cache glass takes its time: what a person does meanwhile is of what is seen then, takes
     effect in its order, and the window waits for none of it."""
-    os.environ["XDG_CACHE_HOME"] = str(folder / "empty cache")
-    (folder / "empty cache").mkdir()
+    os.environ["XDG_CACHE_HOME"] = str(folder / "another empty cache")
+    (folder / "another empty cache").mkdir()
     commands = folder / "commands"
     commands.write_text("lasso-mode any\nlasso-depth visible\n")
     window = opened(program, screen, folder, "--commands", commands)
