@@ -223,7 +223,7 @@ void ViewerInput::look_up(glm::dvec2 in_viewport, const std::function<void(const
 // Moves come faster than they are looked up. A press or a release comes after all of them.
 void ViewerInput::tell_tool(Tool::Event event, const Pointing& pointing) {
     const bool move = event == &Tool::move;
-    if (move && move_on_its_way_) {
+    if (move && !move_on_its_way_.expired()) {
         next_move_.emplace(pointing);
         return;
     }
@@ -237,16 +237,17 @@ void ViewerInput::tell_tool(Tool::Event event, const Pointing& pointing) {
     };
     if (!state_.interface.tool->picks()) return state_.await(nullptr, [tell_it] { tell_it({}); });
     if (!move) return look_up(pointing.at, tell_it);
-    move_on_its_way_ = true;
-    look_up(pointing.at, [this, tell_it](const render::Pick& under) {
-        move_on_its_way_ = false;
+    const auto on_its_way = std::make_shared<const int>(); // gone as well where the answer is dropped with its tree
+    move_on_its_way_ = on_its_way;
+    look_up(pointing.at, [this, tell_it, on_its_way](const render::Pick& under) {
+        move_on_its_way_.reset();
         tell_it(under);
         tell_next_move();
     });
 }
 
 void ViewerInput::tell_next_move() {
-    move_on_its_way_ = false;
+    move_on_its_way_.reset();
     if (!next_move_) return;
     const Pointing next = *next_move_;
     next_move_.reset();
@@ -375,7 +376,7 @@ void ViewerInput::use_tool(std::string_view name) {
     state_.interface.tool_kind = kind;
     state_.interface.tool = kind->make != nullptr ? kind->make() : nullptr;
     tool_mouse_.abandon();
-    move_on_its_way_ = false;
+    move_on_its_way_.reset();
     next_move_.reset();
     pick_wanted_ = true;
     state_.redraw();

@@ -10,6 +10,7 @@
 #include "app/window/picture_view.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace ramus::app {
@@ -90,7 +91,7 @@ private:
     bool pointer_over_picture_ = false;
     bool pick_wanted_ = false, pick_pending_ = false;
     // Of a tool that picks: one move is looked up at a time, and then the last that came meanwhile.
-    bool move_on_its_way_ = false;
+    std::weak_ptr<const int> move_on_its_way_; // until it is known
     std::optional<Pointing> next_move_;
 };
 
