@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <utility>
 
 namespace ramus::render {
@@ -123,7 +124,18 @@ void OverlayPainter::add_legend(const Space& space, const Legend& legend, std::v
     sprites.push_back({std::move(image), corner});
 }
 
-// Beside its point, and whole inside the picture; where the point is outside, there is no label.
+namespace {
+
+bool overlap(const glm::ivec2& corner, const Image& image, const Sprite& other) {
+    const glm::ivec2 end = corner + glm::ivec2(image.width, image.height);
+    const glm::ivec2 other_end = other.corner + glm::ivec2(other.image.width, other.image.height);
+    return glm::all(glm::lessThan(corner, other_end)) && glm::all(glm::lessThan(other.corner, end));
+}
+
+} // namespace
+
+// Beside its point, above it and to the right, and whole inside the picture; where something else is written there, at
+// the next place around the point, or farther up or down, that is free. Where the point is outside, there is no label.
 void OverlayPainter::add_label(const Space& space, const SpriteSource& frame, const MarkLabel& label,
                                std::vector<Sprite>& sprites) const {
     const auto at = project(frame.camera, frame.size, label.at);
@@ -131,9 +143,22 @@ void OverlayPainter::add_label(const Space& space, const SpriteSource& frame, co
     if (at->x < 0.0 || at->y < 0.0 || at->x >= frame.size.x || at->y >= frame.size.y) return;
     Image plate = paint_label(label.text, space.ratio);
     const double gap = 8.0 * space.ratio;
-    const glm::ivec2 beside(std::lround(at->x + gap), std::lround(at->y - gap - plate.height));
     const glm::ivec2 most = glm::max(frame.size - glm::ivec2(plate.width, plate.height), glm::ivec2(0));
-    const glm::ivec2 corner = glm::clamp(beside, glm::ivec2(0), most);
+    const auto place = [&](bool left, bool below, int rows) {
+        const double x = left ? at->x - gap - plate.width : at->x + gap;
+        const double y = below ? at->y + gap + rows * plate.height : at->y - gap - (1 + rows) * plate.height;
+        return glm::clamp(glm::ivec2(std::lround(x), std::lround(y)), glm::ivec2(0), most);
+    };
+    const auto is_free = [&](const glm::ivec2& corner) {
+        return std::ranges::none_of(sprites, [&](const Sprite& other) { return overlap(corner, plate, other); });
+    };
+    glm::ivec2 corner = place(false, false, 0);
+    constexpr int kPlaces = 12;
+    for (int n = 0; n < kPlaces; ++n)
+        if (const glm::ivec2 next = place((n & 2) != 0, (n & 1) != 0, n / 4); is_free(next)) {
+            corner = next;
+            break;
+        }
     sprites.push_back({std::move(plate), corner});
 }
 

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <numeric>
 
 using namespace ramus::render;
@@ -92,6 +93,36 @@ TEST_CASE("overlays keep clear of the insets and leave small pictures alone") {
     frame.size = {90, 60};
     frame.overlays = {};
     CHECK(OverlayPainter().paint(SpriteSource(frame)).empty());
+}
+
+TEST_CASE("labels of one place are side by side, and keep clear of what else is written") {
+    Frame frame;
+    frame.size = {900, 700};
+    frame.camera.orthographic = true;
+    frame.camera.scale = 35.0;
+    frame.overlays.orientation_cube = false;
+    const auto labelled = [&](std::vector<glm::dvec3> places) {
+        frame.labels.clear();
+        for (const glm::dvec3& place : places) frame.labels.push_back({frame.camera.focal_point + place, "20.1 mm"});
+        return painted(frame);
+    };
+    const auto overlapping = [](const std::vector<Sprite>& sprites) {
+        const auto end = [](const Sprite& s) { return s.corner + glm::ivec2(s.image.width, s.image.height); };
+        int count = 0;
+        for (std::size_t a = 0; a < sprites.size(); ++a)
+            for (std::size_t b = 0; b < a; ++b)
+                count += glm::all(glm::lessThan(sprites[a].corner, end(sprites[b]))) &&
+                                 glm::all(glm::lessThan(sprites[b].corner, end(sprites[a])))
+                             ? 1
+                             : 0;
+        return count;
+    };
+    const auto alone = labelled({{}}), five = labelled({{}, {}, {}, {}, {}});
+    REQUIRE(five.size() == alone.size() + 4);
+    CHECK(five[alone.size() - 1].corner == alone.back().corner); // the first one stays
+    CHECK(overlapping(five) == 0);
+    const auto at_edge = labelled({{40.0, 30.0, 30.0}, {40.0, 30.0, 30.0}, {-40.0, -30.0, -30.0}});
+    CHECK(overlapping(at_edge) == 0);
 }
 
 TEST_CASE("letters say which way of the patient a direction goes, the most first") {
