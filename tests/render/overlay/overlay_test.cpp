@@ -101,7 +101,7 @@ TEST_CASE("labels of one place are side by side, and keep clear of what else is 
     frame.camera.orthographic = true;
     frame.camera.scale = 35.0;
     frame.overlays.orientation_cube = false;
-    const auto labelled = [&](std::vector<glm::dvec3> places) {
+    const auto labelled = [&](const std::vector<glm::dvec3>& places) {
         frame.labels.clear();
         for (const glm::dvec3& place : places) frame.labels.push_back({frame.camera.focal_point + place, "20.1 mm"});
         return painted(frame);
