@@ -52,7 +52,7 @@ std::uint32_t arc_number(const glm::ivec3& cell, const FaceArc& arc) {
         const auto [a, b] = ends_of_edge(crossing);
         return 2 * edge_number(0, 4 * cell + (a + b) / 2) + (crossing < kUpperEnd ? 0U : 1U);
     };
-    const auto [first, second] = std::minmax(number(arc.first), number(arc.second));
+    const auto [first, second] = std::minmax({number(arc.first), number(arc.second)}); // by value
     static_assert(2 * edge_number(1, glm::ivec3(0)) <= 1U << 14);
     return first << 16 | second << 2 | static_cast<std::uint32_t>(arc.face / 2);
 }
