@@ -254,13 +254,7 @@ void SurfaceFollower::change_tree(const std::shared_ptr<const tree::VesselTree>&
         const auto made = first_cones(*tree, request, job);
         constexpr std::chrono::milliseconds kNap{5};
         while (!job.cancelled() && std::chrono::steady_clock::now() < until) std::this_thread::sleep_for(kNap);
-        post([this, made] {
-            if (made)
-                show(*made);
-            else
-                problem_ = made.error().message();
-            changed_ = true;
-        });
+        post([this, made] { arrive(made); });
     });
 }
 
@@ -270,6 +264,14 @@ void SurfaceFollower::await_tree() {
         worker_.wait(kNap);
         drain();
     }
+}
+
+void SurfaceFollower::arrive(const Result<ReadySurface>& made) {
+    if (made)
+        show(*made);
+    else
+        problem_ = made.error().message();
+    changed_ = true;
 }
 
 void SurfaceFollower::show(ReadySurface surface) {
@@ -343,13 +345,7 @@ void SurfaceFollower::make_next(const SurfaceRequest& request) {
             const auto made = maker->next(request, job);
             if (job.cancelled()) return;
             more = made && made->preview_follows;
-            post([this, made] {
-                if (made)
-                    show(*made);
-                else
-                    problem_ = made.error().message();
-                changed_ = true;
-            });
+            post([this, made] { arrive(made); });
         }
     });
 }

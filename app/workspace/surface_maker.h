@@ -104,6 +104,7 @@ public:
     // there nothing is shown.
     void change_tree(const std::shared_ptr<const tree::VesselTree>& tree, const SurfaceRequest& request);
     // What was made elsewhere.
+    void arrive(const Result<ReadySurface>& made);
     void show(ReadySurface surface);
     // Whether what is to be shown of an edited tree is on its way, and waiting for it.
     [[nodiscard]] bool between_trees() const { return !shown_.mesh && cones_worker_.busy(); }

@@ -28,13 +28,12 @@ enum class Shade : std::uint8_t { kNone, kCasts, kPierces };
 // obstacle's radius R beside the way through its axis. Where it is in the obstacle's tube it is the obstacle's anyway,
 // which is nearer; so the vessel has to go on as far as where it is not. If the obstacle does not even reach it, it is
 // farther from there by the root of support_radii^2 - 1 of R along the way.
-Shade shade_of(const PieceShape& obstacle, const PieceShape& vessel, const Kernel& kernel) {
+Shade shade_of(const PieceShape& obstacle, const PieceShape& vessel, double distance, const Kernel& kernel) {
     constexpr double kSlack = 0.1; // radii, for what vessel and obstacle are bent
     const double r = std::max(vessel.start_radius, vessel.end_radius);
     const double thin = std::min(obstacle.start_radius, obstacle.end_radius);
     const double thick = std::max(obstacle.start_radius, obstacle.end_radius);
     const double reach = (kernel.claim_radii + kSlack) * r + vessel.move.most();
-    const double distance = least_distance(obstacle, vessel);
     if (distance >= std::hypot(reach, thick)) return Shade::kNone;
     const double beyond = reach - std::sqrt(kernel.support_radii * kernel.support_radii - 1.0) * thin;
     return beyond > 0.0 && distance < std::hypot(beyond, thick) ? Shade::kPierces : Shade::kCasts;
@@ -62,7 +61,7 @@ Pieces::Pieces(const tree::Contacts& contacts, const Skeleton& skeleton, const K
     list_obstacles(kernel);
 }
 
-void Pieces::put_obstacle(std::size_t at, const PieceShape& vessel, const tree::Contacts::Partner& partner) {
+void Pieces::put_obstacle(std::size_t at, const tree::Contacts::Partner& partner, double least_distance) {
     const PieceShape& shape = *this->shape(partner.piece);
     const auto put = [&](std::size_t row, const glm::dvec3& v) {
         for (int axis = 0; axis < 3; ++axis) obstacles_.row(row + static_cast<std::size_t>(axis))[at] = v[axis];
@@ -76,19 +75,24 @@ void Pieces::put_obstacle(std::size_t at, const PieceShape& vessel, const tree::
     obstacles_.row(kAxisRadius)[at] = shape.start_radius;
     obstacles_.row(kAxisSlope)[at] = length > 0.0 ? (shape.end_radius - shape.start_radius) / length : 0.0;
     obstacles_.row(kApartFrom)[at] = static_cast<double>(partner.apart_from);
-    obstacles_.row(kLeastDistance)[at] = least_distance(shape, vessel);
+    obstacles_.row(kLeastDistance)[at] = least_distance;
 }
 
 void Pieces::list_obstacles(const Kernel& kernel) {
     using Partner = tree::Contacts::Partner;
-    std::vector<std::vector<const Partner*>> pierce(shapes_.size()), cast(shapes_.size());
+    struct Obstacle {
+        const Partner* partner;
+        double distance; // at least
+    };
+    std::vector<std::vector<Obstacle>> pierce(shapes_.size()), cast(shapes_.size());
     std::size_t total = 0;
     for (std::size_t n = 0; n < shapes_.size(); ++n) {
         for (const Partner& partner : contacts_.partners_of(piece_of_shape_[n])) {
             const PieceShape* const other = shape(partner.piece);
             if (!(partner.apart_from > 0.0F) || other == nullptr) continue;
-            const Shade shade = shade_of(*other, shapes_[n], kernel);
-            if (shade != Shade::kNone) (shade == Shade::kPierces ? pierce : cast)[n].push_back(&partner);
+            const double distance = least_distance(*other, shapes_[n]);
+            const Shade shade = shade_of(*other, shapes_[n], distance, kernel);
+            if (shade != Shade::kNone) (shade == Shade::kPierces ? pierce : cast)[n].push_back({&partner, distance});
         }
         const std::size_t first = ObstacleRows::padded(pierce[n].size());
         ranges_.push_back({{total, first + cast[n].size()}, {total, pierce[n].size()}});
@@ -99,7 +103,8 @@ void Pieces::list_obstacles(const Kernel& kernel) {
         const std::size_t first = ranges_[n].all.first;
         for (const auto& [list, begin] :
              {std::pair(&pierce[n], first), std::pair(&cast[n], first + ObstacleRows::padded(pierce[n].size()))})
-            for (std::size_t k = 0; k < list->size(); ++k) put_obstacle(begin + k, shapes_[n], *(*list)[k]);
+            for (std::size_t k = 0; k < list->size(); ++k)
+                put_obstacle(begin + k, *(*list)[k].partner, (*list)[k].distance);
     }
 }
 

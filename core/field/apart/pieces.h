@@ -51,7 +51,7 @@ private:
         return at == kNone ? Ranges{} : ranges_[at];
     }
     void list_obstacles(const Kernel& kernel);
-    void put_obstacle(std::size_t at, const PieceShape& vessel, const tree::Contacts::Partner& partner);
+    void put_obstacle(std::size_t at, const tree::Contacts::Partner& partner, double least_distance);
 
     const tree::Contacts& contacts_;
     std::vector<std::uint32_t> shape_of_piece_;

@@ -263,6 +263,17 @@ public:
     ToolSettings settings;
 };
 
+// Seen from the front, 100 mm high.
+Session open_rods(Document& document) {
+    Session session;
+    session.camera.position = {20.0, 500.0, 0.0};
+    session.camera.focal_point = {20.0, 0.0, 0.0};
+    session.camera.orthographic = true;
+    session.camera.scale = 50.0;
+    document.open(std::make_shared<const tree::VesselTree>(rods()), session);
+    return session;
+}
+
 } // namespace
 
 TEST_CASE("the lasso command selects, adds and removes, and refuses what it cannot read") {
@@ -270,12 +281,7 @@ TEST_CASE("the lasso command selects, adds and removes, and refuses what it cann
     LassoPicture host;
     host.size = {100, 100};
     TestTools tools;
-    Session session;
-    session.camera.position = {20.0, 500.0, 0.0};
-    session.camera.focal_point = {20.0, 0.0, 0.0};
-    session.camera.orthographic = true;
-    session.camera.scale = 50.0;
-    document.open(std::make_shared<const tree::VesselTree>(rods()), session);
+    const Session session = open_rods(document);
     Assets assets;
     ActionContext context{.document = document, .picture = host, .assets = assets, .tools = &tools};
     const auto run = [&](const std::string& line) -> std::string {
@@ -327,12 +333,7 @@ TEST_CASE("a lasso of what is visible waits for that, of the view in which it wa
     Document document;
     ComingPicture host;
     host.size = {100, 100};
-    Session session;
-    session.camera.position = {20.0, 500.0, 0.0};
-    session.camera.focal_point = {20.0, 0.0, 0.0};
-    session.camera.orthographic = true;
-    session.camera.scale = 50.0;
-    document.open(std::make_shared<const tree::VesselTree>(rods()), session);
+    const Session session = open_rods(document);
     Assets assets;
     ActionContext context{.document = document, .picture = host, .assets = assets};
     CommandRunner runner({});

@@ -30,6 +30,17 @@ void drag(mesh::TriangleMesh& mesh, std::size_t triangle, float past) {
     mesh.positions[t.x] += (1.0F + past) * (mesh.positions[t.y] - mesh.positions[t.x]);
 }
 
+// And a sphere of the same size.
+mesh::TriangleMesh with_another(mesh::TriangleMesh two, const glm::dvec3& centre) {
+    const mesh::TriangleMesh other = test::icosphere(4, centre, 5.0);
+    const auto first = static_cast<std::uint32_t>(two.positions.size());
+    two.positions.insert(two.positions.end(), other.positions.begin(), other.positions.end());
+    two.normals.insert(two.normals.end(), other.normals.begin(), other.normals.end());
+    two.radii.resize(two.positions.size(), 5.0F);
+    for (const glm::uvec3& t : other.triangles) two.triangles.push_back(t + first);
+    return two;
+}
+
 mesh::Surface untangled(const tree::VesselTree& tree, const mesh::SurfaceOptions& options) {
     Job job;
     auto surface = mesh::make_untangled_surface(tree, options, job);
@@ -78,13 +89,7 @@ TEST_CASE("a surface that goes through itself is drawn apart there, and nowhere 
 
 TEST_CASE("of two pieces that go through each other nothing is moved, and where vertices may not move enough the rest "
           "is told") {
-    mesh::TriangleMesh two = sphere();
-    const mesh::TriangleMesh other = test::icosphere(4, {6.0, 2.0, 3.0}, 5.0);
-    const auto first = static_cast<std::uint32_t>(two.positions.size());
-    two.positions.insert(two.positions.end(), other.positions.begin(), other.positions.end());
-    two.normals.insert(two.normals.end(), other.normals.begin(), other.normals.end());
-    two.radii.resize(two.positions.size(), 5.0F);
-    for (const glm::uvec3& t : other.triangles) two.triangles.push_back(t + first);
+    mesh::TriangleMesh two = with_another(sphere(), {6.0, 2.0, 3.0});
     const mesh::TriangleMesh before = two;
     Job job;
     CHECK(mesh::untangle(two, {}, job).found == 0); // nothing folds over
@@ -119,14 +124,8 @@ TEST_CASE("of two pieces that go through each other nothing is moved, and where 
 }
 
 TEST_CASE("sides that touch where nothing folds are drawn apart, at places where that is asked for") {
-    mesh::TriangleMesh two = sphere();
-    const float apart = 10.0F - 0.01F;
-    const mesh::TriangleMesh other = test::icosphere(4, {1.0 + apart, 2.0, 3.0}, 5.0);
-    const auto first = static_cast<std::uint32_t>(two.positions.size());
-    two.positions.insert(two.positions.end(), other.positions.begin(), other.positions.end());
-    two.normals.insert(two.normals.end(), other.normals.begin(), other.normals.end());
-    two.radii.resize(two.positions.size(), 5.0F);
-    for (const glm::uvec3& t : other.triangles) two.triangles.push_back(t + first);
+    constexpr double kApart = 10.0 - 0.01;
+    mesh::TriangleMesh two = with_another(sphere(), {1.0 + kApart, 2.0, 3.0});
     const mesh::TriangleMesh before = two;
     const std::size_t met = test::intersecting_triangles(two).size();
     REQUIRE(met > 0);
