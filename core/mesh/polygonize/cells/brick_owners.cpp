@@ -56,6 +56,14 @@ ApartPoints BrickOwners::apart_points(const field::BrickField& field, glm::ivec3
     return apart;
 }
 
+std::uint32_t BrickOwners::apart_from(const field::BrickField& field, glm::ivec3 cell, field::Owner owner) const {
+    std::uint32_t others = 0;
+    for (int n = 0; n < 27; ++n)
+        if (field.apart(owner, at(2 * cell.x + n % 3, 2 * cell.y + n / 3 % 3, 2 * cell.z + n / 9)))
+            others |= std::uint32_t{1} << n;
+    return others;
+}
+
 field::Owner BrickOwners::of_crossing(glm::ivec3 cell, int crossing) const {
     const auto [low, high] = ends_of_edge(crossing);
     const auto owner = [&](glm::ivec3 quarter) {

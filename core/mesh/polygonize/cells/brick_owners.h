@@ -34,6 +34,8 @@ public:
     }
     // Which points of a cell belong to vessels that are apart.
     [[nodiscard]] ApartPoints apart_points(const field::BrickField& field, glm::ivec3 cell) const;
+    // Those that are apart from a vessel, bits of CellShape::inside.
+    [[nodiscard]] std::uint32_t apart_from(const field::BrickField& field, glm::ivec3 cell, field::Owner owner) const;
     // Whose the loop through a crossing of a cell is.
     [[nodiscard]] field::Owner of_crossing(glm::ivec3 cell, int crossing) const;
 

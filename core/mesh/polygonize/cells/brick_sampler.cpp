@@ -213,7 +213,20 @@ void BrickSampler::decide_face_centres(SubtreeCells& subtree) {
         for (int n = 0; n < traced.centres.count; ++n)
             if (point_values_[traced.first_centre + static_cast<std::size_t>(n)] >= isovalue_)
                 traced.centres.inside |= std::uint32_t{1} << n;
+        find_centres_vessels(traced, subtree);
         traced.loops = trace_loops(traced.shape, traced.centres, apart_points(traced));
+    }
+}
+
+// Whose the centres are that are inside, and what is apart from them.
+void BrickSampler::find_centres_vessels(TracedCell& traced, SubtreeCells& subtree) {
+    FaceCentres& centres = traced.centres;
+    for (std::uint32_t left = centres.inside & centres.walled; left != 0; left &= left - 1) {
+        const auto n = static_cast<std::size_t>(std::countr_zero(left));
+        field::Owner owner = field::kNoOwner;
+        subtree.counts.evaluations += field_->find_owners(
+            lattice_axes_, std::span(points_).subspan(traced.first_centre + n, 1), std::span(&owner, 1));
+        centres.apart[n] = owners_.apart_from(*field_, low_corner_of(traced.cell), owner);
     }
 }
 

@@ -49,6 +49,7 @@ private:
     void sort_cells(BrickCells& cells);
     void trace(int cell, unsigned corner_signs, std::uint32_t finer);
     void decide_face_centres(SubtreeCells& subtree);
+    void find_centres_vessels(TracedCell& traced, SubtreeCells& subtree);
 
     void add_recorded_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record);
     [[nodiscard]] float crossing_share(glm::ivec3 cell, int edge_midpoint);

@@ -1,7 +1,9 @@
 #include "core/mesh/polygonize/cells/cell_loops.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
+#include <utility>
 
 namespace ramus::mesh::bricks {
 
@@ -96,6 +98,12 @@ struct Arc {
 struct Arcs {
     std::array<Arc, 96> arc;
     int count = 0;
+
+    void add(std::uint8_t first, std::uint8_t second, Arc kind) {
+        kind.first = first, kind.second = second;
+        kind.walled = kind.walled && first % kUpperEnd != second % kUpperEnd;
+        arc[static_cast<std::size_t>(count++)] = kind;
+    }
 };
 
 // A ring around a minimal face.
@@ -109,28 +117,37 @@ struct Ring {
 // The crossings around a ring in order: they alternate between leaving and entering the inside.
 struct RingCrossings {
     std::array<std::uint8_t, 16> crossing;
+    std::array<std::uint32_t, 16> before{}; // the points inside between a crossing and the one before it
     std::size_t count = 0;
     bool first_leaves = false;
     bool any_apart = false; // some of the points that are inside are apart
+
+    void add(std::uint8_t midpoint, bool leaves) {
+        if (count == 0) first_leaves = leaves;
+        crossing[count++] = midpoint;
+    }
 };
 RingCrossings crossings_of(std::uint32_t inside, const Ring& ring, const ApartPoints* apart) {
     RingCrossings found;
     bool sign = (inside >> ring.points[0].bit & 1U) != 0;
+    std::uint32_t seen = 0;
     for (std::size_t n = 0; n < ring.size; ++n) {
         const RingPoint& from = ring.points[n];
         const RingPoint& to = ring.points[n + 1 < ring.size ? n + 1 : 0];
         const bool next = (inside >> to.bit & 1U) != 0;
+        seen |= inside & 1U << from.bit;
         if (sign != next) {
-            if (found.count == 0) found.first_leaves = sign;
-            found.crossing[found.count++] = from.midpoint;
+            found.before[found.count] = std::exchange(seen, 0U);
+            found.add(from.midpoint, sign);
         } else if (apart != nullptr && sign && ((*apart)[from.bit] >> to.bit & 1U) != 0) {
-            if (found.count == 0) found.first_leaves = true;
             const auto upper = static_cast<std::uint8_t>(from.midpoint + kUpperEnd);
-            found.crossing[found.count++] = from.bit < to.bit ? from.midpoint : upper;
-            found.crossing[found.count++] = from.bit < to.bit ? upper : from.midpoint;
+            found.before[found.count] = std::exchange(seen, 0U);
+            found.add(from.bit < to.bit ? from.midpoint : upper, true);
+            found.add(from.bit < to.bit ? upper : from.midpoint, false);
         }
         sign = next;
     }
+    found.before[0] |= seen;
     if (apart == nullptr || found.count == 0) return found;
     std::uint32_t around = 0;
     for (std::size_t n = 0; n < ring.size; ++n) around |= 1U << ring.points[n].bit;
@@ -139,34 +156,82 @@ RingCrossings crossings_of(std::uint32_t inside, const Ring& ring, const ApartPo
     return found;
 }
 
+// A run of points of one vessel around a ring.
+struct Run {
+    std::uint8_t enters, leaves; // crossings
+    std::uint32_t points;
+};
+struct Runs {
+    std::array<Run, 8> run;
+    std::size_t count = 0;
+};
+Runs runs_of(const RingCrossings& found) {
+    Runs runs;
+    for (std::size_t n = found.first_leaves ? 1 : 0; runs.count < found.count / 2; n += 2) {
+        const std::size_t leaves = (n + 1) % found.count;
+        runs.run[runs.count++] = {found.crossing[n], found.crossing[leaves], found.before[leaves]};
+    }
+    return runs;
+}
+
+// Whether two runs of a ring may be of one vessel.
+bool may_be_one(const Runs& runs, const ApartPoints& apart) {
+    for (std::size_t a = 1; a < runs.count; ++a)
+        for (std::size_t b = 0; b < a; ++b) {
+            std::uint32_t others = 0;
+            for (std::uint32_t left = runs.run[a].points; left != 0; left &= left - 1)
+                others |= apart[static_cast<std::size_t>(std::countr_zero(left))];
+            if ((others & runs.run[b].points) == 0) return true;
+        }
+    return false;
+}
+
+// The centre of a ring, which decides about it; true: it is inside.
+bool ask_centre(FaceCentres& centres, const Ring& ring, bool walled) {
+    const auto n = static_cast<std::size_t>(centres.count++);
+    centres.centre[n] = ring.centre;
+    if (walled) centres.walled |= 1U << n;
+    return (centres.inside >> n & 1U) != 0;
+}
+
+// Where points of a ring are apart: cuts every run off, but connects those that are the centre's.
+void add_arcs_of_runs(const Runs& runs, const Ring& ring, const ApartPoints& apart, FaceCentres& centres,
+                      const Arc& kind, Arcs& arcs) {
+    std::array<std::size_t, 8> joined{};
+    std::size_t count = 0;
+    if (runs.count > 1 && may_be_one(runs, apart) && ask_centre(centres, ring, true))
+        for (std::size_t n = 0; n < runs.count; ++n)
+            if ((runs.run[n].points & centres.apart[static_cast<std::size_t>(centres.count - 1)]) == 0)
+                joined[count++] = n;
+    std::size_t next = 0; // in joined
+    for (std::size_t n = 0; n < runs.count; ++n) {
+        const Run& run = runs.run[n];
+        if (count > 1 && next < count && joined[next] == n)
+            arcs.add(run.leaves, runs.run[joined[++next % count]].enters, kind);
+        else
+            arcs.add(run.enters, run.leaves, kind);
+    }
+}
+
 // Pairs up the crossings of one ring. With four or more the centre decides whether the inside or the outside is
 // connected across the face; what is apart is not connected.
 void add_arcs(const CellShape& shape, const Ring& ring, const ApartPoints* apart, FaceCentres& centres, Arcs& arcs) {
-    const std::uint32_t inside = shape.inside;
-    const RingCrossings found = crossings_of(inside, ring, apart);
+    const RingCrossings found = crossings_of(shape.inside, ring, apart);
     if (found.count == 0) return;
-    // Cut off each outside run when the centre is inside (its first crossing leaves), each inside run otherwise.
-    bool start_leaving = found.first_leaves;
-    if (found.any_apart) {
-        start_leaving = false;
-    } else if (found.count > 2) {
-        start_leaving = (centres.inside >> centres.count & 1U) != 0;
-        centres.centre[static_cast<std::size_t>(centres.count++)] = ring.centre;
-    }
-    const std::size_t start = found.first_leaves == start_leaving ? 0 : 1;
     const bool coarser = (shape.coarser_faces >> ring.face & 1) != 0;
-    for (std::size_t n = 0; n < found.count; n += 2) {
-        const std::uint8_t first = found.crossing[(start + n) % found.count];
-        const std::uint8_t second = found.crossing[(start + n + 1) % found.count];
-        const bool same_edge = first % kUpperEnd == second % kUpperEnd;
-        arcs.arc[static_cast<std::size_t>(arcs.count++)] = {first, second, ring.face, ring.whole && found.count > 2,
-                                                            ring.whole && (found.any_apart || coarser) && !same_edge};
-    }
+    const Arc kind{0, 0, ring.face, ring.whole && found.count > 2, ring.whole && (found.any_apart || coarser)};
+    if (found.any_apart) return add_arcs_of_runs(runs_of(found), ring, *apart, centres, kind, arcs);
+    // Cut off each outside run when the centre is inside (its first crossing leaves), each inside run otherwise.
+    const bool start_leaving = found.count > 2 ? ask_centre(centres, ring, false) : found.first_leaves;
+    const std::size_t start = found.first_leaves == start_leaving ? 0 : 1;
+    for (std::size_t n = 0; n < found.count; n += 2)
+        arcs.add(found.crossing[(start + n) % found.count], found.crossing[(start + n + 1) % found.count], kind);
 }
 
 Arcs collect_arcs(const CellShape& shape, FaceCentres& centres, const ApartPoints* apart) {
     Arcs arcs;
     centres.count = 0;
+    centres.walled = 0;
     for (std::uint8_t face = 0; face < 6; ++face) {
         const FaceRings& rings = kFaces[face];
         Ring ring;

@@ -10,7 +10,8 @@
 //
 // Two points inside may belong to vessels that are kept apart. The surface crosses an edge between them twice: once
 // for the vessel of the lower end, once for that of the upper one. So a crossing is named by its edge, or by its edge
-// and kUpperEnd. Runs of points of one vessel around a face are cut off from each other like runs of points inside.
+// and kUpperEnd. Runs of points of one vessel around a face are cut off from each other like runs of points inside, but
+// for those that are connected by way of the face's centre, where that is inside and theirs.
 #pragma once
 
 #include <array>
@@ -75,11 +76,15 @@ struct CellLoops {
     std::vector<FaceArc> arcs; // all of them, where some of its points are apart
 };
 
-// Centres of minimal faces with four or more crossings: their signs decide how the crossings pair up.
+// Centres of minimal faces with four or more crossings: their signs decide how the crossings pair up, and, where some
+// points of the face are apart, whose they are.
 struct FaceCentres {
     std::array<std::uint8_t, 24> centre{}; // quarter indices
     int count = 0;
     std::uint32_t inside = 0; // bit n: the n-th centre is inside
+    std::uint32_t walled = 0; // bit n: around it some points are apart
+    // Of a centre inside, where some are apart: the cell's points that are apart from it, bits of CellShape::inside.
+    std::array<std::uint32_t, 24> apart{};
 };
 
 // Traces the loops. `apart`: where the cell has points of vessels that are kept apart; or null. Goes by the signs in

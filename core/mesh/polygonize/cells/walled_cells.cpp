@@ -189,7 +189,7 @@ std::vector<WallPair> WalledCells::join_loops(Work& work, std::vector<Loop>& loo
         if (const field::Owner owner = work.owners.of_crossing(work.cell, m); owner != field::kNoOwner)
             work.of_loops[n].owner = owner;
         if (other == kNoLoop || other == n) continue;
-        const auto [first, second] = std::minmax(loop[n].first, loop[other].first);
+        const auto [first, second] = std::minmax({loop[n].first, loop[other].first}); // by value: they change
         for (Loop& one : loop)
             if (one.first == second) one.first = first;
         if (m >= kUpperEnd) continue;
