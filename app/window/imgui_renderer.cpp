@@ -67,6 +67,7 @@ Result<std::unique_ptr<ImguiRenderer>> ImguiRenderer::create() {
     attribute(render::kAttributeUv, 2, GL_FLOAT, false, offsetof(ImDrawVert, uv));
     attribute(render::kAttributeColour, 4, GL_UNSIGNED_BYTE, true, offsetof(ImDrawVert, col));
     renderer->upload_fonts();
+    renderer->draw_nothing();
     return renderer;
 }
 
@@ -85,6 +86,24 @@ void ImguiRenderer::upload_fonts() {
     glTextureParameteri(font_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTextureParameteri(font_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     fonts.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(GLuint(font_))));
+}
+
+// A driver compiles a program when something is drawn with it: before anybody looks, rather than in the first frame.
+void ImguiRenderer::draw_nothing() {
+    ImDrawList list(ImGui::GetDrawListSharedData());
+    list._ResetForNewFrame();
+    list.PushClipRect({0.0F, 0.0F}, {1.0F, 1.0F});
+    list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+    list.PrimReserve(6, 4);
+    list.PrimRect({-2.0F, -2.0F}, {-1.0F, -1.0F}, 0); // outside
+    ImDrawList* only = &list;
+    ImDrawData data;
+    data.CmdLists = &only;
+    data.CmdListsCount = 1;
+    data.TotalVtxCount = list.VtxBuffer.Size;
+    data.DisplaySize = {1.0F, 1.0F};
+    data.FramebufferScale = {1.0F, 1.0F};
+    draw(data);
 }
 
 void ImguiRenderer::draw(const ImDrawData& data) {

@@ -32,6 +32,7 @@ public:
 
 private:
     ImguiRenderer() = default;
+    void draw_nothing();
     [[nodiscard]] bool make_buffers(const ImDrawData& data);
     render::Program program_;
     render::VertexArray vertex_array_;
