@@ -16,8 +16,8 @@ LoopWatch::Moment LoopWatch::now() {
 void LoopWatch::waits() {
     last_ = now();
     gap_ = {};
-    longest_step_ = 0.0;
-    step_ = "";
+    longest_step_ = longest_by_clock_ = 0.0;
+    step_ = step_by_clock_ = "";
     waiting_ = true;
 }
 
@@ -26,8 +26,10 @@ void LoopWatch::did(const char* step) {
     const Moment at = now();
     const double took = at.processor - last_.processor;
     gap_.processor_seconds += took;
-    gap_.seconds += waiting_ ? took : at.clock - last_.clock;
+    const double by_clock = waiting_ ? took : at.clock - last_.clock;
+    gap_.seconds += by_clock;
     waiting_ = false;
+    if (by_clock >= longest_by_clock_) longest_by_clock_ = by_clock, step_by_clock_ = step;
     if (took >= longest_step_) longest_step_ = took, step_ = step;
     last_ = at;
 }
@@ -38,6 +40,7 @@ void LoopWatch::ends(const std::string& command) {
     if (gap_.processor_seconds < kFelt && gap_.seconds < kFeltByClock) return;
     gap_.ended = now().clock;
     gap_.doing = step_;
+    gap_.waiting = step_by_clock_;
     gap_.command = command;
     if (gap_.processor_seconds > longest_.processor_seconds) longest_ = gap_;
     latest_.push_back(gap_);

@@ -15,7 +15,8 @@ public:
         double ended = 0.0;             // the monotonic clock when it was over
         double seconds = 0.0;           // by the clock, without waiting for events
         double processor_seconds = 0.0; // of the thread that looks
-        std::string doing;              // the step that took longest
+        std::string doing;              // the step that took the processor longest
+        std::string waiting;            // the step that took longest by the clock
         std::string command;            // the last one when it was over
     };
 
@@ -37,8 +38,8 @@ private:
 
     Moment last_;
     Gap gap_, longest_;
-    double longest_step_ = 0.0;
-    const char* step_ = "";
+    double longest_step_ = 0.0, longest_by_clock_ = 0.0; // seconds
+    const char *step_ = "", *step_by_clock_ = "";
     bool waiting_ = false;
     std::deque<Gap> latest_;
 };

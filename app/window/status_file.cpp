@@ -80,11 +80,8 @@ void add_document(nlohmann::json& status, const Document& document) {
 }
 
 nlohmann::json to_json(const LoopWatch::Gap& gap) {
-    return {{"ended", gap.ended},
-            {"seconds", gap.seconds},
-            {"processor_seconds", gap.processor_seconds},
-            {"doing", gap.doing},
-            {"command", gap.command}};
+    return {{"ended", gap.ended}, {"seconds", gap.seconds}, {"processor_seconds", gap.processor_seconds},
+            {"doing", gap.doing}, {"waiting", gap.waiting}, {"command", gap.command}};
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 """How long a window does not look at its events while a person works with a large tree, as the window itself tells it
 (--status, gaps): a table of what was done, the longest time that its thread was on a processor in between, at what, and
-the longest time by the clock, which has the software rasteriser's threads and all else that runs on the machine in it.
+the longest time by the clock, which has the software rasteriser's threads and all else that runs on the machine in it,
+and at what that was.
 A measurement, no test: of a grown tree of 30,000 branches and, with RAMUS_SHARED_DATA, the kidney. What the graphics
 driver compiles for the first time, 0.1 to 0.5 s for a shader of Mesa's rasteriser, is in it where the window draws alone
 (RAMUS_ONE_THREAD=1) and XDG_CACHE_HOME does not name a folder that a run before has filled.
@@ -66,12 +67,12 @@ class Explorer:
     def row(self, name, since):
         self.window.xdotool("key", "shift")
         gaps = [gap for gap in self.rest("the gaps")["gaps"] if gap["ended"] >= since]
-        nothing = {"processor_seconds": 0.0, "seconds": 0.0, "doing": "", "ended": 0.0}
+        nothing = {"processor_seconds": 0.0, "seconds": 0.0, "doing": "", "waiting": "", "ended": 0.0}
         thread = max(gaps, key=lambda gap: gap["processor_seconds"], default=nothing)
         clock = max(gaps, key=lambda gap: gap["seconds"], default=nothing)
         mark = " <<" if thread["processor_seconds"] > PROMISED else ""
-        print(f"  {name:32} {thread['processor_seconds']:7.3f} {thread['doing']:8} {clock['seconds']:7.3f}{mark}",
-              flush=True)
+        print(f"  {name:32} {thread['processor_seconds']:7.3f} {thread['doing']:9} {clock['seconds']:7.3f} "
+              f"{clock['waiting']}{mark}", flush=True)
         self.rows.append((name, thread["processor_seconds"]))
 
     def step(self, name, act):
@@ -362,7 +363,7 @@ def resize(explorer):
 
 
 def explore(program, screen, folder, tree, name):
-    print(f"{name}: step, longest gap in s of the thread, at what, longest by the clock")
+    print(f"{name}: step, longest gap in s of the thread, at what, longest by the clock, at what")
     explorer = Explorer(program, screen, folder, tree)
     try:
         if explorer.window.status()["unsaid"]:
