@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <string>
 #include <sys/mman.h>
 #include <thread>
@@ -234,16 +235,35 @@ Result<void> Fullscreen::make(std::string_view fragment, std::string_view define
 }
 
 void Fullscreen::draw(Pixels pixels) const {
-    if (pixels == Pixels::kCovered) {
+    if (pixels != Pixels::kAll) {
         glEnable(GL_DEPTH_TEST);
-        glDepthMask(GL_FALSE);
-        glDepthFunc(GL_LESS);
+        glDepthMask(pixels == Pixels::kAllDepths ? GL_TRUE : GL_FALSE);
+        glDepthFunc(pixels == Pixels::kAllDepths ? GL_ALWAYS : GL_LESS);
     }
     glUseProgram(program_);
     glBindVertexArray(no_vertices_);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
+}
+
+void Fullscreen::draw_in(glm::ivec2 at, glm::ivec2 size, Pixels pixels) const {
+    constexpr int kBandPixels = 1 << 17, kTile = 64; // of Mesa's rasteriser
+    if (size.x <= 0 || size.y <= 0) return;
+    const int rows = is_software_rasteriser() ? std::max(kBandPixels / size.x / kTile, 1) * kTile : size.y;
+    glEnable(GL_SCISSOR_TEST);
+    Fence fence;
+    for (int done = 0; done < size.y;) {
+        // Bands end where tiles end.
+        const int end = std::min(size.y, ((at.y + done) / kTile * kTile) + rows - at.y);
+        glScissor(at.x, at.y + done, size.x, end - done);
+        draw(pixels);
+        done = end;
+        if (done == size.y) break;
+        fence.put();
+        (void)fence.passed(std::numeric_limits<double>::infinity());
+    }
+    glDisable(GL_SCISSOR_TEST);
 }
 
 } // namespace ramus::render

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <glad/gl.h>
+#include <glm/vec2.hpp>
 #include <initializer_list>
 #include <limits>
 #include <memory>
@@ -197,11 +198,14 @@ public:
     [[nodiscard]] Result<void> make(std::string_view fragment, std::string_view defines = {});
     [[nodiscard]] bool made() const { return program_ != 0; }
 
-    // Every pixel, or only those where the depth that is attached says that there is something: the early depth test is
-    // the one branch that a software rasteriser really skips. The triangle lies at depth 0, the far plane. Leaves the
-    // depth test off and depths written.
-    enum class Pixels { kAll, kCovered };
+    // Every pixel; every one, whose depth the program writes; or only those where the depth that is attached says that
+    // there is something: the early depth test is the one branch that a software rasteriser really skips. The triangle
+    // lies at depth 0, the far plane. Leaves the depth test off and depths written.
+    enum class Pixels { kAll, kAllDepths, kCovered };
     void draw(Pixels pixels = Pixels::kAll) const;
+    // The same in a rectangle, in GL's sense of y; leaves the scissor test off. On a software rasteriser it comes some
+    // rows at a time, each waited for: Mesa has one for all contexts, and a window's would wait for all that is queued.
+    void draw_in(glm::ivec2 at, glm::ivec2 size, Pixels pixels = Pixels::kAll) const;
 
     operator GLuint() const { return program_; } // NOLINT: it stands for its program
 

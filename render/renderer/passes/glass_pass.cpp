@@ -245,7 +245,7 @@ void LayerPass::draw_all(const Subject& subject, ViewTargets& targets, const Ful
         glBindTextureUnit(kUnitDepth, layers.depths.at(std::size_t(layer % 2)));
         glBindTextureUnit(kUnitOpaqueSamples, targets.samples.depth);
         begin_blending(Blending::kUnder);
-        light.draw(Fullscreen::Pixels::kCovered);
+        light.draw_in(glm::ivec2(0), targets.view.size, Fullscreen::Pixels::kCovered);
         glDisable(GL_BLEND);
     }
     glBindTextureUnit(kUnitFronts, layers.fronts);

@@ -37,7 +37,7 @@ void MeanPass::add(const ViewSetup& view, const LitTarget& from, MeanTarget& to)
     glViewport(0, 0, view.size.x, view.size.y);
     begin_blending(Blending::kAdded);
     glBindTextureUnit(kUnitImage, from.colour);
-    add_.draw();
+    add_.draw_in(glm::ivec2(0), view.size);
     glDisable(GL_BLEND);
     ++to.views;
 }
@@ -47,7 +47,7 @@ void MeanPass::show(const ViewSetup& view, const MeanTarget& from, const LitTarg
     glViewport(0, 0, view.size.x, view.size.y);
     glBindTextureUnit(kUnitImage, from.sum);
     glProgramUniform1f(mean_, kUniformShare, 1.0F / static_cast<float>(from.views));
-    mean_.draw();
+    mean_.draw_in(glm::ivec2(0), view.size);
 }
 
 } // namespace ramus::render

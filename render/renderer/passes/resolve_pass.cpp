@@ -28,8 +28,6 @@ void ResolvePass::draw(What what, ViewTargets& targets, Band band) const {
     const Fullscreen& program = what == What::kOpaque ? opaque_ : what == What::kGlass ? glass_ : lesions_;
     const bool lists = what != What::kOpaque && gl_has_lists();
     glBindFramebuffer(GL_FRAMEBUFFER, targets.resolved.framebuffer);
-    glDepthFunc(GL_ALWAYS); // writes the covered pixels' depth
-    glEnable(GL_DEPTH_TEST);
     glBindTextureUnit(kUnitSurface, targets.samples.id_normal);
     glBindTextureUnit(kUnitDepth, targets.samples.depth);
     if (lists) bind_lists(program, targets, band);
@@ -38,10 +36,7 @@ void ResolvePass::draw(What what, ViewTargets& targets, Band band) const {
         glBindTextureUnit(kUnitFirstDepths, targets.layers.depths[0]);
         glBindTextureUnit(kUnitContextDepths, targets.layers.depths[1]);
     }
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(0, band.first, targets.view.size.x, band.count);
-    program.draw();
-    glDisable(GL_SCISSOR_TEST);
+    program.draw_in({0, band.first}, {targets.view.size.x, band.count}, Fullscreen::Pixels::kAllDepths);
     if (lists) glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
@@ -59,12 +54,12 @@ void OcclusionPass::draw(const Frame& frame, const ViewSetup& view, const Resolv
     glBindFramebuffer(GL_FRAMEBUFFER, to.raw_target);
     glProgramUniform1i(taps, kUniformTaps, frame.quality == Quality::kFull ? kTaps : kInteractiveTaps);
     glProgramUniform1f(taps, kUniformTurned, static_cast<float>(view.shift) / float{kFineViews});
-    taps.draw(Fullscreen::Pixels::kCovered);
+    taps.draw_in(glm::ivec2(0), view.size, Fullscreen::Pixels::kCovered);
     for (const bool across : {true, false}) {
         glBindTextureUnit(kUnitOcclusion, across ? to.raw : to.half_blurred);
         glBindFramebuffer(GL_FRAMEBUFFER, across ? to.half_target : to.blurred_target);
         glProgramUniform2i(blur_, kUniformAlong, across ? 1 : 0, across ? 0 : 1);
-        blur_.draw(Fullscreen::Pixels::kCovered);
+        blur_.draw_in(glm::ivec2(0), view.size, Fullscreen::Pixels::kCovered);
     }
 }
 

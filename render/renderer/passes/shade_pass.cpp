@@ -103,13 +103,9 @@ void ShadePass::bind(const ViewTargets& targets) const {
 
 void ShadePass::draw_rows(const Fullscreen& program, const ViewTargets& targets, const Region& region,
                           Fullscreen::Pixels pixels) const {
-    if (region.size.y <= 0) return;
     glBindFramebuffer(GL_FRAMEBUFFER, targets.lit.framebuffer);
     bind(targets);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(region.at.x, region.at.y, region.size.x, region.size.y);
-    program.draw(pixels);
-    glDisable(GL_SCISSOR_TEST);
+    program.draw_in(region.at, region.size, pixels);
 }
 
 Result<Region> ShadePass::draw(const Subject& subject, ViewTargets& targets, Extent extent) {
