@@ -56,7 +56,7 @@ std::vector<Command> overview_commands() {
                 "Shows or hides the tree as a flat picture: generation or distance from the root downwards.", overview)
             .in_menu("View", "Overview", {"T"})
             .in_use_when(shows_part("overview")),
-        Command("rename", "[ID]", "Asks for the name of the selected branch, which all that depends on it bears too.",
+        Command("rename", "[ID]", "Asks for the name of the selected branch, or of it and all that depends on it.",
                 rename)
             .in_menu("Branches", "Name...", {"F2"})
             .when(has_selection),

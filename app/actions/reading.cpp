@@ -150,10 +150,8 @@ std::vector<Command> reading_commands() {
         Command(
             "read-as", "OPTION VALUE...|usual",
             "Reads the file again: units UNIT, radius-is radius|diameter, orientation XYZ, repair LIST; of a mask "
-            "labels "
-            "apart|together|N[+M...],..., fill-holes on|off, bulge-size X, islands MM, root X,Y,Z; auto leaves it to "
-            "the "
-            "file.",
+            "labels apart|together|N[+M...],..., isovalue X, fill-holes on|off, bulge-size X, islands MM, root X,Y,Z; "
+            "auto leaves it to the file.",
             read_as)
             .when(has_tree),
     };
