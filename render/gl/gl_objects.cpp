@@ -247,21 +247,23 @@ void Fullscreen::draw(Pixels pixels) const {
     glDepthMask(GL_TRUE);
 }
 
+int end_of_band(int first, int end, int width) {
+    constexpr int kBandPixels = 1 << 16, kTile = 64; // of Mesa's rasteriser
+    const int tiles = std::max(kBandPixels / (std::max(width, 1) * kTile), 1);
+    return std::min(end, (first / kTile + tiles) * kTile);
+}
+
 void Fullscreen::draw_in(glm::ivec2 at, glm::ivec2 size, Pixels pixels) const {
-    constexpr int kBandPixels = 1 << 17, kTile = 64; // of Mesa's rasteriser
     if (size.x <= 0 || size.y <= 0) return;
-    const int rows = is_software_rasteriser() ? std::max(kBandPixels / size.x / kTile, 1) * kTile : size.y;
+    const bool in_bands = is_software_rasteriser();
     glEnable(GL_SCISSOR_TEST);
-    Fence fence;
-    for (int done = 0; done < size.y;) {
-        // Bands end where tiles end.
-        const int end = std::min(size.y, ((at.y + done) / kTile * kTile) + rows - at.y);
-        glScissor(at.x, at.y + done, size.x, end - done);
+    Fence before;
+    for (int first = at.y, end = 0; first < at.y + size.y; first = end) {
+        (void)before.passed(std::numeric_limits<double>::infinity());
+        end = in_bands ? end_of_band(first, at.y + size.y, size.x) : at.y + size.y;
+        glScissor(at.x, first, size.x, end - first);
         draw(pixels);
-        done = end;
-        if (done == size.y) break;
-        fence.put();
-        (void)fence.passed(std::numeric_limits<double>::infinity());
+        if (in_bands) before.put();
     }
     glDisable(GL_SCISSOR_TEST);
 }

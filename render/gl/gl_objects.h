@@ -192,6 +192,10 @@ struct ProgramSource { // as for make_program()
 };
 [[nodiscard]] Result<void> make_programs(std::initializer_list<ProgramSource> sources);
 
+// Of rows from `first` to before `end` those to be drawn first by a software rasteriser: the row after them. They are
+// few enough that another context can wait for them, and end where tiles of the rasteriser end. Rows are 0 or more.
+[[nodiscard]] int end_of_band(int first, int end, int width);
+
 // A fragment shader over the pixels of the framebuffer that is bound.
 class Fullscreen {
 public:
