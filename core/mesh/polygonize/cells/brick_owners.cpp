@@ -57,6 +57,7 @@ ApartPoints BrickOwners::apart_points(const field::BrickField& field, glm::ivec3
 }
 
 std::uint32_t BrickOwners::apart_from(const field::BrickField& field, glm::ivec3 cell, field::Owner owner) const {
+    if (owner == field::kNoOwner) return kAllPoints;
     std::uint32_t others = 0;
     for (int n = 0; n < 27; ++n)
         if (field.apart(owner, at(2 * cell.x + n % 3, 2 * cell.y + n / 3 % 3, 2 * cell.z + n / 9)))

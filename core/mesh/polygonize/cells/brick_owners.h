@@ -16,6 +16,7 @@ namespace ramus::mesh::bricks {
 
 class BrickOwners {
 public:
+    static constexpr std::uint32_t kAllPoints = (1U << 27) - 1; // of CellShape::inside
     // The brick's points at half-cell spacing, 9 a side.
     static constexpr int kFineSide = 2 * kBrickCells + 1;
     static constexpr int fine_index(int x, int y, int z) { return x + kFineSide * (y + kFineSide * z); }
@@ -34,7 +35,7 @@ public:
     }
     // Which points of a cell belong to vessels that are apart.
     [[nodiscard]] ApartPoints apart_points(const field::BrickField& field, glm::ivec3 cell) const;
-    // Those that are apart from a vessel, bits of CellShape::inside.
+    // Those that are apart from a vessel, bits of CellShape::inside: all where nobody is said to be the owner.
     [[nodiscard]] std::uint32_t apart_from(const field::BrickField& field, glm::ivec3 cell, field::Owner owner) const;
     // Whose the loop through a crossing of a cell is.
     [[nodiscard]] field::Owner of_crossing(glm::ivec3 cell, int crossing) const;
