@@ -40,6 +40,8 @@ PictureDrawer::Made PictureDrawer::drawn(render::Sheet sheet, std::size_t upload
     made.drawn = sheets_->draw(made.sheet, upload_budget, seconds);
     made.scale_bar = sheets_->scale_bar();
     made.numbers = sheets_->numbers();
+    // What was drawn for others may be just this, and finer than what is shown.
+    if (std::exchange(drawn_for_others_, false) && made.drawn && !made.drawn->unfinished) made.drawn->shaded = true;
     if (made.drawn && made.drawn->shaded)
         if (auto kept = keep(made.sheet); !kept) made.drawn = tl::unexpected(kept.error());
     return made;

@@ -56,10 +56,16 @@ public:
 
     // `work(renderer, sheets)` where they are to be used, after what is on its way. What it draws is not shown.
     template <class Work> [[nodiscard]] auto later(Work work) {
-        return thread_.later([this, work = std::move(work)] { return work(renderer_, *sheets_); });
+        return thread_.later([this, work = std::move(work)] {
+            drawn_for_others_ = true;
+            return work(renderer_, *sheets_);
+        });
     }
     template <class Work> auto with(Work work) { // and waits for it
-        return thread_.run([this, &work] { return work(renderer_, *sheets_); });
+        return thread_.run([this, &work] {
+            drawn_for_others_ = true;
+            return work(renderer_, *sheets_);
+        });
     }
 
 private:
@@ -75,6 +81,7 @@ private:
     render::Renderer& renderer_;
     DrawingThread& thread_;
     std::optional<render::SheetRenderer> sheets_; // draws with it
+    bool drawn_for_others_ = false;               // since the last picture that is shown; of the drawing thread
     ShownPicture shown_;
     std::future<Made> made_;
     bool refines_ = false;

@@ -224,7 +224,7 @@ void PictureView::take(const PictureDrawer::Made& made) {
         state_.warn(Warning{drawn.error().what, drawn.error().where, drawn.error().hint});
     if (done.geometry && done.quality == quality) pace_.drawn(frame, done.seconds);
     if (done.geometry) cast_ = done.cones > 0;
-    if (done.shaded || !done.unfinished) shown_tree_ = begun_tree_;
+    if (!done.of_before && (done.shaded || !done.unfinished)) shown_tree_ = begun_tree_;
     const bool as_wanted = cast_ || !frame.surface_awaited;
     if (drawn && !done.unfinished)
         pictured_width_ = as_wanted ? frame.width : static_cast<float>(state_.workspace.shown().request.options.width);
@@ -261,6 +261,8 @@ double PictureView::wait_seconds(double now) const {
         const double told_at = begun_at_ + kUntilTold;
         return drawer_.drawing() && now < told_at ? told_at - now + 1e-3 : std::numeric_limits<double>::infinity();
     }
+    if (state_.watched() && state_.workspace.between_trees()) // the window wakes when there is something to draw
+        return std::numeric_limits<double>::infinity();
     if (glide_ || upload_pending_ || unfinished_ || depths_put_off_) return 0.0;
     double wait = std::numeric_limits<double>::infinity();
     if (quality_ != render::Quality::kFull && !awaits_)

@@ -41,6 +41,7 @@ struct DrawStatistics {
     bool pending = false;        // the frame's mesh is not all there yet: its preview was drawn, or the mesh before it.
                                  // Draw again.
     bool unfinished = false;     // it would have taken longer than it may: the picture is the one before. Draw again.
+    bool of_before = false;      // what is shown was begun by a call before, and is of another tree's centerlines
     double seconds = 0.0;        // that the picture has taken, all calls together
     bool coarse = false;         // the preview was drawn, because graphics memory does not hold the mesh
     Quality quality = Quality::kFull; // that it was drawn in: quick while only the preview is there

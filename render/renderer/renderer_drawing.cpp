@@ -180,6 +180,7 @@ Result<bool> Renderer::cast_in_time(const Subject& subject, double seconds, Draw
     if (!pass.busy()) begin_cast();
     auto made = pass.take(seconds);
     done.unfinished = !made || made->frame != subject.frame || made->layers != subject.layers;
+    done.of_before = made && made->frame.centerlines != subject.frame.centerlines;
     const bool another = made && done.unfinished && !differs_in_overlays_only(made->frame, subject.frame);
     if (!made) return false;
     done.cones = made->cones;

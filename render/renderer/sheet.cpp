@@ -74,6 +74,7 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
         sum.pending |= done->pending;
         sum.unfinished |= done->unfinished;
         sum.coarse |= done->coarse;
+        sum.of_before |= done->of_before;
         sum.seconds += done->seconds;
         if (i == 0 || done->quality == Quality::kInteractive) sum.quality = done->quality;
     }

@@ -80,6 +80,27 @@ TEST_CASE("a picture that is cast in time is the one that is cast at once, and t
     CHECK(renderer->read_image() == resting);
 }
 
+TEST_CASE("a picture of another tree that comes late is not taken for one of the tree that is wanted") {
+    const test::WatchedContext context;
+    const auto renderer = Renderer::create().value();
+    Frame frame = test::tube(3.0F, {600, 400}), other = test::tube(2.0F, {600, 400});
+    REQUIRE(renderer->draw(frame));
+    frame.quality = Quality::kInteractive;
+    frame.camera = turned(frame.camera, 4.0, 1.0);
+    const auto begun = renderer->draw(frame, kUploadAll, 0.0);
+    REQUIRE(begun);
+    CHECK_FALSE(begun->of_before);
+    other.quality = Quality::kInteractive;
+    other.surface_awaited = true; // the caster's, whatever was shown before
+    const auto late = renderer->draw(other, kUploadAll, 100.0);
+    REQUIRE(late);
+    CHECK(late->shaded);
+    CHECK(late->of_before == begun->unfinished);
+    CHECK(late->unfinished == begun->unfinished);
+    const Shown shown = draw_in_time(*renderer, other);
+    CHECK_FALSE(shown.last.of_before);
+}
+
 TEST_CASE("what is cast when a window changes its size, or is closed, does no harm") {
     const test::WatchedContext context;
     auto renderer = Renderer::create().value();
