@@ -71,7 +71,8 @@ int run(int argc, char** argv) {
     Action chosen;
     WindowOptions window;
     SurfaceFlags window_flags;
-    app.add_option("FILE", window.files, "Vessel tree or session to open in the window; without one, the demo tree")
+    app.add_option("FILE", window.files,
+                   "Vessel tree, mask, scan, mesh or session to open in the window; without one, the demo tree")
         ->type_name("");
     add_surface_flags(app, window_flags);
     add_window_flags(app, window);

@@ -95,8 +95,8 @@ struct MeshFlags {
 void add_parts_flag(CLI::App& command, std::optional<io::PartsBy>& parts) {
     add_option_taking<std::string>(
         command, "--parts", "branch|system|none", [&parts](const std::string& word) { parts = parts_named(word); },
-        "Of .glb: an object for each branch, for each system, or for the whole (default: system, where the tree has "
-        "systems)")
+        "Of .glb: an object for each branch, for each system, or for the whole (default: system where the tree has "
+        "systems, branch else)")
         ->check(expecting(" is not branch, system or none", parts_named));
 }
 

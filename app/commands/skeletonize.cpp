@@ -137,9 +137,8 @@ void add_mask_options(CLI::App& command, SkeletonizeFlags& flags) {
     add_mask_reading_flags(command, flags.reading.read.mask);
     command.get_option("--isovalue")->excludes(label);
     add_units_flag(command, flags.reading.read);
-    add_option(command, "--memory", "SIZE", flags.reading.surface.memory_bytes,
-               "Most memory to use, as 800M or 4G (default 0: half of the machine's)")
-        ->transform(CLI::AsSizeValue(false));
+    add_memory_option(command, "--memory", flags.reading.surface.memory_bytes,
+                      "Most memory to use, as 800M or 4G (default 0: half of the machine's)");
 }
 
 } // namespace

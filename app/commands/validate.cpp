@@ -80,7 +80,7 @@ void register_validate(CLI::App& app, Action& chosen) {
     CLI::App* command = add_command(
         app, "validate",
         "Hold surfaces against their trees: branches that are lost, false or merged, constrictions, radii, distances");
-    add_option(*command, "TREE", "...", flags->trees,
+    add_option(*command, "TREE", "", flags->trees,
                "Vessel trees; several are validated one by one and averaged, when all their files can be read")
         ->required();
     add_option(*command, "--surface", "MESH", flags->meshes,

@@ -3,7 +3,7 @@
 //
 // A kernel is written as a struct of vector operations, its profile (see kernels/gaussian-inl.h). plain_sum()
 // (sum/plain_sum-inl.h) makes of a profile all that summing it over segments takes, once for each instruction set. So a
-// kernel is one pair of files under kernels/, and nothing else knows about it.
+// kernel is one pair of files under kernels/ and a row of kernels/kernel_kind.cpp; nothing else knows about it.
 #pragma once
 
 #include "core/field/brick_field.h"

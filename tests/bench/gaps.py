@@ -224,7 +224,8 @@ def use_tools(explorer):
     explorer.step("measure a distance", lambda: measure("measure-distance", "m"))
     explorer.step("measure a path", lambda: measure("measure-path", "shift+m"))
     explorer.key("no tool", "Escape", "Escape")
-    explorer.command("Plan › Remove all measurements")
+    if window.status()["measured"]:  # the row is grey else
+        explorer.command("Plan › Remove all measurements")
     explorer.step("take the lasso", lambda: tool("lasso", "w"))
     explorer.step("lasso nearly all", lambda: drag(window, [*inner, *outer, inner[0]]))
     explorer.key("hide what was lassoed", "x")
@@ -314,7 +315,7 @@ def add_context(explorer):
         return
     explorer.file("add context", "File › Add context...", ORGAN)
     explorer.key("turn with context", "Left", "Left", "Left")
-    explorer.command("context-clear")
+    explorer.command("context clear")
 
 
 def travel(explorer):
