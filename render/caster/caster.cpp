@@ -83,6 +83,7 @@ bool Caster::draws(const Frame& frame) {
 void Caster::resize(const View& view) {
     const bool same_reach = view.block.depth_range.z == view_.block.depth_range.z;
     if (view.width == view_.width && view.height == view_.height && same_reach && !rgba_.empty()) return;
+    rgba_.clear(); // until all is there: memory may run out
     across_ = (view.width + kTile - 1) / kTile;
     up_ = (view.height + kTile - 1) / kTile;
     // Taps to the left and right of the picture read the padding.
@@ -90,7 +91,6 @@ void Caster::resize(const View& view) {
     for (auto* array : {&depths_, &picked_}) array->assign(pixels, kNothing);
     for (auto* array : {&rough_sky_, &smooth_sky_, &rough_key_, &smooth_key_}) array->assign(pixels, 0.0F);
     for (auto* array : {&ids_, &normals_}) array->assign(pixels, 0);
-    rgba_.assign(std::size_t(view.width) * std::size_t(view.height), 0);
     tiles_ = std::vector<Tile>(std::size_t(across_) * std::size_t(up_));
     // As are those where pixels beside the picture would be.
     const auto beside = static_cast<std::ptrdiff_t>(view.block.depth_range.z) / 4 + 2;
@@ -106,6 +106,7 @@ void Caster::resize(const View& view) {
                 plane_size,
                 {inside(rough_sky_), inside(smooth_sky_)},
                 {inside(rough_key_), inside(smooth_key_)}};
+    rgba_.assign(std::size_t(view.width) * std::size_t(view.height), 0);
 }
 
 template <class Call> void Caster::for_tiles(const Call& call) const {
