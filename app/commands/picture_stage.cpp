@@ -124,7 +124,7 @@ Result<render::Image> PictureStage::draw_picture(const render::Camera& camera, g
     const render::Sheet sheet = render::sheet_of(std::move(requested));
     render::SheetRenderer alone(*renderer_); // those of other viewports keep what they have
     if (const auto drawn = alone.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());
-    (void)alone.refine(sheet);
+    if (const auto finer = alone.refine(sheet); !finer) return tl::unexpected(finer.error());
     return alone.read_image();
 }
 

@@ -172,7 +172,7 @@ public:
         }
         frame.overlays.scale = scale_;
         if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
-        (void)renderer_.refine();
+        if (const auto finer = renderer_.refine(); !finer) return tl::unexpected(finer.error());
         return renderer_.read_image();
     }
     Result<void> write(const render::Frame& frame, const std::string& name) {

@@ -140,7 +140,8 @@ Result<std::unique_ptr<ValidationPainter>> ValidationPainter::create(bool few) {
 
 Result<ReportPicture> ValidationPainter::draw(const render::Frame& frame, std::string caption) {
     if (const auto drawn = renderer_->draw(frame); !drawn) return tl::unexpected(drawn.error());
-    if (few_) (void)renderer_->refine();
+    if (few_)
+        if (const auto finer = renderer_->refine(); !finer) return tl::unexpected(finer.error());
     RAMUS_TRY(png, render::encode_png(renderer_->read_image()));
     return ReportPicture{std::move(caption), std::move(png)};
 }

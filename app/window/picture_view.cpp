@@ -344,7 +344,7 @@ Result<render::Image> PictureView::draw_picture(const render::Camera& camera, gl
     return drawer_.with([&](render::Renderer& renderer, render::SheetRenderer&) -> Result<render::Image> {
         render::SheetRenderer alone(renderer); // those of other viewports keep what they have
         if (const auto drawn = alone.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());
-        (void)alone.refine(sheet, keeping_seconds());
+        if (const auto finer = alone.refine(sheet, keeping_seconds()); !finer) return tl::unexpected(finer.error());
         return alone.read_image();
     });
 }

@@ -1,6 +1,8 @@
 // What the picture shows under its pixels.
 #include "render/renderer/renderer.h"
 
+#include "render/gl/within_memory.h"
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -19,9 +21,13 @@ Result<void> check_size(std::int64_t width, std::int64_t height) {
 }
 
 Result<std::unique_ptr<Renderer>> Renderer::create(std::size_t glass_bytes, std::size_t surface_bytes) {
-    auto renderer = create_later(glass_bytes, surface_bytes);
-    if (auto ready = renderer->card_.passes.make(Passes::For::kAll); !ready) return tl::unexpected(ready.error());
-    return renderer;
+    const auto make = [&]() -> Result<std::unique_ptr<Renderer>> {
+        auto renderer = create_later(glass_bytes, surface_bytes);
+        if (auto ready = renderer->card_.passes.make(Passes::For::kAll); !ready) return tl::unexpected(ready.error());
+        return renderer;
+    };
+    return within_memory(
+        "close other programs that draw", [] {}, make);
 }
 
 std::unique_ptr<Renderer> Renderer::create_later(std::size_t glass_bytes, std::size_t surface_bytes) {

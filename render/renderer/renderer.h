@@ -40,8 +40,9 @@ public:
 
     // Makes the current picture finer, where it is a full one that OpenGL has drawn: edges and occlusion of sixteen
     // samples a pixel in place of four, in the time of three more pictures, as many calls as that takes. What is under
-    // its pixels stays as it is. The next draw() of another frame begins anew; memory that there is not is no error.
-    Refined refine(double seconds = kUntilDone);
+    // its pixels stays as it is. The next draw() of another frame begins anew. Where there is no memory for that the
+    // picture stays as it is; fails where there is none to show it again, and then there is no picture.
+    [[nodiscard]] Result<Refined> refine(double seconds = kUntilDone);
 
     // The first picture, for which draw() takes the time that it needs, comes in parts, too: for who shows nothing
     // until it is there.
@@ -120,6 +121,10 @@ private:
     Result<Region> shade(const Subject& subject, Plan plan);
     void show(const Subject& subject, const Region& region);
     Result<void> begin_refinement();
+    Result<bool> add_views(double seconds); // to it; true: there is one more
+    Result<void> show_mean();               // of these views
+    // `work()`, which makes part of a picture; where memory runs out nothing is kept, and it is an error.
+    template <class Work> auto or_let_go(const Work& work) -> decltype(work());
     void finish();  // what is on its way
     void give_up(); // that, or further views of what is shown
     tl::unexpected<Error> failed(const Error& error);

@@ -1,6 +1,7 @@
 // From one frame's picture to the next one's: which passes run, and what state that leaves.
 #include "core/base/stopwatch.h"
 #include "render/gl/gl_context.h"
+#include "render/gl/within_memory.h"
 #include "render/renderer/passes/gl_state.h"
 #include "render/renderer/renderer.h"
 
@@ -18,6 +19,8 @@ bool lies_over_depths(const Frame& frame) { return frame.skeleton || !frame.line
 bool outlines_selection(const Frame& frame) {
     return std::ranges::any_of(frame.lines, [](const MarkLine& line) { return line.of_selection; });
 }
+
+constexpr const char* kLessMemory = "give a smaller size or a coarser --detail";
 
 constexpr int kInteractiveDivisor = 2; // of width and height
 
@@ -92,12 +95,12 @@ int most_samples() {
 // draw(), perhaps of less, begins with what was there before the first.
 Result<DrawStatistics> Renderer::draw(const Frame& wanted, std::size_t upload_budget, double seconds) {
     if (auto fits = check_size(wanted.size.x, wanted.size.y); !fits) return tl::unexpected(fits.error());
-    try {
-        return draw_all(wanted, upload_budget, seconds);
-    } catch (const OutOfGraphicsMemory& error) {
-        let_go();
-        return fail(error.what(), {}, "give a smaller size or a coarser --detail");
-    }
+    return or_let_go([&] { return draw_all(wanted, upload_budget, seconds); });
+}
+
+template <class Work> auto Renderer::or_let_go(const Work& work) -> decltype(work()) {
+    return within_memory(
+        kLessMemory, [this] { let_go(); }, work);
 }
 
 // The picture turns or has another size, and nothing else about it changes: then the eye takes cones for the surface.
@@ -353,33 +356,24 @@ void Renderer::show(const Subject& subject, const Region& region) {
     end_passes();
 }
 
-Refined Renderer::refine(double seconds) {
-    if (!last_ || !state_.can_refine() || last_->quality != Quality::kFull) return {};
-    const auto stop = [&] { // as far as it goes
+// Further views may be too much for memory: then the picture stays as it is. Their mean is shown over it, with what
+// lies over pictures: where there is no memory for that it is lost.
+Result<Refined> Renderer::refine(double seconds) {
+    if (!last_ || !state_.can_refine() || last_->quality != Quality::kFull) return Refined{};
+    const auto added = within_memory(
+        {}, [] {}, [&] { return add_views(seconds); });
+    if (!added || gl_ran_out_of_memory()) {
         refinement_.reset();
         state_.end_refining();
         end_passes();
         return Refined{};
-    };
+    }
     Refined done;
-    try {
-        if (!refinement_)
-            if (auto begun = begin_refinement(); !begun) return stop();
-        const auto added = refinement_->add_views(seconds);
-        if (!added || gl_ran_out_of_memory()) return stop();
-        done.changed = *added;
-    } catch (const OutOfGraphicsMemory&) {
-        return stop();
-    }
-    if (done.changed) {
-        const ViewSetup& view = card_.targets.view;
-        card_.passes.begin(view);
-        card_.passes.mean.show(view, refinement_->mean(), card_.targets.lit);
-        state_.show_mean();
-        show(subject_of(*last_, last_layers_), {glm::ivec2(0), view.size});
-    } else {
+    done.changed = *added;
+    if (!done.changed)
         end_passes();
-    }
+    else if (auto shown = or_let_go([&] { return show_mean(); }); !shown)
+        return tl::unexpected(shown.error());
     if (refinement_->whole()) {
         refinement_.reset();
         state_.end_refining();
@@ -402,8 +396,28 @@ Result<void> Renderer::begin_refinement() {
     return {};
 }
 
+Result<bool> Renderer::add_views(double seconds) {
+    if (!refinement_)
+        if (auto begun = begin_refinement(); !begun) return tl::unexpected(begun.error());
+    return refinement_->add_views(seconds);
+}
+
+Result<void> Renderer::show_mean() {
+    const ViewSetup& view = card_.targets.view;
+    card_.passes.begin(view);
+    card_.passes.mean.show(view, refinement_->mean(), card_.targets.lit);
+    state_.show_mean();
+    show(subject_of(*last_, last_layers_), {glm::ivec2(0), view.size});
+    return {};
+}
+
+// Where memory runs out there is nothing to be told of.
 void Renderer::finish() {
-    if (auto made = card_.passes.cast.take(kUntilDone)) (void)show_cast(std::move(*made));
+    (void)or_let_go([&]() -> Result<void> {
+        auto made = card_.passes.cast.take(kUntilDone);
+        if (!made) return {};
+        return show_cast(std::move(*made));
+    });
     if (!unfinished_) return;
     const Frame wanted = unfinished_->wanted;
     (void)draw(wanted, 0, kUntilDone);

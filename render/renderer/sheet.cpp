@@ -1,6 +1,7 @@
 #include "render/renderer/sheet.h"
 
 #include "core/base/stopwatch.h"
+#include "render/gl/within_memory.h"
 #include "render/renderer/passes/gl_state.h"
 #include "render/renderer/passes/overlay_passes.h"
 
@@ -109,7 +110,7 @@ Result<DrawStatistics> SheetRenderer::draw_with_scale(Sheet sheet) {
 }
 
 Result<void> SheetRenderer::blend(const Sheet& sheet) {
-    try {
+    const auto mix_them = [&]() -> Result<void> {
         if (!blend_) {
             Blend fresh;
             if (auto made = fresh.make(); !made) return made;
@@ -121,17 +122,16 @@ Result<void> SheetRenderer::blend(const Sheet& sheet) {
         const Mix mix{sheet.blend.value_or(0.0), sheet.wipe, sheet.line_width};
         blend_->draw(first_.texture(), others_[0]->texture(), mix, sheet.size, heading, sheet.heading_top);
         return {};
-    } catch (const OutOfGraphicsMemory& error) {
-        blend_.reset();
-        return fail(error.what(), {}, "give a smaller size");
-    }
+    };
+    return within_memory(
+        "give a smaller size", [&] { blend_.reset(); }, mix_them);
 }
 
 Result<Refined> SheetRenderer::refine(const Sheet& sheet, double seconds) {
     Refined sum;
     const Stopwatch watch;
     for (std::size_t i = 0; i < sheet.viewports.size() && !sum.more; ++i) {
-        const Refined done = renderer(i).refine(seconds - watch.seconds());
+        RAMUS_TRY(done, renderer(i).refine(seconds - watch.seconds()));
         sum.more = done.more;
         sum.changed |= done.changed;
     }

@@ -5,6 +5,10 @@
 #include "tests/support/tube_scene.h"
 
 #include <doctest/doctest.h>
+#include <fstream>
+#include <string>
+#include <sys/resource.h>
+#include <unistd.h>
 
 using namespace ramus::render;
 using namespace ramus;
@@ -29,6 +33,25 @@ Shown draw_in_time(Renderer& renderer, const Frame& frame) {
     FAIL("it never comes");
     return shown;
 }
+
+// While it lives the process gets so much memory beside what it has, and no more.
+class LessMemory {
+public:
+    explicit LessMemory(std::size_t bytes) {
+        std::size_t pages = 0;
+        std::ifstream("/proc/self/statm") >> pages;
+        REQUIRE(::getrlimit(RLIMIT_AS, &before_) == 0);
+        rlimit less = before_;
+        less.rlim_cur = pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) + bytes;
+        REQUIRE(::setrlimit(RLIMIT_AS, &less) == 0);
+    }
+    ~LessMemory() { ::setrlimit(RLIMIT_AS, &before_); }
+    LessMemory(const LessMemory&) = delete;
+    LessMemory& operator=(const LessMemory&) = delete;
+
+private:
+    rlimit before_{};
+};
 
 } // namespace
 
@@ -158,3 +181,61 @@ TEST_CASE("what lies over a picture that was cast is drawn over it again where a
     CHECK(renderer->read_image() == at_once->read_image());
     CHECK(renderer->pick(150, 100) == at_once->pick(150, 100));
 }
+
+TEST_CASE("who asks what lies under a pixel is told of nothing where there is no memory for what was cast") {
+    const test::WatchedContext context;
+    const auto renderer = Renderer::create().value();
+    const Frame frame = test::tube(3.0F);
+    Frame next = frame, moving = frame;
+    next.camera = turned(frame.camera, 30.0, 0.0);
+    moving.camera = turned(frame.camera, 4.0, 1.0);
+    moving.size = {450, 300};
+    moving.quality = Quality::kInteractive;
+    enum class Ask { kPick, kBranches, kDepths };
+    for (const Ask ask : {Ask::kPick, Ask::kBranches, Ask::kDepths}) {
+        REQUIRE(renderer->draw(frame));
+        REQUIRE(renderer->draw(next, kUploadAll, 0.0)->unfinished);
+        REQUIRE(renderer->draw(moving, kUploadAll, 0.0)->unfinished); // the targets have neither now
+        limit_gl_allocation(1000);
+        if (ask == Ask::kPick) CHECK(renderer->pick(150, 100) == Pick{});
+        if (ask == Ask::kBranches) CHECK(renderer->read_branches().branches.empty());
+        if (ask == Ask::kDepths) CHECK_FALSE(renderer->read_depths());
+        limit_gl_allocation();
+    }
+    REQUIRE(renderer->draw(frame));
+    CHECK(renderer->pick(150, 100).branch == 0);
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they want all addresses that there are
+TEST_CASE("a picture that the processor has no memory to cast is an error, and the next one is drawn") {
+    const test::WatchedContext context;
+    const auto renderer = Renderer::create().value(), other = Renderer::create().value();
+    const Frame frame = test::tube(3.0F);
+    for (const double seconds : {kUntilDone, 60.0}) { // at once, or on a thread
+        CAPTURE(seconds);
+        REQUIRE(renderer->draw(frame));
+        REQUIRE(other->draw(frame));
+        Frame moving = frame;
+        moving.quality = Quality::kInteractive;
+        for (int step = 0; step < 2; ++step) { // both of its casters have been used
+            moving.camera = turned(moving.camera, 4.0, 1.0);
+            (void)draw_in_time(*renderer, moving);
+        }
+        Frame large = moving;
+        large.size = {3000, 3000};
+        large.camera = turned(moving.camera, 4.0, 1.0);
+        const auto refused = [&] {
+            const LessMemory less(std::size_t{100} << 20); // three numbers a pixel, of ten
+            return renderer->draw(large, kUploadAll, seconds);
+        }();
+        REQUIRE_FALSE(refused.has_value());
+        CHECK(refused.error().message().find("not enough memory") != std::string::npos);
+        CHECK_FALSE(refused.error().hint.empty());
+        REQUIRE(renderer->draw(frame));
+        REQUIRE(draw_in_time(*renderer, moving).last.cones > 0);
+        REQUIRE(draw_in_time(*other, moving).last.cones > 0);
+        CHECK(renderer->read_image() == other->read_image());
+        CHECK(renderer->pick(150, 100) == other->pick(150, 100));
+    }
+}
+#endif

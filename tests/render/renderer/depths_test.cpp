@@ -80,7 +80,7 @@ TEST_CASE("what lies over a picture is painted anew without drawing or shading i
         SmallTree scene;
         scene.frame.overlays.orientation_cube = true;
         (void)scene.draw();
-        while (refined && scene.renderer->refine().more) {
+        while (refined && scene.renderer->refine()->more) {
         }
         const Image before = scene.renderer->read_image();
         scene.frame.overlays.scale_bar = true;
@@ -92,7 +92,7 @@ TEST_CASE("what lies over a picture is painted anew without drawing or shading i
         CHECK(done->triangles == 0);
         const Image with = scene.renderer->read_image();
         CHECK(compare(before, with)->differing > 50);
-        if (refined) CHECK_FALSE(scene.renderer->refine().more); // it is as fine as it was
+        if (refined) CHECK_FALSE(scene.renderer->refine()->more); // it is as fine as it was
         if (!refined) {
             SmallTree fresh;
             fresh.frame = scene.frame;

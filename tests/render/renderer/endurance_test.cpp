@@ -142,7 +142,7 @@ TEST_CASE("a picture shrinks to one pixel, to none, and comes back") {
         REQUIRE(draw({200, 150}));
         const Image before = (*renderer)->read_image();
         REQUIRE(draw({1, 1}));
-        CHECK((*renderer)->refine().changed);
+        CHECK((*renderer)->refine()->changed);
         CHECK((*renderer)->read_image().width == 1);
         for (const glm::ivec2 none : {glm::ivec2(0, 0), glm::ivec2(0, 150), glm::ivec2(200, 0)}) {
             const auto refused = draw(none);
@@ -153,6 +153,20 @@ TEST_CASE("a picture shrinks to one pixel, to none, and comes back") {
         REQUIRE(draw({200, 150}));
         CHECK((*renderer)->read_image() == before);
     }
+}
+
+TEST_CASE("a renderer that memory is not enough for says so") {
+    for (const GlVersion version : {kFull, kFloor}) {
+        CAPTURE(version.text());
+        const WatchedContext context(version);
+        limit_gl_allocation(16);
+        const auto refused = Renderer::create();
+        limit_gl_allocation();
+        REQUIRE_FALSE(refused.has_value());
+        CHECK(refused.error().message().find("out of graphics memory") != std::string::npos);
+        CHECK(Renderer::create().has_value());
+    }
+    CHECK(gl_objects_alive() == 0);
 }
 
 TEST_CASE("where graphics memory runs out a message says so, and drawing goes on") {

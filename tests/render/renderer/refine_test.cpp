@@ -5,6 +5,7 @@
 #include "render/renderer/sheet.h"
 #include "tests/support/crossing_vessels.h"
 #include "tests/support/gl_test.h"
+#include "tests/support/tube_scene.h"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +25,7 @@ struct RefinedScene : ramus::test::CrossingVessels {
     }
     [[nodiscard]] Refined refine_a_part() const {
         SheetRenderer::finish(); // so that every call does one
-        return renderer->refine(0.0);
+        return renderer->refine(0.0).value();
     }
     [[nodiscard]] Image drawn(const Frame& of) const {
         (void)draw(of);
@@ -32,7 +33,7 @@ struct RefinedScene : ramus::test::CrossingVessels {
     }
     [[nodiscard]] Image refined(const Frame& of) const {
         (void)draw(of);
-        CHECK(renderer->refine().changed);
+        CHECK(renderer->refine()->changed);
         return renderer->read_image();
     }
 };
@@ -117,7 +118,7 @@ TEST_CASE("refining takes as many calls as it likes, and ends") {
         CHECK(calls > 3);
         CHECK(changes == 3);
         CHECK(largest_difference(scene.renderer->read_image(), at_once) == 0);
-        CHECK_FALSE(scene.renderer->refine().changed); // there is nothing left to do
+        CHECK_FALSE(scene.renderer->refine()->changed); // there is nothing left to do
         CHECK_FALSE(scene.draw(frame).shaded);
         CHECK(largest_difference(scene.renderer->read_image(), at_once) == 0);
     }
@@ -160,8 +161,8 @@ TEST_CASE("refining stops for whatever is wanted next, and leaves nothing behind
         }
     // Not what is not full; nor without a picture.
     (void)scene.draw(quick);
-    CHECK_FALSE(scene.renderer->refine().more);
-    CHECK_FALSE(Renderer::create().value()->refine().more);
+    CHECK_FALSE(scene.renderer->refine()->more);
+    CHECK_FALSE(Renderer::create().value()->refine()->more);
 }
 
 TEST_CASE("where memory runs out a picture stays as it is, and the next one is drawn") {
@@ -178,7 +179,7 @@ TEST_CASE("where memory runs out a picture stays as it is, and the next one is d
             CAPTURE(limit);
             REQUIRE(largest_difference(scene.drawn(frame), coarse) == 0);
             limit_gl_allocation(limit);
-            const Refined done = scene.renderer->refine();
+            const Refined done = scene.renderer->refine().value();
             limit_gl_allocation();
             CHECK_FALSE(done.more);
             stopped += done.changed ? 0 : 1;
@@ -187,4 +188,24 @@ TEST_CASE("where memory runs out a picture stays as it is, and the next one is d
         }
         CHECK(stopped > 3);
     }
+}
+
+TEST_CASE("a finer picture that there is no memory to show is an error, and the next one is drawn") {
+    const ramus::test::WatchedContext context;
+    const auto renderer = Renderer::create().value();
+    Frame frame = ramus::test::tube(4.0F);
+    MarkLine line; // longer than all that the picture is drawn into
+    for (int i = 0; i < 100'000; ++i) line.points.emplace_back(-10.0 + 2e-4 * i, 0.0, 6.0);
+    frame.lines = {line};
+    REQUIRE(renderer->draw(frame));
+    const Image expected = renderer->read_image();
+    limit_gl_allocation(std::size_t{8} << 20);
+    const auto refused = renderer->refine();
+    limit_gl_allocation();
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().message().find("out of graphics memory") != std::string::npos);
+    CHECK(renderer->pick(150, 100) == Pick{});
+    REQUIRE(renderer->draw(frame));
+    CHECK(renderer->read_image() == expected);
+    CHECK(renderer->refine()->changed);
 }

@@ -40,7 +40,7 @@ struct ShadowScene : ramus::test::BesideScene {
     [[nodiscard]] Image picture_with(float shadows, bool refined) {
         frame.appearance.shadows = shadows;
         draw();
-        if (refined) CHECK(renderer->refine().changed);
+        if (refined) CHECK(renderer->refine()->changed);
         return renderer->read_image();
     }
 };
