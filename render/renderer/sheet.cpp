@@ -44,9 +44,18 @@ Sheet sheet_of(Frame frame) {
     return sheet;
 }
 
+// Before they are drawn, so that there is memory for that. Nothing is shown until it is done: it may fail.
+void SheetRenderer::keep(std::size_t viewports) {
+    if (others_.size() < viewports) return;
+    others_.resize(viewports - 1);
+    blend_.reset();
+    shown_ = {};
+    depths_.clear();
+}
+
 Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t upload_budget, double seconds) {
     if (auto fits = check_size(sheet.size.x, sheet.size.y); !fits) return tl::unexpected(fits.error());
-    others_.resize(std::min(others_.size(), sheet.viewports.size() - 1));
+    keep(sheet.viewports.size());
     DrawStatistics sum;
     const bool at_once = seconds == kUntilDone;
     while (others_.size() + 1 < sheet.viewports.size()) {
@@ -129,6 +138,7 @@ Result<void> SheetRenderer::blend(const Sheet& sheet) {
 
 Result<Refined> SheetRenderer::refine(const Sheet& sheet, double seconds) {
     Refined sum;
+    if (sheet.viewports.size() != shown_.viewports.size()) return sum; // it could not be drawn, or not yet
     const Stopwatch watch;
     for (std::size_t i = 0; i < sheet.viewports.size() && !sum.more; ++i) {
         RAMUS_TRY(done, renderer(i).refine(seconds - watch.seconds()));

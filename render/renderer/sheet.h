@@ -81,7 +81,7 @@ public:
     [[nodiscard]] Result<DrawStatistics> draw_with_scale(Sheet sheet);
     // The bar of the picture that was drawn last, of any of its viewports; none: it has none. Pixels are the picture's.
     [[nodiscard]] std::optional<ScaleBar> scale_bar() const { return scale_bar_; }
-    // As Renderer::refine(), of one viewport after the other; `sheet` is the last one drawn.
+    // As Renderer::refine(), of one viewport after the other; `sheet` is the last one that draw() was given.
     [[nodiscard]] Result<Refined> refine(const Sheet& sheet, double seconds = kUntilDone);
     static void finish(); // waits until all that was drawn is there
     [[nodiscard]] Image read_image();
@@ -105,6 +105,7 @@ public:
 
 private:
     [[nodiscard]] Renderer& renderer(std::size_t viewport) { return viewport == 0 ? first_ : *others_[viewport - 1]; }
+    void keep(std::size_t viewports); // so many, and lets the others go
     [[nodiscard]] Result<void> blend(const Sheet& sheet);
     [[nodiscard]] Pick without_branch(std::size_t viewport, Pick pick) const;
 
@@ -112,7 +113,7 @@ private:
     std::vector<std::unique_ptr<Renderer>> others_;
     std::optional<Blend> blend_;
     std::optional<OverlayPainter> painter_; // of its heading
-    Sheet shown_;                           // of its frames only what tells where they are
+    Sheet shown_;                           // of its frames only what tells where they are; each has its renderer
     std::size_t asked_ = 0;                 // the viewport of request_pick()
     std::vector<DepthMap> depths_;          // of viewports, from the first on, that have answered request_depths()
     std::optional<ScaleBar> scale_bar_;

@@ -162,6 +162,54 @@ TEST_CASE_FIXTURE(TwoViewports, "nothing lies between a sheet's viewports on not
     CHECK(sheets.read_image().pixel(301, 100)[3] == 0);
 }
 
+TEST_CASE_FIXTURE(TwoViewports,
+                  "a sheet of fewer viewports that cannot be drawn leaves nothing that is asked or shown") {
+    const glm::dvec2 in_second(453.0, 100.0);
+    for (const bool mixed : {false, true}) {
+        CAPTURE(mixed);
+        Sheet two = sheet;
+        if (mixed) two.size = thick.size, two.viewports[1].at = {0, 0}, two.blend = 0.5;
+        REQUIRE(sheets.draw(two));
+        sheets.request_pick(in_second);
+        REQUIRE(sheets.request_depths());
+        Sheet one = sheet_of(tube(3.0F, {1200, 900}));
+        limit_gl_allocation(std::size_t{1} << 20);
+        CHECK_FALSE(sheets.draw(one));
+        limit_gl_allocation();
+        CHECK(sheets.poll_pick() == Pick{});
+        CHECK(sheets.pick(in_second) == Pick{});
+        CHECK(sheets.pick(in_second, sheets.numbers()) == Pick{});
+        sheets.request_pick(in_second);
+        CHECK(sheets.poll_pick() == Pick{});
+        CHECK_FALSE(sheets.request_depths());
+        CHECK(sheets.poll_depths()->empty());
+        (void)sheets.read_image();
+        PictureTarget target;
+        target.make(two.size);
+        sheets.present(target.framebuffer);
+        CHECK_FALSE(sheets.refine(two)->changed);
+        REQUIRE(sheets.draw(one)); // and it is drawn where there is memory
+        CHECK(sheets.read_image().width == 1200);
+    }
+}
+
+TEST_CASE_FIXTURE(TwoViewports, "a sheet of more viewports than could be drawn is not made finer") {
+    Sheet one = sheet_of(thick);
+    REQUIRE(sheets.draw(one));
+    limit_gl_allocation(16);
+    const auto refused = sheets.draw(sheet);
+    limit_gl_allocation();
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().message().find("out of graphics memory") != std::string::npos);
+    const auto none = sheets.refine(sheet);
+    REQUIRE(none);
+    CHECK_FALSE(none->changed);
+    REQUIRE(sheets.draw(sheet, kUploadAll, 0.01)->unfinished); // the second has its programs, and no picture
+    CHECK_FALSE(sheets.refine(sheet)->changed);
+    REQUIRE(sheets.draw(sheet));
+    CHECK(sheets.refine(sheet)->changed);
+}
+
 TEST_CASE("beside a line either picture is what it is, and draws no frame again") {
     for (const GlVersion version : {GlVersion{99, 0}, GlVersion{3, 3}}) {
         CAPTURE(version.text());
