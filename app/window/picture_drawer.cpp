@@ -1,7 +1,9 @@
 #include "app/window/picture_drawer.h"
 
 #include <algorithm>
+#include <exception>
 #include <glm/geometric.hpp>
+#include <string>
 #include <utility>
 
 namespace ramus::app {
@@ -37,22 +39,30 @@ std::optional<PictureDrawer::Made> PictureDrawer::take(double seconds) {
 
 PictureDrawer::Made PictureDrawer::drawn(render::Sheet sheet, std::size_t upload_budget, double seconds) {
     Made made{.sheet = std::move(sheet)};
-    made.drawn = sheets_->draw(made.sheet, upload_budget, seconds);
-    made.scale_bar = sheets_->scale_bar();
-    made.numbers = sheets_->numbers();
-    // What was drawn for others may be just this, and finer than what is shown.
-    if (std::exchange(drawn_for_others_, false) && made.drawn && !made.drawn->unfinished) made.drawn->shaded = true;
-    if (made.drawn && made.drawn->shaded)
-        if (auto kept = keep(made.sheet); !kept) made.drawn = tl::unexpected(kept.error());
+    try {
+        made.drawn = sheets_->draw(made.sheet, upload_budget, seconds);
+        made.scale_bar = sheets_->scale_bar();
+        made.numbers = sheets_->numbers();
+        // What was drawn for others may be just this, and finer than what is shown.
+        if (std::exchange(drawn_for_others_, false) && made.drawn && !made.drawn->unfinished) made.drawn->shaded = true;
+        if (made.drawn && made.drawn->shaded)
+            if (auto kept = keep(made.sheet); !kept) made.drawn = tl::unexpected(kept.error());
+    } catch (const std::exception& exception) { // a dead end of this picture's, not of the window's
+        made.drawn = fail("the picture was given up: " + std::string(exception.what()));
+    }
     return made;
 }
 
 PictureDrawer::Made PictureDrawer::refined(render::Sheet sheet, double seconds) {
-    Made made{.sheet = std::move(sheet)};
-    made.finer = sheets_->refine(made.sheet, seconds).value_or(render::Refined{});
-    made.scale_bar = sheets_->scale_bar();
-    made.numbers = sheets_->numbers();
-    if (made.finer->changed && !keep(made.sheet)) made.finer = render::Refined{};
+    Made made{.sheet = std::move(sheet), .finer = render::Refined{}};
+    try {
+        made.finer = sheets_->refine(made.sheet, seconds).value_or(render::Refined{});
+        made.scale_bar = sheets_->scale_bar();
+        made.numbers = sheets_->numbers();
+        if (made.finer->changed && !keep(made.sheet)) made.finer = render::Refined{};
+    } catch (const std::exception&) { // as above; the picture stays
+        made.finer = render::Refined{};
+    }
     return made;
 }
 
@@ -72,22 +82,27 @@ void PictureDrawer::present(unsigned framebuffer, glm::ivec2 at, glm::ivec2 size
 }
 
 Coming<render::Pick> PictureDrawer::pick(glm::dvec2 at) {
-    const bool same = asked_.answer && glm::distance(asked_.at, at) < 1.0;
+    const bool same = asked_.answer && asked_.of == numbers_ && glm::distance(asked_.at, at) < 1.0;
     if (!idle() && same) return here(*asked_.answer);
     return thread_.later([this, at, of = numbers_] { return sheets_->pick(at, of); });
 }
 
 void PictureDrawer::request_pick(glm::dvec2 at) {
-    asked_ = {at, {}};
+    asked_ = {.at = at};
     ask_when_idle_ = !idle();
-    if (!ask_when_idle_) thread_.run([&] { sheets_->request_pick(at); });
+    if (!ask_when_idle_) thread_.run([this] { ask(); });
+}
+
+void PictureDrawer::ask() {
+    asked_.of = sheets_->numbers();
+    sheets_->request_pick(asked_.at);
 }
 
 std::optional<render::Pick> PictureDrawer::poll_pick() {
     if (!idle()) return {};
-    const bool ask = std::exchange(ask_when_idle_, false);
+    const bool asks = std::exchange(ask_when_idle_, false);
     const auto pick = thread_.run([&] {
-        if (ask) sheets_->request_pick(asked_.at);
+        if (asks) ask();
         return sheets_->poll_pick();
     });
     if (pick) asked_.answer = pick;

@@ -71,12 +71,14 @@ public:
 private:
     struct Asked {
         glm::dvec2 at{0.0};
-        std::optional<render::Pick> answer;
+        std::vector<int> of{}; // SheetRenderer::numbers() of what was there to be asked
+        std::optional<render::Pick> answer{};
     };
     [[nodiscard]] bool idle() const { return thread_.idle(); }
     [[nodiscard]] Made drawn(render::Sheet sheet, std::size_t upload_budget, double seconds);
     [[nodiscard]] Made refined(render::Sheet sheet, double seconds);
     Result<void> keep(const render::Sheet& sheet);
+    void ask(); // on the thread, while it is waited for
 
     render::Renderer& renderer_;
     DrawingThread& thread_;

@@ -237,6 +237,7 @@ void PictureView::take(const PictureDrawer::Made& made) {
     upload_pending_ = done.pending;
     unfinished_ = done.unfinished;
     if (done.geometry && !cast_ && quality == render::Quality::kFull) full_seconds_ = done.seconds;
+    if (!drawn) refines_ = false; // there is nothing to make finer
     if (done.shaded) refines_ = state_.persons_window && full_seconds_ < kSlowToRefine; // somebody is there to see it
 }
 

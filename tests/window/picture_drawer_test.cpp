@@ -1,0 +1,87 @@
+// The window's picture, drawn on a thread of its own: what is asked of it meanwhile, and what becomes of failures.
+#include "app/window/picture_drawer.h"
+#include "render/gl/headless_context.h"
+#include "tests/support/tube_scene.h"
+
+#include <doctest/doctest.h>
+#include <future>
+#include <memory>
+
+using namespace ramus;
+using app::PictureDrawer;
+
+namespace {
+
+// A context of its own, a renderer for it, and who draws with it.
+struct DrawnElsewhere {
+    std::unique_ptr<render::GlContext> context;
+    app::DrawingThread thread{[this] { return enter(); }, [this] { context.reset(); }, [] {}};
+    std::unique_ptr<render::Renderer> renderer = render::Renderer::create_later();
+    std::unique_ptr<PictureDrawer> drawer = std::make_unique<PictureDrawer>(*renderer, thread);
+
+    DrawnElsewhere() { REQUIRE(thread.apart()); }
+    ~DrawnElsewhere() {
+        drawer.reset();
+        thread.run([this] { renderer.reset(); });
+    }
+    DrawnElsewhere(const DrawnElsewhere&) = delete;
+    DrawnElsewhere& operator=(const DrawnElsewhere&) = delete;
+
+    [[nodiscard]] PictureDrawer::Made draw(const render::Sheet& sheet) const {
+        drawer->draw(sheet, render::kUploadAll, render::kUntilDone);
+        auto made = drawer->take(kLong);
+        REQUIRE(made);
+        return std::move(*made);
+    }
+    // What is answered while something else is being done.
+    [[nodiscard]] render::Pick pick_while_busy(glm::dvec2 at) {
+        std::promise<void> gate;
+        thread.let([shut = gate.get_future().share()] { shut.wait(); });
+        const auto coming = drawer->pick(at);
+        gate.set_value();
+        return coming.take();
+    }
+    static constexpr double kLong = 60.0; // seconds; nothing here takes as long
+
+private:
+    [[nodiscard]] bool enter() {
+        auto made = render::make_osmesa_context();
+        if (made) context = std::move(*made);
+        return context != nullptr;
+    }
+};
+
+} // namespace
+
+TEST_CASE_FIXTURE(DrawnElsewhere, "what was pointed at in a picture before is not what is clicked in this one") {
+    const glm::dvec2 at(150.0, 100.0);
+    render::Frame frame = test::tube(3.0F);
+    REQUIRE(draw(render::sheet_of(frame)).drawn);
+    drawer->request_pick(at);
+    std::optional<render::Pick> hovered;
+    while (!hovered) hovered = drawer->poll_pick();
+    CHECK(hovered->branch == 0);
+    CHECK(pick_while_busy(at) == *hovered);
+    frame.camera.position.z += 20.0; // the vessel goes out of the picture
+    frame.camera.focal_point.z += 20.0;
+    REQUIRE(draw(render::sheet_of(frame)).drawn);
+    CHECK(pick_while_busy(at).branch == render::kNoBranch);
+}
+
+TEST_CASE_FIXTURE(DrawnElsewhere, "a picture that there is no memory for is told, and the next one is drawn") {
+    const render::Frame frame = test::tube(3.0F);
+    render::Sheet two;
+    two.size = {600, 200};
+    two.viewports = {{{0, 0}, frame}, {{300, 0}, frame}};
+    REQUIRE(draw(render::sheet_of(frame)).drawn);
+    render::limit_gl_allocation(16);
+    const PictureDrawer::Made refused = draw(two);
+    render::limit_gl_allocation();
+    REQUIRE_FALSE(refused.drawn);
+    CHECK(refused.drawn.error().message().find("out of graphics memory") != std::string::npos);
+    drawer->refine(two, render::kUntilDone);
+    CHECK_FALSE(drawer->take(kLong)->finer->changed);
+    CHECK(draw(two).drawn);
+    drawer->refine(two, render::kUntilDone);
+    CHECK(drawer->take(kLong)->finer->changed);
+}
