@@ -125,7 +125,7 @@ void draw_compare(InterfaceContext& context) {
             if (wipe.held) context.interface.tried_wipe = wipe.value;
             if (changed) context.perform("compare-wipe", {digits(wipe.value, 4)});
         }
-        if (const std::string& problem = context.workspace.comparison_problem(); !problem.empty())
+        if (const std::string problem = context.workspace.comparison_problem(); !problem.empty())
             widgets::trouble(window_words(problem).c_str());
     }
     bool skeleton = context.workspace.document.marks().skeleton;

@@ -83,7 +83,7 @@ public:
     // Whether one is being made, or about to be.
     [[nodiscard]] bool awaited(const Marks& marks) const { return worker_.busy() || missing(marks); }
     // Why one cannot be had; empty: all can.
-    [[nodiscard]] const std::string& problem() const { return problem_; }
+    [[nodiscard]] std::string problem() const { return failed_.empty() ? std::string() : failed_.front().why; }
     [[nodiscard]] bool take_changed() { return std::exchange(changed_, false); }
 
     void cancel(); // what is being made is not tried again
@@ -96,9 +96,13 @@ private:
     void take(const ComparedRequest& request, const Result<ComparedSurface>& made);
     void give_up(std::string why);
 
+    struct Failed {
+        ComparedRequest request;
+        std::string why;
+    };
     std::vector<ComparedSurface> surfaces_;
-    std::optional<ComparedRequest> current_, failed_; // what is being made; what could not be
-    std::string problem_;                             // why
+    std::optional<ComparedRequest> current_; // what is being made
+    std::vector<Failed> failed_;             // what could not be, as long as it is compared with
     bool changed_ = false;
     Worker worker_; // last: its thread ends first
 };

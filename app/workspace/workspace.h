@@ -83,7 +83,7 @@ public:
     // Whether a surface to compare with is being made, or about to be.
     [[nodiscard]] bool comparing() const { return document.tree() && comparison_.awaited(document.marks()); }
     // Why one cannot be had; empty: all can.
-    [[nodiscard]] const std::string& comparison_problem() const { return comparison_.problem(); }
+    [[nodiscard]] std::string comparison_problem() const { return comparison_.problem(); }
     // Whether the distances that colours shall show are being measured, or about to be.
     [[nodiscard]] bool measuring_deviation() const { return missing_deviation().has_value(); }
     // The surface is held against its tree (app/assets/validation.h) where that is wanted: in its panel.

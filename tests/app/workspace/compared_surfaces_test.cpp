@@ -1,0 +1,40 @@
+// Surfaces to compare with that cannot be made: what is told, and that the work ends.
+#include "app/workspace/workspace.h"
+#include "tests/support/settle.h"
+#include "tests/support/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+using namespace ramus;
+using namespace ramus::app;
+
+TEST_CASE("of several surfaces to compare with that cannot be made each is tried once") {
+    const TemporaryFolder folder;
+    Workspace workspace({});
+    workspace.open(folder.write("fork.swc", "1 3 0 0 0 2 -1\n2 3 0 0 20 2 1\n3 3 10 0 30 1 2\n4 3 -10 0 30 1.5 2\n"));
+    REQUIRE(test::settle(workspace, [&] { return workspace.surface_ready(); }));
+    Marks marks = workspace.document.marks();
+    const auto compare = [&](std::vector<Compared> surfaces, const std::string& mask) {
+        marks.comparison.surfaces = std::move(surfaces);
+        marks.comparison.mask = mask;
+        workspace.document.change(marks);
+        CHECK(workspace.comparing());
+        REQUIRE(test::settle(workspace, [&] { return !workspace.busy() && !workspace.comparing(); }));
+    };
+    marks.options.method = mesh::Method::kTruncatedCones;
+    marks.options.cell_mm = 50.0; // no vessel is as thick
+    marks.comparison.mode = Comparison::Mode::kSideBySide;
+    const std::string missing = (folder.path() / "missing.nii").string();
+    compare({Compared::kMerged, Compared::kTruncatedCones, Compared::kIsosurface}, missing);
+    CHECK(workspace.comparison_problem().find("cells") != std::string::npos); // of the first
+    CHECK_FALSE(workspace.surfaces().of(Compared::kMerged));
+    CHECK_FALSE(workspace.surfaces().of(Compared::kIsosurface));
+    // What is told is of what is compared with now.
+    compare({Compared::kTruncatedCones, Compared::kIsosurface}, (folder.path() / "other.nii").string());
+    CHECK(workspace.comparison_problem().find("other.nii") != std::string::npos);
+    compare({Compared::kTruncatedCones, Compared::kIsosurface}, {});
+    CHECK(workspace.comparison_problem().empty());
+    CHECK(workspace.surfaces().of(Compared::kIsosurface));
+    compare({Compared::kTruncatedCones, Compared::kIsosurface}, missing); // tried again
+    CHECK(workspace.comparison_problem().find("missing.nii") != std::string::npos);
+}
