@@ -248,13 +248,13 @@ void SurfaceFollower::open(std::shared_ptr<SurfaceMaker> maker, ReadySurface sho
 void SurfaceFollower::change_tree(const std::shared_ptr<const tree::VesselTree>& tree, const SurfaceRequest& request) {
     open(std::make_shared<SurfaceMaker>(tree), {});
     follow(request, false);
-    // Made meanwhile, and mostly in vain.
+    // Made meanwhile, and mostly in vain: without them the surface is waited for.
     const auto until = std::chrono::steady_clock::now() + kEditPatience;
     cones_worker_.start("Computing the surface", [this, tree, request, until](Job& job, const Worker::Post& post) {
         const auto made = first_cones(*tree, request, job);
         constexpr std::chrono::milliseconds kNap{5};
         while (!job.cancelled() && std::chrono::steady_clock::now() < until) std::this_thread::sleep_for(kNap);
-        post([this, made] { arrive(made); });
+        if (made) post([this, made] { show(*made); });
     });
 }
 
@@ -362,8 +362,8 @@ void SurfaceFollower::give_up(const SurfaceRequest& request, std::string why) {
 
 std::string SurfaceFollower::take_failure() {
     std::string failure = worker_.take_failure();
-    if (failure.empty()) failure = cones_worker_.take_failure();
-    if (!failure.empty()) problem_ = "the work was given up: " + failure;
+    if (failure.empty()) return cones_worker_.take_failure();
+    problem_ = "the work was given up: " + failure;
     return failure;
 }
 

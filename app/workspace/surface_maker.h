@@ -103,11 +103,9 @@ public:
     // The same vessels, edited: the new surface where it is soon there, cones until it is where not. Until either is
     // there nothing is shown.
     void change_tree(const std::shared_ptr<const tree::VesselTree>& tree, const SurfaceRequest& request);
-    // What was made elsewhere.
-    void arrive(const Result<ReadySurface>& made);
-    void show(ReadySurface surface);
+    void show(ReadySurface surface); // that was made elsewhere
     // Whether what is to be shown of an edited tree is on its way, and waiting for it.
-    [[nodiscard]] bool between_trees() const { return !shown_.mesh && cones_worker_.busy(); }
+    [[nodiscard]] bool between_trees() const { return !shown_.mesh && (cones_worker_.busy() || worker_.busy()); }
     void await_tree();
     // Takes what was made, and nothing more.
     void drain() {
@@ -138,7 +136,7 @@ public:
 
     [[nodiscard]] const Worker& worker() const { return worker_; }
     [[nodiscard]] const Worker& cones_worker() const { return cones_worker_; }
-    // Why the last task ended by an exception, once; empty: none did.
+    // Why the last task ended by an exception, once; empty: none did. Where it was the cones' the surface still comes.
     [[nodiscard]] std::string take_failure();
 
 private:
@@ -152,6 +150,7 @@ private:
     static constexpr std::chrono::milliseconds kEditPatience{120}; // no cones flash up between two surfaces
     static constexpr std::chrono::milliseconds kShort{500};        // what is being made is let finish
 
+    void arrive(const Result<ReadySurface>& made);
     void make_next(const SurfaceRequest& request);
     [[nodiscard]] bool worth_finishing(const SurfaceRequest& request) const;
 

@@ -126,3 +126,28 @@ TEST_CASE("a surface that was cancelled leaves nothing wrong behind") {
     shop.make(request);
     CHECK(shop.shown.back().mesh->positions([](int b) { return b == 1; }).empty());
 }
+
+TEST_CASE("an edited tree's surface comes where there can be no cones until then") {
+    SurfaceFollower follower({});
+    const auto tree = std::make_shared<const tree::VesselTree>(test::grown_tree(400).value());
+    SurfaceRequest request;
+    request.options.detail = 5000; // cones of so many sides have more vertices than can be numbered
+    request.options.cell_mm = 0.5; // and are nothing to the surface
+    request.options.radii = mesh::Radii::kExact;
+    request.options.threads = 1; // it comes after they were given up
+    Job job;
+    REQUIRE_FALSE(first_cones(*tree, request, job));
+    follower.change_tree(tree, request);
+    CHECK(follower.between_trees());
+    bool waited = true; // for whatever is to be shown
+    while (follower.worker().busy() || follower.awaited(request)) {
+        follower.drain();
+        waited = waited && (follower.shown().mesh || follower.between_trees());
+        follower.follow(request, false);
+    }
+    CHECK(waited);
+    CHECK(follower.problem().empty());
+    REQUIRE(follower.shown().mesh);
+    CHECK_FALSE(follower.shown().provisional);
+    CHECK(follower.shown().request == request);
+}
