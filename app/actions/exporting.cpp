@@ -56,6 +56,8 @@ Result<Continuation> write_surface_of(const SurfaceWork& work, Job& job) {
     RAMUS_TRY(surface, mesh::make_untangled_surface(*work.tree, work.options, job, work.hidden));
     if (const std::size_t left = surface.statistics.untangled.left; left > 0)
         sentence += "; " + counted(left, "pair of triangles goes", "pairs of triangles go") + " through each other";
+    if (!surface.statistics.untangled.looked_at_all)
+        sentence += "; triangles that go through each other were not counted: too many may do so; raise the detail";
     if (work.wanted.for_printing) {
         if (auto closed = mesh::check_closed(surface.mesh, work.wanted.file.string()); !closed)
             return tl::unexpected(closed.error());

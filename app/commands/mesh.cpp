@@ -145,6 +145,11 @@ void warn_of_intersections(const MeshFlags& flags, const WrittenSurface& written
         std::cerr << "ramus: " << flags.output << ": "
                   << counted(written.untangled->left, "pair of triangles goes", "pairs of triangles go")
                   << " through each other; another --detail may have none\n";
+    if (written.untangled && !written.untangled->looked_at_all)
+        std::cerr
+            << "ramus: " << flags.output
+            << ": triangles that go through each other were not counted: too many may do so, as with cells larger "
+               "than vessels; lower --cell, or raise --detail\n";
     if (written.streamed)
         std::cerr << "ramus: " << flags.output
                   << ": streamed, for want of memory: triangles that go through each other were not looked for; raise "
@@ -156,7 +161,7 @@ nlohmann::ordered_json mended_json(const WrittenSurface& written) {
     nlohmann::ordered_json mended = {
         {"streamed", written.streamed}, {"cut_loops", nullptr}, {"intersections", nullptr}};
     if (written.cut_loops) mended["cut_loops"] = *written.cut_loops;
-    if (written.untangled)
+    if (written.untangled && written.untangled->looked_at_all)
         mended["intersections"] = {{"found", written.untangled->found}, {"left", written.untangled->left}};
     return mended;
 }

@@ -22,7 +22,7 @@ struct WrittenSurface {
     // Of the tree's branches that are on a closed surface of it: what that has to be like.
     std::optional<mesh::Connectivity> tree_shape;
     // Loops that the tree has not, and pairs of triangles that met; none: not looked for, which is not that there is
-    // none.
+    // none. Nor is it where not all pairs were looked at.
     std::optional<std::size_t> cut_loops;
     std::optional<mesh::Untangled> untangled;
     bool streamed = false;

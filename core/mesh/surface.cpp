@@ -25,6 +25,7 @@ namespace {
 
 // As many as 31 bits count; of one system, the polygonizer sees to it.
 constexpr std::size_t kMostVertices = std::size_t{1} << 31U;
+constexpr float kMade = 0.9F; // of the time, before a surface is mended
 
 tl::unexpected<Error> too_many_vertices() {
     return fail("the surface has more vertices than can be counted", {}, "lower --detail, or hide a system");
@@ -162,17 +163,20 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
         const auto parts = hidden_by_system(source, hidden);
         const PreparedTree prepared = prepare_tree(source, options);
         RAMUS_TRY(whole, feasible_field(source, options, prepared, parts, PolygonizeMode::kWhole));
-        for (const auto& part : parts) {
+        for (std::size_t n = 0; n < parts.size(); ++n) {
+            const std::vector<std::uint8_t>& part = parts[n];
+            const auto share = [&](float of_part) {
+                return (static_cast<float>(n) + of_part) / static_cast<float>(parts.size());
+            };
+            Job making(job, share(0.0F), share(kMade)), mending(job, share(kMade), share(1.0F));
             PolygonizeStatistics statistics;
-            RAMUS_TRY(mesh, polygonize(whole.without(part), polygonize_options(options), job, &statistics));
+            RAMUS_TRY(mesh, polygonize(whole.without(part), polygonize_options(options), making, &statistics));
             if (options.blend == Blend::kTree)
                 surface.statistics.cut_loops += cut_false_loops(mesh, visible_part(prepared, part).tree,
-                                                                polygonize_options(options).memory_bytes, job);
-            if (untangled && !job.cancelled()) {
-                const Untangled pairs = untangle(mesh, places_apart(prepared, whole.contacts()), job);
-                surface.statistics.untangled.found += pairs.found;
-                surface.statistics.untangled.left += pairs.left;
-            }
+                                                                polygonize_options(options).memory_bytes, mending);
+            if (untangled && !job.cancelled())
+                surface.statistics.untangled.add(untangle(mesh, places_apart(prepared, whole.contacts()), mending));
+            mending.report(1.0F);
             if (job.cancelled()) return fail("cancelled");
             if (surface.mesh.positions.size() + mesh.positions.size() > kMostVertices) return too_many_vertices();
             append(surface.mesh, std::move(mesh));

@@ -39,28 +39,13 @@ std::vector<std::uint32_t> at_corners_of(const TriangleMesh& mesh, std::span<con
 } // namespace
 
 Folds find_folds(const TriangleMesh& mesh) {
-    constexpr std::size_t kGroup = TriangleBoxes::kGroup, kEight = EightBoxes::kCount;
-    const std::size_t count = mesh.triangles.size();
-    TriangleBoxes::Groups groups((count + kGroup * kEight - 1) / (kGroup * kEight));
     ListsByThread<std::uint32_t> folded;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups.size()), [&](const auto& range) {
-        std::vector<std::uint32_t>& mine = folded.local();
-        for (std::size_t eight = range.begin(); eight < range.end(); ++eight) {
-            groups[eight] = EightBoxes();
-            for (std::size_t group = 0; group < kEight; ++group) {
-                const std::size_t first = kGroup * (kEight * eight + group);
-                TriangleBox box;
-                for (std::size_t n = first; n < std::min(first + kGroup, count); ++n) {
-                    box.hold(box_of(mesh, mesh.triangles[n]));
-                    if (faces_away(mesh, mesh.triangles[n])) mine.push_back(static_cast<std::uint32_t>(n));
-                }
-                groups[eight].set(group, box);
-            }
-        }
+    auto groups = TriangleBoxes::groups_of(mesh.positions, mesh.triangles, [&](std::size_t n) {
+        if (faces_away(mesh, mesh.triangles[n])) folded.local().push_back(static_cast<std::uint32_t>(n));
     });
     std::vector<std::uint32_t> triangles = folded.sorted();
     if (!triangles.empty()) triangles = at_corners_of(mesh, triangles);
-    return {std::move(triangles), TriangleBoxes(mesh, std::move(groups))};
+    return {std::move(triangles), TriangleBoxes(mesh.positions, mesh.triangles, std::move(groups))};
 }
 
 } // namespace ramus::mesh

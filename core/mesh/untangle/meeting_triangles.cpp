@@ -1,66 +1,52 @@
 #include "core/mesh/untangle/meeting_triangles.h"
 
-#include "core/base/bounds.h"
 #include "core/base/lists_by_thread.h"
 #include "core/mesh/untangle/exact_triangles.h"
 
 #include <algorithm>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_sort.h>
+#include <atomic>
+#include <bit>
 
 namespace ramus::mesh {
 
-namespace {
-
-// A triangle's box: first along the axis in which the set is longest, then along the two others.
-struct SweptBox {
-    float from = 0.0F, to = 0.0F;
-    float low = 0.0F, high = 0.0F, left = 0.0F, right = 0.0F;
-    std::uint32_t triangle = 0;
-
-    [[nodiscard]] bool operator<(const SweptBox& other) const {
-        return from != other.from ? from < other.from : triangle < other.triangle;
-    }
-    // Of two that meet along the first axis.
-    [[nodiscard]] bool meets(const SweptBox& other) const {
-        return low <= other.high && other.low <= high && left <= other.right && other.left <= right;
-    }
-};
-
-std::vector<SweptBox> swept_boxes(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles) {
-    std::vector<Bounds<glm::vec3>> bounds(triangles.size());
-    Bounds<glm::vec3> all;
-    for (std::size_t n = 0; n < triangles.size(); ++n) {
-        for (int corner = 0; corner < 3; ++corner) bounds[n].hold(positions[triangles[n][corner]]);
-        all.hold(bounds[n]);
-    }
-    const glm::vec3 size = all.size();
-    const int x = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2, y = (x + 1) % 3, z = (x + 2) % 3;
-    std::vector<SweptBox> boxes(triangles.size());
-    for (std::size_t n = 0; n < triangles.size(); ++n) {
-        const auto& [least, most] = bounds[n];
-        boxes[n] = {least[x], most[x], least[y], most[y], least[z], most[z], static_cast<std::uint32_t>(n)};
-    }
-    tbb::parallel_sort(boxes);
-    return boxes;
-}
-
-} // namespace
-
-std::vector<TrianglePair> meeting_triangles(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
-                                            std::span<const std::uint8_t> asked) {
-    const std::vector<SweptBox> boxes = swept_boxes(positions, triangles);
-    ListsByThread<TrianglePair> found;
-    tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t n) {
-        const SweptBox& box = boxes[n];
-        for (std::size_t other = n + 1; other < boxes.size() && boxes[other].from <= box.to; ++other) {
-            const auto [first, second] = std::minmax(box.triangle, boxes[other].triangle);
-            if ((asked[first] | asked[second]) == 0 || !box.meets(boxes[other])) continue;
-            if (triangles_meet(positions, triangles[first], triangles[second]))
-                found.local().push_back({first, second});
-        }
+// Those of a group are looked at together.
+MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const std::uint8_t> asked,
+                                   const MeetingLimits& limits, Job& job) {
+    const std::span<const glm::uvec3> triangles = boxes.triangles();
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(asked, [](std::uint8_t a) { return a != 0; }));
+    if (count == 0) return {};
+    const std::size_t most_looks = limits.looks > std::numeric_limits<std::size_t>::max() / count
+                                       ? std::numeric_limits<std::size_t>::max()
+                                       : limits.looks * count;
+    ListsByThread<TrianglePair> found; // each thread's as many as are listed and one more
+    std::atomic<std::size_t> looks{0}, pairs{0};
+    constexpr std::size_t kGroup = TriangleBoxes::kGroup;
+    tbb::parallel_for(std::size_t{0}, (asked.size() + kGroup - 1) / kGroup, [&](std::size_t group) {
+        const std::size_t begin = kGroup * group, end = std::min(begin + kGroup, asked.size());
+        EightBoxes its; // around nothing of what is not asked for
+        bool any = false;
+        for (std::size_t n = begin; n < end; ++n)
+            if (asked[n] != 0) its.set(n - begin, boxes.box(n)), any = true;
+        if (!any || looks.load(std::memory_order_relaxed) > most_looks || job.cancelled()) return;
+        std::size_t its_looks = 0, its_pairs = 0;
+        std::vector<TrianglePair>& list = found.local();
+        boxes.for_each_in(its.around(), [&](std::uint32_t other) {
+            for (unsigned bits = its.meeting(boxes.box(other)); bits != 0; bits &= bits - 1) {
+                const auto n = static_cast<std::uint32_t>(begin) + static_cast<std::uint32_t>(std::countr_zero(bits));
+                if (n == other || (asked[other] != 0 && other < n)) continue; // which it finds itself
+                ++its_looks;
+                if (!triangles_meet(boxes.positions(), triangles[n], triangles[other])) continue;
+                ++its_pairs;
+                if (list.size() <= limits.pairs) list.push_back({std::min(n, other), std::max(n, other)});
+            }
+        });
+        looks += its_looks, pairs += its_pairs;
     });
-    return found.sorted();
+    // Nothing is passed over before there are too many looks: whether there are depends on no thread.
+    if (looks > most_looks || job.cancelled()) return {{}, 0, false};
+    MeetingTriangles meeting{{}, pairs};
+    if (meeting.count <= limits.pairs) meeting.pairs = found.sorted();
+    return meeting;
 }
 
 } // namespace ramus::mesh

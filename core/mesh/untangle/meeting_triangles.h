@@ -1,26 +1,40 @@
-// Which triangles of a set meet.
+// Which triangles of a surface meet.
 #pragma once
 
+#include "core/base/job.h"
+#include "core/mesh/untangle/triangle_boxes.h"
+
 #include <cstdint>
-#include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace ramus::mesh {
 
 struct TrianglePair {
-    std::uint32_t first = 0, second = 0; // triangles, by their places in the set; the lower first
+    std::uint32_t first = 0, second = 0; // triangles, by their places in the surface; the lower first
     bool operator==(const TrianglePair&) const = default;
     [[nodiscard]] bool operator<(const TrianglePair& other) const {
         return first != other.first ? first < other.first : second < other.second;
     }
 };
 
-// The pairs that meet beyond the corners that they share (exact_triangles.h), ascending, of which at least one is asked
-// for (`asked`, by triangle). Takes time as the number of triangles and of those that lie beside each other along the
-// axis in which the set is longest: for sets of some ten thousand.
-[[nodiscard]] std::vector<TrianglePair> meeting_triangles(std::span<const glm::vec3> positions,
-                                                          std::span<const glm::uvec3> triangles,
-                                                          std::span<const std::uint8_t> asked);
+struct MeetingLimits {
+    std::size_t pairs = std::numeric_limits<std::size_t>::max(); // that are listed
+    // Comparisons of two triangles whose boxes meet, for each that is asked for.
+    std::size_t looks = std::numeric_limits<std::size_t>::max();
+};
+
+struct MeetingTriangles {
+    std::vector<TrianglePair> pairs; // ascending; none where they are more than are listed
+    std::size_t count = 0;           // of pairs, listed or not
+    bool looked_at_all = true;       // false: there was too much to compare, or the job is cancelled; nothing is known
+};
+
+// The pairs that meet beyond the corners that they share (exact_triangles.h) of which at least one is asked for
+// (`asked`, by triangle). Where triangles lie beside few others, takes time as the number of those asked for. The same
+// whatever the threads do, unless the job is cancelled.
+[[nodiscard]] MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const std::uint8_t> asked,
+                                                 const MeetingLimits& limits, Job& job);
 
 } // namespace ramus::mesh

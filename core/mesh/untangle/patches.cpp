@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <utility>
 
 namespace ramus::mesh {
@@ -13,21 +14,35 @@ using Edge = std::array<std::uint32_t, 2>; // the lower end first
 
 constexpr float kReach = 4.0F; // sides, that a patch reaches beyond what meets
 
+TriangleBox box_around(const TriangleMesh& mesh, const TrianglePair& pair) {
+    TriangleBox box;
+    float longest = 0.0F;
+    for (const std::uint32_t n : {pair.first, pair.second}) {
+        const glm::uvec3& t = mesh.triangles[n];
+        box.hold(box_of(mesh.positions, t));
+        for (int corner = 0; corner < 3; ++corner)
+            longest = std::max(longest, glm::distance(mesh.positions[t[corner]], mesh.positions[t[(corner + 1) % 3]]));
+    }
+    return {box.least - kReach * longest, box.most + kReach * longest};
+}
+
+bool holds(const TriangleBox& box, const TriangleBox& other) {
+    return glm::all(glm::lessThanEqual(box.least, other.least)) &&
+           glm::all(glm::greaterThanEqual(box.most, other.most));
+}
+
+// Ascending; some of them where they are more than `most`.
 std::vector<std::uint32_t> triangles_around(const TriangleMesh& mesh, const TriangleBoxes& boxes,
-                                            std::span<const TrianglePair> pairs) {
+                                            std::span<const TrianglePair> pairs, std::size_t most, Job& job) {
     std::vector<std::uint8_t> taken(mesh.triangles.size(), 0); // places of pairs have the same triangles around them
     std::vector<std::uint32_t> around;
+    std::vector<TriangleBox> looked_at;
     for (const TrianglePair& pair : pairs) {
-        TriangleBox box;
-        float longest = 0.0F;
-        for (const std::uint32_t n : {pair.first, pair.second}) {
-            const glm::uvec3& t = mesh.triangles[n];
-            box.hold(box_of(mesh, t));
-            for (int corner = 0; corner < 3; ++corner)
-                longest =
-                    std::max(longest, glm::distance(mesh.positions[t[corner]], mesh.positions[t[(corner + 1) % 3]]));
-        }
-        boxes.for_each_in({box.least - kReach * longest, box.most + kReach * longest}, [&](std::uint32_t n) {
+        if (around.size() > most || job.cancelled()) break;
+        const TriangleBox box = box_around(mesh, pair);
+        if (std::ranges::any_of(looked_at, [&](const TriangleBox& other) { return holds(other, box); })) continue;
+        looked_at.push_back(box);
+        boxes.for_each_in(box, [&](std::uint32_t n) {
             if (std::exchange(taken[n], std::uint8_t{1}) == 0) around.push_back(n);
         });
     }
@@ -59,8 +74,10 @@ void connect(Patches& patches) {
 
 } // namespace
 
-Patches patches_around(const TriangleMesh& mesh, const TriangleBoxes& boxes, std::span<const TrianglePair> pairs) {
-    const std::vector<std::uint32_t> around = triangles_around(mesh, boxes, pairs);
+std::optional<Patches> patches_around(const TriangleMesh& mesh, const TriangleBoxes& boxes,
+                                      std::span<const TrianglePair> pairs, std::size_t most, Job& job) {
+    const std::vector<std::uint32_t> around = triangles_around(mesh, boxes, pairs, most, job);
+    if (around.size() > most || job.cancelled()) return std::nullopt;
     Patches patches;
     for (const std::uint32_t n : around)
         for (int corner = 0; corner < 3; ++corner) patches.vertices.push_back(mesh.triangles[n][corner]);

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "core/base/grouped.h"
+#include "core/base/job.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/mesh/untangle/meeting_triangles.h"
 #include "core/mesh/untangle/triangle_boxes.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,8 +23,9 @@ struct Patches {
     std::vector<std::uint8_t> has_all;   // whether all triangles at a vertex are here, by vertex
 };
 
-// Around pairs of a surface's triangles, as far as some times the longest of their sides.
-[[nodiscard]] Patches patches_around(const TriangleMesh& mesh, const TriangleBoxes& boxes,
-                                     std::span<const TrianglePair> pairs);
+// Around pairs of a surface's triangles, as far as some times the longest of their sides. None where that is more
+// triangles than `most`, or the job is cancelled.
+[[nodiscard]] std::optional<Patches> patches_around(const TriangleMesh& mesh, const TriangleBoxes& boxes,
+                                                    std::span<const TrianglePair> pairs, std::size_t most, Job& job);
 
 } // namespace ramus::mesh

@@ -2,25 +2,24 @@
 // these groups. A surface's triangles lie beside those that come before and after them, so groups need no sorting.
 #pragma once
 
-#include "core/base/eight_boxes.h"
-#include "core/base/large_array.h"
-#include "core/mesh/triangle_mesh.h"
+#include "core/base/box_tree.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <span>
 #include <utility>
-#include <vector>
 
 namespace ramus::mesh {
 
 using TriangleBox = EightBoxes::Box; // mm
 
-[[nodiscard]] inline TriangleBox box_of(const TriangleMesh& mesh, const glm::uvec3& triangle) {
+[[nodiscard]] inline TriangleBox box_of(std::span<const glm::vec3> positions, const glm::uvec3& triangle) {
     TriangleBox box;
-    for (int corner = 0; corner < 3; ++corner) box.hold(mesh.positions[triangle[corner]]);
+    for (int corner = 0; corner < 3; ++corner) box.hold(positions[triangle[corner]]);
     return box;
 }
 [[nodiscard]] inline bool boxes_meet(const TriangleBox& a, const TriangleBox& b) {
@@ -35,41 +34,55 @@ using TriangleBox = EightBoxes::Box; // mm
 class TriangleBoxes {
 public:
     static constexpr std::size_t kGroup = 8; // triangles
-    using Groups = LargeArray<EightBoxes>;
+    using Groups = BoxTree::Level;
 
-    // Boxes of groups of a surface, which must outlive this.
-    TriangleBoxes(const TriangleMesh& mesh, Groups groups) : mesh_(&mesh) {
-        levels_.push_back(std::move(groups));
-        while (levels_.back().size() > 1) {
-            const Groups& below = levels_.back();
-            Groups level((below.size() + EightBoxes::kCount - 1) / EightBoxes::kCount, EightBoxes());
-            for (std::size_t n = 0; n < below.size(); ++n)
-                level[n / EightBoxes::kCount].set(n % EightBoxes::kCount, below[n].around());
-            levels_.push_back(std::move(level));
-        }
+    // Of a surface, which must outlive this.
+    TriangleBoxes(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles)
+        : TriangleBoxes(positions, triangles, groups_of(positions, triangles, [](std::size_t) {})) {}
+    // The same with the boxes of its groups, which groups_of() gives.
+    TriangleBoxes(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles, Groups groups)
+        : positions_(positions), triangles_(triangles), tree_(std::move(groups)) {}
+
+    // Calls call(triangle) for each of them too, in several threads.
+    template <class Call>
+    [[nodiscard]] static Groups groups_of(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
+                                          const Call& call) {
+        constexpr std::size_t kEight = EightBoxes::kCount;
+        Groups groups((triangles.size() + kGroup * kEight - 1) / (kGroup * kEight));
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups.size()), [&](const auto& range) {
+            for (std::size_t eight = range.begin(); eight < range.end(); ++eight) {
+                groups[eight] = EightBoxes();
+                for (std::size_t group = 0; group < kEight; ++group) {
+                    const std::size_t first = kGroup * (kEight * eight + group);
+                    TriangleBox box;
+                    for (std::size_t n = first; n < std::min(first + kGroup, triangles.size()); ++n) {
+                        box.hold(box_of(positions, triangles[n]));
+                        call(n);
+                    }
+                    groups[eight].set(group, box);
+                }
+            }
+        });
+        return groups;
     }
+
+    [[nodiscard]] std::span<const glm::vec3> positions() const { return positions_; }
+    [[nodiscard]] std::span<const glm::uvec3> triangles() const { return triangles_; }
+    [[nodiscard]] TriangleBox box(std::size_t triangle) const { return box_of(positions_, triangles_[triangle]); }
 
     // Calls call(triangle) for those whose boxes meet this one, ascending.
     template <class Call> void for_each_in(const TriangleBox& box, const Call& call) const {
-        if (!levels_.front().empty()) look(levels_.size() - 1, 0, box, call);
+        tree_.for_each_meeting(box, [&](std::size_t group) {
+            const std::size_t end = std::min(kGroup * (group + 1), triangles_.size());
+            for (std::size_t n = kGroup * group; n < end; ++n)
+                if (boxes_meet(this->box(n), box)) call(static_cast<std::uint32_t>(n));
+        });
     }
 
 private:
-    template <class Call> void look(std::size_t level, std::size_t at, const TriangleBox& box, const Call& call) const {
-        for (unsigned bits = levels_[level][at].meeting(box); bits != 0; bits &= bits - 1) {
-            const std::size_t below = EightBoxes::kCount * at + static_cast<std::size_t>(std::countr_zero(bits));
-            if (level > 0) {
-                look(level - 1, below, box, call);
-                continue;
-            }
-            const std::size_t end = std::min(kGroup * (below + 1), mesh_->triangles.size());
-            for (std::size_t n = kGroup * below; n < end; ++n)
-                if (boxes_meet(box_of(*mesh_, mesh_->triangles[n]), box)) call(static_cast<std::uint32_t>(n));
-        }
-    }
-
-    const TriangleMesh* mesh_;
-    std::vector<Groups> levels_; // the lowest first
+    std::span<const glm::vec3> positions_;
+    std::span<const glm::uvec3> triangles_;
+    BoxTree tree_; // of groups
 };
 
 } // namespace ramus::mesh

@@ -2,6 +2,7 @@
 // other, and the surfaces of trees. The witness looks at all pairs of triangles (mesh_intersections.h).
 #include "core/io/trees/tree_file.h"
 #include "core/mesh/surface.h"
+#include "core/mesh/untangle/patches.h"
 #include "core/mesh/untangle/untangle.h"
 #include "tests/support/icosphere.h"
 #include "tests/support/mesh_intersections.h"
@@ -106,11 +107,13 @@ TEST_CASE("of two pieces that go through each other nothing is moved, and where 
 
     mesh::TriangleMesh crumpled = sphere();
     std::mt19937 random(20051025);
-    std::uniform_real_distribution<float> place(0.0F, 5.0F);
-    for (glm::vec3& p : crumpled.positions) p = {place(random), place(random), place(random)};
+    std::uniform_real_distribution<float> away(-0.5F, 0.5F);
+    for (glm::vec3& p : crumpled.positions) p += glm::vec3(away(random), away(random), away(random));
     const mesh::TriangleMesh as_it_was = crumpled;
     const mesh::Untangled many = mesh::untangle(crumpled, {}, job);
-    CHECK(many.found > 10000);
+    CHECK(many.looked_at_all);
+    CHECK(many.found > 4096);
+    CHECK(many.found == test::intersecting_triangles(crumpled).size());
     CHECK(many.left == many.found);
     CHECK(crumpled == as_it_was);
 
@@ -121,6 +124,87 @@ TEST_CASE("of two pieces that go through each other nothing is moved, and where 
     const mesh::Untangled stopped = mesh::untangle(two, {}, cancelled);
     CHECK(stopped.left == stopped.found);
     CHECK(two == tangled);
+}
+
+TEST_CASE("what is too much to look at is told, and nothing is counted of it") {
+    // Long triangles around one line, each of which has a box that meets all others.
+    mesh::TriangleMesh bundle;
+    constexpr int kTriangles = 3000;
+    for (int n = 0; n < kTriangles; ++n) {
+        const float angle = 0.2F + 0.0002F * static_cast<float>(n);
+        const glm::vec3 outward(std::cos(angle), std::sin(angle), 0.0F);
+        const auto first = static_cast<std::uint32_t>(bundle.positions.size());
+        for (const glm::vec3& p : {0.1F * outward, outward + glm::vec3(0, 0, 1), outward - glm::vec3(0, 0, 1)})
+            bundle.positions.push_back(p);
+        bundle.triangles.emplace_back(first, first + 1, first + 2);
+    }
+    bundle.normals.assign(bundle.positions.size(), glm::vec3(0.0F)); // all are suspected
+    bundle.radii.assign(bundle.positions.size(), 1.0F);
+    const mesh::TriangleMesh before = bundle;
+    Job job;
+    const mesh::Untangled pairs = mesh::untangle(bundle, {}, job);
+    CHECK(!pairs.looked_at_all);
+    CHECK(pairs.found == 0);
+    CHECK(pairs.left == 0);
+    CHECK(bundle == before);
+    mesh::Untangled all{3, 1};
+    all.add({2, 2});
+    CHECK((all.found == 5 && all.left == 3 && all.looked_at_all));
+    all.add(pairs);
+    CHECK((all.found == 5 && !all.looked_at_all));
+}
+
+TEST_CASE("triangles that meet are found wherever many lie side by side") {
+    // Two plates across the axis along which they lie apart: 160,000 triangles.
+    constexpr int kSide = 200;
+    mesh::TriangleMesh plates;
+    std::mt19937 random(20051025);
+    std::uniform_real_distribution<float> jitter(-0.2F, 0.2F);
+    for (const float x : {0.0F, 1000.0F}) {
+        const auto first = static_cast<std::uint32_t>(plates.positions.size());
+        for (int i = 0; i <= kSide; ++i)
+            for (int k = 0; k <= kSide; ++k)
+                plates.positions.emplace_back(x + jitter(random), static_cast<float>(i), static_cast<float>(k));
+        for (std::uint32_t i = 0; i < kSide; ++i)
+            for (std::uint32_t k = 0; k < kSide; ++k) {
+                const std::uint32_t a = first + i * (kSide + 1) + k, b = a + kSide + 1;
+                plates.triangles.emplace_back(a, b, b + 1);
+                plates.triangles.emplace_back(a, b + 1, a + 1);
+            }
+    }
+    for (const std::size_t triangle : {1000U, 50000U, 120001U}) drag(plates, triangle, 0.6F);
+    const auto met = test::intersecting_triangles(plates);
+    REQUIRE(met.size() > 3);
+    const mesh::TriangleBoxes boxes(plates.positions, plates.triangles);
+    const std::vector<std::uint8_t> asked(plates.triangles.size(), 1);
+    Job job;
+    const mesh::MeetingTriangles found = mesh::meeting_triangles(boxes, asked, {}, job);
+    CHECK(found.pairs == met);
+    CHECK(found.count == met.size());
+    const mesh::MeetingTriangles many = mesh::meeting_triangles(boxes, asked, {3, 400}, job);
+    CHECK(many.pairs.empty()); // more than are to be listed
+    CHECK(many.count == met.size());
+    CHECK(many.looked_at_all);
+    CHECK(!mesh::meeting_triangles(boxes, asked, {3, 1}, job).looked_at_all);
+    job.cancel();
+    CHECK(!mesh::meeting_triangles(boxes, asked, {}, job).looked_at_all);
+}
+
+TEST_CASE("patches are made of so many triangles at most, and of none twice") {
+    mesh::TriangleMesh mesh = sphere();
+    drag(mesh, 100, 0.6F);
+    Job job;
+    const mesh::TriangleBoxes boxes(mesh.positions, mesh.triangles);
+    const auto pairs =
+        mesh::meeting_triangles(boxes, std::vector<std::uint8_t>(mesh.triangles.size(), 1), {}, job).pairs;
+    const auto patches = mesh::patches_around(mesh, boxes, pairs, mesh.triangles.size(), job);
+    REQUIRE(patches);
+    const std::size_t count = patches->triangles.size();
+    CHECK(count > pairs.size());
+    CHECK(mesh::patches_around(mesh, boxes, pairs, count, job));
+    CHECK(!mesh::patches_around(mesh, boxes, pairs, count - 1, job));
+    job.cancel();
+    CHECK(!mesh::patches_around(mesh, boxes, pairs, count, job));
 }
 
 TEST_CASE("sides that touch where nothing folds are drawn apart, at places where that is asked for") {
