@@ -1,13 +1,15 @@
 #include "core/mesh/loops/cut_false_loops.h"
 
 #include "core/mesh/connectivity.h"
-#include "core/mesh/line_triangle.h"
+#include "core/mesh/loops/axes.h"
 #include "core/mesh/loops/cut_loop.h"
-#include "core/mesh/loops/spanning_triangles.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
 
 namespace ramus::mesh {
 
@@ -15,7 +17,12 @@ namespace {
 
 constexpr double kLongest = 16.0;           // radii of the vessel there, that a line is
 constexpr std::size_t kMostCorners = 512;   // of a line: caps take time as the cube of them
-constexpr double kBytesPerTriangle = 120.0; // that looking for loops takes
+constexpr double kBytesPerTriangle = 140.0; // that looking for loops takes, however many there are
+// The surface is looked at as a whole for each loop that is cut. More triangles than this in all take too long, and are
+// a sign of cells larger than the gaps between vessels, where hardly any loop is false by chance.
+constexpr double kMostInAll = 200e6;
+// Vertices that searches come to, in all, and how many triangles of a cap to choose from take as long as one of these.
+constexpr std::size_t kMostSteps = 200'000'000, kCapSteps = 300;
 
 // Pieces less loops: half of the Euler characteristic.
 std::int64_t half_characteristic(const TriangleMesh& mesh) {
@@ -33,22 +40,6 @@ bool differs(const TriangleMesh& mesh, const Connectivity& asked) {
     return half_characteristic(mesh) != asked.pieces - asked.loops;
 }
 
-// Whether an axis goes through a cap on a line.
-bool goes_around_vessel(std::span<const glm::dvec3> line, const tree::VesselTree& tree) {
-    const std::vector<glm::uvec3> cap = spanning_triangles(line);
-    glm::dvec3 lower(std::numeric_limits<double>::max()), upper(std::numeric_limits<double>::lowest());
-    for (const glm::dvec3& p : line) lower = glm::min(lower, p), upper = glm::max(upper, p);
-    for (const tree::Branch& branch : tree.branches)
-        for (std::size_t i = 1; i < branch.points.size(); ++i) {
-            const glm::dvec3 p = tree.points[branch.points[i - 1]].position, q = tree.points[branch.points[i]].position;
-            if (glm::any(glm::lessThan(glm::max(p, q), lower)) || glm::any(glm::greaterThan(glm::min(p, q), upper)))
-                continue;
-            for (const glm::uvec3& t : cap)
-                if (line_meets(p, q, {line[t.x], line[t.y], line[t.z]})) return true;
-        }
-    return false;
-}
-
 // Whether what a line goes around is inside, and no hole: the surface faces away from its middle.
 bool goes_around_inside(const TriangleMesh& mesh, const SurfaceLoop& loop) {
     const std::vector<glm::dvec3> line = positions_of(mesh, loop);
@@ -60,47 +51,78 @@ bool goes_around_inside(const TriangleMesh& mesh, const SurfaceLoop& loop) {
     return facing > 0.0;
 }
 
-// The best line to cut along; without vertices if there is none.
-class FalseLoop {
+// The lines to cut along, the best one each time. Whether an axis goes through a line's cap is asked once, as long as
+// the surface is the same there.
+class FalseLoops {
 public:
-    FalseLoop(const TriangleMesh& mesh, const tree::VesselTree& tree, bool fill_holes)
-        : mesh_(mesh), tree_(tree), fill_holes_(fill_holes) {}
+    FalseLoops(const TriangleMesh& mesh, const tree::VesselTree& tree, bool fill_holes)
+        : mesh_(mesh), axes_(tree), fill_holes_(fill_holes) {}
 
-    [[nodiscard]] SurfaceLoop find(Job& job) {
+    // Without vertices if there is none, it takes too long to find, or the job is cancelled.
+    [[nodiscard]] SurfaceLoop best(Job& job) {
+        best_ = {}, cost_ = std::numeric_limits<double>::max();
         const SurfaceGraph graph(mesh_);
         if (!graph.is_closed()) return {};
-        const SurfaceLoops loops(graph);
-        for (const std::uint32_t edge : loops.edges())
-            for (const std::uint32_t vertex : graph.edges()[edge].ends) {
-                if (job.cancelled()) return {};
-                look(loops, vertex);
+        const SurfaceLoops loops(graph, job);
+        const auto edges = loops.edges();
+        for (std::size_t n = 0; n < edges.size(); ++n) {
+            for (const std::uint32_t vertex : graph.edges()[edges[n]].ends) {
+                if (job.cancelled() || steps_ > kMostSteps) return {};
+                look(graph, loops, vertex);
             }
-        for (double before = 2.0 * cost_; cost_ < before && !job.cancelled();) {
+            job.report(static_cast<float>(n + 1) / static_cast<float>(edges.size()));
+        }
+        for (double before = 2.0 * cost_; cost_ < before;) {
             before = cost_;
-            for (const std::uint32_t vertex : std::vector(best_.vertices)) look(loops, vertex);
+            for (const std::uint32_t vertex : std::vector(best_.vertices)) {
+                if (job.cancelled() || steps_ > kMostSteps) return {};
+                look(graph, loops, vertex);
+            }
         }
         return best_;
+    }
+    // Along which it was cut: its vertices have moved.
+    void forget(const SurfaceLoop& loop) {
+        const std::unordered_set<std::uint32_t> moved(loop.vertices.begin(), loop.vertices.end());
+        std::erase_if(around_vessel_, [&](const auto& known) {
+            return std::ranges::any_of(known.first, [&](std::uint32_t v) { return moved.contains(v); });
+        });
     }
 
 private:
     // A connection is cut rather than the hole beside it filled, unless that is far smaller.
-    void look(const SurfaceLoops& loops, std::uint32_t vertex) {
+    void look(const SurfaceGraph& graph, const SurfaceLoops& loops, std::uint32_t vertex) {
         constexpr double kFilled = 2.0;
-        for (SurfaceLoop& loop : loops.shortest(vertex, std::min(cost_, kLongest * double{mesh_.radii[vertex]}))) {
+        const double longest = std::min(cost_, kLongest * double{mesh_.radii[vertex]});
+        for (SurfaceLoop& loop : loops.shortest(vertex, longest, steps_)) {
             const bool connects = goes_around_inside(mesh_, loop);
             const double cost = connects ? loop.length : kFilled * loop.length;
             if (loop.vertices.size() > kMostCorners || (!connects && !fill_holes_)) continue;
-            if (!(cost < cost_) || goes_around_vessel(positions_of(mesh_, loop), tree_)) continue;
+            if (!(cost < cost_) || !has_free_cap(graph, loop) || goes_around_vessel(loop)) continue;
             cost_ = cost;
             best_ = std::move(loop);
         }
     }
+    [[nodiscard]] bool goes_around_vessel(const SurfaceLoop& loop) {
+        // Each line from its lowest vertex, to the lower one of those beside that.
+        std::vector<std::uint32_t> vertices = loop.vertices;
+        std::ranges::rotate(vertices, std::ranges::min_element(vertices));
+        if (vertices.back() < vertices[1]) std::reverse(vertices.begin() + 1, vertices.end());
+        const auto [known, fresh] = around_vessel_.try_emplace(std::move(vertices), false);
+        if (fresh) {
+            known->second = axes_.go_through(positions_of(mesh_, loop));
+            steps_ += loop.vertices.size() * loop.vertices.size() * loop.vertices.size() / kCapSteps;
+        }
+        return known->second;
+    }
 
     const TriangleMesh& mesh_;
-    const tree::VesselTree& tree_;
+    Axes axes_;
     bool fill_holes_;
     SurfaceLoop best_;
     double cost_ = std::numeric_limits<double>::max();
+    std::map<std::vector<std::uint32_t>, bool> around_vessel_; // by a line's vertices
+    std::size_t steps_ = 0;                                    // of all searches
 };
 
 } // namespace
@@ -112,12 +134,17 @@ bool has_other_loops(const TriangleMesh& mesh, const tree::VesselTree& tree) {
 std::size_t cut_false_loops(TriangleMesh& mesh, const tree::VesselTree& tree, double memory_bytes, Job& job) {
     const Connectivity asked = connectivity_of(tree);
     if (!differs(mesh, asked)) return 0;
-    if (kBytesPerTriangle * static_cast<double>(mesh.triangles.size()) > memory_bytes) return 0;
+    const auto triangles = static_cast<double>(mesh.triangles.size());
+    const std::int64_t others = connectivity_of(mesh).loops - asked.loops;
+    if (kBytesPerTriangle * triangles > memory_bytes || static_cast<double>(others) * triangles > kMostInAll) return 0;
+    FalseLoops loops(mesh, tree, asked.loops == 0);
     std::size_t cut = 0;
-    for (std::int64_t more = connectivity_of(mesh).loops - asked.loops; more > 0; --more, ++cut) {
-        const SurfaceLoop loop = FalseLoop(mesh, tree, asked.loops == 0).find(job);
-        if (loop.vertices.empty()) break;
-        cut_along(mesh, loop);
+    for (std::int64_t more = others; more > 0; --more, ++cut) {
+        const auto share = [&](std::size_t n) { return static_cast<float>(n) / static_cast<float>(others); };
+        Job step(job, share(cut), share(cut + 1));
+        const SurfaceLoop loop = loops.best(step);
+        if (loop.vertices.empty() || !cut_along(mesh, loop)) break;
+        loops.forget(loop);
     }
     return cut;
 }

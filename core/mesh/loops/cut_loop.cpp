@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
+#include <set>
 #include <unordered_map>
+#include <utility>
 
 namespace ramus::mesh {
 
@@ -27,18 +30,24 @@ int corner_of(const glm::uvec3& triangle, std::uint32_t vertex) {
 
 class Cut {
 public:
-    Cut(TriangleMesh& mesh, const SurfaceLoop& loop)
-        : mesh_(mesh), line_(loop.vertices), cap_(spanning_triangles(positions_of(mesh, loop))) {
+    Cut(TriangleMesh& mesh, const SurfaceLoop& loop) : mesh_(mesh), line_(loop.vertices) {
         for (const std::uint32_t v : line_) around_[v];
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
             for (int corner = 0; corner < 3; ++corner)
                 if (const auto at = around_.find(mesh.triangles[t][corner]); at != around_.end())
                     at->second.push_back(static_cast<std::uint32_t>(t));
-        for (std::size_t n = 0; n < line_.size(); ++n)
-            for (std::size_t side = 0; side < kSides; ++side) rims_[side].push_back(rim(n, side));
     }
 
-    void make() {
+    [[nodiscard]] bool make() {
+        for (std::size_t n = 0; n < line_.size(); ++n)
+            for (std::size_t side = 0; side < kSides; ++side) {
+                std::optional<Rim> its = rim(n, side);
+                if (!its) return false;
+                rims_[side].push_back(std::move(*its));
+            }
+        std::vector<glm::dvec3> line;
+        for (const std::uint32_t v : line_) line.emplace_back(mesh_.positions[v]);
+        const std::vector<glm::uvec3> cap = spanning_triangles(line); // by places in the line
         const std::size_t first = mesh_.positions.size(), count = line_.size();
         mesh_.resize_vertices(first + count); // the line's on the right
         std::array<std::vector<std::uint32_t>, kSides> vertices;
@@ -50,32 +59,33 @@ public:
         }
         for (std::size_t side = 0; side < kSides; ++side)
             for (std::size_t n = 0; n < count; ++n) move_off(vertices[side][n], rims_[side][n]);
-        for (const glm::uvec3& triangle : cap_) {
+        for (const glm::uvec3& triangle : cap) {
             const auto [a, b, c] = std::array{triangle.x, triangle.y, triangle.z};
             mesh_.triangles.emplace_back(vertices[0][a], vertices[0][c], vertices[0][b]);
             mesh_.triangles.emplace_back(vertices[1][a], vertices[1][b], vertices[1][c]);
         }
+        return true;
     }
 
 private:
     // The triangles at the n-th vertex on one side: on the left those from the line's next edge counter-clockwise to
-    // its last one, on the right the others.
-    [[nodiscard]] Rim rim(std::size_t n, std::size_t side) const {
+    // its last one, on the right the others. None where they do not lead there.
+    [[nodiscard]] std::optional<Rim> rim(std::size_t n, std::size_t side) const {
         const std::uint32_t here = line_[n];
         const std::uint32_t next = line_[(n + 1) % line_.size()], last = line_[(n + line_.size() - 1) % line_.size()];
         const std::uint32_t end = side == 0 ? last : next;
+        const std::vector<std::uint32_t>& triangles = around_.at(here);
         std::uint32_t from = side == 0 ? next : last;
         Rim rim;
         float count = 0.0F;
-        while (from != end && rim.corners.size() <= around_.at(here).size()) {
-            for (const std::uint32_t t : around_.at(here)) {
-                const glm::uvec3& triangle = mesh_.triangles[t];
-                const int corner = corner_of(triangle, here);
-                if (triangle[(corner + 1) % 3] != from) continue;
-                rim.corners.emplace_back(t, corner);
-                from = triangle[(corner + 2) % 3];
-                break;
-            }
+        while (from != end) {
+            const auto it = std::ranges::find_if(triangles, [&](std::uint32_t t) {
+                return mesh_.triangles[t][(corner_of(mesh_.triangles[t], here) + 1) % 3] == from;
+            });
+            if (it == triangles.end() || rim.corners.size() == triangles.size()) return std::nullopt;
+            const int corner = corner_of(mesh_.triangles[*it], here);
+            rim.corners.emplace_back(*it, corner);
+            from = mesh_.triangles[*it][(corner + 2) % 3];
             if (from == end && count > 0.0F) break;
             rim.neighbours += mesh_.positions[from], count += 1.0F;
         }
@@ -92,13 +102,29 @@ private:
 
     TriangleMesh& mesh_;
     std::span<const std::uint32_t> line_;
-    std::vector<glm::uvec3> cap_;                                          // by places in the line
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> around_; // triangles at each vertex of the line
     std::array<std::vector<Rim>, kSides> rims_;
 };
 
 } // namespace
 
-void cut_along(TriangleMesh& mesh, const SurfaceLoop& loop) { Cut(mesh, loop).make(); }
+bool has_free_cap(const SurfaceGraph& graph, const SurfaceLoop& loop) {
+    const std::size_t count = loop.vertices.size();
+    std::unordered_map<std::uint32_t, std::uint32_t> places;
+    for (std::size_t n = 0; n < count; ++n) places[loop.vertices[n]] = static_cast<std::uint32_t>(n);
+    std::set<std::pair<std::uint32_t, std::uint32_t>> across; // of places, ascending
+    for (const auto& [vertex, place] : places)
+        for (const std::uint32_t edge : graph.edges_at(vertex)) {
+            const auto other = places.find(graph.other_end(edge, vertex));
+            if (other == places.end() || other->second < place + 2 || other->second - place == count - 1) continue;
+            across.emplace(place, other->second);
+        }
+    if (across.empty()) return true;
+    return std::ranges::none_of(spanning_triangles(positions_of(graph.mesh(), loop)), [&](const glm::uvec3& t) {
+        return across.contains({t.x, t.y}) || across.contains({t.y, t.z}) || across.contains({t.x, t.z});
+    });
+}
+
+bool cut_along(TriangleMesh& mesh, const SurfaceLoop& loop) { return Cut(mesh, loop).make(); }
 
 } // namespace ramus::mesh

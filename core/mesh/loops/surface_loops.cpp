@@ -27,12 +27,20 @@ struct Reached {
 };
 using Front = std::priority_queue<Reached, std::vector<Reached>, std::greater<>>;
 
-void flip(std::vector<std::uint64_t>& bits, const std::vector<std::uint64_t>& by) {
+constexpr std::size_t kBits = 128; // of a label
+
+void flip(std::array<std::uint64_t, 2>& bits, const std::array<std::uint64_t, 2>& by) {
     for (std::size_t n = 0; n < by.size(); ++n) bits[n] ^= by[n];
 }
 
-bool any(const std::vector<std::uint64_t>& bits) {
-    return std::ranges::any_of(bits, [](std::uint64_t word) { return word != 0; });
+bool any(const std::array<std::uint64_t, 2>& bits) { return (bits[0] | bits[1]) != 0; }
+
+// A number scattered over 64 bits (Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014).
+std::uint64_t scattered(std::uint64_t number) {
+    number = (number + 1) * 0x9e3779b97f4a7c15U;
+    number = (number ^ number >> 30) * 0xbf58476d1ce4e5b9U;
+    number = (number ^ number >> 27) * 0x94d049bb133111ebU;
+    return number ^ number >> 31;
 }
 
 } // namespace
@@ -49,7 +57,7 @@ struct SurfaceLoops::Tree {
     std::vector<std::uint32_t> edge; // toward the start, by vertex
 };
 
-SurfaceLoops::Tree SurfaceLoops::shortest_paths() const {
+SurfaceLoops::Tree SurfaceLoops::shortest_paths(Job& job) const {
     const std::size_t count = graph_.mesh().positions.size();
     Tree tree{std::vector<double>(count, std::numeric_limits<double>::max()), std::vector<std::uint32_t>(count, kNone)};
     Front front;
@@ -57,7 +65,7 @@ SurfaceLoops::Tree SurfaceLoops::shortest_paths() const {
         if (graph_.edges_at(start).empty() || tree.distance[start] < std::numeric_limits<double>::max()) continue;
         tree.distance[start] = 0.0;
         front.push({0.0, start});
-        while (!front.empty()) {
+        while (!front.empty() && !job.cancelled()) {
             const auto [distance, vertex] = front.top();
             front.pop();
             if (distance > tree.distance[vertex]) continue;
@@ -73,9 +81,10 @@ SurfaceLoops::Tree SurfaceLoops::shortest_paths() const {
     return tree;
 }
 
-SurfaceLoops::SurfaceLoops(const SurfaceGraph& graph) : graph_(graph) {
+SurfaceLoops::SurfaceLoops(const SurfaceGraph& graph, Job& job) : graph_(graph) {
     const auto edges = graph.edges();
-    const Tree tree = shortest_paths();
+    const Tree tree = shortest_paths(job);
+    if (job.cancelled()) return;
     std::vector<bool> in_tree(edges.size(), false);
     for (const std::uint32_t edge : tree.edge)
         if (edge != kNone) in_tree[edge] = true;
@@ -95,44 +104,50 @@ SurfaceLoops::SurfaceLoops(const SurfaceGraph& graph) : graph_(graph) {
     find_crossings(of_triangles);
 }
 
-// The loop of triangles of each edge that is left: along the tree of triangles from its one side to its other one.
+SurfaceLoops::Crossings SurfaceLoops::label(std::size_t row) const {
+    if (edges_.size() > kBits) return {scattered(2 * row), scattered(2 * row + 1)};
+    Crossings bits{};
+    bits[row / 64] = std::uint64_t{1} << row % 64;
+    return bits;
+}
+
+// The row of triangles of each edge that is left: along the tree of triangles from its one side to its other one. An
+// edge of that tree is crossed by the rows that end once in what lies below it.
 void SurfaceLoops::find_crossings(std::span<const std::uint32_t> tree) {
     if (edges_.empty()) return;
+    crossings_.resize(graph_.edges().size(), {});
     const std::size_t count = graph_.mesh().triangles.size();
+    std::vector<Crossings> below(count, Crossings{}); // each triangle of the tree
+    for (std::size_t row = 0; row < edges_.size(); ++row) {
+        crossings_[edges_[row]] = label(row);
+        for (const std::uint32_t t : graph_.edges()[edges_[row]].triangles) flip(below[t], label(row));
+    }
     std::vector<std::array<std::uint32_t, 3>> beside(count, {kNone, kNone, kNone});
     for (const std::uint32_t edge : tree)
         for (const std::uint32_t t : graph_.edges()[edge].triangles) *std::ranges::find(beside[t], kNone) = edge;
-    std::vector<std::uint32_t> up(count, kNone), depth(count, kNone), order;
+    std::vector<std::uint32_t> up(count, kNone), order;
+    std::vector<bool> reached(count, false);
     const auto other_side = [&](std::uint32_t edge, std::uint32_t t) {
         const auto& sides = graph_.edges()[edge].triangles;
         return sides[0] == t ? sides[1] : sides[0];
     };
     for (std::uint32_t root = 0; root < count; ++root) {
-        if (depth[root] != kNone) continue;
-        depth[root] = 0;
+        if (reached[root]) continue;
+        reached[root] = true;
         order.assign(1, root);
         for (std::size_t n = 0; n < order.size(); ++n)
             for (const std::uint32_t edge : beside[order[n]]) {
                 if (edge == kNone || edge == up[order[n]]) continue;
                 const std::uint32_t t = other_side(edge, order[n]);
-                depth[t] = depth[order[n]] + 1, up[t] = edge;
+                reached[t] = true, up[t] = edge;
                 order.push_back(t);
             }
-    }
-    for (std::size_t loop = 0; loop < edges_.size(); ++loop) {
-        cross(edges_[loop], loop);
-        auto [s, t] = graph_.edges()[edges_[loop]].triangles;
-        while (s != t) {
-            std::uint32_t& deeper = depth[s] > depth[t] ? s : t;
-            cross(up[deeper], loop);
-            deeper = other_side(up[deeper], deeper);
+        for (std::size_t n = order.size() - 1; n > 0; --n) {
+            const std::uint32_t t = order[n];
+            crossings_[up[t]] = below[t];
+            flip(below[other_side(up[t], t)], below[t]);
         }
     }
-}
-
-void SurfaceLoops::cross(std::uint32_t edge, std::size_t loop) {
-    Crossings& bits = crossings_.try_emplace(edge, edges_.size() / 64 + 1, 0).first->second;
-    bits[loop / 64] ^= std::uint64_t{1} << loop % 64;
 }
 
 // A vertex that the search from another one has come to.
@@ -143,14 +158,15 @@ struct SurfaceLoops::Known {
     bool settled = false;
 };
 
-std::vector<SurfaceLoop> SurfaceLoops::shortest(std::uint32_t vertex, double longest) const {
+std::vector<SurfaceLoop> SurfaceLoops::shortest(std::uint32_t vertex, double longest, std::size_t& visited) const {
     struct Closing {
         double length;
         std::uint32_t edge;
     };
+    if (edges_.empty()) return {};
     std::map<Crossings, Closing> kinds;
     KnownVertices known;
-    known.try_emplace(vertex, Known{0.0, kNone, Crossings(edges_.size() / 64 + 1, 0)});
+    known.try_emplace(vertex, Known{0.0, kNone, Crossings{}});
     Front front;
     front.push({0.0, vertex});
     while (!front.empty()) {
@@ -164,21 +180,22 @@ std::vector<SurfaceLoop> SurfaceLoops::shortest(std::uint32_t vertex, double lon
             if (edge == here.edge) continue;
             const std::uint32_t to = graph_.other_end(edge, at);
             Crossings there = here.crossed;
-            if (const auto by = crossings_.find(edge); by != crossings_.end()) flip(there, by->second);
+            flip(there, crossings_[edge]);
             const double along = distance + graph_.length(edge);
             const auto [entry, fresh] = known.try_emplace(to, Known{along, edge, there});
             Known& other = entry->second;
             if (fresh || (!other.settled && along < other.distance)) {
-                other = {along, edge, std::move(there)};
+                other = {along, edge, there};
                 front.push({along, to});
             } else if (const double length = along + other.distance; other.settled && length <= longest) {
                 flip(there, other.crossed);
                 if (!any(there)) continue;
-                const auto [kind, first] = kinds.try_emplace(std::move(there), Closing{length, edge});
+                const auto [kind, first] = kinds.try_emplace(there, Closing{length, edge});
                 if (!first && length < kind->second.length) kind->second = {length, edge};
             }
         }
     }
+    visited += known.size();
     std::vector<SurfaceLoop> loops;
     for (const auto& [kind, closing] : kinds) loops.push_back(closed(known, vertex, closing.edge));
     std::ranges::stable_sort(loops, {}, &SurfaceLoop::length);

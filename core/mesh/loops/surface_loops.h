@@ -6,11 +6,16 @@
 // Dynamic generators of topologically embedded graphs, SODA 2003). With the shortest paths as the first and the longest
 // ways crossed first by the second these edges lie where the connections are (Erickson and Whittlesey, Greedy optimal
 // homotopy and homology generators, SODA 2005). Each belongs to a closed row of triangles; how often a closed line
-// crosses each of these rows, an even or odd number of times, tells whether it parts the surface.
+// crosses each of these rows, an even or odd number of times, tells whether it parts the surface. A row has a label of
+// 128 bits, and a line the sum of those that it crosses, bit by bit without carry: of up to 128 rows each has a bit of
+// its own, and labels of more are scattered, so that a line which does not part the surface has a sum of 0 by chance
+// alone, once in 2^128. So neither time nor memory grows with the number of loops.
 #pragma once
 
+#include "core/base/job.h"
 #include "core/mesh/loops/surface_graph.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -27,27 +32,29 @@ struct SurfaceLoop {
 
 class SurfaceLoops {
 public:
-    explicit SurfaceLoops(const SurfaceGraph& graph);
+    // Of a graph, which must outlive it.
+    SurfaceLoops(const SurfaceGraph& graph, Job& job);
 
-    // Two for each of the surface's loops, as connectivity_of() counts them.
+    // Two for each of the surface's loops, as connectivity_of() counts them; none if the job was cancelled.
     [[nodiscard]] std::span<const std::uint32_t> edges() const { return edges_; }
     // The shortest loops through a vertex that are no longer than `longest`, mm: one of each kind, which cross
-    // the same loops of triangles an odd number of times; the shortest first.
-    [[nodiscard]] std::vector<SurfaceLoop> shortest(std::uint32_t vertex, double longest) const;
+    // the same loops of triangles an odd number of times; the shortest first. Adds to `visited` how many vertices it
+    // came to.
+    [[nodiscard]] std::vector<SurfaceLoop> shortest(std::uint32_t vertex, double longest, std::size_t& visited) const;
 
 private:
-    using Crossings = std::vector<std::uint64_t>; // a bit for each of edges_
+    using Crossings = std::array<std::uint64_t, 2>; // a sum of labels
     struct Tree;
-    [[nodiscard]] Tree shortest_paths() const;
+    [[nodiscard]] Tree shortest_paths(Job& job) const;
     void find_crossings(std::span<const std::uint32_t> tree);
-    void cross(std::uint32_t edge, std::size_t loop);
+    [[nodiscard]] Crossings label(std::size_t row) const;
     struct Known;
     using KnownVertices = std::unordered_map<std::uint32_t, Known>;
     [[nodiscard]] SurfaceLoop closed(const KnownVertices& known, std::uint32_t start, std::uint32_t edge) const;
 
     const SurfaceGraph& graph_;
     std::vector<std::uint32_t> edges_;
-    std::unordered_map<std::uint32_t, Crossings> crossings_; // of edges that any row of triangles crosses
+    std::vector<Crossings> crossings_; // by edge
 };
 
 } // namespace ramus::mesh

@@ -9,9 +9,11 @@
 #include "tests/support/packed_trees.h"
 #include "tests/support/surface_shape.h"
 
+#include <array>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -58,18 +60,90 @@ tree::VesselTree arc(double from, double to) {
     return tree;
 }
 
+// A plate of cubes with so many square holes along each of two sides: bars around the holes, one cube thick.
+TriangleMesh plate(int holes) {
+    const int size = 2 * holes + 1;
+    const auto is_cube = [&](int x, int y, int z) {
+        return z == 0 && x >= 0 && y >= 0 && x < size && y < size && (x % 2 == 0 || y % 2 == 0);
+    };
+    TriangleMesh mesh;
+    std::map<std::array<int, 3>, std::uint32_t> numbers;
+    const auto corner = [&](const glm::ivec3& p) {
+        const auto [number, fresh] = numbers.try_emplace({p.x, p.y, p.z}, numbers.size());
+        if (fresh) mesh.positions.emplace_back(p), mesh.normals.emplace_back(0.0F);
+        return number->second;
+    };
+    for (int x = 0; x < size; ++x)
+        for (int y = 0; y < size; ++y)
+            for (int axis = 0; axis < 3; ++axis)
+                for (const int side : {0, 1}) {
+                    glm::ivec3 way(0), u(0), v(0);
+                    way[axis] = 2 * side - 1, u[(axis + 1) % 3] = 1, v[(axis + 2) % 3] = 1;
+                    if (!is_cube(x, y, 0) || is_cube(x + way.x, y + way.y, way.z)) continue;
+                    glm::ivec3 at(x, y, 0);
+                    at[axis] += side;
+                    if (side == 0) std::swap(u, v);
+                    const std::array corners{corner(at), corner(at + u), corner(at + u + v), corner(at + v)};
+                    mesh.triangles.emplace_back(corners[0], corners[1], corners[2]);
+                    mesh.triangles.emplace_back(corners[0], corners[2], corners[3]);
+                    for (const std::uint32_t n : corners) mesh.normals[n] += glm::vec3(way);
+                }
+    for (glm::vec3& normal : mesh.normals) normal = glm::normalize(normal);
+    mesh.radii.resize(mesh.positions.size(), 0.5F);
+    mesh.branches.resize(mesh.positions.size(), 0);
+    mesh.dominance.resize(mesh.positions.size());
+    return mesh;
+}
+
+// The axes of its bars, but for so many of those along y.
+tree::VesselTree bars(int holes, int missing) {
+    tree::VesselTree tree;
+    const auto number = [&](int x, int y) { return static_cast<std::uint32_t>(y * (holes + 1) + x); };
+    for (int y = 0; y <= holes; ++y)
+        for (int x = 0; x <= holes; ++x) {
+            tree.points.push_back({{2.0 * x + 0.53, 2.0 * y + 0.48, 0.51}, 0.5});
+            if (x < holes) tree.branches.emplace_back().points = {number(x, y), number(x + 1, y)};
+            if (y < holes && missing-- <= 0) tree.branches.emplace_back().points = {number(x, y), number(x, y + 1)};
+        }
+    return tree;
+}
+
+// A fan on the other side of an open surface's rim.
+TriangleMesh closed_by_point(TriangleMesh mesh, const SurfaceLoop& rim) {
+    const auto tip = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.emplace_back(0.5F, 0.0F, 5.0F);
+    for (std::size_t n = 0; n < rim.vertices.size(); ++n)
+        mesh.triangles.emplace_back(rim.vertices[(n + 1) % rim.vertices.size()], rim.vertices[n], tip);
+    return mesh;
+}
+
+std::size_t edges_of_loops(const TriangleMesh& mesh) {
+    Job job;
+    const SurfaceGraph graph(mesh);
+    return SurfaceLoops(graph, job).edges().size();
+}
+
+std::vector<SurfaceLoop> shortest_loops(const TriangleMesh& mesh, std::uint32_t vertex, double longest) {
+    Job job;
+    const SurfaceGraph graph(mesh);
+    std::size_t visited = 0;
+    return SurfaceLoops(graph, job).shortest(vertex, longest, visited);
+}
+
 double angle_of(const glm::vec3& p) { return std::atan2(p.y, p.x) / (2.0 * std::numbers::pi); } // in turns
 
 } // namespace
 
 TEST_CASE("each loop of a surface has a line around its tube and one along it") {
+    Job job;
     TriangleMesh mesh = torus();
     {
         const SurfaceGraph graph(mesh);
-        const SurfaceLoops loops(graph);
+        const SurfaceLoops loops(graph, job);
+        std::size_t visited = 0;
         CHECK(graph.edges().size() == 3 * mesh.triangles.size() / 2);
         CHECK(loops.edges().size() == 2);
-        const auto shortest = loops.shortest(0, 100.0);
+        const auto shortest = loops.shortest(0, 100.0, visited);
         REQUIRE(shortest.size() == 3); // around the tube, along it, and both
         const double meridian = 2.0 * 16 * kTube * std::sin(std::numbers::pi / 16);
         const double inner = 2.0 * 48 * (kRadius - kTube) * std::sin(std::numbers::pi / 48);
@@ -81,15 +155,76 @@ TEST_CASE("each loop of a surface has a line around its tube and one along it") 
             const std::set<std::uint32_t> each(loop.vertices.begin(), loop.vertices.end());
             CHECK(each.size() == loop.vertices.size());
         }
-        const auto inside = loops.shortest(8, 100.0); // on the torus's inside
+        const auto inside = loops.shortest(8, 100.0, visited); // on the torus's inside
         REQUIRE(inside.size() == 3);
         CHECK(inside[1].length == doctest::Approx(inner).epsilon(1e-5));
-        CHECK(loops.shortest(0, 0.99 * meridian).empty());
+        CHECK(loops.shortest(0, 0.99 * meridian, visited).empty());
     }
     append(mesh, torus(30, 12, {40, 0, 0}));
-    CHECK(SurfaceLoops(SurfaceGraph(mesh)).edges().size() == 4);
-    cut_along(mesh, SurfaceLoops(SurfaceGraph(mesh)).shortest(0, 20.0).front());
-    CHECK(SurfaceLoops(SurfaceGraph(mesh)).edges().size() == 2);
+    CHECK(edges_of_loops(mesh) == 4);
+    CHECK(cut_along(mesh, shortest_loops(mesh, 0, 20.0).front()));
+    CHECK(edges_of_loops(mesh) == 2);
+}
+
+TEST_CASE("what is told of loops does not depend on how many there are") {
+    constexpr int kMany = 100; // of two rows of triangles each: more than labels have bits
+    TriangleMesh mesh;
+    for (int n = 0; n < kMany; ++n) append(mesh, torus(12, 8, {40.0F * static_cast<float>(n), 0, 0}));
+    CHECK(edges_of_loops(mesh) == 2 * kMany);
+    for (const std::uint32_t first : {0U, 96U * 50U, 96U * 99U}) {
+        const auto of_many = shortest_loops(mesh, first, 100.0), of_one = shortest_loops(torus(12, 8), 0, 100.0);
+        REQUIRE(of_many.size() == of_one.size());
+        for (std::size_t n = 0; n < of_one.size(); ++n)
+            CHECK(of_many[n].length == doctest::Approx(of_one[n].length).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("of thousands of loops the false one is found") {
+    constexpr int kHoles = 50;
+    Job job;
+    TriangleMesh mesh = plate(kHoles);
+    REQUIRE(test::topology(mesh).closed_manifold());
+    REQUIRE(connectivity_of(mesh) == Connectivity{1, kHoles * kHoles});
+    CHECK(cut_false_loops(mesh, bars(kHoles, 0), kEnough, job) == 0);
+    CHECK(cut_false_loops(mesh, bars(kHoles, 1), kEnough, job) == 1);
+    CHECK(job.progress() == 1.0F);
+    CHECK(test::topology(mesh).closed_manifold());
+    CHECK(connectivity_of(mesh) == Connectivity{1, kHoles * kHoles - 1});
+    const std::size_t whole = plate(kHoles).positions.size();
+    REQUIRE(mesh.positions.size() > whole);
+    for (std::size_t v = whole; v < mesh.positions.size(); ++v) // around the first bar along y
+        CHECK(glm::distance(mesh.positions[v], glm::vec3(0.5F, 1.5F, 0.5F)) < 1.0F);
+}
+
+TEST_CASE("where loops are far too many to cut in a while all stay") {
+    constexpr int kHoles = 100;
+    Job job;
+    TriangleMesh mesh = plate(kHoles);
+    const TriangleMesh before = mesh;
+    CHECK(cut_false_loops(mesh, bars(kHoles, kHoles * kHoles / 2), kEnough, job) == 0);
+    CHECK(mesh == before);
+}
+
+TEST_CASE("a line whose caps would have an edge of the surface is not cut along") {
+    const SurfaceLoop ring{{0, 1, 2, 3}, 10.0}; // whose caps have an edge from 0 to 2
+    TriangleMesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 1}, {2, 0, 0}, {1, 3, 0}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    CHECK(!has_free_cap(SurfaceGraph(closed_by_point(mesh, ring)), ring));
+    mesh.triangles = {{0, 1, 3}, {1, 2, 3}};
+    CHECK(has_free_cap(SurfaceGraph(closed_by_point(mesh, ring)), ring));
+}
+
+TEST_CASE("a surface whose triangles do not all face one way is not cut, and nobody waits forever") {
+    for (const std::uint32_t triangle : {14U, 15U, 16U, 17U}) {
+        CAPTURE(triangle);
+        TriangleMesh mesh = torus();
+        const SurfaceLoop loop = shortest_loops(mesh, 8, 100.0).front();
+        std::swap(mesh.triangles[triangle].x, mesh.triangles[triangle].y);
+        const TriangleMesh before = mesh;
+        CHECK(!cut_along(mesh, loop));
+        CHECK(mesh == before);
+    }
 }
 
 TEST_CASE("a surface with a hole has no edges that could be cut along") {
@@ -107,9 +242,8 @@ TEST_CASE("a surface cut along a line is closed, with a loop less and a hair's b
         CAPTURE(kind);
         TriangleMesh mesh = torus();
         const TriangleMesh before = mesh;
-        const SurfaceGraph graph(before);
-        const SurfaceLoop loop = SurfaceLoops(graph).shortest(8, 100.0)[kind];
-        cut_along(mesh, loop);
+        const SurfaceLoop loop = shortest_loops(before, 8, 100.0)[kind];
+        CHECK(cut_along(mesh, loop));
         CHECK(test::topology(mesh).closed_manifold());
         CHECK(connectivity_of(mesh) == Connectivity{1, 0});
         CHECK(mesh.positions.size() == before.positions.size() + loop.vertices.size());
