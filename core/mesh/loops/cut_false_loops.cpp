@@ -17,11 +17,12 @@ namespace {
 
 constexpr double kLongest = 16.0;           // radii of the vessel there, that a line is
 constexpr std::size_t kMostCorners = 512;   // of a line: caps take time as the cube of them
-constexpr double kBytesPerTriangle = 140.0; // that looking for loops takes, however many there are
-// The surface is looked at as a whole for each loop that is cut. More triangles than this in all take too long, and are
-// a sign of cells larger than the gaps between vessels, where hardly any loop is false by chance.
+constexpr double kBytesPerTriangle = 140.0; // that looking for loops takes (measured: 127), however many there are
+// The surface is looked at as a whole for each loop that is cut: the triangles of all these looks. They take 1.2 us
+// each; where they are more, cells are larger than the gaps between vessels.
 constexpr double kMostInAll = 200e6;
-// Vertices that searches come to, in all, and how many triangles of a cap to choose from take as long as one of these.
+// Vertices that searches come to, in all, which take 0.2 us each; and as how many choices of a cap's triangle one
+// counts.
 constexpr std::size_t kMostSteps = 200'000'000, kCapSteps = 300;
 
 // Pieces less loops: half of the Euler characteristic.
@@ -106,7 +107,7 @@ private:
     [[nodiscard]] bool goes_around_vessel(const SurfaceLoop& loop) {
         // Each line from its lowest vertex, to the lower one of those beside that.
         std::vector<std::uint32_t> vertices = loop.vertices;
-        std::ranges::rotate(vertices, std::ranges::min_element(vertices));
+        std::rotate(vertices.begin(), std::ranges::min_element(vertices), vertices.end());
         if (vertices.back() < vertices[1]) std::reverse(vertices.begin() + 1, vertices.end());
         const auto [known, fresh] = around_vessel_.try_emplace(std::move(vertices), false);
         if (fresh) {
