@@ -118,12 +118,16 @@ void CastPass::begin(const Subject& subject, const ViewSetup& view, BranchRecord
 std::optional<CastPass::Made> CastPass::take(double seconds) {
     if (!work_) return {};
     constexpr double kLong = 1e4; // seconds
-    worker_->wait(std::chrono::milliseconds(std::lround(1e3 * std::clamp(seconds, 0.0, kLong))));
-    worker_->drain();
-    if (!worker_->take_failure().empty()) {
-        work_.reset();
-        throw std::bad_alloc();
-    }
+    const Stopwatch watch;
+    do { // what comes may be the end of the work before
+        const double left = std::clamp(seconds - watch.seconds(), 0.0, kLong);
+        worker_->wait(std::chrono::milliseconds(std::lround(1e3 * left)));
+        worker_->drain();
+        if (!worker_->take_failure().empty()) {
+            work_.reset();
+            throw std::bad_alloc();
+        }
+    } while (!work_->done && watch.seconds() < seconds);
     if (!work_->done) return {};
     Made made = std::move(work_->made);
     work_.reset();

@@ -128,13 +128,19 @@ TEST_CASE("a surface that was cancelled leaves nothing wrong behind") {
 }
 
 TEST_CASE("an edited tree's surface comes where there can be no cones until then") {
-    SurfaceFollower follower({});
-    const auto tree = std::make_shared<const tree::VesselTree>(test::grown_tree(400).value());
+    tree::Graph graph; // a vessel so long that its preview comes after cones were given up
+    for (std::uint32_t i = 0; i <= 50; ++i) {
+        graph.points.push_back({{0.0, 0.0, 400.0 * i}, 0.5});
+        if (i > 0) graph.edges.emplace_back(i - 1, i);
+    }
+    graph.roots = {0};
+    Shop shop(tree::build_tree(std::move(graph), tree::Repair::kUsual, [](auto) { return std::string(); }).value());
+    const auto& tree = shop.tree;
     SurfaceRequest request;
-    request.options.detail = 5000; // cones of so many sides have more vertices than can be numbered
-    request.options.cell_mm = 0.5; // and are nothing to the surface
-    request.options.radii = mesh::Radii::kExact;
-    request.options.threads = 1; // it comes after they were given up
+    request.options.detail = 20'000; // cones of so many sides have more vertices than can be numbered
+    request.options.cell_mm = 0.4;   // and are nothing to the surface
+    request.options.threads = 1;
+    SurfaceFollower follower({});
     Job job;
     REQUIRE_FALSE(first_cones(*tree, request, job));
     follower.change_tree(tree, request);
