@@ -220,38 +220,14 @@ void ViewerInput::look_up(glm::dvec2 in_viewport, const std::function<void(const
     });
 }
 
-// Moves come faster than they are looked up. A press or a release comes after all of them.
-void ViewerInput::tell_tool(Tool::Event event, const Pointing& pointing) {
-    const bool move = event == &Tool::move;
-    if (move && !move_on_its_way_.expired()) {
-        next_move_.emplace(pointing);
-        return;
-    }
-    if (!move) tell_next_move();
-    const auto tell_it = [this, event, pointing, told = state_.interface.tool.get()](const render::Pick& under) {
-        if (state_.interface.tool.get() != told) return; // another one was taken
-        Pointing known = pointing;
-        known.under = under;
-        (told->*event)(known);
-        perform_tool();
-    };
-    if (!state_.interface.tool->picks()) return state_.await(nullptr, [tell_it] { tell_it({}); });
-    if (!move) return look_up(pointing.at, tell_it);
-    const auto on_its_way = std::make_shared<const int>(); // gone as well where the answer is dropped with its tree
-    move_on_its_way_ = on_its_way;
-    look_up(pointing.at, [this, tell_it, on_its_way](const render::Pick& under) {
-        move_on_its_way_.reset();
-        tell_it(under);
-        tell_next_move();
-    });
+void ViewerInput::look_up_for_tool(glm::dvec2 in_viewport, const std::function<void(const render::Pick&)>& then) {
+    if (state_.interface.tool->picks()) return look_up(in_viewport, then);
+    state_.await(nullptr, [then] { then({}); });
 }
 
-void ViewerInput::tell_next_move() {
-    move_on_its_way_.reset();
-    if (!next_move_) return;
-    const Pointing next = *next_move_;
-    next_move_.reset();
-    if (state_.interface.tool) tell_tool(&Tool::move, next);
+void ViewerInput::tell_tool(Tool::Event event, const Pointing& pointing) {
+    (state_.interface.tool.get()->*event)(pointing);
+    perform_tool();
 }
 
 void ViewerInput::perform_tool() {
@@ -376,8 +352,7 @@ void ViewerInput::use_tool(std::string_view name) {
     state_.interface.tool_kind = kind;
     state_.interface.tool = kind->make != nullptr ? kind->make() : nullptr;
     tool_mouse_.abandon();
-    move_on_its_way_.reset();
-    next_move_.reset();
+    tool_events_.abandon();
     pick_wanted_ = true;
     state_.redraw();
 }

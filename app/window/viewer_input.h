@@ -4,13 +4,13 @@
 #pragma once
 
 #include "app/actions/keys.h"
+#include "app/tools/tool_events.h"
 #include "app/tools/tool_mouse.h"
 #include "app/tools/viewport_mouse.h"
 #include "app/window/imgui_input.h"
 #include "app/window/picture_view.h"
 
 #include <functional>
-#include <memory>
 #include <optional>
 
 namespace ramus::app {
@@ -68,10 +68,12 @@ private:
     [[nodiscard]] Pointing pointing(Modifiers modifiers);
     // `then` gets what the picture shows there now, once that is known; what is done after it takes effect after it.
     void look_up(glm::dvec2 in_viewport, const std::function<void(const render::Pick&)>& then);
+    void look_up_for_tool(glm::dvec2 in_viewport, const std::function<void(const render::Pick&)>& then);
     void tell_tool(Tool::Event event, const Pointing& pointing);
-    void tell_next_move();
     [[nodiscard]] ToolMouse::Tell tell() {
-        return [this](Tool::Event event, const Pointing& pointing) { tell_tool(event, pointing); };
+        return [this](Tool::Event event, const Pointing& pointing) {
+            tool_events_.add(event, pointing, state_.interface.tool->picks());
+        };
     }
     void perform_tool();
     void clicked(const Click& click);
@@ -90,9 +92,8 @@ private:
     double wipe_grip_ = 0.0; // from the line to where it was taken, pixels
     bool pointer_over_picture_ = false;
     bool pick_wanted_ = false, pick_pending_ = false;
-    // Of a tool that picks: one move is looked up at a time, and then the last that came meanwhile.
-    std::weak_ptr<const int> move_on_its_way_; // until it is known
-    std::optional<Pointing> next_move_;
+    ToolEvents tool_events_{[this](glm::dvec2 at, const auto& then) { look_up_for_tool(at, then); },
+                            [this](Tool::Event event, const Pointing& pointing) { tell_tool(event, pointing); }};
 };
 
 } // namespace ramus::app
