@@ -96,10 +96,18 @@ void MeasureTool::press(const Pointing& pointing) {
     pressed_at_ = pointing.at;
     if (begun_.empty())
         if (const auto handle = handle_under(pointing)) {
-            held_ = Held{*handle, pointing.document.marks().measurements[handle->measurement], pointing.at};
+            const Measurement& there = pointing.document.marks().measurements[handle->measurement];
+            held_ = Held{*handle, there, there, pointing.at};
             return;
         }
     take_point(pointing);
+}
+
+const MeasureTool::Held* MeasureTool::held(const Pointing& pointing) const {
+    if (!held_) return nullptr;
+    const auto& measurements = pointing.document.marks().measurements;
+    const std::size_t index = held_->handle.measurement;
+    return index < measurements.size() && measurements[index] == held_->before ? &*held_ : nullptr;
 }
 
 void MeasureTool::take_point(const Pointing& pointing) {
@@ -115,6 +123,7 @@ void MeasureTool::take_point(const Pointing& pointing) {
 }
 
 void MeasureTool::move(const Pointing& pointing) {
+    if (held_ && held(pointing) == nullptr) escape();
     over_handle_ = held_ || (begun_.empty() && handle_under(pointing));
     if (!held_) return look(pointing);
     if (!held_->moved && !went_away(pointing, held_->pressed_at)) return;
@@ -142,6 +151,7 @@ void MeasureTool::look(const Pointing& pointing) {
 
 // A press that did not move is a click, on a handle too: what is measured next may begin where another one ends.
 void MeasureTool::release(const Pointing& pointing) {
+    if (held_ && held(pointing) == nullptr) return void(escape());
     const auto held = std::exchange(held_, std::nullopt);
     if (held && !held->moved) return take_point(pointing);
     if (!held) {
@@ -176,16 +186,18 @@ ToolDrawing MeasureTool::drawing(const Pointing& pointing) const {
         if (const auto at = put(place))
             drawing.circles.push_back({glm::dvec2(*at), points * ratio, kMeasureColour, 1.5F, filled});
     };
-    const auto moved = moved_measurement();
+    const Held* const held = this->held(pointing);
+    const auto moved = held != nullptr ? moved_measurement() : std::nullopt;
     const auto& measurements = pointing.document.marks().measurements;
     for (std::size_t m = 0; m < measurements.size(); ++m)
         if (m != moved)
             for (const glm::dvec3& end : ends_of(*pointing.document.tree(), measurements[m]))
                 dot(end, kHandlePoints, true);
-    if (const auto handle = held_ ? held_->handle : handle_under(pointing); handle && begun_.empty() && !moved)
+    if (const auto handle = held != nullptr ? held->handle : handle_under(pointing); handle && begun_.empty() && !moved)
         dot(ends_of(*pointing.document.tree(), measurements[handle->measurement])[handle->end], 1.6 * kHandlePoints,
             false);
     for (const render::Pick& pick : begun_) dot(pick.position, kHandlePoints, true);
+    if (held_ && held == nullptr) return drawing;
     const bool known = live_ && *live_;
     if (!begun_.empty() && !known)
         if (const auto from = put(begun_.back().position))

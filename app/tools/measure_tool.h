@@ -33,13 +33,15 @@ private:
     };
     struct Held {
         Handle handle;
-        Measurement now;
+        Measurement before, now;
         glm::dvec2 pressed_at{0.0};
         bool moved = false;
     };
     [[nodiscard]] static std::optional<Handle> handle_under(const Pointing& pointing);
     [[nodiscard]] std::size_t points_wanted() const;
     [[nodiscard]] Measurement measurement_of(const Pointing& pointing, const std::vector<render::Pick>& picks) const;
+    // What is held, unless it was changed meanwhile: undone, say, by a key.
+    [[nodiscard]] const Held* held(const Pointing& pointing) const;
     void take_point(const Pointing& pointing);
     void look(const Pointing& pointing); // what would be measured by a click now
 

@@ -135,9 +135,12 @@ void LesionTool::move(const Pointing& pointing) {
     put(held_->sphere, glm::dvec3(held_->before[0], held_->before[1], held_->before[2]) + to - from);
 }
 
-void LesionTool::release(const Pointing&) {
+// One that was changed meanwhile, by a key perhaps, is left as it is.
+void LesionTool::release(const Pointing& pointing) {
     const auto held = std::exchange(held_, std::nullopt);
     if (!held) return;
+    const auto& lesions = pointing.document.marks().lesions;
+    if (held->index && (*held->index >= lesions.size() || lesions[*held->index] != held->before)) return;
     const auto& [x, y, z, r] = held->sphere;
     const std::string sphere = spelled({x, y, z}) + "," + spelled(r);
     if (!held->index)

@@ -221,6 +221,30 @@ TEST_CASE("an end of a measurement is dragged, with the value on the way, and is
     CHECK(tool.cursor() != Cursor::kHand);
 }
 
+TEST_CASE("what is undone while it is held is let go, and nothing is changed in its place") {
+    ToolStage stage;
+    const Marks none = stage.document.marks();
+    Marks both = none;
+    both.measurements.push_back({.kind = Measurement::Kind::kPath, .places = {{{0, 0.25}, {0, 0.75}}}});
+    both.lesions = {{0.0, 0.0, 30.0, 10.0}};
+    stage.under = pick_of(0, {0, 3, 0});
+    for (const bool moves : {false, true}) {
+        CAPTURE(moves);
+        stage.document.change(both);
+        MeasureTool measure(Measurement::Kind::kDistance);
+        LesionTool lesion;
+        measure.press(stage.at(400, 400));
+        lesion.press(stage.at(405, 300));
+        if (moves) measure.move(stage.at(400, 450, true)), lesion.move(stage.at(440, 300, true));
+        stage.document.change(none);
+        CHECK(measure.drawing(stage.at(400, 450, true)).circles.empty());
+        measure.release(stage.at(400, 450)), lesion.release(stage.at(440, 300));
+        CHECK(measure.take_commands().empty());
+        CHECK(lesion.take_commands().empty());
+        CHECK_FALSE(measure.busy());
+    }
+}
+
 TEST_CASE("the nearest fraction is where a place on the centerline lies") {
     const ToolStage stage;
     for (const double fraction : {0.0, 0.1, 0.25, 0.5, 0.9, 1.0}) {
