@@ -33,7 +33,8 @@ std::optional<PictureDrawer::Made> PictureDrawer::take(double seconds) {
     constexpr double kLongest = 1e6;
     if (!thread_.done(made_, std::min(seconds, kLongest))) return {};
     Made made = made_.get();
-    numbers_ = made.numbers;
+    const bool shown = made.finer ? made.finer->changed : made.drawn && made.drawn->shaded;
+    if (shown) seen_ = made.seen;
     return made;
 }
 
@@ -42,7 +43,7 @@ PictureDrawer::Made PictureDrawer::drawn(render::Sheet sheet, std::size_t upload
     try {
         made.drawn = sheets_->draw(made.sheet, upload_budget, seconds);
         made.scale_bar = sheets_->scale_bar();
-        made.numbers = sheets_->numbers();
+        made.seen = sheets_->seen();
         // What was drawn for others may be just this, and finer than what is shown.
         if (std::exchange(drawn_for_others_, false) && made.drawn && !made.drawn->unfinished) made.drawn->shaded = true;
         if (made.drawn && made.drawn->shaded)
@@ -58,7 +59,7 @@ PictureDrawer::Made PictureDrawer::refined(render::Sheet sheet, double seconds) 
     try {
         made.finer = sheets_->refine(made.sheet, seconds).value_or(render::Refined{});
         made.scale_bar = sheets_->scale_bar();
-        made.numbers = sheets_->numbers();
+        made.seen = sheets_->seen();
         if (made.finer->changed && !keep(made.sheet)) made.finer = render::Refined{};
     } catch (const std::exception&) { // as above; the picture stays
         made.finer = render::Refined{};
@@ -81,10 +82,10 @@ void PictureDrawer::present(unsigned framebuffer, glm::ivec2 at, glm::ivec2 size
     sheets_->present(framebuffer, at.x, at.y);
 }
 
-Coming<render::Pick> PictureDrawer::pick(glm::dvec2 at) {
-    const bool same = asked_.answer && asked_.of == numbers_ && glm::distance(asked_.at, at) < 1.0;
-    if (!idle() && same) return here(*asked_.answer);
-    return thread_.later([this, at, of = numbers_] { return sheets_->pick(at, of); });
+Coming<std::optional<render::Pick>> PictureDrawer::pick(glm::dvec2 at) {
+    const bool same = asked_.answer && asked_.of == seen_ && glm::distance(asked_.at, at) < 1.0;
+    if (!idle() && same) return here(asked_.answer);
+    return thread_.later([this, at, of = seen_] { return sheets_->pick(at, of); });
 }
 
 void PictureDrawer::request_pick(glm::dvec2 at) {
@@ -94,7 +95,7 @@ void PictureDrawer::request_pick(glm::dvec2 at) {
 }
 
 void PictureDrawer::ask() {
-    asked_.of = sheets_->numbers();
+    asked_.of = sheets_->seen();
     sheets_->request_pick(asked_.at);
 }
 

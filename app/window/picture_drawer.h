@@ -10,7 +10,6 @@
 #include <future>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace ramus::app {
 
@@ -28,7 +27,7 @@ public:
         Result<render::DrawStatistics> drawn{};
         std::optional<render::Refined> finer{}; // none: it was drawn
         std::optional<render::ScaleBar> scale_bar{};
-        std::vector<int> numbers{}; // SheetRenderer::numbers()
+        render::SheetRenderer::Seen seen{};
     };
     // Begin it, as SheetRenderer has it, while none is on its way. take() has it, after waiting so long at most.
     void draw(const render::Sheet& sheet, std::size_t upload_budget, double seconds);
@@ -42,8 +41,10 @@ public:
 
     void present(unsigned framebuffer, glm::ivec2 at, glm::ivec2 size);
 
-    // As of SheetRenderer. The first is of the picture that is shown now, whatever is drawn until it is there.
-    [[nodiscard]] Coming<render::Pick> pick(glm::dvec2 at);
+    // As of SheetRenderer. The first is of the picture that is shown now, whatever is drawn until it is there; none: by
+    // then it is not known any more.
+    [[nodiscard]] Coming<std::optional<render::Pick>> pick(glm::dvec2 at);
+    [[nodiscard]] glm::ivec2 shown_size() const { return seen_.outline.size; }
     void request_pick(glm::dvec2 at);
     [[nodiscard]] std::optional<render::Pick> poll_pick();
 
@@ -71,7 +72,7 @@ public:
 private:
     struct Asked {
         glm::dvec2 at{0.0};
-        std::vector<int> of{}; // SheetRenderer::numbers() of what was there to be asked
+        render::SheetRenderer::Seen of{}; // what was there to be asked
         std::optional<render::Pick> answer{};
     };
     [[nodiscard]] bool idle() const { return thread_.idle(); }
@@ -87,9 +88,9 @@ private:
     ShownPicture shown_;
     std::future<Made> made_;
     bool refines_ = false;
-    std::vector<int> numbers_;   // of the picture that is shown
-    Asked asked_;                // the last pick
-    bool ask_when_idle_ = false; // it is to be sent
+    render::SheetRenderer::Seen seen_; // that is shown
+    Asked asked_;                      // the last pick
+    bool ask_when_idle_ = false;       // it is to be sent
     std::optional<std::future<bool>> depths_asked_;
 };
 

@@ -29,10 +29,10 @@ public:
     [[nodiscard]] bool gliding() const { return glide_.has_value(); }
     [[nodiscard]] const render::Camera& shown_camera() const { return shown_camera_; } // of the last picture
 
-    // Pixels of the picture. The first is of the one that is shown now; the answer to the second comes a frame or two
-    // later.
-    [[nodiscard]] Coming<render::Pick> pick(glm::dvec2 at) { return drawer_.pick(at); }
-    void request_pick(glm::dvec2 at) { drawer_.request_pick(at); }
+    // Pixels of the picture as it is in the window, which may show one of another size yet. The first is of the one
+    // that is shown now, or none where it is not known any more; the answer to the second comes a frame or two later.
+    [[nodiscard]] Coming<std::optional<render::Pick>> pick(glm::dvec2 at) { return drawer_.pick(in_shown(at)); }
+    void request_pick(glm::dvec2 at) { drawer_.request_pick(in_shown(at)); }
     [[nodiscard]] std::optional<render::Pick> poll_pick() { return drawer_.poll_pick(); }
 
     // What is pointed at, and a pixel of the picture that the pointer is on, which is `in_viewport` of its viewport.
@@ -73,6 +73,9 @@ public:
     void flew(int branch, double fraction) override;
 
 private:
+    [[nodiscard]] glm::dvec2 in_shown(glm::dvec2 at) const {
+        return render::PictureTarget::pixel_presented(drawer_.shown_size(), state_.layout.view_size, at);
+    }
     static constexpr float kToolBarHeight = 48.0F; // points at the top of the picture that the tools' bar takes
     static constexpr double kGlideSeconds = 0.35;
     static constexpr double kPatience = 0.03;     // seconds that a frame waits for a picture that is drawn elsewhere

@@ -41,10 +41,11 @@ Pick Renderer::pick(double x, double y) {
     return state_.by_caster() ? pick_in_cast(shown, x, y) : pick_in(shown, card_.targets.resolved, x, y);
 }
 
-Pick Renderer::pick(double x, double y, int of) {
+std::optional<Pick> Renderer::pick(double x, double y, int of, glm::ivec2 size) {
     if (of > 0 && of == in_kept_.number) return pick_in(in_kept_, kept_.resolved, x, y);
     if (of > 0 && of == in_targets_.number) return pick_in(in_targets_, card_.targets.resolved, x, y);
     if (of > 0 && of == in_cast_.number) return pick_in_cast(in_cast_, x, y);
+    if (last_ && last_->size != size) return {};
     return pick(x, y);
 }
 

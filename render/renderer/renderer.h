@@ -67,8 +67,9 @@ public:
     // Nearest vessel within the pick radius of pixel (x, y) of the current picture; waits for the GPU.
     [[nodiscard]] Pick pick(double x, double y);
     // The same in the picture that number() said this of, which may be the one before, or one that is not whole since:
-    // a person pointed at what was shown. Of an older one, that of the caster perhaps: in the current picture.
-    [[nodiscard]] Pick pick(double x, double y, int of);
+    // a person pointed at what was shown. Of an older one, that of the caster perhaps: in the current picture. None:
+    // that has another size than `size`, that of the picture that was pointed at.
+    [[nodiscard]] std::optional<Pick> pick(double x, double y, int of, glm::ivec2 size);
     // Of the current picture; another one where it shows something else, or from elsewhere. 0: there is none.
     [[nodiscard]] int number() const { return last_ ? number_ : 0; }
     // The same without waiting, for hovering: ask now, look every frame until an answer is there. A newer request

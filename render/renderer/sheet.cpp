@@ -212,8 +212,8 @@ std::size_t SheetRenderer::viewport_at(const Sheet& sheet, glm::dvec2 at) {
 }
 
 // Places on a surface without branches are none that tools could take for a vessel's.
-Pick SheetRenderer::without_branch(std::size_t viewport, Pick pick) const {
-    if (viewport < shown_.viewports.size() && !shown_.viewports[viewport].has_branches) pick.branch = kNoBranch;
+Pick SheetRenderer::without_branch(const Sheet& outline, std::size_t viewport, Pick pick) {
+    if (viewport < outline.viewports.size() && !outline.viewports[viewport].has_branches) pick.branch = kNoBranch;
     return pick;
 }
 
@@ -221,21 +221,24 @@ Pick SheetRenderer::pick(glm::dvec2 at) {
     if (shown_.viewports.empty()) return {};
     const std::size_t viewport = viewport_at(shown_, at);
     const glm::dvec2 in = at - glm::dvec2(shown_.viewports[viewport].at);
-    return without_branch(viewport, renderer(viewport).pick(in.x, in.y));
+    return without_branch(shown_, viewport, renderer(viewport).pick(in.x, in.y));
 }
 
-Pick SheetRenderer::pick(glm::dvec2 at, const std::vector<int>& of) {
-    if (shown_.viewports.empty()) return {};
-    const std::size_t viewport = viewport_at(shown_, at);
-    const glm::dvec2 in = at - glm::dvec2(shown_.viewports[viewport].at);
-    const int number = of.size() == shown_.viewports.size() ? of[viewport] : 0;
-    return without_branch(viewport, renderer(viewport).pick(in.x, in.y, number));
+std::optional<Pick> SheetRenderer::pick(glm::dvec2 at, const Seen& of) {
+    if (of.outline.viewports.empty()) return Pick{};
+    const std::size_t viewport = viewport_at(of.outline, at);
+    if (viewport > others_.size() || viewport >= of.numbers.size()) return {};
+    const Sheet::Viewport& seen = of.outline.viewports[viewport];
+    const glm::dvec2 in = at - glm::dvec2(seen.at);
+    const auto pick = renderer(viewport).pick(in.x, in.y, of.numbers[viewport], seen.frame.size);
+    if (!pick) return pick;
+    return without_branch(of.outline, viewport, *pick);
 }
 
-std::vector<int> SheetRenderer::numbers() const {
-    std::vector<int> numbers{first_.number()};
-    for (const auto& other : others_) numbers.push_back(other->number());
-    return numbers;
+SheetRenderer::Seen SheetRenderer::seen() const {
+    Seen seen{shown_, {first_.number()}};
+    for (const auto& other : others_) seen.numbers.push_back(other->number());
+    return seen;
 }
 
 void SheetRenderer::request_pick(glm::dvec2 at) {
@@ -249,7 +252,7 @@ std::optional<Pick> SheetRenderer::poll_pick() {
     if (asked_ >= shown_.viewports.size()) return Pick{};
     const auto pick = renderer(asked_).poll_pick();
     if (!pick) return pick;
-    return without_branch(asked_, *pick);
+    return without_branch(shown_, asked_, *pick);
 }
 
 bool SheetRenderer::request_depths() {

@@ -92,9 +92,17 @@ public:
 
     // As of Renderer. Of a blend what there is more of that has branches; beside a line what is seen.
     [[nodiscard]] Pick pick(glm::dvec2 at);
-    // The same in the pictures that numbers() said these of, of the viewports.
-    [[nodiscard]] Pick pick(glm::dvec2 at, const std::vector<int>& of);
-    [[nodiscard]] std::vector<int> numbers() const;
+    // What a person points at who sees a sheet: where its viewports are, without what is drawn there, and
+    // Renderer::number() of each.
+    struct Seen {
+        Sheet outline{};
+        std::vector<int> numbers{};
+        bool operator==(const Seen&) const = default;
+    };
+    [[nodiscard]] Seen seen() const; // of the sheet that was drawn last
+    // The same as the first in a sheet that was seen, as long as its pictures are there; none: it is not known any
+    // more.
+    [[nodiscard]] std::optional<Pick> pick(glm::dvec2 at, const Seen& of);
     void request_pick(glm::dvec2 at);
     [[nodiscard]] std::optional<Pick> poll_pick();
     // How far away all is that each viewport shows. False: ask again after the next draw().
@@ -107,7 +115,7 @@ private:
     [[nodiscard]] Renderer& renderer(std::size_t viewport) { return viewport == 0 ? first_ : *others_[viewport - 1]; }
     void keep(std::size_t viewports); // so many, and lets the others go
     [[nodiscard]] Result<void> blend(const Sheet& sheet);
-    [[nodiscard]] Pick without_branch(std::size_t viewport, Pick pick) const;
+    [[nodiscard]] static Pick without_branch(const Sheet& outline, std::size_t viewport, Pick pick);
 
     Renderer& first_;
     std::vector<std::unique_ptr<Renderer>> others_;

@@ -106,6 +106,12 @@ Image PictureTarget::read() const {
     return image;
 }
 
+glm::dvec2 PictureTarget::pixel_presented(glm::ivec2 size, glm::ivec2 filled, glm::dvec2 at) {
+    if (size == filled || size.y == 0 || filled.y == 0) return at;
+    const double scale = static_cast<double>(size.y) / filled.y;
+    return 0.5 * glm::dvec2(size) + scale * (at - 0.5 * glm::dvec2(filled));
+}
+
 void PictureTarget::present(GLuint to, int x, int y, glm::ivec2 filled) const {
     if (size.x == 0) return;
     const bool fits = size == filled;

@@ -104,6 +104,8 @@ struct PictureTarget {
     // than `filled` is scaled to be as high, its middle in the middle, and cut off beyond. Leaves `to` bound for
     // drawing.
     void present(GLuint to, int x, int y, glm::ivec2 filled) const;
+    // The pixel of a picture of this size, from the top left, that present() puts there.
+    [[nodiscard]] static glm::dvec2 pixel_presented(glm::ivec2 size, glm::ivec2 filled, glm::dvec2 at);
 };
 
 } // namespace ramus::render

@@ -39,7 +39,7 @@ struct DrawnElsewhere {
         thread.let([shut = gate.get_future().share()] { shut.wait(); });
         const auto coming = drawer->pick(at);
         gate.set_value();
-        return coming.take();
+        return coming.take().value();
     }
     static constexpr double kLong = 60.0; // seconds; nothing here takes as long
 
@@ -66,6 +66,41 @@ TEST_CASE_FIXTURE(DrawnElsewhere, "what was pointed at in a picture before is no
     frame.camera.focal_point.z += 20.0;
     REQUIRE(draw(render::sheet_of(frame)).drawn);
     CHECK(pick_while_busy(at).branch == render::kNoBranch);
+}
+
+TEST_CASE_FIXTURE(DrawnElsewhere, "a click is on the picture that is shown, whatever becomes of the next one") {
+    const render::Frame frame = test::tube(3.0F);
+    render::Sheet two;
+    two.size = {600, 200};
+    two.viewports = {{{0, 0}, frame}, {{300, 0}, frame}};
+    const glm::dvec2 middle = 0.5 * glm::dvec2(frame.size);
+    REQUIRE(draw(render::sheet_of(frame)).drawn);
+    CHECK(drawer->shown_size() == frame.size);
+    const render::Pick shown = pick_while_busy(middle);
+    CHECK(shown.branch == 0);
+
+    std::promise<void> gate;
+    thread.let([shut = gate.get_future().share()] { shut.wait(); });
+    const auto begin = [&](const render::Sheet& sheet) {
+        drawer->draw(sheet, render::kUploadAll, render::kUntilDone);
+        const auto coming = drawer->pick(middle); // before the next one is shown
+        gate.set_value();
+        return coming;
+    };
+    const auto beside = begin(two);
+    CHECK(beside.take() == shown);
+    REQUIRE(drawer->take(kLong));
+    CHECK(drawer->shown_size() == two.size);
+
+    // The second viewport's picture is gone with it.
+    const glm::dvec2 in_second(450.0, 100.0);
+    CHECK(pick_while_busy(in_second) == shown);
+    gate = {};
+    thread.let([shut = gate.get_future().share()] { shut.wait(); });
+    drawer->draw(render::sheet_of(frame), render::kUploadAll, render::kUntilDone);
+    const auto gone = drawer->pick(in_second);
+    gate.set_value();
+    CHECK_FALSE(gone.take());
 }
 
 TEST_CASE_FIXTURE(DrawnElsewhere, "a picture that there is no memory for is told, and the next one is drawn") {

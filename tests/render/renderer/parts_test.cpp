@@ -229,7 +229,7 @@ TEST_CASE("what a pixel of the picture before showed is known while the next one
             std::vector<Pick> all;
             for (double y = 0.05; y < 1.0; y += 0.1)
                 for (double x = 0.05; x < 1.0; x += 0.1)
-                    all.push_back(of ? renderer.pick(x * size.x, y * size.y, *of)
+                    all.push_back(of ? renderer.pick(x * size.x, y * size.y, *of, before.size).value()
                                      : renderer.pick(x * size.x, y * size.y));
             return all;
         };
@@ -259,5 +259,9 @@ TEST_CASE("what a pixel of the picture before showed is known while the next one
         CHECK(scene.draw(before, 0.0).unfinished);
         CHECK(scene.draw(scene.seen_from(View::kLeft), 0.0).unfinished);
         CHECK(picks(second) == next);
+        // Of one that is long gone, in a picture of its size alone.
+        const glm::dvec2 middle = 0.5 * size;
+        CHECK(renderer.pick(middle.x, middle.y, shown, before.size));
+        CHECK_FALSE(renderer.pick(middle.x, middle.y, shown, before.size + 1));
     }
 }

@@ -178,7 +178,7 @@ TEST_CASE_FIXTURE(TwoViewports,
         limit_gl_allocation();
         CHECK(sheets.poll_pick() == Pick{});
         CHECK(sheets.pick(in_second) == Pick{});
-        CHECK(sheets.pick(in_second, sheets.numbers()) == Pick{});
+        CHECK(sheets.pick(in_second, sheets.seen()) == Pick{});
         sheets.request_pick(in_second);
         CHECK(sheets.poll_pick() == Pick{});
         CHECK_FALSE(sheets.request_depths());
