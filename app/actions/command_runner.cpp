@@ -110,7 +110,9 @@ Result<void> CommandRunner::run(ActionContext& context, std::span<const std::str
     RAMUS_TRY(command, command_of(words));
     const auto run_it = [this, command = command, given = std::vector(words.begin() + 1, words.end())](
                             ActionContext& with) { return start(with, *command, given); };
-    return in_turn(context, {.ready = nullptr, .then = run_it});
+    Turn turn = turn_of(context, {.ready = nullptr, .then = run_it});
+    if (words.size() > 1) turn.edited = context.document.tree();
+    return in_turn(context, std::move(turn));
 }
 
 // Whether it is enabled is asked in its turn.
@@ -118,16 +120,30 @@ Result<void> CommandRunner::run(ActionContext& context, const Command& entry) {
     const auto run_it = [this, &entry](ActionContext& with) {
         return enabled(with, entry) ? start(with, entry, entry.preset) : Result<void>{};
     };
-    return in_turn(context, {.ready = nullptr, .then = run_it});
+    return in_turn(context, turn_of(context, {.ready = nullptr, .then = run_it}));
 }
 
 Result<void> CommandRunner::await(ActionContext& context, Awaited awaited) {
-    return in_turn(context, std::move(awaited));
+    return in_turn(context, turn_of(context, std::move(awaited)));
+}
+
+void CommandRunner::after_what_is_awaited(ActionContext& context, std::function<void()> event) {
+    if (!awaits()) return event();
+    const auto act = [event = std::move(event)](ActionContext&) -> Result<void> {
+        event();
+        return {};
+    };
+    Turn turn = turn_of(context, {.ready = nullptr, .then = act});
+    turn.of_any_tree = true;
+    (void)in_turn(context, std::move(turn));
+}
+
+CommandRunner::Turn CommandRunner::turn_of(const ActionContext& context, Awaited awaited) {
+    return {std::move(awaited), context.document.base_tree()};
 }
 
 // What comes of a turn that is being taken goes before those that wait.
-Result<void> CommandRunner::in_turn(ActionContext& context, Awaited awaited) {
-    Turn turn{std::move(awaited), context.document.base_tree()};
+Result<void> CommandRunner::in_turn(ActionContext& context, Turn turn) {
     const bool first = put_in_ ? *put_in_ == 0 : turns_.empty();
     const bool ready = turn.awaited.ready == nullptr || turn.awaited.ready();
     if (first && ready) return take_turn(context, turn);
@@ -148,7 +164,11 @@ void CommandRunner::take_turns(ActionContext& context, std::vector<Error>& faile
     while (!turns_.empty() && (turns_.front().awaited.ready == nullptr || turns_.front().awaited.ready())) {
         const Turn turn = std::move(turns_.front());
         turns_.pop_front();
-        if (turn.tree != context.document.base_tree()) continue;
+        if (!turn.of_any_tree && turn.tree != context.document.base_tree()) continue;
+        if (turn.edited && turn.edited != context.document.tree()) {
+            failed.push_back({"the tree was edited meanwhile, and its branches have other numbers", {}, "do it again"});
+            continue;
+        }
         if (const auto done = take_turn(context, turn); !done) failed.push_back(done.error());
     }
 }
@@ -160,7 +180,7 @@ Result<void> CommandRunner::start(ActionContext& context, const Command& command
                            then = std::move(awaited->then)](ActionContext& with) {
             return finish(with, command, given, then);
         };
-        return in_turn(context, {.ready = std::move(awaited->ready), .then = then});
+        return in_turn(context, turn_of(context, {.ready = std::move(awaited->ready), .then = then}));
     }
     auto* pending = std::get_if<Pending>(&outcome);
     if (pending == nullptr) return {};

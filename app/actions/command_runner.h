@@ -24,7 +24,8 @@ namespace ramus::app {
 // For a window, which must not wait: the work of pending commands is done on a thread of its own, in the order in which
 // they came, each finished before the next begins. Commands that need no work do not wait for those: a person goes on
 // while a file is read. They do wait for what is awaited of the picture: for a click that selects, say. What belongs to
-// one tree is dropped when another is opened. For one thread, its owner's.
+// one tree is dropped when another is opened; a command that has waited while the tree was edited, and may name
+// branches by their ids, is refused. For one thread, its owner's.
 class CommandRunner {
 public:
     // `wake` is called on another thread when update() has something to do.
@@ -37,6 +38,8 @@ public:
     // Something else than a command that has to know what the picture shows, such as a click: in its turn with the
     // commands that are run before and after it. At once where it can be.
     [[nodiscard]] Result<void> await(ActionContext& context, Awaited awaited);
+    // What a person does after that, a key or a button, whatever comes of it: in its turn, of any tree.
+    void after_what_is_awaited(ActionContext& context, std::function<void()> event);
     [[nodiscard]] bool awaits() const { return !turns_.empty(); } // of the picture: what is run now waits, too
 
     // Finishes what was awaited and the commands whose work is done, begins the next work, and returns what failed.
@@ -57,10 +60,14 @@ private:
     // What takes effect in the order in which it came, once something is awaited.
     struct Turn {
         Awaited awaited;                              // without `ready`: nothing is
-        std::shared_ptr<const tree::VesselTree> tree; // that it is about
+        std::shared_ptr<const tree::VesselTree> tree; // that it is about, as it was read
+        bool of_any_tree = false;
+        // Of a command with arguments, which may be ids of branches: the tree that it is about, as it was then.
+        std::shared_ptr<const tree::VesselTree> edited{};
     };
+    [[nodiscard]] static Turn turn_of(const ActionContext& context, Awaited awaited);
     [[nodiscard]] Result<void> start(ActionContext& context, const Command& command, Arguments arguments);
-    [[nodiscard]] Result<void> in_turn(ActionContext& context, Awaited awaited);
+    [[nodiscard]] Result<void> in_turn(ActionContext& context, Turn turn);
     [[nodiscard]] Result<void> take_turn(ActionContext& context, const Turn& turn);
     void take_turns(ActionContext& context, std::vector<Error>& failed);
     void begin_work();

@@ -20,14 +20,13 @@ void fly_to(InterfaceContext& context, double fraction) {
     char text[32];
     std::snprintf(text, sizeof text, "%.7f", std::clamp(fraction, 0.0, 1.0));
     context.perform("fly", {std::to_string(context.interface.fly.branch), text});
-    context.interface.fly.camera = context.workspace.document.session().camera;
 }
 
 void play_on(InterfaceContext& context, const FlyPath& path) {
     Fly& fly = context.interface.fly;
     const double passed = std::clamp(context.now - fly.last, 0.0, kLongestStep);
     fly.last = context.now;
-    if (!fly.playing) return;
+    if (!fly.playing || context.commands.awaits()) return; // it has not flown yet
     // Who turns the view takes the camera over.
     if (fly.camera != context.workspace.document.session().camera) {
         fly.playing = false;

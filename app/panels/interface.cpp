@@ -99,6 +99,8 @@ bool Interface::dismiss() {
         menu_by_keys = false;
     } else if (menu_by_keys && menu_focused) {
         menu_by_keys = false;
+    } else if (context_menu.wanted) {
+        context_menu.wanted = false;
     } else if (context_menu.open) {
         context_menu.close = true;
     } else if (!errors.empty()) {

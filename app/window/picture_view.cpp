@@ -52,6 +52,7 @@ void PictureView::flew(int branch, double fraction) {
     if (fly.open && branch != fly.branch) fly.playing = false;
     fly.branch = branch;
     fly.fraction = fraction;
+    fly.camera = state_.workspace.document.session().camera;
     state_.redraw();
 }
 

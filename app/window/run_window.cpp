@@ -165,7 +165,7 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
     while (!viewer.files().closing()) {
         if (window.close_wanted()) {
             window.refuse_close();
-            viewer.files().quit(); // asks first when something would be lost
+            viewer.input().close(); // asks first when something would be lost
             continue;
         }
         const bool drawn = viewer.draw(glfwGetTime(), 0);

@@ -167,6 +167,7 @@ void ViewerFiles::follow_volume_dialog() {
 // Once; a dialog that was closed without going on sends the file away.
 void ViewerFiles::ask_about_arrival() {
     Workspace& workspace = state_.workspace;
+    if (state_.commands.awaits()) return; // what a click brings may be lost, too
     if (workspace.arrival_waits() && !state_.interface.unsaved.next) {
         if (std::exchange(asked_about_arrival_, true))
             workspace.send_away();

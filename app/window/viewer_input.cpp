@@ -105,9 +105,29 @@ void ViewerInput::ask_pick() {
     pick_pending_ = true;
 }
 
+void ViewerInput::in_order(std::function<void()> event) {
+    moves_.reset();
+    state_.commands.after_what_is_awaited(*state_.actions, [this, event = std::move(event)] {
+        state_.follow_tree(); // the tool is that of the tree now
+        event();
+        state_.redraw();
+    });
+}
+
+// Those that follow each other wait together, so that of a tool that picks the last one is looked up.
 void ViewerInput::mouse_moved(glm::dvec2 at) {
-    pointer_ = at;
     input_.move(static_cast<float>(at.x), static_cast<float>(at.y));
+    state_.redraw();
+    if (const auto waiting = moves_.lock()) return waiting->push_back(at);
+    const auto moves = std::make_shared<std::vector<glm::dvec2>>(1, at);
+    in_order([this, moves] {
+        for (const glm::dvec2& each : std::exchange(*moves, {})) move_to(each);
+    });
+    moves_ = moves;
+}
+
+void ViewerInput::move_to(glm::dvec2 at) {
+    pointer_ = at;
     if (!mouse_.held() && !tool_mouse_.held()) enter_viewport();
     if (state_.interface.wipe_held) {
         drag_wipe_line();
@@ -118,51 +138,73 @@ void ViewerInput::mouse_moved(glm::dvec2 at) {
     }
     if (!mouse_.held()) aim();
     pick_wanted_ = true;
-    state_.redraw();
 }
 
 void ViewerInput::mouse_left() {
-    pointer_ = {-1.0, -1.0};
-    picture_.aim().point_nowhere();
     input_.leave();
-    pick_wanted_ = true;
     state_.redraw();
+    in_order([this] {
+        pointer_ = {-1.0, -1.0};
+        picture_.aim().point_nowhere();
+        pick_wanted_ = true;
+    });
 }
 
 void ViewerInput::mouse_button(MouseButton button, bool down, Modifiers modifiers, double now) {
     state_.now = now;
-    if (down && over_picture(pointer_)) settle();
-    const int index = button == MouseButton::kLeft ? 0 : button == MouseButton::kRight ? 1 : 2;
-    if (state_.interface.wipe_held) { // one button at a time
-        if (!down && button == MouseButton::kLeft) drop_wipe_line();
-    } else if (tool_mouse_.held()) { // one button at a time
-        if (!down && button == MouseButton::kLeft && state_.interface.tool) {
-            tool_mouse_.release(tell(), pointing(modifiers));
-            pick_wanted_ = true;
-        }
-    } else if (down && button == MouseButton::kLeft && !mouse_.held() && on_wipe_line()) {
+    in_order([this, button, down, modifiers, now] {
+        if (down)
+            press(button, modifiers, now);
+        else
+            release(button, modifiers, now);
+    });
+    // A press on the picture is also ImGui's: an open menu closes.
+    input_.modifiers(modifiers.ctrl, modifiers.shift, modifiers.alt, false);
+    input_.button(button == MouseButton::kLeft ? 0 : button == MouseButton::kRight ? 1 : 2, down);
+    state_.redraw();
+}
+
+// One button at a time.
+void ViewerInput::press(MouseButton button, Modifiers modifiers, double now) {
+    const bool over = over_picture(pointer_);
+    if (over) {
+        settle();
+        state_.interface.context_menu.wanted = false; // of a click before
+    }
+    if (state_.interface.wipe_held || tool_mouse_.held()) return;
+    const bool left = button == MouseButton::kLeft && !mouse_.held();
+    if (left && on_wipe_line()) {
         const double width = state_.layout.view_size.x;
         wipe_grip_ = in_picture(pointer_).x - state_.workspace.document.marks().comparison.wipe * width;
         state_.interface.wipe_held = true;
         state_.interface.hovered = tree::kNoBranch;
         state_.interface.tooltip = false;
-    } else if (down && button == MouseButton::kLeft && state_.interface.tool && !mouse_.held() &&
-               over_picture(pointer_)) {
+    } else if (left && state_.interface.tool && over) {
         tool_mouse_.press(tell(), pointing(modifiers), now);
-    } else if (down && over_picture(pointer_))
+    } else if (over) {
         mouse_.press(button, modifiers, in_viewport(pointer_), grip());
-    else if (!down && mouse_.held()) {
+    }
+}
+
+void ViewerInput::release(MouseButton button, Modifiers modifiers, double now) {
+    if (state_.interface.wipe_held) {
+        if (button == MouseButton::kLeft) drop_wipe_line();
+    } else if (tool_mouse_.held()) {
+        if (button != MouseButton::kLeft || !state_.interface.tool) return;
+        tool_mouse_.release(tell(), pointing(modifiers));
+        pick_wanted_ = true;
+    } else if (mouse_.held()) {
         picture_.hold_pivot({});
         if (const auto click = mouse_.release(button, in_viewport(pointer_), now)) clicked(*click);
         pick_wanted_ = true;
     }
-    // A press on the picture is also ImGui's: an open menu closes.
-    input_.modifiers(modifiers.ctrl, modifiers.shift, modifiers.alt, false);
-    input_.button(index, down);
-    state_.redraw();
 }
 
 void ViewerInput::mouse_wheel(glm::dvec2 notches) {
+    in_order([this, notches] { turn_wheel(notches); });
+}
+
+void ViewerInput::turn_wheel(glm::dvec2 notches) {
     if (over_picture(pointer_) && notches.y != 0.0) {
         settle();
         // Into empty space there is no way, only out of it.
@@ -175,7 +217,6 @@ void ViewerInput::mouse_wheel(glm::dvec2 notches) {
     } else
         input_.wheel(static_cast<float>(notches.x), static_cast<float>(notches.y));
     pick_wanted_ = true;
-    state_.redraw();
 }
 
 bool ViewerInput::on_wipe_line() const {
@@ -209,19 +250,21 @@ Pointing ViewerInput::pointing(Modifiers modifiers) {
             .settings = state_.interface.tool_settings};
 }
 
-// An edit of the tree gives its branches other ids.
-void ViewerInput::look_up(glm::dvec2 in_viewport, const std::function<void(const render::Pick&)>& then) {
+void ViewerInput::look_up(glm::dvec2 in_picture, const std::function<void(const render::Pick&)>& then) {
     if (!picture_.shows_tree())
         return state_.await([this] { return picture_.shows_tree(); },
-                            [this, in_viewport, then] { look_up(in_viewport, then); });
-    const Coming<render::Pick> pick = picture_.pick(from_viewport(in_viewport));
+                            [this, in_picture, then] { look_up(in_picture, then); });
+    const Coming<std::optional<render::Pick>> pick = picture_.pick(in_picture);
     state_.await(pick.ready, [this, pick, then, tree = state_.workspace.document.tree()] {
-        if (state_.workspace.document.tree() == tree) then(pick.take());
+        if (state_.workspace.document.tree() != tree) return; // an edit gives branches other ids
+        if (const auto found = pick.take()) return then(*found);
+        const bool hovers = state_.interface.tool && !tool_mouse_.held();
+        if (!hovers) state_.interface.tell("The picture has changed since: click again", state_.now);
     });
 }
 
 void ViewerInput::look_up_for_tool(glm::dvec2 in_viewport, const std::function<void(const render::Pick&)>& then) {
-    if (state_.interface.tool->picks()) return look_up(in_viewport, then);
+    if (state_.interface.tool->picks()) return look_up(from_viewport(in_viewport), then);
     state_.await(nullptr, [then] { then({}); });
 }
 
@@ -244,7 +287,7 @@ Cursor ViewerInput::cursor() const {
 
 void ViewerInput::clicked(const Click& click) {
     if (!state_.workspace.document.tree()) return;
-    look_up(click.at, [this, kind = click.kind, here = pointing({})](const render::Pick& under) {
+    look_up(from_viewport(click.at), [this, kind = click.kind, here = pointing({})](const render::Pick& under) {
         if (kind != Click::Kind::kSecondary) return click_on(kind, under);
         Pointing known = here;
         known.under = under;
@@ -286,14 +329,14 @@ void ViewerInput::open_context_menu(const render::Pick& pick) {
     state_.redraw();
 }
 
-void ViewerInput::run(const Command& command) {
-    state_.context().perform(command);
-    state_.redraw();
-}
+void ViewerInput::run(const Command& command) { state_.context().perform(command); }
 
 void ViewerInput::key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers, double now) {
     state_.now = now;
-    state_.redraw();
+    in_order([this, number, down, press, modifiers] { press_key(number, down, press, modifiers); });
+}
+
+void ViewerInput::press_key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers) {
     // ImGui leads from menu to menu only once one of their entries has the keyboard.
     Interface& interface = state_.interface;
     if (down && press && interface.steps_menus()) {
@@ -327,14 +370,21 @@ void ViewerInput::key(int number, bool down, const std::optional<KeyPress>& pres
 
 void ViewerInput::character(unsigned codepoint, double now) {
     state_.now = now;
+    in_order([this, codepoint] { type(codepoint); });
+}
+
+void ViewerInput::type(unsigned codepoint) {
     input_.character(codepoint);
-    state_.redraw();
     if (codepoint >= 128 || ImGui::GetIO().WantTextInput || state_.interface.dialog_open()) return;
     const char letter = static_cast<char>(codepoint);
     // Letters and digits came as keys already, with their modifiers.
     if ((letter >= '0' && letter <= '9') || (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z'))
         return;
     if (const Command* command = command_for_key(std::string(1, letter))) run(*command);
+}
+
+void ViewerInput::close() {
+    in_order([this] { state_.actions->files->quit(); });
 }
 
 bool ViewerInput::points_at_branches() const {

@@ -1,6 +1,9 @@
 // ViewerInput: what the mouse and the keys do: they turn the camera, work with tools, select by clicks, press the keys
 // of commands, or go to the interface; and what the pointer is over. Positions are framebuffer pixels from the top left
 // of the window.
+//
+// What a person does takes effect in the order in which it was done. It may have to be looked up what a click is on
+// (look_up()); what is done meanwhile, with keys or the mouse, waits.
 #pragma once
 
 #include "app/actions/keys.h"
@@ -11,7 +14,9 @@
 #include "app/window/picture_view.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace ramus::app {
 
@@ -27,6 +32,7 @@ public:
     // `number` is GLFW's; `press` is empty for releases and for keys without a name.
     void key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers, double now);
     void character(unsigned codepoint, double now);
+    void close(); // as the command quit does
 
     // Before ImGui::NewFrame(). False: some events wait for another frame.
     bool apply(ImGuiIO& io) { return input_.apply(io); }
@@ -49,6 +55,13 @@ public:
     [[nodiscard]] ToolSettings& tool_settings() override { return state_.interface.tool_settings; }
 
 private:
+    void in_order(std::function<void()> event);
+    void move_to(glm::dvec2 at);
+    void press(MouseButton button, Modifiers modifiers, double now);
+    void release(MouseButton button, Modifiers modifiers, double now);
+    void turn_wheel(glm::dvec2 notches);
+    void press_key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers);
+    void type(unsigned codepoint);
     [[nodiscard]] bool over_picture(glm::dvec2 at) const;
     [[nodiscard]] glm::dvec2 in_picture(glm::dvec2 at) const { return at - glm::dvec2(state_.layout.view_at); }
     // From the corner of the viewport that the pointer is in, or was in when a button was pressed.
@@ -67,7 +80,7 @@ private:
     void drop_wipe_line();
     [[nodiscard]] Pointing pointing(Modifiers modifiers);
     // `then` gets what the picture shows there now, once that is known; what is done after it takes effect after it.
-    void look_up(glm::dvec2 in_viewport, const std::function<void(const render::Pick&)>& then);
+    void look_up(glm::dvec2 in_picture, const std::function<void(const render::Pick&)>& then);
     void look_up_for_tool(glm::dvec2 in_viewport, const std::function<void(const render::Pick&)>& then);
     void tell_tool(Tool::Event event, const Pointing& pointing);
     [[nodiscard]] ToolMouse::Tell tell() {
@@ -87,7 +100,8 @@ private:
     ImguiInput input_;
     ViewportMouse mouse_;
     ToolMouse tool_mouse_;
-    std::size_t viewport_ = 0; // see in_viewport()
+    std::weak_ptr<std::vector<glm::dvec2>> moves_; // that wait, nothing else after them
+    std::size_t viewport_ = 0;                     // see in_viewport()
     glm::dvec2 pointer_{-1.0};
     double wipe_grip_ = 0.0; // from the line to where it was taken, pixels
     bool pointer_over_picture_ = false;

@@ -26,6 +26,7 @@ def steps(window):
 
     def resize(width, height):
         window.xdotool("search", "--name", "ramus", "windowsize", width, height)
+        window.wait("another size", lambda s: s["window"] == [width, height])
 
     yield "all in the picture", lambda: press("f")
     yield "another view", lambda: press("3")

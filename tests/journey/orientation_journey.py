@@ -27,7 +27,7 @@ def question(window):
     neutral = cube_of(window)
     choose(window, SIDES["x"], "posterior (P)")
     choose(window, SIDES["y"], "inferior (I)")
-    check("right (R)" not in window.status()["controls"], "the list is closed")
+    window.wait("the list is closed", lambda s: "right (R)" not in s["controls"])
     click(window, SIDES["z"])
     status = window.wait("the list of z", lambda s: "left (L)" in s["controls"])
     check("right (R)" in status["controls"] and "anterior (A)" not in status["controls"],

@@ -6,7 +6,6 @@ Usage: panel_journey.py PROGRAM
 """
 
 import sys
-import time
 
 from screen import SMALL_TREE, Window, check, choose, click, middle_of, page, project, run_journeys
 
@@ -53,7 +52,7 @@ def table(window):
         for step in (("mousemove", *grip), ("mousedown", 1), ("mousemove", grip[0] + 40, grip[1] - 60),
                      ("mousemove", grip[0] + 80, grip[1] - 90), ("mouseup", 1)):
             window.xdotool(*step)
-            time.sleep(0.2)
+            window.wait("it was seen", lambda s: True)
         if window.status()["controls"]["The window of branches"][2] > width:
             break
     window.wait("another size", lambda s: s["controls"]["The window of branches"][2] > width)

@@ -27,7 +27,7 @@ SMALL_TREE = """\
 9 3 55 10 30 2 7
 """
 
-PATIENCE = 120.0  # seconds; software rendering on a busy machine is slow
+PATIENCE = float(os.environ.get("RAMUS_PATIENCE", "120"))  # seconds; software rendering on a busy machine is slow
 
 
 class Failure(Exception):
@@ -98,6 +98,7 @@ class Window:
         self.process = subprocess.Popen([program, "--status", str(self.status_file), *map(str, arguments)],
                                         cwd=self.folder, env=self.environment)
         self.number = None  # of the X window
+        self.has_keyboard = False
 
     def written_status(self):
         """What the window wrote last: it may not know the input that it got since. None before it wrote anything."""
@@ -156,8 +157,21 @@ class Window:
                 time.sleep(0.05)
         return self.number
 
+    def await_keyboard(self):
+        """Until the window manager has given the window the keyboard: a key before that goes to nobody."""
+        end = time.monotonic() + PATIENCE
+        while not self.has_keyboard:
+            found = subprocess.run(["xdotool", "getwindowfocus"], env=self.environment, stdout=subprocess.PIPE,
+                                   stderr=subprocess.DEVNULL, text=True)
+            self.has_keyboard = found.stdout.strip() == self.window()
+            if not self.has_keyboard:
+                if time.monotonic() > end:
+                    raise Failure("the window has not got the keyboard")
+                time.sleep(0.02)
+
     def xdotool(self, *words):
         """Places are in the window. All of it has reached the window's connection when this returns."""
+        self.await_keyboard()
         placed = []
         for word in words:
             placed += [word, "--window", self.window()] if word == "mousemove" else [str(word)]

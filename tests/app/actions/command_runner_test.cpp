@@ -239,6 +239,55 @@ TEST_CASE("what comes of a click goes before what waited for it, and a refusal i
     CHECK(stage.document.step_name(0) == "look branch 4");
 }
 
+TEST_CASE("what a person does after a click happens in its turn, of whatever tree, with what comes of it") {
+    test::CommandStage stage(twigs());
+    CommandRunner runner({});
+    Asked first, second;
+    std::vector<std::string> done;
+    const auto note = [&](const std::string& what) {
+        runner.after_what_is_awaited(stage.context, [&done, what] { done.push_back(what); });
+    };
+    note("at once");
+    CHECK(done == std::vector<std::string>{"at once"});
+    done.clear();
+    REQUIRE(runner.await(stage.context, first.select(2)));
+    note("key");
+    runner.after_what_is_awaited(stage.context, [&] {
+        done.emplace_back("click");
+        REQUIRE(runner.await(stage.context, second.select(4)));
+    });
+    note("wheel");
+    CHECK(done.empty());
+    first.known = true;
+    CHECK(runner.update(stage.context).empty());
+    CHECK(done == std::vector<std::string>{"key", "click"}); // the wheel waits for what the second click is on
+    CHECK(stage.marks().selection == std::vector<int>{2});
+    stage.document.open(std::make_shared<const tree::VesselTree>(twigs()), {});
+    second.known = true;
+    CHECK(runner.update(stage.context).empty());
+    CHECK(second.taken == 0);
+    CHECK(done.back() == "wheel");
+    CHECK_FALSE(runner.awaits());
+}
+
+TEST_CASE("a command that names branches and has waited while the tree was edited is refused") {
+    test::CommandStage stage(twigs());
+    CommandRunner runner({});
+    Asked click;
+    Awaited edits = click.select(2);
+    edits.then = [&](ActionContext& with) { return runner.run(with, std::vector<std::string>{"disconnect", "2"}); };
+    REQUIRE(runner.await(stage.context, edits));
+    REQUIRE(runner.run(stage.context, std::vector<std::string>{"select", "4"}));
+    REQUIRE(runner.run(stage.context, std::vector<std::string>{"select-invert"}));
+    const auto before = stage.document.tree();
+    click.known = true;
+    const std::vector<Error> failed = runner.update(stage.context);
+    REQUIRE(stage.document.tree() != before);
+    REQUIRE(failed.size() == 1);
+    CHECK(failed.front().message().find("edited meanwhile") != std::string::npos);
+    CHECK(stage.marks().selection.size() == static_cast<std::size_t>(stage.document.branch_count())); // names none
+}
+
 TEST_CASE("a click on one tree selects nothing of the next") {
     test::CommandStage stage(twigs());
     CommandRunner runner({});
