@@ -11,6 +11,7 @@
 #include "app/window/glfw_window.h"
 #include "app/window/imgui_renderer.h"
 #include "app/window/loop_watch.h"
+#include "app/window/shown_picture.h"
 #include "app/window/status_file.h"
 #include "app/window/viewer.h"
 #include "core/base/memory.h"
@@ -237,6 +238,7 @@ int run_window(const WindowOptions& options) {
     const std::unique_ptr<DrawingThread> thread = (*window)->make_drawing_thread();
     ItsRenderer renderer(*thread);
     if (auto made = renderer.make(options.graphics_bytes); !made) return complain(made.error());
+    if (thread->apart()) ShownPicture::prepare();
     fonts.wait();
     LoopWatch watch;
     auto viewer = Viewer::create(workspace, renderer.get(), (*window)->scale(), wake_window, thread.get());

@@ -17,6 +17,12 @@ void ShownPicture::keep(render::SheetRenderer& sheets, glm::ivec2 size) {
     shown_ = {which, before.number + 1, picture.colour, size};
 }
 
+void ShownPicture::prepare() {
+    render::PictureTarget picture;
+    picture.make({3, 3}); // of no power of two: Mesa compiles something else for those
+    for (const int side : {3, 5}) picture.present(0, 0, 0, {side, side}); // as it is, and scaled
+}
+
 void ShownPicture::let_go() {
     pictures_ = {};
     const std::lock_guard lock(mutex_);

@@ -18,7 +18,10 @@ public:
     void keep(render::SheetRenderer& sheets, glm::ivec2 size);
     void let_go(); // of what the drawing thread has of it
 
-    // On the window's. As PictureTarget::present().
+    // On the window's. A driver compiles what copies a picture into the window when that is done for the first time:
+    // before anybody looks. Leaves something in the window's corner.
+    static void prepare();
+    // As PictureTarget::present().
     void present(unsigned framebuffer, glm::ivec2 at, glm::ivec2 filled);
     [[nodiscard]] bool any() const; // there is a picture
 
