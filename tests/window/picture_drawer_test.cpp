@@ -83,7 +83,7 @@ TEST_CASE_FIXTURE(DrawnElsewhere, "a click is on the picture that is shown, what
     thread.let([shut = gate.get_future().share()] { shut.wait(); });
     const auto begin = [&](const render::Sheet& sheet) {
         drawer->draw(sheet, render::kUploadAll, render::kUntilDone);
-        const auto coming = drawer->pick(middle); // before the next one is shown
+        auto coming = drawer->pick(middle); // before the next one is shown
         gate.set_value();
         return coming;
     };
