@@ -1,5 +1,6 @@
 #include "core/io/meshes/vtp_surface.h"
 
+#include "core/io/meshes/mesh_file.h"
 #include "core/io/trees/vtk.h"
 
 #include <bit>
