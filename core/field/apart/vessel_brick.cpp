@@ -25,10 +25,10 @@ void VesselBrick::enter(SegmentIndices list, const GridAxes& axes) {
     sum_->enter(list, axes);
     axes_ = axes;
     parts_ = views_.enter(list, axes);
-    if (parts_ && known_.empty()) known_.resize(std::size_t{1} << kKnownBits);
 }
 
 VesselBrick::Known& VesselBrick::known(const glm::dvec3& point) {
+    if (known_.empty()) known_.resize(std::size_t{1} << kKnownBits);
     std::uint64_t number = 0;
     for (int axis = 0; axis < 3; ++axis)
         number = (number ^ std::bit_cast<std::uint64_t>(point[axis])) * 0x9E3779B97F4A7C15ULL;
@@ -98,8 +98,10 @@ std::uint64_t VesselBrick::find_owners(const LatticeAxes& lattice, std::span<con
 }
 
 Owner VesselBrick::owner_at(const glm::dvec3& point) {
-    const Known& there = known(point);
-    if (there.is_known && there.point == point) return there.owner;
+    if (!known_.empty()) {
+        const Known& there = known(point);
+        if (there.is_known && there.point == point) return there.owner;
+    }
     return views_.in_zone(point) ? judge(point, views_.isovalue()).owner : kNoOwner;
 }
 

@@ -354,12 +354,11 @@ void EdgePolygons::unfold(std::uint32_t index, const JoinedSubtree::GuessEdge& e
 void EdgePolygons::finish(std::uint32_t index, JoinedSubtree& out) const {
     if (out.guesses.size() == 0) return;
     const Brick& brick = octree_.bricks[index];
-    const auto field = field_.in_brick();
-    field->enter(octree_.segments_of(brick), grid_axes(octree_.lattice, brick));
-    const bool parts = field->parts_vessels();
-    if (parts) find_centres(*field, index, out);
-    (void)append_projected(*field, out.guesses, out.added,
-                           parts ? std::span(out.owned) : std::span(out.owned).first(0));
+    field::BrickField& field = *fields_.local();
+    field.enter(octree_.segments_of(brick), grid_axes(octree_.lattice, brick));
+    const bool parts = field.parts_vessels();
+    if (parts) find_centres(field, index, out);
+    (void)append_projected(field, out.guesses, out.added, parts ? std::span(out.owned) : std::span(out.owned).first(0));
     out.guesses.clear();
     out.owned.clear();
     out.edges.clear();

@@ -8,6 +8,8 @@
 
 #include <array>
 #include <glm/vec4.hpp>
+#include <memory>
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <span>
 #include <utility>
 #include <vector>
@@ -48,9 +50,10 @@ void cut_quads(const VertexSpan& vertices, std::span<const glm::uvec4> quads, st
 
 class EdgePolygons {
 public:
+    // Refers to all that it is given.
     EdgePolygons(const field::Field& field, const Octree& octree, const SurfaceCells& surface,
                  const VertexSpan& vertices)
-        : field_(field), octree_(octree), surface_(surface), vertices_(vertices) {}
+        : octree_(octree), surface_(surface), vertices_(vertices), fields_([&] { return field.in_brick(); }) {}
 
     // The edge of brick `index` from grid point `point` along `axis`, whose first end is inside or not. Adds nothing
     // when the edge is another brick's to join.
@@ -118,10 +121,10 @@ private:
     std::uint32_t add_fan(const Ring& ring, const Edge& edge, JoinedSubtree& out) const; // its centre
     static void emit_fan(std::uint32_t centre, const Polygon& polygon, bool open, JoinedSubtree& out);
 
-    field::Field field_;
     const Octree& octree_;
     const SurfaceCells& surface_;
     VertexSpan vertices_;
+    mutable tbb::enumerable_thread_specific<std::unique_ptr<field::BrickField>> fields_; // each thread's
 };
 
 } // namespace ramus::mesh::bricks
