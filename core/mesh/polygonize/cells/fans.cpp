@@ -1,10 +1,12 @@
 #include "core/mesh/polygonize/cells/fans.h"
 
+#include "core/base/bounds.h"
 #include "core/mesh/line_triangle.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace ramus::mesh::bricks {
 
@@ -12,21 +14,37 @@ namespace {
 
 using Triangle = std::array<glm::dvec3, 3>;
 
-bool boxes_meet(const Triangle& s, const Triangle& t) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto [s_least, s_most] = std::minmax({s[0][axis], s[1][axis], s[2][axis]});
-        const auto [t_least, t_most] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
-        if (s_most < t_least || t_most < s_least) return false;
+using Box = Bounds<glm::vec3>;
+
+Box box_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
+}
+
+bool meet(const Box& a, const Box& b) {
+    return glm::all(glm::lessThanEqual(a.least, b.most)) && glm::all(glm::lessThanEqual(b.least, a.most));
+}
+
+// Which of a triangle's corners are above the plane of another one: a bit each.
+unsigned above(const Triangle& of, const Triangle& plane) {
+    const glm::dvec3 normal = glm::cross(plane[1] - plane[0], plane[2] - plane[0]);
+    unsigned bits = 0;
+    for (unsigned n = 0; n < 3; ++n) bits |= (glm::dot(normal, of[n] - plane[0]) > 0.0 ? 1U : 0U) << n;
+    return bits;
+}
+
+// Whether some edge of a triangle meets another one, of whose plane these of its corners are above.
+bool edges_meet(const Triangle& of, unsigned above, const Triangle& other) {
+    if (above == 0 || above == 7) return false; // as for most
+    for (unsigned n = 0; n < 3; ++n) {
+        const unsigned next = (n + 1) % 3;
+        if ((above >> n & 1U) != (above >> next & 1U) && passes_within(of[n], of[next], other)) return true;
     }
-    return true;
+    return false;
 }
 
 // What lies in a triangle's plane meets it where the other triangle's edges are looked at.
 bool meet(const Triangle& s, const Triangle& t) {
-    if (!boxes_meet(s, t)) return false;
-    for (std::size_t n = 0; n < 3; ++n)
-        if (line_meets(s[n], s[(n + 1) % 3], t) || line_meets(t[n], t[(n + 1) % 3], s)) return true;
-    return false;
+    return edges_meet(s, above(s, t), t) || edges_meet(t, above(t, s), s);
 }
 
 glm::vec3 middle_of(const Fan& fan) {
@@ -53,11 +71,16 @@ bool lines_meet(const std::array<glm::vec3, 3>& a, const std::array<glm::vec3, 3
 }
 
 bool fans_meet(const Fan& a, const glm::vec3& from_a, const Fan& b, const glm::vec3& from_b) {
-    for (const auto& [s, s2] : a.edges)
+    Box all_of_b{from_b, from_b};
+    for (const auto& [t, t2] : b.edges) all_of_b.hold(box_of(t, t2, t));
+    for (const auto& [s, s2] : a.edges) {
+        const Box box = box_of(from_a, s, s2);
+        if (!meet(box, all_of_b)) continue;
         for (const auto& [t, t2] : b.edges)
-            if (meet({glm::dvec3(from_a), glm::dvec3(s), glm::dvec3(s2)},
-                     {glm::dvec3(from_b), glm::dvec3(t), glm::dvec3(t2)}))
+            if (meet(box, box_of(from_b, t, t2)) && meet({glm::dvec3(from_a), glm::dvec3(s), glm::dvec3(s2)},
+                                                         {glm::dvec3(from_b), glm::dvec3(t), glm::dvec3(t2)}))
                 return true;
+    }
     return false;
 }
 
