@@ -21,7 +21,9 @@ std::uint64_t BrickField::find_owners(const LatticeAxes& /*lattice*/, std::span<
     return 0;
 }
 
-bool BrickField::apart(Owner /*a*/, Owner /*b*/) const { return false; }
+int BrickField::piece_of(Owner /*owner*/) const { return -1; }
+
+bool BrickField::apart_pieces(int /*a*/, int /*b*/) const { return false; }
 
 OwnedPoint BrickField::move(const OwnedGuess& /*whose*/, const glm::vec3& guess) { return {guess, {}, 0.0F}; }
 

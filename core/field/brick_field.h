@@ -211,7 +211,11 @@ public:
     // Owners of points that are inside; the same ones whichever brick is asked.
     virtual std::uint64_t find_owners(const LatticeAxes& lattice, std::span<const LatticePoint> points,
                                       std::span<Owner> owners);
-    [[nodiscard]] virtual bool apart(Owner a, Owner b) const;
+    // What an owner is a piece of, as far as it matters here: a number; -1 where it is apart from nothing. And whether
+    // two such pieces are apart.
+    [[nodiscard]] virtual int piece_of(Owner owner) const;
+    [[nodiscard]] virtual bool apart_pieces(int a, int b) const;
+    [[nodiscard]] bool apart(Owner a, Owner b) const { return a != b && apart_pieces(piece_of(a), piece_of(b)); }
     // Where a guess of a vessel is moved to that does not stay kFree. Positions relative to the brick's corner, mm.
     [[nodiscard]] virtual OwnedPoint move(const OwnedGuess& whose, const glm::vec3& guess);
     // The last place on a straight way that is a vessel's; it is at `from`, and not at `to`. Relative to the brick's

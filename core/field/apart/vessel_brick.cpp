@@ -117,10 +117,8 @@ std::uint32_t VesselBrick::place_near(Owner owner, const glm::dvec3& point) {
     return nearest == VesselViews::kNone ? 0 : nearest;
 }
 
-bool VesselBrick::apart(Owner a, Owner b) const {
-    if (a == b || a == kNoOwner || b == kNoOwner) return false;
-    const LocalContacts& contacts = views_.contacts();
-    return contacts.apart(contacts.piece(place_of(a)), contacts.piece(place_of(b)));
+int VesselBrick::piece_of(Owner owner) const {
+    return owner == kNoOwner ? -1 : views_.contacts().piece(place_of(owner));
 }
 
 Bounds<glm::dvec3> VesselBrick::bounds_of(const OwnedGuess& one, const glm::dvec3& middle, double reach) const {

@@ -26,7 +26,8 @@ public:
     [[nodiscard]] bool parts_vessels() const override { return parts_; }
     std::uint64_t find_owners(const LatticeAxes& lattice, std::span<const LatticePoint> points,
                               std::span<Owner> owners) override;
-    [[nodiscard]] bool apart(Owner a, Owner b) const override;
+    [[nodiscard]] int piece_of(Owner owner) const override;
+    [[nodiscard]] bool apart_pieces(int a, int b) const override { return views_.contacts().apart(a, b); }
     [[nodiscard]] OwnedPoint move(const OwnedGuess& whose, const glm::vec3& guess) override;
     [[nodiscard]] OwnedPoint way_out(Owner owner, const glm::vec3& from, const glm::vec3& to, float guess) override;
     std::uint64_t project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,

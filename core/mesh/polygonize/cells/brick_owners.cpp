@@ -2,7 +2,18 @@
 
 #include "core/mesh/polygonize/cells/hanging_corners.h"
 
+#include <algorithm>
+#include <bit>
+
 namespace ramus::mesh::bricks {
+
+namespace {
+
+std::size_t index_of(const field::LatticePoint& point) {
+    return static_cast<std::size_t>(BrickOwners::fine_index(point.i / 2, point.j / 2, point.k / 2));
+}
+
+} // namespace
 
 void BrickOwners::find(field::BrickField& field, const field::LatticeAxes& lattice, GridBits inside,
                        std::span<const field::LatticePoint> hanging, SampleCounts& counts) {
@@ -13,23 +24,45 @@ void BrickOwners::find(field::BrickField& field, const field::LatticeAxes& latti
     points_.insert(points_.end(), hanging.begin(), hanging.end());
     owners_.resize(points_.size());
     counts.evaluations += field.find_owners(lattice, points_, owners_);
-    for (std::size_t n = 0; n < points_.size(); ++n)
-        owner_[static_cast<std::size_t>(fine_index(points_[n].i / 2, points_[n].j / 2, points_[n].k / 2))] = owners_[n];
-    find_walls(field, inside, hanging);
+    for (std::size_t n = 0; n < points_.size(); ++n) owner_[index_of(points_[n])] = owners_[n];
+    find_pieces(field);
+    cells_ = hanging_ = 0;
+    walls_ = {};
+    if (any_apart_) find_walls(inside, hanging);
 }
 
-void BrickOwners::find_walls(const field::BrickField& field, GridBits inside,
-                             std::span<const field::LatticePoint> hanging) {
-    cells_ = hanging_ = 0;
+// Numbers the pieces once: many points of many cells are asked whether they are apart.
+void BrickOwners::find_pieces(const field::BrickField& field) {
+    piece_.fill(0);
+    pieces_.assign(1, -1);
+    field::Owner last = field::kNoOwner; // neighbours often have the same one
+    Piece number = 0;
+    for (std::size_t n = 0; n < points_.size(); ++n) {
+        if (owners_[n] != last) {
+            last = owners_[n];
+            const auto known = std::ranges::find(pieces_, field.piece_of(last));
+            number = static_cast<Piece>(known - pieces_.begin());
+            if (known == pieces_.end()) pieces_.push_back(field.piece_of(last));
+        }
+        piece_[index_of(points_[n])] = number;
+    }
+    const std::size_t count = pieces_.size();
+    apart_.assign(count * count, 0);
+    any_apart_ = false;
+    for (std::size_t a = 1; a < count; ++a)
+        for (std::size_t b = 1; b < count; ++b)
+            if (a != b && field.apart_pieces(pieces_[a], pieces_[b])) apart_[a * count + b] = 1, any_apart_ = true;
+}
+
+void BrickOwners::find_walls(GridBits inside, std::span<const field::LatticePoint> hanging) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        walls_[axis] = 0;
         for (GridBits left = inside & inside >> kGridStep[axis] & kEdgeStarts[axis]; left != 0; left &= left - 1) {
             const int n = lowest_bit(left);
             const glm::ivec3 p = 2 * grid_point(n);
-            const field::Owner first = at(p.x, p.y, p.z);
+            const Piece first = piece_at(p.x, p.y, p.z);
             glm::ivec3 q = p;
             q[static_cast<int>(axis)] += 2;
-            if (!field.apart(first, at(q.x, q.y, q.z))) continue;
+            if (!apart(first, piece_at(q.x, q.y, q.z))) continue;
             walls_[axis] |= GridBits{1} << n;
             q[static_cast<int>(axis)] -= 1;
             cells_ |= cells_touching(q.x, q.y, q.z);
@@ -38,30 +71,51 @@ void BrickOwners::find_walls(const field::BrickField& field, GridBits inside,
     for (const field::LatticePoint& point : hanging) {
         const glm::ivec3 p(point.i / 2, point.j / 2, point.k / 2);
         // The corner below belongs to all cells that touch the point.
-        const field::Owner own = at(p.x, p.y, p.z);
-        if (field.apart(own, at(p.x & ~1, p.y & ~1, p.z & ~1))) hanging_ |= cells_touching(p.x, p.y, p.z);
+        if (apart(piece_at(p.x, p.y, p.z), piece_at(p.x & ~1, p.y & ~1, p.z & ~1)))
+            hanging_ |= cells_touching(p.x, p.y, p.z);
     }
     cells_ |= hanging_;
 }
 
-ApartPoints BrickOwners::apart_points(const field::BrickField& field, glm::ivec3 cell) const {
-    std::array<field::Owner, 27> owner;
-    for (int n = 0; n < 27; ++n)
-        owner[static_cast<std::size_t>(n)] = at(2 * cell.x + n % 3, 2 * cell.y + n / 3 % 3, 2 * cell.z + n / 9);
-    ApartPoints apart{};
-    for (std::size_t a = 0; a < 27; ++a)
-        for (std::size_t b = a + 1; b < 27; ++b)
-            if (owner[a] != owner[b] && field.apart(owner[a], owner[b]))
-                apart[a] |= std::uint32_t{1} << b, apart[b] |= std::uint32_t{1} << a;
-    return apart;
+BrickOwners::CellPieces BrickOwners::pieces_in(glm::ivec3 cell) const {
+    CellPieces found;
+    for (int n = 0; n < 27; ++n) {
+        const Piece piece = piece_at(2 * cell.x + n % 3, 2 * cell.y + n / 3 % 3, 2 * cell.z + n / 9);
+        if (piece == 0) continue;
+        std::size_t at = 0;
+        while (at < found.count && found.piece[at] != piece) ++at;
+        if (at == found.count) found.piece[found.count++] = piece;
+        found.points[at] |= std::uint32_t{1} << n;
+    }
+    return found;
+}
+
+bool BrickOwners::find_apart(glm::ivec3 cell, ApartPoints& apart) const {
+    if (!any_apart_) return false;
+    const CellPieces pieces = pieces_in(cell);
+    std::array<std::uint32_t, 27> others{}; // by piece
+    std::uint32_t any = 0;
+    for (std::size_t a = 0; a < pieces.count; ++a)
+        for (std::size_t b = 0; b < a; ++b)
+            if (this->apart(pieces.piece[a], pieces.piece[b])) {
+                others[a] |= pieces.points[b], others[b] |= pieces.points[a];
+                any |= pieces.points[a];
+            }
+    if (any == 0) return false;
+    apart = {};
+    for (std::size_t a = 0; a < pieces.count; ++a)
+        for (std::uint32_t left = pieces.points[a]; left != 0; left &= left - 1)
+            apart[static_cast<std::size_t>(std::countr_zero(left))] = others[a];
+    return true;
 }
 
 std::uint32_t BrickOwners::apart_from(const field::BrickField& field, glm::ivec3 cell, field::Owner owner) const {
     if (owner == field::kNoOwner) return kAllPoints;
+    const int own = field.piece_of(owner);
+    const CellPieces pieces = pieces_in(cell);
     std::uint32_t others = 0;
-    for (int n = 0; n < 27; ++n)
-        if (field.apart(owner, at(2 * cell.x + n % 3, 2 * cell.y + n / 3 % 3, 2 * cell.z + n / 9)))
-            others |= std::uint32_t{1} << n;
+    for (std::size_t n = 0; n < pieces.count; ++n)
+        if (field.apart_pieces(own, pieces_[pieces.piece[n]])) others |= pieces.points[n];
     return others;
 }
 

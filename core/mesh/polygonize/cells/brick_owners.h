@@ -33,17 +33,34 @@ public:
     [[nodiscard]] field::Owner at(int x, int y, int z) const { // in half cells
         return owner_[static_cast<std::size_t>(fine_index(x, y, z))];
     }
-    // Which points of a cell belong to vessels that are apart.
-    [[nodiscard]] ApartPoints apart_points(const field::BrickField& field, glm::ivec3 cell) const;
+    // Which points of a cell belong to vessels that are apart. Whether any do; else nothing is written.
+    [[nodiscard]] bool find_apart(glm::ivec3 cell, ApartPoints& apart) const;
     // Those that are apart from a vessel, bits of CellShape::inside: all where nobody is said to be the owner.
     [[nodiscard]] std::uint32_t apart_from(const field::BrickField& field, glm::ivec3 cell, field::Owner owner) const;
     // Whose the loop through a crossing of a cell is.
     [[nodiscard]] field::Owner of_crossing(glm::ivec3 cell, int crossing) const;
 
 private:
-    void find_walls(const field::BrickField& field, GridBits inside, std::span<const field::LatticePoint> hanging);
+    // Pieces that own some of the points, by numbers of their own; 0: none that is apart from anything.
+    using Piece = std::uint16_t;
+    struct CellPieces {
+        std::array<Piece, 27> piece{};
+        std::array<std::uint32_t, 27> points{}; // of each, bits of CellShape::inside
+        std::size_t count = 0;
+    };
+    void find_pieces(const field::BrickField& field);
+    void find_walls(GridBits inside, std::span<const field::LatticePoint> hanging);
+    [[nodiscard]] CellPieces pieces_in(glm::ivec3 cell) const;
+    [[nodiscard]] Piece piece_at(int x, int y, int z) const {
+        return piece_[static_cast<std::size_t>(fine_index(x, y, z))];
+    }
+    [[nodiscard]] bool apart(Piece a, Piece b) const { return apart_[a * pieces_.size() + b] != 0; }
 
     std::array<field::Owner, kFineSide * kFineSide * kFineSide> owner_{};
+    std::array<Piece, kFineSide * kFineSide * kFineSide> piece_{};
+    std::vector<int> pieces_;         // by their numbers here, those of the field
+    std::vector<std::uint8_t> apart_; // of two of them, row by row
+    bool any_apart_ = false;
     std::array<GridBits, 3> walls_{};
     std::uint64_t cells_ = 0, hanging_ = 0;
     std::vector<field::LatticePoint> points_;

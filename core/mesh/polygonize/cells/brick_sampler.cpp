@@ -187,12 +187,12 @@ void BrickSampler::trace(int cell, unsigned corner_signs, std::uint32_t finer) {
         }
     }
     traced.apart = -1;
-    traced.walled = false;
-    if (field_->parts_vessels()) {
+    ApartPoints apart;
+    traced.walled = field_->parts_vessels() && owners_.find_apart(low_corner_of(cell), apart);
+    if (traced.walled) {
         traced.apart = static_cast<int>(apart_points_.size());
-        apart_points_.push_back(owners_.apart_points(*field_, low_corner_of(cell)));
-        traced.walled = std::ranges::any_of(apart_points_.back(), [](std::uint32_t others) { return others != 0; });
-        if (traced.walled) traced.shape.coarser_faces = coarser_faces(low_corner_of(cell));
+        apart_points_.push_back(apart);
+        traced.shape.coarser_faces = coarser_faces(low_corner_of(cell));
     }
     traced.loops = trace_loops(traced.shape, traced.centres, apart_points(traced));
     traced.first_centre = points_.size();
@@ -296,7 +296,7 @@ void BrickSampler::add_recorded_vertices(const TracedCell& traced, SubtreeCells&
         if (loop == kNoLoop) continue;
         sum[loop] += crossing(cell, m);
         ++count[loop];
-        if (traced.apart >= 0) whose[loop].owner = owners_.of_crossing(cell, m);
+        if (field_->parts_vessels()) whose[loop].owner = owners_.of_crossing(cell, m);
     }
     for (std::size_t n = 0; n < static_cast<std::size_t>(loops.loop_count); ++n)
         add_vertex(sum[n] / static_cast<float>(count[n]) * cell_mm_, cell, loops.loop_count == 1, whose[n]);

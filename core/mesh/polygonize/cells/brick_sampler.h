@@ -38,7 +38,7 @@ private:
         CellLoops loops;
         FaceCentres centres;
         std::size_t first_centre; // in points_
-        int apart;                // in apart_points_, or -1
+        int apart;                // in apart_points_ where it is walled, or -1
         bool walled;              // some of its points are apart
     };
 
