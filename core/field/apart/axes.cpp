@@ -42,12 +42,41 @@ HWY_INLINE Real dot(const Vector& a, const Vector& b) {
 }
 HWY_INLINE Real limited(Real x, Real low, Real high) { return hn::Min(hn::Max(x, low), high); }
 
+// The least of some numbers so far, by lane, and where it was.
+struct Least {
+    Real number, place;
+
+    HWY_INLINE void see(hn::Mask<Doubles> which, Real numbers, Real places) {
+        const auto less = hn::And(which, hn::Lt(numbers, number));
+        number = hn::IfThenElse(less, numbers, number);
+        place = hn::IfThenElse(less, places, place);
+    }
+    HWY_INLINE void store(AxisFeet::Near& near) const {
+        const Doubles d;
+        hn::StoreU(number, d, near.least.data());
+        hn::StoreU(place, d, near.least_place.data());
+        near.lanes = hn::Lanes(d);
+    }
+};
+
+// Appends the places of a vector's lanes, of which the first is `first`.
+HWY_INLINE std::uint32_t* put_places(hn::Mask<Doubles> which, std::size_t first, std::uint32_t* next) {
+    HWY_ALIGN std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(Doubles(), which, bits);
+    for (unsigned left = bits[0]; left != 0; left &= left - 1)
+        *next++ = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(std::countr_zero(left));
+    return next;
+}
+
 void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet) {
     const Doubles d;
     const Vector p = set(point);
     const Real reach2 = hn::Set(d, radii * radii), zero = hn::Zero(d);
     const bool of_near = radii > 0.0;
-    std::uint32_t* next = feet.places.data();
+    std::uint32_t* next = feet.near.places.data();
+    std::uint32_t* next_marked = feet.marked.places.data();
+    const Real far = hn::Set(d, std::numeric_limits<double>::infinity());
+    Least least_near{far, zero}, least_marked{far, zero};
     for (std::size_t n = 0; n < axes.count; n += hn::Lanes(d)) {
         const Vector u = load(axes.rows, kAlongX, n);
         const Vector from = minus(p, load(axes.rows, kStartX, n));
@@ -72,15 +101,21 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
         hn::StoreU(distance2, d, feet.rows.row(kFootDistance2) + n);
         hn::StoreU(radius, d, feet.rows.row(kFootRadius) + n);
         hn::StoreU(relative2, d, feet.rows.row(kFootRelative2) + n);
+        // Behind the last axis radii are 0, and nothing is near.
         const auto near = hn::Lt(distance2, hn::Mul(reach2, hn::Mul(least, least)));
         if (hn::AllFalse(d, near)) continue;
-        HWY_ALIGN std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(d, near, bits);
-        const unsigned there = bits[0] & ((1U << std::min(hn::Lanes(d), axes.count - n)) - 1);
-        for (unsigned left = there; left != 0; left &= left - 1)
-            *next++ = static_cast<std::uint32_t>(n) + static_cast<std::uint32_t>(std::countr_zero(left));
+        const auto marked = hn::And(near, hn::Gt(hn::LoadU(d, axes.marked.row(0) + n), zero));
+        const Real places = hn::Iota(d, static_cast<double>(n));
+        least_near.see(near, relative2, places);
+        next = put_places(near, n, next);
+        if (hn::AllFalse(d, marked)) continue;
+        least_marked.see(marked, relative2, places);
+        next_marked = put_places(marked, n, next_marked);
     }
-    feet.near_count = static_cast<std::size_t>(next - feet.places.data());
+    feet.near.count = static_cast<std::size_t>(next - feet.near.places.data());
+    feet.marked.count = static_cast<std::size_t>(next_marked - feet.marked.places.data());
+    least_near.store(feet.near);
+    least_marked.store(feet.marked);
 }
 
 void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apart, std::size_t count, double* left) {
@@ -181,7 +216,16 @@ void Axes::add(const glm::dvec3& start, const glm::dvec3& along, double length, 
 
 void AxisFeet::reserve(std::size_t most) {
     rows.reserve(most);
-    if (places.size() < most) places.resize(most);
+    for (Near* const some : {&near, &marked})
+        if (some->places.size() < most) some->places.resize(most);
+}
+
+std::uint32_t AxisFeet::Near::nearest() const {
+    std::size_t first = 0;
+    for (std::size_t lane = 1; lane < lanes; ++lane)
+        if (least[lane] < least[first] || (least[lane] == least[first] && least_place[lane] < least_place[first]))
+            first = lane;
+    return static_cast<std::uint32_t>(least_place[first]);
 }
 
 void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet) {

@@ -3,6 +3,7 @@
 // asks.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -57,26 +58,37 @@ enum AxisRow : std::uint8_t {
 
 struct Axes {
     NumberRows<kAxisRows> rows;
+    NumberRows<1> marked; // not 0 where the axis is one of those that are told from the others
     std::size_t count = 0;
 
-    void clear(std::size_t most) { rows.resize(most), count = 0; }
+    void clear(std::size_t most) { rows.resize(most), marked.resize(most), count = 0; }
     void add(const glm::dvec3& start, const glm::dvec3& along, double length, double radius, double slope = 0.0,
              double beyond = 0.0);
+    void mark_last() { marked.row(0)[count - 1] = 1.0; }
 };
 
 // Of a point, on each of some axes: the nearest place (mm), how far it is from the point (mm^2), the radius there (mm),
 // and the distance in radii, squared.
 enum FootRow : std::uint8_t { kFootX, kFootY, kFootZ, kFootDistance2, kFootRadius, kFootRelative2, kFootRows };
 struct AxisFeet {
+    // Some axes, by their places.
+    struct Near {
+        std::vector<std::uint32_t> places; // scratch: those that are near come first
+        std::size_t count = 0;
+        std::array<double, NumberRows<1>::kWidestVector> least{},
+            least_place{}; // by lane: in radii, squared; and where
+        std::size_t lanes = 0;
+        [[nodiscard]] std::span<const std::uint32_t> all() const { return std::span(places).first(count); } // ascending
+        // In radii, the first of several; where there are any.
+        [[nodiscard]] std::uint32_t nearest() const;
+    };
     NumberRows<kFootRows> rows;
-    std::vector<std::uint32_t> places; // scratch: those that are near come first
-    std::size_t near_count = 0;
+    // Those nearer than so many radii; beyond an end from which radii go on shrinking, of the radius that it has there:
+    // as far as the field reaches. Of these, the ones marked.
+    Near near, marked;
 
     // With room for so many axes.
     void reserve(std::size_t most);
-    // Those nearer than so many radii, ascending; beyond an end from which radii go on shrinking, of the radius that it
-    // has there: as far as the field reaches.
-    [[nodiscard]] std::span<const std::uint32_t> near() const { return std::span(places).first(near_count); }
     [[nodiscard]] double of(std::uint32_t axis, FootRow row) const { return rows.row(row)[axis]; }
     [[nodiscard]] glm::dvec3 foot(std::uint32_t axis) const {
         return {of(axis, kFootX), of(axis, kFootY), of(axis, kFootZ)};

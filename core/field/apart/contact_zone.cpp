@@ -39,7 +39,7 @@ ContactZone::Cells ContactZone::cells_of(const Bounds<glm::dvec3>& box) const {
 }
 
 void ContactZone::add(const Cells& cells) {
-    if (glm::any(glm::greaterThan(cells.least, cells.most))) return;
+    if (is_empty(cells)) return;
     const auto range = [&](const Ranges& ranges, int axis) {
         return ranges[static_cast<std::size_t>(cells.least[axis])][static_cast<std::size_t>(cells.most[axis])].bits;
     };

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace ramus::field {
 
@@ -15,6 +16,9 @@ class ContactZone {
 public:
     // Whole cells, from the first to the last; none where one of these is before the other.
     using Cells = Bounds<glm::ivec3>;
+    [[nodiscard]] static bool is_empty(const Cells& cells) {
+        return glm::any(glm::greaterThan(cells.least, cells.most));
+    }
 
     // Begins a brick, with nothing in the zone.
     void begin(const GridAxes& axes);

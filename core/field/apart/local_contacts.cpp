@@ -18,15 +18,22 @@ void list_pieces(const tree::Contacts& contacts, SegmentIndices list, std::vecto
     pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
 }
 
-// Both are ascending, and the pieces are fewer.
-bool any_partner(std::span<const tree::Contacts::Partner> partners, const std::vector<std::uint32_t>& pieces) {
-    auto next = pieces.begin();
+// Calls visit(partner, n) for the partners that are the n-th of some pieces. Both are ascending.
+template <class Visit>
+void for_partners(std::span<const tree::Contacts::Partner> partners, const std::vector<std::uint32_t>& pieces,
+                  const Visit& visit) {
+    std::size_t n = 0;
     for (const tree::Contacts::Partner& partner : partners) {
-        while (next != pieces.end() && *next < partner.piece) ++next;
-        if (next == pieces.end()) return false;
-        if (*next == partner.piece) return true;
+        while (n < pieces.size() && pieces[n] < partner.piece) ++n;
+        if (n == pieces.size()) return;
+        if (pieces[n] == partner.piece && !visit(partner, n)) return;
     }
-    return false;
+}
+
+bool any_partner(std::span<const tree::Contacts::Partner> partners, const std::vector<std::uint32_t>& pieces) {
+    bool any = false;
+    for_partners(partners, pieces, [&](const tree::Contacts::Partner&, std::size_t) { return !(any = true); });
+    return any;
 }
 
 } // namespace
@@ -41,11 +48,33 @@ bool any_apart(const Pieces& pieces, SegmentIndices list, std::vector<std::uint3
 bool LocalContacts::enter(SegmentIndices list) {
     const tree::Contacts& contacts = all_.contacts();
     list_pieces(contacts, list, listed_);
-    pieces_.clear();
-    for (const std::uint32_t piece : listed_)
-        if (all_.piercing(piece).count > 0 || any_partner(contacts.partners_of(piece), listed_))
-            pieces_.push_back(piece);
+    pieces_.clear(), pairs_.clear();
+    number_.assign(listed_.size(), -1);
+    for (std::size_t n = 0; n < listed_.size(); ++n) {
+        const std::size_t before = pairs_.size();
+        for_partners(contacts.partners_of(listed_[n]), listed_, [&](const tree::Contacts::Partner& partner, auto m) {
+            pairs_.push_back({n, m, partner.apart_from});
+            return true;
+        });
+        if (pairs_.size() == before && all_.piercing(listed_[n]).count == 0) continue;
+        number_[n] = piece_count();
+        pieces_.push_back(listed_[n]);
+    }
     if (pieces_.empty()) return false;
+    number_segments(list);
+    matrix_.assign(pieces_.size() * pieces_.size(), -1.0F);
+    partner_bits_.assign(pieces_.size() * words(), 0);
+    for (const Pair& pair : pairs_) {
+        if (number_[pair.first] < 0 || number_[pair.second] < 0) continue;
+        const auto a = static_cast<std::size_t>(number_[pair.first]),
+                   b = static_cast<std::size_t>(number_[pair.second]);
+        matrix_[a * pieces_.size() + b] = pair.apart_from;
+        if (pair.apart_from > 0.0F) partner_bits_[a * words() + b / 64] |= std::uint64_t{1} << b % 64;
+    }
+    return true;
+}
+
+void LocalContacts::number_segments(SegmentIndices list) {
     const auto number_of = [&](std::uint32_t piece) {
         const auto found = std::ranges::lower_bound(pieces_, piece);
         return found != pieces_.end() && *found == piece ? static_cast<int>(found - pieces_.begin()) : -1;
@@ -57,17 +86,6 @@ bool LocalContacts::enter(SegmentIndices list) {
         piece_of_.push_back(!piece_of_.empty() && piece == last ? piece_of_.back() : number_of(piece));
         last = piece;
     }
-    matrix_.assign(pieces_.size() * pieces_.size(), -1.0F);
-    partner_bits_.assign(pieces_.size() * words(), 0);
-    for (std::size_t a = 0; a < pieces_.size(); ++a)
-        for (const tree::Contacts::Partner& partner : contacts.partners_of(pieces_[a])) {
-            const int b = number_of(partner.piece);
-            if (b < 0) continue;
-            const auto other = static_cast<std::size_t>(b);
-            matrix_[a * pieces_.size() + other] = partner.apart_from;
-            if (partner.apart_from > 0.0F) partner_bits_[a * words() + other / 64] |= std::uint64_t{1} << other % 64;
-        }
-    return true;
 }
 
 } // namespace ramus::field

@@ -44,9 +44,18 @@ public:
     }
 
 private:
+    // Of those listed, by their places there.
+    struct Pair {
+        std::size_t first = 0, second = 0;
+        float apart_from = 0.0F;
+    };
+    void number_segments(SegmentIndices list);
+
     const Pieces& all_;
     std::vector<std::uint32_t> pieces_; // of the list that have partners in it or are pierced, ascending
     std::vector<std::uint32_t> listed_; // scratch: all of the list that have partners anywhere
+    std::vector<int> number_;           // scratch: of each of these, its number among pieces_, or -1
+    std::vector<Pair> pairs_;           // scratch
     std::vector<int> piece_of_;
     std::vector<float> matrix_;
     std::vector<std::uint64_t> partner_bits_; // words() of each piece

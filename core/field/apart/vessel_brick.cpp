@@ -36,7 +36,8 @@ VesselBrick::Known& VesselBrick::known(const glm::dvec3& point) {
 }
 
 VesselBrick::Verdict VesselBrick::judge(const glm::dvec3& point, float plain) {
-    const VesselViews::Sight sight = views_.look(point);
+    views_.look(point);
+    const VesselViews::Sight sight = views_.sight();
     Verdict verdict{plain, kNoOwner};
     std::uint32_t place = VesselViews::kNone;
     if (sight == VesselViews::Sight::kParted && !views_.is_undisputed(plain)) {
@@ -112,7 +113,7 @@ std::uint32_t VesselBrick::place_of(Owner owner) const {
 
 std::uint32_t VesselBrick::place_near(Owner owner, const glm::dvec3& point) {
     if (owner != kNoOwner) return place_of(owner);
-    (void)views_.look(point);
+    views_.look(point);
     const std::uint32_t nearest = views_.nearest();
     return nearest == VesselViews::kNone ? 0 : nearest;
 }
@@ -130,7 +131,9 @@ Bounds<glm::dvec3> VesselBrick::bounds_of(const OwnedGuess& one, const glm::dvec
 
 // Whether something is kept apart at a point or near it.
 bool VesselBrick::is_beside_contact(const glm::dvec3& point) {
-    return views_.in_zone(point) && (views_.look(point) != VesselViews::Sight::kPlain || views_.beside_contact());
+    if (!views_.in_zone(point)) return false;
+    views_.look(point);
+    return views_.sight() != VesselViews::Sight::kPlain || views_.beside_contact();
 }
 
 OwnedPoint VesselBrick::from_corner(const WallPoint& point) const {

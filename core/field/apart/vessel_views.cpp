@@ -84,7 +84,7 @@ void VesselViews::find_zone(const GridAxes& axes) {
                 zone_.add(own.claimed_cells.common(other.claimed_cells));
         }
         const double way = (kernel_.claim_radii + 0.1) * own.radius + contacts_.shape(a).move.most();
-        const ObstacleRange range = contacts_.piercing(a);
+        const ObstacleRange range = ContactZone::is_empty(own.claimed_cells) ? ObstacleRange{} : contacts_.piercing(a);
         for (std::size_t n = range.first; n < range.first + range.count; ++n)
             zone_.add(
                 own.claimed_cells.common(zone_.cells_of(box_behind(contacts_.all().obstacles(), n, way, beside_mm_))));
@@ -101,6 +101,7 @@ void VesselViews::list_axes() {
         axes_.add({s.ax, s.ay, s.az}, {s.ux, s.uy, s.uz}, static_cast<double>(s.length), static_cast<double>(s.radius),
                   static_cast<double>(s.slope), static_cast<double>(s.beyond));
         const PieceShape* const shape = shape_of(n);
+        if (piece(n) >= 0) axes_.mark_last();
         in_contact_[n] = shape != nullptr ? 1 : 0;
         moved_[n] = shape != nullptr && shape->move != tree::AxisMove{} ? 1 : 0;
         any_moved_ = any_moved_ || moved_[n] != 0;
@@ -148,41 +149,31 @@ const ApartAxes& VesselViews::apart_from(int piece) {
     return apart;
 }
 
-VesselViews::Sight VesselViews::look(const glm::dvec3& point) {
-    if (looked_ && point == point_) return sight_;
+void VesselViews::look(const glm::dvec3& point) {
+    if (looked_ && point == point_) return;
     looked_ = true;
     point_ = point;
-    sight_ = look_anew();
+    sight_known_ = terms_known_ = false;
+    counted_known_ = grouped_ = moved_known_ = false;
+    known_count_ = 0;
+    find_feet(axes_, point_, reach_radii_, feet_);
+}
+
+VesselViews::Sight VesselViews::sight() {
+    if (!std::exchange(sight_known_, true)) sight_ = find_sight();
     return sight_;
 }
 
-VesselViews::Sight VesselViews::look_anew() {
-    terms_known_ = false;
-    counted_known_ = grouped_ = beside_contact_ = false;
-    known_count_ = 0;
-    find_feet(axes_, point_, reach_radii_, feet_);
-    kept_apart_.clear();
-    for (const std::uint32_t n : seen())
-        if (piece(n) >= 0) kept_apart_.push_back(n);
-    if (kept_apart_.empty()) return Sight::kPlain;
-    const std::uint32_t own = nearest_in_radii(kept_apart_);
+VesselViews::Sight VesselViews::find_sight() {
+    beside_contact_ = false;
+    if (alone()) return Sight::kPlain;
+    const std::uint32_t own = feet_.marked.nearest();
     if (any_left_out(own)) return Sight::kParted;
     if (feet_.of(own, kFootRelative2) > claim_radii2()) return Sight::kPlain;
     const double spare = shadow_on(own, contacts_.piercing(piece(own))).spare;
     beside_contact_ = spare < beside_mm_;
     return spare < 0.0 && nearest() == own ? Sight::kCut : Sight::kPlain;
 }
-
-std::uint32_t VesselViews::nearest_in_radii(std::span<const std::uint32_t> places) const {
-    const double* const relative2 = feet_.rows.row(kFootRelative2);
-    std::uint32_t nearest = places.front();
-    double least = relative2[nearest];
-    for (const std::uint32_t n : places)
-        if (relative2[n] < least) least = relative2[n], nearest = n;
-    return nearest;
-}
-
-std::uint32_t VesselViews::nearest() const { return seen().empty() ? kNone : nearest_in_radii(seen()); }
 
 double VesselViews::tree_radius(std::uint32_t place) const {
     const FieldSegment& s = segments_[list_[place]];
@@ -194,20 +185,25 @@ double VesselViews::tree_radius(std::uint32_t place) const {
 double VesselViews::distance(std::uint32_t place) const { return std::sqrt(feet_.of(place, kFootDistance2)); }
 
 bool VesselViews::any_left_out(std::uint32_t nearest) {
-    for (const std::uint32_t n : kept_apart_) // most often it is one of these
-        if (leaves_out(nearest, n)) return true;
+    const auto has = [&](std::span<const std::uint64_t> bits, std::uint32_t place) {
+        const auto of = static_cast<std::size_t>(piece(place));
+        return (bits[of / 64] >> of % 64 & 1U) != 0;
+    };
+    const auto of_nearest = contacts_.partners(piece(nearest));
+    for (const std::uint32_t n : kept_apart()) // most often it is one of these
+        if (has(of_nearest, n) && leaves_out(nearest, n)) return true;
     near_piece_bits_.assign(contacts_.words(), 0);
-    for (const std::uint32_t n : kept_apart_) {
+    for (const std::uint32_t n : kept_apart()) {
         const auto of = static_cast<std::size_t>(piece(n));
         near_piece_bits_[of / 64] |= std::uint64_t{1} << of % 64;
     }
-    for (const std::uint32_t a : kept_apart_) {
+    for (const std::uint32_t a : kept_apart()) {
         const auto partners = contacts_.partners(piece(a));
         bool any = false;
         for (std::size_t w = 0; w < partners.size(); ++w) any = any || (partners[w] & near_piece_bits_[w]) != 0;
         if (!any) continue;
-        for (const std::uint32_t b : kept_apart_)
-            if (b > a && leaves_out(a, b)) return true; // symmetric
+        for (const std::uint32_t b : kept_apart())
+            if (b > a && has(partners, b) && leaves_out(a, b)) return true; // symmetric
     }
     return false;
 }
@@ -225,7 +221,7 @@ bool VesselViews::is_undisputed(float plain) {
     constexpr double kVessels = 4.0;
     const std::uint32_t own = nearest();
     double other2 = std::numeric_limits<double>::infinity();
-    for (const std::uint32_t n : kept_apart_)
+    for (const std::uint32_t n : kept_apart())
         if (feet_.of(n, kFootRelative2) < other2 && apart(own, n)) other2 = feet_.of(n, kFootRelative2);
     if (other2 < claim_radii2()) return false;
     const double most = kVessels * kernel_.long_vessel->value(kernel_, other2);
@@ -277,7 +273,7 @@ double VesselViews::value(std::uint32_t own) {
     double value = whole_.value;
     if (piece(own) < 0) return value;
     const std::span<const double> left = left_out(own);
-    for (const std::uint32_t other : kept_apart_) value -= left[other] * term(other);
+    for (const std::uint32_t other : kept_apart()) value -= left[other] * term(other);
     return value;
 }
 
@@ -287,7 +283,7 @@ VesselView VesselViews::view(std::uint32_t own) {
     VesselView view{own, value(own), whole_.gradient};
     if (piece(own) < 0) return view;
     const std::span<const double> left = left_out(own);
-    for (const std::uint32_t other : kept_apart_)
+    for (const std::uint32_t other : kept_apart())
         if (left[other] > 0.0) view.gradient -= left[other] * gradient(other);
     return view;
 }
@@ -296,17 +292,24 @@ VesselView VesselViews::view(std::uint32_t own) {
 // What else a brick knows of changes nothing: bricks that a point belongs to agree.
 glm::dvec3 VesselViews::foot_as_it_counts(std::uint32_t own) {
     if (piece(own) < 0 || !any_moved_) return foot(own);
-    if (std::ranges::none_of(seen(), [&](std::uint32_t n) { return moved_[n] != 0 && !apart(own, n); }))
-        return foot(own);
+    if (!std::exchange(moved_known_, true)) list_moved();
+    if (std::ranges::none_of(moved_near_, [&](std::uint32_t n) { return !apart(own, n); })) return foot(own);
     if (!counted_known_) find_feet(counted_axes_, point_, 0.0, counted_feet_);
     counted_known_ = true;
     std::uint32_t nearest = own;
-    for (const std::uint32_t other : seen()) {
-        if (in_contact_[other] != 0 &&
-            counted_feet_.of(other, kFootDistance2) < counted_feet_.of(nearest, kFootDistance2) && !apart(own, other))
+    for (const std::uint32_t other : in_contact_near_) {
+        if (counted_feet_.of(other, kFootDistance2) < counted_feet_.of(nearest, kFootDistance2) && !apart(own, other))
             nearest = other;
     }
     return counted_feet_.foot(nearest);
+}
+
+void VesselViews::list_moved() {
+    moved_near_.clear(), in_contact_near_.clear();
+    for (const std::uint32_t n : seen()) {
+        if (moved_[n] != 0) moved_near_.push_back(n);
+        if (in_contact_[n] != 0) in_contact_near_.push_back(n);
+    }
 }
 
 const WayOut& VesselViews::way_out(Vessel& own) {

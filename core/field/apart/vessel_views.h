@@ -46,14 +46,15 @@ public:
     // are left out.
     enum class Sight : std::uint8_t { kPlain, kCut, kParted };
     // Looks at a point, given in mm; at that of the last time it knows what it saw.
-    Sight look(const glm::dvec3& point);
+    void look(const glm::dvec3& point);
+    [[nodiscard]] Sight sight();
     [[nodiscard]] const glm::dvec3& point() const { return point_; }
     // The segments that reach it, ascending; whether none of them is kept apart from another one; the nearest in radii,
     // or kNone.
-    [[nodiscard]] std::span<const std::uint32_t> seen() const { return feet_.near(); }
-    [[nodiscard]] bool alone() const { return kept_apart_.empty(); }
-    [[nodiscard]] std::uint32_t nearest() const;
-    // After a plain sight: whether a vessel's way to the point may be cut nearby.
+    [[nodiscard]] std::span<const std::uint32_t> seen() const { return feet_.near.all(); }
+    [[nodiscard]] bool alone() const { return feet_.marked.count == 0; }
+    [[nodiscard]] std::uint32_t nearest() const { return seen().empty() ? kNone : feet_.near.nearest(); }
+    // Of a plain sight: whether a vessel's way to the point may be cut nearby.
     [[nodiscard]] bool beside_contact() const { return beside_contact_; }
 
     // After a parted sight, of a point where the plain sum is known: whether the nearest vessel has it whatever is left
@@ -106,7 +107,8 @@ private:
         WayOut way;
         std::vector<double> left_out; // by place
     };
-    Sight look_anew();
+    Sight find_sight();
+    [[nodiscard]] std::span<const std::uint32_t> kept_apart() const { return feet_.marked.all(); }
     [[nodiscard]] Vessel& vessel(std::uint32_t place);
     [[nodiscard]] const WayOut& way_out(Vessel& own);
     [[nodiscard]] Shadow shadow_on(std::uint32_t own, const ObstacleRange& range);
@@ -114,13 +116,13 @@ private:
 
     [[nodiscard]] int piece(std::uint32_t place) const { return contacts_.piece(place); }
     [[nodiscard]] glm::dvec3 foot_as_it_counts(std::uint32_t own);
+    void list_moved();
     [[nodiscard]] glm::dvec3 gradient(std::uint32_t place) const; // of the term
     void find_zone(const GridAxes& axes);
     [[nodiscard]] const PieceShape* shape_of(std::uint32_t place) const; // null: it is in contact with nothing
     void list_axes();
     void list_counted_axes();
-    [[nodiscard]] const ApartAxes& apart_from(int piece); // of all axes, in one row
-    [[nodiscard]] std::uint32_t nearest_in_radii(std::span<const std::uint32_t> places) const;
+    [[nodiscard]] const ApartAxes& apart_from(int piece);              // of all axes, in one row
     [[nodiscard]] bool nearer(std::uint32_t a, std::uint32_t b) const; // in radii; any is nearer than kNone
     void group_by_piece();
     [[nodiscard]] bool any_left_out(std::uint32_t nearest); // of what is near
@@ -161,9 +163,11 @@ private:
     glm::dvec3 point_{0.0};
     bool looked_ = false, terms_known_ = false;
     Sight sight_ = Sight::kPlain;
-    AxisFeet feet_, counted_feet_;
-    std::vector<std::uint32_t> kept_apart_; // of those near, what is of pieces with partners
-    bool counted_known_ = false, grouped_ = false, beside_contact_ = false;
+    AxisFeet feet_; // marked: of pieces with partners here
+    AxisFeet counted_feet_;
+    std::vector<std::uint32_t> moved_near_, in_contact_near_; // of those seen, once they are asked for
+    bool sight_known_ = false, beside_contact_ = false, counted_known_ = false, grouped_ = false;
+    bool moved_known_ = false;
     std::vector<int> near_pieces_;                // of those kept apart
     std::vector<std::uint32_t> nearest_of_piece_; // by piece, of those near
     std::uint32_t nearest_of_others_ = kNone;     // of those that are not kept apart

@@ -96,7 +96,7 @@ Depth depth_of(VesselViews& views, std::uint32_t own) {
 
 // The vessel's segment that is nearest to a point, which is looked at.
 std::uint32_t look_from(VesselViews& views, std::uint32_t place, const glm::dvec3& point, std::uint64_t& kernels) {
-    (void)views.look(point);
+    views.look(point);
     const std::uint32_t own = views.nearest_of_vessel(place);
     if (own != VesselViews::kNone) kernels += views.add_terms();
     return own;
