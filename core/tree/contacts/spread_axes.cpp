@@ -16,9 +16,10 @@ namespace {
 // Two links that are close, or may be brought close.
 struct ClosePair {
     std::array<std::uint32_t, 2> link;
-    double thinner = 0.0;   // radius, mm
-    glm::dvec3 lean{0.0};   // unit: which way the second is moved best where all ways are the same
-    std::array<Link, 2> at; // with radii of 1, so that closeness is distance
+    double thinner = 0.0;                // radius, mm
+    glm::dvec3 lean{0.0};                // unit: which way the second is moved best where all ways are the same
+    std::array<Link, 2> at;              // with radii of 1, so that closeness is distance
+    std::array<std::uint32_t, 4> ends{}; // numbers of their ends: of the first link, of the second
 };
 
 // As found, with the second link moved.
@@ -56,14 +57,19 @@ struct OneMove {
 };
 OneMove best_move(std::span<const ClosePair> pairs, double thinner) {
     OneMove best;
+    std::vector<const ClosePair*> order; // that which ruled out a move lately comes first: it may the next one too
+    for (const ClosePair& pair : pairs) order.push_back(&pair);
     for (const double share : {0.5, 0.75, 1.0, 1.25, 1.5}) {
         for (int n = 0; n < kDirections; ++n) {
             const glm::dvec3 move = share * kLeastDistance * thinner * direction(n);
             double least = std::numeric_limits<double>::max();
-            for (const ClosePair& pair : pairs) {
+            for (std::size_t k = 0; k < order.size(); ++k) {
+                const ClosePair& pair = *order[k];
                 least = std::min(least, glm::length(between(pair.at[0], moved(pair.at[1], move, move)).from_first) /
                                             pair.thinner);
-                if (least <= best.least) break;
+                if (least > best.least) continue;
+                std::swap(order[k], order.front());
+                break;
             }
             if (least > best.least) best = {move, least};
         }
@@ -82,10 +88,10 @@ public:
         double least = kLeastDistance;
         double thinner = 0.0;
         for (const OrientedPair& oriented : island.pairs) {
-            ClosePair pair{oriented.link, std::numeric_limits<double>::max(), {}, {}};
+            ClosePair pair{oriented.link, std::numeric_limits<double>::max(), {}, {}, {}};
             for (std::size_t side = 0; side < 2; ++side) {
                 const Link& link = links_[pair.link[side]];
-                number(link.from), number(link.to);
+                pair.ends[2 * side] = number(link.from), pair.ends[2 * side + 1] = number(link.to);
                 pair.thinner = std::min({pair.thinner, link.a.radius, link.b.radius});
                 pair.at[side] = link;
                 pair.at[side].a.radius = pair.at[side].b.radius = 1.0;
@@ -176,9 +182,7 @@ private:
         pushes_.assign(points_.size(), glm::dvec3(0.0));
         counts_.assign(points_.size(), 0.0);
         for (const ClosePair& pair : pairs_) {
-            const Link& a = links_[pair.link[0]];
-            const Link& b = links_[pair.link[1]];
-            const std::array<std::uint32_t, 4> ends{number(a.from), number(a.to), number(b.from), number(b.to)};
+            const std::array<std::uint32_t, 4>& ends = pair.ends;
             const Between now = between(moved(pair.at[0], moves_[ends[0]], moves_[ends[1]]),
                                         moved(pair.at[1], moves_[ends[2]], moves_[ends[3]]));
             const double lacks = kLeastDistance * pair.thinner - glm::length(now.from_first);
