@@ -68,9 +68,36 @@ HWY_INLINE std::uint32_t* put_places(hn::Mask<Doubles> which, std::size_t first,
     return next;
 }
 
+// Rows by their first number and how far they are apart: what vectors are written to may be anything, so that these
+// two would be read again after each one.
+template <class Number> struct RowsAt {
+    Number* first;
+    std::size_t stride;
+    [[nodiscard]] HWY_INLINE Number* row(std::size_t n) const { return first + n * stride; }
+};
+template <class Rows> auto rows_at(Rows& rows) { return RowsAt{rows.row(0), rows.stride()}; }
+
+// Which axes are nearer than the root of `reach2` radii, where these shrink beyond an end (radius_along() of
+// segment_foot-inl.h): at most as fast as up to it, which most often tells.
+HWY_INLINE hn::Mask<Doubles> is_near(Real distance2, Real reach2, Real radius, Real change, Real size, Real beyond) {
+    const Doubles d;
+    const auto within = [&](Real r) { return hn::Lt(distance2, hn::Mul(reach2, hn::Mul(r, r))); };
+    const auto perhaps = within(radius);
+    const Real least = hn::Add(radius, change);
+    const auto surely = within(hn::Min(radius, hn::Max(least, hn::Zero(d))));
+    const auto surely_not = hn::And(hn::Not(perhaps), hn::Ge(least, hn::Neg(radius)));
+    if (hn::AllTrue(d, hn::Or(surely, surely_not))) return perhaps;
+    const Real room = hn::MulAdd(hn::Max(beyond, hn::Set(d, 1e-9)), radius, size);
+    const Real carried = hn::Sub(hn::Set(d, 1.0), hn::Div(size, hn::Max(room, hn::Set(d, 1e-300))));
+    return within(hn::Min(radius, hn::MulAdd(change, carried, radius)));
+}
+
 void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet) {
     const Doubles d;
     const Vector p = set(point);
+    const auto rows = rows_at(axes.rows);
+    const auto to = rows_at(feet.rows);
+    const double* const marks = axes.marked.row(0);
     const Real reach2 = hn::Set(d, radii * radii), zero = hn::Zero(d);
     const bool of_near = radii > 0.0;
     std::uint32_t* next = feet.near.places.data();
@@ -78,33 +105,29 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
     const Real far = hn::Set(d, std::numeric_limits<double>::infinity());
     Least least_near{far, zero}, least_marked{far, zero};
     for (std::size_t n = 0; n < axes.count; n += hn::Lanes(d)) {
-        const Vector u = load(axes.rows, kAlongX, n);
-        const Vector from = minus(p, load(axes.rows, kStartX, n));
+        const Vector u = load(rows, kAlongX, n);
+        const Vector from = minus(p, load(rows, kStartX, n));
         const Real along_axis = dot(from, u);
-        const Real t = limited(along_axis, zero, hn::LoadU(d, axes.rows.row(kAxisLength) + n));
+        const Real t = limited(along_axis, zero, hn::LoadU(d, rows.row(kAxisLength) + n));
         const Vector off = along(from, hn::Neg(t), u);
         const Real distance2 = dot(off, off);
-        const Real slope = hn::LoadU(d, axes.rows.row(kAxisSlope) + n);
-        const Real radius = hn::MulAdd(slope, t, hn::LoadU(d, axes.rows.row(kAxisRadius) + n));
+        const Real slope = hn::LoadU(d, rows.row(kAxisSlope) + n);
+        const Real radius = hn::MulAdd(slope, t, hn::LoadU(d, rows.row(kAxisRadius) + n));
         if (of_near && hn::AllFalse(d, hn::Lt(distance2, hn::Mul(reach2, hn::Mul(radius, radius))))) continue;
-        // As radius_along() of segment_foot-inl.h has it.
-        const Real excess = hn::Sub(along_axis, t), size = hn::Abs(excess);
-        const Real room =
-            hn::MulAdd(hn::Max(hn::LoadU(d, axes.rows.row(kAxisBeyond) + n), hn::Set(d, 1e-9)), radius, size);
-        const Real carried = hn::Sub(hn::Set(d, 1.0), hn::Div(size, hn::Max(room, hn::Set(d, 1e-300))));
-        const Real least = hn::Min(radius, hn::MulAdd(hn::Mul(slope, excess), carried, radius));
         const Real relative2 = hn::Div(distance2, hn::Mul(radius, radius));
         const Vector foot = minus(p, off);
-        hn::StoreU(foot.x, d, feet.rows.row(kFootX) + n);
-        hn::StoreU(foot.y, d, feet.rows.row(kFootY) + n);
-        hn::StoreU(foot.z, d, feet.rows.row(kFootZ) + n);
-        hn::StoreU(distance2, d, feet.rows.row(kFootDistance2) + n);
-        hn::StoreU(radius, d, feet.rows.row(kFootRadius) + n);
-        hn::StoreU(relative2, d, feet.rows.row(kFootRelative2) + n);
+        hn::StoreU(foot.x, d, to.row(kFootX) + n);
+        hn::StoreU(foot.y, d, to.row(kFootY) + n);
+        hn::StoreU(foot.z, d, to.row(kFootZ) + n);
+        hn::StoreU(distance2, d, to.row(kFootDistance2) + n);
+        hn::StoreU(radius, d, to.row(kFootRadius) + n);
+        hn::StoreU(relative2, d, to.row(kFootRelative2) + n);
         // Behind the last axis radii are 0, and nothing is near.
-        const auto near = hn::Lt(distance2, hn::Mul(reach2, hn::Mul(least, least)));
+        const Real excess = hn::Sub(along_axis, t);
+        const auto near = is_near(distance2, reach2, radius, hn::Mul(slope, excess), hn::Abs(excess),
+                                  hn::LoadU(d, rows.row(kAxisBeyond) + n));
         if (hn::AllFalse(d, near)) continue;
-        const auto marked = hn::And(near, hn::Gt(hn::LoadU(d, axes.marked.row(0) + n), zero));
+        const auto marked = hn::And(near, hn::Gt(hn::LoadU(d, marks + n), zero));
         const Real places = hn::Iota(d, static_cast<double>(n));
         least_near.see(near, relative2, places);
         next = put_places(near, n, next);
@@ -133,8 +156,9 @@ void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apa
     }
 }
 
-Shadow nearest_shadow(const ObstacleRows& rows, const ObstacleRange& range, const WayOut& way) {
+Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range, const WayOut& way) {
     const Doubles d;
+    const auto rows = rows_at(obstacles);
     constexpr std::size_t kLanes = 8;
     const Real zero = hn::Zero(d), far = hn::Set(d, std::numeric_limits<double>::infinity());
     const Vector foot = set(way.foot), w = set(way.direction), axis_foot = set(way.axis_foot);

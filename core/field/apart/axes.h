@@ -32,6 +32,7 @@ public:
         stride_ = padded(most);
         if (numbers_.size() < Rows * stride_) numbers_.resize(Rows * stride_);
     }
+    [[nodiscard]] std::size_t stride() const { return stride_; } // from a row to the next one
     [[nodiscard]] double* row(std::size_t n) { return numbers_.data() + n * stride_; }
     [[nodiscard]] const double* row(std::size_t n) const { return numbers_.data() + n * stride_; }
 

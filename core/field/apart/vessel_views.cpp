@@ -345,11 +345,12 @@ void VesselViews::group_by_piece() {
     near_pieces_.clear();
     nearest_of_piece_.assign(static_cast<std::size_t>(contacts_.piece_count()), kNone);
     nearest_of_others_ = kNone;
-    for (const std::uint32_t n : seen()) {
-        std::uint32_t& nearest =
-            piece(n) < 0 ? nearest_of_others_ : nearest_of_piece_[static_cast<std::size_t>(piece(n))];
-        if (nearest == kNone && piece(n) >= 0) near_pieces_.push_back(piece(n));
-        if (nearer(n, nearest)) nearest = n;
+    const double* const relative2 = feet_.rows.row(kFootRelative2);
+    for (const std::uint32_t n : seen()) { // ascending: of several the first is the nearest
+        const int of = piece(n);
+        std::uint32_t& nearest = of < 0 ? nearest_of_others_ : nearest_of_piece_[static_cast<std::size_t>(of)];
+        if (nearest == kNone && of >= 0) near_pieces_.push_back(of);
+        if (nearest == kNone || relative2[n] < relative2[nearest]) nearest = n;
     }
 }
 

@@ -96,11 +96,19 @@ WalledCells::Cell WalledCells::place(field::BrickField& field, const BrickOwners
     return made;
 }
 
+void WalledCells::begin(float cell_mm) {
+    cell_mm_ = cell_mm;
+    number_of_edge_.resize(edge_number(1, glm::ivec3(0)));
+    for (const KnownEnds& known : ends_) number_of_edge_[known.edge] = 0;
+    ends_.clear(), arcs_.clear();
+}
+
 glm::vec3 WalledCells::crossing(Work& work, int crossing) {
-    const auto [a, b] = ends_of_edge(crossing);
+    const auto& [a, b] = ends_of_edge(crossing);
     const std::uint32_t edge = edge_number(0, 4 * work.cell + (a + b) / 2);
-    const auto [at, fresh] = ends_.try_emplace(edge);
-    if (fresh) {
+    std::uint16_t& number = number_of_edge_[edge];
+    if (number == 0) {
+        number = static_cast<std::uint16_t>(ends_.size() + 1);
         const auto owner = [&](const glm::ivec3& quarter) {
             const glm::ivec3 p = 2 * work.cell + quarter / 2;
             return work.owners.at(p.x, p.y, p.z);
@@ -116,14 +124,15 @@ glm::vec3 WalledCells::crossing(Work& work, int crossing) {
                               : !inside(a) ? EdgeKind::kUpperInside
                                            : EdgeKind::kWall;
         const float guess = work.guesses[static_cast<std::size_t>(crossing % kUpperEnd)];
-        at->second = {
-            edge, {owner(a), owner(b)}, ends_on_edge(work.field, {{mm(a), mm(b)}, kind, owner(a), owner(b), guess})};
+        ends_.push_back(
+            {edge, {owner(a), owner(b)}, ends_on_edge(work.field, {{mm(a), mm(b)}, kind, owner(a), owner(b), guess})});
     }
-    return crossing < kUpperEnd ? at->second.ends.lower.at : at->second.ends.upper.at;
+    const EdgeEnds& ends = ends_[number - 1U].ends;
+    return crossing < kUpperEnd ? ends.lower.at : ends.upper.at;
 }
 
 void WalledCells::add_ends(std::uint32_t brick, std::vector<KnownEnds>& to) const {
-    for (const auto& [edge, known] : ends_) {
+    for (const KnownEnds& known : ends_) {
         to.push_back(known);
         to.back().edge += edge_number(brick, glm::ivec3(0));
     }

@@ -33,7 +33,7 @@ public:
     // The share of the way from the lower end of each of a cell's edges at which the surface may cross it.
     using Guesses = std::array<float, kQuarterPoints>;
 
-    void begin(float cell_mm) { cell_mm_ = cell_mm, ends_.clear(), arcs_.clear(); }
+    void begin(float cell_mm);
     // Adds what was found of the edges of a brick, which has this number in its subtree.
     void add_ends(std::uint32_t brick, std::vector<KnownEnds>& to) const;
     [[nodiscard]] Cell place(field::BrickField& field, const BrickOwners& owners, glm::ivec3 cell,
@@ -50,7 +50,8 @@ private:
     void part_loops(Work& work, const std::vector<WallPair>& pairs);
 
     float cell_mm_ = 0.0F;
-    std::unordered_map<std::uint32_t, KnownEnds> ends_;         // by the edge
+    std::vector<KnownEnds> ends_;                               // of the brick's edges, as found
+    std::vector<std::uint16_t> number_of_edge_;                 // among these, from 1 on; 0: not found yet
     std::unordered_map<std::uint32_t, field::OwnedPoint> arcs_; // where a vertex was found on them
 };
 
