@@ -33,19 +33,21 @@ Depth depth_within(const VesselViews& views, const VesselView& view) {
 }
 
 // How far the vessel's side of the wall toward another one is, which claims the place or does not: it is the other's
-// where that claims it and is nearer. Half of the gap is left free.
-Depth depth_beside(VesselViews& views, std::uint32_t own, std::uint32_t other) {
+// where that claims it and is nearer. Half of the gap is left free. Or `most`, if that is less or as much.
+Depth depth_beside(VesselViews& views, std::uint32_t own, std::uint32_t other, const Depth& most) {
     const double radius_own = views.radius(own), radius_other = views.radius(other);
-    const Depth within_other = depth_within(views, views.view(other));
+    const double free = 0.5 * kWallRadii * std::min(radius_own, radius_other);
     const glm::dvec3 way_own = views.way_from(own), way_other = views.way_from(other);
     const double from_own = std::max(glm::length(way_own), 1e-9 * radius_own);
     const double from_other = std::max(glm::length(way_other), 1e-9 * radius_other);
     const glm::dvec3 slope = 0.5 * (way_other / from_other - way_own / from_own);
     const double steepness = std::max(glm::length(slope), 0.1);
     const Depth nearer{0.5 * (from_other - from_own) / steepness, -slope / steepness};
+    if (!(nearer.mm - free < most.mm)) return most; // the other's surface only makes it more
+    const Depth within_other = depth_within(views, views.view(other));
     Depth depth = -within_other.mm > nearer.mm ? Depth{-within_other.mm, -within_other.outward} : nearer;
-    depth.mm -= 0.5 * kWallRadii * std::min(radius_own, radius_other);
-    return depth;
+    depth.mm -= free;
+    return depth.mm < most.mm ? depth : most;
 }
 
 // Names the strongest branches, as they are seen from the vessel.
@@ -86,8 +88,7 @@ Depth depth_of(VesselViews& views, std::uint32_t own) {
     views.list_vessels();
     for (const std::uint32_t other : views.vessels()) {
         if (other == own || !views.apart(own, other)) continue;
-        const Depth beside = depth_beside(views, own, other);
-        if (beside.mm < depth.mm) depth = beside;
+        depth = depth_beside(views, own, other, depth);
     }
     if (const Shadow shadow = views.shadow_on(own); shadow.spare < depth.mm)
         depth = {shadow.spare, views.toward(own, shadow)};

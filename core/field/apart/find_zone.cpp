@@ -1,0 +1,74 @@
+// Where in a brick vessels concern each other: the zone of its views.
+#include "core/field/apart/vessel_views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ramus::field {
+
+namespace {
+
+// So near to what is cut off, in cells, a point may have to be moved away.
+constexpr double kBesideCells = 1.5;
+
+// Around what an obstacle cuts off of a vessel, and so much around it, where the way out of the vessel is at most so
+// long: it passes the obstacle's axis at its radius, or before it ends.
+Bounds<glm::dvec3> box_behind(const ObstacleRows& obstacles, std::size_t n, double way, double around) {
+    const auto number = [&](std::size_t row) { return obstacles.row(row)[n]; };
+    const auto vector = [&](std::size_t row) { return glm::dvec3(number(row), number(row + 1), number(row + 2)); };
+    const double length = number(kAxisLength), radius = number(kAxisRadius);
+    const double lateral = std::max(radius, radius + number(kAxisSlope) * length) + 2.0 * around;
+    const double nearest = number(kLeastDistance);
+    const double begin = nearest > lateral ? std::sqrt(nearest * nearest - lateral * lateral) : 0.0;
+    const double behind = std::max(way - begin, around);
+    const double reach = std::sqrt(behind * behind + lateral * lateral);
+    const glm::dvec3 start = vector(kStartX), end = start + length * vector(kAlongX);
+    Bounds<glm::dvec3> box;
+    box.hold(start, reach), box.hold(end, reach);
+    return box;
+}
+
+} // namespace
+
+// Two vessels concern each other where a point is near both, and where it is one's and a point next to it the other's.
+// An obstacle concerns a point that is behind it, and those next to such a one.
+void VesselViews::find_zone(const GridAxes& axes) {
+    zone_.begin(axes);
+    const double cell = axes.x[1] - axes.x[0];
+    beside_mm_ = kBesideCells * cell;
+    reach_.assign(static_cast<std::size_t>(contacts_.piece_count()), {});
+    for (std::uint32_t n = 0; n < list_.size(); ++n) {
+        if (piece(n) < 0) continue;
+        PieceReach& reach = reach_[static_cast<std::size_t>(piece(n))];
+        const FieldSegment& s = segments_[list_[n]];
+        const glm::dvec3 start(s.ax, s.ay, s.az), along(s.ux, s.uy, s.uz);
+        for (const auto& [end, r] :
+             {std::pair(start, s.radius), std::pair(start + static_cast<double>(s.length) * along, s.end_radius())}) {
+            const auto radius = static_cast<double>(r);
+            const double claims = kernel_.claim_radii * radius + cell;
+            reach.claims.hold(end, claims);
+            reach.near.hold(end, std::max(claims, reach_radii_ * radius));
+            reach.radius = std::max(reach.radius, radius);
+        }
+    }
+    for (PieceReach& reach : reach_)
+        reach.near_cells = zone_.cells_of(reach.near), reach.claimed_cells = zone_.cells_of(reach.claims);
+    for (int a = 0; a < contacts_.piece_count(); ++a) {
+        const PieceReach& own = reach_[static_cast<std::size_t>(a)];
+        for (int b = 0; b < a; ++b) {
+            const PieceReach& other = reach_[static_cast<std::size_t>(b)];
+            if (const float from = contacts_.apart_from(a, b); from > 0.0F)
+                zone_.add(own.near_cells.common(other.near_cells));
+            else if (from == 0.0F)
+                zone_.add(own.claimed_cells.common(other.claimed_cells));
+        }
+        const double way = (kernel_.claim_radii + 0.1) * own.radius + contacts_.shape(a).move.most();
+        const ObstacleRange range = ContactZone::is_empty(own.claimed_cells) ? ObstacleRange{} : contacts_.piercing(a);
+        for (std::size_t n = range.first; n < range.first + range.count; ++n)
+            zone_.add(
+                own.claimed_cells.common(zone_.cells_of(box_behind(contacts_.all().obstacles(), n, way, beside_mm_))));
+    }
+}
+
+} // namespace ramus::field
