@@ -59,13 +59,14 @@ struct Least {
     }
 };
 
-// Appends the places of a vector's lanes, of which the first is `first`.
+// Appends the places of a vector's lanes, of which the first is `first`. Writes a whole vector.
 HWY_INLINE std::uint32_t* put_places(hn::Mask<Doubles> which, std::size_t first, std::uint32_t* next) {
+    const hn::Rebind<std::uint32_t, Doubles> d;
     HWY_ALIGN std::uint8_t bits[8] = {};
     hn::StoreMaskBits(Doubles(), which, bits);
-    for (unsigned left = bits[0]; left != 0; left &= left - 1)
-        *next++ = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(std::countr_zero(left));
-    return next;
+    const auto places = hn::Iota(d, static_cast<std::uint32_t>(first));
+    hn::StoreU(hn::Compress(places, hn::LoadMaskBits(d, bits)), d, next);
+    return next + std::popcount(bits[0]);
 }
 
 // Rows by their first number and how far they are apart: what vectors are written to may be anything, so that these
@@ -241,7 +242,8 @@ void Axes::add(const glm::dvec3& start, const glm::dvec3& along, double length, 
 void AxisFeet::reserve(std::size_t most) {
     rows.reserve(most);
     for (Near* const some : {&near, &marked})
-        if (some->places.size() < most) some->places.resize(most);
+        if (some->places.size() < most + NumberRows<1>::kWidestVector)
+            some->places.resize(most + NumberRows<1>::kWidestVector);
 }
 
 std::uint32_t AxisFeet::Near::nearest() const {

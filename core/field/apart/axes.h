@@ -74,7 +74,7 @@ enum FootRow : std::uint8_t { kFootX, kFootY, kFootZ, kFootDistance2, kFootRadiu
 struct AxisFeet {
     // Some axes, by their places.
     struct Near {
-        std::vector<std::uint32_t> places; // scratch: those that are near come first
+        std::vector<std::uint32_t> places; // scratch: those that are near come first; written by whole vectors
         std::size_t count = 0;
         std::array<double, NumberRows<1>::kWidestVector> least{},
             least_place{}; // by lane: in radii, squared; and where
