@@ -93,6 +93,37 @@ HWY_INLINE hn::Mask<Doubles> is_near(Real distance2, Real reach2, Real radius, R
     return within(hn::Min(radius, hn::MulAdd(change, carried, radius)));
 }
 
+// The nearest places to a point on a vector's axes, as far along the axes and beyond their ends.
+struct Places {
+    Real along_axis, t; // before and after it is limited to the axis
+    Vector off;         // from the place to the point
+    Real distance2;
+};
+HWY_INLINE Places places_on(const RowsAt<const double>& rows, std::size_t n, const Vector& p) {
+    const Doubles d;
+    const Vector u = load(rows, kAlongX, n);
+    const Vector from = minus(p, load(rows, kStartX, n));
+    const Real along_axis = dot(from, u);
+    const Real t = limited(along_axis, hn::Zero(d), hn::LoadU(d, rows.row(kAxisLength) + n));
+    const Vector off = along(from, hn::Neg(t), u);
+    return {along_axis, t, off, dot(off, off)};
+}
+HWY_INLINE void put(const Places& places, const Vector& p, const RowsAt<double>& to, std::size_t n) {
+    const Doubles d;
+    const Vector foot = minus(p, places.off);
+    hn::StoreU(foot.x, d, to.row(kFootX) + n);
+    hn::StoreU(foot.y, d, to.row(kFootY) + n);
+    hn::StoreU(foot.z, d, to.row(kFootZ) + n);
+    hn::StoreU(places.distance2, d, to.row(kFootDistance2) + n);
+}
+
+void find_places(const Axes& axes, const glm::dvec3& point, AxisFeet& feet) {
+    const Vector p = set(point);
+    const auto rows = rows_at(axes.rows);
+    const auto to = rows_at(feet.rows);
+    for (std::size_t n = 0; n < axes.count; n += hn::Lanes(Doubles())) put(places_on(rows, n, p), p, to, n);
+}
+
 void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet) {
     const Doubles d;
     const Vector p = set(point);
@@ -100,31 +131,22 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
     const auto to = rows_at(feet.rows);
     const double* const marks = axes.marked.row(0);
     const Real reach2 = hn::Set(d, radii * radii), zero = hn::Zero(d);
-    const bool of_near = radii > 0.0;
     std::uint32_t* next = feet.near.places.data();
     std::uint32_t* next_marked = feet.marked.places.data();
     const Real far = hn::Set(d, std::numeric_limits<double>::infinity());
     Least least_near{far, zero}, least_marked{far, zero};
     for (std::size_t n = 0; n < axes.count; n += hn::Lanes(d)) {
-        const Vector u = load(rows, kAlongX, n);
-        const Vector from = minus(p, load(rows, kStartX, n));
-        const Real along_axis = dot(from, u);
-        const Real t = limited(along_axis, zero, hn::LoadU(d, rows.row(kAxisLength) + n));
-        const Vector off = along(from, hn::Neg(t), u);
-        const Real distance2 = dot(off, off);
+        const Places there = places_on(rows, n, p);
+        const Real distance2 = there.distance2;
         const Real slope = hn::LoadU(d, rows.row(kAxisSlope) + n);
-        const Real radius = hn::MulAdd(slope, t, hn::LoadU(d, rows.row(kAxisRadius) + n));
-        if (of_near && hn::AllFalse(d, hn::Lt(distance2, hn::Mul(reach2, hn::Mul(radius, radius))))) continue;
+        const Real radius = hn::MulAdd(slope, there.t, hn::LoadU(d, rows.row(kAxisRadius) + n));
+        if (hn::AllFalse(d, hn::Lt(distance2, hn::Mul(reach2, hn::Mul(radius, radius))))) continue;
         const Real relative2 = hn::Div(distance2, hn::Mul(radius, radius));
-        const Vector foot = minus(p, off);
-        hn::StoreU(foot.x, d, to.row(kFootX) + n);
-        hn::StoreU(foot.y, d, to.row(kFootY) + n);
-        hn::StoreU(foot.z, d, to.row(kFootZ) + n);
-        hn::StoreU(distance2, d, to.row(kFootDistance2) + n);
+        put(there, p, to, n);
         hn::StoreU(radius, d, to.row(kFootRadius) + n);
         hn::StoreU(relative2, d, to.row(kFootRelative2) + n);
         // Behind the last axis radii are 0, and nothing is near.
-        const Real excess = hn::Sub(along_axis, t);
+        const Real excess = hn::Sub(there.along_axis, there.t);
         const auto near = is_near(distance2, reach2, radius, hn::Mul(slope, excess), hn::Abs(excess),
                                   hn::LoadU(d, rows.row(kAxisBeyond) + n));
         if (hn::AllFalse(d, near)) continue;
@@ -226,6 +248,7 @@ HWY_AFTER_NAMESPACE();
 namespace ramus::field {
 
 HWY_EXPORT(find_feet);
+HWY_EXPORT(find_places);
 HWY_EXPORT(find_left_out);
 HWY_EXPORT(nearest_shadow);
 
@@ -256,6 +279,10 @@ std::uint32_t AxisFeet::Near::nearest() const {
 
 void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet) {
     HWY_DYNAMIC_DISPATCH(find_feet)(axes, point, radii, feet);
+}
+
+void find_places(const Axes& axes, const glm::dvec3& point, AxisFeet& feet) {
+    HWY_DYNAMIC_DISPATCH(find_places)(axes, point, feet);
 }
 
 void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apart, std::size_t count, double* left) {

@@ -95,9 +95,10 @@ struct AxisFeet {
         return {of(axis, kFootX), of(axis, kFootY), of(axis, kFootZ)};
     }
 };
-// Overwrites `feet`, which have room for all axes: those of axes that are near, and of no others for sure; of all of
-// them where `radii` is 0.
+// Overwrites `feet`, which have room for all axes: those of axes that are near, and of no others for sure.
 void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet);
+// Of all axes, the places and distances only.
+void find_places(const Axes& axes, const glm::dvec3& point, AxisFeet& feet);
 
 // Of some axes, what an axis is kept apart from (vessel_field.h): the closeness from which on the two count as
 // together, and by how much less than that they have to be apart for the one to leave out the other wholly. The first

@@ -7,13 +7,13 @@ namespace ramus::field {
 namespace {
 
 // Pieces of the segments that have partners anywhere, ascending.
-void list_pieces(const tree::Contacts& contacts, SegmentIndices list, std::vector<std::uint32_t>& pieces) {
+void list_pieces(const Pieces& all, SegmentIndices list, std::vector<std::uint32_t>& pieces) {
     pieces.clear();
     for (const std::uint32_t segment : list) {
-        const std::uint32_t piece = contacts.piece_of_segment[segment];
-        if (contacts.first_partner[piece] == contacts.first_partner[piece + 1]) continue;
-        if (pieces.empty() || pieces.back() != piece) pieces.push_back(piece);
+        const std::uint32_t piece = all.partnered(segment);
+        if (piece != Pieces::kNone && (pieces.empty() || pieces.back() != piece)) pieces.push_back(piece);
     }
+    if (pieces.empty()) return;
     std::ranges::sort(pieces);
     pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
 }
@@ -39,7 +39,7 @@ bool any_partner(std::span<const tree::Contacts::Partner> partners, const std::v
 } // namespace
 
 bool any_apart(const Pieces& pieces, SegmentIndices list, std::vector<std::uint32_t>& scratch) {
-    list_pieces(pieces.contacts(), list, scratch);
+    list_pieces(pieces, list, scratch);
     return std::ranges::any_of(scratch, [&](std::uint32_t piece) {
         return pieces.piercing(piece).count > 0 || any_partner(pieces.contacts().partners_of(piece), scratch);
     });
@@ -47,7 +47,7 @@ bool any_apart(const Pieces& pieces, SegmentIndices list, std::vector<std::uint3
 
 bool LocalContacts::enter(SegmentIndices list) {
     const tree::Contacts& contacts = all_.contacts();
-    list_pieces(contacts, list, listed_);
+    list_pieces(all_, list, listed_);
     pieces_.clear(), pairs_.clear();
     number_.assign(listed_.size(), -1);
     for (std::size_t n = 0; n < listed_.size(); ++n) {

@@ -43,6 +43,8 @@ Shade shade_of(const PieceShape& obstacle, const PieceShape& vessel, double dist
 
 Pieces::Pieces(const tree::Contacts& contacts, const Skeleton& skeleton, const Kernel& kernel) : contacts_(contacts) {
     if (contacts_.empty()) return;
+    for (const std::uint32_t piece : contacts_.piece_of_segment)
+        partnered_.push_back(contacts_.partners_of(piece).empty() ? kNone : piece);
     shape_of_piece_.assign(contacts_.first_partner.size() - 1, kNone);
     for (const std::uint32_t segment : skeleton.present()) { // those of a piece follow each other
         const std::uint32_t piece = of_segment(segment);

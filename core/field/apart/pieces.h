@@ -23,11 +23,15 @@ struct PieceShape {
 
 class Pieces {
 public:
+    static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
     // Refers to the contacts, which must outlive it.
     Pieces(const tree::Contacts& contacts, const Skeleton& skeleton, const Kernel& kernel);
 
     [[nodiscard]] const tree::Contacts& contacts() const { return contacts_; }
     [[nodiscard]] std::uint32_t of_segment(std::uint32_t segment) const { return contacts_.piece_of_segment[segment]; }
+    // The same where the piece has partners, or kNone.
+    [[nodiscard]] std::uint32_t partnered(std::uint32_t segment) const { return partnered_[segment]; }
     // Of a piece that has partners: nothing where its branch is not there.
     [[nodiscard]] const PieceShape* shape(std::uint32_t piece) const {
         const std::uint32_t at = shape_of_piece_.empty() ? kNone : shape_of_piece_[piece];
@@ -42,7 +46,6 @@ public:
     [[nodiscard]] bool same_around(std::uint32_t piece, const Pieces& before) const;
 
 private:
-    static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
     struct Ranges {
         ObstacleRange all, piercing; // the piercing ones come first
     };
@@ -54,6 +57,7 @@ private:
     void put_obstacle(std::size_t at, const tree::Contacts::Partner& partner, double least_distance);
 
     const tree::Contacts& contacts_;
+    std::vector<std::uint32_t> partnered_; // by segment
     std::vector<std::uint32_t> shape_of_piece_;
     std::vector<PieceShape> shapes_;
     std::vector<std::uint32_t> piece_of_shape_;

@@ -121,27 +121,27 @@ double VesselViews::tree_radius(std::uint32_t place) const {
 double VesselViews::distance(std::uint32_t place) const { return std::sqrt(feet_.of(place, kFootDistance2)); }
 
 bool VesselViews::any_left_out(std::uint32_t nearest) {
-    const auto has = [&](std::span<const std::uint64_t> bits, std::uint32_t place) {
-        const auto of = static_cast<std::size_t>(piece(place));
-        return (bits[of / 64] >> of % 64 & 1U) != 0;
+    const auto has = [](std::span<const std::uint64_t> bits, int piece) {
+        return (bits[static_cast<std::size_t>(piece) / 64] >> static_cast<unsigned>(piece) % 64 & 1U) != 0;
     };
-    const auto of_nearest = contacts_.partners(piece(nearest));
-    for (const std::uint32_t n : kept_apart()) // most often it is one of these
-        if (has(of_nearest, n) && leaves_out(nearest, n)) return true;
     near_piece_bits_.assign(contacts_.words(), 0);
     for (const std::uint32_t n : kept_apart()) {
         const auto of = static_cast<std::size_t>(piece(n));
         near_piece_bits_[of / 64] |= std::uint64_t{1} << of % 64;
     }
-    for (const std::uint32_t a : kept_apart()) {
+    const auto any_near = [&](std::span<const std::uint64_t> bits) {
+        for (std::size_t w = 0; w < bits.size(); ++w)
+            if ((bits[w] & near_piece_bits_[w]) != 0) return true;
+        return false;
+    };
+    const auto is_left_out = [&](std::uint32_t a, std::uint32_t from) { // symmetric: of those from there on
         const auto partners = contacts_.partners(piece(a));
-        bool any = false;
-        for (std::size_t w = 0; w < partners.size(); ++w) any = any || (partners[w] & near_piece_bits_[w]) != 0;
-        if (!any) continue;
-        for (const std::uint32_t b : kept_apart())
-            if (b > a && has(partners, b) && leaves_out(a, b)) return true; // symmetric
-    }
-    return false;
+        if (!any_near(partners)) return false;
+        return std::ranges::any_of(
+            kept_apart(), [&](std::uint32_t b) { return b >= from && has(partners, piece(b)) && leaves_out(a, b); });
+    };
+    if (is_left_out(nearest, 0)) return true; // most often it is one of these
+    return std::ranges::any_of(kept_apart(), [&](std::uint32_t a) { return is_left_out(a, a + 1); });
 }
 
 bool VesselViews::leaves_out(std::uint32_t a, std::uint32_t b) const {
@@ -235,13 +235,11 @@ glm::dvec3 VesselViews::foot_as_it_counts(std::uint32_t own) {
     if (piece(own) < 0 || !any_moved_) return foot(own);
     if (!std::exchange(moved_known_, true)) list_moved();
     if (std::ranges::none_of(moved_near_, [&](std::uint32_t n) { return !apart(own, n); })) return foot(own);
-    if (!counted_known_) find_feet(counted_axes_, point_, 0.0, counted_feet_);
-    counted_known_ = true;
+    if (!std::exchange(counted_known_, true)) find_places(counted_axes_, point_, counted_feet_);
+    const double* const distance2 = counted_feet_.rows.row(kFootDistance2);
     std::uint32_t nearest = own;
-    for (const std::uint32_t other : in_contact_near_) {
-        if (counted_feet_.of(other, kFootDistance2) < counted_feet_.of(nearest, kFootDistance2) && !apart(own, other))
-            nearest = other;
-    }
+    for (const std::uint32_t other : in_contact_near_)
+        if (distance2[other] < distance2[nearest] && !apart(own, other)) nearest = other;
     return counted_feet_.foot(nearest);
 }
 
