@@ -25,6 +25,8 @@ public:
     // The cells of a box: those with a point of it.
     [[nodiscard]] Cells cells_of(const Bounds<glm::dvec3>& box) const;
     void add(const Cells& cells);
+    // Of all cells that it knows.
+    [[nodiscard]] Bounds<glm::dvec3> box() const { return {origin_, origin_ + kSide / cells_per_mm_}; }
     [[nodiscard]] bool empty() const { return empty_; }
     // Whether the zone has a point, or may have: it is known in whole cells, and not far beyond the brick.
     [[nodiscard]] bool has(const glm::dvec3& point) const;

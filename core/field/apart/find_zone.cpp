@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vector_relational.hpp>
 #include <utility>
 
 namespace ramus::field {
@@ -29,6 +30,11 @@ Bounds<glm::dvec3> box_behind(const ObstacleRows& obstacles, std::size_t n, doub
     return box;
 }
 
+// Whether two boxes come so near to each other. Most do not, which takes less to find than their cells.
+bool meet(const Bounds<glm::dvec3>& a, const Bounds<glm::dvec3>& b, double near) {
+    return glm::all(glm::lessThanEqual(a.least, b.most + near)) && glm::all(glm::lessThanEqual(b.least, a.most + near));
+}
+
 } // namespace
 
 // Two vessels concern each other where a point is near both, and where it is one's and a point next to it the other's.
@@ -36,6 +42,7 @@ Bounds<glm::dvec3> box_behind(const ObstacleRows& obstacles, std::size_t n, doub
 void VesselViews::find_zone(const GridAxes& axes) {
     zone_.begin(axes);
     const double cell = axes.x[1] - axes.x[0];
+    const Bounds<glm::dvec3> around = zone_.box();
     beside_mm_ = kBesideCells * cell;
     reach_.assign(static_cast<std::size_t>(contacts_.piece_count()), {});
     for (std::uint32_t n = 0; n < list_.size(); ++n) {
@@ -65,9 +72,11 @@ void VesselViews::find_zone(const GridAxes& axes) {
         }
         const double way = (kernel_.claim_radii + 0.1) * own.radius + contacts_.shape(a).move.most();
         const ObstacleRange range = ContactZone::is_empty(own.claimed_cells) ? ObstacleRange{} : contacts_.piercing(a);
-        for (std::size_t n = range.first; n < range.first + range.count; ++n)
-            zone_.add(
-                own.claimed_cells.common(zone_.cells_of(box_behind(contacts_.all().obstacles(), n, way, beside_mm_))));
+        const Bounds<glm::dvec3> claimed = own.claims.common(around);
+        for (std::size_t n = range.first; n < range.first + range.count; ++n) {
+            const Bounds<glm::dvec3> behind = box_behind(contacts_.all().obstacles(), n, way, beside_mm_);
+            if (meet(claimed, behind, 2.0 * cell)) zone_.add(own.claimed_cells.common(zone_.cells_of(behind)));
+        }
     }
 }
 

@@ -314,7 +314,7 @@ VesselViews::Verdict VesselViews::judge() {
     for (const std::uint32_t vessel : vessels_) {
         if (feet_.of(vessel, kFootRelative2) > claim_radii2()) break;
         double value = this->value(vessel);
-        if (shadow_on(vessel).spare < 0.0) value = std::min(value, below);
+        if (value > below && shadow_on(vessel).spare < 0.0) value = below;
         const bool claims = static_cast<float>(value) >= isovalue;
         bool better = claims ? verdict.owner == kNone : verdict.owner == kNone && value > verdict.value;
         if (claims && !better) better = glm::length(way_from(vessel)) < glm::length(way_from(verdict.owner));
