@@ -42,7 +42,6 @@ VesselBrick::Verdict VesselBrick::judge(const glm::dvec3& point, float plain) {
     std::uint32_t place = VesselViews::kNone;
     if (sight == VesselViews::Sight::kParted && !views_.is_undisputed(plain)) {
         kernels_ += views_.add_terms();
-        views_.list_vessels();
         const VesselViews::Verdict seen = views_.judge();
         verdict.value = static_cast<float>(seen.value);
         place = seen.owner;

@@ -293,10 +293,11 @@ void VesselViews::group_by_piece() {
     }
 }
 
-void VesselViews::list_vessels() {
+void VesselViews::list_vessels(double most_radii2) {
     group_by_piece();
     vessels_.clear();
     for (std::uint32_t next = nearest(); next != kNone && vessels_.size() < kMostVessels;) {
+        if (feet_.of(next, kFootRelative2) > most_radii2) return;
         vessels_.push_back(next);
         next = kNone;
         for (const int other : near_pieces_) {
@@ -311,8 +312,8 @@ VesselViews::Verdict VesselViews::judge() {
     Verdict verdict;
     const auto isovalue = static_cast<float>(kernel_.isovalue);
     const auto below = static_cast<double>(std::nextafter(isovalue, 0.0F));
+    list_vessels(claim_radii2());
     for (const std::uint32_t vessel : vessels_) {
-        if (feet_.of(vessel, kFootRelative2) > claim_radii2()) break;
         double value = this->value(vessel);
         if (value > below && shadow_on(vessel).spare < 0.0) value = below;
         const bool claims = static_cast<float>(value) >= isovalue;

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -85,11 +86,12 @@ public:
     [[nodiscard]] Shadow shadow_on(std::uint32_t own);
     [[nodiscard]] glm::dvec3 toward(std::uint32_t own, const Shadow& shadow);
 
-    // One segment of each vessel that is seen, apart from each other: the nearest in radii first.
-    void list_vessels();
+    // One segment of each vessel that is seen, apart from each other: the nearest in radii first, up to so many radii,
+    // squared.
+    void list_vessels(double most_radii2 = std::numeric_limits<double>::infinity());
     [[nodiscard]] const std::vector<std::uint32_t>& vessels() const { return vessels_; }
-    // Of the vessels listed the one that the point belongs to, and its view; or, outside all of them, the strongest
-    // view and kNone.
+    // Lists the vessels that may claim the point: the one that it belongs to, and its view; or, outside all of them,
+    // the strongest view and kNone.
     struct Verdict {
         std::uint32_t owner = kNone;
         double value = 0.0;
