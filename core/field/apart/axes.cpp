@@ -76,7 +76,10 @@ template <class Number> struct RowsAt {
     std::size_t stride;
     [[nodiscard]] HWY_INLINE Number* row(std::size_t n) const { return first + n * stride; }
 };
-template <class Rows> auto rows_at(Rows& rows) { return RowsAt{rows.row(0), rows.stride()}; }
+template <std::size_t Rows> RowsAt<double> rows_at(NumberRows<Rows>& rows) { return {rows.row(0), rows.stride()}; }
+template <std::size_t Rows> RowsAt<const double> rows_at(const NumberRows<Rows>& rows) {
+    return {rows.row(0), rows.stride()};
+}
 
 // Which axes are nearer than the root of `reach2` radii, where these shrink beyond an end (radius_along() of
 // segment_foot-inl.h): at most as fast as up to it, which most often tells.
