@@ -1,5 +1,6 @@
 #include "core/tree/merge_trunks.h"
 
+#include <cmath>
 #include <doctest/doctest.h>
 
 using namespace ramus;
