@@ -1,6 +1,7 @@
 #include "render/renderer/refinement.h"
 
 #include "core/base/stopwatch.h"
+#include "render/gl/gl_context.h"
 
 #include <algorithm>
 
@@ -40,13 +41,16 @@ Result<bool> Refinement::add_views(double seconds) {
     return any;
 }
 
+// A software rasteriser draws one thing after the other, for all contexts: whoever presents a picture waits for the
+// parts that are on their way, so that there is one.
 bool PartialView::draw_on(double seconds) {
     const Stopwatch watch;
+    Fence& before = is_software_rasteriser() ? fences_.back() : fences_.front();
     const bool at_once = seconds == kUntilDone;
     bool worked = false;
     while (!whole_) {
         if (worked && watch.seconds() >= seconds) return false;
-        if (!at_once && !fences_[0].passed(seconds - watch.seconds())) return false;
+        if (!at_once && !before.passed(seconds - watch.seconds())) return false;
         whole_ = !drawing_.resume();
         worked = true;
         if (at_once) continue;
