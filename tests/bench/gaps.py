@@ -240,8 +240,8 @@ def use_tools(explorer):
 def colour_and_view(explorer):
     for quantity in ("Generation", "Diameter", "Branch", "State"):
         explorer.command(f"Colour › {quantity}")
-    for key in "135":
-        explorer.key(f"view {key}", key)
+    for view, key in (("left", "l"), ("superior", "s"), ("anterior", "a")):
+        explorer.key(f"view from {view}", key)
     explorer.key("fit", "f")
     explorer.key("orthographic", "o")
     explorer.key("perspective", "o")

@@ -24,13 +24,18 @@ def steps(window):
     def press(*keys):
         window.xdotool("key", *keys)
 
+    def look(key):
+        camera = window.status()["camera"]
+        press(key)
+        window.wait("another view", lambda s: s["camera"] != camera)
+
     def resize(width, height):
         window.xdotool("search", "--name", "ramus", "windowsize", width, height)
         window.wait("another size", lambda s: s["window"] == [width, height])
 
     yield "all in the picture", lambda: press("f")
-    yield "another view", lambda: press("3")
-    yield "the first view", lambda: press("1")
+    yield "another view", lambda: look("l")
+    yield "the first view", lambda: look("a")
     yield "all selected", lambda: press("ctrl+i")
     yield "all glass", lambda: press("g")
     yield "undo", lambda: press("ctrl+z")
