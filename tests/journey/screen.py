@@ -27,7 +27,7 @@ SMALL_TREE = """\
 9 3 55 10 30 2 7
 """
 
-PATIENCE = float(os.environ.get("RAMUS_PATIENCE", "120"))  # seconds; software rendering on a busy machine is slow
+PATIENCE = 120.0  # seconds; software rendering on a busy machine is slow
 
 
 class Failure(Exception):
