@@ -193,9 +193,13 @@ TEST_CASE("who asks what lies under a pixel is told of nothing where there is no
     moving.quality = Quality::kInteractive;
     enum class Ask { kPick, kBranches, kDepths };
     for (const Ask ask : {Ask::kPick, Ask::kBranches, Ask::kDepths}) {
-        REQUIRE(renderer->draw(frame));
-        REQUIRE(renderer->draw(next, kUploadAll, 0.0)->unfinished);
-        REQUIRE(renderer->draw(moving, kUploadAll, 0.0)->unfinished); // the targets have neither now
+        bool neither = false; // the targets have: a thread that has its processor to itself may be done at once
+        for (int tries = 0; tries < 100 && !neither; ++tries) {
+            REQUIRE(renderer->draw(frame));
+            neither = renderer->draw(next, kUploadAll, 0.0)->unfinished;
+            neither = renderer->draw(moving, kUploadAll, 0.0)->unfinished && neither;
+        }
+        REQUIRE(neither);
         limit_gl_allocation(1000);
         if (ask == Ask::kPick) CHECK(renderer->pick(150, 100) == Pick{});
         if (ask == Ask::kBranches) CHECK(renderer->read_branches().branches.empty());
