@@ -103,9 +103,11 @@ class Explorer:
         window = self.window
         window.xdotool("key", "ctrl+k")
         self.soon("the palette", lambda s: s["palette"]["open"] and s["typing"])
-        window.xdotool("type", re.sub("›|…|[0-9, ]* mm", "", title))
+        words = re.sub("›|…|[0-9, ]* mm", "", title)
+        window.xdotool("type", words)
         row = re.compile(re.escape(title).replace(r"\ mm", " [a-z]+"))  # of a file that says no unit: units
-        controls = self.soon("its row", lambda s: any(map(row.fullmatch, s["controls"])))["controls"]
+        controls = self.soon("its row", lambda s: s["palette"]["typed"] == words
+                             and any(map(row.fullmatch, s["controls"])))["controls"]
         left, top, width, _ = next(at for words, at in controls.items() if row.fullmatch(words))
         above = sum(at[0] == left and at[2] == width and at[1] < top for at in controls.values())
         window.xdotool("key", *["Down"] * above, "Return")
