@@ -1,6 +1,8 @@
 // Work that keeps within what it may have: threads and memory.
 #pragma once
 
+#include "core/base/give_way.h"
+
 #include <new>
 #include <oneapi/tbb/task_arena.h>
 #include <tl/expected.hpp>
@@ -14,6 +16,7 @@ auto bounded(int threads, const AtMemoryEnd& at_memory_end, const Work& work) ->
     try {
         if (threads <= 0) return work();
         tbb::task_arena arena(threads);
+        const HelpersGiveWay helpers(arena);
         return arena.execute(work);
     } catch (const std::bad_alloc&) {
         return tl::unexpected(at_memory_end());

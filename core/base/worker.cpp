@@ -1,5 +1,7 @@
 #include "core/base/worker.h"
 
+#include "core/base/give_way.h"
+
 namespace ramus {
 
 Worker::Worker(std::function<void()> wake) : wake_(std::move(wake)), thread_([this] { work(); }) {}
@@ -62,6 +64,8 @@ void Worker::deliver(Delivery delivery) {
 }
 
 void Worker::work() {
+    give_way();
+    const HelpersGiveWay helpers;
     for (;;) {
         Order order;
         {

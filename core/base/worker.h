@@ -1,6 +1,6 @@
 // Worker: one thread for slow work and one queue back. A task runs on the thread with its own Job; what it posts is run
-// by drain() on the thread that owns the Worker (the window's). The newest task wins: starting another cancels the one
-// that runs, and nothing that a cancelled task posts is ever run.
+// by drain() on the thread that owns the Worker (the window's), to which it gives way. The newest task wins: starting
+// another cancels the one that runs, and nothing that a cancelled task posts is ever run.
 #pragma once
 
 #include "core/base/job.h"
