@@ -97,10 +97,10 @@ Result<SurfaceDeviation> measured_from(const OtherSurface& other, SurfaceDeviati
     RAMUS_TRY(values, distances_of(*deviation.mesh, triangles, JobRange(job, kPacked, kMesh)));
     summarise(values, deviation);
     deviation.voxel_mm = other.voxel_mm;
-    deviation.valued_mesh = std::make_shared<const render::PagedMesh>(deviation.mesh->with_values(values));
+    deviation.valued_mesh = render::shared(deviation.mesh->with_values(values));
     if (!deviation.preview) return deviation;
     RAMUS_TRY(of_preview, distances_of(*deviation.preview, triangles, JobRange(job, kMesh, 1.0F)));
-    deviation.valued_preview = std::make_shared<const render::PagedMesh>(deviation.preview->with_values(of_preview));
+    deviation.valued_preview = render::shared(deviation.preview->with_values(of_preview));
     return deviation;
 }
 

@@ -36,7 +36,7 @@ std::vector<std::uint8_t> hidden_flags(std::span<const int> hidden, std::size_t 
 }
 
 std::shared_ptr<const render::PagedMesh> paged(const mesh::TriangleMesh& mesh, const tree::VesselTree& tree) {
-    return std::make_shared<const render::PagedMesh>(mesh, render::bounds_of(tree).centre());
+    return render::shared(render::PagedMesh(mesh, render::bounds_of(tree).centre()));
 }
 
 Result<ReadySurface> make_ready(const tree::VesselTree& tree, const SurfaceRequest& request, Job& job) {
@@ -186,7 +186,7 @@ Result<void> SurfaceMaker::follow_one(Followed& followed, const field::VesselFie
     if (!followed.mesh)
         followed.mesh = paged(slots, *tree_);
     else if (edit.whole || !edit.vertices.empty() || !edit.triangles.empty())
-        followed.mesh = std::make_shared<const render::PagedMesh>(followed.mesh->edited(slots, edit));
+        followed.mesh = render::shared(followed.mesh->edited(slots, edit));
     return {};
 }
 

@@ -146,4 +146,8 @@ private:
     std::uint64_t triangle_count_ = 0;
 };
 
+// A surface that a window shows. A large one has some ten thousand pieces of memory, and a window's thread may be the
+// last to have it: another thread gives them back.
+[[nodiscard]] std::shared_ptr<const PagedMesh> shared(PagedMesh mesh);
+
 } // namespace ramus::render

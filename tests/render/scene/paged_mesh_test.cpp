@@ -10,8 +10,10 @@
 #include "tests/support/tube_mesh.h"
 
 #include <algorithm>
+#include <chrono>
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
+#include <thread>
 #include <vector>
 
 using namespace ramus;
@@ -239,4 +241,24 @@ TEST_CASE("the farthest positions of a surface are all that a camera is fitted t
             }
     }
     CHECK(mesh.farthest(std::vector{glm::dvec3(1, 0, 0)}, [](int) { return false; }).empty());
+}
+
+TEST_CASE("a surface that nobody has any more is given back: a small one at once, a large one soon") {
+    for (const int around : {8, 1424}) {
+        CAPTURE(around);
+        mesh::TriangleMesh mesh;
+        test::add_capsule(mesh, {0, 0, 0}, {5, 0, 0}, 1, 1, 0, around);
+        const bool large = mesh.triangles.size() > 2'000'000;
+        CHECK(large == (around > 8));
+        auto surface = shared(PagedMesh(mesh));
+        CHECK(surface->triangle_count() == mesh.triangles.size());
+        const std::weak_ptr<const TrianglePage> page = surface->triangle_pages().back();
+        auto other = surface;
+        surface.reset();
+        CHECK_FALSE(page.expired());
+        other.reset();
+        for (int waits = 0; waits < 10'000 && large && !page.expired(); ++waits)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        CHECK(page.expired());
+    }
 }
