@@ -2,69 +2,20 @@
 #include "core/base/stopwatch.h"
 #include "render/gl/gl_context.h"
 #include "render/gl/within_memory.h"
+#include "render/renderer/frame_changes.h"
 #include "render/renderer/passes/gl_state.h"
 #include "render/renderer/renderer.h"
 
 #include <algorithm>
 #include <string>
-#include <tuple>
 
 namespace ramus::render {
 
 namespace {
 
-// Whether anything over the picture is fainter behind vessels while these are the ray caster's.
-bool lies_over_depths(const Frame& frame) { return frame.skeleton || !frame.lines.empty(); }
-
-bool outlines_selection(const Frame& frame) {
-    return std::ranges::any_of(frame.lines, [](const MarkLine& line) { return line.of_selection; });
-}
-
 constexpr const char* kLessMemory = "give a smaller size or a coarser --detail";
 
 constexpr int kInteractiveDivisor = 2; // of width and height
-
-std::vector<Layer> layers_of(const std::vector<BranchState>& states) {
-    std::vector<Layer> layers(states.size());
-    std::ranges::transform(states, layers.begin(), [](BranchState state) {
-        if (state == BranchState::kHidden) return Layer::kNone;
-        return state == BranchState::kDefocused ? Layer::kGlass : Layer::kOpaque;
-    });
-    while (!layers.empty() && layers.back() == Layer::kOpaque) layers.pop_back();
-    return layers;
-}
-
-// What lies over a picture is painted anew, and nothing under it.
-bool differs_in_overlays_only(const Frame& before, const Frame& after) {
-    Frame same = before;
-    same.overlays = after.overlays;
-    return same == after;
-}
-
-bool differs_in_hover_and_overlays_only(const Frame& before, const Frame& after) {
-    Frame same = before;
-    same.overlays = after.overlays;
-    same.hovered = after.hovered;
-    same.hovered_dependents = after.hovered_dependents;
-    return same == after;
-}
-
-// Colours, and how clear what is clear is, only shade.
-bool same_shapes(const std::vector<ContextMesh>& a, const std::vector<ContextMesh>& b) {
-    const auto shape = [](const ContextMesh& m) {
-        return std::tuple(m.shown() ? m.mesh : nullptr, m.shown() ? m.preview : nullptr, m.clear(), m.wireframe);
-    };
-    return std::ranges::equal(a, b, {}, shape, shape);
-}
-
-// Whether the passes up to the occlusion would make the same of both, where all else is the same.
-bool same_geometry(const Frame& a, const Frame& b, bool has_glass) {
-    return a.mesh == b.mesh && a.bends == b.bends && a.camera == b.camera && a.size == b.size &&
-           a.quality == b.quality && a.lesions == b.lesions && same_shapes(a.context, b.context) &&
-           a.pixel_ratio == b.pixel_ratio && (!has_glass || a.centerlines == b.centerlines) &&
-           (a.appearance.shadows > 0.0F || !(b.appearance.shadows > 0.0F)) &&
-           (a.appearance.occlusion > 0.0F || !(b.appearance.occlusion > 0.0F));
-}
 
 // The picture comes in another call.
 DrawStatistics later(DrawStatistics done) {
@@ -160,59 +111,6 @@ Result<void> Renderer::fit_picture(glm::ivec2 size) {
     if (is_complete(card_.picture.framebuffer)) return {};
     let_go();
     return cannot_draw(size);
-}
-
-// The caster draws every pixel of a picture, whatever passes are to draw next.
-ViewSetup Renderer::cast_view(const Subject& subject) const {
-    ViewSetup view = card_.targets.view;
-    view.size = view.picture = subject.frame.size;
-    view.look(subject.frame, subject.has_mesh() ? subject.mesh.shown()->bounds() : card_.scene.lines().bounds(),
-              card_.scene.beside_tree(subject.frame));
-    return view;
-}
-
-std::uint64_t Renderer::cast(const Subject& subject) {
-    card_.targets.view = cast_view(subject);
-    card_.passes.begin(card_.targets.view);
-    return card_.passes.cast.draw(subject, card_.targets.view, card_.passes.shade.records());
-}
-
-Result<bool> Renderer::cast_in_time(const Subject& subject, double seconds, DrawStatistics& done) {
-    CastPass& pass = card_.passes.cast;
-    const auto begin_cast = [&] { pass.begin(subject, cast_view(subject), card_.passes.shade.records()); };
-    if (!pass.busy()) begin_cast();
-    auto made = pass.take(seconds);
-    done.unfinished = !made || made->frame != subject.frame || made->layers != subject.layers;
-    done.of_before = made && made->frame.centerlines != subject.frame.centerlines;
-    const bool another = made && done.unfinished && !differs_in_overlays_only(made->frame, subject.frame);
-    if (!made) return false;
-    done.cones = made->cones;
-    done.seconds = made->seconds;
-    done.geometry = true;
-    if (auto shown = show_cast(std::move(*made)); !shown) return tl::unexpected(shown.error());
-    if (another) begin_cast();
-    return true;
-}
-
-Result<void> Renderer::show_cast(CastPass::Made made) {
-    if (auto fits = resize(made.frame, Plan::kCast); !fits) return tl::unexpected(fits.error());
-    if (auto fits = fit_picture(made.frame.size); !fits) return fits;
-    card_.targets.view = made.view;
-    card_.passes.begin(made.view);
-    state_.cast();
-    in_cast_ = next_under(made.frame, made.view);
-    show(subject_of(made.frame, made.layers), {glm::ivec2(0), made.view.size});
-    last_ = std::move(made.frame);
-    last_layers_ = std::move(made.layers);
-    shown_view_ = made.view;
-    return {};
-}
-
-// What was to come was of another size or camera, and is not wanted any more.
-Result<void> Renderer::back_to_cast() {
-    if (auto fits = resize(*last_, Plan::kCast); !fits) return tl::unexpected(fits.error());
-    card_.targets.view = shown_view_;
-    return {};
 }
 
 // Draws on at what is on its way; true: its geometry is whole.

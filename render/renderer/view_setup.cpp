@@ -19,7 +19,7 @@ constexpr double kOcclusionShare =
     0.055; // of the picture's height: the reach of the occlusion (tuned by eye on brain and airway trees)
 
 // The near plane where the eye is among vessels: of the distance to what is looked at, and of the far plane's.
-constexpr double kShareOfFocus = 0.02, kLeastNear = 1e-6, kMostNear = 1e-4;
+constexpr double kShareOfFocus = 0.02, kLeastNearPlane = 1e-6, kMostNearPlane = 1e-4;
 
 constexpr float kLesionOpacity = 0.6F; // where they face the eye (tuned by eye: solid, and vessels inside show)
 
@@ -46,7 +46,7 @@ void ViewSetup::look(const Frame& frame, const Box& box, const std::vector<Ball>
         far = std::max(far, 1e-3 * radius);
         // Nearer than what is looked at, also between vessels; no nearer than depths have bits for on every driver.
         const double focus = glm::distance(camera.position, camera.focal_point);
-        near = std::max(near, std::clamp(kShareOfFocus * focus, kLeastNear * far, kMostNear * far));
+        near = std::max(near, std::clamp(kShareOfFocus * focus, kLeastNearPlane * far, kMostNearPlane * far));
     }
     projection = projection_matrix(camera, frame.size, near, far);
     projection[2][2] = flat ? 1.0 / (far - near) : near / (far - near);
