@@ -6,7 +6,9 @@
 // thread, for the document as it is by then, and may fail like an action.
 //
 // One that first has to know what the picture shows, which is drawn elsewhere, returns an Awaited: that is soon known,
-// and what is run after it waits, so that all takes effect in the order in which it came.
+// and what is run after it waits, so that all takes effect in the order in which it came. One whose work takes longer
+// than a frame, and is so soon done that a person sees what comes of it next, returns a Brief: its work is that of a
+// Pending, and what is run after it waits, too.
 // app/actions/command_runner.h runs all of them.
 #pragma once
 
@@ -55,8 +57,11 @@ struct Awaited {
     std::function<bool()> ready; // does not wait; when it is true `then` does not, either
     Continuation then;
 };
+struct Brief {
+    std::function<Result<Continuation>()> work;
+};
 struct Done {};
-using Outcome = std::variant<Done, Pending, Awaited>;
+using Outcome = std::variant<Done, Pending, Awaited, Brief>;
 [[nodiscard]] inline Result<Outcome> outcome_of(Result<void> result) {
     if (!result) return tl::unexpected(std::move(result.error()));
     return Done{};

@@ -70,6 +70,7 @@ Result<void> finish(ActionContext& context, const Command& command, Arguments ar
 Result<void> run_at_once(ActionContext& context, const Command& command, Arguments arguments) {
     RAMUS_TRY(outcome, act(context, command, arguments));
     if (const auto* awaited = std::get_if<Awaited>(&outcome)) return finish(context, command, arguments, awaited->then);
+    if (const auto* brief = std::get_if<Brief>(&outcome)) return finish(context, command, arguments, brief->work());
     const auto* pending = std::get_if<Pending>(&outcome);
     if (pending == nullptr) return {};
     Job job;
@@ -175,6 +176,7 @@ void CommandRunner::take_turns(ActionContext& context, std::vector<Error>& faile
 
 Result<void> CommandRunner::start(ActionContext& context, const Command& command, Arguments arguments) {
     RAMUS_TRY(outcome, act(context, command, arguments));
+    if (const auto* brief = std::get_if<Brief>(&outcome)) outcome = begin_brief(*brief);
     if (auto* awaited = std::get_if<Awaited>(&outcome)) {
         const auto then = [&command, given = std::vector(arguments.begin(), arguments.end()),
                            then = std::move(awaited->then)](ActionContext& with) {
@@ -190,6 +192,19 @@ Result<void> CommandRunner::start(ActionContext& context, const Command& command
     return {};
 }
 
+// One at a time: what is run after it waits, and does not begin any.
+Awaited CommandRunner::begin_brief(const Brief& brief) {
+    const auto result = brief_ = std::make_shared<std::optional<Result<Continuation>>>();
+    brief_worker_.start("Editing", [result, work = brief.work](Job&, const Worker::Post& post) {
+        const auto worked = work();
+        post([result, worked] { *result = worked; });
+    });
+    const auto then = [result](ActionContext& context) -> Result<void> {
+        return **result ? (***result)(context) : tl::unexpected((*result)->error());
+    };
+    return {.ready = [result] { return result->has_value(); }, .then = then};
+}
+
 void CommandRunner::begin_work() {
     const Pending& pending = pending_.front().pending;
     worker_.start(pending.activity, [this, work = pending.work](Job& job, const Worker::Post& post) {
@@ -200,6 +215,9 @@ void CommandRunner::begin_work() {
 
 std::vector<Error> CommandRunner::update(ActionContext& context) {
     std::vector<Error> failed;
+    brief_worker_.drain();
+    if (const std::string why = brief_worker_.take_failure(); !why.empty())
+        *brief_ = fail("the work was given up: " + why);
     take_turns(context, failed);
     worker_.drain();
     if (const std::string why = worker_.take_failure(); !why.empty() && !pending_.empty())

@@ -23,13 +23,14 @@ namespace ramus::app {
 
 // For a window, which must not wait: the work of pending commands is done on a thread of its own, in the order in which
 // they came, each finished before the next begins. Commands that need no work do not wait for those: a person goes on
-// while a file is read. They do wait for what is awaited of the picture: for a click that selects, say. What belongs to
+// while a file is read. They do wait for what is awaited of the picture, for a click that selects, say, and for brief
+// work. What belongs to
 // one tree is dropped when another is opened; a command that has waited while the tree was edited, and may name
 // branches by their ids, is refused. For one thread, its owner's.
 class CommandRunner {
 public:
     // `wake` is called on another thread when update() has something to do.
-    explicit CommandRunner(std::function<void()> wake) : worker_(std::move(wake)) {}
+    explicit CommandRunner(const std::function<void()>& wake) : worker_(wake), brief_worker_(wake) {}
 
     // Fails with what can be told before the work; what fails later comes from update().
     [[nodiscard]] Result<void> run(ActionContext& context, std::span<const std::string> words);
@@ -40,7 +41,7 @@ public:
     [[nodiscard]] Result<void> await(ActionContext& context, Awaited awaited);
     // What a person does after that, a key or a button, whatever comes of it: in its turn, of any tree.
     void after_what_is_awaited(ActionContext& context, std::function<void()> event);
-    [[nodiscard]] bool awaits() const { return !turns_.empty(); } // of the picture: what is run now waits, too
+    [[nodiscard]] bool awaits() const { return !turns_.empty(); } // what is run now waits, too
 
     // Finishes what was awaited and the commands whose work is done, begins the next work, and returns what failed.
     [[nodiscard]] std::vector<Error> update(ActionContext& context);
@@ -69,6 +70,8 @@ private:
     [[nodiscard]] Result<void> start(ActionContext& context, const Command& command, Arguments arguments);
     [[nodiscard]] Result<void> in_turn(ActionContext& context, Turn turn);
     [[nodiscard]] Result<void> take_turn(ActionContext& context, const Turn& turn);
+    using BriefResult = std::shared_ptr<std::optional<Result<Continuation>>>;
+    [[nodiscard]] Awaited begin_brief(const Brief& brief);
     void take_turns(ActionContext& context, std::vector<Error>& failed);
     void begin_work();
 
@@ -76,7 +79,8 @@ private:
     std::optional<std::size_t> put_in_;          // while a turn is taken: so many of those that wait came of it
     std::deque<Waiting> pending_;                // the first is worked on
     std::optional<Result<Continuation>> worked_; // what came of its work
-    Worker worker_;                              // last: its thread ends first
+    BriefResult brief_;                          // of the work on brief_worker_; null: there was none
+    Worker worker_, brief_worker_;               // last: their threads end first
 };
 
 } // namespace ramus::app

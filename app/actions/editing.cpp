@@ -2,7 +2,7 @@
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/session/numbers.h"
-#include "core/tree/edit_tree.h"
+#include "app/session/tree_edits.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -57,14 +57,19 @@ std::string change_text(const tree::VesselTree& before, const tree::VesselTree& 
     return text;
 }
 
-Result<void> make(ActionContext& context, const Edit& edit, const std::string& done) {
-    const auto before = context.document.tree();
-    if (auto made = context.document.edit_tree(edit); !made) return made;
-    context.say(done + change_text(*before, *context.document.tree()));
-    return {};
+Result<Outcome> make(const ActionContext& context, const Edit& edit, const std::string& done) {
+    const auto work = [edit, done, before = context.document.tree()]() -> Result<Continuation> {
+        RAMUS_TRY(made, made_edit(before, edit));
+        return [made = made, done](ActionContext& then) -> Result<void> {
+            if (auto edited = then.document.take_edit(made); !edited) return edited;
+            then.say(done + change_text(*made.before, *then.document.tree()));
+            return {};
+        };
+    };
+    return Brief{work};
 }
 
-Result<void> disconnect(ActionContext& context, Arguments arguments) {
+Result<Outcome> disconnect(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(id, one_branch(context.document, arguments.first(std::min<std::size_t>(1, arguments.size()))));
     const auto fraction = arguments.size() < 2 ? 0.5 : place_in(arguments[1]);
     const auto gap = arguments.size() < 3 ? 0.0 : number_in(arguments[2], 1e-6, kFarthestMm);
@@ -101,7 +106,7 @@ Result<Edit> nearest_ends(const Document& document) {
     return best;
 }
 
-Result<void> join(ActionContext& context, Arguments arguments) {
+Result<Outcome> join(ActionContext& context, Arguments arguments) {
     if (!has_tree(context.document)) return fail("there is no tree");
     Edit edit{Kind::kJoin, {}, {}, 0.0};
     if (arguments.empty()) {
@@ -120,13 +125,13 @@ Result<void> join(ActionContext& context, Arguments arguments) {
     return make(context, edit, "Joined " + branch_word(edit.branches[0]) + " with " + branch_word(edit.branches[1]));
 }
 
-Result<void> delete_branches(ActionContext& context, Arguments arguments) {
+Result<Outcome> delete_branches(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(ids, these_branches(context.document, arguments));
     const std::string done = "Deleted " + counted(ids.size(), "branch", "branches");
     return make(context, {Kind::kDelete, std::move(ids), {}, 0.0}, done);
 }
 
-Result<void> move_root(ActionContext& context, Arguments arguments) {
+Result<Outcome> move_root(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(id, one_branch(context.document, arguments.first(std::min<std::size_t>(1, arguments.size()))));
     const auto at = arguments.size() < 2 ? 1.0 : place_in(arguments[1]);
     if (!at || arguments.size() > 2)
@@ -135,18 +140,18 @@ Result<void> move_root(ActionContext& context, Arguments arguments) {
                 "The root is at the free end of what was " + branch_word(id));
 }
 
-Result<void> flip(ActionContext& context, Arguments arguments) {
+Result<Outcome> flip(ActionContext& context, Arguments arguments) {
     if (arguments.size() > 1) return fail("flip takes one branch");
     RAMUS_TRY(id, one_branch(context.document, arguments));
     return make(context, {Kind::kFlip, {id}, {}, 0.0}, "Turned " + branch_word(id) + " round: the root is beyond it");
 }
 
-template <Kind kind> Result<void> radii(ActionContext& context, Arguments arguments) {
+template <Kind kind> Result<Outcome> radii(ActionContext& context, Arguments arguments) {
     constexpr bool kSets = kind == Kind::kRadius;
     if (arguments.empty() && context.window != nullptr) {
-        if (auto some = expect_selection(context.document); !some) return some;
+        if (auto some = expect_selection(context.document); !some) return tl::unexpected(some.error());
         context.window->ask_for_radius();
-        return {};
+        return Done{};
     }
     const auto value = arguments.empty() ? std::nullopt : number_in(arguments[0], 1e-9, kFarthestMm);
     if (!value)

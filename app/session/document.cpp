@@ -44,13 +44,17 @@ void Document::change(Marks next) {
 }
 
 Result<void> Document::edit_tree(const tree::Edit& edit) {
-    if (!tree_) return fail("there is no tree", {}, "open one first");
-    RAMUS_TRY(edited, tree::apply(*tree_, edit));
-    Marks next = carried_over(session_.marks, *tree_, edited);
-    next.edits.push_back(edit);
+    RAMUS_TRY(made, made_edit(tree_, edit));
+    return take_edit(made);
+}
+
+Result<void> Document::take_edit(const MadeEdit& made) {
+    if (made.before != tree_) return fail("the tree was edited meanwhile", {}, "do it again");
+    Marks next = carried_over(session_.marks, *tree_, *made.after);
+    next.edits.push_back(made.edit);
     std::erase_if(known_, [&](const EditedState& state) { return state.edits >= next.edits.size(); });
-    tree_ = std::make_shared<const tree::VesselTree>(std::move(edited.tree));
-    facts_ = std::make_shared<const TreeFacts>(facts_of(*tree_));
+    tree_ = std::shared_ptr<const tree::VesselTree>(made.after, &made.after->tree);
+    facts_ = made.facts;
     take_change(std::move(next));
     keep_tree();
     return {};

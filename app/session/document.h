@@ -23,6 +23,8 @@
 
 namespace ramus::app {
 
+struct MadeEdit; // app/session/tree_edits.h
+
 class Document {
 public:
     // Another tree, or none: history starts anew. `facts` are the tree's, where they are known already; `file`: the
@@ -54,7 +56,9 @@ public:
 
     // Nothing is remembered when nothing differs.
     void change(Marks next);
-    // The tree and what is marked on it. A refusal leaves all as it was.
+    // The tree and what is marked on it. Fails where it is not the tree that the edit was made of.
+    Result<void> take_edit(const MadeEdit& made);
+    // Made here. A refusal leaves all as it was.
     Result<void> edit_tree(const tree::Edit& edit);
     // The same with another tree, that the file makes when it is read as next.reading says; for sessions without edits,
     // which are those of the tree before. What is seen of it stays: the camera goes along where another unit or other

@@ -92,6 +92,14 @@ Marks carried_over(const Marks& marks, const tree::VesselTree& before, const tre
     return next;
 }
 
+Result<MadeEdit> made_edit(std::shared_ptr<const tree::VesselTree> tree, const tree::Edit& edit) {
+    if (!tree) return fail("there is no tree", {}, "open one first");
+    RAMUS_TRY(edited, tree::apply(*tree, edit));
+    auto facts = std::make_shared<const TreeFacts>(facts_of(edited.tree));
+    return MadeEdit{edit, std::move(tree), std::make_shared<const tree::EditedTree>(std::move(edited)),
+                    std::move(facts)};
+}
+
 Result<std::shared_ptr<const tree::VesselTree>> with_edits(std::shared_ptr<const tree::VesselTree> base,
                                                            const Session& session, const std::string& checksum,
                                                            const std::string& where) {

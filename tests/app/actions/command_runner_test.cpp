@@ -54,7 +54,7 @@ struct Gate {
 
 std::vector<std::string> settle(CommandRunner& runner, ActionContext& context) { // what failed
     std::vector<std::string> failed;
-    for (int i = 0; i < 5000 && runner.busy(); ++i) {
+    for (int i = 0; i < 5000 && (runner.busy() || runner.awaits()); ++i) {
         for (const Error& error : runner.update(context)) failed.push_back(error.message());
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -270,6 +270,62 @@ TEST_CASE("what a person does after a click happens in its turn, of whatever tre
     CHECK_FALSE(runner.awaits());
 }
 
+TEST_CASE("what is run after brief work waits for it, and its refusal changes nothing") {
+    test::CommandStage stage(twigs());
+    Gate gate;
+    CommandRunner runner({});
+    enum class Ends { kWell, kRefused, kByException };
+    const auto edit = [&](Ends ends) {
+        const auto work = [&gate, ends]() -> Result<Continuation> {
+            Job job;
+            gate.wait(job);
+            if (ends == Ends::kByException) throw std::runtime_error("it is too dark");
+            if (ends == Ends::kRefused) return fail("it is too late");
+            return [](ActionContext& then) -> Result<void> {
+                return then.document.edit_tree({tree::Edit::Kind::kScale, {2}, {}, 0.5});
+            };
+        };
+        return Command("edit-slowly", "", "",
+                       [work](ActionContext&, Arguments) -> Result<Outcome> { return Brief{work}; });
+    };
+    const Command well = edit(Ends::kWell), refused = edit(Ends::kRefused), thrown = edit(Ends::kByException);
+    const auto before = stage.document.tree();
+    for (const Command* command : {&well, &refused, &thrown}) REQUIRE(runner.run(stage.context, *command));
+    REQUIRE(runner.run(stage.context, std::vector<std::string>{"undo"})); // of the first
+    REQUIRE(runner.run(stage.context, std::vector<std::string>{"select-invert"}));
+    while (gate.begun == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    CHECK(runner.update(stage.context).empty());
+    CHECK(runner.awaits());
+    CHECK(gate.begun == 1);
+    CHECK(stage.document.step_count() == 0);
+    gate.open = true;
+    const std::vector<std::string> failed = settle(runner, stage.context);
+    CHECK_FALSE(runner.awaits());
+    REQUIRE(failed.size() == 2);
+    CHECK(failed[0].find("it is too late") != std::string::npos);
+    CHECK(failed[1].find("it is too dark") != std::string::npos);
+    CHECK(gate.begun == 3);
+    CHECK(stage.document.tree() == before);
+    CHECK(stage.document.can_redo()); // selecting came after it, and forgets nothing
+    CHECK(stage.marks().selection.size() == before->branches.size());
+    // At once in scripts.
+    REQUIRE(run_entry(stage.context, well));
+    CHECK(stage.document.tree() != before);
+    CHECK(run_entry(stage.context, refused).error().message().find("too late") != std::string::npos);
+}
+
+TEST_CASE("brief work on one tree does nothing to the next") {
+    test::CommandStage stage(twigs());
+    CommandRunner runner({});
+    REQUIRE(runner.run(stage.context, std::vector<std::string>{"disconnect", "2"}));
+    REQUIRE(runner.awaits());
+    const auto next = std::make_shared<const tree::VesselTree>(twigs());
+    stage.document.open(next, {});
+    CHECK(settle(runner, stage.context).empty());
+    CHECK(stage.document.tree() == next);
+    CHECK(stage.document.step_count() == 0);
+}
+
 TEST_CASE("a command that names branches and has waited while the tree was edited is refused") {
     test::CommandStage stage(twigs());
     CommandRunner runner({});
@@ -281,10 +337,10 @@ TEST_CASE("a command that names branches and has waited while the tree was edite
     REQUIRE(runner.run(stage.context, std::vector<std::string>{"select-invert"}));
     const auto before = stage.document.tree();
     click.known = true;
-    const std::vector<Error> failed = runner.update(stage.context);
+    const std::vector<std::string> failed = settle(runner, stage.context);
     REQUIRE(stage.document.tree() != before);
     REQUIRE(failed.size() == 1);
-    CHECK(failed.front().message().find("edited meanwhile") != std::string::npos);
+    CHECK(failed.front().find("edited meanwhile") != std::string::npos);
     CHECK(stage.marks().selection.size() == static_cast<std::size_t>(stage.document.branch_count())); // names none
 }
 
