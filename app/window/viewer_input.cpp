@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
+#include <span>
 #include <utility>
 
 namespace ramus::app {
@@ -114,14 +115,18 @@ void ViewerInput::in_order(std::function<void()> event) {
     });
 }
 
-// Those that follow each other wait together, so that of a tool that picks the last one is looked up.
+// Those that follow each other wait together. They come faster than places are looked up: a tool that picks is told of
+// the last that came meanwhile.
 void ViewerInput::mouse_moved(glm::dvec2 at) {
     input_.move(static_cast<float>(at.x), static_cast<float>(at.y));
     state_.redraw();
     if (const auto waiting = moves_.lock()) return waiting->push_back(at);
     const auto moves = std::make_shared<std::vector<glm::dvec2>>(1, at);
     in_order([this, moves] {
-        for (const glm::dvec2& each : std::exchange(*moves, {})) move_to(each);
+        const std::vector<glm::dvec2> all = std::exchange(*moves, {});
+        const bool of_tool = state_.interface.tool && !mouse_.held() && !state_.interface.wipe_held;
+        const bool last_counts = of_tool && state_.interface.tool->picks();
+        for (const glm::dvec2& each : std::span(all).last(last_counts ? 1 : all.size())) move_to(each);
     });
     moves_ = moves;
 }
@@ -263,14 +268,16 @@ void ViewerInput::look_up(glm::dvec2 in_picture, const std::function<void(const 
     });
 }
 
-void ViewerInput::look_up_for_tool(glm::dvec2 in_viewport, const std::function<void(const render::Pick&)>& then) {
-    if (state_.interface.tool->picks()) return look_up(from_viewport(in_viewport), then);
-    state_.await(nullptr, [then] { then({}); });
-}
-
 void ViewerInput::tell_tool(Tool::Event event, const Pointing& pointing) {
-    (state_.interface.tool.get()->*event)(pointing);
-    perform_tool();
+    const auto tell = [this, event, pointing, tool = tools_taken_](const render::Pick& under) {
+        if (tool != tools_taken_ || !state_.interface.tool) return;
+        Pointing known = pointing;
+        known.under = under;
+        (state_.interface.tool.get()->*event)(known);
+        perform_tool();
+    };
+    if (state_.interface.tool->picks()) return look_up(from_viewport(pointing.at), tell);
+    tell({});
 }
 
 void ViewerInput::perform_tool() {
@@ -402,7 +409,7 @@ void ViewerInput::use_tool(std::string_view name) {
     state_.interface.tool_kind = kind;
     state_.interface.tool = kind->make != nullptr ? kind->make() : nullptr;
     tool_mouse_.abandon();
-    tool_events_.abandon();
+    ++tools_taken_;
     pick_wanted_ = true;
     state_.redraw();
 }

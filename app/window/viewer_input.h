@@ -7,7 +7,6 @@
 #pragma once
 
 #include "app/actions/keys.h"
-#include "app/tools/tool_events.h"
 #include "app/tools/tool_mouse.h"
 #include "app/tools/viewport_mouse.h"
 #include "app/window/imgui_input.h"
@@ -81,12 +80,10 @@ private:
     [[nodiscard]] Pointing pointing(Modifiers modifiers);
     // `then` gets what the picture shows there now, once that is known; what is done after it takes effect after it.
     void look_up(glm::dvec2 in_picture, const std::function<void(const render::Pick&)>& then);
-    void look_up_for_tool(glm::dvec2 in_viewport, const std::function<void(const render::Pick&)>& then);
+    // What the pointer did, once it is known what lies under it where the tool picks.
     void tell_tool(Tool::Event event, const Pointing& pointing);
     [[nodiscard]] ToolMouse::Tell tell() {
-        return [this](Tool::Event event, const Pointing& pointing) {
-            tool_events_.add(event, pointing, state_.interface.tool->picks());
-        };
+        return [this](Tool::Event event, const Pointing& pointing) { tell_tool(event, pointing); };
     }
     void perform_tool();
     void clicked(const Click& click);
@@ -106,8 +103,7 @@ private:
     double wipe_grip_ = 0.0; // from the line to where it was taken, pixels
     bool pointer_over_picture_ = false;
     bool pick_wanted_ = false, pick_pending_ = false;
-    ToolEvents tool_events_{[this](glm::dvec2 at, const auto& then) { look_up_for_tool(at, then); },
-                            [this](Tool::Event event, const Pointing& pointing) { tell_tool(event, pointing); }};
+    int tools_taken_ = 0; // another tool is told nothing of what was done before it was taken
 };
 
 } // namespace ramus::app
