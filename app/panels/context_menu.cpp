@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <imgui.h>
 #include <utility>
 
@@ -35,6 +36,14 @@ const Command* menu_entry(std::string_view name) {
     return at == table.end() ? nullptr : &*at;
 }
 
+// Without the title of the menu that a command is listed under what it does to the selection is named.
+std::string label_here(const Command& command, const Document& document) {
+    std::string label = label_of(command, document);
+    if (command.menu != "Select") return label;
+    label.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(label.front())));
+    return "Select " + label;
+}
+
 template <std::size_t Count>
 const Command* draw_groups(InterfaceContext& context, const std::array<Group, Count>& groups) {
     const Command* chosen = nullptr;
@@ -46,7 +55,7 @@ const Command* draw_groups(InterfaceContext& context, const std::array<Group, Co
             if (command == nullptr) continue;
             const bool enabled = command->enabled == nullptr || command->enabled(document);
             const bool checked = command->checked != nullptr && command->checked(document);
-            const std::string label = label_of(*command, document);
+            const std::string label = label_here(*command, document);
             if (ImGui::MenuItem(label.c_str(), command->keys.empty() ? nullptr : command->keys.front().c_str(), checked,
                                 enabled))
                 chosen = command;
