@@ -30,10 +30,12 @@ MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const s
         if (!any || looks.load(std::memory_order_relaxed) > most_looks || job.cancelled()) return;
         std::size_t its_looks = 0, its_pairs = 0;
         std::vector<TrianglePair>& list = found.local();
-        boxes.for_each_in(its.around(), [&](std::uint32_t other) {
-            for (unsigned bits = its.meeting(boxes.box(other)); bits != 0; bits &= bits - 1) {
+        // Those before the group that are asked for find its triangles themselves.
+        const auto is_wanted = [&](std::size_t other) { return other >= begin || asked[other] == 0; };
+        boxes.for_each_in(its.around(), is_wanted, [&](std::uint32_t other, const TriangleBox& box) {
+            for (unsigned bits = its.meeting(box); bits != 0; bits &= bits - 1) {
                 const auto n = static_cast<std::uint32_t>(begin) + static_cast<std::uint32_t>(std::countr_zero(bits));
-                if (n == other || (asked[other] != 0 && other < n)) continue; // which it finds itself
+                if (n == other || (asked[other] != 0 && other < n)) continue; // likewise
                 ++its_looks;
                 if (!triangles_meet(boxes.positions(), triangles[n], triangles[other])) continue;
                 ++its_pairs;

@@ -72,10 +72,19 @@ public:
 
     // Calls call(triangle) for those whose boxes meet this one, ascending.
     template <class Call> void for_each_in(const TriangleBox& box, const Call& call) const {
+        for_each_in(
+            box, [](std::size_t) { return true; }, [&](std::uint32_t n, const TriangleBox&) { call(n); });
+    }
+    // Calls call(triangle, its box) for those of them that are wanted.
+    template <class Wanted, class Call>
+    void for_each_in(const TriangleBox& box, const Wanted& is_wanted, const Call& call) const {
         tree_.for_each_meeting(box, [&](std::size_t group) {
             const std::size_t end = std::min(kGroup * (group + 1), triangles_.size());
-            for (std::size_t n = kGroup * group; n < end; ++n)
-                if (boxes_meet(this->box(n), box)) call(static_cast<std::uint32_t>(n));
+            for (std::size_t n = kGroup * group; n < end; ++n) {
+                if (!is_wanted(n)) continue; // which takes less to find than its box
+                const TriangleBox its = this->box(n);
+                if (boxes_meet(its, box)) call(static_cast<std::uint32_t>(n), its);
+            }
         });
     }
 
