@@ -58,26 +58,47 @@ constexpr double kRounding = 0.5 * std::numeric_limits<double>::epsilon();
 
 namespace exact {
 
-int side_of_plane(const Corner& a, const Corner& b, const Corner& c, const Corner& p) {
-    const glm::dvec3 u = glm::dvec3(b) - glm::dvec3(a);
-    const glm::dvec3 v = glm::dvec3(c) - glm::dvec3(a);
-    const glm::dvec3 w = glm::dvec3(p) - glm::dvec3(a);
-    const double det = u.x * (v.y * w.z - v.z * w.y) + u.y * (v.z * w.x - v.x * w.z) + u.z * (v.x * w.y - v.y * w.x);
-    const double most = std::abs(u.x) * (std::abs(v.y * w.z) + std::abs(v.z * w.y)) +
-                        std::abs(u.y) * (std::abs(v.z * w.x) + std::abs(v.x * w.z)) +
-                        std::abs(u.z) * (std::abs(v.x * w.y) + std::abs(v.y * w.x));
-    const double error = (7.0 + 56.0 * kRounding) * kRounding * most; // Shewchuk 1997, the first bound of orient3d
-    if (det > error) return 1;
-    if (det < -error) return -1;
+namespace {
+
+// Through three points, of which it is asked for several others on which side they are.
+class Plane {
+public:
+    Plane(const Corner& a, const Corner& b, const Corner& c) : a_(a), b_(b), c_(c) {
+        const glm::dvec3 u = glm::dvec3(b) - glm::dvec3(a);
+        const glm::dvec3 v = glm::dvec3(c) - glm::dvec3(a);
+        for (int i = 0; i < 3; ++i) {
+            const double left = u[(i + 1) % 3] * v[(i + 2) % 3], right = u[(i + 2) % 3] * v[(i + 1) % 3];
+            normal_[i] = left - right;
+            most_[i] = std::abs(left) + std::abs(right);
+        }
+    }
+    // As side_of_plane().
+    [[nodiscard]] int side(const Corner& p) const {
+        const glm::dvec3 w = glm::dvec3(p) - glm::dvec3(a_);
+        const double det = w.x * normal_.x + w.y * normal_.y + w.z * normal_.z;
+        const double most = std::abs(w.x) * most_.x + std::abs(w.y) * most_.y + std::abs(w.z) * most_.z;
+        const double error = (7.0 + 56.0 * kRounding) * kRounding * most; // Shewchuk 1997, the first bound of orient3d
+        if (det > error) return 1;
+        if (det < -error) return -1;
+        return exact_side(p);
+    }
+
+private:
+    [[nodiscard]] int exact_side(const Corner& p) const;
+    const Corner &a_, &b_, &c_;
+    glm::dvec3 normal_, most_; // the second: of the products' amounts
+};
+
+int Plane::exact_side(const Corner& p) const {
     const auto row = [&](const Corner& to) {
         std::array<ExactSum, 3> parts;
         for (int i = 0; i < 3; ++i)
             parts[static_cast<std::size_t>(i)] =
-                ExactSum::difference(static_cast<double>(to[i]), static_cast<double>(a[i]));
+                ExactSum::difference(static_cast<double>(to[i]), static_cast<double>(a_[i]));
         return parts;
     };
-    const auto r = row(b);
-    const auto s = row(c);
+    const auto r = row(b_);
+    const auto s = row(c_);
     const auto t = row(p);
     ExactSum sum;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -88,6 +109,10 @@ int side_of_plane(const Corner& a, const Corner& b, const Corner& c, const Corne
     }
     return sum.sign();
 }
+
+} // namespace
+
+int side_of_plane(const Corner& a, const Corner& b, const Corner& c, const Corner& p) { return Plane(a, b, c).side(p); }
 
 int turn(const Corner& a, const Corner& b, const Corner& c, int axis) {
     const int x = (axis + 1) % 3;
@@ -109,7 +134,7 @@ int turn(const Corner& a, const Corner& b, const Corner& c, int axis) {
 
 namespace {
 
-using exact::Corner, exact::side_of_plane, exact::turn;
+using exact::Corner, exact::Plane, exact::side_of_plane, exact::turn;
 
 bool on_a_line(const Corner& a, const Corner& b, const Corner& c) {
     return turn(a, b, c, 0) == 0 && turn(a, b, c, 1) == 0 && turn(a, b, c, 2) == 0;
@@ -148,8 +173,8 @@ bool contains_in_plane(const Triangle& t, const Corner& p) {
 
 bool line_meets(const Corner& p, const Corner& q, const Triangle& t) {
     const auto& [a, b, c] = t.at;
-    const int from = side_of_plane(a, b, c, p);
-    const int to = side_of_plane(a, b, c, q);
+    const Plane plane(a, b, c);
+    const int from = plane.side(p), to = plane.side(q);
     if (from * to > 0) return false;
     if (from == 0 && to == 0) { // in the plane, or there is none
         if (lines_meet(p, q, a, b) || lines_meet(p, q, b, c) || lines_meet(p, q, c, a)) return true;
@@ -163,9 +188,11 @@ bool line_meets(const Corner& p, const Corner& q, const Triangle& t) {
 
 // Whether the corners of the one, but for so many that come first, are all on one side of the other's plane.
 bool is_beside(const Triangle& s, const Triangle& t, std::size_t first) {
-    int sum = 0;
-    for (std::size_t i = first; i < 3; ++i) sum += side_of_plane(t.at[0], t.at[1], t.at[2], s.at[i]);
-    return std::abs(sum) == static_cast<int>(3 - first);
+    const Plane plane(t.at[0], t.at[1], t.at[2]);
+    const int side = plane.side(s.at[first]);
+    for (std::size_t i = first + 1; i < 3 && side != 0; ++i)
+        if (plane.side(s.at[i]) != side) return false;
+    return side != 0;
 }
 
 // Whether the lines from a corner to two others run in one direction.
