@@ -28,6 +28,10 @@ public:
         }
     }
 
+    // Of the lowest level.
+    [[nodiscard]] Box box(std::size_t place) const {
+        return levels_.front()[place / EightBoxes::kCount].box(place % EightBoxes::kCount);
+    }
     // Calls call(place) for the boxes of the lowest level that meet this one, ascending.
     template <class Call> void for_each_meeting(const Box& box, const Call& call) const {
         if (!levels_.front().empty()) look(levels_.size() - 1, 0, box, call);

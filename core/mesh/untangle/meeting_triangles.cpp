@@ -4,12 +4,50 @@
 #include "core/mesh/untangle/exact_triangles.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 
 namespace ramus::mesh {
 
-// Those of a group are looked at together.
+namespace {
+
+constexpr std::size_t kGroup = TriangleBoxes::kGroup;
+constexpr std::size_t kBlock = EightBoxes::kCount * kGroup; // triangles
+
+// Those that are asked for of triangles that follow each other, which have the same others around them.
+class AskedBlock {
+public:
+    AskedBlock(const TriangleBoxes& boxes, std::span<const std::uint8_t> asked, std::size_t block)
+        : begin_(kBlock * block) {
+        for (std::size_t n = begin_; n < std::min(begin_ + kBlock, asked.size()); ++n)
+            if (asked[n] != 0) boxes_[(n - begin_) / kGroup].set(n % kGroup, boxes.box(n)), any_ = true;
+        for (std::size_t group = 0; any_ && group < EightBoxes::kCount; ++group)
+            groups_.set(group, boxes_[group].around());
+    }
+    [[nodiscard]] bool any() const { return any_; }
+    [[nodiscard]] std::size_t begin() const { return begin_; }
+    [[nodiscard]] TriangleBox around() const { return groups_.around(); }
+    [[nodiscard]] bool may_meet(const TriangleBox& box) const { return groups_.meeting(box) != 0; }
+    // Calls call(triangle) for those whose boxes meet this one.
+    template <class Call> void for_each_meeting(const TriangleBox& box, const Call& call) const {
+        for (unsigned groups = groups_.meeting(box); groups != 0; groups &= groups - 1) {
+            const auto group = static_cast<std::size_t>(std::countr_zero(groups));
+            for (unsigned bits = boxes_[group].meeting(box); bits != 0; bits &= bits - 1)
+                call(static_cast<std::uint32_t>(begin_ + kGroup * group) +
+                     static_cast<std::uint32_t>(std::countr_zero(bits)));
+        }
+    }
+
+private:
+    std::size_t begin_;
+    bool any_ = false;
+    std::array<EightBoxes, EightBoxes::kCount> boxes_; // by group; around nothing of what is not asked for
+    EightBoxes groups_;
+};
+
+} // namespace
+
 MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const std::uint8_t> asked,
                                    const MeetingLimits& limits, Job& job) {
     const std::span<const glm::uvec3> triangles = boxes.triangles();
@@ -20,27 +58,23 @@ MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const s
                                        : limits.looks * count;
     ListsByThread<TrianglePair> found; // each thread's as many as are listed and one more
     std::atomic<std::size_t> looks{0}, pairs{0};
-    constexpr std::size_t kGroup = TriangleBoxes::kGroup;
-    tbb::parallel_for(std::size_t{0}, (asked.size() + kGroup - 1) / kGroup, [&](std::size_t group) {
-        const std::size_t begin = kGroup * group, end = std::min(begin + kGroup, asked.size());
-        EightBoxes its; // around nothing of what is not asked for
-        bool any = false;
-        for (std::size_t n = begin; n < end; ++n)
-            if (asked[n] != 0) its.set(n - begin, boxes.box(n)), any = true;
-        if (!any || looks.load(std::memory_order_relaxed) > most_looks || job.cancelled()) return;
+    tbb::parallel_for(std::size_t{0}, (asked.size() + kBlock - 1) / kBlock, [&](std::size_t n) {
+        const AskedBlock block(boxes, asked, n);
+        if (!block.any() || looks.load(std::memory_order_relaxed) > most_looks || job.cancelled()) return;
         std::size_t its_looks = 0, its_pairs = 0;
         std::vector<TrianglePair>& list = found.local();
-        // Those before the group that are asked for find its triangles themselves.
-        const auto is_wanted = [&](std::size_t other) { return other >= begin || asked[other] == 0; };
-        boxes.for_each_in(its.around(), is_wanted, [&](std::uint32_t other, const TriangleBox& box) {
-            for (unsigned bits = its.meeting(box); bits != 0; bits &= bits - 1) {
-                const auto n = static_cast<std::uint32_t>(begin) + static_cast<std::uint32_t>(std::countr_zero(bits));
-                if (n == other || (asked[other] != 0 && other < n)) continue; // likewise
+        const auto look = [&](std::uint32_t other) {
+            if (other < block.begin() && asked[other] != 0) return; // it finds those of the block itself
+            block.for_each_meeting(boxes.box(other), [&](std::uint32_t one) {
+                if (one == other || (asked[other] != 0 && other < one)) return; // likewise
                 ++its_looks;
-                if (!triangles_meet(boxes.positions(), triangles[n], triangles[other])) continue;
+                if (!triangles_meet(boxes.positions(), triangles[one], triangles[other])) return;
                 ++its_pairs;
-                if (list.size() <= limits.pairs) list.push_back({std::min(n, other), std::max(n, other)});
-            }
+                if (list.size() <= limits.pairs) list.push_back({std::min(one, other), std::max(one, other)});
+            });
+        };
+        boxes.for_each_group_in(block.around(), [&](std::size_t group, const TriangleBox& around) {
+            if (block.may_meet(around)) boxes.for_each_of(group, look);
         });
         looks += its_looks, pairs += its_pairs;
     });

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
-#include <glm/vector_relational.hpp>
 #include <utility>
 
 namespace ramus::mesh {
@@ -24,11 +23,6 @@ TriangleBox box_around(const TriangleMesh& mesh, const TrianglePair& pair) {
             longest = std::max(longest, glm::distance(mesh.positions[t[corner]], mesh.positions[t[(corner + 1) % 3]]));
     }
     return {box.least - kReach * longest, box.most + kReach * longest};
-}
-
-bool holds(const TriangleBox& box, const TriangleBox& other) {
-    return glm::all(glm::lessThanEqual(box.least, other.least)) &&
-           glm::all(glm::greaterThanEqual(box.most, other.most));
 }
 
 // Ascending; some of them where they are more than `most`.

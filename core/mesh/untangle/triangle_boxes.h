@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <glm/vector_relational.hpp>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <span>
@@ -29,6 +30,11 @@ using TriangleBox = EightBoxes::Box; // mm
         meet &= b.least[axis] <= a.most[axis];
     }
     return meet;
+}
+// Whether a box has all of another one.
+[[nodiscard]] inline bool holds(const TriangleBox& box, const TriangleBox& other) {
+    return glm::all(glm::lessThanEqual(box.least, other.least)) &&
+           glm::all(glm::greaterThanEqual(box.most, other.most));
 }
 
 class TriangleBoxes {
@@ -70,21 +76,22 @@ public:
     [[nodiscard]] std::span<const glm::uvec3> triangles() const { return triangles_; }
     [[nodiscard]] TriangleBox box(std::size_t triangle) const { return box_of(positions_, triangles_[triangle]); }
 
+    // Calls call(group, its box) for the groups whose boxes meet this one, ascending.
+    template <class Call> void for_each_group_in(const TriangleBox& box, const Call& call) const {
+        tree_.for_each_meeting(box, [&](std::size_t group) { call(group, tree_.box(group)); });
+    }
+    // Calls call(triangle) for those of a group.
+    template <class Call> void for_each_of(std::size_t group, const Call& call) const {
+        const std::size_t end = std::min(kGroup * (group + 1), triangles_.size());
+        for (std::size_t n = kGroup * group; n < end; ++n) call(static_cast<std::uint32_t>(n));
+    }
     // Calls call(triangle) for those whose boxes meet this one, ascending.
     template <class Call> void for_each_in(const TriangleBox& box, const Call& call) const {
-        for_each_in(
-            box, [](std::size_t) { return true; }, [&](std::uint32_t n, const TriangleBox&) { call(n); });
-    }
-    // Calls call(triangle, its box) for those of them that are wanted.
-    template <class Wanted, class Call>
-    void for_each_in(const TriangleBox& box, const Wanted& is_wanted, const Call& call) const {
-        tree_.for_each_meeting(box, [&](std::size_t group) {
-            const std::size_t end = std::min(kGroup * (group + 1), triangles_.size());
-            for (std::size_t n = kGroup * group; n < end; ++n) {
-                if (!is_wanted(n)) continue; // which takes less to find than its box
-                const TriangleBox its = this->box(n);
-                if (boxes_meet(its, box)) call(static_cast<std::uint32_t>(n), its);
-            }
+        for_each_group_in(box, [&](std::size_t group, const TriangleBox& around) {
+            const bool all = holds(box, around); // of such a group it is known without their boxes
+            for_each_of(group, [&](std::uint32_t n) {
+                if (all || boxes_meet(this->box(n), box)) call(n);
+            });
         });
     }
 

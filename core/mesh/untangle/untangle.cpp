@@ -4,8 +4,10 @@
 #include "core/mesh/untangle/patches.h"
 
 #include <algorithm>
+#include <atomic>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <oneapi/tbb/parallel_for.h>
 #include <optional>
 #include <utility>
 
@@ -25,7 +27,11 @@ constexpr std::size_t kMostLooks = 400;         // for each triangle asked for; 
 std::vector<std::uint8_t> suspects(const TriangleMesh& mesh, const Folds& folds, std::span<const TriangleBox> places) {
     std::vector<std::uint8_t> suspected(mesh.triangles.size(), 0);
     for (const std::uint32_t n : folds.triangles) suspected[n] = 1;
-    for (const TriangleBox& place : places) folds.boxes.for_each_in(place, [&](std::uint32_t n) { suspected[n] = 1; });
+    tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t place) {
+        folds.boxes.for_each_in(places[place], [&](std::uint32_t n) {
+            std::atomic_ref(suspected[n]).store(1, std::memory_order_relaxed); // places may share triangles
+        });
+    });
     return suspected;
 }
 
