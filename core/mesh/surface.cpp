@@ -14,10 +14,13 @@
 #include "core/mesh/systems.h"
 #include "core/mesh/untangle/places_apart.h"
 #include "core/mesh/untangle/untangle.h"
+#include "core/tree/contacts/links.h"
 #include "core/tree/curves.h"
 
 #include <algorithm>
 #include <memory>
+#include <oneapi/tbb/parallel_invoke.h>
+#include <optional>
 
 namespace ramus::mesh {
 
@@ -139,7 +142,13 @@ field::ConvolutionField plain_sum(const tree::VesselTree& source, const SurfaceO
 Result<field::VesselField> feasible_field(const tree::VesselTree& source, const SurfaceOptions& options,
                                           const PreparedTree& prepared,
                                           std::span<const std::vector<std::uint8_t>> parts, PolygonizeMode mode) {
-    const field::ConvolutionField sum = plain_sum(source, options, prepared);
+    std::optional<field::ConvolutionField> made;
+    std::optional<tree::Links> links;
+    tbb::parallel_invoke([&] { made = plain_sum(source, options, prepared); },
+                         [&] {
+                             if (options.blend == Blend::kTree) links.emplace(prepared);
+                         });
+    const field::ConvolutionField& sum = *made;
     const field::VesselField merged(sum, std::make_shared<const tree::Contacts>());
     for (const auto& part : parts) {
         const field::VesselField one = part.empty() ? merged : merged.without(part);
@@ -149,7 +158,7 @@ Result<field::VesselField> feasible_field(const tree::VesselTree& source, const 
     }
     if (options.blend != Blend::kTree) return merged;
     return field::VesselField(
-        sum, std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, kernel_of(options).limits)));
+        sum, std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, *links, kernel_of(options).limits)));
 }
 
 Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,

@@ -80,7 +80,10 @@ ContactLimits limits_of_gaussian(double width) {
 }
 
 Contacts find_contacts(const PreparedTree& prepared, const ContactLimits& limits) {
-    const Links links(prepared);
+    return find_contacts(prepared, Links(prepared), limits);
+}
+
+Contacts find_contacts(const PreparedTree& prepared, const Links& links, const ContactLimits& limits) {
     const TouchingLinks touching(links, limits.reach, limits.merged);
     const Islands islands = find_islands(links, touching, limits);
     Contacts contacts;

@@ -28,6 +28,8 @@
 
 namespace ramus::tree {
 
+class Links;
+
 // One of the two vessels of a contact.
 struct ContactSide {
     std::vector<int> branches; // ids in the file's tree, ascending
@@ -92,5 +94,7 @@ struct ContactLimits {
 [[nodiscard]] ContactLimits limits_of_gaussian(double width);
 
 [[nodiscard]] Contacts find_contacts(const PreparedTree& prepared, const ContactLimits& limits);
+// The same with the links of that tree, which depend on no limits.
+[[nodiscard]] Contacts find_contacts(const PreparedTree& prepared, const Links& links, const ContactLimits& limits);
 
 } // namespace ramus::tree
