@@ -5,8 +5,12 @@
 #include "core/mesh/loops/cut_loop.h"
 
 #include <algorithm>
+#include <atomic>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <map>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_reduce.h>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -28,12 +32,18 @@ constexpr std::size_t kMostSteps = 200'000'000, kCapSteps = 300;
 // Pieces less loops: half of the Euler characteristic.
 std::int64_t half_characteristic(const TriangleMesh& mesh) {
     std::vector<std::uint8_t> used(mesh.positions.size(), 0);
-    std::int64_t triangles = 0;
-    for (const glm::uvec3& triangle : mesh.triangles) {
-        if (triangle.x == triangle.y) continue;
-        for (int corner = 0; corner < 3; ++corner) used[triangle[corner]] = 1;
-        ++triangles;
-    }
+    const auto mark = [&](const tbb::blocked_range<std::size_t>& range, std::int64_t triangles) {
+        for (std::size_t n = range.begin(); n < range.end(); ++n) {
+            const glm::uvec3& triangle = mesh.triangles[n];
+            if (triangle.x == triangle.y) continue;
+            for (int corner = 0; corner < 3; ++corner)
+                std::atomic_ref(used[triangle[corner]]).store(1, std::memory_order_relaxed); // threads share vertices
+            ++triangles;
+        }
+        return triangles;
+    };
+    const auto triangles = tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, mesh.triangles.size()),
+                                                std::int64_t{0}, mark, std::plus<>());
     return (static_cast<std::int64_t>(std::ranges::count(used, 1)) - triangles / 2) / 2;
 }
 
