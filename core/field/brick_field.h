@@ -221,7 +221,8 @@ public:
     // The last place on a straight way that is a vessel's; it is at `from`, and not at `to`. Relative to the brick's
     // corner, mm. `guess`: the share of the way where it may be.
     [[nodiscard]] virtual OwnedPoint way_out(Owner owner, const glm::vec3& from, const glm::vec3& to, float guess);
-    // After project(): does it again for those points whose vessel is near another that it is kept apart from.
+    // After project(): does it again for those points whose vessel is near another that it is kept apart from. Those
+    // that stay kFree and that nobody owns need not be among them.
     virtual std::uint64_t project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
                                         const SurfacePoints& to);
 };

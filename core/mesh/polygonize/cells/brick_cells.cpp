@@ -9,6 +9,7 @@
 #include <mutex>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
 #include <utility>
 
 namespace ramus::mesh::bricks {
@@ -186,7 +187,7 @@ void fill_subtrees(const field::Field& field, const Octree& octree, std::span<co
     tbb::enumerable_thread_specific<BrickSampler> samplers([&] { return BrickSampler(field); });
     tbb::enumerable_thread_specific<Specks> specks([&] { return Specks(field); });
     std::atomic<std::size_t> done{0};
-    tbb::parallel_for(std::size_t{0}, subtrees.size(), [&](std::size_t t) {
+    const auto fill = [&](std::size_t t) {
         if (job.cancelled()) return;
         BrickSampler& sampler = samplers.local();
         const Subtree& subtree = octree.subtrees[subtrees[t]];
@@ -212,7 +213,9 @@ void fill_subtrees(const field::Field& field, const Octree& octree, std::span<co
         made.vertex_count = vertices.count - made.first_vertex;
         surface.subtrees[subtrees[t]] = std::move(made);
         job.report(static_cast<float>(++done) / static_cast<float>(subtrees.size()));
-    });
+    };
+    // One at a time: those with contacts take many times as long as others, and often follow each other.
+    tbb::parallel_for(std::size_t{0}, subtrees.size(), fill, tbb::simple_partitioner());
 }
 
 } // namespace ramus::mesh::bricks

@@ -161,7 +161,9 @@ void BrickSampler::sort_cells(BrickCells& cells) {
             const int at = low + offset;
             if ((inside >> at & 1) == 0) continue;
             const glm::ivec3 p = 2 * grid_point(at);
-            owned_.push_back({n, owners_.at(p.x, p.y, p.z)});
+            const field::Owner owner = owners_.at(p.x, p.y, p.z);
+            if (owner == field::kNoOwner) break; // nothing is kept apart there, as in most cells
+            owned_.push_back({n, owner});
             keep_within(owned_.back(), grid_point(low));
             break;
         }
@@ -238,10 +240,11 @@ void BrickSampler::keep_within(field::OwnedGuess& vertex, glm::ivec3 cell) const
 
 void BrickSampler::add_vertex(glm::vec3 guess, glm::ivec3 cell, bool alone, const field::OwnedGuess& whose) {
     const glm::vec3 centre = (glm::vec3(cell) + 0.5F) * cell_mm_;
-    if (field_->parts_vessels()) {
+    const bool free = whose.place == field::OwnedGuess::Place::kFree;
+    if (field_->parts_vessels() && !(free && whose.owner == field::kNoOwner)) {
         owned_.push_back(whose);
         owned_.back().guess = static_cast<std::uint32_t>(guesses_.size());
-        if (whose.place == field::OwnedGuess::Place::kFree) keep_within(owned_.back(), cell);
+        if (free) keep_within(owned_.back(), cell);
     }
     // Where a cell has several vertices, each keeps to the neighbourhood of its own crossings: in one common box two of
     // them could end up at the same corner.
