@@ -37,17 +37,18 @@ VesselBrick::Known& VesselBrick::known(const glm::dvec3& point) {
 
 VesselBrick::Verdict VesselBrick::judge(const glm::dvec3& point, float plain) {
     views_.look(point);
-    const VesselViews::Sight sight = views_.sight();
     Verdict verdict{plain, kNoOwner};
+    if (views_.alone()) return verdict;
     std::uint32_t place = VesselViews::kNone;
-    if (sight == VesselViews::Sight::kParted && !views_.is_undisputed(plain)) {
+    const bool disputed = !views_.is_undisputed(plain); // which takes less to find than the sight
+    const VesselViews::Sight sight = disputed ? views_.sight() : VesselViews::Sight::kPlain;
+    if (sight == VesselViews::Sight::kParted) {
         kernels_ += views_.add_terms();
         const VesselViews::Verdict seen = views_.judge();
         verdict.value = static_cast<float>(seen.value);
         place = seen.owner;
-    } else {
-        if (views_.alone()) return verdict;
-        if (sight == VesselViews::Sight::kCut) verdict.value = std::min(plain, std::nextafter(views_.isovalue(), 0.0F));
+    } else if (sight == VesselViews::Sight::kCut) {
+        verdict.value = std::min(plain, std::nextafter(views_.isovalue(), 0.0F));
     }
     if (place == VesselViews::kNone) place = views_.nearest();
     if (place != VesselViews::kNone) verdict.owner = static_cast<Owner>(views_.list()[place]);

@@ -180,11 +180,6 @@ std::uint64_t VesselViews::add_terms() {
     return terms_.count;
 }
 
-glm::dvec3 VesselViews::gradient(std::uint32_t place) const {
-    return {terms_.row(SegmentTerms::kGradientX)[place], terms_.row(SegmentTerms::kGradientY)[place],
-            terms_.row(SegmentTerms::kGradientZ)[place]};
-}
-
 VesselViews::Vessel& VesselViews::vessel(std::uint32_t place) {
     for (std::size_t n = 0; n < known_count_; ++n)
         if (known_vessels_[n].place == place) return known_vessels_[n];
@@ -216,6 +211,10 @@ double VesselViews::value(std::uint32_t own) {
 }
 
 VesselView VesselViews::view(std::uint32_t own) {
+    const auto gradient = [x = terms_.row(SegmentTerms::kGradientX), y = terms_.row(SegmentTerms::kGradientY),
+                           z = terms_.row(SegmentTerms::kGradientZ)](std::uint32_t n) {
+        return glm::dvec3(x[n], y[n], z[n]);
+    };
     if (!std::exchange(gradient_known_, true)) {
         glm::dvec3 sum(0.0);
         for (const std::uint32_t n : seen()) sum += gradient(n);

@@ -58,8 +58,8 @@ public:
     // Of a plain sight: whether a vessel's way to the point may be cut nearby.
     [[nodiscard]] bool beside_contact() const { return beside_contact_; }
 
-    // After a parted sight, of a point where the plain sum is known: whether the nearest vessel has it whatever is left
-    // out, since all that it is kept apart from is too far away to claim it, and too weak.
+    // Of a point where the plain sum is known: whether the nearest vessel has it whatever is left out, since all that
+    // it is kept apart from is too far away to claim it, and too weak. Then nothing cuts it off either.
     [[nodiscard]] bool is_undisputed(float plain);
 
     // Of a segment: the distance of its axis in mm, the radius at the foot, and the foot.
@@ -119,7 +119,6 @@ private:
     [[nodiscard]] int piece(std::uint32_t place) const { return contacts_.piece(place); }
     [[nodiscard]] glm::dvec3 foot_as_it_counts(std::uint32_t own);
     void list_moved();
-    [[nodiscard]] glm::dvec3 gradient(std::uint32_t place) const; // of the term
     void find_zone(const GridAxes& axes);
     [[nodiscard]] const PieceShape* shape_of(std::uint32_t place) const; // null: it is in contact with nothing
     void list_axes();
