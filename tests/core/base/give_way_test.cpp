@@ -41,7 +41,7 @@ void run(Worker& worker, const std::function<void()>& work) {
 }
 
 // They go on to give way: a case shows what it is to where it has a process of its own, as ctest gives it.
-const bool has_helpers = std::thread::hardware_concurrency() > 1;
+const bool kHasHelpers = std::thread::hardware_concurrency() > 1;
 
 } // namespace
 
@@ -55,12 +55,12 @@ TEST_CASE("give way: a worker does so, and those who help with its work") {
     });
     CHECK(worker_does);
     CHECK(gives_way() == before);
-    CHECK(helper_does == has_helpers);
+    CHECK(helper_does == kHasHelpers);
 }
 
 TEST_CASE("give way: those who help in an arena do as who asked for it") {
     Worker worker([] {});
     bool helper_does = false;
     run(worker, [&] { helper_does = helper_in_arena_gives_way(1000); });
-    CHECK(helper_does == has_helpers);
+    CHECK(helper_does == kHasHelpers);
 }
