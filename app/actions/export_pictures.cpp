@@ -7,6 +7,9 @@
 #include "app/reports/table_kinds.h"
 #include "core/io/output_file.h"
 
+#include <memory>
+#include <utility>
+
 namespace ramus::app::actions {
 
 namespace {
@@ -40,11 +43,16 @@ Result<Outcome> export_table(ActionContext& context, const Export& wanted) {
     if (kind != nullptr && !kind->there(document, context.assets))
         return fail("there is nothing to report of " + wanted.table, {},
                     "cut, place a lesion, select or measure first");
-    const Table table = kind != nullptr
-                            ? kind->table(document, context.assets)
-                            : branches_table(document, context.assets, ids_of(exported_branches(document, wanted.of)));
-    if (auto written = io::write_file(wanted.file, csv_of(table)); !written) return tl::unexpected(written.error());
-    return written_now(context, wanted, saved_text("Table", wanted));
+    // Of the document as it is now: of a large tree the table takes longer than a frame.
+    const auto now = std::make_shared<const std::pair<Document, Assets>>(document, context.assets);
+    const auto work = [now, kind, wanted](Job&) -> Result<Continuation> {
+        const auto& [then, assets] = *now;
+        const Table table = kind != nullptr ? kind->table(then, assets)
+                                            : branches_table(then, assets, ids_of(exported_branches(then, wanted.of)));
+        if (auto written = io::write_file(wanted.file, csv_of(table)); !written) return tl::unexpected(written.error());
+        return has_written(wanted.file, saved_text("Table", wanted));
+    };
+    return Pending{"Exporting " + wanted.file.filename().string(), work};
 }
 
 Result<Outcome> export_report(ActionContext& context, const Export& wanted) {
