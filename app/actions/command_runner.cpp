@@ -90,6 +90,12 @@ Result<const Command*> command_of(std::span<const std::string> words) {
     return command;
 }
 
+// What an exception has ended.
+tl::unexpected<Error> given_up(const std::string& why, const std::string& activity) {
+    return fail("the work was given up: " + why, activity,
+                why == "std::bad_alloc" ? "there is not enough memory for it" : "");
+}
+
 bool enabled(const ActionContext& context, const Command& command) {
     return command.enabled == nullptr || command.enabled(context.document);
 }
@@ -216,13 +222,11 @@ void CommandRunner::begin_work() {
 std::vector<Error> CommandRunner::update(ActionContext& context) {
     std::vector<Error> failed;
     brief_worker_.drain();
-    if (const std::string why = brief_worker_.take_failure(); !why.empty())
-        *brief_ = fail("the work was given up: " + why);
+    if (const std::string why = brief_worker_.take_failure(); !why.empty()) *brief_ = given_up(why, {});
     take_turns(context, failed);
     worker_.drain();
     if (const std::string why = worker_.take_failure(); !why.empty() && !pending_.empty())
-        worked_ = fail("the work was given up: " + why, pending_.front().pending.activity,
-                       why == "std::bad_alloc" ? "there is not enough memory for it" : "");
+        worked_ = given_up(why, pending_.front().pending.activity);
     const auto outdated = [&](const Waiting& waiting) { return waiting.tree != context.document.base_tree(); };
     if (!pending_.empty() && outdated(pending_.front())) {
         worker_.cancel();

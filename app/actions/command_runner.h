@@ -24,9 +24,8 @@ namespace ramus::app {
 // For a window, which must not wait: the work of pending commands is done on a thread of its own, in the order in which
 // they came, each finished before the next begins. Commands that need no work do not wait for those: a person goes on
 // while a file is read. They do wait for what is awaited of the picture, for a click that selects, say, and for brief
-// work. What belongs to
-// one tree is dropped when another is opened; a command that has waited while the tree was edited, and may name
-// branches by their ids, is refused. For one thread, its owner's.
+// work. What belongs to one tree is dropped when another is opened; a command that has waited while the tree was
+// edited, and may name branches by their ids, is refused. For one thread, its owner's.
 class CommandRunner {
 public:
     // `wake` is called on another thread when update() has something to do.

@@ -36,7 +36,7 @@ const Command* menu_entry(std::string_view name) {
     return at == table.end() ? nullptr : &*at;
 }
 
-// Without the title of the menu that a command is listed under what it does to the selection is named.
+// No title of a menu stands above these entries: what selects says so itself.
 std::string label_here(const Command& command, const Document& document) {
     std::string label = label_of(command, document);
     if (command.menu != "Select") return label;
