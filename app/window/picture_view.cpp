@@ -85,7 +85,7 @@ bool PictureView::draw(bool dragging) {
         begun_tree_ = state_.workspace.document.tree();
         drawer_.draw(sheet_, kUploadBudget, watched ? kDrawingSeconds : render::kUntilDone);
         begun_at_ = state_.now;
-        take_picture(watched ? kPatience : render::kUntilDone, taken);
+        take_picture(watched ? patience() : render::kUntilDone, taken);
     }
     tell_preparing();
     state_.did("picture");
@@ -93,6 +93,14 @@ bool PictureView::draw(bool dragging) {
     tell_nothing_in_view();
     state_.did("depths");
     return taken.shaded;
+}
+
+// Seconds that this frame waits for a picture that is drawn elsewhere. Of another size a software rasteriser has it no
+// sooner than the next frame, and takes long for this one as well.
+double PictureView::patience() const {
+    const bool resized = drawer_.has_picture() && drawer_.shown_size() != sheet_.size;
+    if (resized && render::is_software_rasteriser()) return 0.0;
+    return std::max(0.0, kPatience - state_.frame.seconds());
 }
 
 void PictureView::take_picture(double seconds, Taken& taken) {
@@ -247,7 +255,7 @@ bool PictureView::refine(bool stirred) {
     if (refines_ && !drawer_.busy() && state_.now >= stirred_at_ + kRefiningRest) {
         drawer_.refine(sheet_, kDrawingSeconds);
         Taken none;
-        take_picture(kPatience, none);
+        take_picture(patience(), none);
     }
     return std::exchange(finer_, false);
 }

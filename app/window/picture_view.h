@@ -78,7 +78,7 @@ private:
     }
     static constexpr float kToolBarHeight = 48.0F; // points at the top of the picture that the tools' bar takes
     static constexpr double kGlideSeconds = 0.35;
-    static constexpr double kPatience = 0.03;     // seconds that a frame waits for a picture that is drawn elsewhere
+    static constexpr double kPatience = 0.03;     // seconds of a frame: until then it waits for a picture
     static constexpr double kUntilTold = 0.25;    // seconds after which a person is told that there is one to come
     static constexpr double kSlowToRefine = 3.0;  // seconds of a full picture; one that takes more is fine enough
     static constexpr double kRefiningRest = 0.5;  // seconds that nothing happens before the picture gets finer
@@ -100,6 +100,7 @@ private:
         bool shaded = false, geometry = false;
     };
     void take_picture(double seconds, Taken& taken);
+    [[nodiscard]] double patience() const;
     void take(const PictureDrawer::Made& made);
     void tell_preparing();
     void take_depths();

@@ -55,6 +55,7 @@ void Viewer::resize(glm::ivec2 window, float scale) {
 
 bool Viewer::draw(double now, unsigned framebuffer) {
     state_.now = now;
+    state_.frame = {};
     lay_out();
     take_news();
     state_.did("news");

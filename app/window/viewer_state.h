@@ -6,6 +6,7 @@
 #include "app/panels/interface.h"
 #include "app/picture/compose_sheet.h"
 #include "app/workspace/workspace.h"
+#include "core/base/stopwatch.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -37,6 +38,7 @@ struct ViewerState {
     std::shared_ptr<const tree::VesselTree> tree; // that the panels know
     float scale = 1.0F;                           // pixels per point
     double now = 0.0;                             // seconds, of the last event or frame
+    Stopwatch frame;                              // since the frame began
     int frames_left = kFramesAfterEvent;
     std::uint64_t presented = 0; // fingerprint of the interface that is on the screen
     bool persons_window = false; // not a picture of one: settings and recent files are kept
