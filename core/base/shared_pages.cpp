@@ -1,7 +1,8 @@
 #include "core/base/shared_pages.h"
 
+#include "core/base/give_back.h"
+
 #include <sys/mman.h>
-#include <thread>
 #include <unistd.h>
 
 namespace ramus {
@@ -25,7 +26,6 @@ std::shared_ptr<const SharedPages> SharedPages::make(std::size_t bytes) {
 #endif
 }
 
-// The system takes long for many pages, and whoever is the last to read them may have no time: another thread waits.
 SharedPages::~SharedPages() {
     const auto give_back = [data = data_, bytes = bytes_, file = file_] {
         munmap(data, bytes);
@@ -35,7 +35,7 @@ SharedPages::~SharedPages() {
     if (bytes_ < kMany)
         give_back();
     else
-        std::thread(give_back).detach();
+        give_back_elsewhere(give_back);
 }
 
 void* SharedPages::mapped_again() const {

@@ -1,5 +1,6 @@
 #include "render/gl/gl_objects.h"
 
+#include "core/base/give_back.h"
 #include "render/gl/gl_context.h"
 #include "render/gl/gl_floor.h"
 #include "render/gl/shader_text.h"
@@ -9,7 +10,6 @@
 #include <limits>
 #include <string>
 #include <sys/mman.h>
-#include <thread>
 #include <vector>
 
 namespace ramus::render {
@@ -105,10 +105,10 @@ constexpr GLenum kOwnMemory = 0x9160; // GL_EXTERNAL_VIRTUAL_MEMORY_BUFFER_AMD
 
 } // namespace
 
-// What was drawn from them is waited for. The system takes long for many pages: another thread waits for that.
+// What was drawn from them is waited for.
 void GiveBackPages::operator()(void* pages) const {
     glFinish();
-    std::thread([pages, all = bytes] { munmap(pages, all); }).detach();
+    give_back_elsewhere([pages, all = bytes] { munmap(pages, all); });
 }
 
 LargeBuffer::LargeBuffer(std::size_t bytes) {

@@ -1,16 +1,14 @@
 #include "render/scene/paged_mesh.h"
 
-#include "core/base/give_way.h"
+#include "core/base/give_back.h"
 
 #include <algorithm>
-#include <exception>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <limits>
 #include <oneapi/tbb/parallel_for.h>
 #include <optional>
-#include <thread>
 #include <utility>
 
 namespace ramus::render {
@@ -327,15 +325,11 @@ std::vector<glm::vec3> PagedMesh::farthest(std::span<const glm::dvec3> direction
 std::shared_ptr<const PagedMesh> shared(PagedMesh mesh) {
     constexpr std::uint64_t kLarge = 2'000'000; // triangles
     const auto give_back = [](const PagedMesh* whole) {
-        std::unique_ptr<const PagedMesh> last(whole);
-        if (whole->triangle_count() < kLarge) return;
-        try {
-            std::thread([pages = std::move(last)]() mutable {
-                give_way();
-                pages.reset();
-            }).detach();
-        } catch (const std::exception&) { // the system has no more threads: it was given back here
-        }
+        const auto let_go = [whole] { const std::unique_ptr<const PagedMesh> last(whole); };
+        if (whole->triangle_count() < kLarge)
+            let_go();
+        else
+            give_back_elsewhere(let_go);
     };
     return {new PagedMesh(std::move(mesh)), give_back};
 }

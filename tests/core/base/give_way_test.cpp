@@ -1,4 +1,5 @@
 #include "core/base/bounded.h"
+#include "core/base/give_back.h"
 #include "core/base/give_way.h"
 #include "core/base/worker.h"
 
@@ -6,8 +7,11 @@
 #include <chrono>
 #include <doctest/doctest.h>
 #include <functional>
+#include <future>
+#include <memory>
 #include <oneapi/tbb/parallel_for.h>
 #include <thread>
+#include <utility>
 
 using namespace ramus;
 
@@ -63,4 +67,12 @@ TEST_CASE("give way: those who help in an arena do as who asked for it") {
     bool helper_does = false;
     run(worker, [&] { helper_does = helper_in_arena_gives_way(1000); });
     CHECK(helper_does == kHasHelpers);
+}
+
+TEST_CASE("give way: what gives memory back is done on another thread, which does so") {
+    const auto done = std::make_shared<std::promise<std::pair<std::thread::id, bool>>>();
+    give_back_elsewhere([done] { done->set_value({std::this_thread::get_id(), gives_way()}); });
+    const std::pair by = done->get_future().get();
+    CHECK(by.first != std::this_thread::get_id());
+    CHECK(by.second);
 }
