@@ -5,10 +5,6 @@
 #include "app/assets/assets.h"
 #include "app/picture/video_file.h"
 #include "app/reports/table_kinds.h"
-#include "core/io/output_file.h"
-
-#include <memory>
-#include <utility>
 
 namespace ramus::app::actions {
 
@@ -43,16 +39,11 @@ Result<Outcome> export_table(ActionContext& context, const Export& wanted) {
     if (kind != nullptr && !kind->there(document, context.assets))
         return fail("there is nothing to report of " + wanted.table, {},
                     "cut, place a lesion, select or measure first");
-    // Of the document as it is now: of a large tree the table takes longer than a frame.
-    const auto now = std::make_shared<const std::pair<Document, Assets>>(document, context.assets);
-    const auto work = [now, kind, wanted](Job&) -> Result<Continuation> {
-        const auto& [then, assets] = *now;
-        const Table table = kind != nullptr ? kind->table(then, assets)
-                                            : branches_table(then, assets, ids_of(exported_branches(then, wanted.of)));
-        if (auto written = io::write_file(wanted.file, csv_of(table)); !written) return tl::unexpected(written.error());
-        return has_written(wanted.file, saved_text("Table", wanted));
+    const auto table = [kind, of = wanted.of](const Document& then, const Assets& assets) {
+        return kind != nullptr ? kind->table(then, assets)
+                               : branches_table(then, assets, ids_of(exported_branches(then, of)));
     };
-    return Pending{"Exporting " + wanted.file.filename().string(), work};
+    return writing_table(context, wanted.file, table, saved_text("Table", wanted));
 }
 
 Result<Outcome> export_report(ActionContext& context, const Export& wanted) {

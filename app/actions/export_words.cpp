@@ -1,11 +1,15 @@
 #include "app/actions/export_words.h"
 
 #include "app/actions/arguments.h"
+#include "app/assets/assets.h"
 #include "app/picture/surface_names.h"
 #include "app/reports/table_kinds.h"
+#include "core/io/output_file.h"
 #include "core/io/text_numbers.h"
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 namespace ramus::app::actions {
 
@@ -102,6 +106,19 @@ Continuation has_written(fs::path file, std::string sentence) {
         if (then.window != nullptr) then.window->wrote(file, sentence);
         return Result<void>{};
     };
+}
+
+Pending writing_table(const ActionContext& context, fs::path file, TableOf table, std::string sentence) {
+    const auto now = std::make_shared<const std::pair<Document, Assets>>(context.document, context.assets);
+    const std::string activity = "Writing " + file.filename().string();
+    const auto work = [now, file = std::move(file), table = std::move(table),
+                       sentence = std::move(sentence)](Job&) -> Result<Continuation> {
+        const auto& [document, assets] = *now;
+        if (auto written = io::write_file(file, csv_of(table(document, assets))); !written)
+            return tl::unexpected(written.error());
+        return has_written(file, sentence);
+    };
+    return {activity, work};
 }
 
 } // namespace ramus::app::actions

@@ -3,9 +3,11 @@
 
 #include "app/actions/action.h"
 #include "app/actions/export_kinds.h"
+#include "app/reports/report_tables.h"
 #include "core/io/meshes/mesh_names.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,6 +38,10 @@ struct Export {
 [[nodiscard]] Result<void> expect_extension(const Export& wanted, std::string_view extension, const char* what);
 // The end of pending work: nothing is changed, something is said, and the window offers the folder.
 [[nodiscard]] Continuation has_written(std::filesystem::path file, std::string sentence);
+// Work that writes a table as CSV, of the document as it is now: of a large tree it takes longer than a frame.
+using TableOf = std::function<Table(const Document&, const Assets&)>;
+[[nodiscard]] Pending writing_table(const ActionContext& context, std::filesystem::path file, TableOf table,
+                                    std::string sentence);
 
 // What the kinds do; the words are checked.
 [[nodiscard]] Result<Outcome> export_table(ActionContext& context, const Export& wanted);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<void> write_csv(ActionContext& context, const std::filesystem::path& path, std::string_view wanted) {
+Result<Outcome> write_csv(ActionContext& context, const fs::path& path, std::string_view wanted) {
     const Document& document = context.document;
     const Assets& assets = context.assets;
     const auto there = [&](const TableKind& kind) { return kind.there(document, assets); };
@@ -30,9 +30,8 @@ Result<void> write_csv(ActionContext& context, const std::filesystem::path& path
     if (!there(*kind))
         return fail("there is nothing to report of " + std::string(kind->name), {},
                     "cut, place a lesion, select or measure first");
-    if (auto written = io::write_file(path, csv_of(kind->table(document, assets))); !written) return written;
-    context.say("Report of " + std::string(kind->name) + " saved: " + path.string());
-    return {};
+    return writing_table(context, fs::absolute(path).lexically_normal(), kind->table,
+                         "Report of " + std::string(kind->name) + " saved: " + path.string());
 }
 
 Result<std::vector<ReportPicture>> take_pictures(ActionContext& context) {
@@ -89,7 +88,7 @@ Result<Outcome> report(ActionContext& context, Arguments arguments) {
     const std::string extension = io::lower_case(path.extension().string());
     complete_lesions(context.assets, context.document);
     if (context.window == nullptr) complete_contacts(context.assets, context.document); // a window has them soon
-    if (extension == ".csv") return outcome_of(write_csv(context, path, arguments.size() == 2 ? arguments[1] : ""));
+    if (extension == ".csv") return write_csv(context, path, arguments.size() == 2 ? arguments[1] : "");
     if (extension != ".html" && extension != ".htm")
         return fail("a report is a .csv or an .html file", path.string(), "give the name one of these endings");
     if (arguments.size() == 2)
