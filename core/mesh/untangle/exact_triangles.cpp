@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <cstdint>
 #include <vector>
 
 namespace ramus::mesh {
@@ -52,42 +52,9 @@ private:
     std::vector<double> terms_;
 };
 
-constexpr double kRounding = 0.5 * std::numeric_limits<double>::epsilon();
-
 } // namespace
 
 namespace exact {
-
-namespace {
-
-// Through three points, of which it is asked for several others on which side they are.
-class Plane {
-public:
-    Plane(const Corner& a, const Corner& b, const Corner& c) : a_(a), b_(b), c_(c) {
-        const glm::dvec3 u = glm::dvec3(b) - glm::dvec3(a);
-        const glm::dvec3 v = glm::dvec3(c) - glm::dvec3(a);
-        for (int i = 0; i < 3; ++i) {
-            const double left = u[(i + 1) % 3] * v[(i + 2) % 3], right = u[(i + 2) % 3] * v[(i + 1) % 3];
-            normal_[i] = left - right;
-            most_[i] = std::abs(left) + std::abs(right);
-        }
-    }
-    // As side_of_plane().
-    [[nodiscard]] int side(const Corner& p) const {
-        const glm::dvec3 w = glm::dvec3(p) - glm::dvec3(a_);
-        const double det = w.x * normal_.x + w.y * normal_.y + w.z * normal_.z;
-        const double most = std::abs(w.x) * most_.x + std::abs(w.y) * most_.y + std::abs(w.z) * most_.z;
-        const double error = (7.0 + 56.0 * kRounding) * kRounding * most; // Shewchuk 1997, the first bound of orient3d
-        if (det > error) return 1;
-        if (det < -error) return -1;
-        return exact_side(p);
-    }
-
-private:
-    [[nodiscard]] int exact_side(const Corner& p) const;
-    const Corner &a_, &b_, &c_;
-    glm::dvec3 normal_, most_; // the second: of the products' amounts
-};
 
 int Plane::exact_side(const Corner& p) const {
     const auto row = [&](const Corner& to) {
@@ -109,8 +76,6 @@ int Plane::exact_side(const Corner& p) const {
     }
     return sum.sign();
 }
-
-} // namespace
 
 int side_of_plane(const Corner& a, const Corner& b, const Corner& c, const Corner& p) { return Plane(a, b, c).side(p); }
 
@@ -272,6 +237,20 @@ bool triangles_meet(std::span<const glm::vec3> positions, const glm::uvec3& s, c
     default:
         return true;
     }
+}
+
+// Two that share an edge lie in one plane where one is on the other; of those that share less, it is the first thing
+// that triangles_meet() looks at.
+bool surely_beside(std::span<const glm::vec3> positions, const Plane& plane, const glm::uvec3& s, const glm::uvec3& t) {
+    int side = 0;
+    for (int corner = 0; corner < 3; ++corner) {
+        const std::uint32_t n = t[corner];
+        if (n == s.x || n == s.y || n == s.z) continue;
+        const int its = plane.sure_side(positions[n]);
+        if (its == 0 || its == -side) return false;
+        side = its;
+    }
+    return side != 0;
 }
 
 } // namespace ramus::mesh

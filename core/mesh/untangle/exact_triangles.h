@@ -3,7 +3,9 @@
 // Triangles contain their edges and corners, and may have no area.
 #pragma once
 
+#include <cmath>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 
 namespace ramus::mesh {
@@ -11,6 +13,41 @@ namespace ramus::mesh {
 namespace exact {
 
 using Corner = glm::vec3;
+
+constexpr double kRounding = 0.5 * std::numeric_limits<double>::epsilon();
+
+// Through three points, of which it is asked for several others on which side they are.
+class Plane {
+public:
+    Plane() = default;
+    Plane(const Corner& a, const Corner& b, const Corner& c) : a_(a), b_(b), c_(c) {
+        const glm::dvec3 u = glm::dvec3(b) - glm::dvec3(a);
+        const glm::dvec3 v = glm::dvec3(c) - glm::dvec3(a);
+        for (int i = 0; i < 3; ++i) {
+            const double left = u[(i + 1) % 3] * v[(i + 2) % 3], right = u[(i + 2) % 3] * v[(i + 1) % 3];
+            normal_[i] = left - right;
+            most_[i] = std::abs(left) + std::abs(right);
+        }
+    }
+    // As side_of_plane(), or 0 where rounding leaves a doubt.
+    [[nodiscard]] int sure_side(const Corner& p) const {
+        const glm::dvec3 w = glm::dvec3(p) - glm::dvec3(a_);
+        const double det = w.x * normal_.x + w.y * normal_.y + w.z * normal_.z;
+        const double most = std::abs(w.x) * most_.x + std::abs(w.y) * most_.y + std::abs(w.z) * most_.z;
+        const double error = (7.0 + 56.0 * kRounding) * kRounding * most; // Shewchuk 1997, the first bound of orient3d
+        return det > error ? 1 : det < -error ? -1 : 0;
+    }
+    // As side_of_plane().
+    [[nodiscard]] int side(const Corner& p) const {
+        const int sure = sure_side(p);
+        return sure != 0 ? sure : exact_side(p);
+    }
+
+private:
+    [[nodiscard]] int exact_side(const Corner& p) const;
+    Corner a_{0.0F}, b_{0.0F}, c_{0.0F};
+    glm::dvec3 normal_{0.0}, most_{0.0}; // the second: of the products' amounts
+};
 
 // The sign of det(b - a, c - a, p - a): on which side of the plane through a, b and c the point is.
 [[nodiscard]] int side_of_plane(const Corner& a, const Corner& b, const Corner& c, const Corner& p);
@@ -23,5 +60,9 @@ using Corner = glm::vec3;
 // number: such triangles meet there anyway, and what is asked is whether they meet beyond. One that is there twice
 // meets itself.
 [[nodiscard]] bool triangles_meet(std::span<const glm::vec3> positions, const glm::uvec3& s, const glm::uvec3& t);
+// Whether that is ruled out by the plane of the first alone, which takes less: the second's corners, but for those that
+// the two share, are on one side of it beyond doubt.
+[[nodiscard]] bool surely_beside(std::span<const glm::vec3> positions, const exact::Plane& plane, const glm::uvec3& s,
+                                 const glm::uvec3& t);
 
 } // namespace ramus::mesh

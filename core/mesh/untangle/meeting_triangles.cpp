@@ -21,13 +21,13 @@ public:
     AskedBlock(const TriangleBoxes& boxes, std::span<const std::uint8_t> asked, std::size_t block)
         : begin_(kBlock * block) {
         for (std::size_t n = begin_; n < std::min(begin_ + kBlock, asked.size()); ++n)
-            if (asked[n] != 0) boxes_[(n - begin_) / kGroup].set(n % kGroup, boxes.box(n)), any_ = true;
-        for (std::size_t group = 0; any_ && group < EightBoxes::kCount; ++group)
-            groups_.set(group, boxes_[group].around());
+            if (asked[n] != 0) add(boxes, n);
+        for (std::size_t group = 0; group < EightBoxes::kCount; ++group) groups_.set(group, boxes_[group].around());
     }
-    [[nodiscard]] bool any() const { return any_; }
     [[nodiscard]] std::size_t begin() const { return begin_; }
     [[nodiscard]] TriangleBox around() const { return groups_.around(); }
+    // Of one of them.
+    [[nodiscard]] const exact::Plane& plane(std::size_t triangle) const { return planes_[triangle - begin_]; }
     [[nodiscard]] bool may_meet(const TriangleBox& box) const { return groups_.meeting(box) != 0; }
     // Calls call(triangle) for those whose boxes meet this one.
     template <class Call> void for_each_meeting(const TriangleBox& box, const Call& call) const {
@@ -40,10 +40,17 @@ public:
     }
 
 private:
+    void add(const TriangleBoxes& boxes, std::size_t n) {
+        const glm::uvec3& t = boxes.triangles()[n];
+        const std::span<const glm::vec3> at = boxes.positions();
+        boxes_[(n - begin_) / kGroup].set(n % kGroup, box_of(at, t));
+        planes_[n - begin_] = {at[t.x], at[t.y], at[t.z]};
+    }
+
     std::size_t begin_;
-    bool any_ = false;
     std::array<EightBoxes, EightBoxes::kCount> boxes_; // by group; around nothing of what is not asked for
     EightBoxes groups_;
+    std::array<exact::Plane, kBlock> planes_; // of those that are asked for
 };
 
 } // namespace
@@ -59,8 +66,10 @@ MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const s
     ListsByThread<TrianglePair> found; // each thread's as many as are listed and one more
     std::atomic<std::size_t> looks{0}, pairs{0};
     tbb::parallel_for(std::size_t{0}, (asked.size() + kBlock - 1) / kBlock, [&](std::size_t n) {
+        const auto its = asked.subspan(kBlock * n, std::min(kBlock, asked.size() - kBlock * n));
+        if (std::ranges::all_of(its, [](std::uint8_t a) { return a == 0; })) return; // most often
         const AskedBlock block(boxes, asked, n);
-        if (!block.any() || looks.load(std::memory_order_relaxed) > most_looks || job.cancelled()) return;
+        if (looks.load(std::memory_order_relaxed) > most_looks || job.cancelled()) return;
         std::size_t its_looks = 0, its_pairs = 0;
         std::vector<TrianglePair>& list = found.local();
         const auto look = [&](std::uint32_t other) {
@@ -68,6 +77,7 @@ MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const s
             block.for_each_meeting(boxes.box(other), [&](std::uint32_t one) {
                 if (one == other || (asked[other] != 0 && other < one)) return; // likewise
                 ++its_looks;
+                if (surely_beside(boxes.positions(), block.plane(one), triangles[one], triangles[other])) return;
                 if (!triangles_meet(boxes.positions(), triangles[one], triangles[other])) return;
                 ++its_pairs;
                 if (list.size() <= limits.pairs) list.push_back({std::min(one, other), std::max(one, other)});

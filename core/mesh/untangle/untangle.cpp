@@ -28,8 +28,13 @@ std::vector<std::uint8_t> suspects(const TriangleMesh& mesh, const Folds& folds,
     std::vector<std::uint8_t> suspected(mesh.triangles.size(), 0);
     for (const std::uint32_t n : folds.triangles) suspected[n] = 1;
     tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t place) {
-        folds.boxes.for_each_in(places[place], [&](std::uint32_t n) {
-            std::atomic_ref(suspected[n]).store(1, std::memory_order_relaxed); // places may share triangles
+        folds.boxes.for_each_group_in(places[place], [&](std::size_t group, const TriangleBox& around) {
+            const bool all = holds(places[place], around);
+            folds.boxes.for_each_of(group, [&](std::uint32_t n) {
+                const std::atomic_ref<std::uint8_t> one(suspected[n]);
+                if (one.load(std::memory_order_relaxed) != 0) return; // places share triangles: no need of its box
+                if (all || boxes_meet(folds.boxes.box(n), places[place])) one.store(1, std::memory_order_relaxed);
+            });
         });
     });
     return suspected;
