@@ -182,13 +182,29 @@ void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apa
     }
 }
 
-Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range, const WayOut& way) {
+// How far from the axis' foot an obstacle is at most that casts a shadow nearer than `below`, but for its ends' moves:
+// a shadow begins beyond the middle of the way to its obstacle. With some room for rounding.
+double reach_of_shadows(const WayOut& way, double below) {
+    return std::max(2.0 * (way.length + below) + 1e-6 * way.length, 0.0) + glm::length(way.foot - way.axis_foot);
+}
+
+// The obstacles from the n-th on leave so much room.
+HWY_INLINE void take_nearer(Real spare, std::size_t n, Shadow& nearest) {
+    const Doubles d;
+    constexpr std::size_t kLanes = 8;
+    HWY_ALIGN double spares[kLanes];
+    hn::Store(spare, d, spares);
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+        if (spares[lane] < nearest.spare) nearest = {spares[lane], n + lane};
+}
+
+Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range, const WayOut& way, double below) {
     const Doubles d;
     const auto rows = rows_at(obstacles);
-    constexpr std::size_t kLanes = 8;
     const Real zero = hn::Zero(d), far = hn::Set(d, std::numeric_limits<double>::infinity());
     const Vector foot = set(way.foot), w = set(way.direction), axis_foot = set(way.axis_foot);
     const Real way_length = hn::Set(d, way.length), own_radius = hn::Set(d, way.radius);
+    const Real beyond = hn::Set(d, reach_of_shadows(way, below));
     Shadow nearest;
     for (std::size_t n = range.first; n < range.first + range.count; n += hn::Lanes(d)) {
         const Vector start = load(rows, kStartX, n), u = load(rows, kAlongX, n);
@@ -201,8 +217,10 @@ Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range,
         const Vector gap = along(between_axes, hn::Neg(t), u);
         const Real most =
             hn::Mul(hn::LoadU(d, rows.row(kApartFrom) + n), hn::Add(own_radius, hn::MulAdd(slope, t, start_radius)));
-        const auto is_apart = hn::Lt(dot(gap, gap), hn::Mul(most, most));
-        if (hn::AllFalse(d, is_apart)) continue;
+        const Real gap2 = dot(gap, gap);
+        const auto is_apart = hn::Lt(gap2, hn::Mul(most, most));
+        const Real concerns = hn::Add(beyond, hn::LoadU(d, rows.row(kMostMove) + n));
+        if (hn::AllFalse(d, hn::And(is_apart, hn::Lt(gap2, hn::Mul(concerns, concerns))))) continue;
         // Where the way is nearest to the obstacle's axis, how far it is then, and how long it is within the obstacle.
         const Vector across = minus(start, foot);
         const Real cosine = dot(w, u);
@@ -236,10 +254,7 @@ Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range,
         if (hn::AllFalse(d, counts)) continue;
         const auto is_front = hn::Or(hn::Ge(front, lateral), hn::Not(hn::Gt(off2, zero)));
         const Real spare = hn::IfThenElse(counts, hn::IfThenElse(is_front, front, lateral), far);
-        HWY_ALIGN double spares[kLanes];
-        hn::Store(spare, d, spares);
-        for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-            if (spares[lane] < nearest.spare) nearest = {spares[lane], n + lane};
+        take_nearer(spare, n, nearest);
     }
     return nearest;
 }
@@ -292,9 +307,9 @@ void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apa
     HWY_DYNAMIC_DISPATCH(find_left_out)(feet, own, apart, count, left);
 }
 
-Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range, const WayOut& way) {
+Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range, const WayOut& way, double below) {
     if (range.count == 0 || !(way.length > 0.0)) return {};
-    return HWY_DYNAMIC_DISPATCH(nearest_shadow)(obstacles, range, way);
+    return HWY_DYNAMIC_DISPATCH(nearest_shadow)(obstacles, range, way, below);
 }
 
 // Where the way is beside the obstacle it is left sideways, otherwise backwards.

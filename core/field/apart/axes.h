@@ -108,9 +108,9 @@ using ApartAxes = NumberRows<kApartRows>;
 // How much of each axis' term one of them leaves out, 0 to 1.
 void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apart, std::size_t count, double* left);
 
-// What others press on: after an axis, how far its ends count as moved (core/tree/contacts/spread_axes.h), and the
-// closeness from which on it and the vessel that it is an obstacle to count as together, and how near they come at
-// least, mm.
+// What others press on: after an axis, how far its ends count as moved (core/tree/contacts/spread_axes.h) and the
+// larger way of the two, mm, and the closeness from which on it and the vessel that it is an obstacle to count as
+// together, and how near they come at least, mm.
 enum ObstacleRow : std::uint8_t {
     kMoveStartX = kAxisRows,
     kMoveStartY,
@@ -118,6 +118,7 @@ enum ObstacleRow : std::uint8_t {
     kMoveEndX,
     kMoveEndY,
     kMoveEndZ,
+    kMostMove,
     kApartFrom,
     kLeastDistance,
     kObstacleRows
@@ -141,7 +142,9 @@ struct Shadow {
     double spare = std::numeric_limits<double>::infinity(); // mm
     std::size_t obstacle = 0;                               // by its place in the rows; none where spare is infinite
 };
-[[nodiscard]] Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range, const WayOut& way);
+// The nearest where that is nearer than `below`; else it may be any that is not, or none.
+[[nodiscard]] Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range, const WayOut& way,
+                                    double below);
 // The unit vector in which the spare room of one of them grows least.
 [[nodiscard]] glm::dvec3 toward_shadow(const ObstacleRows& obstacles, std::size_t obstacle, const WayOut& way);
 

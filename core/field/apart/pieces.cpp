@@ -73,6 +73,7 @@ void Pieces::put_obstacle(std::size_t at, const tree::Contacts::Partner& partner
     if (length > 0.0) put(kAlongX, (shape.end - shape.start) / length);
     put(kMoveStartX, shape.move.start);
     put(kMoveEndX, shape.move.end);
+    obstacles_.row(kMostMove)[at] = shape.move.most();
     obstacles_.row(kAxisLength)[at] = length;
     obstacles_.row(kAxisRadius)[at] = shape.start_radius;
     obstacles_.row(kAxisSlope)[at] = length > 0.0 ? (shape.end_radius - shape.start_radius) / length : 0.0;

@@ -106,7 +106,7 @@ VesselViews::Sight VesselViews::find_sight() {
     const std::uint32_t own = feet_.marked.nearest();
     if (any_left_out(own)) return Sight::kParted;
     if (feet_.of(own, kFootRelative2) > claim_radii2()) return Sight::kPlain;
-    const double spare = shadow_on(own, contacts_.piercing(piece(own))).spare;
+    const double spare = shadow_on(own, contacts_.piercing(piece(own)), beside_mm_).spare;
     beside_contact_ = spare < beside_mm_;
     return spare < 0.0 && nearest() == own ? Sight::kCut : Sight::kPlain;
 }
@@ -161,7 +161,7 @@ bool VesselViews::is_undisputed(float plain) {
         if (feet_.of(n, kFootRelative2) < other2 && apart(own, n)) other2 = feet_.of(n, kFootRelative2);
     if (other2 < claim_radii2()) return false;
     const double most = kVessels * kernel_.long_vessel->value(kernel_, other2);
-    return static_cast<double>(plain) - most >= kernel_.isovalue && !(shadow_on(own).spare < 0.0);
+    return static_cast<double>(plain) - most >= kernel_.isovalue && !(shadow_on(own, 0.0).spare < 0.0);
 }
 
 std::uint64_t VesselViews::add_terms() {
@@ -261,10 +261,13 @@ const WayOut& VesselViews::way_out(Vessel& own) {
     return way;
 }
 
-Shadow VesselViews::shadow_on(std::uint32_t own) { return shadow_on(own, contacts_.obstacles(piece(own))); }
+Shadow VesselViews::shadow_on(std::uint32_t own, double below) {
+    return shadow_on(own, contacts_.obstacles(piece(own)), below);
+}
 
-Shadow VesselViews::shadow_on(std::uint32_t own, const ObstacleRange& range) {
-    return range.count == 0 ? Shadow{} : nearest_shadow(contacts_.all().obstacles(), range, way_out(vessel(own)));
+Shadow VesselViews::shadow_on(std::uint32_t own, const ObstacleRange& range, double below) {
+    return range.count == 0 ? Shadow{}
+                            : nearest_shadow(contacts_.all().obstacles(), range, way_out(vessel(own)), below);
 }
 
 glm::dvec3 VesselViews::toward(std::uint32_t own, const Shadow& shadow) {
@@ -294,16 +297,20 @@ void VesselViews::group_by_piece() {
 
 void VesselViews::list_vessels(double most_radii2) {
     group_by_piece();
-    vessels_.clear();
-    for (std::uint32_t next = nearest(); next != kNone && vessels_.size() < kMostVessels;) {
-        if (feet_.of(next, kFootRelative2) > most_radii2) return;
+    vessels_.clear(), candidates_.clear();
+    const std::uint32_t first = nearest();
+    if (first == kNone || feet_.of(first, kFootRelative2) > most_radii2) return;
+    vessels_.push_back(first);
+    for (const int other : near_pieces_) {
+        const std::uint32_t there = nearest_of_piece_[static_cast<std::size_t>(other)];
+        if (feet_.of(there, kFootRelative2) <= most_radii2 && apart(first, there)) candidates_.push_back(there);
+    }
+    while (!candidates_.empty() && vessels_.size() < kMostVessels) { // those apart from all that are listed
+        std::uint32_t next = kNone;
+        for (const std::uint32_t n : candidates_)
+            if (nearer(n, next)) next = n;
         vessels_.push_back(next);
-        next = kNone;
-        for (const int other : near_pieces_) {
-            const std::uint32_t there = nearest_of_piece_[static_cast<std::size_t>(other)];
-            if (nearer(there, next) && std::ranges::all_of(vessels_, [&](std::uint32_t n) { return apart(n, there); }))
-                next = there;
-        }
+        std::erase_if(candidates_, [&](std::uint32_t n) { return n == next || !apart(next, n); });
     }
 }
 
@@ -314,7 +321,7 @@ VesselViews::Verdict VesselViews::judge() {
     list_vessels(claim_radii2());
     for (const std::uint32_t vessel : vessels_) {
         double value = this->value(vessel);
-        if (value > below && shadow_on(vessel).spare < 0.0) value = below;
+        if (value > below && shadow_on(vessel, 0.0).spare < 0.0) value = below;
         const bool claims = static_cast<float>(value) >= isovalue;
         bool better = claims ? verdict.owner == kNone : verdict.owner == kNone && value > verdict.value;
         if (claims && !better) better = glm::length(way_from(vessel)) < glm::length(way_from(verdict.owner));

@@ -82,8 +82,9 @@ public:
 
     // How far a vessel's axis is from the point, as it counts where walls are drawn: the way from the nearest place.
     [[nodiscard]] glm::dvec3 way_from(std::uint32_t own) { return point_ - way_out(vessel(own)).foot; }
-    // How far the point is from what lies behind an obstacle, seen from a vessel's axis.
-    [[nodiscard]] Shadow shadow_on(std::uint32_t own);
+    // How far the point is from what lies behind an obstacle, seen from a vessel's axis: that is found where it is
+    // `below` so much.
+    [[nodiscard]] Shadow shadow_on(std::uint32_t own, double below);
     [[nodiscard]] glm::dvec3 toward(std::uint32_t own, const Shadow& shadow);
 
     // One segment of each vessel that is seen, apart from each other: the nearest in radii first, up to so many radii,
@@ -113,7 +114,7 @@ private:
     [[nodiscard]] std::span<const std::uint32_t> kept_apart() const { return feet_.marked.all(); }
     [[nodiscard]] Vessel& vessel(std::uint32_t place);
     [[nodiscard]] const WayOut& way_out(Vessel& own);
-    [[nodiscard]] Shadow shadow_on(std::uint32_t own, const ObstacleRange& range);
+    [[nodiscard]] Shadow shadow_on(std::uint32_t own, const ObstacleRange& range, double below);
     [[nodiscard]] std::span<const double> left_out(Vessel& own);
 
     [[nodiscard]] int piece(std::uint32_t place) const { return contacts_.piece(place); }
@@ -175,7 +176,7 @@ private:
     std::vector<std::uint64_t> near_piece_bits_;  // scratch
     VesselView whole_;                            // the terms of all, with their gradients once they are asked for
     bool gradient_known_ = false;
-    std::vector<std::uint32_t> vessels_;
+    std::vector<std::uint32_t> vessels_, candidates_; // the second: scratch
     std::array<Vessel, kMostVessels + 2> known_vessels_;
     std::size_t known_count_ = 0;
 };

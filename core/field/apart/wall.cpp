@@ -90,7 +90,7 @@ Depth depth_of(VesselViews& views, std::uint32_t own) {
         if (other == own || !views.apart(own, other)) continue;
         depth = depth_beside(views, own, other, depth);
     }
-    if (const Shadow shadow = views.shadow_on(own); shadow.spare < depth.mm)
+    if (const Shadow shadow = views.shadow_on(own, depth.mm); shadow.spare < depth.mm)
         depth = {shadow.spare, views.toward(own, shadow)};
     return depth;
 }
