@@ -2,9 +2,14 @@
 #include "tests/support/temporary_folder.h"
 
 #include <chrono>
+#include <csignal>
 #include <doctest/doctest.h>
+#include <filesystem>
 #include <fstream>
+#include <string>
+#include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
 
 using namespace ramus;
 
@@ -63,6 +68,33 @@ TEST_CASE("a program that is not needed any more ends") {
     later.join();
     REQUIRE_FALSE(done);
     CHECK(done.error().what == "cancelled");
+}
+
+TEST_CASE("a program begins with no signal blocked, and whoever starts it keeps what it blocks") {
+    sigset_t usr1, before, after;
+    sigemptyset(&usr1);
+    sigaddset(&usr1, SIGUSR1);
+    pthread_sigmask(SIG_BLOCK, &usr1, &before);
+    Job job;
+    std::string blocked;
+    const auto done = run_shell("grep SigBlk /proc/self/status >&2", job, [&](std::string_view line) {
+        blocked = line;
+        return true;
+    });
+    pthread_sigmask(SIG_SETMASK, &before, &after);
+    CHECK(done);
+    CHECK(blocked == "SigBlk:\t0000000000000000");
+    CHECK(sigismember(&after, SIGUSR1) == 1);
+    CHECK(sigismember(&after, SIGTERM) == 0);
+}
+
+TEST_CASE("a program that is left goes on, as nobody's") {
+    const TemporaryFolder folder;
+    const std::string file = (folder.path() / "parent").string();
+    REQUIRE(start_and_leave({"sh", "-c", "echo $PPID > \"$0.part\"; mv \"$0.part\" \"$0\"", file}));
+    while (!std::filesystem::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    CHECK(std::stoi(folder.text("parent")) != getpid());
+    CHECK(waitpid(-1, nullptr, WNOHANG) == -1); // none is left to wait for
 }
 
 TEST_CASE("programs are found where PATH has them") {
