@@ -180,6 +180,16 @@ std::string nearest_known(const std::string& word) {
 
 } // namespace
 
+const Command* command_given_by(std::string_view line) {
+    const std::size_t end = line.find(' ');
+    const std::size_t given = end == std::string_view::npos ? end : line.find_first_not_of(' ', end);
+    if (given == std::string_view::npos) return nullptr;
+    const Command* command = find_command(line.substr(0, end));
+    if (command == nullptr || command->arguments.empty()) return nullptr;
+    const bool number = line[given] >= '0' && line[given] <= '9'; // "1" begins words as well: "within 10 mm"
+    return number || search_commands(line).empty() ? command : nullptr;
+}
+
 std::vector<const Command*> search_commands(std::string_view words) {
     const std::vector<std::string> given = words_in(words);
     std::vector<std::string> wanted = given;

@@ -43,6 +43,16 @@ def by_words(window):
     window.xdotool("key", "Escape")
     window.wait("nothing selected", lambda s: s["selection"] == [])
 
+    palette(window, "select 999")
+    window.wait("what is wrong", lambda s: s["palette"]["open"] and s["typing"] and "999" in s["palette"]["trouble"])
+    window.xdotool("key", "ctrl+a")
+    window.xdotool("type", "select 1")
+    window.xdotool("key", "Return")
+    window.wait("the branch", lambda s: not s["palette"]["open"] and s["selection"] == [1])
+    check(True, "a command that is typed with its arguments runs, or says what is wrong")
+    window.xdotool("key", "Escape")
+    window.wait("nothing selected", lambda s: s["selection"] == [])
+
     palette(window, "hide", "Escape")
     window.wait("the palette closed", lambda s: not s["palette"]["open"])
     check(not window.status()["states"]["hidden"], "Escape closes it and does nothing")

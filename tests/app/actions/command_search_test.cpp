@@ -82,6 +82,16 @@ TEST_CASE("without words all commands are there, each entry once, but those that
     CHECK(std::ranges::equal(search_commands("  ,;"), all));
 }
 
+TEST_CASE("a command that is typed with its arguments is known by its name") {
+    const Command* command = command_given_by("select 3");
+    REQUIRE(command != nullptr);
+    CHECK(command->name == "select");
+    CHECK(command_given_by("select 1") == command); // "1" begins a word of an entry
+    CHECK(command_given_by("hide vessels") == nullptr);
+    for (const char* none : {"", "select", "select  ", "no-command 3", "show-all 3", " select 3"})
+        CHECK(command_given_by(none) == nullptr);
+}
+
 TEST_CASE("a command that cannot run by itself says that it takes arguments") {
     CHECK(needs_arguments(*find_command("select-diameter")));
     CHECK_FALSE(needs_arguments(*find_command("fit")));
