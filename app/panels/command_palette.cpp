@@ -54,33 +54,9 @@ void draw_command_row(InterfaceContext& context, const Command& command, bool ch
                   help.c_str());
 }
 
-// Runs a line of a commands file; the palette stays where it cannot.
-void run_line(InterfaceContext& context, const std::string& line) {
-    CommandPalette& palette = context.interface.palette;
-    auto words = parse_script(line, "arguments");
-    auto done = words ? context.commands.run(context.actions, words->front().words)
-                      : Result<void>(tl::unexpected(words.error()));
-    if (done)
-        palette.open = false;
-    else
-        palette.trouble = done.error().message();
-    palette.fresh = true; // Enter has taken the keyboard from the field
-}
-
-// A command that is typed with its arguments, if it is one.
-void draw_given(InterfaceContext& context, const Command* command, bool entered) {
-    CommandPalette& palette = context.interface.palette;
-    if (command == nullptr) return widgets::quiet("No command has these words.");
-    widgets::quiet_wrapped(("Enter runs this. " + command->name + " takes: " + command->arguments).c_str());
-    widgets::quiet_wrapped(command->help.c_str());
-    if (!palette.trouble.empty()) widgets::trouble(palette.trouble.c_str());
-    if (entered) run_line(context, palette.typed.data());
-}
-
 void draw_found(InterfaceContext& context, bool entered) {
     CommandPalette& palette = context.interface.palette;
-    const Command* given = command_given_by(palette.typed.data());
-    const auto found = given != nullptr ? std::vector<const Command*>() : search_commands(palette.typed.data());
+    const std::vector<const Command*> found = search_commands(palette.typed.data());
     const int last = static_cast<int>(found.size()) - 1;
     const int before = palette.chosen;
     palette.chosen += pressed_key(ImGuiKey_DownArrow) ? 1 : pressed_key(ImGuiKey_UpArrow) ? -1 : 0;
@@ -96,20 +72,27 @@ void draw_found(InterfaceContext& context, bool entered) {
         if (pressed || (entered && n == palette.chosen && can_run(context, command))) picked = &command;
         ImGui::PopID();
     }
-    if (found.empty()) draw_given(context, given, entered);
+    if (found.empty()) widgets::quiet("No command has these words.");
     ImGui::EndChild();
     if (picked != nullptr) choose_command(context, *picked);
 }
 
-// The field holds arguments, in words as in a commands file.
-void draw_arguments(InterfaceContext& context, bool entered) {
+// A command whose arguments are typed; `line`: with its name, in words as in a commands file.
+void draw_arguments(InterfaceContext& context, const Command& command, const std::string& line, bool entered) {
     CommandPalette& palette = context.interface.palette;
-    const Command& command = *palette.asks_for;
     widgets::quiet_wrapped(command.help.c_str());
     ImGui::Dummy({0.0F, 4.0F * theme::scale()});
-    widgets::quiet_wrapped(("It takes: " + command.arguments).c_str());
+    widgets::quiet_wrapped(("It takes: " + command.arguments + ". Enter runs it.").c_str());
     if (!palette.trouble.empty()) widgets::trouble(palette.trouble.c_str());
-    if (entered) run_line(context, command.name + " " + palette.typed.data());
+    if (!entered) return;
+    auto words = parse_script(line, "arguments");
+    auto done = words ? context.commands.run(context.actions, words->front().words)
+                      : Result<void>(tl::unexpected(words.error()));
+    if (done)
+        palette.open = false;
+    else
+        palette.trouble = done.error().message();
+    palette.fresh = true; // Enter has taken the keyboard from the field
 }
 
 } // namespace
@@ -135,10 +118,13 @@ void draw_command_palette(InterfaceContext& context) {
     widgets::note_item("command");
     if (palette.typed != before) palette.chosen = 0, palette.trouble.clear();
     ImGui::Dummy({0.0F, 2.0F * theme::scale()});
-    if (palette.asks_for == nullptr)
-        draw_found(context, entered);
+    const std::string typed = palette.typed.data();
+    if (palette.asks_for != nullptr)
+        draw_arguments(context, *palette.asks_for, palette.asks_for->name + " " + typed, entered);
+    else if (const Command* given = command_given_by(typed))
+        draw_arguments(context, *given, typed, entered);
     else
-        draw_arguments(context, entered);
+        draw_found(context, entered);
     if (!palette.open) ImGui::CloseCurrentPopup();
     widgets::end_dialog();
 }

@@ -32,9 +32,10 @@ def watch(core, file):
 
 class Stalls:
     def __init__(self, folder):
-        self.files = [Path(folder) / f"stalls_of_core_{core}" for core in sorted(os.sched_getaffinity(0))]
+        cores = sorted(os.sched_getaffinity(0))
+        self.files = [Path(folder) / f"stalls_of_core_{core}" for core in cores]
         self.watchers = [subprocess.Popen([sys.executable, __file__, str(core), file], stderr=subprocess.DEVNULL)
-                         for core, file in zip(sorted(os.sched_getaffinity(0)), self.files)]
+                         for core, file in zip(cores, self.files)]
         time.sleep(0.5)
         self.seen = all(watcher.poll() is None for watcher in self.watchers)  # it is allowed
 
