@@ -15,6 +15,7 @@
 #include "app/window/status_file.h"
 #include "app/window/viewer.h"
 #include "core/base/memory.h"
+#include "core/base/own_process.h"
 #include "core/base/printable.h"
 #include "core/base/worker.h"
 #include "core/io/output_file.h"
@@ -206,6 +207,7 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
 } // namespace
 
 int run_window(const WindowOptions& options) {
+    fork_small_processes();
     std::optional<std::vector<ScriptLine>> script;
     if (!options.commands.empty()) {
         auto read = read_script(options.commands);

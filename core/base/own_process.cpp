@@ -1,5 +1,8 @@
 #include "core/base/own_process.h"
 
+#include "core/base/fork_server.h"
+#include "core/base/process_answer.h"
+
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -11,28 +14,12 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <utility>
 
 namespace ramus {
 
 namespace {
 
 constexpr char kComplete = '.'; // behind a whole answer
-
-class Descriptor {
-public:
-    explicit Descriptor(int number) : number_(number) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() { close(); }
-    void close() {
-        if (number_ >= 0) ::close(std::exchange(number_, -1));
-    }
-    [[nodiscard]] int number() const { return number_; }
-
-private:
-    int number_;
-};
 
 std::uint64_t own_address_space() {
     std::ifstream statm("/proc/self/statm");
@@ -56,7 +43,9 @@ bool write_all(int descriptor, std::string_view bytes) {
     return true;
 }
 
-[[noreturn]] void work_and_end(const std::function<std::string()>& work, const ProcessLimits& limits, int answer) {
+} // namespace
+
+void work_and_end(OwnWork work, std::string_view input, const ProcessLimits& limits, int answer) {
     // Crashes are expected: silent, without the handlers of this program.
     for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGINT, SIGTERM, SIGPIPE})
         std::signal(number, SIG_DFL);
@@ -67,16 +56,31 @@ bool write_all(int descriptor, std::string_view bytes) {
     if (const std::uint64_t now = own_address_space(); now > 0) limit(RLIMIT_AS, now + limits.memory);
     bool done = false;
     try {
-        done = write_all(answer, work() + kComplete);
+        done = write_all(answer, work(input) + kComplete);
     } catch (...) { // most likely out of memory
         done = false;
     }
     std::_Exit(done ? EXIT_SUCCESS : EXIT_FAILURE); // nothing that belongs to the other process is closed or written
 }
 
-} // namespace
+Result<std::string> read_answer(int descriptor, const ProcessLimits& limits) {
+    std::string answer;
+    std::array<char, 1 << 16> part{};
+    while (true) {
+        const ssize_t count = ::read(descriptor, part.data(), part.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) break;
+        answer.append(part.data(), static_cast<std::size_t>(count));
+        if (answer.size() > limits.answer + 1) // with the mark behind it
+            return fail("the work in a process of its own has too long an answer");
+    }
+    if (!answer.ends_with(kComplete)) return fail("the work in a process of its own did not come to its end");
+    answer.pop_back();
+    return answer;
+}
 
-Result<std::string> run_in_own_process(const std::function<std::string()>& work, const ProcessLimits& limits) {
+Result<std::string> run_in_own_process(OwnWork work, std::string_view input, const ProcessLimits& limits) {
+    if (auto answer = run_at_fork_server(work, input, limits)) return std::move(*answer);
     std::array<int, 2> ends{};
     const auto cannot = [] {
         return fail(std::string("a helper process cannot be started: ") + std::strerror(errno), {}, "free some memory");
@@ -86,24 +90,13 @@ Result<std::string> run_in_own_process(const std::function<std::string()>& work,
     Descriptor writing(ends[1]);
     const pid_t child = ::fork();
     if (child < 0) return cannot();
-    if (child == 0) work_and_end(work, limits, writing.number());
+    if (child == 0) work_and_end(work, input, limits, writing.number());
     writing.close();
-    std::string answer;
-    std::array<char, 1 << 16> part{};
-    const auto too_long = [&] { return answer.size() > limits.answer + 1; }; // with the mark behind it
-    while (!too_long()) {
-        const ssize_t count = ::read(reading.number(), part.data(), part.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) break;
-        answer.append(part.data(), static_cast<std::size_t>(count));
-    }
-    if (too_long()) ::kill(child, SIGKILL);
+    auto answer = read_answer(reading.number(), limits);
+    if (!answer) ::kill(child, SIGKILL);
     int status = 0;
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
-    if (too_long() || !WIFEXITED(status) || WEXITSTATUS(status) != EXIT_SUCCESS || !answer.ends_with(kComplete))
-        return fail("the work in a process of its own did not come to its end");
-    answer.pop_back();
     return answer;
 }
 

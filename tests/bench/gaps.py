@@ -325,6 +325,11 @@ def add_context(explorer):
     explorer.file("add context", "File › Add context...", ORGAN)
     explorer.key("turn with context", "Left", "Left", "Left")
     explorer.command("context clear")
+    mesh = explorer.folder / "organ.obj"  # a library of others reads it in a process of its own
+    corners = [f"v {x} {y} {z}" for x in (0, 50) for y in (0, 50) for z in (0, 50)]
+    mesh.write_text("\n".join([*corners, "f 1 2 4 3", "f 5 7 8 6", "f 1 5 6 2", "f 3 4 8 7", "f 1 3 7 5", "f 2 6 8 4\n"]))
+    explorer.file("add a mesh as context", "File › Add context...", mesh)
+    explorer.command("context clear")
 
 
 def travel(explorer):

@@ -75,7 +75,11 @@ std::string soup_bytes(const aiScene& scene) {
     return bytes;
 }
 
-std::string read_with_assimp(std::string_view text, const std::string& extension) {
+// `input`: the format's extension, a line's end, and the file's text.
+std::string read_with_assimp(std::string_view input) {
+    const std::size_t line = input.find('\n');
+    const std::string extension(input.substr(0, line));
+    const std::string_view text = input.substr(line + 1);
     try {
         Assimp::Importer importer;
         importer.SetIOHandler(new NoFiles); // which owns it
@@ -124,7 +128,7 @@ Result<PolygonSoup> parse_with_assimp(std::string_view text, const std::string& 
     ProcessLimits limits;
     limits.memory += kMostGrowth * text.size();
     limits.answer += kMostGrowth * text.size();
-    const auto answer = run_in_own_process([&] { return read_with_assimp(text, extension); }, limits);
+    const auto answer = run_in_own_process(read_with_assimp, (extension + '\n').append(text), limits);
     auto soup = answer ? soup_of(*answer) : std::nullopt;
     if (!soup) return fail("this is no ." + extension + " mesh, or it is damaged", name, "write it again");
     for (const auto& polygon : soup->polygons)

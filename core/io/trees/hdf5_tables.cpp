@@ -113,7 +113,17 @@ void append_bytes(std::string& bytes, const void* data, std::size_t size) {
     bytes.append(static_cast<const char*>(data), size);
 }
 
-std::string as_answer(const Result<std::vector<Hdf5Table>>& tables) {
+// `input`: the tables' names, a line each, an empty line, and the file's bytes.
+std::string answer_with_tables(std::string_view input) {
+    std::vector<std::string> names;
+    while (true) {
+        const std::size_t line = input.find('\n');
+        const std::string name(input.substr(0, line));
+        input.remove_prefix(line + 1);
+        if (name.empty()) break;
+        names.push_back(name);
+    }
+    const auto tables = read_all_tables(input, names);
     if (!tables) return kHdf5Error + tables.error().what + "\n" + tables.error().hint;
     std::string bytes(1, kHdf5Tables);
     for (const Hdf5Table& table : *tables) {
@@ -156,7 +166,11 @@ Result<std::vector<Hdf5Table>> read_hdf5_tables(std::string_view file, const std
     ProcessLimits limits;
     limits.memory = 4 * file.size() + 3 * inflation_limit(file.size());
     limits.answer = inflation_limit(file.size()) * names.size();
-    const auto answer = run_in_own_process([&] { return as_answer(read_all_tables(file, names)); }, limits);
+    std::string input;
+    for (const std::string& name : names) input += name + "\n";
+    input += '\n';
+    input += file;
+    const auto answer = run_in_own_process(answer_with_tables, input, limits);
     return from_answer(answer ? std::string_view(*answer) : std::string_view(), names.size(), where);
 }
 

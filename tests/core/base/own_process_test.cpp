@@ -1,55 +1,123 @@
 #include "core/base/own_process.h"
 
+#include <array>
+#include <csignal>
 #include <cstdlib>
 #include <doctest/doctest.h>
+#include <poll.h>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
 #include <vector>
 
 using namespace ramus;
 
-TEST_CASE("work in a process of its own hands back bytes of any kind and length") {
+namespace {
+
+int touched = 0;
+
+std::string turned_round(std::string_view input) { return {input.rbegin(), input.rend()}; }
+std::string touch(std::string_view input) {
+    ++touched;
+    return std::string(input);
+}
+std::string aborts(std::string_view) { std::abort(); }
+std::string throws(std::string_view) { throw std::runtime_error("no"); }
+std::string ends(std::string_view) { std::_Exit(0); } // without an answer
+std::string dies(std::string_view) {
+    ::raise(SIGKILL);
+    return {};
+}
+std::string runs_for_ever(std::string_view) {
+    volatile bool forever = true;
+    while (forever) {
+    }
+    return {};
+}
+std::string doubled(std::string_view input) { return std::string(input).append(input); }
+std::string takes_much(std::string_view) {
+    const std::vector<char> much(std::size_t{1} << 30, 'x');
+    return std::string(1, much.back());
+}
+std::string parent(std::string_view) { return std::to_string(::getppid()); }
+
+void check_own_processes() {
     std::string large(3'000'000, 'x');
     large[17] = '\0';
-    const auto answer = run_in_own_process([&] { return large; }, {});
+    const auto answer = run_in_own_process(turned_round, large, {});
     REQUIRE(answer);
-    CHECK(*answer == large);
-    const auto nothing = run_in_own_process([] { return std::string(); }, {});
+    CHECK(*answer == std::string(large.rbegin(), large.rend()));
+    const auto nothing = run_in_own_process(turned_round, {}, {});
     REQUIRE(nothing);
     CHECK(nothing->empty());
-}
 
-TEST_CASE("what happens in a process of its own stays there") {
-    int touched = 0;
-    REQUIRE(run_in_own_process(
-        [&] {
-            ++touched;
-            return std::string("done");
-        },
-        {}));
+    REQUIRE(run_in_own_process(touch, "done", {}));
     CHECK(touched == 0);
-    CHECK_FALSE(run_in_own_process([]() -> std::string { std::abort(); }, {}));
-    CHECK_FALSE(run_in_own_process([]() -> std::string { throw std::runtime_error("no"); }, {}));
-    CHECK_FALSE(run_in_own_process([]() -> std::string { std::_Exit(0); }, {})); // an end without an answer
+    for (const OwnWork work : {aborts, throws, ends, dies}) CHECK_FALSE(run_in_own_process(work, large, {}));
+
+    const ProcessLimits limits{.memory = 64U << 20, .seconds = 1, .answer = 1000};
+    CHECK_FALSE(run_in_own_process(runs_for_ever, {}, limits));
+    CHECK_FALSE(run_in_own_process(doubled, std::string(501, 'x'), limits));
+    CHECK(run_in_own_process(doubled, std::string(500, 'x'), limits));
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they end the process in their own way
+    CHECK_FALSE(run_in_own_process(takes_much, {}, limits));
+#endif
+    std::vector<std::string> answers(8);
+    {
+        std::vector<std::jthread> threads;
+        for (std::size_t n = 0; n < answers.size(); ++n)
+            threads.emplace_back([&answers, &large, n] {
+                const auto one = run_in_own_process(turned_round, std::to_string(n) + large, {});
+                if (one) answers[n] = one->back();
+            });
+    }
+    for (std::size_t n = 0; n < answers.size(); ++n) CHECK(answers[n] == std::to_string(n));
 }
 
-TEST_CASE("limits of time, memory and length hold in a process of its own") {
-    ProcessLimits limits{.memory = 64U << 20, .seconds = 1, .answer = 1000};
-    CHECK_FALSE(run_in_own_process(
-        []() -> std::string {
-            volatile bool forever = true;
-            while (forever) {
-            }
-            return {};
-        },
-        limits));
-    CHECK_FALSE(run_in_own_process([] { return std::string(1001, 'x'); }, limits));
-    CHECK(run_in_own_process([] { return std::string(900, 'x'); }, limits));
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they end the process in their own way
-    CHECK_FALSE(run_in_own_process(
-        [] {
-            const std::vector<char> much(std::size_t{1} << 30, 'x');
-            return std::string(1, much.back());
-        },
-        limits));
-#endif
+pid_t parent_of_own_process() { return std::stoi(run_in_own_process(parent, {}, {}).value_or("0")); }
+
+} // namespace
+
+TEST_CASE("what happens in a process of its own stays there, and limits hold") {
+    REQUIRE(parent_of_own_process() == ::getpid());
+    check_own_processes();
+}
+
+TEST_CASE("a small process forks in place of a large one, and where it is gone the large one does") {
+    fork_small_processes();
+    const pid_t server = parent_of_own_process();
+    REQUIRE(server > 0);
+    REQUIRE(server != ::getpid());
+    check_own_processes();
+    CHECK(parent_of_own_process() == server); // after all those crashes
+    ::kill(server, SIGKILL);
+    REQUIRE(::waitpid(server, nullptr, 0) == server);
+    CHECK(parent_of_own_process() == ::getpid());
+}
+
+TEST_CASE("a process that forks for another ends with it, and keeps none of its files open") {
+    std::array<int, 2> pipe{};
+    REQUIRE(::pipe(pipe.data()) == 0);
+    const pid_t large = ::fork();
+    if (large == 0) {
+        fork_small_processes();
+        const pid_t server = parent_of_own_process();
+        std::_Exit(::write(pipe[1], &server, sizeof(server)) == sizeof(server) ? 0 : 1);
+    }
+    ::close(pipe[1]);
+    pid_t server = 0;
+    REQUIRE(::read(pipe[0], &server, sizeof(server)) == sizeof(server));
+    const int watched =
+        static_cast<int>(::syscall(SYS_pidfd_open, server, 0)); // none: it has ended already, and somebody has seen it
+    char more = 0;
+    CHECK(::read(pipe[0], &more, 1) == 0); // nobody writes to it any more
+    ::waitpid(large, nullptr, 0);
+    pollfd end{watched, POLLIN, 0};
+    if (watched >= 0) CHECK(::poll(&end, 1, 10'000) == 1);
+    ::close(pipe[0]);
+    ::close(watched);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <gdcmImageReader.h>
+#include <sstream>
 
 namespace ramus::io {
 
@@ -68,18 +69,29 @@ const PixelType* pixel_type(const DicomImage& image) {
     return nullptr;
 }
 
-// Nothing: they are other than the header says, or damaged.
-std::string decode(const DicomImage& image) {
-    const auto stream = image.file.open();
-    if (!stream) return {};
+// `input`: how many bytes the pixels take, and the file. Nothing: they are other than the header says, or damaged.
+std::string decode(std::string_view input) {
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, input.data(), sizeof(bytes));
+    std::istringstream stream(std::string(input.substr(sizeof(bytes))));
     gdcm::ImageReader reader;
-    reader.SetStream(**stream);
+    reader.SetStream(stream);
     if (!reader.Read()) return {};
     const gdcm::Image& picture = reader.GetImage();
-    const std::uint64_t bytes = frame_bytes(image) * image.frames.size();
     if (picture.GetBufferLength() != bytes) return {};
     std::string pixels(bytes, '\0');
     return picture.GetBuffer(pixels.data()) ? pixels : std::string();
+}
+
+// What decode() takes.
+Result<std::string> for_decoding(const DicomImage& image, std::uint64_t pixel_bytes) {
+    RAMUS_TRY(size, image.file.size());
+    RAMUS_TRY(stream, image.file.open());
+    std::string input(sizeof(pixel_bytes) + size, '\0');
+    std::memcpy(input.data(), &pixel_bytes, sizeof(pixel_bytes));
+    if (!stream->read(input.data() + sizeof(pixel_bytes), static_cast<std::streamsize>(size)))
+        return fail("reading stopped with an error", image.file.name, "check the medium");
+    return input;
 }
 
 } // namespace
@@ -102,8 +114,9 @@ Result<void> check_pixels(const DicomImage& image, double memory_bytes) {
     const double possible =
         static_cast<double>(image.layout.pixel_bytes) * (image.layout.encapsulated ? kMostCompression : 1.0);
     if (claimed > possible) return fail("its header claims more pixels than the file can hold", name, kExportAgain);
-    if (claimed > memory_bytes)
-        return fail("its pixels take " + megabytes(claimed) + " of memory; " + megabytes(memory_bytes) +
+    const double held = claimed + (image.layout.encapsulated ? static_cast<double>(image.layout.pixel_bytes) : 0.0);
+    if (held > memory_bytes)
+        return fail("its pixels take " + megabytes(held) + " of memory; " + megabytes(memory_bytes) +
                         " are left to them",
                     name, "allow more with --memory");
     return {};
@@ -126,7 +139,9 @@ Result<std::string> decode_pixels(const DicomImage& image) {
     const std::uint64_t bytes = frame_bytes(image) * image.frames.size();
     limits.memory += 4 * bytes;
     limits.answer = bytes + 1;
-    auto pixels = run_in_own_process([&] { return decode(image); }, limits);
+    RAMUS_TRY(input, for_decoding(image, bytes));
+    limits.memory += 2 * input.size();
+    auto pixels = run_in_own_process(decode, input, limits);
     if (!pixels || pixels->empty())
         return fail("its compressed pixels cannot be decoded: they are damaged, of an unknown kind, or other than the "
                     "header says",
