@@ -182,9 +182,7 @@ GlfwWindow* self(GLFWwindow* window) { return static_cast<GlfwWindow*>(glfwGetWi
 void GlfwWindow::attach(Viewer* viewer) { viewer_ = viewer; }
 
 glm::dvec2 GlfwWindow::pixels(double x, double y) const {
-    int width = 1, height = 1;
-    glfwGetWindowSize(window_, &width, &height);
-    return glm::dvec2(x, y) * glm::dvec2(framebuffer_size()) / glm::dvec2(std::max(width, 1), std::max(height, 1));
+    return glm::dvec2(x, y) * glm::dvec2(told_.framebuffer) / glm::dvec2(glm::max(told_.window, 1));
 }
 
 void GlfwWindow::key(int number, int scancode, int action, int modifiers) {
@@ -210,6 +208,8 @@ void GlfwWindow::resized() {
 }
 
 void GlfwWindow::connect() {
+    glfwGetFramebufferSize(window_, &told_.framebuffer.x, &told_.framebuffer.y);
+    glfwGetWindowSize(window_, &told_.window.x, &told_.window.y);
     glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
         Viewer* viewer = self(window)->viewer_;
         if (viewer == nullptr) return;
@@ -245,7 +245,15 @@ void GlfwWindow::connect() {
         Viewer* viewer = self(window)->viewer_;
         if (viewer != nullptr && count > 0) viewer->files().dropped(paths[0]);
     });
-    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { self(window)->resized(); });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int width, int height) {
+        self(window)->told_.framebuffer = {width, height};
+        self(window)->resized();
+    });
+    glfwSetWindowSizeCallback(window_, [](GLFWwindow* window, int width, int height) {
+        self(window)->told_.window = {width, height};
+    });
+    glfwSetWindowMaximizeCallback(
+        window_, [](GLFWwindow* window, int maximized) { self(window)->told_.maximized = maximized == GLFW_TRUE; });
     glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* window, float, float) { self(window)->resized(); });
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) {
         if (Viewer* viewer = self(window)->viewer_) viewer->present_again();
@@ -284,12 +292,6 @@ void GlfwWindow::set_cursor(Cursor cursor) {
     glfwSetCursor(window_, shape); // null: the arrow
 }
 
-glm::ivec2 GlfwWindow::framebuffer_size() const {
-    glm::ivec2 size(1);
-    glfwGetFramebufferSize(window_, &size.x, &size.y);
-    return size;
-}
-
 float GlfwWindow::scale() const {
     if (fixed_scale_ > 0.0F) return fixed_scale_;
     float x = 1.0F, y = 1.0F;
@@ -307,7 +309,7 @@ void GlfwWindow::set_scale(float pixels_per_point) {
 }
 
 std::optional<glm::ivec2> GlfwWindow::size_points() const {
-    if (glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE) return {};
+    if (told_.maximized) return {};
     const glm::ivec2 pixels = framebuffer_size();
     const auto points = [&](int length) { return static_cast<int>(std::lround(static_cast<float>(length) / scale())); };
     const glm::ivec2 size(points(pixels.x), points(pixels.y));

@@ -34,7 +34,7 @@ public:
     void show();
     void set_title(const std::string& title);
     void set_cursor(Cursor cursor); // over the window's content
-    [[nodiscard]] glm::ivec2 framebuffer_size() const;
+    [[nodiscard]] glm::ivec2 framebuffer_size() const { return told_.framebuffer; }
     [[nodiscard]] float scale() const; // pixels per point
     [[nodiscard]] bool close_wanted() const;
     void refuse_close();                                         // and not wanted any more
@@ -51,7 +51,14 @@ private:
     [[nodiscard]] glm::dvec2 pixels(double x, double y) const;
     void key(int number, int scancode, int action, int modifiers);
 
+    // As the display last told. To ask it is to wait until it has done all that it was given before.
+    struct Told {
+        glm::ivec2 framebuffer{1}, window{1}; // pixels, the system's units
+        bool maximized = false;
+    };
+
     GLFWwindow* window_;
+    Told told_;
     GLFWwindow* beside_ = nullptr; // never seen: GLFW has a context with a window alone
     float fixed_scale_;            // 0: the display's
     Viewer* viewer_ = nullptr;
