@@ -66,27 +66,11 @@ void OpenDialog::enter(const fs::path& where) {
     std::error_code error;
     folder = fs::absolute(where, error).lexically_normal();
     if (folder.has_parent_path() && folder.filename().empty()) folder = folder.parent_path(); // "a/" is "a"
-    entries.clear();
-    problem.clear();
     marked = -1;
-    replace_asked = false;
+    replace_asked = take_first = false;
     filter.fill('\0');
     put(folder.string(), typed);
-    fs::directory_iterator each(folder, fs::directory_options::skip_permission_denied, error);
-    if (error) {
-        problem = error.message();
-        return;
-    }
-    for (; each != fs::directory_iterator(); each.increment(error)) {
-        if (error) break;
-        std::error_code ignored;
-        Entry entry{each->path().filename().string(), each->is_directory(ignored), 0};
-        if (entry.name.starts_with(".")) continue;
-        if (!entry.folder) entry.bytes = each->file_size(ignored);
-        entries.push_back(std::move(entry));
-    }
-    std::sort(entries.begin(), entries.end(),
-              [](const Entry& a, const Entry& b) { return a.folder != b.folder ? a.folder : a.name < b.name; });
+    listing.read(folder);
 }
 
 namespace {
@@ -158,11 +142,30 @@ const Shown* shown_in(const OpenDialog& dialog) {
     return dialog.shown < purpose.shown.size() ? &purpose.shown[dialog.shown] : nullptr;
 }
 
-bool matches(const OpenDialog& dialog, const OpenDialog::Entry& entry) {
-    if (!entry.folder && dialog.purpose == FilePurpose::kExport && !dialog.exported.writes(entry.name)) return false;
+// Of the entries those that are shown, ascending.
+void find_rows(OpenDialog& dialog) {
+    const bool exporting = dialog.purpose == FilePurpose::kExport;
+    const std::string filter = io::lower_case(dialog.filter.data());
+    const std::string wanted = std::to_string(dialog.listing.version()) + ' ' +
+                               std::to_string(static_cast<int>(dialog.purpose)) + ' ' + std::to_string(dialog.shown) +
+                               ' ' + std::to_string(static_cast<int>(dialog.exported.what)) + ' ' + filter;
+    if (std::exchange(dialog.rows_for, wanted) == wanted) return;
     const Shown* const shown = shown_in(dialog);
-    if (!entry.folder && shown != nullptr && !shown->fits(entry.name)) return false;
-    return io::lower_case(entry.name).find(io::lower_case(dialog.filter.data())) != std::string::npos;
+    const auto matches = [&](const OpenDialog::Entry& entry) {
+        if (entry.lower_case.find(filter) == std::string::npos) return false;
+        return entry.folder ||
+               ((!exporting || dialog.exported.writes(entry.name)) && (shown == nullptr || shown->fits(entry.name)));
+    };
+    dialog.rows.clear();
+    for (std::size_t n = 0; n < dialog.entries().size(); ++n)
+        if (matches(dialog.entries()[n])) dialog.rows.push_back(n);
+}
+
+// None: it is not shown.
+std::vector<std::size_t>::const_iterator row_of_marked(const OpenDialog& dialog) {
+    if (dialog.marked < 0) return dialog.rows.end();
+    const auto found = std::ranges::lower_bound(dialog.rows, static_cast<std::size_t>(dialog.marked));
+    return found != dialog.rows.end() && *found == static_cast<std::size_t>(dialog.marked) ? found : dialog.rows.end();
 }
 
 std::string size_text(std::uintmax_t bytes) {
@@ -198,53 +201,76 @@ fs::path draw_places(float width, std::span<const fs::path> recent_files) {
     return chosen;
 }
 
+// What is to be said where there is nothing in the list.
+void draw_why_empty(const OpenDialog& dialog) {
+    const std::string& problem = dialog.listing.content().problem;
+    if (dialog.listing.reading())
+        widgets::quiet("Listing this folder...");
+    else if (!problem.empty())
+        widgets::quiet_wrapped(("This folder cannot be listed: " + problem).c_str());
+    else if (dialog.saves())
+        widgets::quiet_wrapped("No such files here yet.");
+    else if (shown_in(dialog) == nullptr)
+        widgets::quiet_wrapped("Nothing here.");
+    else
+        widgets::quiet_wrapped(
+            ("No " + shown_in(dialog)->extensions() + " files here. Choose another folder, or show all files.")
+                .c_str());
+}
+
+// Returns what was chosen with it.
+fs::path draw_entry(OpenDialog& dialog, std::size_t n) {
+    fs::path chosen;
+    const OpenDialog::Entry& entry = dialog.entries()[n];
+    const auto number = static_cast<int>(n);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(number);
+    const std::string label = entry.folder ? entry.name + "/" : entry.name;
+    if (entry.folder) ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
+    if (ImGui::Selectable(label.c_str(), dialog.marked == number,
+                          ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
+        // A click chooses, a double click goes on with it.
+        dialog.marked = number;
+        if (!entry.folder && dialog.saves()) {
+            dialog.rename(entry.name);
+            if (dialog.purpose == FilePurpose::kExport) dialog.exported.follow(entry.name);
+        } else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+            chosen = dialog.folder / entry.name;
+        }
+    }
+    widgets::note_item(label.c_str());
+    if (dialog.to_marked && dialog.marked == number) {
+        dialog.to_marked = false;
+        ImGui::SetScrollHereY();
+    }
+    if (entry.folder) ImGui::PopStyleColor();
+    ImGui::PopID();
+    ImGui::TableNextColumn();
+    if (!entry.folder) widgets::quiet_right(size_text(entry.bytes));
+    return chosen;
+}
+
 fs::path draw_entries(OpenDialog& dialog, float height) {
     fs::path chosen;
     ImGui::BeginChild("entries", {0.0F, height});
-    if (!dialog.problem.empty()) widgets::quiet_wrapped(("This folder cannot be listed: " + dialog.problem).c_str());
-    bool any = false;
-    if (ImGui::BeginTable("files", 2, ImGuiTableFlags_SizingFixedFit)) {
+    if (dialog.rows.empty()) draw_why_empty(dialog);
+    if (!dialog.rows.empty() && ImGui::BeginTable("files", 2, ImGuiTableFlags_SizingFixedFit)) {
         ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
         ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, 76.0F * theme::scale());
-        for (std::size_t i = 0; i < dialog.entries.size(); ++i) {
-            const OpenDialog::Entry& entry = dialog.entries[i];
-            if (!matches(dialog, entry)) continue;
-            any = true;
-            ImGui::TableNextRow();
-            ImGui::TableNextColumn();
-            ImGui::PushID(static_cast<int>(i));
-            const std::string label = entry.folder ? entry.name + "/" : entry.name;
-            if (entry.folder) ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
-            if (ImGui::Selectable(label.c_str(), dialog.marked == static_cast<int>(i),
-                                  ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
-                // A click chooses, a double click goes on with it.
-                dialog.marked = static_cast<int>(i);
-                if (!entry.folder && dialog.saves()) {
-                    dialog.rename(entry.name);
-                    if (dialog.purpose == FilePurpose::kExport) dialog.exported.follow(entry.name);
-                } else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-                    chosen = dialog.folder / entry.name;
-                }
-            }
-            widgets::note_item(label.c_str());
-            if (std::exchange(dialog.to_marked, dialog.to_marked && dialog.marked != static_cast<int>(i)) &&
-                dialog.marked == static_cast<int>(i))
-                ImGui::SetScrollHereY();
-            if (entry.folder) ImGui::PopStyleColor();
-            ImGui::PopID();
-            ImGui::TableNextColumn();
-            if (entry.folder) continue;
-            widgets::quiet_right(size_text(entry.bytes));
+        ImGuiListClipper clipper; // there may be thousands
+        clipper.Begin(static_cast<int>(dialog.rows.size()));
+        if (dialog.to_marked) {
+            const auto row = static_cast<int>(row_of_marked(dialog) - dialog.rows.begin());
+            clipper.ForceDisplayRangeByIndices(row, row + 1);
         }
+        while (clipper.Step())
+            for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
+                const fs::path its = draw_entry(dialog, dialog.rows[static_cast<std::size_t>(row)]);
+                if (!its.empty()) chosen = its;
+            }
         ImGui::EndTable();
     }
-    if (!any && dialog.problem.empty())
-        widgets::quiet_wrapped(
-            dialog.saves() ? "No such files here yet."
-            : shown_in(dialog) == nullptr
-                ? "Nothing here."
-                : ("No " + shown_in(dialog)->extensions() + " files here. Choose another folder, or show all files.")
-                      .c_str());
     ImGui::EndChild();
     return chosen;
 }
@@ -302,26 +328,35 @@ fs::path draw_path_row(OpenDialog& dialog) {
     if (!ImGui::InputTextWithHint("##filter", "Filter", dialog.filter.data(), dialog.filter.size(),
                                   ImGuiInputTextFlags_EnterReturnsTrue))
         return chosen;
-    // Enter takes what is marked, else the first that is left.
-    const auto first = std::ranges::find_if(dialog.entries, [&](const auto& each) { return matches(dialog, each); });
-    if (dialog.marked >= 0 && matches(dialog, dialog.entries[static_cast<std::size_t>(dialog.marked)]))
-        return dialog.folder / dialog.entries[static_cast<std::size_t>(dialog.marked)].name;
-    return first == dialog.entries.end() ? chosen : dialog.folder / first->name;
+    dialog.take_first = true;
+    return chosen;
+}
+
+// Enter takes what is marked, else the first that is left.
+fs::path take_first(OpenDialog& dialog) {
+    if (dialog.listing.reading() || !std::exchange(dialog.take_first, false) || dialog.rows.empty()) return {};
+    const auto marked = row_of_marked(dialog);
+    return dialog.folder / dialog.entries()[marked == dialog.rows.end() ? dialog.rows.front() : *marked].name;
 }
 
 // Up and down, from what is marked to the next that is seen.
 void move_mark(OpenDialog& dialog) {
-    const int step = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow)) ? 1
-                     : ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow)) ? -1
-                                                                                 : 0;
-    if (step == 0 || dialog.saves()) return;
-    const int count = static_cast<int>(dialog.entries.size());
-    for (int i = dialog.marked < 0 && step < 0 ? count - 1 : dialog.marked + step; i >= 0 && i < count; i += step) {
-        if (!matches(dialog, dialog.entries[static_cast<std::size_t>(i)])) continue;
-        dialog.marked = i;
-        dialog.to_marked = true;
-        return;
+    const bool down = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow));
+    const bool up = !down && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow));
+    if ((!down && !up) || dialog.saves()) return;
+    const std::size_t marked = dialog.marked < 0 ? dialog.entries().size() : static_cast<std::size_t>(dialog.marked);
+    auto to = std::ranges::lower_bound(dialog.rows, marked); // also of one that is not shown
+    if (up) {
+        if (to == dialog.rows.begin()) return;
+        --to;
+    } else if (dialog.marked < 0) {
+        to = dialog.rows.begin();
+    } else if (to != dialog.rows.end() && *to == marked) {
+        ++to;
     }
+    if (to == dialog.rows.end()) return;
+    dialog.marked = static_cast<int>(*to);
+    dialog.to_marked = true;
 }
 
 // Cancel and Open. Returns what was chosen with them.
@@ -335,12 +370,12 @@ fs::path draw_buttons(OpenDialog& dialog, float button_width, bool& cancelled) {
     widgets::align_right(2.0F * button_width + ImGui::GetStyle().ItemSpacing.x);
     cancelled = ImGui::Button("Cancel", {button_width, 0.0F});
     ImGui::SameLine();
-    const bool can_open = dialog.marked >= 0 && dialog.marked < static_cast<int>(dialog.entries.size());
+    const bool can_open = dialog.marked >= 0 && dialog.marked < static_cast<int>(dialog.entries().size());
     ImGui::BeginDisabled(!can_open);
     const bool opens = widgets::button("Open", {button_width, 0.0F}, theme::kAccentDim);
     widgets::note_item("Open what is chosen");
     ImGui::EndDisabled();
-    return opens ? dialog.folder / dialog.entries[static_cast<std::size_t>(dialog.marked)].name : fs::path();
+    return opens ? dialog.folder / dialog.entries()[static_cast<std::size_t>(dialog.marked)].name : fs::path();
 }
 
 } // namespace
@@ -367,8 +402,11 @@ void draw_open_dialog(InterfaceContext& context) {
     take(draw_places(190.0F * scale, recent));
     ImGui::SameLine(0.0F, 16.0F * scale);
     ImGui::BeginGroup();
+    find_rows(dialog);
     move_mark(dialog);
     take(draw_path_row(dialog));
+    find_rows(dialog); // the filter may be another
+    take(take_first(dialog));
     ImGui::Dummy({0.0F, 2.0F * scale});
     const float buttons = ImGui::GetFrameHeight() + 2.0F * ImGui::GetStyle().ItemSpacing.y + 2.0F * scale;
     take(draw_entries(dialog, -buttons));

@@ -1,9 +1,10 @@
 // OpenDialog: a folder, its sub-folders and the files ramus can read, and what the user is typing: to choose a file to
-// open, or a name to save or export something under. Listing reads the folder once.
+// open, or a name to save or export something under. The folder is listed once.
 #pragma once
 
 #include "app/actions/hosts.h"
 #include "app/panels/export_choice.h"
+#include "app/panels/folder_listing.h"
 
 #include <array>
 #include <cstdint>
@@ -14,20 +15,18 @@
 namespace ramus::app {
 
 struct OpenDialog {
-    struct Entry {
-        std::string name;
-        bool folder = false;
-        std::uintmax_t bytes = 0;
-    };
+    using Entry = FolderListing::Entry;
     FilePurpose purpose = FilePurpose::kOpen;
     bool open = false;
     std::size_t shown = 0; // which files: an index into what the purpose offers; behind its end all files
     std::filesystem::path folder;
-    std::vector<Entry> entries; // folders first, then files, by name
-    std::string problem;        // why the folder cannot be listed
+    FolderListing listing;         // of the folder
+    std::vector<std::size_t> rows; // of its entries, those that are shown
+    std::string rows_for;          // what they were found for
+    bool take_first = false;       // Enter waits for the listing
     std::array<char, 256> filter{};
     std::array<char, 4096> typed{}; // the path field
-    int marked = -1;                // index into entries
+    int marked = -1;                // index into the entries
     bool to_marked = false;         // it shall come into sight
     std::array<char, 256> name{};   // to save under
     bool replace_asked = false;     // the user was told that it exists
@@ -40,6 +39,7 @@ struct OpenDialog {
     void rename(const std::string& text);              // in the field for the name
     [[nodiscard]] std::filesystem::path named() const; // the file to save, with its ending
     void enter(const std::filesystem::path& where);    // lists another folder
+    [[nodiscard]] const std::vector<Entry>& entries() const { return listing.content().entries; }
 };
 
 // By which folders are remembered, and the command that gets the file.

@@ -154,7 +154,8 @@ void ViewerFiles::take_volume_facts(const Result<VolumeFacts>& facts) {
     state_.redraw();
 }
 
-void ViewerFiles::follow_volume_dialog() {
+void ViewerFiles::follow_dialogs() {
+    if (state_.interface.open_dialog.listing.update()) state_.redraw();
     volume_reader_.drain();
     if (const std::string why = volume_reader_.take_failure(); !why.empty())
         take_volume_facts(fail("the file cannot be read: " + why, volume_read_.string(), "give a smaller one"));
@@ -178,7 +179,7 @@ void ViewerFiles::ask_about_arrival() {
 }
 
 void ViewerFiles::update() {
-    follow_volume_dialog();
+    follow_dialogs();
     ask_about_arrival();
     if (const auto opened = state_.workspace.take_opened()) take(*opened);
     while (const auto error = state_.workspace.take_error()) {

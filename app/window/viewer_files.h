@@ -17,6 +17,7 @@ public:
     ViewerFiles(ViewerState& state, std::function<void(const Workspace::Opened&)> opened)
         : state_(state), opened_(std::move(opened)), volume_reader_(state.wake) {
         state.interface.recent_files = read_recent_files();
+        state.interface.open_dialog.listing.wake_by(state.wake);
     }
 
     Result<void> open(const std::filesystem::path& path) override;
@@ -55,7 +56,7 @@ private:
     bool closing_ = false;
     bool asked_about_arrival_ = false;
     void take_volume_facts(const Result<VolumeFacts>& facts);
-    void follow_volume_dialog();
+    void follow_dialogs();
     std::filesystem::path recovering_; // the file of the recovery that is being read; empty: none is
     std::optional<autosave::Slot> recovered_;
     std::filesystem::path volume_read_; // what the dialog is about, or was
