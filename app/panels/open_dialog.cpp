@@ -240,10 +240,7 @@ fs::path draw_entry(OpenDialog& dialog, std::size_t n) {
         }
     }
     widgets::note_item(label.c_str());
-    if (dialog.to_marked && dialog.marked == number) {
-        dialog.to_marked = false;
-        ImGui::SetScrollHereY();
-    }
+    if (dialog.to_marked && dialog.marked == number) ImGui::SetScrollHereY();
     if (entry.folder) ImGui::PopStyleColor();
     ImGui::PopID();
     ImGui::TableNextColumn();
@@ -260,8 +257,8 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
         ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, 76.0F * theme::scale());
         ImGuiListClipper clipper; // there may be thousands
         clipper.Begin(static_cast<int>(dialog.rows.size()));
-        if (dialog.to_marked) {
-            const auto row = static_cast<int>(row_of_marked(dialog) - dialog.rows.begin());
+        if (const auto marked = row_of_marked(dialog); dialog.to_marked && marked != dialog.rows.end()) {
+            const auto row = static_cast<int>(marked - dialog.rows.begin());
             clipper.ForceDisplayRangeByIndices(row, row + 1);
         }
         while (clipper.Step())
@@ -271,6 +268,7 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
             }
         ImGui::EndTable();
     }
+    dialog.to_marked = false; // one that the filter leaves out has no place
     ImGui::EndChild();
     return chosen;
 }
