@@ -1,6 +1,7 @@
 #include "app/tools/aim.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
@@ -71,18 +72,42 @@ std::optional<glm::dvec3> Aim::in_middle(const render::Camera& camera) {
     return middle_ ? middle_->at : visible_->middle;
 }
 
+namespace {
+
+// Of the vessel on whose surface a place is; 0: it is on none.
+double radius_around(const tree::VesselTree& tree, const glm::dvec3& at) {
+    constexpr double kOnSurface = 1.5; // radii from the axis, at most
+    double nearest = kOnSurface, radius = 0.0;
+    for (const tree::Branch& branch : tree.branches)
+        for (std::size_t n = 1; n < branch.points.size(); ++n) {
+            const tree::Point& a = tree.points[branch.points[n - 1]];
+            const tree::Point& b = tree.points[branch.points[n]];
+            const glm::dvec3 along = b.position - a.position;
+            const double length2 = glm::dot(along, along);
+            const double share = length2 > 0.0 ? std::clamp(glm::dot(at - a.position, along) / length2, 0.0, 1.0) : 0.0;
+            const double its = glm::mix(a.radius, b.radius, share);
+            const double away = glm::distance(a.position + share * along, at);
+            if (away < nearest * its) nearest = away / its, radius = its;
+        }
+    return radius;
+}
+
+} // namespace
+
 double least_distance_mm(const tree::VesselTree* tree, int branch, const glm::dvec3& at, double scene_mm) {
     constexpr double kOfRadius = 0.25, kOfScene = 1e-3;
-    const double beside_vessels = kOfScene * scene_mm;
-    if (tree == nullptr || branch < 0 || static_cast<std::size_t>(branch) >= tree->branches.size())
-        return beside_vessels;
-    double nearest = std::numeric_limits<double>::infinity(), radius = 0.0;
-    for (const auto index : tree->branches[static_cast<std::size_t>(branch)].points) {
-        const tree::Point& point = tree->points[index];
-        const double away = glm::distance(point.position, at);
-        if (away < nearest) nearest = away, radius = point.radius;
+    double radius = 0.0;
+    if (tree != nullptr && branch >= 0 && static_cast<std::size_t>(branch) < tree->branches.size()) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const auto index : tree->branches[static_cast<std::size_t>(branch)].points) {
+            const tree::Point& point = tree->points[index];
+            const double away = glm::distance(point.position, at);
+            if (away < nearest) nearest = away, radius = point.radius;
+        }
+    } else if (tree != nullptr) {
+        radius = radius_around(*tree, at);
     }
-    return radius > 0.0 ? kOfRadius * radius : beside_vessels;
+    return radius > 0.0 ? kOfRadius * radius : kOfScene * scene_mm;
 }
 
 } // namespace ramus::app

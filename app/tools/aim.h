@@ -75,7 +75,8 @@ private:
 };
 
 // How near the eye may come to a point of the surface, mm: a fraction of the vessel's radius there. `branch`: the one
-// that is pointed at, or none; `scene_mm`: how large all is, for what is no vessel.
+// that is pointed at; none: what lies around the point, for it may not be known yet. `scene_mm`: how large all is, for
+// what is no vessel.
 [[nodiscard]] double least_distance_mm(const tree::VesselTree* tree, int branch, const glm::dvec3& at, double scene_mm);
 
 } // namespace ramus::app

@@ -119,6 +119,8 @@ TEST_CASE("the eye keeps a quarter of the vessel's radius off, and less of what 
     tree.branches[0].points = {0, 1};
     CHECK(app::least_distance_mm(&tree, 0, {4, 0, 1}, 100.0) == doctest::Approx(1.0));
     CHECK(app::least_distance_mm(&tree, 0, {2, 0, 9}, 100.0) == doctest::Approx(0.5));
-    CHECK(app::least_distance_mm(&tree, tree::kNoBranch, {2, 0, 9}, 100.0) == doctest::Approx(0.1));
+    // On a vessel, of which it is not known yet on which: of its radius there.
+    CHECK(app::least_distance_mm(&tree, tree::kNoBranch, {2.2, 0, 9}, 100.0) == doctest::Approx(0.25 * 2.2));
+    CHECK(app::least_distance_mm(&tree, tree::kNoBranch, {20, 0, 5}, 100.0) == doctest::Approx(0.1));
     CHECK(app::least_distance_mm(nullptr, 0, {2, 0, 9}, 100.0) == doctest::Approx(0.1));
 }
