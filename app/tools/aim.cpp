@@ -1,6 +1,7 @@
 #include "app/tools/aim.h"
 
-#include <algorithm>
+#include "core/base/lines.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -83,8 +84,7 @@ double radius_around(const tree::VesselTree& tree, const glm::dvec3& at) {
             const tree::Point& a = tree.points[branch.points[n - 1]];
             const tree::Point& b = tree.points[branch.points[n]];
             const glm::dvec3 along = b.position - a.position;
-            const double length2 = glm::dot(along, along);
-            const double share = length2 > 0.0 ? std::clamp(glm::dot(at - a.position, along) / length2, 0.0, 1.0) : 0.0;
+            const double share = share_along(at - a.position, along);
             const double its = glm::mix(a.radius, b.radius, share);
             const double away = glm::distance(a.position + share * along, at);
             if (away < nearest * its) nearest = away / its, radius = its;

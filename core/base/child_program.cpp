@@ -1,5 +1,6 @@
 #include "core/base/child_program.h"
 
+#include "core/base/descriptor.h"
 #include "core/base/printable.h"
 
 #include <algorithm>
@@ -181,12 +182,7 @@ int ChildProgram::reap() const {
 }
 
 Result<void> ChildProgram::write(std::string_view bytes) const {
-    while (!bytes.empty()) {
-        const ssize_t sent = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-        if (sent < 0 && errno == EINTR) continue;
-        if (sent <= 0) return fail("the program does not read any more");
-        bytes.remove_prefix(static_cast<std::size_t>(sent));
-    }
+    if (!send_all(input_, bytes)) return fail("the program does not read any more");
     return {};
 }
 

@@ -1,5 +1,6 @@
 #include "core/base/fork_server.h"
 
+#include "core/base/descriptor.h"
 #include "core/base/process_answer.h"
 
 #include <array>
@@ -71,16 +72,6 @@ private:
     msghdr header_{};
     alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> space_{};
 };
-
-bool send_all(int to, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t sent = ::send(to, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-        if (sent < 0 && errno == EINTR) continue;
-        if (sent <= 0) return false;
-        bytes.remove_prefix(static_cast<std::size_t>(sent));
-    }
-    return true;
-}
 
 std::string receive_all(int from, std::uint64_t bytes) {
     std::string input(bytes, '\0');

@@ -1,5 +1,6 @@
 #include "core/base/own_process.h"
 
+#include "core/base/descriptor.h"
 #include "core/base/fork_server.h"
 #include "core/base/process_answer.h"
 
@@ -12,6 +13,7 @@
 #include <fstream>
 #include <string_view>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -33,16 +35,6 @@ void limit(decltype(RLIMIT_AS) what, std::uint64_t most) {
     ::setrlimit(what, &both);
 }
 
-bool write_all(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return false;
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return true;
-}
-
 } // namespace
 
 void work_and_end(OwnWork work, std::string_view input, const ProcessLimits& limits, int answer) {
@@ -56,7 +48,7 @@ void work_and_end(OwnWork work, std::string_view input, const ProcessLimits& lim
     if (const std::uint64_t now = own_address_space(); now > 0) limit(RLIMIT_AS, now + limits.memory);
     bool done = false;
     try {
-        done = write_all(answer, work(input) + kComplete);
+        done = send_all(answer, work(input) + kComplete);
     } catch (...) { // most likely out of memory
         done = false;
     }
@@ -85,14 +77,14 @@ Result<std::string> run_in_own_process(OwnWork work, std::string_view input, con
     const auto cannot = [] {
         return fail(std::string("a helper process cannot be started: ") + std::strerror(errno), {}, "free some memory");
     };
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return cannot();
-    const Descriptor reading(ends[0]);
-    Descriptor writing(ends[1]);
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return cannot();
+    const Descriptor own(ends[0]);
+    Descriptor other(ends[1]);
     const pid_t child = ::fork();
     if (child < 0) return cannot();
-    if (child == 0) work_and_end(work, input, limits, writing.number());
-    writing.close();
-    auto answer = read_answer(reading.number(), limits);
+    if (child == 0) work_and_end(work, input, limits, other.number());
+    other.close();
+    auto answer = read_answer(own.number(), limits);
     if (!answer) ::kill(child, SIGKILL);
     int status = 0;
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {

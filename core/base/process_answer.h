@@ -3,25 +3,7 @@
 
 #include "core/base/own_process.h"
 
-#include <unistd.h>
-#include <utility>
-
 namespace ramus {
-
-class Descriptor {
-public:
-    explicit Descriptor(int number) : number_(number) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() { close(); }
-    void close() {
-        if (number_ >= 0) ::close(std::exchange(number_, -1));
-    }
-    [[nodiscard]] int number() const { return number_; }
-
-private:
-    int number_;
-};
 
 // In the process that is there for it: does the work, answers on this descriptor, and ends.
 [[noreturn]] void work_and_end(OwnWork work, std::string_view input, const ProcessLimits& limits, int answer);

@@ -1,0 +1,28 @@
+// Descriptors of the operating system: one that is closed with its owner, and all of a text into a socket.
+#pragma once
+
+#include <string_view>
+#include <unistd.h>
+#include <utility>
+
+namespace ramus {
+
+class Descriptor {
+public:
+    explicit Descriptor(int number) : number_(number) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() { close(); }
+    void close() {
+        if (number_ >= 0) ::close(std::exchange(number_, -1));
+    }
+    [[nodiscard]] int number() const { return number_; }
+
+private:
+    int number_;
+};
+
+// Waits until the socket has taken all. False: its other end is closed, or it is none; no signal is raised then.
+[[nodiscard]] bool send_all(int socket, std::string_view bytes);
+
+} // namespace ramus
