@@ -12,7 +12,6 @@
 #include "core/mesh/polygonize/feasible.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/systems.h"
-#include "core/mesh/untangle/places_apart.h"
 #include "core/mesh/untangle/untangle.h"
 #include "core/tree/contacts/links.h"
 #include "core/tree/curves.h"
@@ -179,12 +178,12 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
             };
             Job making(job, share(0.0F), share(kMade)), mending(job, share(kMade), share(1.0F));
             PolygonizeStatistics statistics;
-            RAMUS_TRY(mesh, polygonize(whole.without(part), polygonize_options(options), making, &statistics));
+            std::vector<TriangleBox> walled;
+            RAMUS_TRY(mesh, polygonize(whole.without(part), polygonize_options(options), making, &statistics, &walled));
             if (options.blend == Blend::kTree)
                 surface.statistics.cut_loops += cut_false_loops(mesh, visible_part(prepared, part).tree,
                                                                 polygonize_options(options).memory_bytes, mending);
-            if (untangled && !job.cancelled())
-                surface.statistics.untangled.add(untangle(mesh, places_apart(prepared, whole.contacts()), mending));
+            if (untangled && !job.cancelled()) surface.statistics.untangled.add(untangle(mesh, walled, mending));
             mending.report(1.0F);
             if (job.cancelled()) return fail("cancelled");
             if (surface.mesh.positions.size() + mesh.positions.size() > kMostVertices) return too_many_vertices();

@@ -30,19 +30,22 @@ public:
         mesh_.triangles.resize(first + count);
         return std::span(mesh_.triangles).subspan(first);
     }
+    void add_walled(const Bounds<glm::vec3>& box) override { walled_.push_back(box); }
     void release_vertices(std::size_t, std::size_t) override {}
     void end_batch() override {}
 
     [[nodiscard]] TriangleMesh take() { return std::move(mesh_); }
+    [[nodiscard]] std::vector<Bounds<glm::vec3>> take_walled() { return std::move(walled_); }
 
 private:
     TriangleMesh mesh_;
+    std::vector<Bounds<glm::vec3>> walled_;
 };
 
 } // namespace
 
 Result<TriangleMesh> polygonize(const field::Field& field, const PolygonizeOptions& options, Job& job,
-                                PolygonizeStatistics* statistics) {
+                                PolygonizeStatistics* statistics, std::vector<Bounds<glm::vec3>>* walled) {
     if (field.skeleton().segments().empty())
         return fail("the tree has no segments", {}, "nothing to make a surface of");
     if (field.skeleton().present().empty()) return fail("every branch is hidden", {}, "nothing to make a surface of");
@@ -50,6 +53,7 @@ Result<TriangleMesh> polygonize(const field::Field& field, const PolygonizeOptio
     if (auto made = make_surface_in(store, field, options, PolygonizeMode::kWhole, job, statistics); !made)
         return tl::unexpected(made.error());
     job.report(1.0F);
+    if (walled != nullptr) *walled = store.take_walled();
     return store.take();
 }
 

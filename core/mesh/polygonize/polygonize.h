@@ -9,6 +9,7 @@
 // never intersect there.
 #pragma once
 
+#include "core/base/bounds.h"
 #include "core/base/error.h"
 #include "core/base/job.h"
 #include "core/field/field.h"
@@ -17,6 +18,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
 
 namespace ramus::mesh {
 
@@ -41,8 +44,10 @@ struct PolygonizeStatistics {
 };
 
 // Fails when the options ask for more than memory holds or finer cells than the lattice can count, or when cancelled.
+// `walled`: boxes, mm, that hold all walls between vessels, whose sides may meet though neither of them folds.
 [[nodiscard]] Result<TriangleMesh> polygonize(const field::Field& field, const PolygonizeOptions& options, Job& job,
-                                              PolygonizeStatistics* statistics = nullptr);
+                                              PolygonizeStatistics* statistics = nullptr,
+                                              std::vector<Bounds<glm::vec3>>* walled = nullptr);
 
 // Polygonizes into a sink, for surfaces that are more than memory holds: of the surface only the subtrees at work are
 // kept (subtree_schedule.h), of the octree all of it.

@@ -24,10 +24,10 @@ struct Untangled {
     }
 };
 
-// Looks for triangles that meet, near folds (folds.h) and at `places` (places_apart.h), and moves their vertices toward
-// the middle of their neighbours until none meet, at most by half of the vessel's radius; normals stay. Where that does
-// not help in some rounds, what met least stays; where very much meets, as with cells larger than vessels, all stays.
-// Of a closed surface with normals and radii. If cancelled, the surface is as it was.
+// Looks for triangles that meet, near folds (folds.h) and at `places` (as polygonize() has them), and moves their
+// vertices toward the middle of their neighbours until none meet, at most by half of the vessel's radius; normals stay.
+// Where that does not help in some rounds, what met least stays; where very much meets, as with cells larger than
+// vessels, all stays. Of a closed surface with normals and radii. If cancelled, the surface is as it was.
 Untangled untangle(TriangleMesh& mesh, std::span<const TriangleBox> places, Job& job);
 
 } // namespace ramus::mesh

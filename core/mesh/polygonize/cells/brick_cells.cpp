@@ -207,6 +207,7 @@ void fill_subtrees(const field::Field& field, const Octree& octree, std::span<co
             }
             sampler.fill(index, surface.neighbours[index], surface.cells[index], made);
             if (sampler.parts_vessels()) parted.push_back(index);
+            if (sampler.has_walled_cells()) made.walled_bricks.push_back(index);
         }
         specks.local().leave_out(octree, subtrees[t], surface.neighbours, parted, surface.cells, made, vertices);
         std::ranges::sort(made.edge_ends, {}, &KnownEnds::edge);

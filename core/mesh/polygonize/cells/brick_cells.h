@@ -122,6 +122,7 @@ struct SubtreeCells {
     std::vector<BrickWalls> walls;
     std::vector<std::array<std::uint8_t, kQuarterPoints>> upper_loops; // as in CellRecord, of their upper ends
     std::vector<KnownEnds> edge_ends;                                  // of cells placed as in walled_cells.h, by edge
+    std::vector<std::uint32_t> walled_bricks;                          // that have such cells
     SampleCounts counts;
     // It may be another one when bricks beside the subtree change; and when some do that are beside those.
     bool looked_beyond = false, looked_far = false;

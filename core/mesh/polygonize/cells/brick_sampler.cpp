@@ -46,6 +46,7 @@ void BrickSampler::fill(std::uint32_t index, const Neighbourhood& neighbours, Br
     hanging_inside_.clear();
     owned_.clear();
     walled_.begin(cell_mm_);
+    has_walled_cells_ = false;
     if (neighbours_->finer != 0) sample_hanging(subtree);
     const bool parts = field_->parts_vessels();
     if (parts) find_owners(subtree);
@@ -67,6 +68,7 @@ void BrickSampler::fill(std::uint32_t index, const Neighbourhood& neighbours, Br
     decide_face_centres(subtree);
     for (const TracedCell& traced : traced_) {
         if (traced.loops.loop_count == 0) continue;
+        has_walled_cells_ |= traced.walled;
         cells.recorded |= std::uint64_t{1} << traced.cell;
         cells.first[static_cast<std::size_t>(traced.cell)] = static_cast<std::uint16_t>(guesses_.size());
         add_recorded_vertices(traced, subtree, subtree.records.emplace_back());

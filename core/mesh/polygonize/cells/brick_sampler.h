@@ -25,6 +25,8 @@ public:
     void fill(std::uint32_t index, const Neighbourhood& neighbours, BrickCells& cells, SubtreeCells& subtree);
     // Whether vessels are kept apart in the brick filled last.
     [[nodiscard]] bool parts_vessels() const { return field_->parts_vessels(); }
+    // Whether walls between them run through cells of it.
+    [[nodiscard]] bool has_walled_cells() const { return has_walled_cells_; }
 
 private:
     // Of the brick's points at half-cell spacing only those that are hanging corners are sampled.
@@ -94,6 +96,7 @@ private:
     std::vector<ApartPoints> apart_points_; // of traced cells
     std::vector<field::OwnedGuess> owned_;  // by guess
     WalledCells walled_;
+    bool has_walled_cells_ = false;
 };
 
 } // namespace ramus::mesh::bricks

@@ -33,6 +33,7 @@ private:
     [[nodiscard]] End place_vertices(std::span<const std::uint32_t> subtrees);
     [[nodiscard]] End place_triangles(std::span<const std::uint32_t> subtrees);
     [[nodiscard]] End grow_vertices(std::size_t count);
+    void tell_walls(std::span<const std::uint32_t> subtrees);
     void drop(std::span<const std::uint32_t> subtrees);
     void empty(std::uint32_t first_subtree, std::uint32_t end_subtree);
     [[nodiscard]] std::uint32_t brick_end(std::uint32_t subtree) const {
@@ -71,6 +72,7 @@ SurfaceStream::End SurfaceStream::work(const SubtreeBatch& batch, const JobRange
     fill_subtrees(field_, octree_, batch.fill, cells_, job);
     if (job.cancelled()) return End::kCancelled;
     statistics_.cells_s += watch.lap();
+    tell_walls(batch.fill);
     if (const End end = place_vertices(batch.fill); end != End::kDone) return end;
     join_subtrees(field_, octree_, batch.join, cells_, store_.vertices(), joined_, job);
     if (job.cancelled()) return End::kCancelled;
@@ -79,6 +81,17 @@ SurfaceStream::End SurfaceStream::work(const SubtreeBatch& batch, const JobRange
     store_.end_batch();
     statistics_.join_s += watch.lap();
     return End::kDone;
+}
+
+void SurfaceStream::tell_walls(std::span<const std::uint32_t> subtrees) {
+    for (const std::uint32_t subtree : subtrees)
+        for (const std::uint32_t index : cells_.subtrees[subtree].walled_bricks) {
+            const Brick& brick = octree_.bricks[index];
+            Bounds<glm::vec3> box;
+            for (const int units : {0, brick_units(brick.level)})
+                box.hold(glm::vec3(octree_.lattice.position(brick.corner + units)));
+            store_.add_walled(box);
+        }
 }
 
 SurfaceStream::End SurfaceStream::grow_vertices(std::size_t count) {

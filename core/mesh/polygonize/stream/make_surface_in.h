@@ -1,10 +1,12 @@
 // The steps of polygonizing, into whatever store.
 #pragma once
 
+#include "core/base/bounds.h"
 #include "core/mesh/polygonize/cells/brick_cells.h"
 #include "core/mesh/polygonize/polygonize.h"
 
 #include <cstddef>
+#include <glm/vec3.hpp>
 #include <span>
 
 namespace ramus::mesh {
@@ -30,6 +32,8 @@ public:
     [[nodiscard]] virtual std::span<glm::uvec3> add_triangles(std::size_t count) = 0;
     // Vertices that no triangle to come will name.
     virtual void release_vertices(std::size_t first, std::size_t end) = 0;
+    // Around a brick that has cells with walls between vessels, mm.
+    virtual void add_walled([[maybe_unused]] const Bounds<glm::vec3>& box) {}
     // All that was added is there.
     virtual void end_batch() = 0;
 };
