@@ -15,16 +15,26 @@ namespace {
 constexpr std::size_t kGroup = TriangleBoxes::kGroup;
 constexpr std::size_t kBlock = EightBoxes::kCount * kGroup; // triangles
 
-// Those that are asked for of triangles that follow each other, which have the same others around them.
-class AskedBlock {
+constexpr bool is_compared(Compared one) { return one != Compared::kNot; }
+
+bool share_corner(const glm::uvec3& s, const glm::uvec3& t) {
+    bool shared = false; // no test depends on another
+    for (int n = 0; n < 3; ++n) shared |= s[n] == t.x, shared |= s[n] == t.y, shared |= s[n] == t.z;
+    return shared;
+}
+
+// Those that are compared of triangles that follow each other, which have the same others around them.
+class ComparedBlock {
 public:
-    AskedBlock(const TriangleBoxes& boxes, std::span<const std::uint8_t> asked, std::size_t block)
+    ComparedBlock(const TriangleBoxes& boxes, std::span<const Compared> compared, std::size_t block)
         : begin_(kBlock * block) {
-        for (std::size_t n = begin_; n < std::min(begin_ + kBlock, asked.size()); ++n)
-            if (asked[n] != 0) add(boxes, n);
+        for (std::size_t n = begin_; n < std::min(begin_ + kBlock, compared.size()); ++n)
+            if (is_compared(compared[n])) add(boxes, n), with_all_ |= compared[n] == Compared::kWithAll;
         for (std::size_t group = 0; group < EightBoxes::kCount; ++group) groups_.set(group, boxes_[group].around());
     }
     [[nodiscard]] std::size_t begin() const { return begin_; }
+    // Whether one of them is compared with all others.
+    [[nodiscard]] bool with_all() const { return with_all_; }
     [[nodiscard]] TriangleBox around() const { return groups_.around(); }
     // Of one of them.
     [[nodiscard]] const exact::Plane& plane(std::size_t triangle) const { return planes_[triangle - begin_]; }
@@ -48,34 +58,42 @@ private:
     }
 
     std::size_t begin_;
-    std::array<EightBoxes, EightBoxes::kCount> boxes_; // by group; around nothing of what is not asked for
+    bool with_all_ = false;
+    std::array<EightBoxes, EightBoxes::kCount> boxes_; // by group; around nothing of what is not compared
     EightBoxes groups_;
-    std::array<exact::Plane, kBlock> planes_; // of those that are asked for
+    std::array<exact::Plane, kBlock> planes_; // of those that are compared
 };
 
 } // namespace
 
-MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const std::uint8_t> asked,
+MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const Compared> compared,
                                    const MeetingLimits& limits, Job& job) {
     const std::span<const glm::uvec3> triangles = boxes.triangles();
-    const auto count = static_cast<std::size_t>(std::ranges::count_if(asked, [](std::uint8_t a) { return a != 0; }));
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(compared, is_compared));
     if (count == 0) return {};
     const std::size_t most_looks = limits.looks > std::numeric_limits<std::size_t>::max() / count
                                        ? std::numeric_limits<std::size_t>::max()
                                        : limits.looks * count;
     ListsByThread<TrianglePair> found; // each thread's as many as are listed and one more
     std::atomic<std::size_t> looks{0}, pairs{0};
-    tbb::parallel_for(std::size_t{0}, (asked.size() + kBlock - 1) / kBlock, [&](std::size_t n) {
-        const auto its = asked.subspan(kBlock * n, std::min(kBlock, asked.size() - kBlock * n));
-        if (std::ranges::all_of(its, [](std::uint8_t a) { return a == 0; })) return; // most often
-        const AskedBlock block(boxes, asked, n);
+    tbb::parallel_for(std::size_t{0}, (compared.size() + kBlock - 1) / kBlock, [&](std::size_t n) {
+        const auto its = compared.subspan(kBlock * n, std::min(kBlock, compared.size() - kBlock * n));
+        if (std::ranges::none_of(its, is_compared)) return; // most often
+        const ComparedBlock block(boxes, compared, n);
         if (looks.load(std::memory_order_relaxed) > most_looks || job.cancelled()) return;
         std::size_t its_looks = 0, its_pairs = 0;
         std::vector<TrianglePair>& list = found.local();
         const auto look = [&](std::uint32_t other) {
-            if (other < block.begin() && asked[other] != 0) return; // it finds those of the block itself
+            if (!is_compared(compared[other])) {
+                if (!block.with_all()) return;
+            } else if (other < block.begin()) {
+                return; // it finds those of the block itself
+            }
             block.for_each_meeting(boxes.box(other), [&](std::uint32_t one) {
-                if (one == other || (asked[other] != 0 && other < one)) return; // likewise
+                if (one == other || (is_compared(compared[other]) && other < one)) return; // likewise
+                if (compared[one] != Compared::kWithAll && compared[other] != Compared::kWithAll &&
+                    (!is_compared(compared[other]) || share_corner(triangles[one], triangles[other])))
+                    return;
                 ++its_looks;
                 if (surely_beside(boxes.positions(), block.plane(one), triangles[one], triangles[other])) return;
                 if (!triangles_meet(boxes.positions(), triangles[one], triangles[other])) return;

@@ -19,9 +19,13 @@ struct TrianglePair {
     }
 };
 
+// What a triangle is compared with: with none, with those that are compared as well and share no corner with it, or
+// with all.
+enum class Compared : std::uint8_t { kNot, kApart, kWithAll };
+
 struct MeetingLimits {
     std::size_t pairs = std::numeric_limits<std::size_t>::max(); // that are listed
-    // Comparisons of two triangles whose boxes meet, for each that is asked for.
+    // Comparisons of two triangles whose boxes meet, for each that is compared.
     std::size_t looks = std::numeric_limits<std::size_t>::max();
 };
 
@@ -31,10 +35,10 @@ struct MeetingTriangles {
     bool looked_at_all = true;       // false: there was too much to compare, or the job is cancelled; nothing is known
 };
 
-// The pairs that meet beyond the corners that they share (exact_triangles.h) of which at least one is asked for
-// (`asked`, by triangle). Where triangles lie beside few others, takes time as the number of those asked for. The same
-// whatever the threads do, unless the job is cancelled.
-[[nodiscard]] MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const std::uint8_t> asked,
+// Of pairs that are compared (`compared`, by triangle) those that meet beyond the corners that they share
+// (exact_triangles.h). Where triangles lie beside few others, takes time as the number of those that are compared. The
+// same whatever the threads do, unless the job is cancelled.
+[[nodiscard]] MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const Compared> compared,
                                                  const MeetingLimits& limits, Job& job);
 
 } // namespace ramus::mesh

@@ -21,19 +21,21 @@ constexpr float kFarthest = 0.5F; // of the vessel's radius, that a vertex moves
 // What has more is no surface with a fold here and there: cells are larger than its vessels.
 constexpr std::size_t kMostPairs = 4096;
 constexpr std::size_t kMostTriangles = 200'000; // of all patches: they are compared some tens of times
-constexpr std::size_t kMostLooks = 400;         // for each triangle asked for; 20 where nothing is wrong
+constexpr std::size_t kMostLooks = 400;         // for each triangle compared; 20 where nothing is wrong
 
-// By triangle: whether it is at a fold, or at one of the places.
-std::vector<std::uint8_t> suspects(const TriangleMesh& mesh, const Folds& folds, std::span<const TriangleBox> places) {
-    std::vector<std::uint8_t> suspected(mesh.triangles.size(), 0);
-    for (const std::uint32_t n : folds.triangles) suspected[n] = 1;
+// By triangle: those at folds may meet any. At the places others meet that are there and lie beside each other: where
+// two that share a corner meet, one of them is at a fold.
+std::vector<Compared> suspects(const TriangleMesh& mesh, const Folds& folds, std::span<const TriangleBox> places) {
+    std::vector<Compared> suspected(mesh.triangles.size(), Compared::kNot);
+    for (const std::uint32_t n : folds.triangles) suspected[n] = Compared::kWithAll;
     tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t place) {
         folds.boxes.for_each_group_in(places[place], [&](std::size_t group, const TriangleBox& around) {
             const bool all = holds(places[place], around);
             folds.boxes.for_each_of(group, [&](std::uint32_t n) {
-                const std::atomic_ref<std::uint8_t> one(suspected[n]);
-                if (one.load(std::memory_order_relaxed) != 0) return; // places share triangles: no need of its box
-                if (all || boxes_meet(folds.boxes.box(n), places[place])) one.store(1, std::memory_order_relaxed);
+                const std::atomic_ref<Compared> one(suspected[n]);
+                if (one.load(std::memory_order_relaxed) != Compared::kNot) return; // no need of its box
+                if (all || boxes_meet(folds.boxes.box(n), places[place]))
+                    one.store(Compared::kApart, std::memory_order_relaxed);
             });
         });
     });
@@ -67,13 +69,15 @@ void draw_smooth(Patches& patches, std::span<const std::uint32_t> moving, const 
 
 // What meets after vertices have moved: nothing else had met before.
 MeetingTriangles meeting_at(const Patches& patches, std::span<const std::uint32_t> moved, Job& job) {
-    std::vector<std::uint8_t> is_moved(patches.vertices.size(), 0), asked;
+    std::vector<std::uint8_t> is_moved(patches.vertices.size(), 0);
     for (const std::uint32_t vertex : moved) is_moved[vertex] = 1;
-    asked.reserve(patches.triangles.size());
-    for (const glm::uvec3& t : patches.triangles) asked.push_back(is_moved[t.x] | is_moved[t.y] | is_moved[t.z]);
+    std::vector<Compared> compared;
+    compared.reserve(patches.triangles.size());
+    for (const glm::uvec3& t : patches.triangles)
+        compared.push_back((is_moved[t.x] | is_moved[t.y] | is_moved[t.z]) != 0 ? Compared::kWithAll : Compared::kNot);
     MeetingLimits limits;
     limits.looks = kMostLooks;
-    return meeting_triangles(TriangleBoxes(patches.positions, patches.triangles), asked, limits, job);
+    return meeting_triangles(TriangleBoxes(patches.positions, patches.triangles), compared, limits, job);
 }
 
 } // namespace

@@ -10,10 +10,15 @@
 #include "tests/support/packed_trees.h"
 #include "tests/support/shared_data.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <random>
+#include <span>
+#include <vector>
 
 using namespace ramus;
 
@@ -176,18 +181,48 @@ TEST_CASE("triangles that meet are found wherever many lie side by side") {
     const auto met = test::intersecting_triangles(plates);
     REQUIRE(met.size() > 3);
     const mesh::TriangleBoxes boxes(plates.positions, plates.triangles);
-    const std::vector<std::uint8_t> asked(plates.triangles.size(), 1);
+    const std::vector<mesh::Compared> all(plates.triangles.size(), mesh::Compared::kWithAll);
     Job job;
-    const mesh::MeetingTriangles found = mesh::meeting_triangles(boxes, asked, {}, job);
+    const mesh::MeetingTriangles found = mesh::meeting_triangles(boxes, all, {}, job);
     CHECK(found.pairs == met);
     CHECK(found.count == met.size());
-    const mesh::MeetingTriangles many = mesh::meeting_triangles(boxes, asked, {3, 400}, job);
+    const mesh::MeetingTriangles many = mesh::meeting_triangles(boxes, all, {3, 400}, job);
     CHECK(many.pairs.empty()); // more than are to be listed
     CHECK(many.count == met.size());
     CHECK(many.looked_at_all);
-    CHECK(!mesh::meeting_triangles(boxes, asked, {3, 1}, job).looked_at_all);
+    CHECK(!mesh::meeting_triangles(boxes, all, {3, 1}, job).looked_at_all);
     job.cancel();
-    CHECK(!mesh::meeting_triangles(boxes, asked, {}, job).looked_at_all);
+    CHECK(!mesh::meeting_triangles(boxes, all, {}, job).looked_at_all);
+}
+
+TEST_CASE("triangles that are compared apart meet those alone that are compared and share no corner with them") {
+    mesh::TriangleMesh two =
+        with_another(sphere(), {1.0 + 10.0 - 0.01, 2.0, 3.0}); // two sides that go through each other
+    drag(two, 100, 0.6F);                                      // and a fold
+    const auto met = test::intersecting_triangles(two);
+    const auto share = [&](const mesh::TrianglePair& pair) {
+        const glm::uvec3 &s = two.triangles[pair.first], &t = two.triangles[pair.second];
+        return std::ranges::any_of(std::array{s.x, s.y, s.z}, [&](auto n) { return n == t.x || n == t.y || n == t.z; });
+    };
+    std::vector<mesh::TrianglePair> beside, of_some;
+    std::ranges::copy_if(met, std::back_inserter(beside), [&](const auto& pair) { return !share(pair); });
+    REQUIRE(!beside.empty());
+    REQUIRE(beside.size() < met.size());
+    const mesh::TriangleBoxes boxes(two.positions, two.triangles);
+    const auto pairs_of = [&](std::span<const mesh::Compared> compared) {
+        Job job;
+        return mesh::meeting_triangles(boxes, compared, {}, job).pairs;
+    };
+    std::vector<mesh::Compared> compared(two.triangles.size(), mesh::Compared::kApart);
+    CHECK(pairs_of(compared) == beside);
+    const std::uint32_t one = met.front().first;
+    std::ranges::copy_if(met, std::back_inserter(of_some),
+                         [&](const auto& pair) { return pair.first == one || pair.second == one || !share(pair); });
+    compared[one] = mesh::Compared::kWithAll;
+    CHECK(pairs_of(compared) == of_some);
+    std::ranges::fill(compared, mesh::Compared::kNot);
+    compared[one] = mesh::Compared::kApart;
+    CHECK(pairs_of(compared).empty());
 }
 
 TEST_CASE("patches are made of so many triangles at most, and of none twice") {
@@ -195,8 +230,9 @@ TEST_CASE("patches are made of so many triangles at most, and of none twice") {
     drag(mesh, 100, 0.6F);
     Job job;
     const mesh::TriangleBoxes boxes(mesh.positions, mesh.triangles);
-    const auto pairs =
-        mesh::meeting_triangles(boxes, std::vector<std::uint8_t>(mesh.triangles.size(), 1), {}, job).pairs;
+    const auto pairs = mesh::meeting_triangles(
+                           boxes, std::vector<mesh::Compared>(mesh.triangles.size(), mesh::Compared::kWithAll), {}, job)
+                           .pairs;
     const auto patches = mesh::patches_around(mesh, boxes, pairs, mesh.triangles.size(), job);
     REQUIRE(patches);
     const std::size_t count = patches->triangles.size();
