@@ -21,7 +21,7 @@ flat out ivec3 branch_ids;
 centroid out float value_here;
 #endif
 #ifdef TRANSPARENT
-noperspective centroid out float depth_value;
+centroid out vec2 clip_depth; // as geometry.vert has it
 #endif
 
 // At corner a, of corner b's branch. Of a branch that is not among those that are told it is no more than the last.
@@ -44,9 +44,9 @@ void main() {
 #endif
 #ifdef TRANSPARENT
 #ifdef FULL_DEPTH
-        depth_value = 0.5 * gl_Position.z / gl_Position.w + 0.5;
+        clip_depth = vec2(0.5 * (gl_Position.z + gl_Position.w), gl_Position.w);
 #else
-        depth_value = gl_Position.z / gl_Position.w;
+        clip_depth = gl_Position.zw;
 #endif
 #endif
         EmitVertex();

@@ -12,15 +12,16 @@ layout(location = 0) out uvec2 surface;
 #endif
 
 #ifdef LINES
-noperspective in vec3 from_edges;
+in vec4 from_edges; // times w, which is the last; geometry.vert says why
 layout(location = kUniformHalfWidth) uniform float half_width; // pixels
 
 // How much of the pixel a line takes. Where triangles are hardly wider than lines, those get fainter: an even tone with
 // what lies behind it still to be seen, instead of a solid wall.
 float line_share() {
-    vec3 across = dFdx(from_edges), up = dFdy(from_edges);
+    vec3 from = from_edges.xyz / from_edges.w;
+    vec3 across = dFdx(from), up = dFdy(from);
     vec3 slope = max(sqrt(across * across + up * up), 1e-6); // of the share, per pixel
-    vec3 away = abs(from_edges) / slope;
+    vec3 away = abs(from) / slope;
     float nearest = min(away.x, min(away.y, away.z)), narrowest = 1.0 / max(slope.x, max(slope.y, slope.z));
     float crowded = clamp(narrowest / (8.0 * half_width), 0.22, 1.0); // tuned by eye
     return clamp(half_width + 0.5 - nearest, 0.0, 1.0) * min(1.0, 2.0 * half_width) * crowded;

@@ -34,11 +34,13 @@ centroid out float value_here;
 #ifndef CONTEXT
 flat out int branch_id;
 #endif
+// What is linear in the picture, as depth is, Mesa 22 interpolates wrongly where a corner of the picture cuts a triangle.
+// So its numerator and denominator go through, which are linear on the triangle.
 #ifdef TRANSPARENT
-noperspective centroid out float depth_value;
+centroid out vec2 clip_depth; // z and w
 #endif
 #ifdef LINES
-noperspective out vec3 from_edges; // the share of the way to the corner across from each edge
+out vec4 from_edges; // the share of the way to the corner across from each edge, and 1, times w: see clip_depth
 #endif
 #endif
 
@@ -60,11 +62,11 @@ void main() {
     branch_id = branch;
 #endif
 #ifdef TRANSPARENT
-    depth_value = gl_Position.z / gl_Position.w;
+    clip_depth = gl_Position.zw;
 #endif
 #ifdef LINES
-    from_edges = vec3(0.0);
-    from_edges[gl_VertexID % 3] = 1.0;
+    from_edges = vec4(0.0, 0.0, 0.0, gl_Position.w);
+    from_edges[gl_VertexID % 3] = gl_Position.w;
 #endif
 #endif
 }

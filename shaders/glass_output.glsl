@@ -2,7 +2,7 @@
 // fragments that lie behind the last layer's, the nearest stays, sample by sample. See passes/glass_pass.h.
 #include "glass_fragments.glsl"
 
-noperspective centroid in float depth_value;
+centroid in vec2 clip_depth; // z and w; geometry.vert says why
 layout(location = kUniformSamples) uniform int samples;
 #ifdef FLOOR
 layout(binding = kUnitLastLayer) uniform sampler2DMS last_layer; // depths
@@ -25,9 +25,10 @@ void add_fragment(uint id, uint normal, int glass) {
         before |= (depth > texelFetch(opaque_samples, pixel, s).x ? 1u : 0u) << s;
         if (layer > 0) last = max(last, texelFetch(last_layer, pixel, s).x);
     }
-    if (before == 0u || glass == 0 || !(depth_value < last)) discard;
+    float depth = clip_depth.x / clip_depth.y;
+    if (before == 0u || glass == 0 || !(depth < last)) discard;
     fragment = uvec2(id | (before << kBeforeShift) | (uint(glass) << kGlassShift), normal);
-    gl_FragDepth = depth_value;
+    gl_FragDepth = depth;
 }
 #else
 layout(early_fragment_tests) in; // what opaque surfaces hide is no fragment
@@ -42,8 +43,9 @@ void add_fragment(uint id, uint normal, int covered) {
     uint before = atomicExchange(heads[list_of(ivec2(gl_FragCoord.xy))], number);
     // The depth decides what lies before what, and must be one that the triangle has, whatever hides some of it. Where no
     // sample is covered, as beside a triangle, a software rasteriser reckons all the same: there must be one to look up.
-    float depth = covered_samples() == kAllSamples ? interpolateAtOffset(depth_value, vec2(0.0))
-                                                   : interpolateAtSample(depth_value, max(findLSB(covered_samples()), 0));
+    vec2 at = covered_samples() == kAllSamples ? interpolateAtOffset(clip_depth, vec2(0.0))
+                                               : interpolateAtSample(clip_depth, max(findLSB(covered_samples()), 0));
+    float depth = at.x / at.y;
     fragments[number] = GlassFragment(before, id | (uint(covered) << kSampleShift), normal, floatBitsToUint(depth));
 }
 #endif

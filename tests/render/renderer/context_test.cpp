@@ -154,6 +154,43 @@ TEST_CASE("a clear context mesh veils what lies behind it as reckoned by hand, a
             }
 }
 
+TEST_CASE("lines of triangles that reach beyond the picture are where they are, also where its corners cut them") {
+    for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}})
+        for (const bool flat : {true, false}) {
+            CAPTURE(newest.text());
+            CAPTURE(flat);
+            Scene scene(newest);
+            scene.frame.camera.orthographic = flat;
+            scene.frame.camera.position = {30, 60, -20};
+            scene.frame.background = {glm::vec3(0.0F), glm::vec3(0.0F), false};
+            scene.frame.states[0] = BranchState::kHidden;
+            const double most = 70.0, aside = flat ? -14.0 : -4.0; // the line between the two ends near a corner
+            TriangleMesh square;
+            square.positions = {{-most, 0, -most}, {most, 0, -most}, {most, 0, most}, {-most, 0, most}};
+            for (glm::vec3& at : square.positions) at.x += static_cast<float>(aside);
+            square.triangles = {{0, 1, 2}, {0, 2, 3}};
+            scene.frame.context = {
+                {std::make_shared<const TriangleMesh>(square), nullptr, glm::vec3(1.0F), 1.0F, true}};
+            const Image lines = scene.picture();
+            const auto on = [&](double at) {
+                return glm::dvec2(*project(scene.frame.camera, scene.frame.size, {at + aside, 0.0, at}));
+            };
+            const glm::dvec2 from = on(-0.9 * most), way = glm::normalize(on(0.9 * most) - from);
+            int beside = 0, on_line = 0, darkest = 255;
+            for (int y = 0; y < lines.height; ++y)
+                for (int x = 0; x < lines.width; ++x) {
+                    const glm::dvec2 off = glm::dvec2(x + 0.5, y + 0.5) - from;
+                    const double away = std::abs(off.x * way.y - off.y * way.x);
+                    const int light = lines.pixel(x, y)[1];
+                    if (away > 3.0) beside = std::max(beside, light);
+                    if (away < 0.2) darkest = std::min(darkest, light), ++on_line;
+                }
+            CHECK(beside <= 1);
+            CHECK(on_line > 50);
+            CHECK(darkest > 150);
+        }
+}
+
 TEST_CASE("the order of triangles and of meshes makes no difference to clear context") {
     for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}}) {
         Scene scene(newest);

@@ -99,6 +99,28 @@ TEST_CASE("a lesion before, inside and behind vessels and glass is laid over and
         }
 }
 
+TEST_CASE("a lesion close to the eye fills the picture to its corners, whatever triangles they cut") {
+    for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}})
+        for (const double eye : {10.5, 12.0, 14.0, 17.0}) {
+            CAPTURE(newest.text());
+            CAPTURE(eye);
+            BesideScene scene(newest);
+            scene.frame.states[0] = BranchState::kHidden;
+            fill_background(scene.frame, 0.0F);
+            scene.frame.camera.orthographic = false;
+            scene.frame.camera.position = {0, eye, 0};
+            add_lesion(scene.frame, As::kMesh, {0.2, 0, 0.1}, 10.0); // of triangles a fifth as large
+            const Image fine = scene.picture();
+            scene.frame.lesions = {};
+            add_lesion(scene.frame, As::kSphere, {0.2, 0, 0.1}, 10.0);
+            const Image sphere = scene.picture();
+            const glm::ivec2 corner = scene.frame.size - 1;
+            for (const glm::ivec2 at : {glm::ivec2(0), glm::ivec2(corner.x, 0), glm::ivec2(0, corner.y), corner})
+                CHECK(fine.pixel(at.x, at.y)[0] > 100);
+            CHECK(largest_difference(fine, sphere) <= 6);
+        }
+}
+
 TEST_CASE("lesions are picked before, inside and behind glass, and hidden by opaque vessels and context") {
     for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}})
         for (const BranchState state : {BranchState::kNormal, BranchState::kDefocused})
