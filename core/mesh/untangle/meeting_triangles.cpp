@@ -7,6 +7,9 @@
 #include <array>
 #include <atomic>
 #include <bit>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
 
 namespace ramus::mesh {
 
@@ -76,7 +79,7 @@ MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const C
                                        : limits.looks * count;
     ListsByThread<TrianglePair> found; // each thread's as many as are listed and one more
     std::atomic<std::size_t> looks{0}, pairs{0};
-    tbb::parallel_for(std::size_t{0}, (compared.size() + kBlock - 1) / kBlock, [&](std::size_t n) {
+    const auto compare = [&](std::size_t n) {
         const auto its = compared.subspan(kBlock * n, std::min(kBlock, compared.size() - kBlock * n));
         if (std::ranges::none_of(its, is_compared)) return; // most often
         const ComparedBlock block(boxes, compared, n);
@@ -105,7 +108,16 @@ MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const C
             if (block.may_meet(around)) boxes.for_each_of(group, look);
         });
         looks += its_looks, pairs += its_pairs;
-    });
+    };
+    // A few blocks at a time: what is compared lies in a few places, where all of the work is.
+    constexpr std::size_t kAtATime = 64;
+    const tbb::blocked_range<std::size_t> blocks(0, (compared.size() + kBlock - 1) / kBlock, kAtATime);
+    tbb::parallel_for(
+        blocks,
+        [&](const auto& range) {
+            for (std::size_t n = range.begin(); n < range.end(); ++n) compare(n);
+        },
+        tbb::simple_partitioner());
     // Nothing is passed over before there are too many looks: whether there are depends on no thread.
     if (looks > most_looks || job.cancelled()) return {{}, 0, false};
     MeetingTriangles meeting{{}, pairs};
