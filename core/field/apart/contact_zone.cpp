@@ -38,18 +38,32 @@ ContactZone::Cells ContactZone::cells_of(const Bounds<glm::dvec3>& box) const {
     return {glm::max(cell_of(box.least), 0), glm::min(cell_of(box.most), kSide - 1)};
 }
 
-void ContactZone::add(const Cells& cells) {
-    if (is_empty(cells)) return;
+ContactZone::Layer ContactZone::layer_of(const Cells& cells) {
     const auto range = [&](const Ranges& ranges, int axis) {
         return ranges[static_cast<std::size_t>(cells.least[axis])][static_cast<std::size_t>(cells.most[axis])].bits;
     };
     const auto columns = range(kColumns, 0), rows = range(kRows, 1);
-    const std::uint64_t low = columns[0] & rows[0], high = columns[1] & rows[1];
+    return {{columns[0] & rows[0], columns[1] & rows[1]}};
+}
+
+void ContactZone::add(const Cells& cells) {
+    if (is_empty(cells)) return;
+    const auto [low, high] = layer_of(cells).bits;
     for (int z = cells.least.z; z <= cells.most.z; ++z) {
         Layer& layer = layers_[static_cast<std::size_t>(z)];
         layer.bits[0] |= low, layer.bits[1] |= high;
     }
     empty_ = false;
+}
+
+bool ContactZone::has_all(const Cells& cells) const {
+    if (is_empty(cells)) return true;
+    const auto [low, high] = layer_of(cells).bits;
+    for (int z = cells.least.z; z <= cells.most.z; ++z) {
+        const Layer& layer = layers_[static_cast<std::size_t>(z)];
+        if ((low & ~layer.bits[0]) != 0 || (high & ~layer.bits[1]) != 0) return false;
+    }
+    return true;
 }
 
 bool ContactZone::has(const glm::dvec3& point) const {

@@ -25,6 +25,8 @@ public:
     // The cells of a box: those with a point of it.
     [[nodiscard]] Cells cells_of(const Bounds<glm::dvec3>& box) const;
     void add(const Cells& cells);
+    // Whether all of these are in the zone.
+    [[nodiscard]] bool has_all(const Cells& cells) const;
     // Of all cells that it knows.
     [[nodiscard]] Bounds<glm::dvec3> box() const { return {origin_, origin_ + kSide / cells_per_mm_}; }
     [[nodiscard]] bool empty() const { return empty_; }
@@ -42,6 +44,8 @@ private:
     using Ranges = std::array<std::array<Layer, kSide>, kSide>; // by the first and the last
     static Ranges make_ranges(int step);
     static const Ranges kColumns, kRows;
+    // Those of one of its layers.
+    [[nodiscard]] static Layer layer_of(const Cells& cells);
 
     glm::dvec3 origin_{0.0};
     double cells_per_mm_ = 1.0;

@@ -70,12 +70,18 @@ void VesselViews::find_zone(const GridAxes& axes) {
             else if (from == 0.0F)
                 zone_.add(own.claimed_cells.common(other.claimed_cells));
         }
+    }
+    for (int a = 0; a < contacts_.piece_count(); ++a) {
+        const PieceReach& own = reach_[static_cast<std::size_t>(a)];
+        if (zone_.has_all(own.claimed_cells)) continue; // as of most that have obstacles
         const double way = (kernel_.claim_radii + 0.1) * own.radius + contacts_.shape(a).move.most();
-        const ObstacleRange range = ContactZone::is_empty(own.claimed_cells) ? ObstacleRange{} : contacts_.piercing(a);
+        const ObstacleRange range = contacts_.piercing(a);
         const Bounds<glm::dvec3> claimed = own.claims.common(around);
         for (std::size_t n = range.first; n < range.first + range.count; ++n) {
             const Bounds<glm::dvec3> behind = box_behind(contacts_.all().obstacles(), n, way, beside_mm_);
-            if (meet(claimed, behind, 2.0 * cell)) zone_.add(own.claimed_cells.common(zone_.cells_of(behind)));
+            if (!meet(claimed, behind, 2.0 * cell)) continue;
+            zone_.add(own.claimed_cells.common(zone_.cells_of(behind)));
+            if (zone_.has_all(own.claimed_cells)) break;
         }
     }
 }
