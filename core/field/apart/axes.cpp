@@ -6,6 +6,7 @@
 #include "core/field/apart/axes.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -120,13 +121,6 @@ HWY_INLINE void put(const Places& places, const Vector& p, const RowsAt<double>&
     hn::StoreU(places.distance2, d, to.row(kFootDistance2) + n);
 }
 
-void find_places(const Axes& axes, const glm::dvec3& point, AxisFeet& feet) {
-    const Vector p = set(point);
-    const auto rows = rows_at(axes.rows);
-    const auto to = rows_at(feet.rows);
-    for (std::size_t n = 0; n < axes.count; n += hn::Lanes(Doubles())) put(places_on(rows, n, p), p, to, n);
-}
-
 void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet) {
     const Doubles d;
     const Vector p = set(point);
@@ -143,6 +137,7 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
         const Real distance2 = there.distance2;
         const Real slope = hn::LoadU(d, rows.row(kAxisSlope) + n);
         const Real radius = hn::MulAdd(slope, there.t, hn::LoadU(d, rows.row(kAxisRadius) + n));
+        hn::StoreU(zero, d, to.row(kFootNear) + n);
         if (hn::AllFalse(d, hn::Lt(distance2, hn::Mul(reach2, hn::Mul(radius, radius))))) continue;
         const Real relative2 = hn::Div(distance2, hn::Mul(radius, radius));
         put(there, p, to, n);
@@ -153,6 +148,7 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
         const auto near = is_near(distance2, reach2, radius, hn::Mul(slope, excess), hn::Abs(excess),
                                   hn::LoadU(d, rows.row(kAxisBeyond) + n));
         if (hn::AllFalse(d, near)) continue;
+        hn::StoreU(hn::IfThenElseZero(near, hn::Set(d, 1.0)), d, to.row(kFootNear) + n);
         const auto marked = hn::And(near, hn::Gt(hn::LoadU(d, marks + n), zero));
         const Real places = hn::Iota(d, static_cast<double>(n));
         least_near.see(near, relative2, places);
@@ -174,12 +170,68 @@ void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apa
     const Real radius = hn::Set(d, feet.of(own, kFootRadius));
     for (std::size_t n = 0; n < count; n += hn::Lanes(d)) {
         const Real from = hn::LoadU(d, apart.row(kApart) + n);
+        hn::StoreU(zero, d, left + n);
+        if (hn::AllFalse(d, hn::Gt(from, zero))) continue;
         const Vector between = minus(load(feet.rows, kFootX, n), foot);
         const Real radii = hn::Add(hn::LoadU(d, feet.rows.row(kFootRadius) + n), radius);
         const Real closeness = hn::Div(hn::Sqrt(dot(between, between)), radii);
         const Real x = limited(hn::Mul(hn::Sub(from, closeness), hn::LoadU(d, apart.row(kFade) + n)), zero, one);
         hn::StoreU(hn::Mul(hn::Mul(x, x), hn::NegMulAdd(two, x, three)), d, left + n);
     }
+}
+
+HWY_INLINE hn::Mask<Doubles> is_set(const double* row, std::size_t n) {
+    const Doubles d;
+    return hn::Gt(hn::LoadU(d, row + n), hn::Zero(d));
+}
+
+double least_relative2(const AxisFeet& feet, const ApartAxes& apart, std::size_t count) {
+    const Doubles d;
+    const double* const near = feet.rows.row(kFootNear);
+    const double* const is_apart = apart.row(kIsApart);
+    Real least = hn::Set(d, std::numeric_limits<double>::infinity());
+    for (std::size_t n = 0; n < count; n += hn::Lanes(d)) {
+        const auto which = hn::And(is_set(near, n), is_set(is_apart, n));
+        least = hn::IfThenElse(which, hn::Min(least, hn::LoadU(d, feet.rows.row(kFootRelative2) + n)), least);
+    }
+    return hn::GetLane(hn::MinOfLanes(d, least));
+}
+
+std::optional<glm::dvec3> find_counted_foot(const Axes& counted, const glm::dvec3& point, const AxisFeet& feet,
+                                            std::uint32_t own, const ApartAxes& apart) {
+    const Doubles d;
+    constexpr std::size_t kMostLanes = NumberRows<1>::kWidestVector;
+    const std::size_t lanes = hn::Lanes(d);
+    const Vector p = set(point);
+    const auto rows = rows_at(counted.rows);
+    const double* const near = feet.rows.row(kFootNear);
+    Least least{hn::Set(d, std::numeric_limits<double>::infinity()), hn::Zero(d)};
+    bool any_moved = false;
+    for (std::size_t n = 0; n < counted.count; n += lanes) {
+        const auto is_near = is_set(near, n);
+        const auto counts = hn::And(is_near, is_set(apart.row(kInContact), n));
+        if (hn::AllFalse(d, counts)) continue;
+        any_moved = any_moved || !hn::AllFalse(d, hn::And(is_near, is_set(apart.row(kIsMoved), n)));
+        least.see(counts, places_on(rows, n, p).distance2, hn::Iota(d, static_cast<double>(n)));
+    }
+    if (!any_moved) return std::nullopt;
+    HWY_ALIGN std::array<double, kMostLanes> numbers, places;
+    hn::Store(least.number, d, numbers.data()), hn::Store(least.place, d, places.data());
+    std::size_t first = 0;
+    for (std::size_t lane = 1; lane < lanes; ++lane)
+        if (numbers[lane] < numbers[first] || (numbers[lane] == numbers[first] && places[lane] < places[first]))
+            first = lane;
+    // Of an axis by its place, as in find_feet().
+    const auto number_at = [&](Real numbers_there, std::size_t place) {
+        HWY_ALIGN std::array<double, kMostLanes> there;
+        hn::Store(numbers_there, d, there.data());
+        return there[place % lanes];
+    };
+    const auto vector_of = [&](std::size_t place) { return place / lanes * lanes; };
+    const double own_distance2 = number_at(places_on(rows, vector_of(own), p).distance2, own);
+    const std::size_t chosen = numbers[first] < own_distance2 ? static_cast<std::size_t>(places[first]) : own;
+    const Vector foot = minus(p, places_on(rows, vector_of(chosen), p).off);
+    return glm::dvec3(number_at(foot.x, chosen), number_at(foot.y, chosen), number_at(foot.z, chosen));
 }
 
 // How far from the axis' foot an obstacle is at most that casts a shadow nearer than `below`, but for its ends' moves:
@@ -266,7 +318,8 @@ HWY_AFTER_NAMESPACE();
 namespace ramus::field {
 
 HWY_EXPORT(find_feet);
-HWY_EXPORT(find_places);
+HWY_EXPORT(least_relative2);
+HWY_EXPORT(find_counted_foot);
 HWY_EXPORT(find_left_out);
 HWY_EXPORT(nearest_shadow);
 
@@ -299,8 +352,13 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
     HWY_DYNAMIC_DISPATCH(find_feet)(axes, point, radii, feet);
 }
 
-void find_places(const Axes& axes, const glm::dvec3& point, AxisFeet& feet) {
-    HWY_DYNAMIC_DISPATCH(find_places)(axes, point, feet);
+double least_relative2(const AxisFeet& feet, const ApartAxes& apart, std::size_t count) {
+    return HWY_DYNAMIC_DISPATCH(least_relative2)(feet, apart, count);
+}
+
+std::optional<glm::dvec3> find_counted_foot(const Axes& counted, const glm::dvec3& point, const AxisFeet& feet,
+                                            std::uint32_t own, const ApartAxes& apart) {
+    return HWY_DYNAMIC_DISPATCH(find_counted_foot)(counted, point, feet, own, apart);
 }
 
 void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apart, std::size_t count, double* left) {

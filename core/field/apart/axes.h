@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -70,7 +71,17 @@ struct Axes {
 
 // Of a point, on each of some axes: the nearest place (mm), how far it is from the point (mm^2), the radius there (mm),
 // and the distance in radii, squared.
-enum FootRow : std::uint8_t { kFootX, kFootY, kFootZ, kFootDistance2, kFootRadius, kFootRelative2, kFootRows };
+// kFootNear: 1 where the axis is among those that are near, else 0; of all axes.
+enum FootRow : std::uint8_t {
+    kFootX,
+    kFootY,
+    kFootZ,
+    kFootDistance2,
+    kFootRadius,
+    kFootRelative2,
+    kFootNear,
+    kFootRows
+};
 struct AxisFeet {
     // Some axes, by their places.
     struct Near {
@@ -97,14 +108,20 @@ struct AxisFeet {
 };
 // Overwrites `feet`, which have room for all axes: those of axes that are near, and of no others for sure.
 void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet);
-// Of all axes, the places and distances only.
-void find_places(const Axes& axes, const glm::dvec3& point, AxisFeet& feet);
 
-// Of some axes, what an axis is kept apart from (vessel_field.h): the closeness from which on the two count as
-// together, and by how much less than that they have to be apart for the one to leave out the other wholly. The first
-// is 0 where it leaves out nothing.
-enum ApartRow : std::uint8_t { kApart, kFade, kApartRows };
+// Of some axes, how they are to a vessel (vessel_field.h). What it is kept apart from: the closeness from which on the
+// two count as together, 0 where it leaves out nothing; by how much less than that they have to be apart for the one to
+// leave out the other wholly; and 1 where the two are apart at all. Of the others: 1 where the axis is of a piece in
+// contact, so that walls may be drawn as if it were elsewhere, and 1 where they are.
+enum ApartRow : std::uint8_t { kApart, kFade, kIsApart, kInContact, kIsMoved, kApartRows };
 using ApartAxes = NumberRows<kApartRows>;
+// Of what a vessel is apart from and what is near, the least distance in radii, squared.
+[[nodiscard]] double least_relative2(const AxisFeet& feet, const ApartAxes& apart, std::size_t count);
+// Where some axis of the vessel is moved that is near: the nearest place to the point, in mm, on those of its axes that
+// are near and in contact, as they count; `own`, which is one of these, before others that are as near.
+[[nodiscard]] std::optional<glm::dvec3> find_counted_foot(const Axes& counted, const glm::dvec3& point,
+                                                          const AxisFeet& feet, std::uint32_t own,
+                                                          const ApartAxes& apart);
 // How much of each axis' term one of them leaves out, 0 to 1.
 void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apart, std::size_t count, double* left);
 

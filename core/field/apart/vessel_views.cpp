@@ -53,7 +53,6 @@ const PieceShape* VesselViews::shape_of(std::uint32_t place) const {
 
 // Radii are not asked for.
 void VesselViews::list_counted_axes() {
-    counted_feet_.reserve(list_.size());
     counted_axes_.clear(list_.size());
     for (std::uint32_t n = 0; n < list_.size(); ++n) {
         const FieldSegment& s = segments_[list_[n]];
@@ -76,6 +75,10 @@ const ApartAxes& VesselViews::apart_from(int piece) {
     apart.resize(list_.size());
     for (std::uint32_t n = 0; n < list_.size(); ++n) {
         const auto from = static_cast<double>(contacts_.apart_from(piece, this->piece(n)));
+        if (from < 0.0)
+            apart.row(kInContact)[n] = in_contact_[n], apart.row(kIsMoved)[n] = moved_[n];
+        else
+            apart.row(kIsApart)[n] = 1.0;
         if (!(from > 0.0)) continue;
         const double whole = 0.5 * (std::min(kernel_.limits.merged, from) + from);
         const double begin = std::min(whole, 1.12 * kernel_.limits.merged); // a little above, for more than two vessels
@@ -90,7 +93,7 @@ void VesselViews::look(const glm::dvec3& point) {
     looked_ = true;
     point_ = point;
     sight_known_ = terms_known_ = false;
-    counted_known_ = grouped_ = moved_known_ = false;
+    grouped_ = false;
     known_count_ = 0;
     find_feet(axes_, point_, reach_radii_, feet_);
 }
@@ -156,9 +159,8 @@ bool VesselViews::is_undisputed(float plain) {
     // So many straight vessels at the distance of the nearest add more than all that are near.
     constexpr double kVessels = 4.0;
     const std::uint32_t own = nearest();
-    double other2 = std::numeric_limits<double>::infinity();
-    for (const std::uint32_t n : kept_apart())
-        if (feet_.of(n, kFootRelative2) < other2 && apart(own, n)) other2 = feet_.of(n, kFootRelative2);
+    const double other2 = piece(own) < 0 ? std::numeric_limits<double>::infinity()
+                                         : least_relative2(feet_, apart_from(piece(own)), list_.size());
     if (other2 < claim_radii2()) return false;
     const double most = kVessels * kernel_.long_vessel->value(kernel_, other2);
     return static_cast<double>(plain) - most >= kernel_.isovalue && !(shadow_on(own, 0.0).spare < 0.0);
@@ -232,22 +234,8 @@ VesselView VesselViews::view(std::uint32_t own) {
 // What else a brick knows of changes nothing: bricks that a point belongs to agree.
 glm::dvec3 VesselViews::foot_as_it_counts(std::uint32_t own) {
     if (piece(own) < 0 || !any_moved_) return foot(own);
-    if (!std::exchange(moved_known_, true)) list_moved();
-    if (std::ranges::none_of(moved_near_, [&](std::uint32_t n) { return !apart(own, n); })) return foot(own);
-    if (!std::exchange(counted_known_, true)) find_places(counted_axes_, point_, counted_feet_);
-    const double* const distance2 = counted_feet_.rows.row(kFootDistance2);
-    std::uint32_t nearest = own;
-    for (const std::uint32_t other : in_contact_near_)
-        if (distance2[other] < distance2[nearest] && !apart(own, other)) nearest = other;
-    return counted_feet_.foot(nearest);
-}
-
-void VesselViews::list_moved() {
-    moved_near_.clear(), in_contact_near_.clear();
-    for (const std::uint32_t n : seen()) {
-        if (moved_[n] != 0) moved_near_.push_back(n);
-        if (in_contact_[n] != 0) in_contact_near_.push_back(n);
-    }
+    const ApartAxes& apart = apart_from(piece(own));
+    return find_counted_foot(counted_axes_, point_, feet_, own, apart).value_or(foot(own));
 }
 
 const WayOut& VesselViews::way_out(Vessel& own) {

@@ -119,12 +119,11 @@ private:
 
     [[nodiscard]] int piece(std::uint32_t place) const { return contacts_.piece(place); }
     [[nodiscard]] glm::dvec3 foot_as_it_counts(std::uint32_t own);
-    void list_moved();
     void find_zone(const GridAxes& axes);
     [[nodiscard]] const PieceShape* shape_of(std::uint32_t place) const; // null: it is in contact with nothing
     void list_axes();
     void list_counted_axes();
-    [[nodiscard]] const ApartAxes& apart_from(int piece);              // of all axes, in one row
+    [[nodiscard]] const ApartAxes& apart_from(int piece);              // of all axes
     [[nodiscard]] bool nearer(std::uint32_t a, std::uint32_t b) const; // in radii; any is nearer than kNone
     void group_by_piece();
     [[nodiscard]] bool any_left_out(std::uint32_t nearest); // of what is near
@@ -166,10 +165,7 @@ private:
     bool looked_ = false, terms_known_ = false;
     Sight sight_ = Sight::kPlain;
     AxisFeet feet_; // marked: of pieces with partners here
-    AxisFeet counted_feet_;
-    std::vector<std::uint32_t> moved_near_, in_contact_near_; // of those seen, once they are asked for
-    bool sight_known_ = false, beside_contact_ = false, counted_known_ = false, grouped_ = false;
-    bool moved_known_ = false;
+    bool sight_known_ = false, beside_contact_ = false, grouped_ = false;
     std::vector<int> near_pieces_;                // of those kept apart
     std::vector<std::uint32_t> nearest_of_piece_; // by piece, of those near
     std::uint32_t nearest_of_others_ = kNone;     // of those that are not kept apart
