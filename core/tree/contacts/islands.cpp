@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <span>
 
@@ -235,34 +236,40 @@ std::vector<OrientedPair> orient(const Walks& walks, const std::vector<PairId>& 
 
 } // namespace
 
-Islands find_islands(const Links& links, const TouchingLinks& touching, const ContactLimits& limits) {
-    const Walks walks(links, touching, limits.reach);
-    std::vector<std::int32_t> mark = mark_together(walks, limits.merged);
-    Gaps gaps(links, limits.reach);
-    Islands islands;
-    const auto add = [&](const std::vector<PairId>& pairs, bool contact, double apart_from) {
-        islands.all.push_back({orient(walks, pairs), contact, false, apart_from});
-    };
-    // Of what belongs to the joints.
-    const auto add_gaps = [&](std::vector<PairId> pairs) {
-        std::erase_if(pairs, [&](PairId pair) {
-            return walks.closeness(pair) < limits.merged || !gaps.between(walks.low(pair), walks.high(pair));
-        });
-        if (!pairs.empty()) islands.all.push_back({orient(walks, pairs), false, true, 0.0});
-    };
-    std::int32_t number = 0;
-    for (PairId start = 0; start < walks.size(); ++start) {
-        if (mark[start] != kUnknown) continue;
-        const Region region = region_of(walks, start, limits.merged, mark, number++);
-        if (!region.reaches_joint) {
-            add(region.pairs, region.closest < limits.bundled, limits.reach);
-            continue;
-        }
-        if (!region.may_hold_basins) {
+namespace {
+
+// The islands of one region.
+class RegionIslands {
+public:
+    // `mark`: of all pairs, once all regions are known.
+    RegionIslands(const Links& links, const Walks& walks, const std::vector<std::int32_t>& mark,
+                  const ContactLimits& limits)
+        : walks_(walks), mark_(mark), limits_(limits), gaps_(links, limits.reach) {}
+
+    [[nodiscard]] std::vector<Island> of(const Region& region) {
+        found_.clear();
+        if (!region.reaches_joint)
+            add(region.pairs, region.closest < limits_.bundled, limits_.reach);
+        else if (!region.may_hold_basins)
             add_gaps(region.pairs);
-            continue;
-        }
-        const Basins basins = flood(walks, region, mark, limits.merged);
+        else
+            add_basins(region);
+        return std::move(found_);
+    }
+
+private:
+    void add(const std::vector<PairId>& pairs, bool contact, double apart_from) {
+        found_.push_back({orient(walks_, pairs), contact, false, apart_from});
+    }
+    // Of what belongs to the joints.
+    void add_gaps(std::vector<PairId> pairs) {
+        std::erase_if(pairs, [&](PairId pair) {
+            return walks_.closeness(pair) < limits_.merged || !gaps_.between(walks_.low(pair), walks_.high(pair));
+        });
+        if (!pairs.empty()) found_.push_back({orient(walks_, pairs), false, true, 0.0});
+    }
+    void add_basins(const Region& region) {
+        const Basins basins = flood(walks_, region, mark_, limits_.merged);
         std::map<std::uint32_t, std::vector<PairId>> members;
         for (std::size_t n = 0; n < region.pairs.size(); ++n) members[basins.of_pair[n]].push_back(region.pairs[n]);
         for (const auto& [basin, pairs] : members) {
@@ -270,9 +277,33 @@ Islands find_islands(const Links& links, const TouchingLinks& touching, const Co
             if (basin == region.pairs.size())
                 add_gaps(pairs);
             else
-                add(pairs, true, met == basins.met.end() ? limits.reach : met->second);
+                add(pairs, true, met == basins.met.end() ? limits_.reach : met->second);
         }
     }
+
+    const Walks& walks_;
+    const std::vector<std::int32_t>& mark_;
+    const ContactLimits& limits_;
+    Gaps gaps_;
+    std::vector<Island> found_;
+};
+
+} // namespace
+
+Islands find_islands(const Links& links, const TouchingLinks& touching, const ContactLimits& limits) {
+    const Walks walks(links, touching, limits.reach);
+    std::vector<std::int32_t> mark = mark_together(walks, limits.merged);
+    std::vector<Region> regions;
+    for (PairId start = 0; start < walks.size(); ++start)
+        if (mark[start] == kUnknown)
+            regions.push_back(region_of(walks, start, limits.merged, mark, static_cast<std::int32_t>(regions.size())));
+    std::vector<std::vector<Island>> found(regions.size());
+    tbb::enumerable_thread_specific<RegionIslands> threads([&] { return RegionIslands(links, walks, mark, limits); });
+    tbb::parallel_for(std::size_t{0}, regions.size(),
+                      [&](std::size_t n) { found[n] = threads.local().of(regions[n]); });
+    Islands islands;
+    for (std::vector<Island>& some : found)
+        for (Island& island : some) islands.all.push_back(std::move(island));
     return islands;
 }
 
