@@ -107,12 +107,14 @@ std::uint32_t look_from(VesselViews& views, std::uint32_t place, const glm::dvec
 
 WallPoint way_out(VesselViews& views, std::uint32_t place, const Way& way, double guess, std::uint64_t& kernels) {
     constexpr int kMostSteps = 12;
+    constexpr double kLeastSlope = 0.25;
     constexpr double kNear = 0.002; // of the way: a thousandth of a radius, at 16 cells around a vessel
     const double length = glm::distance(way.from, way.to);
     double own = 0.0, beyond = 1.0;
     double at = guess, last = 0.0, last_mm = 0.0;
     std::uint32_t seen = VesselViews::kNone;
     Depth depth;
+    bool looked_at_start = false;
     const auto look_at = [&](double share) {
         seen = look_from(views, place, glm::mix(way.from, way.to, share), kernels);
         depth = seen == VesselViews::kNone ? Depth{-length} : depth_of(views, seen);
@@ -125,11 +127,17 @@ WallPoint way_out(VesselViews& views, std::uint32_t place, const Way& way, doubl
             own = at;
             break;
         }
-        // Along the line through the last two places; at first as if the way led straight out. Every third step halves
-        // what is left, which holds where the depth jumps.
-        const double slope = step == 0 ? -length : (mm - last_mm) / (at - last);
+        // Along the line through the last two places; at first as the surface is inclined. Where that led no nearer, as
+        // where the depth jumps, what is left is halved; but first it is seen whether the vessel has any of the way.
+        const double slope = step == 0 ? -std::max(glm::dot(depth.outward, way.to - way.from), kLeastSlope * length)
+                                       : (mm - last_mm) / (at - last);
         double next = at - mm / slope;
-        if (step % 3 == 2 || !(next > own && next < beyond)) next = 0.5 * (own + beyond);
+        const bool slow = step > 0 && std::abs(mm) > 0.5 * std::abs(last_mm);
+        if (slow || !(next > own && next < beyond)) {
+            const bool perhaps_none = step > 0 && !(own > 0.0) && !looked_at_start;
+            next = perhaps_none ? 0.5 * kNear : 0.5 * (own + beyond);
+            looked_at_start = looked_at_start || perhaps_none;
+        }
         last = std::exchange(at, next), last_mm = mm;
     }
     WallPoint point;

@@ -48,13 +48,17 @@ EdgeEnds ends_on_edge(field::BrickField& field, const OwnedEdge& edge) {
     const glm::vec3 along = edge.span.size();
     const Span room{lower + kOffEnds * along, upper - kOffEnds * along};
     const auto end_of_lower = [&] { return field.way_out(edge.lower, lower, upper, edge.guess); };
-    const auto end_of_upper = [&] { return field.way_out(edge.upper, upper, lower, 1.0F - edge.guess); };
+    const auto end_of_upper = [&](float guess) { return field.way_out(edge.upper, upper, lower, guess); };
     if (edge.kind != EdgeKind::kWall) {
-        field::OwnedPoint end = edge.kind == EdgeKind::kLowerInside ? end_of_lower() : end_of_upper();
+        field::OwnedPoint end = edge.kind == EdgeKind::kLowerInside ? end_of_lower() : end_of_upper(1.0F - edge.guess);
         end.at = glm::clamp(end.at, room.lower, room.upper);
         return {end, end};
     }
-    EdgeEnds ends{end_of_lower(), end_of_upper()};
+    EdgeEnds ends{end_of_lower(), {}};
+    // The other side is found a wall's width behind this one.
+    const float width = static_cast<float>(field::kWallRadii) * ends.lower.radius;
+    const float beside = 1.0F - (glm::distance(ends.lower.at, lower) + width) / glm::length(along);
+    ends.upper = end_of_upper(std::clamp(beside, kOffEnds, 1.0F - kOffEnds));
     part(ends.lower, ends.upper, along, room);
     return ends;
 }
