@@ -3,6 +3,8 @@
 #include "app/session/numbers.h"
 #include "app/tools/spelling.h"
 #include "core/measure/branch_point.h"
+#include "render/overlay/scale_bar.h"
+#include "render/scene/bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +59,11 @@ std::optional<std::pair<std::size_t, Disc>> lesion_under(const Pointing& pointin
     return found;
 }
 
+double usual_radius(const Pointing& pointing) {
+    const auto tree = pointing.document.tree();
+    return tree != nullptr ? LesionTool::usual_radius_mm(*tree) : LesionTool::kUsualRadiusMm;
+}
+
 void put(std::array<double, 4>& sphere, const glm::dvec3& centre) {
     for (int k = 0; k < 3; ++k) sphere[static_cast<std::size_t>(k)] = centre[k];
 }
@@ -97,6 +104,13 @@ ToolDrawing CutTool::drawing(const Pointing& pointing) const {
     return drawing;
 }
 
+double LesionTool::usual_radius_mm(const tree::VesselTree& tree) {
+    constexpr double kOfDiagonal = 0.05;
+    const render::Box box = render::bounds_of(tree);
+    if (box.empty()) return kUsualRadiusMm;
+    return std::min(kUsualRadiusMm, render::scale_bar_length_mm(kOfDiagonal * 2.0 * box.radius()));
+}
+
 void LesionTool::press(const Pointing& pointing) {
     Held held;
     held.pressed_at = pointing.at;
@@ -116,7 +130,7 @@ void LesionTool::press(const Pointing& pointing) {
     put(held.sphere, pick.branch != render::kNoBranch
                          ? pick.position
                          : render::unproject(camera, pointing.size, pointing.at, held.depth_mm));
-    held.sphere[3] = kUsualRadiusMm;
+    held.sphere[3] = usual_radius(pointing);
     held_ = held;
 }
 
@@ -127,7 +141,7 @@ void LesionTool::move(const Pointing& pointing) {
     const glm::dvec3 centre(held_->sphere[0], held_->sphere[1], held_->sphere[2]);
     if (held_->sizing) {
         const glm::dvec3 rim = render::unproject(pointing.camera(), pointing.size, pointing.at, held_->depth_mm);
-        held_->sphere[3] = std::max(kLeastRadiusMm, glm::distance(rim, centre));
+        held_->sphere[3] = std::max(LesionTool::kLeastOfUsual * usual_radius(pointing), glm::distance(rim, centre));
         return;
     }
     const auto from = render::unproject(pointing.camera(), pointing.size, held_->pressed_at, held_->depth_mm);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 namespace ramus::app {
 
@@ -22,12 +23,16 @@ private:
 };
 
 // LesionTool: places spherical lesions. A press puts the centre on the surface under the pointer, or, beside the
-// vessels, at the depth of the focal point; dragging sizes it, and a click alone gives it the usual size. A press on a
-// lesion takes hold of that one: near its outline it is sized, elsewhere moved across the view.
+// vessels, at the depth of the focal point; dragging sizes it, and a click alone gives it the usual size, less in a
+// small tree. A press on a lesion takes hold of that one: near its outline it is sized, elsewhere moved across the
+// view.
 class LesionTool final : public Tool {
 public:
     static constexpr double kUsualRadiusMm = 10.0;
-    static constexpr double kLeastRadiusMm = 0.5;
+    static constexpr double kLeastOfUsual = 0.05;
+    // Of a tree's lesions: kUsualRadiusMm in an organ of a person, at most a twentieth of the diagonal of a smaller
+    // tree's box, a round number. A file of unknown units may have any size.
+    [[nodiscard]] static double usual_radius_mm(const tree::VesselTree& tree);
 
     void press(const Pointing& pointing) override;
     void move(const Pointing& pointing) override;

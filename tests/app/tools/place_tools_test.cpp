@@ -68,7 +68,8 @@ TEST_CASE("a click places a lesion of the usual size on the vessel, a drag sizes
     auto commands = tool.take_commands();
     REQUIRE(commands.size() == 1);
     CHECK(commands[0][0] == "lesion");
-    CHECK(sphere_of(commands[0][1]) == std::array<double, 4>{0.0, 3.0, 20.0, LesionTool::kUsualRadiusMm});
+    const double usual = LesionTool::usual_radius_mm(*stage.document.tree());
+    CHECK(sphere_of(commands[0][1]) == std::array<double, 4>{0.0, 3.0, 20.0, usual});
 
     // The picked place is at pixel (400, 350); 100 pixels beside it are 20 mm.
     tool.press(stage.at(400, 350));
@@ -79,6 +80,23 @@ TEST_CASE("a click places a lesion of the usual size on the vessel, a drag sizes
     commands = tool.take_commands();
     REQUIRE(commands.size() == 1);
     CHECK(sphere_of(commands[0][1])[3] == doctest::Approx(20.0).epsilon(1e-3));
+}
+
+TEST_CASE("a lesion's usual size is 20 mm in an organ, and less in a smaller tree, whatever its unit") {
+    const auto usual_of = [](double mm) { // between the ends of the tree
+        tree::Graph raw;
+        raw.points = {{{0, 0, 0}, 0.02 * mm}, {{0, 0, mm}, 0.02 * mm}};
+        raw.edges = {{0, 1}};
+        raw.roots = {0};
+        auto tree = tree::build_tree(raw, tree::Repair::kNone, [](std::uint32_t) { return std::string(); });
+        REQUIRE(tree);
+        return LesionTool::usual_radius_mm(*tree);
+    };
+    CHECK(usual_of(400.0) == 10.0);
+    CHECK(usual_of(200.0) == 10.0);
+    CHECK(usual_of(90.0) == 2.0);
+    CHECK(usual_of(25.0) == doctest::Approx(1.0)); // the airways of a mouse
+    CHECK(usual_of(0.05) == doctest::Approx(0.002));
 }
 
 TEST_CASE("beside the vessels a lesion lies at the depth of the focal point; Escape gives it up") {
