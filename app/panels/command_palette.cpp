@@ -39,7 +39,11 @@ void draw_command_row(InterfaceContext& context, const Command& command, bool ch
     const std::string title = title_of(command, context.workspace.document);
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = 2.0F * ImGui::GetTextLineHeight() + 10.0F * scale;
+    // One row is marked: that which Enter runs, wherever the pointer rests.
+    const ImVec4 mark = chosen ? ImGui::GetStyleColorVec4(ImGuiCol_Header) : ImVec4(0.0F, 0.0F, 0.0F, 0.0F);
+    ImGui::PushStyleColor(ImGuiCol_HeaderHovered, mark);
     pressed = ImGui::Selectable("##row", chosen, enabled ? 0 : ImGuiSelectableFlags_Disabled, {0.0F, height});
+    ImGui::PopStyleColor();
     widgets::note_item(title.c_str());
     ImDrawList* list = ImGui::GetWindowDrawList();
     const float left = from.x + 8.0F * scale, top = from.y + 3.0F * scale;
@@ -63,15 +67,20 @@ void draw_found(InterfaceContext& context, bool entered) {
     palette.chosen = std::clamp(palette.chosen, 0, std::max(0, last));
     ImGui::BeginChild("found", {0.0F, 0.0F});
     const Command* picked = nullptr;
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    const bool moves = moved.x != 0.0F || moved.y != 0.0F; // what passes below a pointer at rest is not chosen
+    int pointed_at = palette.chosen;
     for (int n = 0; n <= last; ++n) {
         const Command& command = *found[static_cast<std::size_t>(n)];
         ImGui::PushID(n);
         bool pressed = false;
         draw_command_row(context, command, n == palette.chosen, pressed);
+        if (moves && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) pointed_at = n;
         if (n == palette.chosen && palette.chosen != before) ImGui::SetScrollHereY();
         if (pressed || (entered && n == palette.chosen && can_run(context, command))) picked = &command;
         ImGui::PopID();
     }
+    palette.chosen = pointed_at;
     if (found.empty()) widgets::quiet("No command has these words.");
     ImGui::EndChild();
     if (picked != nullptr) choose_command(context, *picked);

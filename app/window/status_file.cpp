@@ -54,7 +54,10 @@ void add_lists(nlohmann::json& status, const Interface& interface, const Workspa
 void add_dialogs(nlohmann::json& status, const Interface& interface) {
     status["help"] = interface.help_open;
     const CommandPalette& palette = interface.palette;
-    status["palette"] = {{"open", palette.open}, {"typed", palette.typed.data()}, {"trouble", palette.trouble}};
+    status["palette"] = {{"open", palette.open},
+                         {"typed", palette.typed.data()},
+                         {"chosen", palette.chosen},
+                         {"trouble", palette.trouble}};
     status["menu"] = interface.menu_open || interface.context_menu.open;
     status["open_menu"] = interface.open_menu;
     status["light_theme"] = interface.settings.light_theme;

@@ -6,7 +6,7 @@ Usage: palette_journey.py PROGRAM
 
 import sys
 
-from screen import SMALL_TREE, Window, check, click, run_journeys
+from screen import SMALL_TREE, Window, check, click, middle_of, run_journeys
 
 
 def ready(status):
@@ -58,6 +58,27 @@ def by_words(window):
     check(not window.status()["states"]["hidden"], "Escape closes it and does nothing")
 
 
+def by_pointer(window):
+    other = set(window.status()["controls"])
+    palette(window, "select", None)
+
+    def rows(status):
+        return sorted(set(status["controls"]) - other - {"command"}, key=lambda name: status["controls"][name][1])
+
+    status = window.wait("some commands", lambda s: s["palette"]["typed"] == "select" and len(rows(s)) > 3)
+    check(status["palette"]["chosen"] == 0, "the first that is found is chosen")
+    window.xdotool("mousemove", *middle_of(status, rows(status)[1]))
+    window.wait("the row under the pointer", lambda s: s["palette"]["chosen"] == 1)
+    window.xdotool("key", "Down")
+    window.wait("the row below", lambda s: s["palette"]["chosen"] == 2)
+    window.xdotool("key", "ctrl+a")
+    window.xdotool("type", "hide")
+    window.wait("the first again", lambda s: s["palette"]["typed"] == "hide" and s["palette"]["chosen"] == 0)
+    check(True, "a pointer that moves chooses, one at rest does not")
+    window.xdotool("key", "Escape")
+    window.wait("the palette closed", lambda s: not s["palette"]["open"])
+
+
 def by_keys(window):
     before = window.status()["camera"]["position"]
 
@@ -105,6 +126,7 @@ def journey(program, screen, folder):
     window = Window(program, screen, folder, ["tree.swc", "--size", "1280x800"])
     try:
         by_words(window)
+        by_pointer(window)
         by_keys(window)
         by_the_right_button(window)
         check(window.quit() == 0, "it quits")
