@@ -114,6 +114,7 @@ double LesionTool::usual_radius_mm(const tree::VesselTree& tree) {
 void LesionTool::press(const Pointing& pointing) {
     Held held;
     held.pressed_at = pointing.at;
+    held.usual_mm = usual_radius(pointing);
     if (const auto under = lesion_under(pointing)) {
         held.index = under->first;
         held.sphere = held.before = pointing.document.marks().lesions[under->first];
@@ -130,7 +131,7 @@ void LesionTool::press(const Pointing& pointing) {
     put(held.sphere, pick.branch != render::kNoBranch
                          ? pick.position
                          : render::unproject(camera, pointing.size, pointing.at, held.depth_mm));
-    held.sphere[3] = usual_radius(pointing);
+    held.sphere[3] = held.usual_mm;
     held_ = held;
 }
 
@@ -141,7 +142,7 @@ void LesionTool::move(const Pointing& pointing) {
     const glm::dvec3 centre(held_->sphere[0], held_->sphere[1], held_->sphere[2]);
     if (held_->sizing) {
         const glm::dvec3 rim = render::unproject(pointing.camera(), pointing.size, pointing.at, held_->depth_mm);
-        held_->sphere[3] = std::max(LesionTool::kLeastOfUsual * usual_radius(pointing), glm::distance(rim, centre));
+        held_->sphere[3] = std::max(kLeastOfUsual * held_->usual_mm, glm::distance(rim, centre));
         return;
     }
     const auto from = render::unproject(pointing.camera(), pointing.size, held_->pressed_at, held_->depth_mm);

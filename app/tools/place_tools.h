@@ -50,6 +50,7 @@ private:
         bool moved = false;
         glm::dvec2 pressed_at{0.0};
         double depth_mm = 0.0; // of its centre
+        double usual_mm = 0.0; // radius in this tree
     };
     std::optional<Held> held_;
 };

@@ -52,11 +52,11 @@ struct Least {
         number = hn::IfThenElse(less, numbers, number);
         place = hn::IfThenElse(less, places, place);
     }
-    HWY_INLINE void store(AxisFeet::Near& near) const {
+    HWY_INLINE void store(LeastByLane& to) const {
         const Doubles d;
-        hn::StoreU(number, d, near.least.data());
-        hn::StoreU(place, d, near.least_place.data());
-        near.lanes = hn::Lanes(d);
+        hn::StoreU(number, d, to.number.data());
+        hn::StoreU(place, d, to.place.data());
+        to.lanes = hn::Lanes(d);
     }
 };
 
@@ -159,8 +159,8 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
     }
     feet.near.count = static_cast<std::size_t>(next - feet.near.places.data());
     feet.marked.count = static_cast<std::size_t>(next_marked - feet.marked.places.data());
-    least_near.store(feet.near);
-    least_marked.store(feet.marked);
+    least_near.store(feet.near.least);
+    least_marked.store(feet.marked.least);
 }
 
 void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apart, std::size_t count, double* left) {
@@ -215,12 +215,9 @@ std::optional<glm::dvec3> find_counted_foot(const Axes& counted, const glm::dvec
         least.see(counts, places_on(rows, n, p).distance2, hn::Iota(d, static_cast<double>(n)));
     }
     if (!any_moved) return std::nullopt;
-    HWY_ALIGN std::array<double, kMostLanes> numbers, places;
-    hn::Store(least.number, d, numbers.data()), hn::Store(least.place, d, places.data());
-    std::size_t first = 0;
-    for (std::size_t lane = 1; lane < lanes; ++lane)
-        if (numbers[lane] < numbers[first] || (numbers[lane] == numbers[first] && places[lane] < places[first]))
-            first = lane;
+    LeastByLane by_lane;
+    least.store(by_lane);
+    const std::size_t lane = by_lane.lane();
     // Of an axis by its place, as in find_feet().
     const auto number_at = [&](Real numbers_there, std::size_t place) {
         HWY_ALIGN std::array<double, kMostLanes> there;
@@ -229,7 +226,8 @@ std::optional<glm::dvec3> find_counted_foot(const Axes& counted, const glm::dvec
     };
     const auto vector_of = [&](std::size_t place) { return place / lanes * lanes; };
     const double own_distance2 = number_at(places_on(rows, vector_of(own), p).distance2, own);
-    const std::size_t chosen = numbers[first] < own_distance2 ? static_cast<std::size_t>(places[first]) : own;
+    const std::size_t chosen =
+        by_lane.number[lane] < own_distance2 ? static_cast<std::size_t>(by_lane.place[lane]) : own;
     const Vector foot = minus(p, places_on(rows, vector_of(chosen), p).off);
     return glm::dvec3(number_at(foot.x, chosen), number_at(foot.y, chosen), number_at(foot.z, chosen));
 }
@@ -340,12 +338,12 @@ void AxisFeet::reserve(std::size_t most) {
             some->places.resize(most + NumberRows<1>::kWidestVector);
 }
 
-std::uint32_t AxisFeet::Near::nearest() const {
+std::size_t LeastByLane::lane() const {
     std::size_t first = 0;
-    for (std::size_t lane = 1; lane < lanes; ++lane)
-        if (least[lane] < least[first] || (least[lane] == least[first] && least_place[lane] < least_place[first]))
-            first = lane;
-    return static_cast<std::uint32_t>(least_place[first]);
+    for (std::size_t other = 1; other < lanes; ++other)
+        if (number[other] < number[first] || (number[other] == number[first] && place[other] < place[first]))
+            first = other;
+    return first;
 }
 
 void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet) {

@@ -9,6 +9,7 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <span>
+#include <utility>
 
 namespace ramus::tree {
 
@@ -234,10 +235,6 @@ std::vector<OrientedPair> orient(const Walks& walks, const std::vector<PairId>& 
     return oriented;
 }
 
-} // namespace
-
-namespace {
-
 // The islands of one region.
 class RegionIslands {
 public:
@@ -247,14 +244,13 @@ public:
         : walks_(walks), mark_(mark), limits_(limits), gaps_(links, limits.reach) {}
 
     [[nodiscard]] std::vector<Island> of(const Region& region) {
-        found_.clear();
         if (!region.reaches_joint)
             add(region.pairs, region.closest < limits_.bundled, limits_.reach);
         else if (!region.may_hold_basins)
             add_gaps(region.pairs);
         else
             add_basins(region);
-        return std::move(found_);
+        return std::exchange(found_, {});
     }
 
 private:

@@ -68,8 +68,7 @@ TEST_CASE("a click places a lesion of the usual size on the vessel, a drag sizes
     auto commands = tool.take_commands();
     REQUIRE(commands.size() == 1);
     CHECK(commands[0][0] == "lesion");
-    const double usual = LesionTool::usual_radius_mm(*stage.document.tree());
-    CHECK(sphere_of(commands[0][1]) == std::array<double, 4>{0.0, 3.0, 20.0, usual});
+    CHECK(sphere_of(commands[0][1]) == std::array<double, 4>{0.0, 3.0, 20.0, 2.0}); // the tree is 72 mm from end to end
 
     // The picked place is at pixel (400, 350); 100 pixels beside it are 20 mm.
     tool.press(stage.at(400, 350));
