@@ -1,6 +1,8 @@
 // NumberedSet: some of the numbers below a limit, a bit each, and where each of them is in ascending order.
 #pragma once
 
+#include "core/base/count_bits.h"
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -35,7 +37,7 @@ public:
     // Of one of them, in that list.
     [[nodiscard]] std::uint32_t place(std::uint32_t number) const {
         const std::uint64_t lower = words_[number / kBits] & (bit(number) - 1);
-        return before_[number / kBits] + static_cast<std::uint32_t>(std::popcount(lower));
+        return before_[number / kBits] + count_bits(lower);
     }
 
 private:

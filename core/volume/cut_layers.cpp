@@ -14,7 +14,7 @@ void make_room(Cuts& cuts, const BitMask& mask) {
 void put(Cuts& cuts, std::size_t at, std::uint64_t word, std::uint64_t& count) {
     cuts.words[at] = word;
     cuts.before[at] = static_cast<std::uint32_t>(count); // more than that leads to no mesh
-    if (word != 0) count += bits_in(word);
+    if (word != 0) count += count_bits(word);
 }
 
 } // namespace

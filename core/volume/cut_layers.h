@@ -2,6 +2,7 @@
 // them: vertices are welded by counting bits, without any search.
 #pragma once
 
+#include "core/base/count_bits.h"
 #include "core/volume/bit_mask.h"
 
 #include <bit>
@@ -11,23 +12,13 @@
 
 namespace ramus::volume {
 
-// As std::popcount(), which is a call where a processor need not have an instruction for it.
-[[nodiscard]] inline std::uint32_t bits_in(std::uint64_t word) {
-    constexpr std::uint64_t kPairs = 0x5555555555555555U;
-    constexpr std::uint64_t kFours = 0x3333333333333333U;
-    word -= word >> 1 & kPairs;
-    word = (word & kFours) + (word >> 2 & kFours);
-    word = (word + (word >> 4)) & 0x0F0F0F0F0F0F0F0FU;
-    return static_cast<std::uint32_t>(word * 0x0101010101010101U >> 56);
-}
-
 // One bit for each edge along one axis, rows as in BitMask but with a row of outside at either end: row j + 1.
 struct Cuts {
     std::vector<std::uint64_t> words;
     std::vector<std::uint32_t> before; // by word: cut edges of the slice or layer before its first
 
     [[nodiscard]] std::uint32_t number_of(std::size_t word, std::size_t bit) const {
-        return before[word] + bits_in(words[word] & ((std::uint64_t{1} << bit) - 1));
+        return before[word] + count_bits(words[word] & ((std::uint64_t{1} << bit) - 1));
     }
 };
 

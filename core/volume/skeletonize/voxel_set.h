@@ -3,6 +3,7 @@
 // What an algorithm keeps for each voxel is an array by number, so that memory follows the vessels, not the box.
 #pragma once
 
+#include "core/base/count_bits.h"
 #include "core/base/large_array.h"
 #include "core/volume/bit_mask.h"
 
@@ -18,13 +19,6 @@ namespace ramus::volume {
 using Neighbourhood = std::uint32_t;
 inline constexpr int kCentreBit = 13;
 inline constexpr Neighbourhood kNeighbours = ((1U << 27U) - 1U) & ~(1U << kCentreBit);
-
-// In line: where the instruction is not taken for granted, std::popcount is a call and a table.
-[[nodiscard]] constexpr std::uint32_t count_bits(std::uint64_t word) {
-    word -= word >> 1U & 0x5555555555555555U;
-    word = (word & 0x3333333333333333U) + (word >> 2U & 0x3333333333333333U);
-    return static_cast<std::uint32_t>(((word + (word >> 4U)) & 0x0F0F0F0F0F0F0F0FU) * 0x0101010101010101U >> 56U);
-}
 
 class VoxelSet {
 public:
