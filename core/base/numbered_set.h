@@ -22,7 +22,7 @@ public:
         word |= bit(number);
         return word != before;
     }
-    // All of them, ascending. What comes after the last add() and before place().
+    // All of them, ascending. To be called after the last add() and before place().
     [[nodiscard]] std::vector<std::uint32_t> list() {
         std::vector<std::uint32_t> all;
         before_.resize(words_.size());
