@@ -172,6 +172,8 @@ struct OwnedPoint {
     float radius = 0.0F;    // local radius, mm
     std::int32_t branch = 0;
     Dominance dominance{};
+    // Where rims overlap (rims.h): from a wall on to the vessel's own surface, mm, and its normal; else 0.
+    glm::vec3 onward{0.0F}, onward_normal{0.0F};
 };
 
 // A point to be moved onto the surface of one vessel.

@@ -9,12 +9,12 @@
 
 namespace ramus::field {
 
-VesselField::VesselField(ConvolutionField sum, std::shared_ptr<const tree::Contacts> contacts)
+VesselField::VesselField(ConvolutionField sum, std::shared_ptr<const tree::Contacts> contacts, Rims rims)
     : sum_(std::move(sum)), contacts_(std::move(contacts)),
-      pieces_(std::make_shared<const Pieces>(*contacts_, sum_.skeleton(), sum_.kernel())) {}
+      pieces_(std::make_shared<const Pieces>(*contacts_, sum_.skeleton(), sum_.kernel())), rims_(rims) {}
 
 VesselField VesselField::without(std::span<const std::uint8_t> hidden) const {
-    return {sum_.without(hidden), contacts_};
+    return {sum_.without(hidden), contacts_, rims_};
 }
 
 std::optional<SegmentChanges> VesselField::changes_since(const VesselField& before) const {
@@ -56,7 +56,7 @@ ChildBounds VesselField::bound_children(SegmentIndices list, const ChildCubes& c
 
 std::unique_ptr<BrickField> VesselField::in_brick() const {
     if (contacts_->empty()) return sum_.in_brick();
-    return std::make_unique<VesselBrick>(sum_, *pieces_);
+    return std::make_unique<VesselBrick>(sum_, *pieces_, rims_);
 }
 
 } // namespace ramus::field

@@ -12,6 +12,7 @@
 
 #include "core/field/apart/pieces.h"
 #include "core/field/convolution_field.h"
+#include "core/field/rims.h"
 #include "core/tree/contacts/contacts.h"
 
 #include <memory>
@@ -23,7 +24,7 @@ namespace ramus::field {
 class VesselField {
 public:
     // `contacts`: of the tree whose segments the sum is of.
-    VesselField(ConvolutionField sum, std::shared_ptr<const tree::Contacts> contacts);
+    VesselField(ConvolutionField sum, std::shared_ptr<const tree::Contacts> contacts, Rims rims = Rims::kApart);
     // The same without the branches (ids in the file's tree) whose entry is not 0.
     [[nodiscard]] VesselField without(std::span<const std::uint8_t> hidden) const;
     [[nodiscard]] const ConvolutionField& sum() const { return sum_; }
@@ -42,6 +43,7 @@ private:
     ConvolutionField sum_;
     std::shared_ptr<const tree::Contacts> contacts_;
     std::shared_ptr<const Pieces> pieces_;
+    Rims rims_;
 };
 
 } // namespace ramus::field

@@ -157,7 +157,8 @@ Result<field::VesselField> feasible_field(const tree::VesselTree& source, const 
     }
     if (options.blend != Blend::kTree) return merged;
     return field::VesselField(
-        sum, std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, *links, kernel_of(options).limits)));
+        sum, std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, *links, kernel_of(options).limits)),
+        options.rims);
 }
 
 Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
@@ -205,7 +206,7 @@ field::VesselField make_field(const tree::VesselTree& source, const SurfaceOptio
     const PreparedTree prepared = prepare_tree(source, options);
     auto contacts = std::make_shared<tree::Contacts>();
     if (options.blend == Blend::kTree) *contacts = tree::find_contacts(prepared, kernel_of(options).limits);
-    field::VesselField field(plain_sum(source, options, prepared), std::move(contacts));
+    field::VesselField field(plain_sum(source, options, prepared), std::move(contacts), options.rims);
     return hidden.empty() ? field : field.without(hidden);
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/job.h"
 #include "core/field/kernels/kernel_kind.h"
+#include "core/field/rims.h"
 #include "core/mesh/blend.h"
 #include "core/mesh/method.h"
 #include "core/mesh/radii.h"
@@ -28,11 +29,12 @@ struct SurfaceOptions {
     field::KernelKind kernel = field::KernelKind::kGaussian;
     Blend blend = Blend::kTree; // where vessels blend
     tree::Centerline centerline = tree::Centerline::kSmooth;
-    Radii radii = Radii::kPlain;    // which the surface has
-    int detail = 16;                // triangles around a vessel
-    double cell_mm = 0.0;           // one cell size everywhere instead of detail; 0 = use detail
-    int threads = 0;                // 0 = all cores
-    std::uint64_t memory_bytes = 0; // most that the process shall take; 0 = half of the machine's
+    Radii radii = Radii::kPlain;            // which the surface has
+    field::Rims rims = field::Rims::kApart; // what files have
+    int detail = 16;                        // triangles around a vessel
+    double cell_mm = 0.0;                   // one cell size everywhere instead of detail; 0 = use detail
+    int threads = 0;                        // 0 = all cores
+    std::uint64_t memory_bytes = 0;         // most that the process shall take; 0 = half of the machine's
     bool operator==(const SurfaceOptions&) const = default;
 };
 

@@ -369,7 +369,7 @@ Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range,
 }
 
 // Where the way is beside the obstacle it is left sideways, otherwise backwards.
-glm::dvec3 toward_shadow(const ObstacleRows& obstacles, std::size_t obstacle, const WayOut& way) {
+ShadowSide side_of_shadow(const ObstacleRows& obstacles, std::size_t obstacle, const WayOut& way) {
     const auto vector = [&](std::size_t row) {
         return glm::dvec3(obstacles.row(row)[obstacle], obstacles.row(row + 1)[obstacle],
                           obstacles.row(row + 2)[obstacle]);
@@ -396,7 +396,8 @@ glm::dvec3 toward_shadow(const ObstacleRows& obstacles, std::size_t obstacle, co
     const double middle =
         ahead > 0.0 ? 0.5 * glm::dot(to_obstacle, to_obstacle) / ahead : std::numeric_limits<double>::infinity();
     const double front = std::max(at, middle) - way.length;
-    return front >= lateral || !(distance > 0.0) ? way.direction : -off / distance;
+    const bool is_front = front >= lateral || !(distance > 0.0);
+    return {is_front ? way.direction : -off / distance, std::max(-front, 0.0)};
 }
 
 } // namespace ramus::field

@@ -166,7 +166,12 @@ struct Shadow {
 // The nearest where that is nearer than `below`; else it may be any that is not, or none.
 [[nodiscard]] Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range, const WayOut& way,
                                     double below);
-// The unit vector in which the spare room of one of them grows least.
-[[nodiscard]] glm::dvec3 toward_shadow(const ObstacleRows& obstacles, std::size_t obstacle, const WayOut& way);
+// The unit vector in which the spare room of one of them grows least, and how far the point is beyond where what lies
+// behind the obstacle begins, mm; 0 before that.
+struct ShadowSide {
+    glm::dvec3 toward{0.0};
+    double beyond = 0.0;
+};
+[[nodiscard]] ShadowSide side_of_shadow(const ObstacleRows& obstacles, std::size_t obstacle, const WayOut& way);
 
 } // namespace ramus::field

@@ -15,15 +15,18 @@ namespace ramus::field {
 namespace {
 
 constexpr unsigned kKnownBits = 12;
+// Tuned: the corner between a vessel's surface and a wall is missed by as much where no grid point is in it.
+constexpr double kOnwardCells = 1.8;
 
 } // namespace
 
-VesselBrick::VesselBrick(const ConvolutionField& sum, const Pieces& pieces)
-    : sum_(sum.in_brick()), segments_(sum.segments().data()), views_(sum.kernel(), segments_, pieces) {}
+VesselBrick::VesselBrick(const ConvolutionField& sum, const Pieces& pieces, Rims rims)
+    : sum_(sum.in_brick()), segments_(sum.segments().data()), views_(sum.kernel(), segments_, pieces), rims_(rims) {}
 
 void VesselBrick::enter(SegmentIndices list, const GridAxes& axes) {
     sum_->enter(list, axes);
     axes_ = axes;
+    onward_ = rims_ == Rims::kOverlapping ? kOnwardCells * (axes.x[1] - axes.x[0]) : 0.0;
     parts_ = views_.enter(list, axes);
 }
 
@@ -137,28 +140,34 @@ bool VesselBrick::is_beside_contact(const glm::dvec3& point) {
 }
 
 OwnedPoint VesselBrick::from_corner(const WallPoint& point) const {
-    return {glm::vec3(point.position - axes_.corner()), glm::vec3(point.normal), static_cast<float>(point.radius),
-            point.branch, point.dominance};
+    return {glm::vec3(point.position - axes_.corner()),
+            glm::vec3(point.normal),
+            static_cast<float>(point.radius),
+            point.branch,
+            point.dominance,
+            glm::vec3(point.onward),
+            glm::vec3(point.onward_normal)};
 }
 
 OwnedPoint VesselBrick::move(const OwnedGuess& whose, const glm::vec3& guess) {
     const glm::dvec3 from = axes_.corner() + glm::dvec3(guess);
     const Bounds<glm::dvec3> bounds = bounds_of(whose, from, 0.0);
-    return from_corner(move_to_wall(views_, place_near(whose.owner, bounds.least), from, bounds, kernels_));
+    return from_corner(move_to_wall(views_, place_near(whose.owner, bounds.least), from, bounds, onward_, kernels_));
 }
 
 OwnedPoint VesselBrick::way_out(Owner owner, const glm::vec3& from, const glm::vec3& to, float guess) {
     const glm::dvec3 begin = axes_.corner() + glm::dvec3(from), end = axes_.corner() + glm::dvec3(to);
     return from_corner(
-        field::way_out(views_, place_near(owner, begin), {begin, end}, static_cast<double>(guess), kernels_));
+        field::way_out(views_, place_near(owner, begin), {begin, end}, static_cast<double>(guess), onward_, kernels_));
 }
 
 std::uint64_t VesselBrick::project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
                                          const SurfacePoints& to) {
     const glm::dvec3 corner = axes_.corner();
     const auto put = [&](std::size_t n, const WallPoint& point) {
-        to.positions[n] = glm::vec3(point.position);
-        to.normals[n] = glm::vec3(point.normal);
+        const bool onward = point.onward != glm::dvec3(0.0);
+        to.positions[n] = glm::vec3(point.position + point.onward);
+        to.normals[n] = glm::vec3(onward ? point.onward_normal : point.normal);
         to.radii[n] = static_cast<float>(point.radius);
         to.branches[n] = point.branch;
         to.dominance[n] = point.dominance;
@@ -166,7 +175,8 @@ std::uint64_t VesselBrick::project_apart(const Projection& guesses, std::span<co
     for (const OwnedGuess& one : owned) {
         if (one.place == OwnedGuess::Place::kPlaced) {
             const OwnedPoint& p = one.placed;
-            put(one.guess, {corner + glm::dvec3(p.at), p.normal, static_cast<double>(p.radius), p.branch, p.dominance});
+            put(one.guess, {corner + glm::dvec3(p.at), p.normal, static_cast<double>(p.radius), p.branch, p.dominance,
+                            p.onward, p.onward_normal});
             continue;
         }
         const bool free = one.place == OwnedGuess::Place::kFree;
@@ -177,7 +187,7 @@ std::uint64_t VesselBrick::project_apart(const Projection& guesses, std::span<co
         if (plain && free) continue;
         const glm::dvec3 middle = corner + glm::dvec3(guesses.cx[n], guesses.cy[n], guesses.cz[n]);
         const Bounds<glm::dvec3> bounds = bounds_of(one, middle, static_cast<double>(guesses.reach[n]));
-        put(n, move_to_wall(views_, place_near(one.owner, guess), guess, bounds, kernels_));
+        put(n, move_to_wall(views_, place_near(one.owner, guess), guess, bounds, onward_, kernels_));
     }
     return std::exchange(kernels_, 0);
 }

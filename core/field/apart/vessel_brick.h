@@ -5,6 +5,7 @@
 #include "core/field/apart/vessel_views.h"
 #include "core/field/apart/wall.h"
 #include "core/field/convolution_field.h"
+#include "core/field/rims.h"
 
 #include <memory>
 #include <vector>
@@ -13,7 +14,7 @@ namespace ramus::field {
 
 class VesselBrick final : public BrickField {
 public:
-    VesselBrick(const ConvolutionField& sum, const Pieces& pieces);
+    VesselBrick(const ConvolutionField& sum, const Pieces& pieces, Rims rims);
 
     void enter(SegmentIndices list, const GridAxes& axes) override;
     std::uint64_t sample_groups(unsigned groups, GridGroups& samples) override;
@@ -61,6 +62,8 @@ private:
     std::unique_ptr<BrickField> sum_;
     const FieldSegment* segments_;
     VesselViews views_;
+    Rims rims_;
+    double onward_ = 0.0; // mm: from so far below their vessel's own surface points of walls go on to it
     GridAxes axes_;
     bool parts_ = false;
     std::vector<Known> known_;  // by a number made of the point; empty until it is needed

@@ -258,8 +258,8 @@ Shadow VesselViews::shadow_on(std::uint32_t own, const ObstacleRange& range, dou
                             : nearest_shadow(contacts_.all().obstacles(), range, way_out(vessel(own)), below);
 }
 
-glm::dvec3 VesselViews::toward(std::uint32_t own, const Shadow& shadow) {
-    return toward_shadow(contacts_.all().obstacles(), shadow.obstacle, way_out(vessel(own)));
+ShadowSide VesselViews::side_of(std::uint32_t own, const Shadow& shadow) {
+    return side_of_shadow(contacts_.all().obstacles(), shadow.obstacle, way_out(vessel(own)));
 }
 
 bool VesselViews::nearer(std::uint32_t a, std::uint32_t b) const {

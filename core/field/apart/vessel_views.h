@@ -85,7 +85,7 @@ public:
     // How far the point is from what lies behind an obstacle, seen from a vessel's axis: that is found where it is
     // `below` so much.
     [[nodiscard]] Shadow shadow_on(std::uint32_t own, double below);
-    [[nodiscard]] glm::dvec3 toward(std::uint32_t own, const Shadow& shadow);
+    [[nodiscard]] ShadowSide side_of(std::uint32_t own, const Shadow& shadow);
 
     // One segment of each vessel that is seen, apart from each other: the nearest in radii first, up to so many radii,
     // squared.

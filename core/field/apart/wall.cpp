@@ -18,6 +18,7 @@ namespace {
 struct Depth {
     double mm = 0.0; // negative: outside
     glm::dvec3 outward{0.0};
+    double cut_mm = 0.0; // of what an obstacle cuts off: how far the point is beyond where that begins
 };
 
 // To first order, from the field, by a measure that is linear in the distance from a straight vessel's axis.
@@ -90,9 +91,22 @@ Depth depth_of(VesselViews& views, std::uint32_t own) {
         if (other == own || !views.apart(own, other)) continue;
         depth = depth_beside(views, own, other, depth);
     }
-    if (const Shadow shadow = views.shadow_on(own, depth.mm); shadow.spare < depth.mm)
-        depth = {shadow.spare, views.toward(own, shadow)};
+    if (const Shadow shadow = views.shadow_on(own, depth.mm); shadow.spare < depth.mm) {
+        const ShadowSide side = views.side_of(own, shadow);
+        depth = {shadow.spare, side.toward, side.beyond};
+    }
     return depth;
+}
+
+// Of a point on a wall, beside which the field was looked at, with this depth there: the way on to the vessel's own
+// surface, if that is no farther than `reach` mm.
+void go_onward(VesselViews& views, std::uint32_t own, const Depth& depth, double reach, WallPoint& point) {
+    if (!(reach > depth.cut_mm)) return;
+    const Depth within = depth_within(views, views.view(own));
+    const double mm = within.mm - glm::dot(within.outward, point.position - views.point());
+    if (!(within.mm > depth.mm && mm > 0.0 && mm < reach - depth.cut_mm)) return;
+    point.onward = mm * within.outward;
+    point.onward_normal = glm::normalize(within.outward);
 }
 
 // The vessel's segment that is nearest to a point, which is looked at.
@@ -105,7 +119,8 @@ std::uint32_t look_from(VesselViews& views, std::uint32_t place, const glm::dvec
 
 } // namespace
 
-WallPoint way_out(VesselViews& views, std::uint32_t place, const Way& way, double guess, std::uint64_t& kernels) {
+WallPoint way_out(VesselViews& views, std::uint32_t place, const Way& way, double guess, double onward,
+                  std::uint64_t& kernels) {
     constexpr int kMostSteps = 12;
     constexpr double kLeastSlope = 0.25;
     constexpr double kNear = 0.002; // of the way: a thousandth of a radius, at 16 cells around a vessel
@@ -146,11 +161,12 @@ WallPoint way_out(VesselViews& views, std::uint32_t place, const Way& way, doubl
     if (seen == VesselViews::kNone) return point;
     if (const double outward = glm::length(depth.outward); outward > 0.0) point.normal = depth.outward / outward;
     name(views, seen, point);
+    go_onward(views, seen, depth, onward, point);
     return point;
 }
 
 WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3& guess,
-                       const Bounds<glm::dvec3>& bounds, std::uint64_t& kernels) {
+                       const Bounds<glm::dvec3>& bounds, double onward, std::uint64_t& kernels) {
     constexpr int kSteps = 6;
     // Of the radius: the depth is linear to first order, so that a step so short leads to the surface but for its
     // square, and where another wall begins meanwhile, not through its gap.
@@ -185,6 +201,7 @@ WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3
         from = std::exchange(point.position, glm::clamp(aim, bounds.least, bounds.most));
         if (step + 1 == kSteps || glm::distance(from, point.position) < kShortStep * views.radius(own)) {
             name(views, own, point);
+            go_onward(views, own, depth, onward, point);
             break;
         }
     }

@@ -17,12 +17,16 @@ struct WallPoint {
     double radius = 0.0;      // local radius, mm
     std::int32_t branch = 0;
     Dominance dominance{};
+    // Of a point on a wall that is near the vessel's own surface, where that is asked for: the way on to it, mm, and
+    // the unit normal there; else 0.
+    glm::dvec3 onward{0.0}, onward_normal{0.0};
 };
 
 // Moves a point onto the surface of the vessel of a segment (by its place in the brick's list), within bounds in mm,
-// which may be flat or a line. Adds up the kernels evaluated.
+// which may be flat or a line. `onward`: how far below its vessel's own surface a point of a wall is told the way
+// there, mm. Adds up the kernels evaluated.
 [[nodiscard]] WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3& guess,
-                                     const Bounds<glm::dvec3>& bounds, std::uint64_t& kernels);
+                                     const Bounds<glm::dvec3>& bounds, double onward, std::uint64_t& kernels);
 
 // A straight way, mm.
 struct Way {
@@ -30,7 +34,7 @@ struct Way {
 };
 // The last place on a way that is the vessel's, to a thousandth of the way; it is at its start, and not at its end.
 // `guess`: the share of the way where it may be.
-[[nodiscard]] WallPoint way_out(VesselViews& views, std::uint32_t place, const Way& way, double guess,
+[[nodiscard]] WallPoint way_out(VesselViews& views, std::uint32_t place, const Way& way, double guess, double onward,
                                 std::uint64_t& kernels);
 
 } // namespace ramus::field

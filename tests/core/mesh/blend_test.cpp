@@ -13,6 +13,7 @@
 #include "tests/support/shared_data.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -29,7 +30,8 @@ std::vector<tree::Point> straight(glm::dvec3 from, glm::dvec3 to, double radius,
     return points;
 }
 
-TriangleMesh blended_surface(const std::vector<std::vector<tree::Point>>& vessels, int detail = 16) {
+TriangleMesh blended_surface(const std::vector<std::vector<tree::Point>>& vessels, int detail = 16,
+                             field::Rims rims = field::Rims::kApart) {
     tree::PreparedTree prepared;
     for (const auto& vessel : vessels) test::add_branch(prepared, vessel);
     auto contacts =
@@ -37,7 +39,7 @@ TriangleMesh blended_surface(const std::vector<std::vector<tree::Point>>& vessel
     PolygonizeOptions options;
     options.detail = detail;
     Job job;
-    auto mesh = polygonize(field::VesselField(field::ConvolutionField(prepared, 5.0), contacts), options, job);
+    auto mesh = polygonize(field::VesselField(field::ConvolutionField(prepared, 5.0), contacts, rims), options, job);
     REQUIRE(mesh.has_value());
     return std::move(*mesh);
 }
@@ -129,6 +131,62 @@ TEST_CASE("two S-shaped vessels 3 mm apart stay two up to a radius of 1.49 mm, e
         }
         CHECK(most_off < 0.01 * radius);
     }
+}
+
+TEST_CASE("in pictures two vessels meet in a clean crease: what is seen of each is its own tube") {
+    // Thin and thick, side by side and crossing: how far apart, and the second one's radius and turn.
+    struct Pair {
+        double closeness, radius, turn;
+    };
+    std::size_t off_of_apart = 0;
+    for (const Pair& pair :
+         {Pair{0.5, 1.0, 0.0}, Pair{0.6, 1.3, 0.0}, Pair{0.8, 1.3, 0.3}, Pair{0.7, 1.0, 1.5}, Pair{0.9, 3.0, 1.5}}) {
+        CAPTURE(pair.closeness);
+        CAPTURE(pair.radius);
+        CAPTURE(pair.turn);
+        const double distance = pair.closeness * (1.0 + pair.radius);
+        const std::array<glm::dvec3, 2> along{glm::dvec3(1, 0, 0),
+                                              glm::dvec3(std::cos(pair.turn), std::sin(pair.turn), 0)};
+        const std::array<glm::dvec3, 2> at{glm::dvec3(0), glm::dvec3(0.02, 0.03, distance)};
+        const std::array<double, 2> radius{1.0, pair.radius};
+        const auto from_axis = [&](std::size_t vessel, const glm::dvec3& p) {
+            return glm::length(glm::cross(p - at[vessel], along[vessel]));
+        };
+        const auto made = [&](field::Rims rims) {
+            return blended_surface({straight(at[0] - 12.0 * along[0], at[0] + 12.0 * along[0], radius[0]),
+                                    straight(at[1] - 12.0 * along[1], at[1] + 12.0 * along[1], radius[1])},
+                                   16, rims);
+        };
+        // Outside of the other's tube, how many triangles' middles are off the own one.
+        const auto off_tube = [&](const TriangleMesh& mesh) {
+            std::size_t off = 0;
+            for (const glm::uvec3& t : mesh.triangles) {
+                const auto vessel = static_cast<std::size_t>(mesh.branches[t.x]), other = 1 - vessel;
+                const glm::dvec3 middle((mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0F);
+                if (glm::length(middle) > 9.0) continue; // ends
+                if (from_axis(other, middle) < radius[other]) continue;
+                off += std::abs(from_axis(vessel, middle) - radius[vessel]) > 0.04 ? 1 : 0;
+            }
+            return off;
+        };
+        const TriangleMesh apart = made(field::Rims::kApart), drawn = made(field::Rims::kOverlapping);
+        CHECK(off_tube(drawn) == 0);
+        off_of_apart += off_tube(apart);
+        // The same surface otherwise.
+        CHECK(drawn.branches == apart.branches);
+        CHECK(drawn.triangles.size() == apart.triangles.size());
+        const double cell = 2.0 * std::numbers::pi / 16.0 * std::max(1.0, pair.radius);
+        double most_moved = 0.0;
+        std::size_t moved = 0;
+        for (std::size_t v = 0; v < drawn.positions.size(); ++v) {
+            const double by = static_cast<double>(glm::distance(drawn.positions[v], apart.positions[v]));
+            most_moved = std::max(most_moved, by), moved += by > 0.0 ? 1 : 0;
+        }
+        CHECK(most_moved <= 1.8 * cell);
+        CHECK(moved > 20);
+        CHECK(shape_of(drawn).pieces == 2);
+    }
+    CHECK(off_of_apart > 300); // corners that cells miss
 }
 
 TEST_CASE("without contacts the surface is that of the plain sum, to the bit") {
