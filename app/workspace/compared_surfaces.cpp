@@ -100,7 +100,7 @@ Result<ComparedMesh> compared_mesh(const tree::VesselTree& tree, const ComparedR
     }
     const auto hidden = hidden_flags(request.surface.hidden, tree.branches.size());
     if (!hidden.empty() && std::ranges::find(hidden, 0) == hidden.end()) return made;
-    RAMUS_TRY(surface, mesh::make_surface(tree, request.surface.options, job, hidden));
+    RAMUS_TRY(surface, mesh::make_surface(tree, as_drawn(request.surface.options), job, hidden));
     made.mesh = std::move(surface.mesh);
     return made;
 }

@@ -46,7 +46,7 @@ Result<ReadySurface> make_ready(const tree::VesselTree& tree, const SurfaceReque
     if (!hidden.empty() && std::ranges::find(hidden, 0) == hidden.end()) {
         ready.mesh = paged({}, tree);
     } else {
-        RAMUS_TRY(made, mesh::make_surface(tree, request.options, job, hidden));
+        RAMUS_TRY(made, mesh::make_surface(tree, as_drawn(request.options), job, hidden));
         ready.mesh = paged(made.mesh, tree);
     }
     ready.seconds = watch.seconds();
@@ -104,7 +104,7 @@ Result<ReadySurface> SurfaceMaker::next_surface(const SurfaceRequest& request, J
     const Stopwatch watch;
     if (auto takes = mesh::check_kernel(request.options); !takes) return tl::unexpected(takes.error());
     if (!field_ || field_options_ != request.options) {
-        field_ = mesh::make_field(*tree_, request.options, {});
+        field_ = mesh::make_field(*tree_, as_drawn(request.options), {});
         prepared_ = mesh::prepare_tree(*tree_, request.options);
         field_options_ = request.options;
     }

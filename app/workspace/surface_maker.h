@@ -36,6 +36,12 @@ struct SurfaceRequest {
 // By branch id, not 0: hidden. Empty when none is.
 [[nodiscard]] std::vector<std::uint8_t> hidden_flags(std::span<const int> hidden, std::size_t branch_count);
 
+// The options under which surfaces are made that are for pictures alone.
+[[nodiscard]] inline mesh::SurfaceOptions as_drawn(mesh::SurfaceOptions options) {
+    options.rims = field::Rims::kOverlapping;
+    return options;
+}
+
 // A mesh of the tree as it is drawn: all of them have the same origin.
 [[nodiscard]] std::shared_ptr<const render::PagedMesh> paged(const mesh::TriangleMesh& mesh,
                                                              const tree::VesselTree& tree);
