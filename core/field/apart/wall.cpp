@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -82,6 +83,14 @@ void name(VesselViews& views, std::uint32_t own, WallPoint& point) {
     }
 }
 
+// What an obstacle cuts off of a vessel, where that is nearer than `below` mm.
+std::optional<Depth> depth_before(VesselViews& views, std::uint32_t own, double below) {
+    const Shadow shadow = views.shadow_on(own, below);
+    if (!(shadow.spare < below)) return std::nullopt;
+    const ShadowSide side = views.side_of(own, shadow);
+    return Depth{shadow.spare, side.toward, side.beyond};
+}
+
 // How deep the point that was looked at is within what is the vessel's of a segment seen: within its surface, on its
 // side of walls, and before what cuts it off.
 Depth depth_of(VesselViews& views, std::uint32_t own) {
@@ -91,22 +100,7 @@ Depth depth_of(VesselViews& views, std::uint32_t own) {
         if (other == own || !views.apart(own, other)) continue;
         depth = depth_beside(views, own, other, depth);
     }
-    if (const Shadow shadow = views.shadow_on(own, depth.mm); shadow.spare < depth.mm) {
-        const ShadowSide side = views.side_of(own, shadow);
-        depth = {shadow.spare, side.toward, side.beyond};
-    }
-    return depth;
-}
-
-// Of a point on a wall, beside which the field was looked at, with this depth there: the way on to the vessel's own
-// surface, if that is no farther than `reach` mm.
-void go_onward(VesselViews& views, std::uint32_t own, const Depth& depth, double reach, WallPoint& point) {
-    if (!(reach > depth.cut_mm)) return;
-    const Depth within = depth_within(views, views.view(own));
-    const double mm = within.mm - glm::dot(within.outward, point.position - views.point());
-    if (!(within.mm > depth.mm && mm > 0.0 && mm < reach - depth.cut_mm)) return;
-    point.onward = mm * within.outward;
-    point.onward_normal = glm::normalize(within.outward);
+    return depth_before(views, own, depth.mm).value_or(depth);
 }
 
 // The vessel's segment that is nearest to a point, which is looked at.
@@ -115,6 +109,53 @@ std::uint32_t look_from(VesselViews& views, std::uint32_t place, const glm::dvec
     const std::uint32_t own = views.nearest_of_vessel(place);
     if (own != VesselViews::kNone) kernels += views.add_terms();
     return own;
+}
+
+// To first order, the shortest way to where two bounds of a vessel cross.
+std::optional<glm::dvec3> way_to_crossing(const Depth& a, const Depth& b) {
+    constexpr double kLeastTurn = 0.05; // the sine of the angle between them, squared
+    const double aa = glm::dot(a.outward, a.outward), bb = glm::dot(b.outward, b.outward);
+    const double ab = glm::dot(a.outward, b.outward), turn = aa * bb - ab * ab;
+    if (!(turn > kLeastTurn * aa * bb)) return std::nullopt;
+    return ((bb * a.mm - ab * b.mm) * a.outward + (aa * b.mm - ab * a.mm) * b.outward) / turn;
+}
+
+// Of a point of a vessel's surface, beside which the field was looked at, near where an obstacle cuts off more of it
+// than go_onward() brings back, so that one sees the edge: on to that, if it is no farther than a cell.
+void go_to_rim(VesselViews& views, std::uint32_t place, std::uint32_t seen, double onward, std::uint64_t& kernels,
+               WallPoint& point) {
+    constexpr int kSteps = 3;
+    constexpr double kReach = 0.6; // of how far points go onward: a cell
+    const double reach = kReach * onward;
+    if (const auto before = depth_before(views, seen, reach);
+        !before || depth_within(views, views.view(seen)).mm + before->cut_mm < onward)
+        return; // nothing is missing: points behind go on to the surface
+    glm::dvec3 at = point.position, normal(0.0);
+    for (int step = 0; step < kSteps; ++step) {
+        const std::uint32_t own = look_from(views, place, at, kernels);
+        if (own == VesselViews::kNone) return;
+        const Depth within = depth_within(views, views.view(own));
+        const auto before = depth_before(views, own, reach);
+        const auto way = before ? way_to_crossing(within, *before) : std::nullopt;
+        if (!way) return;
+        at += *way;
+        if (glm::distance(at, point.position) > reach) return;
+        normal = glm::normalize(within.outward);
+    }
+    point.onward = at - point.position;
+    point.onward_normal = normal;
+}
+
+// Of a point on a wall, beside which the field was looked at, with this depth there: the way on to the vessel's own
+// surface, if that is no farther than `reach` mm.
+void go_onward(VesselViews& views, std::uint32_t own, const Depth& depth, double reach, WallPoint& point) {
+    if (!(reach > depth.cut_mm)) return;
+    const Depth within = depth_within(views, views.view(own));
+    const double mm = within.mm - glm::dot(within.outward, point.position - views.point());
+    const double outward = glm::length(within.outward);
+    if (!(within.mm > depth.mm && mm > 0.0 && mm < reach - depth.cut_mm && outward > 0.0)) return;
+    point.onward = mm * within.outward;
+    point.onward_normal = within.outward / outward;
 }
 
 } // namespace
@@ -162,6 +203,7 @@ WallPoint way_out(VesselViews& views, std::uint32_t place, const Way& way, doubl
     if (const double outward = glm::length(depth.outward); outward > 0.0) point.normal = depth.outward / outward;
     name(views, seen, point);
     go_onward(views, seen, depth, onward, point);
+    if (onward > 0.0 && point.onward == glm::dvec3(0.0)) go_to_rim(views, place, seen, onward, kernels, point);
     return point;
 }
 
@@ -202,6 +244,7 @@ WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3
         if (step + 1 == kSteps || glm::distance(from, point.position) < kShortStep * views.radius(own)) {
             name(views, own, point);
             go_onward(views, own, depth, onward, point);
+            if (onward > 0.0 && point.onward == glm::dvec3(0.0)) go_to_rim(views, place, own, onward, kernels, point);
             break;
         }
     }

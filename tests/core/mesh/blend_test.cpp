@@ -17,8 +17,10 @@
 #include <cmath>
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
+#include <map>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 namespace ramus::mesh {
 
@@ -187,6 +189,44 @@ TEST_CASE("in pictures two vessels meet in a clean crease: what is seen of each 
         CHECK(shape_of(drawn).pieces == 2);
     }
     CHECK(off_of_apart > 300); // corners that cells miss
+}
+
+TEST_CASE("in pictures the groove that a thin vessel within a thick one leaves has straight rims") {
+    constexpr double kThick = 1.0, kThin = 0.45, kApart = 0.5;
+    const glm::dvec3 along = glm::normalize(glm::dvec3(1.0, 0.23, 0.11)), up(0.0, 0.0, 1.0);
+    const glm::dvec3 aside = glm::normalize(up - glm::dot(up, along) * along), across = glm::cross(along, aside);
+    const auto made = [&](field::Rims rims) {
+        return blended_surface({straight(-8.0 * along, 8.0 * along, kThick),
+                                straight(kApart * aside - 9.0 * along, kApart * aside + 9.0 * along, kThin)},
+                               16, rims);
+    };
+    // Seen from its axis the thick vessel is missing behind the thin one's tube. The edges there between its own
+    // surface and what is cut: where they are around the axis. Of how many that differs by less than 0.02 from most.
+    const auto on_straight_rim = [&](const TriangleMesh& mesh) {
+        std::map<std::pair<std::uint32_t, std::uint32_t>, glm::dvec3> facing; // of the one triangle at an edge
+        std::vector<double> angles;
+        for (const glm::uvec3& t : mesh.triangles) {
+            const std::array<glm::dvec3, 3> p{mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]};
+            const glm::dvec3 area = glm::cross(p[1] - p[0], p[2] - p[0]);
+            if (mesh.branches[t.x] != 0 || !(glm::length(area) > 1e-6)) continue;
+            for (std::size_t n = 0; n < 3; ++n) {
+                const auto ends = std::minmax({t[static_cast<int>(n)], t[static_cast<int>((n + 1) % 3)]});
+                const auto [there, fresh] = facing.try_emplace({ends.first, ends.second}, glm::normalize(area));
+                if (fresh || glm::dot(there->second, glm::normalize(area)) > 0.7) continue;
+                const glm::dvec3 middle = 0.5 * (p[n] + p[(n + 1) % 3]);
+                const double y = glm::dot(middle, across), z = glm::dot(middle, aside);
+                if (std::abs(glm::dot(middle, along)) < 5.0 && std::hypot(y, z) > 0.96 * kThick)
+                    angles.push_back(std::atan2(std::abs(y), z));
+            }
+        }
+        REQUIRE(angles.size() > 50);
+        std::ranges::sort(angles);
+        const double most = angles[angles.size() / 2];
+        const auto count = std::ranges::count_if(angles, [&](double angle) { return std::abs(angle - most) < 0.02; });
+        return static_cast<double>(count) / static_cast<double>(angles.size());
+    };
+    CHECK(on_straight_rim(made(field::Rims::kApart)) < 0.65);
+    CHECK(on_straight_rim(made(field::Rims::kOverlapping)) > 0.7);
 }
 
 TEST_CASE("without contacts the surface is that of the plain sum, to the bit") {
