@@ -172,7 +172,8 @@ struct OwnedPoint {
     float radius = 0.0F;    // local radius, mm
     std::int32_t branch = 0;
     Dominance dominance{};
-    // Where rims overlap (rims.h): from a wall on to the vessel's own surface, mm, and its normal; else 0.
+    // Where rims overlap (rims.h): the way on to the vessel's own surface or its edge, mm, and the normal there; else
+    // 0.
     glm::vec3 onward{0.0F}, onward_normal{0.0F};
 };
 

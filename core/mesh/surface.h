@@ -30,7 +30,7 @@ struct SurfaceOptions {
     Blend blend = Blend::kTree; // where vessels blend
     tree::Centerline centerline = tree::Centerline::kSmooth;
     Radii radii = Radii::kPlain;            // which the surface has
-    field::Rims rims = field::Rims::kApart; // what files have
+    field::Rims rims = field::Rims::kApart; // how it ends at walls; overlapping for pictures
     int detail = 16;                        // triangles around a vessel
     double cell_mm = 0.0;                   // one cell size everywhere instead of detail; 0 = use detail
     int threads = 0;                        // 0 = all cores

@@ -147,15 +147,16 @@ void go_to_rim(VesselViews& views, std::uint32_t place, std::uint32_t seen, doub
 }
 
 // Of a point on a wall, beside which the field was looked at, with this depth there: the way on to the vessel's own
-// surface, if that is no farther than `reach` mm.
-void go_onward(VesselViews& views, std::uint32_t own, const Depth& depth, double reach, WallPoint& point) {
-    if (!(reach > depth.cut_mm)) return;
+// surface, if that is no farther than `onward` mm, with what an obstacle cuts off below the point. Whether there is
+// one.
+bool go_onward(VesselViews& views, std::uint32_t own, const Depth& depth, double onward, WallPoint& point) {
     const Depth within = depth_within(views, views.view(own));
     const double mm = within.mm - glm::dot(within.outward, point.position - views.point());
     const double outward = glm::length(within.outward);
-    if (!(within.mm > depth.mm && mm > 0.0 && mm < reach - depth.cut_mm && outward > 0.0)) return;
+    if (!(within.mm > depth.mm && mm > 0.0 && mm < onward - depth.cut_mm && outward > 0.0)) return false;
     point.onward = mm * within.outward;
     point.onward_normal = within.outward / outward;
+    return true;
 }
 
 } // namespace
@@ -202,8 +203,8 @@ WallPoint way_out(VesselViews& views, std::uint32_t place, const Way& way, doubl
     if (seen == VesselViews::kNone) return point;
     if (const double outward = glm::length(depth.outward); outward > 0.0) point.normal = depth.outward / outward;
     name(views, seen, point);
-    go_onward(views, seen, depth, onward, point);
-    if (onward > 0.0 && point.onward == glm::dvec3(0.0)) go_to_rim(views, place, seen, onward, kernels, point);
+    if (onward > 0.0 && !go_onward(views, seen, depth, onward, point))
+        go_to_rim(views, place, seen, onward, kernels, point);
     return point;
 }
 
@@ -243,8 +244,8 @@ WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3
         from = std::exchange(point.position, glm::clamp(aim, bounds.least, bounds.most));
         if (step + 1 == kSteps || glm::distance(from, point.position) < kShortStep * views.radius(own)) {
             name(views, own, point);
-            go_onward(views, own, depth, onward, point);
-            if (onward > 0.0 && point.onward == glm::dvec3(0.0)) go_to_rim(views, place, own, onward, kernels, point);
+            if (onward > 0.0 && !go_onward(views, own, depth, onward, point))
+                go_to_rim(views, place, own, onward, kernels, point);
             break;
         }
     }

@@ -17,8 +17,8 @@ struct WallPoint {
     double radius = 0.0;      // local radius, mm
     std::int32_t branch = 0;
     Dominance dominance{};
-    // Of a point on a wall that is near the vessel's own surface, where that is asked for: the way on to it, mm, and
-    // the unit normal there; else 0.
+    // Where rims overlap (rims.h): of a point on a wall that is near the vessel's own surface, the way on to that; of
+    // one near the edge of what an obstacle cuts off, the way to the edge; mm, and the unit normal there. Else 0.
     glm::dvec3 onward{0.0}, onward_normal{0.0};
 };
 
