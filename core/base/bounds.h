@@ -10,7 +10,11 @@ template <class Vector> struct Bounds {
     using Number = typename Vector::value_type;
     Vector least{std::numeric_limits<Number>::max()}, most{std::numeric_limits<Number>::lowest()};
 
-    void hold(const Vector& point, Number reach = Number(0)) {
+    void hold(const Vector& point) {
+        least = glm::min(least, point);
+        most = glm::max(most, point);
+    }
+    void hold(const Vector& point, Number reach) {
         least = glm::min(least, point - reach);
         most = glm::max(most, point + reach);
     }

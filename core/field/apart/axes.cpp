@@ -43,7 +43,12 @@ HWY_INLINE Real dot(const Vector& a, const Vector& b) {
 }
 HWY_INLINE Real limited(Real x, Real low, Real high) { return hn::Min(hn::Max(x, low), high); }
 
-// The least of some numbers so far, by lane, and where it was.
+// The least of some axes' numbers, and whose it is: the first of several.
+struct LeastOfAxes {
+    double number;
+    std::uint32_t axis;
+};
+// That of numbers so far, by lane.
 struct Least {
     Real number, place;
 
@@ -52,20 +57,22 @@ struct Least {
         number = hn::IfThenElse(less, numbers, number);
         place = hn::IfThenElse(less, places, place);
     }
-    HWY_INLINE void store(LeastByLane& to) const {
+    HWY_INLINE LeastOfAxes of_all_lanes() const {
         const Doubles d;
-        hn::StoreU(number, d, to.number.data());
-        hn::StoreU(place, d, to.place.data());
-        to.lanes = hn::Lanes(d);
+        const Real least = hn::MinOfLanes(d, number);
+        const Real far = hn::Set(d, std::numeric_limits<double>::infinity());
+        const Real places = hn::IfThenElse(hn::Eq(number, least), place, far);
+        return {hn::GetLane(least), static_cast<std::uint32_t>(hn::GetLane(hn::MinOfLanes(d, places)))};
     }
 };
 
-// Appends the places of a vector's lanes, of which the first is `first`. Writes a whole vector.
-HWY_INLINE std::uint32_t* put_places(hn::Mask<Doubles> which, std::size_t first, std::uint32_t* next) {
-    const hn::Rebind<std::uint32_t, Doubles> d;
+using Numbers = hn::Rebind<std::uint32_t, Doubles>;
+
+// Appends some of the places of a vector's lanes. Writes a whole vector.
+HWY_INLINE std::uint32_t* put_places(hn::Mask<Doubles> which, hn::Vec<Numbers> places, std::uint32_t* next) {
+    const Numbers d;
     HWY_ALIGN std::uint8_t bits[8] = {};
     hn::StoreMaskBits(Doubles(), which, bits);
-    const auto places = hn::Iota(d, static_cast<std::uint32_t>(first));
     hn::StoreU(hn::Compress(places, hn::LoadMaskBits(d, bits)), d, next);
     return next + std::popcount(bits[0]);
 }
@@ -109,8 +116,9 @@ HWY_INLINE Places places_on(const RowsAt<const double>& rows, std::size_t n, con
     const Vector from = minus(p, load(rows, kStartX, n));
     const Real along_axis = dot(from, u);
     const Real t = limited(along_axis, hn::Zero(d), hn::LoadU(d, rows.row(kAxisLength) + n));
-    const Vector off = along(from, hn::Neg(t), u);
-    return {along_axis, t, off, dot(off, off)};
+    Places places{along_axis, t, along(from, hn::Neg(t), u), hn::Zero(d)};
+    places.distance2 = dot(places.off, places.off);
+    return places;
 }
 HWY_INLINE void put(const Places& places, const Vector& p, const RowsAt<double>& to, std::size_t n) {
     const Doubles d;
@@ -132,7 +140,10 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
     std::uint32_t* next_marked = feet.marked.places.data();
     const Real far = hn::Set(d, std::numeric_limits<double>::infinity());
     Least least_near{far, zero}, least_marked{far, zero};
-    for (std::size_t n = 0; n < axes.count; n += hn::Lanes(d)) {
+    // Counted on: made anew for each vector they are written to memory and read from there, which takes far longer.
+    auto numbers = hn::Iota(Numbers(), 0);
+    const auto lanes = hn::Set(Numbers(), static_cast<std::uint32_t>(hn::Lanes(d)));
+    for (std::size_t n = 0; n < axes.count; n += hn::Lanes(d), numbers = hn::Add(numbers, lanes)) {
         const Places there = places_on(rows, n, p);
         const Real distance2 = there.distance2;
         const Real slope = hn::LoadU(d, rows.row(kAxisSlope) + n);
@@ -152,15 +163,15 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
         const auto marked = hn::And(near, hn::Gt(hn::LoadU(d, marks + n), zero));
         const Real places = hn::Iota(d, static_cast<double>(n));
         least_near.see(near, relative2, places);
-        next = put_places(near, n, next);
+        next = put_places(near, numbers, next);
         if (hn::AllFalse(d, marked)) continue;
         least_marked.see(marked, relative2, places);
-        next_marked = put_places(marked, n, next_marked);
+        next_marked = put_places(marked, numbers, next_marked);
     }
     feet.near.count = static_cast<std::size_t>(next - feet.near.places.data());
     feet.marked.count = static_cast<std::size_t>(next_marked - feet.marked.places.data());
-    least_near.store(feet.near.least);
-    least_marked.store(feet.marked.least);
+    feet.near.nearest = least_near.of_all_lanes().axis;
+    feet.marked.nearest = least_marked.of_all_lanes().axis;
 }
 
 void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apart, std::size_t count, double* left) {
@@ -215,9 +226,7 @@ std::optional<glm::dvec3> find_counted_foot(const Axes& counted, const glm::dvec
         least.see(counts, places_on(rows, n, p).distance2, hn::Iota(d, static_cast<double>(n)));
     }
     if (!any_moved) return std::nullopt;
-    LeastByLane by_lane;
-    least.store(by_lane);
-    const std::size_t lane = by_lane.lane();
+    const LeastOfAxes nearest = least.of_all_lanes();
     // Of an axis by its place, as in find_feet().
     const auto number_at = [&](Real numbers_there, std::size_t place) {
         HWY_ALIGN std::array<double, kMostLanes> there;
@@ -226,8 +235,7 @@ std::optional<glm::dvec3> find_counted_foot(const Axes& counted, const glm::dvec
     };
     const auto vector_of = [&](std::size_t place) { return place / lanes * lanes; };
     const double own_distance2 = number_at(places_on(rows, vector_of(own), p).distance2, own);
-    const std::size_t chosen =
-        by_lane.number[lane] < own_distance2 ? static_cast<std::size_t>(by_lane.place[lane]) : own;
+    const std::size_t chosen = nearest.number < own_distance2 ? nearest.axis : own;
     const Vector foot = minus(p, places_on(rows, vector_of(chosen), p).off);
     return glm::dvec3(number_at(foot.x, chosen), number_at(foot.y, chosen), number_at(foot.z, chosen));
 }
@@ -336,14 +344,6 @@ void AxisFeet::reserve(std::size_t most) {
     for (Near* const some : {&near, &marked})
         if (some->places.size() < most + NumberRows<1>::kWidestVector)
             some->places.resize(most + NumberRows<1>::kWidestVector);
-}
-
-std::size_t LeastByLane::lane() const {
-    std::size_t first = 0;
-    for (std::size_t other = 1; other < lanes; ++other)
-        if (number[other] < number[first] || (number[other] == number[first] && place[other] < place[first]))
-            first = other;
-    return first;
 }
 
 void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet) {

@@ -3,7 +3,6 @@
 // asks.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -82,21 +81,13 @@ enum FootRow : std::uint8_t {
     kFootNear,
     kFootRows
 };
-// The least of some axes' numbers in each lane of a vector, and whose it is.
-struct LeastByLane {
-    std::array<double, NumberRows<1>::kWidestVector> number{}, place{};
-    std::size_t lanes = 0;
-    [[nodiscard]] std::size_t lane() const; // of the least of all, the first of several
-};
 struct AxisFeet {
     // Some axes, by their places.
     struct Near {
         std::vector<std::uint32_t> places; // scratch: those that are near come first; written by whole vectors
         std::size_t count = 0;
-        LeastByLane least; // in radii, squared
+        std::uint32_t nearest = 0; // in radii, the first of several; where there are any
         [[nodiscard]] std::span<const std::uint32_t> all() const { return std::span(places).first(count); } // ascending
-        // In radii, the first of several; where there are any.
-        [[nodiscard]] std::uint32_t nearest() const { return static_cast<std::uint32_t>(least.place[least.lane()]); }
     };
     NumberRows<kFootRows> rows;
     // Those nearer than so many radii; beyond an end from which radii go on shrinking, of the radius that it has there:

@@ -106,7 +106,7 @@ VesselViews::Sight VesselViews::sight() {
 VesselViews::Sight VesselViews::find_sight() {
     beside_contact_ = false;
     if (alone()) return Sight::kPlain;
-    const std::uint32_t own = feet_.marked.nearest();
+    const std::uint32_t own = feet_.marked.nearest;
     if (any_left_out(own)) return Sight::kParted;
     if (feet_.of(own, kFootRelative2) > claim_radii2()) return Sight::kPlain;
     const double spare = shadow_on(own, contacts_.piercing(piece(own)), beside_mm_).spare;

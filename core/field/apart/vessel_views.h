@@ -54,7 +54,7 @@ public:
     // or kNone.
     [[nodiscard]] std::span<const std::uint32_t> seen() const { return feet_.near.all(); }
     [[nodiscard]] bool alone() const { return feet_.marked.count == 0; }
-    [[nodiscard]] std::uint32_t nearest() const { return seen().empty() ? kNone : feet_.near.nearest(); }
+    [[nodiscard]] std::uint32_t nearest() const { return seen().empty() ? kNone : feet_.near.nearest; }
     // Of a plain sight: whether a vessel's way to the point may be cut nearby.
     [[nodiscard]] bool beside_contact() const { return beside_contact_; }
 

@@ -29,7 +29,13 @@ constexpr double kMostInAll = 200e6;
 // counts.
 constexpr std::size_t kMostSteps = 200'000'000, kCapSteps = 300;
 
-// Pieces less loops: half of the Euler characteristic.
+// Pieces less loops: half of the Euler characteristic. Of a closed surface all of whose vertices have triangles, and
+// whose triangles have three each, their numbers tell.
+std::int64_t half_characteristic_by_numbers(const TriangleMesh& mesh) {
+    const auto vertices = static_cast<std::int64_t>(mesh.positions.size());
+    return (vertices - static_cast<std::int64_t>(mesh.triangles.size() / 2)) / 2;
+}
+
 std::int64_t half_characteristic(const TriangleMesh& mesh) {
     std::vector<std::uint8_t> used(mesh.positions.size(), 0);
     const auto mark = [&](const tbb::blocked_range<std::size_t>& range, std::int64_t triangles) {
@@ -47,8 +53,8 @@ std::int64_t half_characteristic(const TriangleMesh& mesh) {
     return (static_cast<std::int64_t>(std::ranges::count(used, 1)) - triangles / 2) / 2;
 }
 
-bool differs(const TriangleMesh& mesh, const Connectivity& asked) {
-    return half_characteristic(mesh) != asked.pieces - asked.loops;
+bool differs(std::int64_t half_characteristic, const Connectivity& asked) {
+    return half_characteristic != asked.pieces - asked.loops;
 }
 
 // Whether what a line goes around is inside, and no hole: the surface faces away from its middle.
@@ -139,12 +145,12 @@ private:
 } // namespace
 
 bool has_other_loops(const TriangleMesh& mesh, const tree::VesselTree& tree) {
-    return differs(mesh, connectivity_of(tree));
+    return differs(half_characteristic(mesh), connectivity_of(tree));
 }
 
 std::size_t cut_false_loops(TriangleMesh& mesh, const tree::VesselTree& tree, double memory_bytes, Job& job) {
     const Connectivity asked = connectivity_of(tree);
-    if (!differs(mesh, asked)) return 0;
+    if (!differs(half_characteristic_by_numbers(mesh), asked)) return 0;
     const auto triangles = static_cast<double>(mesh.triangles.size());
     const std::int64_t others = connectivity_of(mesh).loops - asked.loops;
     if (kBytesPerTriangle * triangles > memory_bytes || static_cast<double>(others) * triangles > kMostInAll) return 0;

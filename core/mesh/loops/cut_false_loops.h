@@ -14,8 +14,9 @@ namespace ramus::mesh {
 
 // Cuts a closed surface until it has no more loops than its tree, along the shortest line each time that goes around no
 // vessel: around a connection that the tree has not, or around the hole beside it. Holes are filled only where the tree
-// has no cycle at all, or one of its own might be. Where no such line is short, a loop stays. `tree`: what the surface
-// was made of. Returns how many loops are cut; fewer if cancelled, none where it would take more than `memory_bytes`.
+// has no cycle at all, or one of its own might be. Where no such line is short, a loop stays. `mesh`: each vertex has
+// triangles, each triangle three vertices. `tree`: what the surface was made of. Returns how many loops are cut; fewer
+// if cancelled, none where it would take more than `memory_bytes`.
 std::size_t cut_false_loops(TriangleMesh& mesh, const tree::VesselTree& tree, double memory_bytes, Job& job);
 
 } // namespace ramus::mesh
