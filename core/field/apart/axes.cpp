@@ -246,16 +246,6 @@ double reach_of_shadows(const WayOut& way, double below) {
     return std::max(2.0 * (way.length + below) + 1e-6 * way.length, 0.0) + glm::length(way.foot - way.axis_foot);
 }
 
-// The obstacles from the n-th on leave so much room.
-HWY_INLINE void take_nearer(Real spare, std::size_t n, Shadow& nearest) {
-    const Doubles d;
-    constexpr std::size_t kLanes = 8;
-    HWY_ALIGN double spares[kLanes];
-    hn::Store(spare, d, spares);
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-        if (spares[lane] < nearest.spare) nearest = {spares[lane], n + lane};
-}
-
 Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range, const WayOut& way, double below) {
     const Doubles d;
     const auto rows = rows_at(obstacles);
@@ -263,7 +253,7 @@ Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range,
     const Vector foot = set(way.foot), w = set(way.direction), axis_foot = set(way.axis_foot);
     const Real way_length = hn::Set(d, way.length), own_radius = hn::Set(d, way.radius);
     const Real beyond = hn::Set(d, reach_of_shadows(way, below));
-    Shadow nearest;
+    Least nearest{far, zero};
     for (std::size_t n = range.first; n < range.first + range.count; n += hn::Lanes(d)) {
         const Vector start = load(rows, kStartX, n), u = load(rows, kAlongX, n);
         const Real length = hn::LoadU(d, rows.row(kAxisLength) + n);
@@ -311,10 +301,10 @@ Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range,
         counts = hn::And(counts, hn::And(hn::Le(at, hn::Add(way_length, own_radius)), hn::Not(is_passed)));
         if (hn::AllFalse(d, counts)) continue;
         const auto is_front = hn::Or(hn::Ge(front, lateral), hn::Not(hn::Gt(off2, zero)));
-        const Real spare = hn::IfThenElse(counts, hn::IfThenElse(is_front, front, lateral), far);
-        take_nearer(spare, n, nearest);
+        nearest.see(counts, hn::IfThenElse(is_front, front, lateral), hn::Iota(d, static_cast<double>(n)));
     }
-    return nearest;
+    const LeastOfAxes least = nearest.of_all_lanes();
+    return {least.number, least.axis};
 }
 
 } // namespace ramus::field::HWY_NAMESPACE
