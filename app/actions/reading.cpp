@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char *kOrientationKey = "orientation", *kUnitsKey = "units";
 
-constexpr const char* kUsage =
+constexpr const char* kReadAsUsage =
     "read-as units cm, radius-is diameter, orientation LPS, repair none; of a mask labels together, "
     "fill-holes on, bulge-size 1, islands 10, root X,Y,Z; auto takes it back";
 
@@ -32,10 +32,11 @@ Result<io::ReadOptions> options_in(Arguments arguments, io::ReadOptions options,
         return usual;
     }
     if (arguments.empty() || arguments.size() % 2 != 0)
-        return fail("read-as takes an option and its value, or several such pairs", {}, kUsage);
+        return fail("read-as takes an option and its value, or several such pairs", {}, kReadAsUsage);
     for (std::size_t i = 0; i < arguments.size(); i += 2) {
         if (is_mask_option(arguments[i]) && !of_mask)
-            return fail(arguments[i] + " is an option of masks, and this tree is from a file of trees", {}, kUsage);
+            return fail(arguments[i] + " is an option of masks, and this tree is from a file of trees", {},
+                        kReadAsUsage);
         auto next = with(std::move(options), arguments[i], arguments[i + 1]);
         if (!next) return next;
         options = std::move(*next);
@@ -89,10 +90,11 @@ Result<Outcome> read_as(ActionContext& context, Arguments arguments) {
 // Without a word it asks: the panel opens. With one it is short for read-as.
 template <const char* const& kKey> Result<Outcome> say_or_ask(ActionContext& context, Arguments arguments) {
     if (arguments.empty()) {
-        if (context.window == nullptr) return fail(std::string(kKey) + " takes a value without a window", {}, kUsage);
+        if (context.window == nullptr)
+            return fail(std::string(kKey) + " takes a value without a window", {}, kReadAsUsage);
         return outcome_of(toggle_part(context, "orientation"));
     }
-    if (arguments.size() != 1) return fail(std::string(kKey) + " takes one value", {}, kUsage);
+    if (arguments.size() != 1) return fail(std::string(kKey) + " takes one value", {}, kReadAsUsage);
     if (!has_tree(context.document)) {
         if (kKey == kUnitsKey) return read_context_in(context, arguments[0]);
         return fail("the axes of masks and meshes are those of their files", {}, "correct them in the files");

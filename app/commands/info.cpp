@@ -135,7 +135,7 @@ struct InfoFlags {
 };
 
 // Those of the tree as its surface sees it; null where they are not asked for.
-using ContactList = std::shared_ptr<const std::vector<tree::Contact>>;
+using SharedContacts = std::shared_ptr<const std::vector<tree::Contact>>;
 
 ordered_json range_json(const measure::Range& range) {
     return {{"min", range.min}, {"mean", range.mean}, {"max", range.max}};
@@ -201,7 +201,7 @@ std::string topics_of(const std::vector<tree::NoteGroup>& groups, tree::Note::Ki
 }
 
 void print_json(const tree::VesselTree& tree, const measure::TreeStatistics& statistics, bool branches,
-                const ContactList& contacts) {
+                const SharedContacts& contacts) {
     ordered_json report = {{"branches", tree.branches.size()},
                            {"segments", tree.segment_count()},
                            {"roots", tree.roots.size()},
@@ -286,7 +286,7 @@ std::string claim_text(tree::SaidBy who, const std::string& known, const std::st
 }
 
 void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const measure::TreeStatistics& statistics,
-                const ContactList& contacts) {
+                const SharedContacts& contacts) {
     std::cout << flags.file << '\n';
     line("branches", grouped(tree.branches.size()) + " (" +
                          counted(static_cast<std::uint64_t>(statistics.leaves), "leaf", "leaves") + ")");
@@ -326,7 +326,7 @@ Result<int> run_info(const InfoFlags& flags) {
     }
     RAMUS_TRY(tree, io::read_tree(flags.file, flags.surface.read));
     const measure::TreeStatistics statistics = measure::tree_statistics(tree);
-    const ContactList contacts = flags.contacts ? contacts_of(tree, flags.surface.surface).list : nullptr;
+    const SharedContacts contacts = flags.contacts ? contacts_of(tree, flags.surface.surface).list : nullptr;
     if (flags.json)
         print_json(tree, statistics, flags.branches, contacts);
     else

@@ -1,6 +1,7 @@
 #include "app/commands/info_contacts.h"
 
 #include "app/assets/contacts.h"
+#include "app/commands/listing.h"
 #include "app/session/numbers.h"
 #include "app/session/systems.h"
 
@@ -14,10 +15,6 @@ namespace ramus::app {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr std::size_t kMostListed = 20; // a person reads no more; JSON has them all
-
-ordered_json place_json(const glm::dvec3& at) { return {at.x, at.y, at.z}; }
 
 // "3", "3 (portal)", "3 and 2 more"
 std::string side_text(const tree::VesselTree& tree, const tree::ContactSide& side) {

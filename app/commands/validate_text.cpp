@@ -1,6 +1,7 @@
 #include "app/commands/validate_text.h"
 
 #include "app/commands/deviation_report.h"
+#include "app/commands/listing.h"
 #include "app/reports/validation/validation_tables.h"
 #include "app/session/numbers.h"
 
@@ -17,8 +18,6 @@ namespace ramus::app {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json place_json(const glm::dvec3& at) { return {at.x + 0.0, at.y + 0.0, at.z + 0.0}; } // no negative zeros
 
 ordered_json constrictions_json(const std::vector<validate::Constriction>& constrictions) {
     ordered_json list = ordered_json::array();
@@ -128,7 +127,6 @@ std::string at_text(const glm::dvec3& at, const Lengths& lengths) {
 
 // A heading with how many there are, and a line for each of the first.
 template <class List, class Line> void print_list(const std::string& heading, const List& list, const Line& line) {
-    constexpr std::size_t kMostListed = 20; // a person reads no more; JSON has them all
     std::cout << heading << ": " << (list.empty() ? "none" : grouped(list.size())) << '\n';
     const std::size_t listed = std::min(list.size(), kMostListed);
     for (std::size_t i = 0; i < listed; ++i) std::cout << "    " << line(list[i]) << '\n';

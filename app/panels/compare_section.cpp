@@ -32,7 +32,7 @@ bool selectable(const char* text, bool chosen) {
     return pressed;
 }
 
-std::string spelled(const std::vector<Compared>& surfaces) {
+std::string surfaces_word(const std::vector<Compared>& surfaces) {
     return joined(surfaces, ",", [](Compared kind) { return name_of(kind); });
 }
 
@@ -63,7 +63,7 @@ void draw_surface_row(InterfaceContext& context, const Comparison& comparison, s
         ImGui::EndCombo();
     }
     ImGui::PopID();
-    if (wanted) context.perform("compare", {std::string(name_of(comparison.mode)), spelled(*wanted)});
+    if (wanted) context.perform("compare", {std::string(name_of(comparison.mode)), surfaces_word(*wanted)});
 }
 
 } // namespace

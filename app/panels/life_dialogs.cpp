@@ -46,9 +46,9 @@ std::string about(const RecoveryDialog::Entry& entry) {
            ago_text(std::chrono::system_clock::now() - entry.snapshot.saved);
 }
 
-enum class Choice { kNone, kRecover, kDiscard };
+enum class RecoveryChoice { kNone, kRecover, kDiscard };
 
-Choice draw_entry(const RecoveryDialog::Entry& entry, float height) {
+RecoveryChoice draw_entry(const RecoveryDialog::Entry& entry, float height) {
     const float scale = theme::scale();
     const float button = 90.0F * scale;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -60,11 +60,11 @@ Choice draw_entry(const RecoveryDialog::Entry& entry, float height) {
     const ImVec2 end = ImGui::GetCursorPos();
     ImGui::SetCursorPos({at.x, std::round(at.y + 0.5F * (height - ImGui::GetFrameHeight()))});
     widgets::align_right(2.0F * button + gap);
-    Choice choice = Choice::kNone;
-    if (ImGui::Button("Discard", {button, 0.0F})) choice = Choice::kDiscard;
+    RecoveryChoice choice = RecoveryChoice::kNone;
+    if (ImGui::Button("Discard", {button, 0.0F})) choice = RecoveryChoice::kDiscard;
     ImGui::SameLine();
     ImGui::BeginDisabled(!entry.problem.empty());
-    if (widgets::button("Recover", {button, 0.0F}, theme::kAccentDim)) choice = Choice::kRecover;
+    if (widgets::button("Recover", {button, 0.0F}, theme::kAccentDim)) choice = RecoveryChoice::kRecover;
     ImGui::EndDisabled();
     ImGui::SetCursorPos(end);
     return choice;
@@ -91,9 +91,9 @@ void draw_recovery_dialog(InterfaceContext& context) {
     ImGui::BeginChild("entries", {0.0F, rows * (row + gap)});
     for (std::size_t i = 0; i < dialog.entries.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        const Choice choice = draw_entry(dialog.entries[i], row);
-        if (choice != Choice::kNone)
-            chosen = {choice == Choice::kRecover ? "recover" : "discard-recovery", std::to_string(i + 1)};
+        const RecoveryChoice choice = draw_entry(dialog.entries[i], row);
+        if (choice != RecoveryChoice::kNone)
+            chosen = {choice == RecoveryChoice::kRecover ? "recover" : "discard-recovery", std::to_string(i + 1)};
         ImGui::Dummy({0.0F, gap - ImGui::GetStyle().ItemSpacing.y});
         ImGui::PopID();
     }

@@ -13,7 +13,7 @@ using nlohmann::json;
 
 constexpr std::size_t kLargestJson = std::size_t{2} << 30;
 
-json parsed(std::string_view text, std::string_view left_out) {
+json parse_leaving_out(std::string_view text, std::string_view left_out) {
     if (left_out.empty()) return json::parse(text);
     return json::parse(text, [&](int, json::parse_event_t event, const json& value) {
         return event != json::parse_event_t::key || value != left_out;
@@ -59,7 +59,7 @@ Result<json> parsed_json(std::string_view text, const std::string& name, std::st
                     "no format here does that; check the program that wrote it");
     const auto place = [&](std::size_t at) { return name + ":" + std::to_string(line_at(text, at)); };
     try {
-        return parsed(text, left_out);
+        return parse_leaving_out(text, left_out);
     } catch (const json::parse_error& error) {
         return fail("this is not valid JSON", place(error.byte == 0 ? 0 : error.byte - 1),
                     "edit the file there, or write it anew with `ramus convert`");

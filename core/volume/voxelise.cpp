@@ -26,12 +26,12 @@ Box bounds_of(const tree::VesselTree& tree) {
 }
 
 // A grid of voxels: the middle of the first, and their sizes, mm.
-struct Grid {
+struct VoxelGrid {
     glm::dvec3 origin, voxel_mm;
 };
 
 // Sets the voxels of one segment.
-void fill(BitMask& mask, const Grid& grid, const tree::Point& a, const tree::Point& b, const Job& job) {
+void fill(BitMask& mask, const VoxelGrid& grid, const tree::Point& a, const tree::Point& b, const Job& job) {
     const glm::dvec3 ab = b.position - a.position;
     const glm::ivec3 last = mask.size() - 1;
     Box box;
@@ -85,7 +85,7 @@ Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, const glm::dvec3& 
     if (std::max({sides.x, sides.y, sides.z}) > 30000.0 || bytes > most)
         return fail("voxels of " + least + " mm are too fine for this tree", {},
                     "give a larger size, or more --memory");
-    const Grid grid{0.5 * (box.least + box.most - voxel_mm * (sides - 1.0)), voxel_mm};
+    const VoxelGrid grid{0.5 * (box.least + box.most - voxel_mm * (sides - 1.0)), voxel_mm};
     const glm::dmat4 to_patient = glm::scale(glm::translate(glm::dmat4(1.0), grid.origin), voxel_mm);
     if (auto precise = check_mask_precision(glm::ivec3(sides), to_patient); !precise)
         return tl::unexpected(precise.error());

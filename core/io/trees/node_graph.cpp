@@ -98,9 +98,9 @@ bool has_edges(const EdgeColumns& columns) {
 }
 
 std::string colour_text(const std::array<std::uint8_t, 3>& colour) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
+    constexpr std::string_view kHexDigits = "0123456789abcdef";
     std::string text = "#";
-    for (const std::uint8_t part : colour) text += {kDigits[part >> 4], kDigits[part & 15]};
+    for (const std::uint8_t part : colour) text += {kHexDigits[part >> 4], kHexDigits[part & 15]};
     return text;
 }
 

@@ -8,7 +8,7 @@ using namespace ramus::app;
 
 namespace {
 
-std::shared_ptr<const tree::VesselTree> read(const std::string& swc, const char* orientation = nullptr) {
+std::shared_ptr<const tree::VesselTree> read_swc(const std::string& swc, const char* orientation = nullptr) {
     io::ReadOptions options;
     if (orientation != nullptr) options.orientation = io::Orientation::named(orientation);
     auto tree = io::parse_tree(swc, "t.swc", options);
@@ -48,7 +48,7 @@ TEST_CASE("a warning stays until it is read, and in the list after that") {
 
 TEST_CASE("notes of the tree are warnings; each says what, where and what to do") {
     WarningList list;
-    const auto tree = read(kDamaged);
+    const auto tree = read_swc(kDamaged);
     list.follow(tree, "/data/t.swc");
     CHECK(list.all().size() == note_groups(*tree).size());
     for (const Warning& warning : list.all()) {
@@ -64,10 +64,10 @@ TEST_CASE("notes of the tree are warnings; each says what, where and what to do"
 
 TEST_CASE("another tree takes its own warnings along; what was read of both stays read") {
     WarningList list;
-    list.follow(read(kDamaged), "/data/t.swc");
+    list.follow(read_swc(kDamaged), "/data/t.swc");
     list.mark_all_read();
     list.add(Error{"the disk is full", "/data/plan.ramus.json", "make room"});
-    list.follow(read(kDamaged, "LPS"), "/data/t.swc"); // read again in another way
+    list.follow(read_swc(kDamaged, "LPS"), "/data/t.swc"); // read again in another way
     CHECK(about(list, "Repaired")->read);
     CHECK_FALSE(about(list, "as asked for")->read);
     CHECK(about(list, "does not say where") == nullptr);
