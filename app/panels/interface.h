@@ -130,7 +130,7 @@ struct Editing {
         std::string field; // its id; empty: none
         std::array<char, 64> typed{};
     } numbers;
-    std::string thin = "2"; // diameter below which vessels are thin, as it was typed
+    std::string thin; // diameter below which vessels are thin, as it was typed; empty: the usual one
 };
 
 // What the import doctor's panel remembers.

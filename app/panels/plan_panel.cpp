@@ -4,6 +4,7 @@
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
+#include "app/session/usual_sizes.h"
 #include "app/tools/spelling.h"
 #include "core/base/words.h"
 
@@ -191,7 +192,7 @@ void draw_margins(InterfaceContext& context) {
     const Marks& marks = document.marks();
     if (marks.lesions.empty() && marks.lesion_meshes.empty()) return;
     ImGui::Dummy({0.0F, 3.0F * theme::scale()});
-    field_label(context, "Margins mm");
+    field_label(context, "Margins (mm)");
     if (const auto words = number_field(context, "bands", joined(marks.planning.bands_mm, "  ", rounded), 110.0F);
         !words.empty())
         context.perform("bands", words);
@@ -208,7 +209,7 @@ void draw_cuts(InterfaceContext& context) {
     const Document& document = context.workspace.document;
     const Marks& marks = document.marks();
     draw_title(context, "Cuts", {{"Cut", "Cut vessels in the picture", "tool", {"cut"}}});
-    field_label(context, "Reconstruct above mm");
+    field_label(context, "Reconstruct above (mm)");
     if (const auto words = number_field(context, "reconstruct", rounded(marks.planning.reconstruct_mm), 56.0F);
         words.size() == 1)
         context.perform("reconstruct", words);
@@ -250,10 +251,13 @@ void draw_buttons(InterfaceContext& context, std::initializer_list<widgets::Titl
 
 // Vessels below a diameter that is typed.
 void draw_thin_vessels(InterfaceContext& context) {
-    std::string& below = context.interface.editing.thin;
+    std::string& typed = context.interface.editing.thin;
+    const auto& facts = context.workspace.facts();
+    const std::string usual = rounded(facts ? facts->usual_thin_mm : UsualSizes().thin_mm);
+    const std::string below = typed.empty() ? usual : typed;
     widgets::section("Thin vessels");
-    field_label(context, "Below \xC3\x98 mm");
-    if (const auto words = number_field(context, "thin", below, 56.0F); words.size() == 1) below = words[0];
+    field_label(context, "Below \xC3\x98 (mm)");
+    if (const auto words = number_field(context, "thin", below, 56.0F); words.size() == 1) typed = words[0];
     widgets::tooltip("Vessels of a smaller mean diameter");
     draw_buttons(context,
                  {{"Hide", "Hides the vessels below this diameter", "filter-diameter", {below, "hide"}},

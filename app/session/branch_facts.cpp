@@ -1,5 +1,7 @@
 #include "app/session/branch_facts.h"
 
+#include "app/session/usual_sizes.h"
+
 #include <algorithm>
 
 namespace ramus::app {
@@ -17,6 +19,7 @@ TreeFacts facts_of(const tree::VesselTree& tree) {
         for (const int child : tree.branches[id].children)
             facts.branches[static_cast<std::size_t>(child)].root_distance_mm = end;
     }
+    facts.usual_thin_mm = usual_sizes(tree).thin_mm;
     return facts;
 }
 

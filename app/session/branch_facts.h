@@ -20,6 +20,7 @@ struct TreeFacts {
     tree::Dependency dependency;
     measure::TreeStatistics statistics;
     std::vector<measure::Amount> dependents; // by id, as in the branches' facts
+    double usual_thin_mm = 0.0;              // UsualSizes::thin_mm
 };
 
 [[nodiscard]] TreeFacts facts_of(const tree::VesselTree& tree);

@@ -3,6 +3,7 @@
 #include "app/session/labels.h"
 #include "app/session/reading_options.h"
 #include "app/session/systems.h"
+#include "app/session/usual_sizes.h"
 #include "render/scene/bounds.h"
 
 #include <algorithm>
@@ -120,6 +121,7 @@ CarriedOver carried_over(const Marks& marks, const tree::VesselTree& before, con
         }
         if (whole) next.measurements.push_back(measurement);
     }
+    if (marks.planning == usual_sizes(before).planning) next.planning = usual_sizes(after).planning;
     return carried;
 }
 

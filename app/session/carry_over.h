@@ -14,7 +14,8 @@ struct CarriedOver {
     std::size_t lost = 0; // marks of branches that are no more
 };
 // `marks` on `after`: selection, states, cuts, names and measurements go with their branches, a system that is hidden
-// as a whole stays so. What has a place in mm of its own stays there.
+// as a whole stays so. What has a place in mm of its own stays there. Margins and limits that are the usual ones of
+// `before` are those of `after`.
 [[nodiscard]] CarriedOver carried_over(const Marks& marks, const tree::VesselTree& before,
                                        const tree::VesselTree& after);
 

@@ -5,6 +5,7 @@
 #include "app/session/session_file.h"
 #include "app/session/systems.h"
 #include "app/session/tree_edits.h"
+#include "app/session/usual_sizes.h"
 #include "app/storage/tree_source.h"
 #include "core/base/stopwatch.h"
 #include "core/io/volumes/volume_file.h"
@@ -39,6 +40,7 @@ Result<LoadedTree> load_tree_of(Session opened, const std::string& where, const 
         if (auto fits = check_against(session, *edited, checksum, where); !fits) return tl::unexpected(fits.error());
     session.tree.checksum = checksum;
     if (where.empty()) follow_unit(session.marks, session.tree);
+    if (where.empty()) session.marks.planning = usual_sizes(*edited).planning;
     if (where.empty()) session.marks.colour_by = first_colouring(session.marks.colour_by, *edited);
     Assets& assets = loaded.assets;
     assets.tree = edited;

@@ -208,7 +208,7 @@ TEST_CASE("distances to lesions that are meshes are measured behind the window's
     REQUIRE(plan->lesion_distances_mm.size() == 3);
     CHECK(plan->lesion_distances_mm[0] == doctest::Approx(4.0).epsilon(0.01)); // 9 - 3 - 2
     // What pictures colour by is there before they do.
-    CHECK(workspace.assets.lesion_grid.fits(plan->lesions, 20.0));
+    CHECK(workspace.assets.lesion_grid.fits(plan->lesions, widest_margin_mm(marks.planning)));
     // A cut more takes the distances over, other margins too; another lesion needs them anew.
     marks.cuts.push_back({1, 0.5});
     document.change(marks);

@@ -1,0 +1,23 @@
+#include "app/session/usual_sizes.h"
+
+#include "render/overlay/scale_bar.h"
+#include "render/scene/bounds.h"
+
+namespace ramus::app {
+
+UsualSizes usual_sizes(const tree::VesselTree& tree) {
+    constexpr double kOfDiagonal = 0.05; // that the middle margin is
+    UsualSizes sizes;
+    const render::Box box = render::bounds_of(tree);
+    if (box.empty()) return sizes;
+    const double diagonal = 2.0 * box.radius();
+    const std::vector<double>& margins = sizes.planning.bands_mm;
+    if (!(diagonal > 0.0) || margins.back() < 0.5 * diagonal) return sizes;
+    const double share = render::scale_bar_length_mm(kOfDiagonal * diagonal) / margins[1];
+    for (double& margin : sizes.planning.bands_mm) margin *= share;
+    sizes.planning.reconstruct_mm *= share;
+    sizes.thin_mm *= share;
+    return sizes;
+}
+
+} // namespace ramus::app
