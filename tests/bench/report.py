@@ -22,6 +22,8 @@ COLUMNS = (
     ("B / triang. beyond mesh", lambda r: f"{r['beyond_mesh'] / r['triangles']:.0f}"),
     ("all segments: eval., time", lambda r: "{:.0f}x {:.0f}x".format(
         r["all_evaluations"] / r["evaluations"], r["all_seconds"] / r["seconds"]) if r["all_seconds"] else ""),
+    ("whole, s", lambda r: f"{r['whole']:.3g}" if r["whole"] else ""),
+    ("of the plain sum's", lambda r: f"{r['whole'] / r['whole_plain']:.2f}x" if r["whole"] else ""),
 )
 
 PLOT = """

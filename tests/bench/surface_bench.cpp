@@ -5,13 +5,16 @@
 //
 // Columns: the median over the runs of seconds and million triangles a second, then its best run and the median of one
 // thread; the three steps; kernel evaluations per vertex; peak memory of the process, and what of it is beyond the mesh
-// itself, in bytes a triangle; and how many times the evaluations, and the time, would grow if every sample summed over
-// all segments with the same kernel (measured on a seeded subset of samples and scaled up).
+// itself, in bytes a triangle; how many times the evaluations, and the time, would grow if every sample summed over all
+// segments with the same kernel (measured on a seeded subset of samples and scaled up); and the seconds that all of
+// `ramus mesh` takes between reading and writing: vessels kept apart, loops cut, triangles untangled, and the same with
+// the plain sum.
 #include "core/field/convolution_field.h"
 #include "core/field/kernels/gaussian.h"
 #include "core/io/trees/tree_file.h"
 #include "core/mesh/cones.h"
 #include "core/mesh/polygonize/polygonize.h"
+#include "core/mesh/surface.h"
 #include "tests/support/grown_tree.h"
 
 #include <CLI/CLI.hpp>
@@ -27,7 +30,9 @@
 #include <random>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <tuple>
 #include <unistd.h>
+#include <utility>
 
 using namespace ramus;
 
@@ -117,6 +122,7 @@ struct Row {
     double peak_bytes = 0;
     double all_evaluations = 0, all_seconds = 0; // had every sample summed over all segments
     double cones = 0;
+    double whole = 0, whole_plain = 0; // from the tree to all of the surface, vessels kept apart or not
 
     // Of the whole process, what is beyond the mesh.
     [[nodiscard]] double beyond() const { return peak_bytes - 12.0 * triangles - 32.0 * vertices; }
@@ -133,8 +139,8 @@ void print(const Row& row, bool compare) {
                 row.evaluations / 1e6, row.evaluations / row.vertices, row.peak_bytes / (1 << 20),
                 row.beyond() / row.triangles);
     if (compare)
-        std::printf(" %6.0fx %6.0fx  %7.4f", row.all_evaluations / row.evaluations, row.all_seconds / row.time,
-                    row.cones);
+        std::printf(" %6.0fx %6.0fx  %7.4f %7.4f %7.4f", row.all_evaluations / row.evaluations,
+                    row.all_seconds / row.time, row.cones, row.whole, row.whole_plain);
     std::printf("\n");
 }
 
@@ -144,14 +150,32 @@ void append(const std::string& file, const Row& row, const BenchOptions& options
     std::ofstream out(file, std::ios::app);
     if (fresh)
         out << "name\tdetail\tone_cell\tthreads\tsegments\ttriangles\tvertices\tevaluations\tseconds\tbest\tone_thread"
-               "\tbricks\tcells\tjoin\tpeak_bytes\tbeyond_mesh\tall_evaluations\tall_seconds\tcones\n";
+               "\tbricks\tcells\tjoin\tpeak_bytes\tbeyond_mesh\tall_evaluations\tall_seconds\tcones\twhole\twhole_"
+               "plain\n";
     out << row.name << '\t' << options.detail << '\t' << (options.finest_cell || options.cell_mm > 0.0) << '\t'
         << options.threads;
-    for (const double number :
-         {row.segments, row.triangles, row.vertices, row.evaluations, row.time, row.best, row.alone, row.bricks,
-          row.cells, row.join, row.peak_bytes, row.beyond(), row.all_evaluations, row.all_seconds, row.cones})
+    for (const double number : {row.segments, row.triangles, row.vertices, row.evaluations, row.time, row.best,
+                                row.alone, row.bricks, row.cells, row.join, row.peak_bytes, row.beyond(),
+                                row.all_evaluations, row.all_seconds, row.cones, row.whole, row.whole_plain})
         out << '\t' << number;
     out << '\n';
+}
+
+// Seconds from the tree to its whole surface, in pairs of runs: vessels kept apart, and the plain sum.
+std::pair<double, double> whole_seconds(const tree::VesselTree& tree, mesh::SurfaceOptions options,
+                                        const BenchOptions& bench) {
+    options.detail = bench.detail;
+    tbb::task_arena arena(bench.threads);
+    std::vector<double> apart, plain;
+    Job job;
+    for (int run = 0; run < bench.runs; ++run)
+        for (const mesh::Blend blend : {mesh::Blend::kTree, mesh::Blend::kPaper}) {
+            options.blend = blend;
+            const double seconds =
+                seconds_of([&] { arena.execute([&] { (void)mesh::make_untangled_surface(tree, options, job); }); });
+            (blend == mesh::Blend::kTree ? apart : plain).push_back(seconds);
+        }
+    return {median(apart), median(plain)};
 }
 
 void measure(const std::string& name, const tree::VesselTree& tree, const BenchOptions& options) {
@@ -192,6 +216,8 @@ void measure(const std::string& name, const tree::VesselTree& tree, const BenchO
             if (run > 0) cones.push_back(seconds);
         }
         row.cones = median(cones);
+        if (!options.finest_cell && !(options.cell_mm > 0.0))
+            std::tie(row.whole, row.whole_plain) = whole_seconds(tree, surface_options, options);
     }
     print(row, options.compare);
     if (!options.table.empty()) append(options.table, row, options);
@@ -241,12 +267,12 @@ int main(int argc, char** argv) {
 
     std::printf("%d threads, %s, detail %d, %d runs\n", options.threads, field::gaussian(5.0).sum->instruction_set,
                 options.detail, options.runs);
-    std::printf("%-22s %7s %8s %7s %6s %6s %6s  %4s %4s %4s  %7s %6s  %6s %5s  %6s %6s   %7s\n", "", "", "million", "",
-                "Mtri", "best", "one", "find", "fill", "join", "million", "evals/", "peak", "B/tri", "all segm", "ents",
-                "cones");
-    std::printf("%-22s %7s %8s %7s %6s %6s %6s  %4s %4s %4s  %7s %6s  %6s %5s  %6s %6s   %7s\n", "tree", "segm.",
-                "triang.", "s", "/s", "", "thread", "ms", "ms", "ms", "evals", "vertex", "MiB", "more", "evals", "time",
-                "s");
+    std::printf("%-22s %7s %8s %7s %6s %6s %6s  %4s %4s %4s  %7s %6s  %6s %5s  %6s %6s   %7s %7s %7s\n", "", "",
+                "million", "", "Mtri", "best", "one", "find", "fill", "join", "million", "evals/", "peak", "B/tri",
+                "all segm", "ents", "cones", "whole", "plain");
+    std::printf("%-22s %7s %8s %7s %6s %6s %6s  %4s %4s %4s  %7s %6s  %6s %5s  %6s %6s   %7s %7s %7s\n", "tree",
+                "segm.", "triang.", "s", "/s", "", "thread", "ms", "ms", "ms", "evals", "vertex", "MiB", "more",
+                "evals", "time", "s", "s", "s");
     for (const int count : branches)
         if (count > 0)
             measure_apart(
