@@ -1,10 +1,9 @@
 #include "app/tools/place_tools.h"
 
 #include "app/session/numbers.h"
+#include "app/session/usual_sizes.h"
 #include "app/tools/spelling.h"
 #include "core/measure/branch_point.h"
-#include "render/overlay/scale_bar.h"
-#include "render/scene/bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +60,7 @@ std::optional<std::pair<std::size_t, Disc>> lesion_under(const Pointing& pointin
 
 double usual_radius(const Pointing& pointing) {
     const auto tree = pointing.document.tree();
-    return tree != nullptr ? LesionTool::usual_radius_mm(*tree) : LesionTool::kUsualRadiusMm;
+    return (tree != nullptr ? usual_sizes(*tree) : UsualSizes()).lesion_radius_mm;
 }
 
 void put(std::array<double, 4>& sphere, const glm::dvec3& centre) {
@@ -102,13 +101,6 @@ ToolDrawing CutTool::drawing(const Pointing& pointing) const {
     drawing.texts.push_back({pointing.at + glm::dvec2(16.0, 12.0) * static_cast<double>(pointing.pixel_ratio),
                              "\xC3\x98 " + pointing.document.lengths().text(2.0 * place.radius_mm), kCutColour});
     return drawing;
-}
-
-double LesionTool::usual_radius_mm(const tree::VesselTree& tree) {
-    constexpr double kOfDiagonal = 0.05;
-    const render::Box box = render::bounds_of(tree);
-    if (box.empty()) return kUsualRadiusMm;
-    return std::min(kUsualRadiusMm, render::scale_bar_length_mm(kOfDiagonal * 2.0 * box.radius()));
 }
 
 void LesionTool::press(const Pointing& pointing) {

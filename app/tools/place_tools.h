@@ -28,11 +28,7 @@ private:
 // view.
 class LesionTool final : public Tool {
 public:
-    static constexpr double kUsualRadiusMm = 10.0;
     static constexpr double kLeastOfUsual = 0.05;
-    // Of a tree's lesions: kUsualRadiusMm in an organ of a person, at most a twentieth of the diagonal of a smaller
-    // tree's box, a round number. A file of unknown units may have any size.
-    [[nodiscard]] static double usual_radius_mm(const tree::VesselTree& tree);
 
     void press(const Pointing& pointing) override;
     void move(const Pointing& pointing) override;

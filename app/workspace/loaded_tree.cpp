@@ -39,9 +39,11 @@ Result<LoadedTree> load_tree_of(Session opened, const std::string& where, const 
     if (!where.empty())
         if (auto fits = check_against(session, *edited, checksum, where); !fits) return tl::unexpected(fits.error());
     session.tree.checksum = checksum;
-    if (where.empty()) follow_unit(session.marks, session.tree);
-    if (where.empty()) session.marks.planning = usual_sizes(*edited).planning;
-    if (where.empty()) session.marks.colour_by = first_colouring(session.marks.colour_by, *edited);
+    if (where.empty()) {
+        follow_unit(session.marks, session.tree);
+        session.marks.planning = usual_sizes(*edited).planning;
+        session.marks.colour_by = first_colouring(session.marks.colour_by, *edited);
+    }
     Assets& assets = loaded.assets;
     assets.tree = edited;
     assets.facts = std::make_shared<const TreeFacts>(facts_of(*edited));

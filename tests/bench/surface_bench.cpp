@@ -150,8 +150,8 @@ void append(const std::string& file, const Row& row, const BenchOptions& options
     std::ofstream out(file, std::ios::app);
     if (fresh)
         out << "name\tdetail\tone_cell\tthreads\tsegments\ttriangles\tvertices\tevaluations\tseconds\tbest\tone_thread"
-               "\tbricks\tcells\tjoin\tpeak_bytes\tbeyond_mesh\tall_evaluations\tall_seconds\tcones\twhole\twhole_"
-               "plain\n";
+               "\tbricks\tcells\tjoin\tpeak_bytes\tbeyond_mesh\tall_evaluations\tall_seconds\tcones"
+               "\twhole\twhole_plain\n";
     out << row.name << '\t' << options.detail << '\t' << (options.finest_cell || options.cell_mm > 0.0) << '\t'
         << options.threads;
     for (const double number : {row.segments, row.triangles, row.vertices, row.evaluations, row.time, row.best,

@@ -1,4 +1,5 @@
 // The tools that place lesions, cut and measure, driven as the mouse drives them.
+#include "app/session/usual_sizes.h"
 #include "app/tools/measure_tool.h"
 #include "app/tools/place_tools.h"
 #include "core/measure/branch_point.h"
@@ -89,7 +90,7 @@ TEST_CASE("a lesion's usual size is 20 mm in an organ, and less in a smaller tre
         raw.roots = {0};
         auto tree = tree::build_tree(raw, tree::Repair::kNone, [](std::uint32_t) { return std::string(); });
         REQUIRE(tree);
-        return LesionTool::usual_radius_mm(*tree);
+        return usual_sizes(*tree).lesion_radius_mm;
     };
     CHECK(usual_of(400.0) == 10.0);
     CHECK(usual_of(200.0) == 10.0);
