@@ -29,13 +29,7 @@ constexpr double kMostInAll = 200e6;
 // counts.
 constexpr std::size_t kMostSteps = 200'000'000, kCapSteps = 300;
 
-// Pieces less loops: half of the Euler characteristic. Of a closed surface all of whose vertices have triangles, and
-// whose triangles have three each, their numbers tell.
-std::int64_t half_characteristic_by_numbers(const TriangleMesh& mesh) {
-    const auto vertices = static_cast<std::int64_t>(mesh.positions.size());
-    return (vertices - static_cast<std::int64_t>(mesh.triangles.size() / 2)) / 2;
-}
-
+// Pieces less loops: half of the Euler characteristic.
 std::int64_t half_characteristic(const TriangleMesh& mesh) {
     std::vector<std::uint8_t> used(mesh.positions.size(), 0);
     const auto mark = [&](const tbb::blocked_range<std::size_t>& range, std::int64_t triangles) {
@@ -51,6 +45,12 @@ std::int64_t half_characteristic(const TriangleMesh& mesh) {
     const auto triangles = tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, mesh.triangles.size()),
                                                 std::int64_t{0}, mark, std::plus<>());
     return (static_cast<std::int64_t>(std::ranges::count(used, 1)) - triangles / 2) / 2;
+}
+
+// The same where all vertices have triangles, and all triangles three vertices.
+std::int64_t half_characteristic_by_numbers(const TriangleMesh& mesh) {
+    const auto vertices = static_cast<std::int64_t>(mesh.positions.size());
+    return (vertices - static_cast<std::int64_t>(mesh.triangles.size() / 2)) / 2;
 }
 
 bool differs(std::int64_t half_characteristic, const Connectivity& asked) {
