@@ -54,7 +54,10 @@ VesselBrick::Verdict VesselBrick::judge(const glm::dvec3& point, float plain) {
         verdict.value = std::min(plain, std::nextafter(views_.isovalue(), 0.0F));
     }
     if (place == VesselViews::kNone) place = views_.nearest();
-    if (place != VesselViews::kNone) verdict.owner = static_cast<Owner>(views_.list()[place]);
+    // The zones of bricks hold all that vessels may claim and a cell around it, but differ beyond: bricks agree on
+    // every wall because a point farther out has no owner.
+    if (place != VesselViews::kNone && views_.may_claim(place))
+        verdict.owner = static_cast<Owner>(views_.list()[place]);
     return verdict;
 }
 

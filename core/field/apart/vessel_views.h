@@ -55,6 +55,10 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> seen() const { return feet_.near.all(); }
     [[nodiscard]] bool alone() const { return feet_.marked.count == 0; }
     [[nodiscard]] std::uint32_t nearest() const { return seen().empty() ? kNone : feet_.near.nearest; }
+    // Whether the point may be a segment's: it is no farther away than vessels claim points.
+    [[nodiscard]] bool may_claim(std::uint32_t place) const {
+        return feet_.of(place, kFootRelative2) <= claim_radii2();
+    }
     // Of a plain sight: whether a vessel's way to the point may be cut nearby.
     [[nodiscard]] bool beside_contact() const { return beside_contact_; }
 
