@@ -30,6 +30,19 @@ void check_one_vessel(const tree::VesselTree& tree, const SurfaceOptions& option
     if (options.blend == Blend::kTree) CHECK(test::shape_of(test::pieces_of(surface->mesh)) == kOneVessel);
 }
 
+// A vessel from the first point to the second, and its daughters from there, two points each, of another radius at
+// their ends.
+tree::VesselTree fork_of(const std::vector<glm::dvec3>& places, double radius, double end_radius) {
+    std::vector<tree::Point> points{{places[0], radius}, {places[1], radius}};
+    std::vector<tree::Edge> edges{{0, 1}};
+    for (std::uint32_t n = 2; n + 1 < places.size(); n += 2) {
+        points.push_back({places[n], radius});
+        points.push_back({places[n + 1], end_radius});
+        edges.emplace_back(1, n), edges.emplace_back(n, n + 1);
+    }
+    return test::built_tree(points, edges);
+}
+
 } // namespace
 
 TEST_CASE("a surface is closed, and in one piece without loops, near the radius at which vessels merge") {
@@ -50,6 +63,21 @@ TEST_CASE("a surface is closed, and in one piece without loops, near the radius 
                             options.blend = blend;
                             check_one_vessel(shape.tree(factor * test::merging_radius(width)), options);
                         }
+}
+
+TEST_CASE("a wall that ends on two sides of an edge of the grid leaves no edge with four triangles") {
+    check_one_vessel(fork_of({{1.22, -4.47, 4.19},
+                              {-0.27, -0.37, -0.16},
+                              {-0.77, 0.8, -4.44},
+                              {-2.75, 7.66, -11.4},
+                              {-2.8, 1.34, -2.39},
+                              {-5.04, 8.58, -10.12},
+                              {-1.39, 4.16, -1.62},
+                              {-3.26, 10.83, -8.36},
+                              {0.97, 2.64, -2.91},
+                              {-1.03, 9.66, -10.18}},
+                             1.67, 1.67),
+                     plain_options(5.0, 14));
 }
 
 } // namespace ramus::mesh

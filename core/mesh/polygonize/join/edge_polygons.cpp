@@ -13,6 +13,12 @@ namespace {
 
 constexpr std::uint32_t kNoArcVertex = 0xFFFFFFFFU;
 
+// Whether two open polygons have a vertex in common, other than their first and last.
+bool meet_between_ends(const auto& a, const auto& b) {
+    const auto inner = [](const auto& polygon) { return polygon.span().subspan(1, polygon.count - 2); };
+    return std::ranges::find_first_of(inner(a), inner(b)) != inner(a).end();
+}
+
 } // namespace
 
 void JoinedSubtree::write_triangles(const VertexSpan& vertices, std::uint64_t first_added,
@@ -57,11 +63,18 @@ void EdgePolygons::add_wall(std::uint32_t index, int axis, glm::ivec3 point, uns
     std::ranges::reverse(std::span(second.cells).first(second.count));
     const std::uint32_t centre = first.count < 2 ? 0 : add_fan(first, lower, out);
     if (second.count < 2) return;
-    // Where the wall ends at the edge its two sides meet there.
-    if (first.count >= 2 && first.open)
-        emit_fan(centre, polygon_of(second.span(), true), true, out);
-    else
+    if (first.count < 2 || !first.open) {
         add_fan(second, upper, out);
+        return;
+    }
+    // The wall ends at the edge: its two sides meet there.
+    const Polygon side = polygon_of(second.span(), true);
+    if (!meet_between_ends(polygon_of(first.span(), true), side)) return emit_fan(centre, side, true, out);
+    // The wall also ends in a cell on the other side of the edge. One centre would give four triangles to the edge to
+    // that cell's vertex, so each side has its own, and two triangles close the rim between them.
+    const std::uint32_t other = add_fan(second, upper, out);
+    out.triangles.emplace_back(side.vertices[side.count - 1], centre, other);
+    out.triangles.emplace_back(centre, side.vertices[0], other);
 }
 
 EdgePolygons::Ring EdgePolygons::ring_around(const Edge& edge) const {
