@@ -5,6 +5,7 @@
 #include "core/base/stopwatch.h"
 #include "core/mesh/check_kernel.h"
 #include "core/mesh/loops/cut_false_loops.h"
+#include "core/mesh/loops/drop_false_pieces.h"
 #include "core/mesh/systems.h"
 #include "core/tree/prepare.h"
 #include "render/scene/bounds.h"
@@ -204,8 +205,8 @@ Result<void> SurfaceMaker::follow_systems(Followed& followed, const std::vector<
     return {};
 }
 
-// Where a surface has loops that its tree has not, which is rare, it is shown without them. The polygonizers go on from
-// what they made.
+// Where a surface has loops or pieces that its tree has not, which is rare, it is shown without them. The polygonizers
+// go on from what they made.
 void SurfaceMaker::cut_loops(Followed& followed, const SurfaceRequest& request, Job& job) const {
     if (request.options.blend != mesh::Blend::kTree || followed.current->triangle_count() == 0) return;
     const auto flags = hidden_flags(request.hidden, tree_->branches.size());
@@ -220,15 +221,16 @@ void SurfaceMaker::cut_loops(Followed& followed, const SurfaceRequest& request, 
     }
     if (!other) return;
     mesh::TriangleMesh all;
-    std::size_t cut = 0;
+    std::size_t changes = 0;
     for (std::size_t system = 0; system < systems; ++system) {
         if (visible[system].branches.empty()) continue;
         mesh::TriangleMesh one = followed.polygonizers[system].compact();
+        changes += mesh::drop_false_pieces(one, visible[system]);
         const double memory = memory_left(static_cast<double>(request.options.memory_bytes));
-        cut += mesh::cut_false_loops(one, visible[system], memory, job);
+        changes += mesh::cut_false_loops(one, visible[system], memory, job);
         mesh::append(all, std::move(one));
     }
-    if (cut > 0) followed.current = paged(all, *tree_);
+    if (changes > 0) followed.current = paged(all, *tree_);
 }
 
 void SurfaceFollower::open(std::shared_ptr<SurfaceMaker> maker, ReadySurface shown) {

@@ -9,6 +9,7 @@
 #include "core/mesh/check_kernel.h"
 #include "core/mesh/cones.h"
 #include "core/mesh/loops/cut_false_loops.h"
+#include "core/mesh/loops/drop_false_pieces.h"
 #include "core/mesh/polygonize/feasible.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/systems.h"
@@ -181,9 +182,12 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
             PolygonizeStatistics statistics;
             std::vector<TriangleBox> walled;
             RAMUS_TRY(mesh, polygonize(whole.without(part), polygonize_options(options), making, &statistics, &walled));
-            if (options.blend == Blend::kTree)
-                surface.statistics.cut_loops += cut_false_loops(mesh, visible_part(prepared, part).tree,
-                                                                polygonize_options(options).memory_bytes, mending);
+            if (options.blend == Blend::kTree) {
+                const tree::VesselTree visible = visible_part(prepared, part).tree;
+                if (untangled || has_other_loops(mesh, visible)) drop_false_pieces(mesh, visible);
+                surface.statistics.cut_loops +=
+                    cut_false_loops(mesh, visible, polygonize_options(options).memory_bytes, mending);
+            }
             if (untangled && !job.cancelled()) surface.statistics.untangled.add(untangle(mesh, walled, mending));
             mending.report(1.0F);
             if (job.cancelled()) return fail("cancelled");

@@ -57,6 +57,13 @@ BoxTree boxes_of_segments(const tree::VesselTree& tree, std::span<const std::arr
 Axes::Axes(const tree::VesselTree& tree)
     : tree_(tree), segments_(segments_of(tree)), boxes_(boxes_of_segments(tree, segments_)) {}
 
+bool Axes::reach(const Bounds<glm::dvec3>& box) const {
+    bool any = false;
+    boxes_.for_each_meeting(box_around(box),
+                            [&](std::size_t n) { any = any || meet(box_of_segment(tree_, segments_[n]), box); });
+    return any;
+}
+
 bool Axes::go_through(std::span<const glm::dvec3> line) const {
     ExactBox around;
     for (const glm::dvec3& p : line) around.hold(p);

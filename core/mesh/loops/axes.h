@@ -1,6 +1,7 @@
 // Axes: those of a tree's vessels, as segments in a tree of boxes.
 #pragma once
 
+#include "core/base/bounds.h"
 #include "core/base/box_tree.h"
 #include "core/tree/vessel_tree.h"
 
@@ -17,6 +18,8 @@ public:
     // Of a tree, which must outlive them.
     explicit Axes(const tree::VesselTree& tree);
 
+    // Whether one reaches a box, or may: its own box does.
+    [[nodiscard]] bool reach(const Bounds<glm::dvec3>& box) const;
     // Whether one goes through the triangles that span a closed line (spanning_triangles.h).
     [[nodiscard]] bool go_through(std::span<const glm::dvec3> line) const;
 

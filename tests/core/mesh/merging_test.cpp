@@ -80,4 +80,19 @@ TEST_CASE("a wall that ends on two sides of an edge of the grid leaves no edge w
                      plain_options(5.0, 14));
 }
 
+TEST_CASE("a cavity between the daughters of a fork is filled") {
+    SurfaceOptions options = plain_options(7.0, 14);
+    options.centerline = tree::Centerline::kLines;
+    check_one_vessel(fork_of({{-3.3, -2.9, -4},
+                              {0.7, 0, -0.7},
+                              {4.7, 0.9, 2.3},
+                              {10.9, 5.4, 7.4},
+                              {3.1, 2.6, -0.2},
+                              {10.4, 7.9, 5.9},
+                              {1.2, 1.8, 2},
+                              {8.8, 7.2, 8.4}},
+                             1.4, 1.7),
+                     options);
+}
+
 } // namespace ramus::mesh
