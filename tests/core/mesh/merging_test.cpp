@@ -95,4 +95,17 @@ TEST_CASE("a cavity between the daughters of a fork is filled") {
                      options);
 }
 
+TEST_CASE("a speck is left out as a whole or not at all") {
+    check_one_vessel(fork_of({{-1.95, -5.39, 1.79},
+                              {0, 0, 0},
+                              {0.2, 4.53, -0.22},
+                              {3.39, 13.33, -3.13},
+                              {3, 3.54, -0.7},
+                              {6.13, 12.19, -3.57},
+                              {1.11, 3.84, -3.04},
+                              {4.13, 12.18, -5.8}},
+                             1.39, 1.39),
+                     plain_options(5.0, 12));
+}
+
 } // namespace ramus::mesh

@@ -123,6 +123,7 @@ bool LoopWalk::add(const LoopPlace& loop, Kind kind) {
     const Filled there = filled(loop.brick);
     if (slit && !is_along_walls(there, loop)) return false;
     part_.parted = part_.parted && there.parted;
+    part_.within = part_.within && brick.subtree == in_->index;
     const std::size_t vertex = std::size_t{there.cells->first[static_cast<std::size_t>(loop.cell)]} + loop.loop;
     part_.most_radius = std::max(part_.most_radius, there.radii[vertex]);
     return true;

@@ -69,6 +69,7 @@ public:
         std::vector<LoopPlace> loops;
         std::vector<LoopEdge> edges;
         bool parted = true;       // vessels are kept apart in every brick of it
+        bool within = true;       // it is within the subtree
         float most_radius = 0.0F; // of its vertices, mm
         int most_level = 0;
     };

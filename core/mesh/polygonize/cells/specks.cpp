@@ -255,6 +255,8 @@ bool Specks::is_speck(const Octree& octree, const LoopWalk::Part& part, LoopWalk
     return std::ranges::none_of(part.loops, [&](const LoopPlace& loop) { return has_axis(octree, loop.brick, box); });
 }
 
+// All subtrees that have a part of a speck leave it out, or none does: those bricks that keep nothing apart do not look
+// beyond their subtree.
 void Specks::find(const FilledSubtree& in) {
     loops_.clear(), edges_.clear();
     walk_.begin(in);
@@ -267,7 +269,7 @@ void Specks::find(const FilledSubtree& in) {
             if (std::ranges::find(loops_, loop) != loops_.end()) continue;
             const LoopWalk::Kind kind = parted ? of_walls : LoopWalk::Kind::kWithin;
             const LoopWalk::Part* const part = walk_.part_of(loop, kind);
-            if (part == nullptr || !is_speck(in.octree, *part, kind)) continue;
+            if (part == nullptr || !(part->parted || part->within) || !is_speck(in.octree, *part, kind)) continue;
             loops_.insert(loops_.end(), part->loops.begin(), part->loops.end());
             edges_.insert(edges_.end(), part->edges.begin(), part->edges.end());
         }

@@ -3,8 +3,8 @@
 // single edge, this would become a piece of surface of its own, or a hole in the inside. Where vessels come close to
 // each other beside a joint, the sum may rise above the isovalue, or fall below it, around a single grid point. They
 // are left out: what encloses the outside, what no axis goes through, and, where vessels are kept apart in every brick
-// that it is in, what is too small for the vessel that it is part of. Where none are kept apart, only what is within
-// one subtree, so that each depends on itself alone.
+// that it is in, what is too small for the vessel that it is part of. Where some brick of it keeps none apart, only
+// what is within one subtree, so that each depends on itself alone.
 #pragma once
 
 #include "core/base/bounds.h"
