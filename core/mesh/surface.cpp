@@ -8,6 +8,7 @@
 #include "core/field/vessel_field.h"
 #include "core/mesh/check_kernel.h"
 #include "core/mesh/cones.h"
+#include "core/mesh/edge_balance.h"
 #include "core/mesh/loops/cut_false_loops.h"
 #include "core/mesh/loops/drop_false_pieces.h"
 #include "core/mesh/polygonize/feasible.h"
@@ -191,6 +192,8 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
             if (untangled && !job.cancelled()) surface.statistics.untangled.add(untangle(mesh, walled, mending));
             mending.report(1.0F);
             if (job.cancelled()) return fail("cancelled");
+            if (untangled)
+                if (auto closed = check_balance(mesh); !closed) return tl::unexpected(closed.error());
             if (surface.mesh.positions.size() + mesh.positions.size() > kMostVertices) return too_many_vertices();
             append(surface.mesh, std::move(mesh));
             surface.statistics.evaluations += statistics.evaluations;

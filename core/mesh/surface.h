@@ -76,7 +76,8 @@ using tree::PreparedTree;
 [[nodiscard]] Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                                            std::span<const std::uint8_t> hidden = {});
 // The same for files, which simulations and printers read: where it goes through itself within a few triangles, their
-// vertices are moved (core/mesh/untangle). Takes some more time, and makes no difference that can be seen.
+// vertices are moved (core/mesh/untangle). Takes some more time, and makes no difference that can be seen. Fails if a
+// convolution surface is not closed (edge_balance.h).
 [[nodiscard]] Result<Surface> make_untangled_surface(const tree::VesselTree& source, const SurfaceOptions& options,
                                                      Job& job, std::span<const std::uint8_t> hidden = {});
 
@@ -87,8 +88,9 @@ using tree::PreparedTree;
 [[nodiscard]] bool asks_for_streaming(const tree::VesselTree& source, SurfaceOptions options,
                                       std::span<const std::uint8_t> hidden = {});
 
-// The same surface in parts, which `sink` takes as they are made; loops that the tree has not stay, and so does what
-// goes through itself. Not of truncated cones.
+// The same surface in parts, which `sink` takes as they are made; loops and pieces that the tree has not stay, and so
+// does what goes through itself. Fails at the end if it is not closed: what `sink` has taken is to be thrown away. Not
+// of truncated cones.
 [[nodiscard]] Result<SurfaceStatistics> stream_surface(const tree::VesselTree& source, const SurfaceOptions& options,
                                                        SurfaceSink& sink, Job& job,
                                                        std::span<const std::uint8_t> hidden = {});

@@ -1,6 +1,7 @@
 #include "core/mesh/loops/surface_loops.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/scattered.h"
 
 #include <algorithm>
 #include <functional>
@@ -34,14 +35,6 @@ void flip(std::array<std::uint64_t, 2>& bits, const std::array<std::uint64_t, 2>
 }
 
 bool any(const std::array<std::uint64_t, 2>& bits) { return (bits[0] | bits[1]) != 0; }
-
-// A number scattered over 64 bits (Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014).
-std::uint64_t scattered(std::uint64_t number) {
-    number = (number + 1) * 0x9e3779b97f4a7c15U;
-    number = (number ^ number >> 30) * 0xbf58476d1ce4e5b9U;
-    number = (number ^ number >> 27) * 0x94d049bb133111ebU;
-    return number ^ number >> 31;
-}
 
 } // namespace
 

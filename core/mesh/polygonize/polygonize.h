@@ -54,7 +54,9 @@ struct PolygonizeStatistics {
 //
 // Hands the mesh that polygonize() makes to `sink`, a part for each subtree. Fails when even so it takes more memory
 // than the options allow, when it has more vertices than 31 bits count or is finer than the lattice can be, when the
-// sink takes no more, or when cancelled. `first_vertex`: the sink has that many already, of surfaces before this one.
+// sink takes no more, when cancelled, or, at the end, if the surface is not closed (core/mesh/edge_balance.h): a model
+// that does not keep its promises (core/field/field.h) makes such. `first_vertex`: the sink has that many already, of
+// surfaces before this one.
 [[nodiscard]] Result<void> polygonize_to(SurfaceSink& sink, const field::Field& field, const PolygonizeOptions& options,
                                          Job& job, PolygonizeStatistics* statistics = nullptr,
                                          std::size_t first_vertex = 0);

@@ -1,4 +1,5 @@
 #include "core/base/mapped_pages.h"
+#include "core/mesh/edge_balance.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/polygonize/stream/make_surface_in.h"
 
@@ -55,6 +56,7 @@ public:
         handing_over_->wait();
         return !full_;
     }
+    [[nodiscard]] Result<void> check_closed() const { return balance_.check(); } // after finish()
 
 private:
     struct Arrays {
@@ -73,6 +75,7 @@ private:
         handed_over_ = all.size();
         if (first_vertex_ > 0)
             for (glm::uvec3& triangle : triangles_) triangle += static_cast<std::uint32_t>(first_vertex_);
+        balance_.add(triangles_, all);
         if (!sink_.add_triangles(triangles_, all)) return false;
         for (const auto& [first, end] : released_) {
             empty(arrays_.positions, first, end), empty(arrays_.normals, first, end);
@@ -91,6 +94,7 @@ private:
     LargeArray<glm::uvec3> triangles_; // of one batch
     std::vector<std::array<std::size_t, 2>> released_;
     std::size_t handed_over_; // vertices
+    EdgeBalance balance_;
     bool full_ = false;
     std::unique_ptr<tbb::task_group> handing_over_ = std::make_unique<tbb::task_group>();
 };
@@ -104,7 +108,7 @@ Result<void> polygonize_to(SurfaceSink& sink, const field::Field& field, const P
         return made;
     if (!store.finish()) return fail("the surface cannot be taken further");
     job.report(1.0F);
-    return {};
+    return store.check_closed();
 }
 
 } // namespace ramus::mesh
