@@ -1,5 +1,6 @@
 #include "core/mesh/loops/axes.h"
 
+#include "core/mesh/line_box.h"
 #include "core/mesh/line_triangle.h"
 #include "core/mesh/loops/spanning_triangles.h"
 
@@ -59,8 +60,10 @@ Axes::Axes(const tree::VesselTree& tree)
 
 bool Axes::reach(const Bounds<glm::dvec3>& box) const {
     bool any = false;
-    boxes_.for_each_meeting(box_around(box),
-                            [&](std::size_t n) { any = any || meet(box_of_segment(tree_, segments_[n]), box); });
+    boxes_.for_each_meeting(box_around(box), [&](std::size_t n) {
+        const auto& [from, to] = segments_[n];
+        any = any || line_meets_box(tree_.points[from].position, tree_.points[to].position, box);
+    });
     return any;
 }
 

@@ -18,7 +18,7 @@ public:
     // Of a tree, which must outlive them.
     explicit Axes(const tree::VesselTree& tree);
 
-    // Whether one reaches a box, or may: its own box does.
+    // Whether one has a point in a box.
     [[nodiscard]] bool reach(const Bounds<glm::dvec3>& box) const;
     // Whether one goes through the triangles that span a closed line (spanning_triangles.h).
     [[nodiscard]] bool go_through(std::span<const glm::dvec3> line) const;

@@ -9,7 +9,7 @@
 
 namespace ramus::mesh {
 
-// Removes every piece that faces inward (a cavity), and every piece whose bounding box no axis of the tree reaches.
+// Removes every piece that faces inward (a cavity), and every piece without an axis of the tree in its bounding box.
 // What is left stays in its order. `tree`: what the surface was made of. Returns how many pieces are removed. Takes 25
 // ns for each triangle of a surface that has one piece.
 std::size_t drop_false_pieces(TriangleMesh& mesh, const tree::VesselTree& tree);

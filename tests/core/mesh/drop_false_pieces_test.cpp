@@ -11,9 +11,9 @@ namespace ramus::mesh {
 
 namespace {
 
-// Two vessels, within spheres around (0, 0, 0) and (10, 0, 0).
+// Two vessels aslant, within spheres around (0, 0, 0) and (10, 0, 0).
 tree::VesselTree two_vessels() {
-    return test::built_tree({{{-0.5, 0, 0}, 0.2}, {{0.5, 0, 0}, 0.2}, {{9.5, 0, 0}, 0.2}, {{10.5, 0, 0}, 0.2}},
+    return test::built_tree({{{-0.5, -0.5, 0}, 0.2}, {{0.5, 0.5, 0}, 0.2}, {{9.5, 0, 0}, 0.2}, {{10.5, 0, 0}, 0.2}},
                             {{0, 1}, {2, 3}}, {0, 2});
 }
 
@@ -30,7 +30,7 @@ TEST_CASE("cavities, and pieces without an axis, are removed; all else stays as 
     TriangleMesh mesh = vessels;
     append(mesh, turned_inward(test::icosphere(1, {0, 0.6, 0}, 0.2)));
     append(mesh, second);
-    append(mesh, test::icosphere(0, {5, 0, 0}, 0.01));
+    append(mesh, test::icosphere(0, {0.4, -0.4, 0}, 0.01)); // beside an axis, within that one's own box
     append(vessels, second);
     REQUIRE(connectivity_of(mesh).pieces == 4);
     CHECK(drop_false_pieces(mesh, two_vessels()) == 2);

@@ -1,5 +1,6 @@
 #include "core/mesh/polygonize/cells/specks.h"
 
+#include "core/mesh/line_box.h"
 #include "core/mesh/polygonize/cells/hanging_corners.h"
 #include "core/mesh/polygonize/cells/leave_out_loops.h"
 
@@ -35,21 +36,6 @@ Bounds<glm::ivec3> box_around(GridBits points) {
 bool is_small(GridBits points) {
     constexpr int kMost = LoopWalk::kMostCells - 2;
     return glm::all(glm::lessThanEqual(box_around(points).size(), glm::ivec3(kMost)));
-}
-
-// Whether a straight line has a point in a box.
-bool meets(const glm::dvec3& from, const glm::dvec3& to, const Bounds<glm::dvec3>& box) {
-    double begin = 0.0, end = 1.0; // shares of the line
-    for (int axis = 0; axis < 3; ++axis) {
-        const double along = to[axis] - from[axis];
-        if (along == 0.0) {
-            if (from[axis] < box.least[axis] || from[axis] > box.most[axis]) return false;
-            continue;
-        }
-        const double low = (box.least[axis] - from[axis]) / along, high = (box.most[axis] - from[axis]) / along;
-        begin = std::max(begin, std::min(low, high)), end = std::min(end, std::max(low, high));
-    }
-    return begin <= end;
 }
 
 // Those of some points that stand in rows of four along an axis without a wall between: of sets that are not small,
@@ -177,7 +163,7 @@ bool Specks::has_axis(const Octree& octree, std::uint32_t brick, const Bounds<gl
     return std::ranges::any_of(octree.segments_of(octree.bricks[brick]), [&](std::uint32_t n) {
         const field::FieldSegment& s = skeleton_.segments()[n];
         const glm::dvec3 start(s.ax, s.ay, s.az);
-        return meets(start, start + static_cast<double>(s.length) * glm::dvec3(s.ux, s.uy, s.uz), place);
+        return line_meets_box(start, start + static_cast<double>(s.length) * glm::dvec3(s.ux, s.uy, s.uz), place);
     });
 }
 
