@@ -3,8 +3,12 @@
 #include "core/base/scattered.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
 #include <string>
+#include <utility>
 
 namespace ramus::mesh {
 
@@ -12,39 +16,70 @@ namespace {
 
 constexpr unsigned kPlaceBits = 10; // of the vertices of a place
 
+// Adds to one of several sums that threads share; those of the same one that follow each other at once.
+class SharedSums {
+public:
+    explicit SharedSums(std::span<std::uint64_t> sums) : sums_(sums) {}
+    SharedSums(const SharedSums&) = delete;
+    SharedSums& operator=(const SharedSums&) = delete;
+    ~SharedSums() { put(); }
+
+    void add(std::size_t place, std::uint64_t number) {
+        if (place != place_) put(), place_ = place;
+        sum_ += number;
+    }
+
+private:
+    void put() {
+        const std::uint64_t sum = std::exchange(sum_, 0);
+        if (sum != 0) std::atomic_ref(sums_[place_]).fetch_add(sum, std::memory_order_relaxed);
+    }
+
+    std::span<std::uint64_t> sums_;
+    std::size_t place_ = 0;
+    std::uint64_t sum_ = 0;
+};
+
 } // namespace
 
-void EdgeBalance::add(std::span<const glm::uvec3> triangles, const VertexSpan& vertices) {
-    places_.resize(std::max(places_.size(), (vertices.size() >> kPlaceBits) + 1));
-    for (const glm::uvec3& t : triangles)
-        for (int corner = 0; corner < 3; ++corner) {
-            const std::uint32_t from = t[corner], to = t[(corner + 1) % 3];
-            const auto [low, high] = std::minmax(from, to);
-            const std::uint64_t edge = scattered(std::uint64_t{low} << 32 | high);
-            Place& place = places_[low >> kPlaceBits];
-            place.sum += from < to ? edge : 0 - edge;
-            place.at = vertices.positions[low];
-        }
+void EdgeBalance::add_vertices(std::span<const glm::vec3> more) {
+    const std::size_t end = vertices_ + more.size();
+    for (std::size_t v = places_.size() << kPlaceBits; v < end; v = places_.size() << kPlaceBits)
+        places_.push_back(more[v - vertices_]);
+    sums_.resize(places_.size(), 0);
+    vertices_ = end;
+}
+
+void EdgeBalance::add_triangles(std::span<const glm::uvec3> more) {
+    constexpr std::size_t kAtOnce = 4096;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, more.size(), kAtOnce), [&](const auto& range) {
+        SharedSums sums(sums_);
+        for (std::size_t n = range.begin(); n < range.end(); ++n)
+            for (int corner = 0; corner < 3; ++corner) {
+                const std::uint32_t from = more[n][corner], to = more[n][(corner + 1) % 3];
+                const auto [low, high] = std::minmax(from, to);
+                const std::uint64_t edge = scattered(std::uint64_t{low} << 32 | high);
+                sums.add(low >> kPlaceBits, from < to ? edge : 0 - edge);
+            }
+    });
 }
 
 Result<void> EdgeBalance::check() const {
-    const auto is_open = [](const Place& place) { return place.sum != 0; };
-    const auto first = std::ranges::find_if(places_, is_open);
-    if (first == places_.end()) return {};
-    const auto others = std::ranges::count_if(places_, is_open) - 1;
+    const auto first = std::ranges::find_if(sums_, [](std::uint64_t sum) { return sum != 0; });
+    if (first == sums_.end()) return {};
+    const auto others = static_cast<std::ptrdiff_t>(sums_.size()) - std::ranges::count(sums_, 0U) - 1;
+    const glm::vec3& at = places_[static_cast<std::size_t>(first - sums_.begin())];
     char position[96];
-    std::snprintf(position, sizeof position, "(%g, %g, %g)", double(first->at.x), double(first->at.y),
-                  double(first->at.z));
-    return fail("the surface is not closed near " + std::string(position) +
-                    (others > 0
-                         ? ", and at " + std::to_string(others) + (others == 1 ? " other place" : " other places")
-                         : std::string()),
-                {}, "this is a fault of the program: report it with the tree; another --detail may avoid it");
+    std::snprintf(position, sizeof position, "(%g, %g, %g)", double(at.x), double(at.y), double(at.z));
+    std::string what = "the surface is not closed near " + std::string(position);
+    if (others > 0) what += ", and at " + std::to_string(others) + (others == 1 ? " other place" : " other places");
+    return fail(what, {}, "this is a fault of the program: report it with the tree; another --detail may avoid it");
 }
 
 Result<void> check_balance(const TriangleMesh& mesh) {
     EdgeBalance balance;
-    balance.add(mesh.triangles, vertices_of(mesh));
+    balance.add_vertices(mesh.positions);
+    balance.add_triangles(mesh.triangles);
     return balance.check();
 }
 

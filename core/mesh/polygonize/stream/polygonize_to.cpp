@@ -71,11 +71,13 @@ private:
     }
     bool hand_over() {
         const VertexSpan all = every_vertex();
-        if (!sink_.add_vertices(all.subspan(handed_over_, all.size() - handed_over_))) return false;
+        const VertexSpan more = all.subspan(handed_over_, all.size() - handed_over_);
+        balance_.add_vertices(more.positions);
+        balance_.add_triangles(triangles_); // named by their places in this surface
+        if (!sink_.add_vertices(more)) return false;
         handed_over_ = all.size();
         if (first_vertex_ > 0)
             for (glm::uvec3& triangle : triangles_) triangle += static_cast<std::uint32_t>(first_vertex_);
-        balance_.add(triangles_, all);
         if (!sink_.add_triangles(triangles_, all)) return false;
         for (const auto& [first, end] : released_) {
             empty(arrays_.positions, first, end), empty(arrays_.normals, first, end);
