@@ -81,14 +81,6 @@ std::pair<double, double> entry_and_exit(const Box& box, const glm::dvec3& from,
     return {std::max({enter.x, enter.y, enter.z}), std::min({leave.x, leave.y, leave.z})};
 }
 
-// How far along a ray the box begins, 0 inside; infinite where the ray does not meet it.
-double to_entry(const Box& box, const glm::dvec3& from, const glm::dvec3& inverse) {
-    const auto [enter, last] = entry_and_exit(box, from, inverse);
-    const double first = std::max(enter, 0.0);
-    // Rounding must not lose a box as flat as a triangle.
-    return first <= last + 1e-9 * (1.0 + std::abs(last)) ? first : kInfinity;
-}
-
 bool crosses(const Box& box, const glm::dvec3& from, const glm::dvec3& inverse) {
     const auto [first, last] = entry_and_exit(box, from, inverse);
     return last >= 0.0 && first <= last;
@@ -187,29 +179,6 @@ double MeshDistance::wall_distance(const tree::Point& a, const tree::Point& b, d
         return least_gap(a, b, so_far, [&](const glm::dvec3& p) { return nearest_on(p, triangle); });
     };
     return least(best, -std::max(a.radius, b.radius), gap_to_box, gap_to_triangle); // nothing can be less
-}
-
-double MeshDistance::way_out(const glm::dvec3& point, const glm::dvec3& direction) const {
-    constexpr double kHere = 1e-9; // of the size of the whole: rounding, where the ray begins on a triangle
-    const double here = kHere * glm::length(bounds().most - bounds().least);
-    glm::dvec3 inverse;
-    for (int k = 0; k < 3; ++k) inverse[k] = 1.0 / (direction[k] != 0.0 ? direction[k] : 1e-300);
-    const auto to_hit = [&](const Triangle& t, double) {
-        const glm::dvec3 e1 = t[1] - t[0], e2 = t[2] - t[0];
-        const glm::dvec3 across = glm::cross(direction, e2);
-        const double volume = glm::dot(e1, across); // negative where the ray and the triangle's normal agree
-        if (volume >= 0.0) return kInfinity;
-        const glm::dvec3 to_point = point - t[0];
-        const double u = glm::dot(to_point, across) / volume;
-        const glm::dvec3 q = glm::cross(to_point, e1);
-        const double v = glm::dot(direction, q) / volume;
-        constexpr double kRim = -1e-9; // a ray between two triangles meets one of them
-        if (u < kRim || v < kRim || u + v > 1.0 - kRim) return kInfinity;
-        const double way = glm::dot(e2, q) / volume;
-        return way > here ? way : kInfinity;
-    };
-    return least(
-        kInfinity, 0.0, [&](const Box& box, double) { return to_entry(box, point, inverse); }, to_hit);
 }
 
 int MeshDistance::winding(const glm::dvec3& point, const glm::dvec3& direction, bool& grazed) const {

@@ -30,10 +30,6 @@ public:
     // where `best` is near the answer.
     [[nodiscard]] double wall_distance(const tree::Point& a, const tree::Point& b, double best) const;
 
-    // mm from a point of the surface, along a unit direction into the solid, to the first triangle that is met from
-    // inside; infinite where none is. Triangles at the point itself do not count.
-    [[nodiscard]] double way_out(const glm::dvec3& point, const glm::dvec3& direction) const;
-
     using Box = Bounds<glm::dvec3>;
     [[nodiscard]] const Box& bounds() const { return nodes_.front().box; }
     [[nodiscard]] std::size_t triangle_count() const { return corners_.size(); }

@@ -1,13 +1,14 @@
 #include "core/measure/wall_thickness.h"
 
+#include "core/base/bounds.h"
 #include "core/base/infinity.h"
-#include "core/measure/mesh_distance.h"
+#include "core/measure/deviation/packed_triangles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
@@ -16,68 +17,79 @@ namespace ramus::measure {
 
 namespace {
 
+// The cosine of the angle by which the two sides of a wall may lean toward each other, 15 degrees. Sides that lean more
+// meet nearby: there is the edge of a solid.
+const double kFacesBack = std::cos(std::acos(-1.0) / 12.0);
+
 class Solid {
 public:
-    explicit Solid(const mesh::TriangleMesh& mesh) : mesh_(mesh), surface_(mesh) {}
-
-    [[nodiscard]] double along_normal(std::size_t vertex) const { return way_out(vertex, inward(vertex)); }
-
-    // Beside the normal, ways that lean by 30 degrees count, each as far as it leads along the normal. In a plate and
-    // in a tube one of them is the thickness again; at the edge of a wedge, or in the crease between two vessels, all
-    // but the one that leaves there at once are long.
-    [[nodiscard]] double thickness(std::size_t vertex) const {
-        const glm::dvec3 in = inward(vertex);
-        const glm::dvec3 aside = glm::normalize(
-            glm::cross(in, std::abs(in.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0)));
-        const glm::dvec3 upward = glm::cross(in, aside);
-        constexpr int kWays = 8;
-        const double lean = std::acos(-1.0) / 6.0;
-        double most = way_out(vertex, in);
-        for (int i = 0; i < kWays; ++i) {
-            const double turn = 2.0 * std::acos(-1.0) * i / kWays;
-            const glm::dvec3 outward = std::cos(turn) * aside + std::sin(turn) * upward;
-            const double way = way_out(vertex, std::cos(lean) * in + std::sin(lean) * outward);
-            most = std::max(most, way * std::cos(lean));
+    explicit Solid(const mesh::TriangleMesh& mesh) : mesh_(mesh), surface_(mesh), folded_(mesh.positions.size()) {
+        constexpr double kHere = 1e-9; // of the size of the whole: rounding, where the way begins on a triangle
+        Bounds<glm::dvec3> box;
+        for (const glm::vec3& position : mesh.positions) box.hold(glm::dvec3(position));
+        here_ = kHere * glm::length(box.size());
+        for (const glm::uvec3& triangle : mesh.triangles) {
+            const auto [a, b, c] = corners(triangle);
+            const glm::dvec3 across = glm::cross(b - a, c - a);
+            for (const std::uint32_t v : {triangle.x, triangle.y, triangle.z})
+                if (!(glm::dot(across, glm::dvec3(mesh.normals[v])) > 0.0)) folded_[v] = 1;
         }
-        return most;
+    }
+
+    // mm from a vertex straight inward to where the surface faces back; infinite where that tells no thickness.
+    [[nodiscard]] double thickness(std::size_t vertex) const {
+        if (folded_[vertex] != 0) return kInfinity;
+        const glm::dvec3 inward = -glm::dvec3(mesh_.normals[vertex]);
+        const glm::dvec3 from(mesh_.positions[vertex]);
+        const Crossing exit = surface_.first_exit(from, inward, here_);
+        if (!(exit.at < kInfinity)) return kInfinity; // out through an edge
+        const glm::uvec3& triangle = mesh_.triangles[exit.triangle];
+        if (folded_[triangle.x] != 0 || folded_[triangle.y] != 0 || folded_[triangle.z] != 0) return kInfinity;
+        const glm::dvec3 facing = normal_at(triangle, from + exit.at * inward);
+        return glm::dot(facing, inward) >= kFacesBack ? exit.at : kInfinity;
     }
 
 private:
-    [[nodiscard]] glm::dvec3 inward(std::size_t vertex) const { return -glm::dvec3(mesh_.normals[vertex]); }
-    [[nodiscard]] double way_out(std::size_t vertex, const glm::dvec3& direction) const {
-        const double way = surface_.way_out(glm::dvec3(mesh_.positions[vertex]), direction);
-        return way < kInfinity ? way : 0.0; // out through an edge, at once
+    [[nodiscard]] std::array<glm::dvec3, 3> corners(const glm::uvec3& t) const {
+        return {glm::dvec3(mesh_.positions[t.x]), glm::dvec3(mesh_.positions[t.y]), glm::dvec3(mesh_.positions[t.z])};
+    }
+    // Between the normals of the corners, at a place on the triangle.
+    [[nodiscard]] glm::dvec3 normal_at(const glm::uvec3& t, const glm::dvec3& place) const {
+        const auto [a, b, c] = corners(t);
+        const glm::dvec3 across = glm::cross(b - a, c - a);
+        const double of_a = glm::dot(glm::cross(b - place, c - place), across);
+        const double of_b = glm::dot(glm::cross(c - place, a - place), across);
+        const double of_c = glm::dot(glm::cross(a - place, b - place), across);
+        return glm::normalize(of_a * glm::dvec3(mesh_.normals[t.x]) + of_b * glm::dvec3(mesh_.normals[t.y]) +
+                              of_c * glm::dvec3(mesh_.normals[t.z]));
     }
 
     const mesh::TriangleMesh& mesh_;
-    MeshDistance surface_;
+    PackedTriangles surface_;
+    std::vector<std::uint8_t> folded_; // by vertex: a triangle at it faces away from its normal
+    double here_ = 0.0;                // mm
 };
 
 } // namespace
 
 std::vector<Thickness> least_thicknesses(const mesh::TriangleMesh& mesh, int threads) {
-    const Solid solid(mesh);
-    std::vector<float> at_least(mesh.positions.size()); // the thickness is not less than along the normal
+    std::vector<double> thickness(mesh.positions.size());
     tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
     arena.execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, at_least.size(), 1024), [&](const auto& range) {
-            for (std::size_t v = range.begin(); v < range.end(); ++v)
-                at_least[v] = static_cast<float>(solid.along_normal(v));
+        const Solid solid(mesh);
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, thickness.size(), 1024), [&](const auto& range) {
+            for (std::size_t v = range.begin(); v < range.end(); ++v) thickness[v] = solid.thickness(v);
         });
     });
-    std::vector<std::uint32_t> order(at_least.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::ranges::stable_sort(order, {}, [&](std::uint32_t v) { return at_least[v]; });
     int branches = 1;
     for (const int branch : mesh.branches) branches = std::max(branches, branch + 1);
     std::vector<Thickness> least(static_cast<std::size_t>(branches), {kInfinity, {}, tree::kNoBranch});
-    for (const std::uint32_t v : order) {
-        Thickness& thinnest = least[mesh.branches.empty() ? 0 : static_cast<std::size_t>(mesh.branches[v])];
-        if (at_least[v] >= thinnest.mm) continue;
-        if (const double here = solid.thickness(v); here < thinnest.mm)
-            thinnest = {here, mesh.positions[v], mesh.branches.empty() ? tree::kNoBranch : mesh.branches[v]};
+    for (std::size_t v = 0; v < thickness.size(); ++v) {
+        const int branch = mesh.branches.empty() ? tree::kNoBranch : mesh.branches[v];
+        Thickness& thinnest = least[branch == tree::kNoBranch ? 0 : static_cast<std::size_t>(branch)];
+        if (thickness[v] < thinnest.mm) thinnest = {thickness[v], mesh.positions[v], branch};
     }
-    std::erase_if(least, [](const Thickness& thickness) { return thickness.mm == kInfinity; });
+    std::erase_if(least, [](const Thickness& one) { return one.mm == kInfinity; });
     std::ranges::stable_sort(least, {}, &Thickness::mm);
     return least;
 }

@@ -15,10 +15,12 @@ struct Thickness {
     int branch = tree::kNoBranch; // of a mesh that knows branches
 };
 
-// The thickness at a vertex is the way from there straight inward, against the normal, to where the solid ends: of a
-// tube its diameter, less what flat triangles cut off. One entry for each branch of the mesh, the thinnest first; a
-// mesh without branches has one. The mesh is closed and has normals. Takes about 150 bytes for a triangle. `threads`:
-// 0: all cores.
+// The thickness at a vertex is the length of the way straight inward, against the normal, to where the surface faces
+// back: to within 15 degrees the two sides are parallel. That is the diameter of a tube, less what flat triangles cut
+// off, the narrowest section of a stenosis, and the thickness of a plate. An edge or a ridge of a thick solid has no
+// thickness, nor has a vertex that a triangle faces away from, as where a crease is narrower than the triangles. The
+// result has one entry for each branch with such a vertex, the thinnest first; a mesh without branches has one. The
+// mesh is closed and has normals. Takes about 50 bytes for a triangle. `threads`: 0: all cores.
 [[nodiscard]] std::vector<Thickness> least_thicknesses(const mesh::TriangleMesh& mesh, int threads = 0);
 
 } // namespace ramus::measure

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <hwy/highway.h>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::measure::HWY_NAMESPACE {
@@ -155,8 +156,10 @@ void distances_of(const PackedView& view, const glm::vec3* points, const std::ui
         distances[order[i]] = std::sqrt(nearest_squared(view, &points[order[i]].x, leaf));
 }
 
-// Bits of the boxes of a node that a line meets. Rounding must not lose a box as flat as a triangle.
-HWY_INLINE std::uint32_t boxes_met(const PackedNode& node, const double* from, const double* inverse, double length) {
+// Bits of the boxes of a node that a line meets, and where along the line each of them begins. Rounding must not lose a
+// box as flat as a triangle.
+HWY_INLINE std::uint32_t boxes_met(const PackedNode& node, const double* from, const double* inverse, double length,
+                                   double* begins) {
     const Doubles d;
     std::uint32_t bits = 0;
     for (std::size_t n = 0; n < kPack; n += hn::Lanes(d)) {
@@ -173,6 +176,7 @@ HWY_INLINE std::uint32_t boxes_met(const PackedNode& node, const double* from, c
         const auto is_there = hn::Le(wide(node.least[0] + n), wide(node.most[0] + n));
         hn::StoreMaskBits(d, hn::And(is_there, hn::Le(enter, hn::Add(leave, slack))), byte);
         bits |= static_cast<std::uint32_t>(byte[0]) << n;
+        hn::StoreU(enter, d, begins + n);
     }
     return bits;
 }
@@ -232,12 +236,53 @@ std::size_t crossings_along(const PackedView& view, const double* from, const do
                 if (total < room) found[total] = here[i];
             continue;
         }
-        const std::uint32_t bits = boxes_met(view.nodes[view.first[next.level] + next.node], from, inverse, length);
+        double begins[kPack];
+        const PackedNode& node = view.nodes[view.first[next.level] + next.node];
+        const std::uint32_t bits = boxes_met(node, from, inverse, length, begins);
         const std::uint32_t below = next.level == 0 ? kLeafLevel : next.level - 1;
         for (std::uint32_t child = 0; child < kPack; ++child)
             if ((bits >> child & 1U) != 0) open[count++] = {next.node * kPack + child, below, 0.0F};
     }
     return total;
+}
+
+Crossing exit_along(const PackedView& view, const double* from, const double* direction, double after) {
+    double inverse[3];
+    for (int axis = 0; axis < 3; ++axis) inverse[axis] = 1.0 / (direction[axis] != 0.0 ? direction[axis] : 1e-300);
+    const Vector start = all(from), way = all(direction);
+    Crossing first{std::numeric_limits<double>::infinity(), true, 0};
+    Open open[kMostOpen];
+    open[0] = {0, view.levels - 1, 0.0F};
+    std::size_t count = 1;
+    while (count > 0) {
+        const Open next = open[--count];
+        if (static_cast<double>(next.bound) > first.at) continue;
+        if (next.level == kLeafLevel) {
+            Crossing here[kPack];
+            const std::size_t more = crossings_of(view, next.node, start, way, first.at, here);
+            for (std::size_t i = 0; i < more; ++i) {
+                const Crossing& exit = here[i];
+                // Through an edge it leaves two triangles at one place, in whatever order these are looked at.
+                const bool sooner = exit.at < first.at || (exit.at == first.at && exit.triangle < first.triangle);
+                if (exit.out && exit.at > after && sooner) first = exit;
+            }
+            continue;
+        }
+        double begins[kPack];
+        const PackedNode& node = view.nodes[view.first[next.level] + next.node];
+        const std::uint32_t bits = boxes_met(node, from, inverse, first.at, begins);
+        const std::uint32_t below = next.level == 0 ? kLeafLevel : next.level - 1;
+        const std::size_t earlier = count;
+        for (std::uint32_t child = 0; child < kPack; ++child) {
+            if ((bits >> child & 1U) == 0) continue;
+            const auto bound = static_cast<float>(begins[child] * (1.0 - 1e-6)); // not above it
+            // What begins first last: it is looked at first.
+            std::size_t at = count++;
+            for (; at > earlier && open[at - 1].bound < bound; --at) open[at] = open[at - 1];
+            open[at] = {next.node * kPack + child, below, bound};
+        }
+    }
+    return first;
 }
 
 } // namespace ramus::measure::HWY_NAMESPACE
@@ -248,6 +293,7 @@ namespace ramus::measure {
 
 HWY_EXPORT(distances_of);
 HWY_EXPORT(crossings_along);
+HWY_EXPORT(exit_along);
 
 void packed_distances(const PackedView& view, const glm::vec3* points, const std::uint32_t* order, std::size_t count,
                       double* distances) {
@@ -257,6 +303,10 @@ void packed_distances(const PackedView& view, const glm::vec3* points, const std
 std::size_t packed_crossings(const PackedView& view, const double* from, const double* direction, double length,
                              Crossing* found, std::size_t room) {
     return HWY_DYNAMIC_DISPATCH(crossings_along)(view, from, direction, length, found, room);
+}
+
+Crossing packed_exit(const PackedView& view, const double* from, const double* direction, double after) {
+    return HWY_DYNAMIC_DISPATCH(exit_along)(view, from, direction, after);
 }
 
 } // namespace ramus::measure

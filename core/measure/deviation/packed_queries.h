@@ -18,4 +18,7 @@ void packed_distances(const PackedView& view, const glm::vec3* points, const std
 std::size_t packed_crossings(const PackedView& view, const double* from, const double* direction, double length,
                              Crossing* found, std::size_t room);
 
+// As PackedTriangles::first_exit(), the triangle by its number in the leaves.
+Crossing packed_exit(const PackedView& view, const double* from, const double* direction, double after);
+
 } // namespace ramus::measure

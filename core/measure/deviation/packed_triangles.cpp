@@ -214,4 +214,10 @@ void PackedTriangles::crossings(const glm::dvec3& from, const glm::dvec3& direct
         crossing.triangle = order_[std::min<std::size_t>(crossing.triangle, order_.size() - 1)];
 }
 
+Crossing PackedTriangles::first_exit(const glm::dvec3& from, const glm::dvec3& direction, double after) const {
+    Crossing exit = packed_exit(view_, &from.x, &direction.x, after);
+    exit.triangle = order_[std::min<std::size_t>(exit.triangle, order_.size() - 1)];
+    return exit;
+}
+
 } // namespace ramus::measure

@@ -75,6 +75,9 @@ public:
     // through the edge of two triangles it crosses once.
     void crossings(const glm::dvec3& from, const glm::dvec3& direction, double length,
                    std::vector<Crossing>& found) const;
+    // The first place more than `after` mm along a unit direction where the line leaves the surface; at infinity where
+    // there is none.
+    [[nodiscard]] Crossing first_exit(const glm::dvec3& from, const glm::dvec3& direction, double after) const;
 
 private:
     void make_nodes(std::size_t leaves); // of so many

@@ -156,6 +156,13 @@ TEST_CASE("packed triangles: all crossings of lines at random are found") {
         const glm::dvec3 from(place(random), place(random), place(random));
         const glm::dvec3 way = glm::normalize(glm::dvec3(place(random), place(random), place(random)));
         packed.crossings(from, way, 1000.0, found);
+        const double after = 0.01 * round;
+        const auto exit = std::ranges::find_if(found, [&](const auto& one) { return one.out && one.at > after; });
+        const measure::Crossing first_exit = packed.first_exit(from, way, after);
+        if (exit == found.end())
+            CHECK_FALSE(std::isfinite(first_exit.at));
+        else
+            CHECK(first_exit.at == exit->at);
         std::size_t expected = 0;
         for (const glm::uvec3& t : spheres.triangles) {
             const glm::dvec3 a = glm::dvec3(spheres.positions[t.x]) - from,
