@@ -129,14 +129,23 @@ const char* remedy_of_shape(const WrittenSurface& written, mesh::Blend blend) {
     return "look where axes all but cross: ramus info --contacts lists them, the closest first";
 }
 
+// " (closed at (1.5, -20.1, 33.4) and 2 more)": holes of the tree's cycles.
+std::string place_of_lost(const mesh::OpenedLoops& lost) {
+    if (lost.closed.empty()) return {};
+    const glm::vec3& p = lost.closed.front();
+    const std::size_t more = lost.closed.size() - 1;
+    return " (closed at (" + rounded(p.x) + ", " + rounded(p.y) + ", " + rounded(p.z) + ")" +
+           (more > 0 ? " and " + std::to_string(more) + " more" : "") + ")";
+}
+
 // A surface that connects what the tree keeps apart, or the other way round, says so.
 void warn_of_shape(const MeshFlags& flags, const WrittenSurface& written, mesh::Blend blend) {
     if (!written.tree_shape || written.shape == *written.tree_shape) return;
     std::string what = difference_text(written.shape.pieces, written.tree_shape->pieces, "piece", "pieces");
     const std::string loops = difference_text(written.shape.loops, written.tree_shape->loops, "loop", "loops");
     if (!what.empty() && !loops.empty()) what += " and ";
-    std::cerr << "ramus: " << flags.output << ": the surface has " << what << loops << " than the tree; "
-              << remedy_of_shape(written, blend) << '\n';
+    std::cerr << "ramus: " << flags.output << ": the surface has " << what << loops << " than the tree"
+              << place_of_lost(written.lost_loops) << "; " << remedy_of_shape(written, blend) << '\n';
 }
 
 // What is left, and what nobody looked for.
@@ -159,8 +168,8 @@ void warn_of_intersections(const MeshFlags& flags, const WrittenSurface& written
 // Of what is looked for in some surfaces: null where it was not.
 nlohmann::ordered_json mended_json(const WrittenSurface& written) {
     nlohmann::ordered_json mended = {
-        {"streamed", written.streamed}, {"cut_loops", nullptr}, {"intersections", nullptr}};
-    if (written.cut_loops) mended["cut_loops"] = *written.cut_loops;
+        {"streamed", written.streamed}, {"cut_loops", nullptr}, {"opened_loops", nullptr}, {"intersections", nullptr}};
+    if (written.cut_loops) mended["cut_loops"] = *written.cut_loops, mended["opened_loops"] = written.lost_loops.opened;
     if (written.untangled && written.untangled->looked_at_all)
         mended["intersections"] = {{"found", written.untangled->found}, {"left", written.untangled->left}};
     return mended;
@@ -252,6 +261,9 @@ Result<int> run_mesh(const MeshFlags& flags) {
                            rounded(written.mesh_s) + " s" + (written.streamed ? ", streamed to the disk" : ""));
     if (written.cut_loops.value_or(0) > 0)
         say(flags.surface, "cut " + counted(*written.cut_loops, "loop", "loops") + " that the tree does not have");
+    if (written.lost_loops.opened > 0)
+        say(flags.surface, "opened " + counted(written.lost_loops.opened, "loop", "loops") +
+                               " of the tree that the vessels' own thickness closes");
     if (written.untangled && written.untangled->found > 0)
         say(flags.surface, "moved vertices where " +
                                counted(written.untangled->found, "pair of triangles", "pairs of triangles") +

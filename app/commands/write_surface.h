@@ -24,6 +24,7 @@ struct WrittenSurface {
     // Loops that the tree has not, and pairs of triangles that met; none: not looked for, which is not that there is
     // none. Nor is it where not all pairs were looked at.
     std::optional<std::size_t> cut_loops;
+    mesh::OpenedLoops lost_loops;
     std::optional<mesh::Untangled> untangled;
     bool streamed = false;
     std::vector<std::vector<int>> lost_pieces; // of the tree, by branch: not on the surface (core/mesh/lost_pieces.h)

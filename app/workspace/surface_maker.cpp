@@ -6,6 +6,7 @@
 #include "core/mesh/check_kernel.h"
 #include "core/mesh/loops/cut_false_loops.h"
 #include "core/mesh/loops/drop_false_pieces.h"
+#include "core/mesh/loops/open_lost_loops.h"
 #include "core/mesh/systems.h"
 #include "core/tree/prepare.h"
 #include "render/scene/bounds.h"
@@ -127,7 +128,7 @@ Result<ReadySurface> SurfaceMaker::next_surface(const SurfaceRequest& request, J
         options.cell_mm = request.options.cell_mm;
         surface_of_.reset();
         if (auto made = follow(surface_, fields, options, job); !made) return tl::unexpected(made.error());
-        cut_loops(surface_, request, job);
+        match_loops(surface_, request, job);
         if (job.cancelled()) return fail("cancelled");
         surface_of_ = request;
     }
@@ -205,9 +206,9 @@ Result<void> SurfaceMaker::follow_systems(Followed& followed, const std::vector<
     return {};
 }
 
-// Where a surface has loops or pieces that its tree has not, which is rare, it is shown without them. The polygonizers
-// go on from what they made.
-void SurfaceMaker::cut_loops(Followed& followed, const SurfaceRequest& request, Job& job) const {
+// Where a surface has other loops or pieces than its tree, which is rare, it is shown without the false ones, and with
+// lost loops opened. The polygonizers go on from what they made.
+void SurfaceMaker::match_loops(Followed& followed, const SurfaceRequest& request, Job& job) const {
     if (request.options.blend != mesh::Blend::kTree || followed.current->triangle_count() == 0) return;
     const auto flags = hidden_flags(request.hidden, tree_->branches.size());
     const std::size_t systems = followed.polygonizers.size();
@@ -221,16 +222,17 @@ void SurfaceMaker::cut_loops(Followed& followed, const SurfaceRequest& request, 
     }
     if (!other) return;
     mesh::TriangleMesh all;
-    std::size_t changes = 0;
+    std::size_t changed = 0;
     for (std::size_t system = 0; system < systems; ++system) {
         if (visible[system].branches.empty()) continue;
         mesh::TriangleMesh one = followed.polygonizers[system].compact();
-        changes += mesh::drop_false_pieces(one, visible[system]);
+        changed += mesh::drop_false_pieces(one, visible[system]);
         const double memory = memory_left(static_cast<double>(request.options.memory_bytes));
-        changes += mesh::cut_false_loops(one, visible[system], memory, job);
+        changed += mesh::cut_false_loops(one, visible[system], memory, job);
+        changed += mesh::open_lost_loops(one, visible[system], memory, job).opened;
         mesh::append(all, std::move(one));
     }
-    if (changes > 0) followed.current = paged(all, *tree_);
+    if (changed > 0) followed.current = paged(all, *tree_);
 }
 
 void SurfaceFollower::open(std::shared_ptr<SurfaceMaker> maker, ReadySurface shown) {

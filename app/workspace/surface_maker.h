@@ -86,7 +86,7 @@ private:
                                           const mesh::PolygonizeOptions& options, Job& job) const;
     [[nodiscard]] Result<void> follow_systems(Followed& followed, const std::vector<field::VesselField>& fields,
                                               const mesh::PolygonizeOptions& options, Job& job) const;
-    void cut_loops(Followed& followed, const SurfaceRequest& request, Job& job) const;
+    void match_loops(Followed& followed, const SurfaceRequest& request, Job& job) const;
     [[nodiscard]] bool changes_much(const SurfaceRequest& request) const;
 
     std::shared_ptr<const tree::VesselTree> tree_;

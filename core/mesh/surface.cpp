@@ -186,8 +186,9 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
             if (options.blend == Blend::kTree) {
                 const tree::VesselTree visible = visible_part(prepared, part).tree;
                 if (untangled || has_other_loops(mesh, visible)) drop_false_pieces(mesh, visible);
-                surface.statistics.cut_loops +=
-                    cut_false_loops(mesh, visible, polygonize_options(options).memory_bytes, mending);
+                const double memory = polygonize_options(options).memory_bytes;
+                surface.statistics.cut_loops += cut_false_loops(mesh, visible, memory, mending);
+                surface.statistics.lost_loops.add(open_lost_loops(mesh, visible, memory, mending));
             }
             if (untangled && !job.cancelled()) surface.statistics.untangled.add(untangle(mesh, walled, mending));
             mending.report(1.0F);

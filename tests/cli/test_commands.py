@@ -221,7 +221,7 @@ class Mesh(CommandLineTest):
                 figures = self.json("mesh", tree, "-o", "out.ply", "--method", method, "--json")
                 shape = ["loops", "tree"] if method == "cs" else []  # of a closed surface
                 self.assertEqual(list(figures), ["vertices", "triangles", "components", *shape, "streamed", "cut_loops",
-                                                 "intersections", "evaluations", "units", "orientation", "load_s",
+                                                 "opened_loops", "intersections", "evaluations", "units", "orientation", "load_s",
                                                  "mesh_s", "write_s"])
                 self.assertGreater(figures["triangles"], 100)
                 self.check_closed(self.folder / "out.ply", figures)
