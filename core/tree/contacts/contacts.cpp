@@ -104,16 +104,19 @@ Contacts find_contacts(const PreparedTree& prepared, const Links& links, const C
     for (const Island& island : islands.all) {
         Contact contact;
         if (island.contact) contact = describe(links, island, contacts, limits.bundled);
+        const auto apart_from = static_cast<float>(island.parting ? island.apart_from : contact.apart_from);
         for (const OrientedPair& pair : island.pairs)
             for (std::size_t side = 0; side < 2; ++side)
-                rows.push_back(
-                    {pair.link[side], {pair.link[1 - side], static_cast<float>(contact.apart_from), island.parting}});
+                rows.push_back({pair.link[side], {pair.link[1 - side], apart_from, island.parting}});
         if (!island.contact) continue;
         if (contact.sides[1].branch < contact.sides[0].branch) std::swap(contact.sides[0], contact.sides[1]);
         contacts.list.push_back(std::move(contact));
     }
     std::ranges::stable_sort(contacts.list, {}, &Contact::closeness);
-    std::ranges::sort(rows, {}, [](const Row& row) { return std::pair(row.piece, row.partner.piece); });
+    const auto pieces = [](const Row& row) { return std::pair(row.piece, row.partner.piece); };
+    std::ranges::sort(rows, {}, [&](const Row& row) { return std::pair(pieces(row), -row.partner.apart_from); });
+    // A pair may be part of a fold and of a contact.
+    rows.erase(std::ranges::unique(rows, {}, pieces).begin(), rows.end());
     contacts.first_partner.assign(links.all().size() + 1, 0);
     for (const Row& row : rows) {
         ++contacts.first_partner[row.piece + 1];

@@ -12,7 +12,9 @@
 // on the vessels count as together again. An island that stays above the limit, and from which no joint can be reached,
 // is a near miss: nothing merges there, but cells of a mesh may be larger than the gap. So is, where a joint can be
 // reached, what stays above the limit and lies side by side with an open gap between (gaps.h): daughters of a fork part
-// without ever coming close again, but so slowly that a mesh would bridge the gap here and there.
+// without ever coming close again, but so slowly that a mesh would bridge the gap here and there. If one of
+// these vessels also lies against another branch of the same joint, so close that a plain sum merges the two though a
+// gap is open between their tubes, it is a fold: kept apart as a contact is, and not listed.
 #pragma once
 
 #include "core/tree/prepare.h"
@@ -64,8 +66,8 @@ struct Contacts {
     // A piece of vessel that another one is kept apart from.
     struct Partner {
         std::uint32_t piece = 0;
-        float apart_from = 0.0F; // of the contact; 0: a near miss
-        bool parting = false;    // a near miss of two that part at a joint nearby: toward it their surfaces meet
+        float apart_from = 0.0F; // of the contact or fold; 0: a near miss
+        bool parting = false;    // of two that part at a joint nearby: toward it their surfaces meet
         bool operator==(const Partner&) const = default;
     };
 

@@ -4,10 +4,12 @@
 #include "core/tree/contacts/gaps.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -284,6 +286,73 @@ private:
     std::vector<Island> found_;
 };
 
+// Folds: where a vessel parts from one of the branches that meet at a node and lies against another one of them, closer
+// than vessels that a plain sum merges, though a gap is open between their tubes. The sum would fill that gap to a
+// crease, and a wall beside the one branch would end where the other one is nearer. So the vessel is kept apart from
+// all of them, as in a contact.
+class Folds {
+public:
+    Folds(const Links& links, const TouchingLinks& touching, const std::vector<std::int32_t>& mark,
+          const ContactLimits& limits)
+        : links_(links), touching_(touching), mark_(mark), limits_(limits), gaps_(links, limits.reach) {}
+
+    // Completes an island of a vessel that parts, if it is a fold.
+    void complete(Island& island) {
+        std::array<std::set<std::uint32_t>, 2> sides;
+        const std::vector<OrientedPair> found = pairs_beside(island.pairs);
+        for (const auto* const some : {&std::as_const(island.pairs), &found})
+            for (const OrientedPair& pair : *some)
+                for (std::size_t side = 0; side < 2; ++side) sides[side].insert(pair.link[side]);
+        const auto on_both_sides = [&](std::uint32_t link) { return sides[1].contains(link); };
+        if (found.empty() || std::ranges::any_of(sides[0], on_both_sides)) return;
+        island.apart_from = limits_.reach;
+        island.pairs.clear();
+        for (const std::uint32_t a : sides[0])
+            for (const std::uint32_t b : sides[1]) {
+                const double closeness = closest_approach(links_[a], links_[b]).closeness;
+                if (!links_.joined(a, b) && closeness >= 1.0 && closeness < limits_.reach)
+                    island.pairs.push_back({{a, b}});
+            }
+    }
+
+private:
+    // Pairs that lie side by side, from those given on to the branches that meet theirs at a node, and along these.
+    [[nodiscard]] std::vector<OrientedPair> pairs_beside(const std::vector<OrientedPair>& pairs) {
+        std::vector<OrientedPair> found;
+        std::set<std::array<std::uint32_t, 2>> known;
+        const auto go_on_from = [&](const OrientedPair& pair, bool to_other_branches) {
+            for (std::size_t side = 0; side < 2; ++side) {
+                const Link& link = links_[pair.link[side]];
+                for (const std::uint32_t point : {link.from, link.to})
+                    for (const std::uint32_t next : links_.at(point)) {
+                        if (to_other_branches && links_[next].branch == link.branch) continue;
+                        OrientedPair other = pair;
+                        other.link[side] = next;
+                        if (lie_against(next, pair.link[1 - side]) && known.insert(other.link).second)
+                            found.push_back(other);
+                    }
+            }
+        };
+        for (const OrientedPair& pair : pairs) go_on_from(pair, true);
+        for (std::size_t n = 0; n < found.size(); ++n) go_on_from(OrientedPair(found[n]), false);
+        return found;
+    }
+    // Whether two links are together, but side by side with a gap between their tubes.
+    [[nodiscard]] bool lie_against(std::uint32_t a, std::uint32_t b) {
+        if (a == b || links_.joined(a, b)) return false;
+        const PairId known = touching_.find(a, b);
+        if (known != TouchingLinks::kNone && mark_[known] != kTogether) return false;
+        const double closeness = closest_approach(links_[a], links_[b]).closeness;
+        return closeness >= 1.0 && closeness < limits_.merged && gaps_.between(a, b);
+    }
+
+    const Links& links_;
+    const TouchingLinks& touching_;
+    const std::vector<std::int32_t>& mark_;
+    const ContactLimits& limits_;
+    Gaps gaps_;
+};
+
 } // namespace
 
 Islands find_islands(const Links& links, const TouchingLinks& touching, const ContactLimits& limits) {
@@ -298,8 +367,12 @@ Islands find_islands(const Links& links, const TouchingLinks& touching, const Co
     tbb::parallel_for(std::size_t{0}, regions.size(),
                       [&](std::size_t n) { found[n] = threads.local().of(regions[n]); });
     Islands islands;
+    Folds folds(links, touching, mark, limits);
     for (std::vector<Island>& some : found)
-        for (Island& island : some) islands.all.push_back(std::move(island));
+        for (Island& island : some) {
+            if (island.parting) folds.complete(island);
+            islands.all.push_back(std::move(island));
+        }
     return islands;
 }
 

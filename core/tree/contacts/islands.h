@@ -20,8 +20,9 @@ struct OrientedPair {
 struct Island {
     std::vector<OrientedPair> pairs;
     bool contact = false; // else a near miss
-    bool parting = false; // a near miss from which a joint can be reached
-    // Of a contact: the closeness from which on a joint can be reached, the limit of reach at most.
+    bool parting = false; // a near miss from which a joint can be reached, or a fold
+    // Of a contact: the closeness from which on a joint can be reached, the limit of reach at most. Of a fold the limit
+    // of reach, of other partings 0.
     double apart_from = 0.0;
 };
 

@@ -1,8 +1,14 @@
 // Contacts of vessels whose courses are known.
+#include "core/io/trees/tree_file.h"
+#include "core/measure/mesh_distance.h"
+#include "core/mesh/connectivity.h"
+#include "core/mesh/surface.h"
 #include "core/tree/contacts/contacts.h"
 #include "tests/support/built_tree.h"
+#include "tests/support/shared_data.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -209,6 +215,38 @@ TEST_CASE("how densely a file samples its vessels does not change their contacts
     REQUIRE(fine.list.size() == 1);
     CHECK(coarse.list[0].gap == doctest::Approx(fine.list[0].gap).epsilon(1e-3));
     CHECK(fine.first_partner.size() < 300);
+}
+
+TEST_CASE("a vessel that folds back along the branches of its own fork is kept apart from all of them") {
+    const auto file = test::shared_file("reports", "fold_at_fork.swc");
+    if (!file) return;
+    const auto tree = io::read_tree(*file);
+    REQUIRE(tree);
+    // The points of the fork, and of the vessel where it runs beside it; the numbers are those of the file, less 1.
+    constexpr std::array<std::size_t, 4> kFork{0, 1, 2, 20};
+    constexpr std::size_t kFirst = 13, kLast = 19;
+    for (const int detail : {8, 16, 32}) {
+        mesh::SurfaceOptions options;
+        options.detail = detail;
+        Job job;
+        const auto surface = mesh::make_untangled_surface(*tree, options, job);
+        REQUIRE(surface);
+        CHECK(mesh::connectivity_of(surface->mesh) == mesh::Connectivity{1, 0});
+        CHECK(surface->statistics.untangled.left == 0);
+        const measure::MeshDistance solid(surface->mesh);
+        for (std::size_t n = kFirst; n <= kLast; ++n) {
+            const Point& a = tree->points[n];
+            const auto closeness = [&](std::size_t fork) {
+                const Point& b = tree->points[fork];
+                return glm::distance(a.position, b.position) / (a.radius + b.radius);
+            };
+            const Point& b = tree->points[*std::ranges::min_element(kFork, {}, closeness)];
+            // Between the tubes, as far from both in radii: the surfaces leave the gap open.
+            const glm::dvec3 between = glm::mix(a.position, b.position, a.radius / (a.radius + b.radius));
+            REQUIRE(glm::distance(a.position, between) > a.radius);
+            CHECK_FALSE(solid.inside(between));
+        }
+    }
 }
 
 } // namespace ramus::tree
