@@ -17,9 +17,9 @@ namespace ramus::measure {
 
 namespace {
 
-// The cosine of the angle by which the two sides of a wall may lean toward each other, 15 degrees. Sides that lean more
+// The cosine of the angle by which the two sides of a wall may lean toward each other, 10 degrees. Sides that lean more
 // meet nearby: there is the edge of a solid.
-const double kFacesBack = std::cos(std::acos(-1.0) / 12.0);
+const double kFacesBack = std::cos(std::acos(-1.0) / 18.0);
 
 class Solid {
 public:

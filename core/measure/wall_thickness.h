@@ -16,7 +16,7 @@ struct Thickness {
 };
 
 // The thickness at a vertex is the length of the way straight inward, against the normal, to where the surface faces
-// back: to within 15 degrees the two sides are parallel. That is the diameter of a tube, less what flat triangles cut
+// back: to within 10 degrees the two sides are parallel. That is the diameter of a tube, less what flat triangles cut
 // off, the narrowest section of a stenosis, and the thickness of a plate. An edge or a ridge of a thick solid has no
 // thickness, nor has a vertex that a triangle faces away from, as where a crease is narrower than the triangles. The
 // result has one entry for each branch with such a vertex, the thinnest first; a mesh without branches has one. The
