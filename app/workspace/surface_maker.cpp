@@ -3,6 +3,7 @@
 #include "core/base/bounded.h"
 #include "core/base/memory.h"
 #include "core/base/stopwatch.h"
+#include "core/field/drawn_surface.h"
 #include "core/mesh/check_kernel.h"
 #include "core/mesh/loops/cut_false_loops.h"
 #include "core/mesh/loops/drop_false_pieces.h"
@@ -37,8 +38,11 @@ std::vector<std::uint8_t> hidden_flags(std::span<const int> hidden, std::size_t 
     return flags;
 }
 
-std::shared_ptr<const render::PagedMesh> paged(const mesh::TriangleMesh& mesh, const tree::VesselTree& tree) {
-    return render::shared(render::PagedMesh(mesh, render::bounds_of(tree).centre()));
+std::shared_ptr<const render::PagedMesh> paged(const mesh::TriangleMesh& mesh, const tree::VesselTree& tree,
+                                               std::shared_ptr<const field::DrawnSurface> drawn) {
+    render::PagedMesh made(mesh, render::bounds_of(tree).centre());
+    made.set_drawn(std::move(drawn));
+    return render::shared(std::move(made));
 }
 
 Result<ReadySurface> make_ready(const tree::VesselTree& tree, const SurfaceRequest& request, Job& job) {
@@ -49,7 +53,7 @@ Result<ReadySurface> make_ready(const tree::VesselTree& tree, const SurfaceReque
         ready.mesh = paged({}, tree);
     } else {
         RAMUS_TRY(made, mesh::make_surface(tree, as_drawn(request.options), job, hidden));
-        ready.mesh = paged(made.mesh, tree);
+        ready.mesh = paged(made.mesh, tree, made.drawn);
     }
     ready.seconds = watch.seconds();
     return ready;
@@ -166,6 +170,7 @@ Result<void> SurfaceMaker::follow(Followed& followed, const std::vector<field::V
         return {};
     }
     followed.polygonizers.resize(fields.size());
+    followed.drawn = std::make_shared<const field::DrawnSurface>(fields);
     auto updated = fields.size() == 1 ? follow_one(followed, fields.front(), options, job)
                                       : follow_systems(followed, fields, options, job);
     if (!updated) {
@@ -185,10 +190,13 @@ Result<void> SurfaceMaker::follow_one(Followed& followed, const field::VesselFie
     const mesh::TriangleMesh& slots = polygonizer.slots();
     // What polygonizing worked in is as large as its pages: they shall not come beside it.
     if (edit.whole && slots.triangles.size() >= kWorthReleasing) release_unused_memory();
-    if (!followed.mesh)
-        followed.mesh = paged(slots, *tree_);
-    else if (edit.whole || !edit.vertices.empty() || !edit.triangles.empty())
-        followed.mesh = render::shared(followed.mesh->edited(slots, edit));
+    if (!followed.mesh) {
+        followed.mesh = paged(slots, *tree_, followed.drawn);
+    } else if (edit.whole || !edit.vertices.empty() || !edit.triangles.empty()) {
+        render::PagedMesh edited = followed.mesh->edited(slots, edit);
+        edited.set_drawn(followed.drawn);
+        followed.mesh = render::shared(std::move(edited));
+    }
     return {};
 }
 
@@ -202,7 +210,7 @@ Result<void> SurfaceMaker::follow_systems(Followed& followed, const std::vector<
         static_cast<void>(polygonizer.take_edit()); // the mesh of all systems is put together anew
         mesh::append(all, polygonizer.slots());
     }
-    followed.mesh = paged(all, *tree_);
+    followed.mesh = paged(all, *tree_, followed.drawn);
     return {};
 }
 
@@ -232,7 +240,7 @@ void SurfaceMaker::match_loops(Followed& followed, const SurfaceRequest& request
         changed += mesh::open_lost_loops(one, visible[system], memory, job).opened;
         mesh::append(all, std::move(one));
     }
-    if (changed > 0) followed.current = paged(all, *tree_);
+    if (changed > 0) followed.current = paged(all, *tree_, followed.drawn);
 }
 
 void SurfaceFollower::open(std::shared_ptr<SurfaceMaker> maker, ReadySurface shown) {

@@ -42,9 +42,10 @@ struct SurfaceRequest {
     return options;
 }
 
-// A mesh of the tree as it is drawn: all of them have the same origin.
+// A mesh of the tree as it is drawn: all of them have the same origin. `drawn`: what it is a mesh of.
 [[nodiscard]] std::shared_ptr<const render::PagedMesh> paged(const mesh::TriangleMesh& mesh,
-                                                             const tree::VesselTree& tree);
+                                                             const tree::VesselTree& tree,
+                                                             std::shared_ptr<const field::DrawnSurface> drawn = {});
 
 // A surface that was computed, and what it cost.
 struct ReadySurface {
@@ -73,8 +74,9 @@ private:
     using Paged = std::shared_ptr<const render::PagedMesh>;
     struct Followed {
         std::vector<mesh::Polygonizer> polygonizers; // one, or one for each system
-        Paged mesh;                                  // of the polygonizers' state
-        Paged current;                               // what was asked for last
+        std::shared_ptr<const field::DrawnSurface> drawn;
+        Paged mesh;    // of the polygonizers' state
+        Paged current; // what was asked for last
     };
     [[nodiscard]] Result<ReadySurface> next_cones(const SurfaceRequest& request, Job& job) const;
     [[nodiscard]] Result<ReadySurface> next_surface(const SurfaceRequest& request, Job& job);

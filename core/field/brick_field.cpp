@@ -31,6 +31,10 @@ OwnedPoint BrickField::way_out(Owner /*owner*/, const glm::vec3& from, const glm
     return {from};
 }
 
+bool BrickField::beside_contact(const glm::vec3& /*at*/) { return false; }
+
+DrawnPoint BrickField::draw(const OwnedGuess& /*whose*/, const glm::vec3& guess, float /*onward*/) { return {guess}; }
+
 std::uint64_t BrickField::project_apart(const Projection& /*guesses*/, std::span<const OwnedGuess> /*owned*/,
                                         const SurfacePoints& /*to*/) {
     return 0;

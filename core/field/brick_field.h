@@ -177,6 +177,19 @@ struct OwnedPoint {
     glm::vec3 onward{0.0F}, onward_normal{0.0F};
 };
 
+// A point of a vessel's surface beside a contact, as a picture shows it: where vessels that are kept apart overlap,
+// each goes on along its own surface, and what is nearer to the eye makes a crease.
+struct DrawnPoint {
+    enum class Place : std::uint8_t {
+        kOwn,     // on the vessel's own surface
+        kCovered, // on that, within another vessel
+        kWall,    // on a wall, or on what an obstacle cuts off
+    };
+    glm::vec3 at{0.0F}; // mm
+    glm::vec3 normal{0.0F};
+    Place place = Place::kOwn;
+};
+
 // A point to be moved onto the surface of one vessel.
 struct OwnedGuess {
     std::uint32_t guess = 0; // in a Projection
@@ -224,6 +237,12 @@ public:
     // The last place on a straight way that is a vessel's; it is at `from`, and not at `to`. Relative to the brick's
     // corner, mm. `guess`: the share of the way where it may be.
     [[nodiscard]] virtual OwnedPoint way_out(Owner owner, const glm::vec3& from, const glm::vec3& to, float guess);
+    // Whether something is kept apart at a point or near it; relative to the brick's corner, mm.
+    [[nodiscard]] virtual bool beside_contact(const glm::vec3& at);
+    // A point of a vessel's surface beside a contact, within the guess's box. What is on a wall goes on to the vessel's
+    // own surface if that is no farther than `onward` mm. 0: the point is of a mesh whose rims overlap, and on the
+    // vessel's own surface if it is near that.
+    [[nodiscard]] virtual DrawnPoint draw(const OwnedGuess& whose, const glm::vec3& guess, float onward);
     // After project(): does it again for those points whose vessel is near another that it is kept apart from. Those
     // that stay kFree and that nobody owns need not be among them.
     virtual std::uint64_t project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,

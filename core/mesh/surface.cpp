@@ -3,6 +3,7 @@
 #include "core/base/bounded.h"
 #include "core/base/memory.h"
 #include "core/base/stopwatch.h"
+#include "core/field/drawn_surface.h"
 #include "core/field/exact_radii.h"
 #include "core/field/kernel.h"
 #include "core/field/vessel_field.h"
@@ -174,6 +175,7 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
         const auto parts = hidden_by_system(source, hidden);
         const PreparedTree prepared = prepare_tree(source, options);
         RAMUS_TRY(whole, feasible_field(source, options, prepared, parts, PolygonizeMode::kWhole));
+        std::vector<field::VesselField> fields;
         for (std::size_t n = 0; n < parts.size(); ++n) {
             const std::vector<std::uint8_t>& part = parts[n];
             const auto share = [&](float of_part) {
@@ -182,7 +184,8 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
             Job making(job, share(0.0F), share(kMade)), mending(job, share(kMade), share(1.0F));
             PolygonizeStatistics statistics;
             std::vector<TriangleBox> walled;
-            RAMUS_TRY(mesh, polygonize(whole.without(part), polygonize_options(options), making, &statistics, &walled));
+            fields.push_back(whole.without(part));
+            RAMUS_TRY(mesh, polygonize(fields.back(), polygonize_options(options), making, &statistics, &walled));
             if (options.blend == Blend::kTree) {
                 const tree::VesselTree visible = visible_part(prepared, part).tree;
                 if (untangled || has_other_loops(mesh, visible)) drop_false_pieces(mesh, visible);
@@ -199,6 +202,8 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
             append(surface.mesh, std::move(mesh));
             surface.statistics.evaluations += statistics.evaluations;
         }
+        if (options.rims == field::Rims::kOverlapping)
+            surface.drawn = std::make_shared<const field::DrawnSurface>(std::move(fields));
     }
     if (surface.mesh.triangles.empty()) return empty_surface(options.cell_mm);
     surface.statistics.seconds = watch.seconds();

@@ -14,11 +14,13 @@
 #include "core/tree/prepare.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 
 namespace ramus::field {
+class DrawnSurface;
 class VesselField;
-}
+} // namespace ramus::field
 
 namespace ramus::mesh {
 
@@ -50,6 +52,7 @@ struct SurfaceStatistics {
 
 struct Surface {
     TriangleMesh mesh;
+    std::shared_ptr<const field::DrawnSurface> drawn; // what it is a mesh of, where it is for pictures; else null
     SurfaceStatistics statistics;
 };
 

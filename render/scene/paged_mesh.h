@@ -21,7 +21,12 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
+
+namespace ramus::field {
+class DrawnSurface;
+}
 
 namespace ramus::render {
 
@@ -106,6 +111,11 @@ public:
     // Of the pages that `other` does not have in the same place.
     [[nodiscard]] std::size_t bytes_beside(const PagedMesh& other) const;
 
+    // What it is a mesh of, for pictures of what is near the eye; null: that is not known. Not of what is made of it by
+    // edited().
+    [[nodiscard]] const std::shared_ptr<const field::DrawnSurface>& drawn() const { return drawn_; }
+    void set_drawn(std::shared_ptr<const field::DrawnSurface> drawn) { drawn_ = std::move(drawn); }
+
     // The same surface with these values, by vertex; vertices beyond their end have kNotKnown.
     [[nodiscard]] PagedMesh with_values(std::span<const float> values) const;
     [[nodiscard]] const ValuePages& value_pages() const { return value_pages_; } // as vertex_pages(), or none
@@ -140,6 +150,7 @@ private:
     TrianglePages triangle_pages_;
     ValuePages value_pages_;
     std::shared_ptr<const PageMemory> memory_;
+    std::shared_ptr<const field::DrawnSurface> drawn_;
     Box bounds_;
     glm::dvec3 origin_{0.0};
     int branch_count_ = 0;

@@ -164,6 +164,24 @@ OwnedPoint VesselBrick::way_out(Owner owner, const glm::vec3& from, const glm::v
         field::way_out(views_, place_near(owner, begin), {begin, end}, static_cast<double>(guess), onward_, kernels_));
 }
 
+DrawnPoint VesselBrick::draw(const OwnedGuess& whose, const glm::vec3& guess, float onward) {
+    constexpr double kNear = 0.03, kOnIt = 0.004; // radii: of the mesh's rims, and of what was moved onto a surface
+    const glm::dvec3 corner = axes_.corner(), from = corner + glm::dvec3(guess);
+    const Bounds<glm::dvec3> bounds = bounds_of(whose, from, 0.0);
+    const std::uint32_t place = place_near(whose.owner, bounds.least);
+    WallPoint point;
+    point.position = from;
+    DrawnPoint::Place on = DrawnPoint::Place::kWall;
+    if (onward == 0.0F) on = go_on_own_surface(views_, place, kNear, point, kernels_);
+    if (on == DrawnPoint::Place::kWall) {
+        point = move_to_wall(views_, place, from, bounds, static_cast<double>(onward), kernels_);
+        const bool goes_on = point.onward != glm::dvec3(0.0);
+        if (goes_on) point.position += point.onward, point.normal = point.onward_normal;
+        on = go_on_own_surface(views_, place, goes_on ? kNear : kOnIt, point, kernels_);
+    }
+    return {glm::vec3(point.position - corner), glm::vec3(point.normal), on};
+}
+
 std::uint64_t VesselBrick::project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
                                          const SurfacePoints& to) {
     const glm::dvec3 corner = axes_.corner();

@@ -31,6 +31,10 @@ public:
     [[nodiscard]] bool apart_pieces(int a, int b) const override { return views_.contacts().apart(a, b); }
     [[nodiscard]] OwnedPoint move(const OwnedGuess& whose, const glm::vec3& guess) override;
     [[nodiscard]] OwnedPoint way_out(Owner owner, const glm::vec3& from, const glm::vec3& to, float guess) override;
+    [[nodiscard]] bool beside_contact(const glm::vec3& at) override {
+        return parts_ && is_beside_contact(axes_.corner() + glm::dvec3(at));
+    }
+    [[nodiscard]] DrawnPoint draw(const OwnedGuess& whose, const glm::vec3& guess, float onward) override;
     std::uint64_t project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
                                 const SurfacePoints& to) override;
 

@@ -320,6 +320,14 @@ VesselViews::Verdict VesselViews::judge() {
     return verdict;
 }
 
+bool VesselViews::is_within_another(std::uint32_t own) {
+    list_vessels(claim_radii2());
+    return std::ranges::any_of(vessels_, [&](std::uint32_t other) {
+        return other != own && apart(own, other) && value(other) >= kernel_.isovalue &&
+               !(shadow_on(other, 0.0).spare < 0.0);
+    });
+}
+
 std::uint32_t VesselViews::nearest_of_vessel(std::uint32_t place) {
     group_by_piece();
     std::uint32_t nearest = nearest_of_others_;

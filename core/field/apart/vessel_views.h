@@ -102,6 +102,8 @@ public:
         double value = 0.0;
     };
     [[nodiscard]] Verdict judge();
+    // Whether a vessel that is kept apart from a segment's claims the point.
+    [[nodiscard]] bool is_within_another(std::uint32_t own);
     // The nearest segment in radii that is not apart from the one given, or kNone.
     [[nodiscard]] std::uint32_t nearest_of_vessel(std::uint32_t place);
 

@@ -252,4 +252,22 @@ WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3
     return point;
 }
 
+DrawnPoint::Place go_on_own_surface(VesselViews& views, std::uint32_t place, double near_radii, WallPoint& point,
+                                    std::uint64_t& kernels) {
+    constexpr int kSteps = 3;
+    for (int step = 0; step < kSteps; ++step) {
+        const std::uint32_t own = look_from(views, place, point.position, kernels);
+        if (own == VesselViews::kNone) return DrawnPoint::Place::kWall;
+        const Depth within = depth_within(views, views.view(own));
+        const double outward = glm::length(within.outward);
+        if (!(outward > 0.0) || (step == 0 && std::abs(within.mm) > near_radii * views.radius(own)))
+            return DrawnPoint::Place::kWall;
+        point.position += within.mm * within.outward;
+        point.normal = within.outward / outward;
+    }
+    const std::uint32_t own = look_from(views, place, point.position, kernels);
+    return own != VesselViews::kNone && views.is_within_another(own) ? DrawnPoint::Place::kCovered
+                                                                     : DrawnPoint::Place::kOwn;
+}
+
 } // namespace ramus::field

@@ -4,6 +4,7 @@
 
 #include "core/base/bounds.h"
 #include "core/field/apart/vessel_views.h"
+#include "core/field/brick_field.h"
 #include "core/field/dominance.h"
 
 #include <cstdint>
@@ -27,6 +28,11 @@ struct WallPoint {
 // there, mm. Adds up the kernels evaluated.
 [[nodiscard]] WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3& guess,
                                      const Bounds<glm::dvec3>& bounds, double onward, std::uint64_t& kernels);
+
+// Moves a point on to the vessel's own surface, as near as single precision tells, if that is no farther than so many
+// radii. Says what the point is on.
+[[nodiscard]] DrawnPoint::Place go_on_own_surface(VesselViews& views, std::uint32_t place, double near_radii,
+                                                  WallPoint& point, std::uint64_t& kernels);
 
 // A straight way, mm.
 struct Way {
