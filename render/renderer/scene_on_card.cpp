@@ -15,7 +15,7 @@ namespace {
 
 // More made take more memory than smooth outlines are worth: 120 MB.
 constexpr NearLimits kMostNear{3'000'000, std::numeric_limits<std::size_t>::max()};
-// So many take some hundredths of a second. What has more is so far away that its outlines are off by little.
+// So many take some tenths of a second at the most. Of what has more, the outlines that are left are off by little.
 constexpr NearLimits kMostNearInTime{500'000, 250'000};
 
 std::size_t most_surface_bytes() {

@@ -10,7 +10,7 @@ namespace ramus::render {
 namespace {
 
 constexpr int kPixelsAPlace = 2, kMostPlaces = 1024; // each way
-constexpr std::size_t kMostSamples = 20'000;         // that visible_in() looks at
+constexpr std::size_t kMostLookedAt = 20'000;        // that visible_in() looks at
 constexpr double kLeftOut = 0.02;                    // of the samples, at either end
 
 // The middle and half the width of what lies between the ends that are left out. Reorders the values.
@@ -81,7 +81,7 @@ std::optional<Visible> visible_in(std::span<const DepthMap> maps) {
         seen += static_cast<std::size_t>(
             std::ranges::count_if(map.depths, [](float depth) { return depth < DepthMap::kEmpty; }));
     if (seen == 0) return {};
-    const std::size_t step = 1 + seen / kMostSamples;
+    const std::size_t step = 1 + seen / kMostLookedAt;
     std::vector<float> across, down, deep;
     std::size_t index = 0;
     for (const DepthMap& map : maps)

@@ -39,6 +39,13 @@ NearView looking_at(const PagedMesh& mesh, const Camera& camera, glm::ivec2 size
     return near_view(camera, mesh.origin(), view.to_clip, size.y);
 }
 
+// All of a mesh is looked at, wherever it is.
+void show_all(NearView& view) {
+    view.to_clip = glm::dmat4(0.0);
+    view.to_clip[3][3] = 1.0;
+    view.sides = {};
+}
+
 // All that is drawn, relative to the mesh's origin; a vertex for each corner.
 TriangleMesh drawn(const PagedMesh& mesh, const NearSurface& near) {
     TriangleMesh all;
@@ -228,8 +235,7 @@ TEST_CASE("outlines of vessels near the eye are round: a vessel with its ends") 
             const Camera whole = camera_for(capsule.positions, View::kAnterior, size, flat);
             const Camera camera = turned(zoomed(whole, zoom), 25.0, 10.0);
             NearView view = looking_at(mesh, camera, size);
-            view.to_clip = glm::dmat4(0.0); // all of it is looked at, wherever it is
-            view.to_clip[3][3] = 1.0;
+            show_all(view);
             const auto radii = [&](const glm::vec3& place) { return capsule_radii(place, view); };
             const NearSurface near = near_surface(mesh, view, kEnough);
             REQUIRE(near.mesh);
@@ -250,8 +256,7 @@ TEST_CASE("outlines of vessels near the eye are round: a bend") {
     const glm::ivec2 size(1000, 1000);
     const Camera camera = zoomed(camera_for(bent.positions, View::kAnterior, size, true), 3.0);
     NearView view = looking_at(mesh, camera, size);
-    view.to_clip = glm::dmat4(0.0);
-    view.to_clip[3][3] = 1.0;
+    show_all(view);
     const auto radii = [](const glm::vec3& place) {
         const double radius = std::hypot(place.x, place.z);
         return std::array{radius, radius > 10.0 ? 13.0 : 7.0};
