@@ -21,7 +21,7 @@ using namespace ramus::render;
 namespace {
 
 constexpr NearLimits kEnoughTriangles{10'000'000, 10'000'000};
-constexpr glm::ivec2 kPicture{1280, 960};
+constexpr glm::ivec2 kOutlinePicture{1280, 960};
 
 // A surface as pictures have it.
 PagedMesh drawn_mesh(const tree::VesselTree& tree) {
@@ -101,11 +101,11 @@ bool is_outline(FieldAnywhere& field, const glm::dvec3& place, const glm::dvec3&
     return -bend / glm::length(gradient) > 0.2 / radius;
 }
 
-using Edge = std::pair<std::tuple<float, float, float>, std::tuple<float, float, float>>;
+using FacingEdge = std::pair<std::tuple<float, float, float>, std::tuple<float, float, float>>;
 
 // Edges between triangles that face the eye and that do not, in a parallel projection.
 std::vector<std::array<glm::vec3, 2>> outline_of(const PagedMesh& mesh, const NearSurface& near, const NearView& view) {
-    std::map<Edge, bool> facing;
+    std::map<FacingEdge, bool> facing;
     const auto key = [](const glm::vec3& p) { return std::tuple(p.x, p.y, p.z); };
     const auto add = [&](const PagedMesh& of, const std::vector<std::uint8_t>& without) {
         for (std::size_t page = 0; page < of.triangle_pages().size(); ++page) {
@@ -139,16 +139,16 @@ struct Looked {
     NearView view;
 };
 // From the side, so that what is at `focus` is as large as if the whole vessel were magnified.
-Looked look_at(const PagedMesh& mesh, const glm::dvec3& focus, double zoom) {
-    Camera camera = camera_for(mesh.positions(), View::kAnterior, kPicture, true);
+Looked look_closely(const PagedMesh& mesh, const glm::dvec3& focus, double zoom) {
+    Camera camera = camera_for(mesh.positions(), View::kAnterior, kOutlinePicture, true);
     camera = zoomed(centred_on(camera, focus), zoom);
     Frame frame;
     frame.camera = camera;
-    frame.size = kPicture;
+    frame.size = kOutlinePicture;
     ViewSetup setup;
-    setup.picture = setup.size = kPicture;
+    setup.picture = setup.size = kOutlinePicture;
     setup.look(frame, mesh.bounds(), {});
-    return {camera, near_view(camera, mesh.origin(), setup.to_clip, kPicture.y)};
+    return {camera, near_view(camera, mesh.origin(), setup.to_clip, kOutlinePicture.y)};
 }
 
 // Pixels that the outline in the picture is off at most.
@@ -190,7 +190,7 @@ TEST_CASE("outlines near the eye are those of the field: a tip and a trunk, at a
     };
     const std::array<std::pair<const char*, glm::dvec3>, 3> places{
         {{"the thick end", outermost({0, 0, -1})}, {"the tip", outermost({0.6F, 0, 1})}, {"the trunk", {4.1, 0, -10}}}};
-    const Looked whole = look_at(mesh, {0, 0, 0}, 1.0);
+    const Looked whole = look_closely(mesh, {0, 0, 0}, 1.0);
     const auto outline = outline_of(mesh, near_surface(mesh, whole.view, kEnoughTriangles), whole.view);
     for (const auto& [name, place] : places)
         for (const double zoom : {1.0, 10.0, 100.0}) {
@@ -200,7 +200,7 @@ TEST_CASE("outlines near the eye are those of the field: a tip and a trunk, at a
             glm::dvec3 focus = outline.front()[0];
             for (const auto& edge : outline)
                 if (glm::distance(glm::dvec3(edge[0]), place) < glm::distance(focus, place)) focus = edge[0];
-            const double off = most_off_outline(tree, mesh, look_at(mesh, focus, zoom), kThick);
+            const double off = most_off_outline(tree, mesh, look_closely(mesh, focus, zoom), kThick);
             MESSAGE(what << " at zoom " << zoom << ": " << off << " pixels off its outline");
             CHECK(off < 0.5);
         }
@@ -209,8 +209,8 @@ TEST_CASE("outlines near the eye are those of the field: a tip and a trunk, at a
 namespace {
 
 // Where a line of sight first meets an endless tube, mm along it.
-std::optional<double> first_hit(const glm::dvec3& from, const glm::dvec3& sight, const glm::dvec3& on_axis,
-                                const glm::dvec3& axis, double radius) {
+std::optional<double> first_hit_of_tube(const glm::dvec3& from, const glm::dvec3& sight, const glm::dvec3& on_axis,
+                                        const glm::dvec3& axis, double radius) {
     const auto across = [&](const glm::dvec3& v) { return v - glm::dot(v, axis) * axis; };
     const glm::dvec3 p = across(from - on_axis), d = across(sight);
     const double a = glm::dot(d, d), b = glm::dot(p, d), c = glm::dot(p, p) - radius * radius;
@@ -228,11 +228,11 @@ TEST_CASE("the crease between vessels that cross is the line where their tubes m
     const std::array<double, 2> radius{4.0, 3.0};
     const tree::VesselTree tree = test::built_tree(
         {{{-40, 0, 0}, 4.0}, {{40, 0, 0}, 4.0}, {{0, 4, -40}, 3.0}, {{0, 4, 40}, 3.0}}, {{0, 1}, {2, 3}}, {0, 2});
-    test::SmallTree scene(kPicture);
+    test::SmallTree scene(kOutlinePicture);
     scene.frame.mesh = std::make_shared<const PagedMesh>(drawn_mesh(tree));
     scene.frame.bends = true;
     const Camera beside =
-        turned(camera_for(scene.frame.mesh->positions(), View::kAnterior, kPicture, true), 65.0, 25.0);
+        turned(camera_for(scene.frame.mesh->positions(), View::kAnterior, kOutlinePicture, true), 65.0, 25.0);
     // A place of the crease, on both tubes, on the side that is seen.
     const glm::dvec3 forward = axes_of(beside).forward;
     const double x = std::copysign(2.9, -forward.x), y = 4.0 - std::sqrt(9.0 - x * x);
@@ -243,9 +243,9 @@ TEST_CASE("the crease between vessels that cross is the line where their tubes m
         scene.draw();
         const BranchPicture picture = scene.renderer->read_branches();
         const CameraAxes axes = axes_of(scene.frame.camera);
-        const double mm = mm_per_pixel(scene.frame.camera, kPicture);
+        const double mm = mm_per_pixel(scene.frame.camera, kOutlinePicture);
         const auto exact = [&](int i, int j) { // as the picture's rows go
-            const glm::dvec2 off = (glm::dvec2(i, j) + 0.5 - 0.5 * glm::dvec2(kPicture)) * mm;
+            const glm::dvec2 off = (glm::dvec2(i, j) + 0.5 - 0.5 * glm::dvec2(kOutlinePicture)) * mm;
             const glm::dvec3 from = scene.frame.camera.position + off.x * axes.right - off.y * axes.up;
             int nearest = kNoBranch;
             std::optional<double> least;
@@ -254,15 +254,15 @@ TEST_CASE("the crease between vessels that cross is the line where their tubes m
             };
             for (int n = 0; n < 2; ++n) {
                 const auto at = static_cast<std::size_t>(n);
-                const auto hit = first_hit(from, axes.forward, on_axis.at(at), axis.at(at), radius.at(at));
+                const auto hit = first_hit_of_tube(from, axes.forward, on_axis.at(at), axis.at(at), radius.at(at));
                 if (hit && beyond(*hit, axis.at(at))) return kElsewhere;
                 if (hit && (!least || *hit < *least)) least = hit, nearest = n;
             }
             return nearest;
         };
         std::size_t off = 0, borders = 0;
-        for (int j = 1; j + 1 < kPicture.y; ++j)
-            for (int i = 1; i + 1 < kPicture.x; ++i) {
+        for (int j = 1; j + 1 < kOutlinePicture.y; ++j)
+            for (int i = 1; i + 1 < kOutlinePicture.x; ++i) {
                 const int there = picture.at(i + 0.5, j + 0.5);
                 const int wanted = exact(i, j);
                 if (wanted == kElsewhere) continue;
