@@ -151,8 +151,8 @@ void NearDivision::mark_creases(const std::vector<std::size_t>& shown) {
 
 // Onto the surface, where one sees that they are not; but for those that shown pages have which stay as they are.
 void NearDivision::move_vertices(const std::vector<std::size_t>& pages, const std::vector<std::size_t>& shown) {
-    constexpr float kReach = 0.5F;      // of the longest edge there
-    constexpr float kMostAtRims = 0.1F; // of that: the mesh has them where rims are
+    constexpr float kReach = 0.5F;       // of the longest edge there
+    constexpr float kMostAtRims = 0.45F; // of that. Tuned on a contact of a brain: what is farther is another surface
     std::vector<field::DrawnSurface::Point> points;
     std::vector<std::uint32_t> exact;
     for (std::uint32_t n = 0; n < vertices_.size(); ++n) {
@@ -181,7 +181,7 @@ void NearDivision::move_vertices(const std::vector<std::size_t>& pages, const st
         const glm::vec3 at(points[i].at - mesh_.origin());
         v.end.normal = points[i].normal;
         const float off = glm::distance(at, v.end.position) * pixels_of(at, v.edge);
-        const bool is_rim = v.place == NearPlace::kOwn || v.place == NearPlace::kCovered;
+        const bool is_rim = v.place == NearPlace::kOwn;
         if (is_rim && glm::distance(at, v.end.position) > kMostAtRims * v.edge) continue;
         if (stays[n] != 0 || !(off > kShareAtCreases * most_off_)) continue;
         v.end.position = at;
