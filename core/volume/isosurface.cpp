@@ -3,6 +3,7 @@
 #include "core/base/bounded.h"
 #include "core/base/memory.h"
 #include "core/volume/slab_mesher.h"
+#include "core/volume/smooth_level.h"
 
 #include <algorithm>
 #include <limits>
@@ -37,6 +38,19 @@ template <class Values> struct Interpolated {
         const auto y = static_cast<std::size_t>(volume.size.y);
         return static_cast<double>(values[static_cast<std::size_t>(v.x) +
                                           x * (static_cast<std::size_t>(v.y) + y * static_cast<std::size_t>(v.z))]);
+    }
+};
+
+// Where a line between two voxels crosses level 0.
+struct Smoothed {
+    static constexpr double kLeast = 1.0 / 64.0; // far more than single precision loses, and not seen
+    const SmoothLevel& level;
+
+    [[nodiscard]] double at(int axis, const glm::ivec3& voxel) const {
+        glm::ivec3 next = voxel;
+        ++next[axis];
+        const double here = level.value(voxel);
+        return std::clamp(here / (here - level.value(next)), kLeast, 1.0 - kLeast);
     }
 };
 
@@ -75,6 +89,13 @@ Result<mesh::TriangleMesh> make(const BitMask& mask, const glm::dmat4& to_patien
     return mesher.make();
 }
 
+Result<mesh::TriangleMesh> of_labels(const BitMask& mask, const glm::dmat4& to_patient,
+                                     const IsosurfaceOptions& options, const JobRange& job) {
+    if (options.steps == VoxelSteps::kKept) return make(mask, to_patient, Midway{}, options, job);
+    RAMUS_TRY(level, smooth_level(mask, spacing_mm(to_patient), options.memory_bytes, job.part(0.0F, 0.7F)));
+    return make(mask, to_patient, Smoothed{level}, options, job.part(0.7F, 1.0F));
+}
+
 Error at_memory_end() { return {"not enough memory for this surface", {}, "crop the volume"}; }
 
 // `done_with_values` is called when they are not asked for any more but there is work to do.
@@ -93,7 +114,7 @@ Result<mesh::TriangleMesh> surface_of(const Volume& volume, const Selection& sel
                 volume.voxels);
         }
         done_with_values();
-        return make(mask, volume.to_patient, Midway{}, options, rest);
+        return of_labels(mask, volume.to_patient, options, rest);
     });
 }
 
@@ -113,7 +134,7 @@ Result<mesh::TriangleMesh> isosurface(Volume&& volume, const Selection& selectio
 Result<mesh::TriangleMesh> mask_surface(const BitMask& mask, const glm::dmat4& to_patient,
                                         const IsosurfaceOptions& options, Job& job) {
     return bounded(options.threads, at_memory_end,
-                   [&] { return make(mask, to_patient, Midway{}, options, JobRange(job, 0.0F, 1.0F)); });
+                   [&] { return of_labels(mask, to_patient, options, JobRange(job, 0.0F, 1.0F)); });
 }
 
 Result<void> check_mask_precision(const glm::ivec3& size, const glm::dmat4& to_patient) {

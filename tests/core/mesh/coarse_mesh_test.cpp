@@ -1,14 +1,11 @@
 #include "core/mesh/close_mesh.h"
 #include "core/mesh/coarse_mesh.h"
-#include "core/volume/isosurface.h"
-#include "core/volume/relax_surface.h"
 #include "tests/support/icosphere.h"
 
 #include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 #include <map>
 #include <random>
 #include <utility>
@@ -95,50 +92,4 @@ TEST_CASE("a surface with holes is tidied and kept, one without is turned outwar
         CHECK(glm::dot(turned->normals[v], turned->positions[v]) > 0.0F);
     TriangleMesh nothing;
     CHECK_FALSE(mesh::tidy_mesh(nothing, "nothing"));
-}
-
-TEST_CASE(
-    "a mask's surface relaxes within its voxels: steps go, no vertex leaves its place by more than half a voxel") {
-    // A ball of 12 mm in voxels of 1 x 1 x 4 mm, turned and moved in space.
-    const glm::ivec3 size(32, 32, 9);
-    const glm::dmat4 to_patient =
-        glm::rotate(glm::translate(glm::dmat4(1.0), {40.0, -7.0, 12.0}), 0.7, {1.0, 2.0, -1.0}) *
-        glm::scale(glm::dmat4(1.0), {1.0, 1.0, 4.0});
-    const glm::dvec3 middle(15.3, 15.8, 4.1);
-    volume::BitMask mask(size);
-    for (int k = 0; k < size.z; ++k)
-        for (int j = 0; j < size.y; ++j)
-            for (int i = 0; i < size.x; ++i)
-                if (glm::length((glm::dvec3(i, j, k) - middle) * glm::dvec3(1, 1, 4)) < 12.0) mask.set({i, j, k});
-    Job job;
-    const TriangleMesh exact = volume::mask_surface(mask, to_patient, {}, job).value();
-    TriangleMesh relaxed = exact;
-    volume::relax_surface(relaxed, to_patient, 60, job);
-    CHECK(relaxed.triangles == exact.triangles);
-    const glm::dmat4 to_voxels = glm::inverse(to_patient);
-    const glm::dvec3 centre(to_patient * glm::dvec4(middle, 1.0));
-    const auto roughness = [&](const TriangleMesh& mesh) { // of its triangles against the ball
-        double sum = 0.0, area = 0.0;
-        for (const glm::uvec3& t : mesh.triangles) {
-            const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
-            const glm::dvec3 normal = glm::cross(b - a, c - a);
-            const double twice = glm::length(normal);
-            if (twice == 0.0) continue;
-            const double along = glm::dot(normal / twice, glm::normalize((a + b + c) / 3.0 - centre));
-            sum += twice * std::acos(std::clamp(along, -1.0, 1.0));
-            area += twice;
-        }
-        return sum / area;
-    };
-    double farthest = 0.0;
-    for (std::size_t v = 0; v < exact.positions.size(); ++v) {
-        const glm::dvec3 moved(to_voxels * glm::dvec4(glm::dvec3(relaxed.positions[v] - exact.positions[v]), 0.0));
-        farthest = std::max({farthest, std::abs(moved.x), std::abs(moved.y), std::abs(moved.z)});
-        const double away = glm::length(glm::dvec3(relaxed.positions[v]) - centre);
-        CHECK(away == doctest::Approx(12.0).epsilon(0.17)); // half a slice
-    }
-    CHECK(farthest <= 0.5001);
-    CHECK(farthest > 0.3);
-    CHECK(roughness(relaxed) < 0.5 * roughness(exact));
-    MESSAGE("off the ball's normals by ", roughness(exact), ", relaxed ", roughness(relaxed), " rad");
 }
