@@ -188,6 +188,7 @@ ordered_json notes_json(const tree::VesselTree& tree) {
     for (const tree::Note& note : tree.notes) {
         notes.push_back({{"kind", tree::name_of(note.kind)}, {"topic", note.topic}, {"text", note.text}});
         if (note.at) notes.back()["at"] = list_of(*note.at);
+        if (note.outward) notes.back()["outward"] = list_of(*note.outward);
     }
     return notes;
 }

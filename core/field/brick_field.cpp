@@ -1,5 +1,7 @@
 #include "core/field/brick_field.h"
 
+#include "core/field/cut_ends.h"
+
 #include <algorithm>
 
 namespace ramus::field {
@@ -38,6 +40,10 @@ DrawnPoint BrickField::draw(const OwnedGuess& /*whose*/, const glm::vec3& guess,
 std::uint64_t BrickField::project_apart(const Projection& /*guesses*/, std::span<const OwnedGuess> /*owned*/,
                                         const SurfacePoints& /*to*/) {
     return 0;
+}
+
+void BrickField::flatten(const SurfacePoints& points, std::size_t count) const {
+    if (cut_ends_ != nullptr) flatten_ends(*cut_ends_, points, count);
 }
 
 } // namespace ramus::field

@@ -202,6 +202,8 @@ struct OwnedGuess {
     OwnedPoint placed{}; // relative to the brick's corner
 };
 
+struct CutEnd; // core/field/cut_ends.h
+
 // Counts returned: kernels evaluated, one for each segment and point.
 class BrickField {
 public:
@@ -247,6 +249,14 @@ public:
     // that stay kFree and that nobody owns need not be among them.
     virtual std::uint64_t project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
                                         const SurfacePoints& to);
+
+    // Ends that surfaces are flat at. They outlive the field.
+    void set_cut_ends(const std::vector<CutEnd>& ends) { cut_ends_ = &ends; }
+    // The last step for points on the surface: moves those that are beyond a cut end.
+    void flatten(const SurfacePoints& points, std::size_t count) const;
+
+private:
+    const std::vector<CutEnd>* cut_ends_ = nullptr;
 };
 
 } // namespace ramus::field

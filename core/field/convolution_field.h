@@ -36,7 +36,9 @@ public:
         return kernel_.sum->bound_children(kernel_, culling_->data(), list, cubes, reaching);
     }
     [[nodiscard]] std::unique_ptr<BrickField> in_brick(Choice choice = Choice::kReaching) const {
-        return kernel_.sum->in_brick(kernel_, segments().data(), choice);
+        auto brick = kernel_.sum->in_brick(kernel_, segments().data(), choice);
+        brick->set_cut_ends(skeleton_.cut_ends());
+        return brick;
     }
 
 private:

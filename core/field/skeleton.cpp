@@ -19,6 +19,24 @@ double kernel_radius(const tree::PreparedTree& prepared, std::uint32_t point) {
     return prepared.kernel_radii.empty() ? prepared.tree.points[point].radius : prepared.kernel_radii[point];
 }
 
+// Where the segment ends or begins at the end, it goes on there.
+void go_on_beyond(FieldSegment& segment, const CutEnd& end) {
+    const glm::dvec3 start(segment.ax, segment.ay, segment.az), along(segment.ux, segment.uy, segment.uz);
+    const auto more = static_cast<float>(kBeyondCut * end.radius);
+    const double near = 1e-3 * end.radius;
+    if (glm::dot(along, end.along) > 0.0) {
+        if (glm::distance(start + double(segment.length) * along, end.at) > near) return;
+    } else {
+        if (glm::distance(start, end.at) > near) return;
+        segment.ax -= static_cast<double>(more) * along.x;
+        segment.ay -= static_cast<double>(more) * along.y;
+        segment.az -= static_cast<double>(more) * along.z;
+        segment.radius -= more * segment.slope;
+        segment.excess -= more * segment.excess_slope;
+    }
+    segment.length += more;
+}
+
 } // namespace
 
 Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii) {
@@ -30,6 +48,7 @@ Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii) {
     frame_.upper = -frame_.lower;
     frame_.thinnest = std::numeric_limits<double>::max();
     const bool smooth = prepared.centerline == tree::Centerline::kSmooth;
+    cut_ends_ = std::make_shared<const std::vector<CutEnd>>(cut_ends_of(prepared));
     std::size_t ordinal = 0;
     for (const tree::Branch& branch : tree.branches) {
         for (std::size_t i = 1; i < branch.points.size(); ++i, ++ordinal) {
@@ -57,8 +76,10 @@ Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii) {
                                static_cast<float>(from.radius - radius),
                                static_cast<float>((to.radius - end_radius - (from.radius - radius)) / length)};
             is_present[index] = 1;
+            for (const CutEnd& end : *cut_ends_) go_on_beyond(segments[index], end);
 
-            const glm::dvec3 reach(support_radii * std::max({radius, end_radius, double(segments[index].thickest())}));
+            const glm::dvec3 reach((support_radii + (cut_ends_->empty() ? 0.0 : kBeyondCut)) *
+                                   std::max({radius, end_radius, double(segments[index].thickest())}));
             frame_.lower = glm::min(frame_.lower, glm::min(from.position, to.position) - reach);
             frame_.upper = glm::max(frame_.upper, glm::max(from.position, to.position) + reach);
             frame_.thinnest = std::min({frame_.thinnest, radius, end_radius});

@@ -2,6 +2,7 @@
 // copies share the segments, and a copy without some branches costs a list of indices.
 #pragma once
 
+#include "core/field/cut_ends.h"
 #include "core/tree/prepare.h"
 
 #include <cstdint>
@@ -69,12 +70,15 @@ public:
     // By segment index in the file's tree; only those in present() count.
     [[nodiscard]] const std::vector<FieldSegment>& segments() const { return *segments_; }
     [[nodiscard]] const std::vector<std::uint32_t>& present() const { return present_; } // ascending
+    // Ends that the surface is flat at; their segments go on beyond (core/field/cut_ends.h).
+    [[nodiscard]] const std::vector<CutEnd>& cut_ends() const { return *cut_ends_; }
     [[nodiscard]] const Frame& frame() const { return frame_; }
     // What is not the same in an earlier state; nothing when the two have different frames or numbers of segments.
     [[nodiscard]] std::optional<SegmentChanges> changes_since(const Skeleton& before) const;
 
 private:
     std::shared_ptr<const std::vector<FieldSegment>> segments_;
+    std::shared_ptr<const std::vector<CutEnd>> cut_ends_;
     std::vector<std::uint32_t> present_;
     Frame frame_;
 };

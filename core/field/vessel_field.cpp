@@ -56,7 +56,9 @@ ChildBounds VesselField::bound_children(SegmentIndices list, const ChildCubes& c
 
 std::unique_ptr<BrickField> VesselField::in_brick() const {
     if (contacts_->empty()) return sum_.in_brick();
-    return std::make_unique<VesselBrick>(sum_, *pieces_, rims_);
+    auto brick = std::make_unique<VesselBrick>(sum_, *pieces_, rims_);
+    brick->set_cut_ends(sum_.skeleton().cut_ends());
+    return brick;
 }
 
 } // namespace ramus::field

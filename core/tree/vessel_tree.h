@@ -53,8 +53,13 @@ struct Note {
     std::string topic;            // "units", "zero-radii": the option or repair that changes it
     std::string text;             // one sentence
     std::optional<glm::dvec3> at; // mm, RAS; none: of the whole tree
+    // Of an end of a vessel that the border of its volume cuts (topic kCutEnds): the unit normal of the border there,
+    // outward. The border goes through `at`.
+    std::optional<glm::dvec3> outward{};
     bool operator==(const Note&) const = default;
 };
+
+inline constexpr std::string_view kCutEnds = "cut-ends";
 
 // Who says what a tree claims of the patient. Of what nobody says, the numbers are the file's own: they are counted as
 // mm and as RAS where a computation needs either, and neither a unit nor a side may be shown of them.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -118,8 +119,10 @@ void apply_unit(ImportedTree& imported, const ReadOptions& options) {
     if (!cubes) imported.assume("units", "radii are multiplied by the geometric mean of the three sizes");
     const double radius_mm = cubes ? mm.x : std::cbrt(mm.x * mm.y * mm.z);
     for (tree::Point& p : imported.graph.points) p.position *= mm, p.radius *= radius_mm;
-    for (Note& note : imported.notes)
+    for (Note& note : imported.notes) {
         if (note.at) *note.at *= mm;
+        if (note.outward) note.outward = glm::normalize(*note.outward / mm);
+    }
     suspect_sizes(imported, unit);
 }
 
@@ -145,8 +148,10 @@ void apply_orientation(ImportedTree& imported, const ReadOptions& options) {
                                   {}});
     if (orientation == Orientation::ras()) return;
     for (tree::Point& p : imported.graph.points) p.position = orientation.to_patient(p.position);
-    for (Note& note : imported.notes)
+    for (Note& note : imported.notes) {
         if (note.at) note.at = orientation.to_patient(*note.at);
+        if (note.outward) note.outward = orientation.to_patient(*note.outward);
+    }
 }
 
 tree::SaidBy said_by(bool asked, bool stated) {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -99,6 +101,12 @@ public:
             if (list[i].contains("at")) {
                 const std::array<double, 3> at = numbers<3>(list[i]["at"], place + ".at", "[x, y, z]");
                 note.at = glm::dvec3(at[0], at[1], at[2]);
+            }
+            if (list[i].contains("outward")) {
+                const std::array<double, 3> out = numbers<3>(list[i]["outward"], place + ".outward", "[x, y, z]");
+                note.outward = glm::dvec3(out[0], out[1], out[2]);
+                if (!(std::abs(glm::length(*note.outward) - 1.0) < 1e-6))
+                    refuse(place + ".outward", "is not of length 1");
             }
             notes.push_back(std::move(note));
         }
@@ -224,6 +232,10 @@ void write_note(const tree::Note& note, BufferedFile& file) {
     if (note.at) {
         file.write(", \"at\": ");
         write_list(std::array{note.at->x, note.at->y, note.at->z}, file);
+    }
+    if (note.outward) {
+        file.write(", \"outward\": ");
+        write_list(std::array{note.outward->x, note.outward->y, note.outward->z}, file);
     }
     file.write("}");
 }

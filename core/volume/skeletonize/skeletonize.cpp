@@ -5,6 +5,7 @@
 #include "core/tree/build_tree.h"
 #include "core/volume/bit_mask.h"
 #include "core/volume/skeletonize/centerline.h"
+#include "core/volume/skeletonize/cut_ends.h"
 #include "core/volume/skeletonize/distance_transform.h"
 #include "core/volume/skeletonize/prune.h"
 #include "core/volume/skeletonize/thin.h"
@@ -16,7 +17,9 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <oneapi/tbb/task_group.h>
 #include <utility>
 
@@ -72,6 +75,7 @@ void close_loops_of(VoxelGraph& graph, const glm::dmat4& to_patient, std::vector
 tree::Graph graph_of_mask(BitMask mask, const glm::dmat4& to_patient, const SkeletonizeOptions& options,
                           std::vector<Note>& notes, const JobRange& job) {
     const glm::dvec3 spacing = spacing_mm(to_patient);
+    const glm::ivec3 size = mask.size();
     const VoxelSet set(mask, spacing);
     mask = BitMask(glm::ivec3(0)); // the set has its own
     job.report(0.1F);
@@ -92,7 +96,14 @@ tree::Graph graph_of_mask(BitMask mask, const glm::dmat4& to_patient, const Skel
     if (options.fill_holes) close_loops_of(graph, to_patient, notes);
     prune_bulges(graph, options.bulge_size, spacing);
     tree::Graph lines = centerlines_of(graph, set, Territories(set, thinned, graph), job.part(0.85F, 1.0F));
+    const std::vector<VolumeCut> cuts = extend_to_border(lines, set, size);
     for (tree::Point& point : lines.points) point.position = in_patient(point.position, to_patient);
+    // Of a plane, also where axes shear.
+    const glm::dmat3 of_normals = glm::transpose(glm::inverse(glm::dmat3(to_patient)));
+    for (const VolumeCut& cut : cuts)
+        notes.push_back({Note::Kind::kAssumed, std::string(tree::kCutEnds),
+                         "the vessel ends at the border of the volume: what lies beyond is not in the file",
+                         lines.points[cut.point].position, glm::normalize(of_normals * cut.outward)});
     return lines;
 }
 

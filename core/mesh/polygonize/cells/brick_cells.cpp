@@ -58,6 +58,7 @@ std::uint64_t append_projected(field::BrickField& field, field::Projection& gues
                                   vertices.dominance.data() + first};
     std::uint64_t kernels = field.project(guesses, to);
     if (!owned.empty()) kernels += field.project_apart(guesses, owned, to);
+    field.flatten(to, guesses.size());
     return kernels;
 }
 
