@@ -3,6 +3,7 @@
 #include "core/volume/skeletonize/skeletonize.h"
 #include "tests/support/mask.h"
 #include "tests/support/mesh_topology.h"
+#include "tests/support/round_trip.h"
 #include "tests/support/shared_data.h"
 
 #include <algorithm>
@@ -102,6 +103,17 @@ TEST_CASE("a vessel that the border of the volume cuts ends there in a flat cap,
         for (const glm::vec3& p : surface.positions) least = std::min(least, glm::dot(glm::dvec3(p) - tube.from, axis));
         CHECK(least < -0.5 * kRadius);
     }
+}
+
+TEST_CASE("cut ends outlast files, pruning and smoothing") {
+    const tree::VesselTree tree = tree_of_tube({25, 18, 20}, {27, 40, 75});
+    REQUIRE(cut_ends(tree).size() == 1);
+    CHECK(cut_ends(test::through_a_file(tree, ".json")) == cut_ends(tree));
+    CHECK(cut_ends(test::through_a_file(tree, ".swc")).empty());
+    mesh::SurfaceOptions options;
+    options.prune_ratio = 0.3, options.smooth_passes = 5, options.centerline = tree::Centerline::kLines;
+    Job job;
+    check_caps(mesh::make_surface(tree, options, job).value().mesh, tree);
 }
 
 TEST_CASE("no end is cut within the volume, along its border, or where a tip only touches it") {
