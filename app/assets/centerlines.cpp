@@ -71,7 +71,7 @@ render::Centerlines make_centerlines(const tree::VesselTree& tree, const mesh::S
 } // namespace
 
 SurfaceCenterlines centerlines_of(const tree::VesselTree& tree, const mesh::SurfaceOptions& options) {
-    return {options.smooth_passes, options.prune_ratio,
+    return {options.smooth_passes, options.prune_ratio, smoothing_of(tree, options.smooth_passes),
             std::make_shared<const render::Centerlines>(make_centerlines(tree, options)), nullptr};
 }
 

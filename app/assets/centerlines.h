@@ -3,6 +3,7 @@
 // whatever the surface's options.
 #pragma once
 
+#include "app/session/smoothing_text.h"
 #include "core/mesh/surface.h"
 #include "render/caster/fitted_cones.h"
 #include "render/scene/centerlines.h"
@@ -21,6 +22,7 @@ struct DrawnWidth {
 struct SurfaceCenterlines {
     int smooth_passes = 0;
     double prune_ratio = 0.0;
+    Smoothing smoothing;                              // of the whole tree
     std::shared_ptr<const render::Centerlines> lines; // null: none yet
     // Of the lines, and of options that are or that were. Null: none yet; pictures make them when they need them.
     std::shared_ptr<const render::caster::FittedCones> cones;

@@ -37,6 +37,11 @@ std::vector<Finding> findings_of(const validate::Validation& found) {
     for (const validate::Constriction& one : found.constrictions)
         list.push_back(
             {Kind::kConstriction, {one.branch}, one.at, one.expected_radius_mm, one.radius_mm, one.expected_radius_mm});
+    for (const validate::Width& one : found.widths)
+        list.push_back(
+            {Kind::kWidth, {one.branch}, one.at, one.expected_radius_mm, one.radius_mm, one.expected_radius_mm});
+    for (const validate::Offset& one : found.positions)
+        list.push_back({Kind::kPosition, {one.branch}, one.at, vessel_radius(found, one.at), one.offset_mm});
     for (const validate::BranchError& branch : validate::worst_branches(found, kMostErrors)) {
         if (branch.error < kLeastError) break;
         const validate::RadiusPlace& place = found.radii[branch.worst];
@@ -46,7 +51,8 @@ std::vector<Finding> findings_of(const validate::Validation& found) {
 }
 
 std::string_view name_of(Finding::Kind kind) {
-    constexpr std::array<std::string_view, kFindingKinds> kNames{"lost", "false", "merged", "constriction", "radius"};
+    constexpr std::array<std::string_view, kFindingKinds> kNames{"lost",  "false",    "merged", "constriction",
+                                                                 "width", "position", "radius"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -57,7 +63,10 @@ std::string text_of(const Finding& finding, const Lengths& lengths) {
         return lengths.text(finding.value_mm) + " long";
     case Kind::kMerged:
         return (finding.value_mm < 0.0 ? "overlap " : "gap ") + lengths.text(std::abs(finding.value_mm));
+    case Kind::kPosition:
+        return lengths.text(finding.value_mm) + " off";
     case Kind::kConstriction:
+    case Kind::kWidth:
     case Kind::kRadius:
         return digits(finding.value_mm) + " instead of " + lengths.text(finding.expected_mm);
     }

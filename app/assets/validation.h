@@ -18,19 +18,19 @@
 
 namespace ramus::app {
 
-// An answer to one of the paper's four questions, or a place where the radius is far off.
+// An answer to one of the questions, or a place where the radius is far off.
 struct Finding {
-    enum class Kind : std::uint8_t { kLost, kFalse, kMerged, kConstriction, kRadius };
+    enum class Kind : std::uint8_t { kLost, kFalse, kMerged, kConstriction, kWidth, kPosition, kRadius };
     Kind kind = Kind::kLost;
     std::vector<int> branches; // ascending; none of a false part
     glm::dvec3 at{0.0};        // mm, RAS
     double radius_mm = 0.0;    // of the vessel there, or half the length of a false part
-    double value_mm = 0.0;     // length of what is lost or false; gap; radius of the surface
-    double expected_mm = 0.0;  // of kConstriction and kRadius: the radius that it should have
+    double value_mm = 0.0;     // length of what is lost or false; gap; radius of the surface; offset
+    double expected_mm = 0.0;  // of kConstriction, kWidth, kRadius: the radius that it should have
 };
-inline constexpr std::size_t kFindingKinds = 5;
-[[nodiscard]] std::string_view name_of(Finding::Kind kind); // "lost", "false", "merged", "constriction", "radius"
-// "0.42 mm long", "gap 0.1 mm", "0.8 instead of 1.2 mm".
+inline constexpr std::size_t kFindingKinds = 7;
+[[nodiscard]] std::string_view name_of(Finding::Kind kind); // "lost", ..., "width", "position", "radius"
+// "0.42 mm long", "gap 0.1 mm", "0.8 instead of 1.2 mm", "0.3 mm off".
 [[nodiscard]] std::string text_of(const Finding& finding, const Lengths& lengths);
 // Question by question, then where the radii of up to ten branches are off by 2 % or more, the worst first.
 [[nodiscard]] std::vector<Finding> findings_of(const validate::Validation& found);

@@ -7,6 +7,7 @@
 #include "app/commands/surface_flags.h"
 #include "app/session/numbers.h"
 #include "app/session/quantity.h"
+#include "app/session/smoothing_text.h"
 #include "app/session/systems.h"
 #include "core/base/error.h"
 #include "core/io/json_text.h"
@@ -201,7 +202,7 @@ std::string topics_of(const std::vector<tree::NoteGroup>& groups, tree::Note::Ki
     return list;
 }
 
-void print_json(const tree::VesselTree& tree, const measure::TreeStatistics& statistics, bool branches,
+void print_json(const InfoFlags& flags, const tree::VesselTree& tree, const measure::TreeStatistics& statistics,
                 const SharedContacts& contacts) {
     ordered_json report = {{"branches", tree.branches.size()},
                            {"segments", tree.segment_count()},
@@ -220,9 +221,10 @@ void print_json(const tree::VesselTree& tree, const measure::TreeStatistics& sta
                            {"assumptions", sentences(tree, tree::Note::Kind::kAssumed)},
                            {"suspicions", sentences(tree, tree::Note::Kind::kSuspect)},
                            {"notes", notes_json(tree)},
-                           {"systems", names_of(tree.systems)}};
+                           {"systems", names_of(tree.systems)},
+                           {"smoothing", smoothing_json(smoothing_of(tree, flags.surface.surface.smooth_passes))}};
     if (!tree.systems.empty()) report["system_list"] = system_list(tree);
-    if (branches) report["branch_list"] = branch_list(tree, facts_of(tree));
+    if (flags.branches) report["branch_list"] = branch_list(tree, facts_of(tree));
     if (contacts) report["contacts"] = contacts_json(*contacts);
     print(report);
 }
@@ -302,6 +304,7 @@ void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const meas
     line("radius", lengths.text(statistics.radius_mm.min) + " to " + lengths.text(statistics.radius_mm.max) +
                        ", mean " + lengths.text(statistics.radius_mm.mean));
     if (nothing_depends(facts_of(tree))) line("dependency", kNothingDepends);
+    line("smoothing", smoothing_text(smoothing_of(tree, flags.surface.surface.smooth_passes), lengths));
     line("unit", claim_text(tree.claims.unit, "mm", "not known"));
     line("orientation", claim_text(tree.claims.orientation, "RAS", "not known"));
     const std::vector<tree::NoteGroup> groups = note_groups(tree);
@@ -329,7 +332,7 @@ Result<int> run_info(const InfoFlags& flags) {
     const measure::TreeStatistics statistics = measure::tree_statistics(tree);
     const SharedContacts contacts = flags.contacts ? contacts_of(tree, flags.surface.surface).list : nullptr;
     if (flags.json)
-        print_json(tree, statistics, flags.branches, contacts);
+        print_json(flags, tree, statistics, contacts);
     else
         print_text(flags, tree, statistics, contacts);
     return kDone;

@@ -175,7 +175,8 @@ nlohmann::ordered_json mended_json(const WrittenSurface& written) {
     return mended;
 }
 
-void report(const MeshFlags& flags, const WrittenSurface& written, const tree::Claims& claims, double load_s) {
+void report(const MeshFlags& flags, const WrittenSurface& written, const tree::Claims& claims,
+            const std::optional<Smoothing>& smoothing, double load_s) {
     warn_of_lost(flags, written);
     if (flags.json) {
         nlohmann::ordered_json figures = {
@@ -188,6 +189,7 @@ void report(const MeshFlags& flags, const WrittenSurface& written, const tree::C
             figures.update(mended_json(written));
             figures["evaluations"] = written.evaluations;
         }
+        if (smoothing) figures["smoothing"] = smoothing_json(*smoothing);
         figures.update({{"units", claims.unit_word()}, {"orientation", claims.axes_word()}});
         figures.update({{"load_s", load_s}, {"mesh_s", written.mesh_s}, {"write_s", written.write_s}});
         if (!written.lost_pieces.empty()) figures["lost_pieces"] = written.lost_pieces;
@@ -237,7 +239,7 @@ Result<int> run_mesh(const MeshFlags& flags) {
         MaskFlags mask = flags.mask;
         mask.selection.isovalue = flags.surface.read.mask.isovalue;
         RAMUS_TRY(written, mesh_of_mask(flags.file, mask, flags.surface, target, load_s));
-        report(flags, written, target.names.claims, load_s);
+        report(flags, written, target.names.claims, std::nullopt, load_s);
         return kDone;
     }
 
@@ -270,7 +272,9 @@ Result<int> run_mesh(const MeshFlags& flags) {
                                " went through each other");
     warn_of_intersections(flags, written);
     warn_of_shape(flags, written, opened.session.marks.options.blend);
-    report(flags, written, target.names.claims, load_s);
+    const mesh::SurfaceOptions& options = opened.session.marks.options;
+    const Smoothing smoothing = smoothing_of(*opened.tree, options.smooth_passes);
+    report(flags, written, target.names.claims, smoothing, load_s);
     return kDone;
 }
 

@@ -182,7 +182,8 @@ CLI::Option* add_surface_flag(CLI::App& command, const SurfaceOption& option, me
 } // namespace
 
 void add_preparing_flags(CLI::App& command, SurfaceFlags& flags, CLI::Option* needing) {
-    for (const char* key : {"smooth", "prune", "centerline", "width", "kernel"})
+    add_surface_flag(command, *surface_option("smooth"), flags.surface);
+    for (const char* key : {"prune", "centerline", "width", "kernel"})
         add_surface_flag(command, *surface_option(key), flags.surface)->needs(needing);
 }
 

@@ -29,13 +29,21 @@ Result<SurfaceInput> load_mesh(const std::string& file) {
     return SurfaceInput{std::move(mesh), {}, {}};
 }
 
-Result<SurfaceInput> surface_of_mask(const std::string& file, const SurfaceFlags& flags, const MaskInput& mask) {
+Result<SurfaceInput> surface_of_mask(const std::string& file, const SurfaceFlags& flags, const MaskInput& mask,
+                                     MaskVoxels* voxels) {
     const SurfaceFlags reading = with_units(flags, mask);
     RAMUS_TRY(volume, load_volume(file, reading));
     warn_about(file, volume);
     SurfaceInput made;
     made.claims = io::claims_of(volume, reading.read.unit);
     made.half_voxel_mm = 0.5 * glm::length(volume::spacing_mm(volume.to_patient));
+    if (voxels != nullptr) {
+        RAMUS_TRY(
+            inside, with_progress("voxels", [&](Job& job) {
+                return of_file(volume::inside(volume, {mask.labels, std::nullopt}, JobRange(job, 0.0F, 1.0F)), file);
+            }));
+        *voxels = {std::move(inside), volume.to_patient};
+    }
     const volume::IsosurfaceOptions options{static_cast<double>(flags.surface.memory_bytes), flags.surface.threads};
     RAMUS_TRY(
         surface, with_progress("isosurface", [&](Job& job) {

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/tree/vessel_tree.h"
+#include "core/volume/bit_mask.h"
 
 #include <cstdint>
 #include <optional>
@@ -17,6 +18,11 @@ struct SurfaceInput {
     mesh::TriangleMesh mesh;
     tree::Claims claims;                 // of the tree or mask that it is of; meshes say nothing, and are taken as mm
     std::optional<double> half_voxel_mm; // half the diagonal of the voxels of a mask; none of what has no voxels
+};
+
+struct MaskVoxels {
+    volume::BitMask inside{glm::ivec3(0)};
+    glm::dmat4 to_patient{1.0}; // of voxel indices, to mm, RAS
 };
 
 // What is said of masks beside their file.
@@ -36,8 +42,9 @@ struct MaskInput {
                                                 const MaskInput& mask);
 // Each of them alone.
 [[nodiscard]] Result<SurfaceInput> load_mesh(const std::string& file);
+// `voxels`: takes the mask's, if not null.
 [[nodiscard]] Result<SurfaceInput> surface_of_mask(const std::string& file, const SurfaceFlags& flags,
-                                                   const MaskInput& mask);
+                                                   const MaskInput& mask, MaskVoxels* voxels = nullptr);
 [[nodiscard]] Result<SurfaceInput> surface_of_tree(const tree::VesselTree& tree, const SurfaceFlags& flags);
 
 } // namespace ramus::app

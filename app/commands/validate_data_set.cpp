@@ -10,6 +10,7 @@
 #include "core/measure/deviation/deviation.h"
 #include "core/mesh/close_mesh.h"
 #include "core/validate/free_ends.h"
+#include "core/validate/overlap.h"
 #include "core/validate/worst_radii.h"
 
 #include <iostream>
@@ -34,7 +35,7 @@ Result<mesh::TriangleMesh> surface_to_validate(const ValidateFlags& flags, std::
 
 validate::ValidationOptions validation_options(const ValidateFlags& flags) {
     const mesh::SurfaceOptions& options = flags.surface.surface;
-    return {options.smooth_passes, mesh::kernel_of(options).limits, options.threads};
+    return {mesh::kernel_of(options).limits, options.threads};
 }
 
 // None of a surface that does not know its branches.
@@ -61,15 +62,26 @@ public:
             SurfaceDistances found;
             LargeArray<double> distances = measure::deviations(surface_, other, flags_.surface.surface.threads);
             if (for_report_) by_vertex.assign(distances.begin(), distances.end());
-            if (for_report_)
-                for (const std::size_t vertex : measure::farthest_vertices(surface_, distances, kFarthest)) {
-                    const glm::dvec3 at(surface_.positions[vertex]);
-                    const validate::RadiusPlace* place = validate::nearest_place(set_.validation, at);
-                    found.farthest.push_back({at, distances[vertex], place != nullptr ? place->branch : 0});
-                }
+            note_farthest(surface_, distances, found);
             if (ends != nullptr) found.but_for_ends = but_for_ends(surface_, distances, *ends);
             found.statistics = measure::statistics_of(distances, set_.half_voxel_mm);
             return found;
+        });
+    }
+    [[nodiscard]] Result<SurfaceDistances> distances_from(const mesh::TriangleMesh& other) const {
+        return with_progress("distances", [&](Job&) -> Result<SurfaceDistances> {
+            SurfaceDistances found;
+            LargeArray<double> distances = measure::deviations(other, surface_, flags_.surface.surface.threads);
+            note_farthest(other, distances, found);
+            found.statistics = measure::statistics_of(distances, set_.half_voxel_mm);
+            return found;
+        });
+    }
+    [[nodiscard]] Result<Volumes> volumes_with(const MaskVoxels& voxels) const {
+        return with_progress("volumes", [&](Job& job) -> Result<Volumes> {
+            RAMUS_TRY(overlap, validate::overlap_of(surface_, voxels.inside, voxels.to_patient, job));
+            return Volumes{measure::size_of(surface_).volume_mm3, static_cast<double>(overlap.mask) * overlap.voxel_mm3,
+                           overlap.dice()};
         });
     }
     [[nodiscard]] Result<std::vector<double>> radii_in(const mesh::TriangleMesh& other) const {
@@ -80,6 +92,17 @@ public:
     }
 
 private:
+    // Of the vertices of one of both surfaces; where there is a report.
+    void note_farthest(const mesh::TriangleMesh& from, std::span<const double> distances,
+                       SurfaceDistances& found) const {
+        if (!for_report_) return;
+        for (const std::size_t vertex : measure::farthest_vertices(from, distances, kFarthest)) {
+            const glm::dvec3 at(from.positions[vertex]);
+            const validate::RadiusPlace* place = validate::nearest_place(set_.validation, at);
+            found.farthest.push_back({at, distances[vertex], place != nullptr ? place->branch : 0});
+        }
+    }
+
     const ValidateFlags& flags_;
     const mesh::TriangleMesh& surface_;
     ValidatedDataSet& set_;
@@ -107,7 +130,7 @@ Result<std::vector<InputFile>> checksums_of(const ValidatedDataSet& set) {
 // A mask of other vessels, or one with another unit or other axes, gives figures that say nothing of the surface.
 void warn_if_elsewhere(const ValidatedDataSet& set, bool apart) {
     std::vector<double> radii;
-    for (const validate::RadiusPlace& place : set.validation.radii) radii.push_back(place.expected_mm);
+    for (const validate::RadiusPlace& place : set.validation.radii) radii.push_back(place.input_mm);
     const double distance = set.to_mask->statistics.box.median;
     if (!apart && (radii.empty() || distance <= measure::quantile(radii, 0.5))) return;
     std::cerr << "ramus: " << set.mask << ": the mask does not lie where the vessels do: half of the surface is "
@@ -158,19 +181,25 @@ Result<ValidatedDataSet> validated(const ValidateFlags& flags, std::size_t n, co
     std::vector<float> to_cones_mm, to_mask_mm;
     const Comparing comparing(flags, surface, set, painter != nullptr);
     if (!set.mask.empty()) { // first: half its voxels is the threshold of both comparisons
-        RAMUS_TRY(mask, surface_of_mask(set.mask, flags.surface, flags.labels));
+        MaskVoxels voxels;
+        RAMUS_TRY(mask, surface_of_mask(set.mask, flags.surface, flags.labels, &voxels));
         set.half_voxel_mm = mask.half_voxel_mm;
         RAMUS_TRY(distances, comparing.distances_to(mask.mesh, to_mask_mm));
         RAMUS_TRY(radii, comparing.radii_in(mask.mesh));
         set.to_mask = std::move(distances);
+        RAMUS_TRY(back, comparing.distances_from(mask.mesh));
+        set.from_mask = std::move(back);
+        RAMUS_TRY(volumes, comparing.volumes_with(voxels));
+        set.volumes = volumes;
         warn_if_elsewhere(set, lies_elsewhere(mask.mesh, tree));
         set.mask_radii_mm = std::move(radii);
     }
     {
         SurfaceFlags of_cones = flags.surface;
         of_cones.surface.method = mesh::Method::kTruncatedCones;
+        of_cones.surface.smooth_passes = 0; // the tree as it was read
         RAMUS_TRY(cones, surface_of_tree(tree, of_cones));
-        const validate::FreeEnds ends(tree, flags.surface.surface.smooth_passes);
+        const validate::FreeEnds ends(tree);
         const validate::FreeEnds* const known =
             set.surface.empty() ? &ends : nullptr; // else its branches are not this tree's
         RAMUS_TRY(distances, comparing.distances_to(cones.mesh, to_cones_mm, known));

@@ -55,6 +55,8 @@ std::vector<MarkKind> marks_of(const ValidatedDataSet& set) {
         {kFalseLetter, "False", {0.94F, 0.90F, 0.26F}, places_of(found.false_parts)},
         {kMergedLetter, "Merged", {0.34F, 0.71F, 0.92F}, places_of(found.merged)},
         {kConstrictionLetter, "Changed constriction", {0.87F, 0.56F, 0.75F}, places_of(found.constrictions)},
+        {kWidthLetter, "Changed width", {0.0F, 0.62F, 0.45F}, places_of(found.widths)},
+        {kPositionLetter, "Moved", {0.60F, 0.60F, 1.0F}, places_of(found.positions)},
         {kFarLetter, "Farthest from cones", {0.94F, 0.94F, 0.94F}, places_of(set.to_cones.farthest)}};
     std::erase_if(kinds, [](const MarkKind& kind) { return kind.places.empty(); });
     return kinds;
@@ -66,9 +68,8 @@ void mark(render::Frame& frame, const ValidatedDataSet& set) {
         frame.overlays.legend.swatches.push_back({kind.colour, std::string(1, kind.letter) + ": " + kind.words, false});
         for (std::size_t i = 0; i < std::min(kind.places.size(), kMostMarked); ++i) {
             const validate::RadiusPlace* vessel = validate::nearest_place(set.validation, kind.places[i]);
-            frame.lines.push_back(ring_facing_eye(frame, kind.places[i],
-                                                  vessel != nullptr ? kAroundVessel * vessel->expected_mm : 0.0,
-                                                  kind.colour, false));
+            frame.lines.push_back(ring_facing_eye(
+                frame, kind.places[i], vessel != nullptr ? kAroundVessel * vessel->input_mm : 0.0, kind.colour, false));
             if (kind.places.size() <= kMostLettered)
                 frame.labels.push_back({kind.places[i], place_code(kind.letter, i)});
         }
@@ -85,6 +86,10 @@ char letter_of(Finding::Kind kind) {
         return kMergedLetter;
     case Finding::Kind::kConstriction:
         return kConstrictionLetter;
+    case Finding::Kind::kWidth:
+        return kWidthLetter;
+    case Finding::Kind::kPosition:
+        return kPositionLetter;
     case Finding::Kind::kRadius:
         return kFarLetter;
     }
@@ -98,7 +103,7 @@ render::Camera close_to(const Finding& finding, const validate::Validation& foun
     constexpr double kAround = 0.4; // of the radius that looking_at() goes by: six radii to the picture's edge
     const validate::RadiusPlace* vessel = validate::nearest_place(found, finding.at);
     const glm::dvec3 along = vessel != nullptr ? vessel->direction : glm::dvec3(0.0, 0.0, 1.0);
-    const double vessel_mm = vessel != nullptr ? vessel->expected_mm : 0.0;
+    const double vessel_mm = vessel != nullptr ? vessel->input_mm : 0.0;
     render::Camera camera = looking_at(whole, finding.at, kAround * std::max(finding.radius_mm, vessel_mm), size);
     const render::CameraAxes axes = render::axes_of(whole);
     glm::dvec3 first = axes.forward - glm::dot(axes.forward, along) * along;

@@ -57,9 +57,11 @@ struct ReportFile {
 };
 
 // All that may be written; the page last, so that whoever finds it finds the rest.
-constexpr std::array<ReportFile, 10> kReportFiles{{
+constexpr std::array<ReportFile, 13> kReportFiles{{
     {"validation.json", [](io::BufferedFile& file, const Contents& c) { file.write(c.json); }},
     {"questions.csv", [](io::BufferedFile& file, const Contents& c) { file.write(csv_of(questions_table(c.sets))); }},
+    {"fidelity.csv", [](io::BufferedFile& file, const Contents& c) { file.write(csv_of(fidelity_table(c.sets))); }},
+    {"volumes.csv", [](io::BufferedFile& file, const Contents& c) { file.write(csv_of(volumes_table(c.sets))); }, true},
     {"shapes.csv", [](io::BufferedFile& file, const Contents& c) { file.write(csv_of(shape_table(c.sets))); }},
     {"distances.csv",
      [](io::BufferedFile& file, const Contents& c) { file.write(csv_of(all_distances_table(c.sets))); }},
@@ -67,9 +69,11 @@ constexpr std::array<ReportFile, 10> kReportFiles{{
     {"radii.csv", [](io::BufferedFile& file, const Contents& c) { write_radii(file, c.sets, c.sets.size() > 1); }},
     {"files.csv", [](io::BufferedFile& file, const Contents& c) { file.write(csv_of(files_table(c.sets))); }},
     {"boxes_to_cones.svg",
-     [](io::BufferedFile& file, const Contents& c) { file.write(boxes_of(c.sets, HeldAgainst::kCones).file()); }},
+     [](io::BufferedFile& file, const Contents& c) { file.write(boxes_of(c.sets, Held::kToCones).file()); }},
     {"boxes_to_mask.svg",
-     [](io::BufferedFile& file, const Contents& c) { file.write(boxes_of(c.sets, HeldAgainst::kMask).file()); }, true},
+     [](io::BufferedFile& file, const Contents& c) { file.write(boxes_of(c.sets, Held::kToMask).file()); }, true},
+    {"boxes_from_mask.svg",
+     [](io::BufferedFile& file, const Contents& c) { file.write(boxes_of(c.sets, Held::kFromMask).file()); }, true},
     {"index.html", [](io::BufferedFile& file,
                       const Contents& c) { file.write(validation_page(c.sets, settings_of(c.flags), now_text())); }},
 }};

@@ -19,9 +19,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json constrictions_json(const std::vector<validate::Constriction>& constrictions) {
+// Of constrictions and widths.
+template <class List> ordered_json radii_json(const List& places) {
     ordered_json list = ordered_json::array();
-    for (const validate::Constriction& one : constrictions)
+    for (const auto& one : places)
         list.push_back({{"branch", one.branch},
                         {"at", place_json(one.at)},
                         {"expected_radius_mm", one.expected_radius_mm},
@@ -37,10 +38,31 @@ ordered_json questions_json(const validate::Validation& found) {
         parts.push_back({{"at", place_json(one.at)}, {"length_mm", one.length_mm}});
     for (const validate::Merged& one : found.merged)
         merged.push_back({{"branches", one.branches}, {"at", place_json(one.at)}, {"gap_mm", one.gap_mm}});
-    return {{"lost", std::move(lost)},
-            {"false", std::move(parts)},
-            {"merged", std::move(merged)},
-            {"constrictions", constrictions_json(found.constrictions)}};
+    ordered_json widths = radii_json(found.widths), positions = ordered_json::array();
+    for (std::size_t i = 0; i < found.widths.size(); ++i) widths[i]["length_mm"] = found.widths[i].length_mm;
+    for (const validate::Offset& one : found.positions)
+        positions.push_back({{"branch", one.branch},
+                             {"at", place_json(one.at)},
+                             {"offset_mm", one.offset_mm},
+                             {"length_mm", one.length_mm}});
+    return {{"lost", std::move(lost)},     {"false", std::move(parts)},
+            {"merged", std::move(merged)}, {"constrictions", radii_json(found.constrictions)},
+            {"width", std::move(widths)},  {"position", std::move(positions)}};
+}
+
+ordered_json fidelity_json(const validate::Fidelity& fidelity) {
+    ordered_json json = {{"points", fidelity.points},
+                         {"points_outside", fidelity.outside},
+                         {"points_outside_percent", outside_percent(fidelity)},
+                         {"axis_offset_mm", {{"median", nullptr}, {"p95", nullptr}, {"max", nullptr}}}};
+    if (fidelity.places > 0)
+        json["axis_offset_mm"] = {
+            {"median", fidelity.offset_median_mm}, {"p95", fidelity.offset_p95_mm}, {"max", fidelity.offset_max_mm}};
+    return json;
+}
+
+ordered_json number_or_null(const std::optional<double>& number) {
+    return number ? ordered_json(*number) : ordered_json();
 }
 
 ordered_json radius_error_json(const validate::RadiusError& error) {
@@ -79,20 +101,22 @@ ordered_json data_set_json(const ValidatedDataSet& set, bool one_of_several) {
         cones["but_for_free_ends"] = {{"count", others.count}, {"mean", others.mean}, {"sigma", others.sigma},
                                       {"rms", others.rms},     {"max", others.max},   {"median", others.box.median}};
     }
-    json["distances"]["to_mask"] = nullptr;
-    if (set.to_mask) {
-        json["distances"]["to_mask"] = deviation_json(set.to_mask->statistics);
-        json["distances"]["to_mask"]["threshold_mm"] = *set.half_voxel_mm;
+    for (const auto& [name, distances] : {std::pair{"to_mask", &set.to_mask}, std::pair{"from_mask", &set.from_mask}}) {
+        json["distances"][name] = nullptr;
+        if (!*distances) continue;
+        json["distances"][name] = deviation_json((*distances)->statistics);
+        json["distances"][name]["threshold_mm"] = *set.half_voxel_mm;
     }
+    json["volumes"] = nullptr;
+    if (set.volumes)
+        json["volumes"] = {{"surface_mm3", number_or_null(set.volumes->surface_mm3)},
+                           {"mask_mm3", set.volumes->mask_mm3},
+                           {"dice", set.volumes->dice}};
+    json["fidelity"] = fidelity_json(set.validation.fidelity);
     json["radius_error"] = radius_error_json(set.validation.radius_error);
     json["questions"] = questions_json(set.validation);
     json["shape"] = shape_json(set.validation.shape);
-    json["smoothed_away"] = constrictions_json(set.validation.smoothed_away);
     return json;
-}
-
-ordered_json number_or_null(const std::optional<double>& number) {
-    return number ? ordered_json(*number) : ordered_json();
 }
 
 ordered_json figures_json(const DistanceFigures& figures) {
@@ -106,19 +130,34 @@ ordered_json figures_json(const DistanceFigures& figures) {
             {"above_percent", number_or_null(figures.above_percent)}};
 }
 
-ordered_json averages_json(const ValidationAverages& averages) {
-    return {{"data_sets", averages.data_sets},
+// Means, or standard deviations, under the names of one data set.
+ordered_json summary_json(const ValidationSummary& all) {
+    const auto distances = [](const std::optional<DistanceFigures>& figures) {
+        return figures ? figures_json(*figures) : ordered_json();
+    };
+    return {{"data_sets", all.data_sets},
             {"distances",
-             {{"to_cones", figures_json(averages.to_cones)},
-              {"to_mask", averages.to_mask ? figures_json(*averages.to_mask) : ordered_json()}}},
-            {"radius_error",
-             {{"median", number_or_null(averages.radius_median)}, {"p95", number_or_null(averages.radius_p95)}}},
+             {{"to_cones", figures_json(all.to_cones)},
+              {"to_mask", distances(all.to_mask)},
+              {"from_mask", distances(all.from_mask)}}},
+            {"volumes",
+             {{"surface_mm3", number_or_null(all.surface_mm3)},
+              {"mask_mm3", number_or_null(all.mask_mm3)},
+              {"dice", number_or_null(all.dice)}}},
+            {"fidelity",
+             {{"points_outside_percent", all.points_outside_percent},
+              {"axis_offset_mm",
+               {{"median", number_or_null(all.offset_median)},
+                {"p95", number_or_null(all.offset_p95)},
+                {"max", number_or_null(all.offset_max)}}}}},
+            {"radius_error", {{"median", number_or_null(all.radius_median)}, {"p95", number_or_null(all.radius_p95)}}},
             {"questions",
-             {{"lost", averages.lost},
-              {"false", averages.false_parts},
-              {"merged", averages.merged},
-              {"constrictions", averages.constrictions}}},
-            {"smoothed_away", averages.smoothed_away}};
+             {{"lost", all.lost},
+              {"false", all.false_parts},
+              {"merged", all.merged},
+              {"constrictions", all.constrictions},
+              {"width", all.widths},
+              {"position", all.positions}}}};
 }
 
 std::string at_text(const glm::dvec3& at, const Lengths& lengths) {
@@ -146,9 +185,17 @@ void print_questions(const validate::Validation& validation, const Lengths& leng
                at_text(one.at, lengths) + (one.gap_mm < 0.0 ? ", overlap " : ", gap ") +
                lengths.text(std::abs(one.gap_mm));
     });
-    print_list("changed constrictions", validation.constrictions, [&](const validate::Constriction& one) {
+    const auto radius_text = [&](const auto& one) {
         return "branch " + std::to_string(one.branch) + " at " + at_text(one.at, lengths) + ", radius " +
                lengths.text(one.radius_mm) + " instead of " + lengths.text(one.expected_radius_mm);
+    };
+    print_list("changed constrictions", validation.constrictions, radius_text);
+    print_list("changed widths", validation.widths, [&](const validate::Width& one) {
+        return radius_text(one) + ", " + lengths.text(one.length_mm) + " long";
+    });
+    print_list("moved branches", validation.positions, [&](const validate::Offset& one) {
+        return "branch " + std::to_string(one.branch) + " at " + at_text(one.at, lengths) + ", " +
+               lengths.text(one.offset_mm) + " off, " + lengths.text(one.length_mm) + " long";
     });
 }
 
@@ -156,9 +203,14 @@ void print_one(const ValidatedDataSet& set) {
     const validate::Validation& validation = set.validation;
     const Lengths lengths(set.claims);
     print_questions(validation, lengths);
-    std::cout << "narrow places that smoothing changes by more than 10 %: " << grouped(validation.smoothed_away.size())
-              << '\n';
     if (validation.shape) std::cout << "hangs together: " << text_of(*validation.shape) << '\n';
+    const validate::Fidelity& fidelity = validation.fidelity;
+    std::cout << "points outside of the surface: " << grouped(fidelity.outside) << " of " << grouped(fidelity.points)
+              << '\n';
+    if (fidelity.places > 0)
+        std::cout << "axis off the centerline away from joints: median " << lengths.text(fidelity.offset_median_mm)
+                  << ", 95th percentile " << lengths.text(fidelity.offset_p95_mm) << ", largest "
+                  << lengths.text(fidelity.offset_max_mm) << '\n';
     const validate::RadiusError& error = validation.radius_error;
     if (error.places > 0)
         std::cout << "radius away from joints: median error " << digits(100.0 * error.median) << " %, 95th percentile "
@@ -172,6 +224,13 @@ void print_one(const ValidatedDataSet& set) {
     if (set.to_mask)
         std::cout << lengths.worded(
             deviation_text("surface to isosurface", set.to_mask->statistics, set.half_voxel_mm));
+    if (set.from_mask)
+        std::cout << lengths.worded(
+            deviation_text("isosurface to surface", set.from_mask->statistics, set.half_voxel_mm));
+    if (set.volumes)
+        std::cout << "volumes: surface "
+                  << (set.volumes->surface_mm3 ? lengths.volume(*set.volumes->surface_mm3) : "not closed") << ", mask "
+                  << lengths.volume(set.volumes->mask_mm3) << "; Dice " << digits(set.volumes->dice, 4) << '\n';
 }
 
 std::string cell_words(const Cell& cell) {
@@ -211,7 +270,8 @@ ordered_json validation_json(std::span<const ValidatedDataSet> sets) {
     ordered_json json;
     json["data_sets"] = ordered_json::array();
     for (const ValidatedDataSet& set : sets) json["data_sets"].push_back(data_set_json(set, true));
-    json["averages"] = averages_json(averages_of(sets));
+    json["averages"] = summary_json(summary_of(sets, Of::kMean));
+    json["standard_deviations"] = summary_json(summary_of(sets, Of::kDeviation));
     return json;
 }
 
@@ -219,15 +279,16 @@ void print_validation(std::span<const ValidatedDataSet> sets) {
     if (sets.size() == 1) return print_one(sets.front());
     for (const ValidatedDataSet& set : sets) {
         const validate::Validation& found = set.validation;
-        if (found.lost.empty() && found.false_parts.empty() && found.merged.empty() && found.constrictions.empty())
-            continue; // the table says so
+        if (found.nothing_found()) continue; // the table says so
         std::cout << set.tree << '\n';
         print_questions(found, Lengths(set.claims));
     }
     print_table(questions_table(sets), lengths_of(sets));
-    if (const Table table = shape_table(sets); !table.rows.empty()) print_table(table, lengths_of(sets));
-    for (const HeldAgainst other : {HeldAgainst::kCones, HeldAgainst::kMask})
-        if (const Table table = distance_table(sets, other); !table.rows.empty()) print_table(table, lengths_of(sets));
+    print_table(fidelity_table(sets), lengths_of(sets));
+    for (const Table& table : {shape_table(sets), volumes_table(sets)})
+        if (!table.rows.empty()) print_table(table, lengths_of(sets));
+    for (const Held how : {Held::kToCones, Held::kToMask, Held::kFromMask})
+        if (const Table table = distance_table(sets, how); !table.rows.empty()) print_table(table, lengths_of(sets));
 }
 
 } // namespace ramus::app

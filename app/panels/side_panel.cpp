@@ -98,6 +98,13 @@ void draw_words(InterfaceContext& context, const SurfaceOption& option, const me
         context.perform("surface", {std::string(option.key), *chosen});
 }
 
+// What the option above does to this tree.
+void draw_smoothing(InterfaceContext& context) {
+    const Assets& assets = context.workspace.current_assets();
+    if (!assets.centerlines.lines) return;
+    widgets::quiet_wrapped(smoothing_text(assets.centerlines.smoothing, Lengths(assets.tree->claims)).c_str());
+}
+
 void draw_options(InterfaceContext& context) {
     const mesh::SurfaceOptions options = context.workspace.document.marks().options; // a choice changes it
     auto& sliders = context.interface.editing.options;
@@ -115,6 +122,7 @@ void draw_options(InterfaceContext& context) {
             option.label.data(), option.tooltip.data(), slider, static_cast<float>(option.value(options)),
             [&](float& value) { draw_slider(option, value); }, [&](float value) { return as_text(option, value); });
         if (changed) context.perform("surface", {std::string(option.key), spelled(option, slider.value)});
+        if (option.key == "smooth") draw_smoothing(context);
     }
     mesh::SurfaceOptions tried = options;
     for (const SurfaceOption& option : surface_options())

@@ -1,6 +1,6 @@
-// What holding the surface against its tree has found: a panel over the picture's left edge with the paper's four
-// questions, a row for each place, the error of the radius, and the radius along the selected branch. A click goes to
-// the place and selects the branches.
+// What holding the surface against its tree has found: a panel over the picture's left edge with the questions, a row
+// for each place, how well the surface follows the tree as it was read, and the radius along the selected branch. A
+// click goes to the place and selects the branches.
 #include "app/panels/interface.h"
 #include "app/panels/left_panel.h"
 #include "app/panels/theme.h"
@@ -33,11 +33,15 @@ constexpr std::array<Question, kFindingKinds> kQuestions{
      {Kind::kFalse, "False branches", "false", "Parts of the surface that are of no vessel"},
      {Kind::kMerged, "Merged branches", "merged", "Vessels that pass each other, and are one in the surface"},
      {Kind::kConstriction, "Changed constrictions", "narrow", "Narrow places whose radius is off by more than 10 %"},
+     {Kind::kWidth, "Changed widths", "width",
+      "Stretches of a branch that are wider or narrower than in the tree by more than 10 %"},
+     {Kind::kPosition, "Moved branches", "position",
+      "Stretches whose axis is off the tree's centerline by more than a third of the radius"},
      {Kind::kRadius, "Worst radii", "radius", "Where the radius is farthest off: ten branches at the most"}}};
 
 void draw_answers(const std::vector<Finding>& findings) {
     for (const Question& question : kQuestions) {
-        if (question.kind == Kind::kRadius) continue; // no question of the paper's
+        if (question.kind == Kind::kRadius) continue; // no question
         const auto count = std::ranges::count(findings, question.kind, &Finding::kind);
         ImGui::TextUnformatted(question.text);
         widgets::tooltip(question.help);
@@ -50,12 +54,16 @@ void draw_answers(const std::vector<Finding>& findings) {
 
 std::string percent(double share) { return digits(100.0 * share, 2) + " %"; }
 
-void draw_errors(const validate::RadiusError& error, int smooth_passes) {
-    if (error.places == 0) return widgets::quiet("No place is alone enough to compare radii.");
-    widgets::fact("Error of the radius, median", percent(error.median));
-    widgets::fact("    95 % below", percent(error.p95));
-    if (smooth_passes > 0)
-        widgets::quiet_wrapped("Smoothing evens out radii; with Smooth 0 the surface has them as read.");
+// How well the surface follows the tree as it was read.
+void draw_fidelity(const validate::Validation& found, const Lengths& lengths) {
+    const validate::Fidelity& fidelity = found.fidelity;
+    widgets::fact("Points outside of the surface", grouped(fidelity.outside) + " of " + grouped(fidelity.points));
+    if (found.radius_error.places == 0) return widgets::quiet("No place is alone enough to compare radii and axes.");
+    widgets::fact("Axis off the centerline, median", lengths.text(fidelity.offset_median_mm));
+    widgets::fact("    95 % below", lengths.text(fidelity.offset_p95_mm));
+    widgets::fact("    at most", lengths.text(fidelity.offset_max_mm));
+    widgets::fact("Error of the radius, median", percent(found.radius_error.median));
+    widgets::fact("    95 % below", percent(found.radius_error.p95));
 }
 
 // Where vessels have grown together, or come apart, the surface has other pieces or loops than its tree.
@@ -158,7 +166,7 @@ void draw_validation(InterfaceContext& context) {
         ImGui::BeginDisabled(!fits);
         draw_answers(*now.findings);
         draw_shape(now.found->shape);
-        draw_errors(now.found->radius_error, document.marks().options.smooth_passes);
+        draw_fidelity(*now.found, document.lengths());
         widgets::rule();
         draw_radius_plot(document, now, fits, panel.current);
         if (!now.findings->empty()) {

@@ -159,11 +159,11 @@ std::string table_html(const Table& table, const TableLook& look) {
                 html_text(table.columns[c].heading) + "</th>";
     text += "</tr></thead>\n<tbody>\n";
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
-        const bool sum = look.last_is_sum && r + 1 == table.rows.size();
+        const bool sum = r + look.sums >= table.rows.size();
         if (r < look.most_rows || sum) text += row_html(table, table.rows[r], look, sum);
     }
     text += "</tbody></table></div>\n";
-    if (const std::size_t shown = look.most_rows + (look.last_is_sum ? 1 : 0); table.rows.size() > shown)
+    if (const std::size_t shown = look.most_rows + look.sums; table.rows.size() > shown)
         text += "<p class=\"quiet\">And " + grouped(table.rows.size() - shown) + " more, which " +
                 html_text(look.all_rows_in) + " lists.</p>\n";
     return text;

@@ -39,7 +39,7 @@ using Facts = std::vector<std::pair<std::string, std::string>>; // name, value
 struct TableLook {
     std::string note{};                                 // under the heading
     std::string flag_column{};                          // rows whose text there is "yes" stand out
-    bool last_is_sum = false;                           // the last row stands apart
+    std::size_t sums = 0;                               // so many of the last rows stand apart
     bool is_part = false;                               // with a smaller heading
     std::size_t most_rows = 100;                        // more make no page that anybody reads
     std::string all_rows_in{"the same report as .csv"}; // where those are that the page has no room for

@@ -107,9 +107,8 @@ std::string report_page(const Document& document, const Assets& assets, const st
     const Plan& plan = *assets.plan;
     page += lesions_html(document, plan);
     if (!marks.cuts.empty())
-        page += table_html(
-            cuts_table(document, assets),
-            {.note = cuts_note(document, plan), .flag_column = "must_be_reconstructed", .last_is_sum = true});
+        page += table_html(cuts_table(document, assets),
+                           {.note = cuts_note(document, plan), .flag_column = "must_be_reconstructed", .sums = 1});
     if (const Table bands = bands_table(document, assets); !plan.bands.empty())
         page += table_html(bands, {.note = bands.rows.empty() ? "No vessel lies within the margins."
                                                               : "From the lesions to the vessels' walls; the thickest "

@@ -12,7 +12,7 @@ namespace ramus::app {
 namespace {
 
 validate::ValidationOptions how_to_validate(const mesh::SurfaceOptions& options) {
-    return {options.smooth_passes, mesh::kernel_of(options).limits, options.threads};
+    return {mesh::kernel_of(options).limits, options.threads};
 }
 
 // Where steps end, as shares of the work (of a tree of 30,000 branches).
@@ -29,6 +29,7 @@ Result<std::vector<double>> radii_of(const ValidationOf& of, const validate::Val
     request.kind = kind;
     request.surface.options = of.options;
     request.surface.options.method = mesh::Method::kTruncatedCones;
+    request.surface.options.smooth_passes = 0; // the tree as it was read
     request.mask = of.mask;
     request.units = of.mask_units;
     request.labels = of.labels;

@@ -50,6 +50,11 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
+std::string exact_number(double value) {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
 std::string short_number(double value) { return in_digits(value, 4); }
 
 std::size_t line_at(std::string_view text, std::size_t offset) {

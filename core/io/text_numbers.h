@@ -23,6 +23,9 @@ namespace ramus::io {
 // Without blanks at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
+// The shortest that reads back exactly.
+[[nodiscard]] std::string exact_number(double value);
+
 // In small letters, as far as ASCII has them.
 [[nodiscard]] std::string lower_case(std::string_view text);
 

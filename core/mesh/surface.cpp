@@ -18,6 +18,7 @@
 #include "core/mesh/untangle/untangle.h"
 #include "core/tree/contacts/links.h"
 #include "core/tree/curves.h"
+#include "core/tree/smooth.h"
 
 #include <algorithm>
 #include <memory>

@@ -26,7 +26,7 @@ namespace ramus::mesh {
 
 struct SurfaceOptions {
     Method method = Method::kConvolutionSurface; // of a tree
-    int smooth_passes = 1;                       // binomial passes over points and radii (core/tree/prepare.h)
+    int smooth_passes = 1;                       // of voxels' stair-steps (core/tree/smooth.h)
     double prune_ratio = 0.0; // leaf branches shorter than ratio x parent go (core/tree/prepare.h); 0 keeps all
     double width = 5.0;       // kernel width; 5 is the paper's, 1 is Bloomenthal's
     field::KernelKind kernel = field::KernelKind::kGaussian;

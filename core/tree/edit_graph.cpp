@@ -127,6 +127,7 @@ EditedTree EditGraph::assembled(const VesselTree& before) && {
     edited.tree.source = before.source;
     edited.tree.notes = before.notes;
     edited.tree.claims = before.claims;
+    edited.tree.voxels = before.voxels;
     note_network(edited.tree);
     return edited;
 }

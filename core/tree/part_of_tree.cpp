@@ -51,6 +51,7 @@ VesselTree part_of(const VesselTree& tree, std::span<const std::uint8_t> kept) {
     part.source = tree.source;
     part.notes = tree.notes;
     part.claims = tree.claims;
+    part.voxels = tree.voxels;
     return part;
 }
 

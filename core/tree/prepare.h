@@ -28,13 +28,6 @@ struct PreparedTree {
 // belong to no branch any more are removed.
 [[nodiscard]] PreparedTree prune(const VesselTree& tree, double ratio);
 
-// Binomial smoothing of a tree's centerlines and radii, against the stair-steps of voxel grids.
-//
-// `passes` passes of the (1 2 1) / 4 filter over positions and radii of every branch's inner points. A branching node
-// becomes 1/2 itself + 1/2 (sum of r_k x_k / sum of r_k) over its neighbour points k, so that a stem is not dragged
-// toward a twig; its radius likewise (weights r_k). End points stay.
-[[nodiscard]] VesselTree smooth(VesselTree tree, int passes);
-
 // Thinning: a tree with fewer points, for pictures that stand for a moment only.
 //
 // Branches keep both ends, and of their inner points those that lie at least `spacing` local radii beyond the last one

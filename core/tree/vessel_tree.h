@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
@@ -81,6 +82,13 @@ inline constexpr std::string_view kNotSaid = "unknown";
 
 [[nodiscard]] std::string_view name_of(SaidBy who); // "file", "person", "nobody"
 
+// The grid of voxels that points come from (core/tree/voxels.h).
+struct Voxels {
+    glm::dmat3 edges_mm{0.0}; // columns: the three edges of a voxel
+    bool estimated = false;   // from the points, since the file does not say
+    bool operator==(const Voxels&) const = default;
+};
+
 struct VesselTree {
     std::vector<Point> points;
     std::vector<int> labels; // per point, as the file labels them (SWC type code); empty when it does not
@@ -91,6 +99,7 @@ struct VesselTree {
     std::string source;               // name of the file it came from first; empty when that is not known
     std::vector<Note> notes;          // what reading assumed, repaired and suspects
     Claims claims;                    // who says that all this is in mm and RAS
+    std::optional<Voxels> voxels;     // none: points are no voxels, or nothing is known of them
 
     [[nodiscard]] std::size_t segment_count() const;
     bool operator==(const VesselTree&) const = default;

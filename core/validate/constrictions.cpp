@@ -12,10 +12,13 @@ namespace ramus::validate {
 
 namespace {
 
+using RadiusAt = std::function<double(std::size_t)>; // of a place, by its number
+
 constexpr double kNarrow = 0.1;  // a minimum counts where the vessel is wider by this share on both sides of it
-constexpr double kAllowed = 0.1; // of the radius
+constexpr double kAllowed = 0.1; // of the radius, or of the vessel next to it (Place::scale)
 constexpr double kBeside = 1.2;  // closeness of another vessel that changes what is measured
 constexpr double kEnd = 1.5;     // radii from a free end, likewise
+constexpr double kVoxels = 2.0;
 
 // The narrowest places of one branch, between places where it is wider by kNarrow.
 std::vector<std::size_t> narrow_places(std::size_t first, std::size_t end, const RadiusAt& radius) {
@@ -77,10 +80,11 @@ std::vector<Dip> dips_of(std::span<const Place> places, std::size_t first, const
     return deepest;
 }
 
-// The mean over half a radius to either side: what is shorter, no mesh as coarse as is usual can show.
+// The mean over half a radius to either side: what is shorter, no mesh as coarse as is usual can show. Of a tree of
+// voxels over more than one to either side: a single voxel is no narrow place.
 double around(const Reference& reference, std::size_t first, std::size_t end, std::size_t at, const RadiusAt& radius) {
     const std::vector<Place>& places = reference.places();
-    const double reach = 0.5 * places[at].radius;
+    const double reach = std::max(0.5 * places[at].radius, kVoxels * reference.grain_mm());
     double sum = 0.0, length = 0.0;
     for (std::size_t i = at; i < end && places[i].along <= places[at].along + reach; ++i)
         sum += radius(i) * places[i].step, length += places[i].step;
@@ -98,7 +102,7 @@ double narrowest(const Probe& probe, const Place& place) {
     constexpr int kWays = 16;
     const double reach = 4.0 * place.radius;
     double least = probe.cross_section(place.at, along, reach).radius;
-    for (const double lean_deg : {15.0, 30.0, 45.0})
+    for (const double lean_deg : {15.0, 30.0, 45.0, 60.0})
         for (int way = 0; way < kWays; ++way) {
             const double lean = lean_deg * std::numbers::pi / 180.0, turn = 2.0 * std::numbers::pi * way / kWays;
             const glm::dvec3 leant =
@@ -123,18 +127,21 @@ bool is_oblique(const Reference& reference, const Probe& probe, const Constricti
     return there <= (1.0 + kAllowed) * wanted;
 }
 
-std::vector<Constriction> changed_constrictions(const Reference& reference, const RadiusAt& expected,
-                                                const RadiusAt& actual) {
+std::vector<Constriction> changed_constrictions(const Reference& reference, std::span<const Section> sections,
+                                                std::span<const MovedStretch> moved) {
+    const RadiusAt expected = [&](std::size_t i) { return reference.places()[i].radius; };
+    const RadiusAt actual = [&](std::size_t i) { return sections[i].through.radius; };
     std::vector<Constriction> found;
     for (std::size_t branch = 0; branch < reference.branches(); ++branch) {
         const std::size_t first = reference.first_of(branch);
         const std::size_t end = first + reference.places_of(branch).size();
         const auto changed = [&](std::size_t i) {
             const Place& place = reference.places()[i];
-            if (place.beside < kBeside || place.to_end < kEnd * place.radius) return false;
+            if (place.turns || place.beside < kBeside || place.to_end < kEnd * place.radius) return false;
+            if (is_moved(moved, place)) return false;
             const double wanted = around(reference, first, end, i, expected);
             const double there = around(reference, first, end, i, actual);
-            return std::abs(there - wanted) > kAllowed * wanted && actual(i) != 0.0;
+            return std::abs(there - wanted) > kAllowed * place.scale && actual(i) != 0.0;
         };
         std::vector<std::size_t> at;
         for (const std::size_t i : narrow_places(first, end, expected))

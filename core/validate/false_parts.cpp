@@ -23,10 +23,7 @@ std::vector<std::uint8_t> far_from_vessels(const Reference& reference, const mes
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, far.size(), 1024), [&](const auto& range) {
         for (std::size_t v = range.begin(); v < range.end(); ++v) {
             const tree::Point place{glm::dvec3(surface.positions[v]), 0.0};
-            const auto is_far = [&](const NearbyVessels& vessels) {
-                return vessels.nearest(place, kOwn, {}, kOwn).branch == tree::kNoBranch;
-            };
-            far[v] = is_far(reference.vessels()) && is_far(reference.input_vessels()) ? 1 : 0;
+            far[v] = reference.vessels().nearest(place, kOwn, {}, kOwn).branch == tree::kNoBranch ? 1 : 0;
         }
     });
     return far;
@@ -187,19 +184,40 @@ Described describe(const Reference& reference, const FarGraph& graph, const std:
 // the vessel's radius is a bulge of the wall.
 bool is_a_branch(const Reference& reference, const Described& found) {
     const glm::dvec3& at = found.part.at;
-    for (const NearbyVessels* vessels : {&reference.vessels(), &reference.input_vessels()}) {
-        if (vessels->nearest({at, 0.0}, 1.0, {}, 1.0).branch != tree::kNoBranch) return false;
-        const auto through = vessels->nearest({at, found.radius}, 1.0, {}, 0.0);
-        if (through.branch != tree::kNoBranch && through.closeness * (found.radius + through.radius) < found.radius)
-            return false;
-    }
+    const NearbyVessels& vessels = reference.vessels();
+    if (vessels.nearest({at, 0.0}, 1.0, {}, 1.0).branch != tree::kNoBranch) return false;
+    const auto through = vessels.nearest({at, found.radius}, 1.0, {}, 0.0);
+    if (through.branch != tree::kNoBranch && through.closeness * (found.radius + through.radius) < found.radius)
+        return false;
     const auto beside = reference.vessels().nearest({at, found.outside_mm}, kOwn, {}, 0.0);
     return found.outside_mm > 0.0 && found.outside_mm >= beside.radius;
+}
+
+// Whether a part is the wall of a vessel that runs elsewhere: around the vessel itself, or a short part next to where
+// it should be, as at bends.
+bool is_of_moved(const Reference& reference, std::span<const Section> sections, std::span<const MovedStretch> moved,
+                 const FalsePart& part) {
+    constexpr double kShort = 3.0; // radii
+    for (const MovedStretch& stretch : moved) {
+        const auto branch = static_cast<std::size_t>(stretch.offset.branch);
+        const std::size_t first = reference.first_of(branch);
+        for (std::size_t i = first; i < first + reference.places_of(branch).size(); ++i) {
+            const Place& place = reference.places()[i];
+            if (!is_moved(moved, place)) continue;
+            const CrossSection& vessel = sections[i].vessel;
+            if (sections[i].found && glm::distance(part.at, vessel.middle) < kOwn * vessel.radius) return true;
+            if (part.length_mm < kShort * place.scale &&
+                glm::distance(part.at, place.at) < kOwn * place.scale + stretch.offset.offset_mm)
+                return true;
+        }
+    }
+    return false;
 }
 
 } // namespace
 
 std::vector<FalsePart> false_parts(const Reference& reference, const mesh::TriangleMesh& surface,
+                                   std::span<const Section> sections, std::span<const MovedStretch> moved,
                                    std::span<const LostStretch> lost) {
     const std::vector<MovedJoint> joints = moved_joints(reference, lost);
     const FarGraph graph(surface, far_from_vessels(reference, surface));
@@ -215,7 +233,8 @@ std::vector<FalsePart> false_parts(const Reference& reference, const mesh::Trian
             for (const std::uint32_t other : graph.next(part[i]))
                 if (taken[other] == 0) taken[other] = 1, part.push_back(other);
         const Described whole = describe(reference, graph, part, ways);
-        if (is_a_branch(reference, whole) && !is_moved(joints, whole.part.at, whole.outside_mm))
+        if (is_a_branch(reference, whole) && !is_of_moved(reference, sections, moved, whole.part) &&
+            !is_moved(joints, whole.part.at, whole.outside_mm))
             found.push_back(whole.part);
     }
     std::ranges::stable_sort(found, std::greater<>(), &FalsePart::length_mm);

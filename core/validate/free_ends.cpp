@@ -1,14 +1,11 @@
 #include "core/validate/free_ends.h"
 
-#include "core/tree/prepare.h"
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 
 namespace ramus::validate {
 
-FreeEnds::FreeEnds(const tree::VesselTree& source, int smooth_passes) : ends_(source.branches.size()) {
-    const tree::VesselTree tree = tree::smooth(source, smooth_passes);
+FreeEnds::FreeEnds(const tree::VesselTree& tree) : ends_(tree.branches.size()) {
     std::vector<int> degree(tree.points.size(), 0);
     for (const tree::Branch& branch : tree.branches) ++degree[branch.points.front()], ++degree[branch.points.back()];
     for (std::size_t id = 0; id < tree.branches.size(); ++id) {

@@ -11,8 +11,7 @@ namespace ramus::validate {
 
 class FreeEnds {
 public:
-    // Of the tree smoothed as for its surface; branches as in `source`.
-    FreeEnds(const tree::VesselTree& source, int smooth_passes);
+    explicit FreeEnds(const tree::VesselTree& tree);
     // Whether a place of this branch's surface lies beyond one of its free ends.
     [[nodiscard]] bool beyond(int branch, const glm::dvec3& at) const;
 

@@ -37,7 +37,7 @@ Result<KernelFigures> figures_of(std::pair<KernelKind, double> kernel, const tre
     found.support_radii = made.support_radii;
     found.joints = joint_figures(made);
     RAMUS_TRY(surface, mesh::make_surface(source, options, job));
-    RAMUS_TRY(validation, validate(source, surface.mesh, {options.smooth_passes, made.limits, options.threads}, job));
+    RAMUS_TRY(validation, validate(source, surface.mesh, {made.limits, options.threads}, job));
     found.radius_error = validation.radius_error;
     found.merged = validation.merged.size();
     LargeArray<double> distances = measure::deviations(surface.mesh, cones, options.threads);

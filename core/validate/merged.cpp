@@ -1,5 +1,7 @@
 #include "core/base/disjoint_sets.h"
 #include "core/tree/contacts/contacts.h"
+#include "core/tree/curves.h"
+#include "core/tree/smooth.h"
 #include "core/validate/questions.h"
 
 #include <algorithm>
@@ -28,21 +30,21 @@ struct PassingPair {
 };
 
 // Whether something else that is there covers the way between them: then the two are in that, not one with each other.
-bool third_between(const Reference& reference, const PassingPair& pair) {
-    const tree::Links& links = reference.links();
+bool third_between(const Axes& axes, const PassingPair& pair) {
+    const tree::Links& links = axes.links;
     constexpr int kAsked = 5;
     for (int i = 0; i < kAsked; ++i) {
         const glm::dvec3 at = glm::mix(pair.seen_from, pair.seen_to, (i + 0.5) / kAsked);
         const auto third =
-            reference.vessels().nearest({at, 0.0}, kThird, {{links[pair.a].branch, links[pair.b].branch}}, kThird);
+            axes.vessels.nearest({at, 0.0}, kThird, {{links[pair.a].branch, links[pair.b].branch}}, kThird);
         if (third.branch != tree::kNoBranch) return true;
     }
     return false;
 }
 
-std::vector<PassingPair> passing_pairs(const Reference& reference, const tree::ContactLimits& limits) {
-    const tree::Contacts contacts = tree::find_contacts(reference.prepared(), limits);
-    const tree::Links& links = reference.links();
+std::vector<PassingPair> passing_pairs(const Axes& axes, const tree::ContactLimits& limits) {
+    const tree::Contacts contacts = tree::find_contacts(axes.prepared, limits);
+    const tree::Links& links = axes.links;
     std::vector<PassingPair> pairs;
     for (std::uint32_t a = 0; a < links.all().size(); ++a)
         for (const tree::Contacts::Partner& partner : contacts.partners_of(a)) {
@@ -94,25 +96,23 @@ bool is_lost(const Reference& reference, int branch, const glm::dvec3& at, std::
     });
 }
 
-} // namespace
-
-std::vector<Merged> merged_vessels(const Reference& reference, const Probe& probe, const tree::ContactLimits& limits,
-                                   std::span<const LostStretch> lost) {
-    std::vector<PassingPair> pairs = passing_pairs(reference, limits);
+std::vector<Merged> merged_along(const Axes& axes, const Reference& reference, const Probe& probe,
+                                 const tree::ContactLimits& limits, std::span<const LostStretch> lost) {
+    std::vector<PassingPair> pairs = passing_pairs(axes, limits);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), 64), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             PassingPair& pair = pairs[i];
             pair.merged =
                 probe.sees(pair.seen_from, pair.seen_to) && probe.inside(pair.seen_from) && probe.inside(pair.seen_to);
-            pair.sure = pair.merged && !third_between(reference, pair);
+            pair.sure = pair.merged && !third_between(axes, pair);
         }
     });
     std::erase_if(pairs, [](const PassingPair& pair) { return !pair.merged; });
     std::erase_if(pairs, [&](const PassingPair& pair) {
-        return is_lost(reference, reference.links()[pair.a].branch, pair.at_a.position, lost) ||
-               is_lost(reference, reference.links()[pair.b].branch, pair.at_b.position, lost);
+        return is_lost(reference, axes.links[pair.a].branch, pair.at_a.position, lost) ||
+               is_lost(reference, axes.links[pair.b].branch, pair.at_b.position, lost);
     });
-    const std::vector<std::uint32_t> sets = sets_of(pairs, reference.links());
+    const std::vector<std::uint32_t> sets = sets_of(pairs, axes.links);
     std::map<std::uint32_t, std::size_t> closest; // of each set
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const auto [found, fresh] = closest.try_emplace(sets[i], i);
@@ -125,10 +125,39 @@ std::vector<Merged> merged_vessels(const Reference& reference, const Probe& prob
     for (const auto& [set, i] : closest) {
         if (sure[set] == 0) continue;
         const PassingPair& pair = pairs[i];
-        const auto [low, high] = std::minmax(reference.links()[pair.a].branch, reference.links()[pair.b].branch);
+        const auto [low, high] = std::minmax(axes.links[pair.a].branch, axes.links[pair.b].branch);
         merged.push_back({{low, high}, 0.5 * (pair.at_a.position + pair.at_b.position), gap_of(pair)});
     }
     std::ranges::stable_sort(merged, {}, &Merged::gap_mm);
+    return merged;
+}
+
+// The centerlines as a surface may follow them: without the steps of voxels, with round corners.
+tree::PreparedTree rounded(const Reference& reference) {
+    tree::PreparedTree prepared = reference.axes().prepared;
+    prepared.tree = tree::smooth(std::move(prepared.tree), 1);
+    const std::vector<std::uint8_t> pieces = tree::pieces_of_curves(prepared.tree);
+    return tree::along_curves(std::move(prepared), pieces);
+}
+
+} // namespace
+
+// A wall is half-way between axes: where these all but cross, it depends on the last bit of them. So vessels are merged
+// where they see each other from both, the axes as read and the same rounded.
+std::vector<Merged> merged_vessels(const Reference& reference, const Probe& probe, const tree::ContactLimits& limits,
+                                   std::span<const LostStretch> lost) {
+    constexpr double kSamePlace = 3.0; // radii: rounding moves where two are closest along both
+    std::vector<Merged> merged = merged_along(reference.axes(), reference, probe, limits, lost);
+    if (merged.empty()) return merged;
+    const Axes round(rounded(reference));
+    const std::vector<Merged> again = merged_along(round, reference, probe, limits, lost);
+    std::erase_if(merged, [&](const Merged& one) {
+        const double radius = reference.vessels().nearest({one.at, 0.0}, kOwn, {}, 0.0).radius;
+        return std::ranges::none_of(again, [&](const Merged& other) {
+            return other.branches == one.branches &&
+                   glm::distance(other.at, one.at) <= kSamePlace * radius + 2.0 * reference.grain_mm();
+        });
+    });
     return merged;
 }
 

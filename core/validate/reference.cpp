@@ -1,6 +1,7 @@
 #include "core/validate/reference.h"
 
 #include "core/base/infinity.h"
+#include "core/tree/voxels.h"
 
 #include <algorithm>
 #include <array>
@@ -18,17 +19,11 @@ namespace {
 
 constexpr double kStep = 0.25; // of a place, in radii
 
-tree::PreparedTree smoothed(const tree::VesselTree& source, int passes) {
-    tree::PreparedTree prepared = tree::prune(source, 0.0);
-    prepared.tree = tree::smooth(std::move(prepared.tree), passes);
-    return prepared;
-}
-
-// A branch as a line with two radii that can be asked for any place along it.
+// A branch as a line that can be asked for any place along it.
 class Run {
 public:
-    Run(const tree::VesselTree& smooth, const tree::VesselTree& source, const tree::Branch& branch)
-        : smooth_(smooth), source_(source), points_(branch.points), until_(points_.size(), 0.0) {
+    Run(const tree::VesselTree& tree, const tree::Branch& branch, double grain_mm)
+        : tree_(tree), points_(branch.points), grain_mm_(grain_mm), until_(points_.size(), 0.0) {
         for (std::size_t i = 1; i < points_.size(); ++i)
             until_[i] = until_[i - 1] + glm::distance(position(i - 1), position(i));
     }
@@ -41,17 +36,13 @@ public:
         Place place;
         place.along = along;
         place.at = glm::mix(position(i), position(i + 1), share);
-        const auto between = [&](const tree::VesselTree& tree) {
-            return std::lerp(tree.points[points_[i]].radius, tree.points[points_[i + 1]].radius, share);
-        };
-        place.radius = between(smooth_);
-        place.input_radius = between(source_);
-        place.input_at = glm::mix(source_.points[points_[i]].position, source_.points[points_[i + 1]].position, share);
+        place.radius = std::lerp(tree_.points[points_[i]].radius, tree_.points[points_[i + 1]].radius, share);
         return place;
     }
-    // The chord over half a radius to either side: at a corner neither the one segment nor the other.
+    // The chord over half a radius to either side: at a corner neither the one segment nor the other. Between voxels
+    // it is over two of them at least: from voxel to voxel centerlines go in 26 directions only.
     [[nodiscard]] glm::dvec3 direction(const Place& place) const {
-        const double reach = 0.5 * place.radius;
+        const double reach = std::max(0.5 * place.radius, 2.0 * grain_mm_);
         const glm::dvec3 chord =
             at(std::min(place.along + reach, length())).at - at(std::max(place.along - reach, 0.0)).at;
         const double size = glm::length(chord);
@@ -60,16 +51,27 @@ public:
         const glm::dvec3 along = position(i + 1) - position(i);
         return glm::length(along) > 0.0 ? glm::normalize(along) : glm::dvec3(0.0, 0.0, 1.0);
     }
+    [[nodiscard]] double reach_of_bend(const Place& place) const {
+        return std::max(1.5 * place.radius, 3.0 * grain_mm_);
+    }
+    // Whether the vessel turns by 35 degrees over the reach to either side.
+    [[nodiscard]] bool turns_at(const Place& place) const {
+        constexpr double kCosine = 0.8192;
+        const double reach = reach_of_bend(place);
+        const glm::dvec3 before = place.at - at(std::max(place.along - reach, 0.0)).at;
+        const glm::dvec3 behind = at(std::min(place.along + reach, length())).at - place.at;
+        return glm::dot(before, behind) < kCosine * glm::length(before) * glm::length(behind);
+    }
 
 private:
-    [[nodiscard]] const glm::dvec3& position(std::size_t i) const { return smooth_.points[points_[i]].position; }
+    [[nodiscard]] const glm::dvec3& position(std::size_t i) const { return tree_.points[points_[i]].position; }
     [[nodiscard]] std::size_t segment_at(double along) const {
         const auto after = std::upper_bound(until_.begin() + 1, until_.end() - 1, along);
         return static_cast<std::size_t>(after - until_.begin()) - 1;
     }
-    const tree::VesselTree& smooth_;
-    const tree::VesselTree& source_;
+    const tree::VesselTree& tree_;
     const std::vector<std::uint32_t>& points_;
+    double grain_mm_;
     std::vector<double> until_; // mm along, of each point
 };
 
@@ -84,11 +86,31 @@ void put_places(const Run& run, int branch, std::pair<bool, bool> free_ends, std
         places.push_back(place);
         along += kStep * place.radius;
     }
+    constexpr double kSpread = 1.0 / 6.0; // of the distance: by so much less a wider place counts
+    const auto spread = [&](std::size_t from, std::size_t to) {
+        const double away = std::abs(places[to].along - places[from].along);
+        places[to].scale = std::max({places[to].scale, places[to].radius, places[from].scale - kSpread * away});
+    };
+    for (std::size_t i = first; i < places.size(); ++i) spread(std::max(i, first + 1) - 1, i);
+    for (std::size_t i = places.size(); i-- > first;) spread(std::min(i + 1, places.size() - 1), i);
+    for (std::size_t i = first; i < places.size(); ++i) {
+        places[i].turns = run.turns_at(places[i]);
+        if (!places[i].turns) continue;
+        const double reach = run.reach_of_bend(places[i]);
+        for (std::size_t j = i; j < places.size() && places[j].along <= places[i].along + reach; ++j)
+            places[j].bent = true;
+        for (std::size_t j = i; j-- > first && places[j].along >= places[i].along - reach;) places[j].bent = true;
+    }
     for (std::size_t i = first; i < places.size(); ++i)
         places[i].step = (i + 1 < places.size() ? places[i + 1].along : run.length()) - places[i].along;
 }
 
 } // namespace
+
+bool is_alone(const Place& place) {
+    constexpr double kFromEnd = 1.5; // radii: nearer to a free end, the surface closes
+    return !place.bent && place.beside >= kFar && place.to_end >= kFromEnd * place.radius;
+}
 
 NearbyVessels::NearbyVessels(const tree::Links& links) : links_(links) {
     constexpr std::uint32_t kLeaf = 4;
@@ -177,16 +199,15 @@ NearbyVessels::Nearest NearbyVessels::nearest(const tree::Point& place, double m
     return best;
 }
 
-Reference::Reference(const tree::VesselTree& source, int smooth_passes)
-    : smooth_passes_(smooth_passes), prepared_(smoothed(source, smooth_passes)), links_(prepared_), vessels_(links_),
-      input_links_(smoothed(source, 0)), input_vessels_(input_links_) {
-    const tree::VesselTree& tree = prepared_.tree;
+Reference::Reference(const tree::VesselTree& source)
+    : grain_mm_(source.voxels ? tree::mean_size_mm(*source.voxels) : 0.0), axes_(tree::prune(source, 0.0)) {
+    const tree::VesselTree& tree = axes_.prepared.tree;
     std::vector<int> degree(tree.points.size(), 0);
     for (const tree::Branch& branch : tree.branches) ++degree[branch.points.front()], ++degree[branch.points.back()];
     first_.push_back(0);
     for (std::size_t id = 0; id < tree.branches.size(); ++id) {
         const tree::Branch& branch = tree.branches[id];
-        put_places(Run(tree, source, branch), static_cast<int>(id),
+        put_places(Run(tree, branch, grain_mm_), static_cast<int>(id),
                    {degree[branch.points.front()] == 1, degree[branch.points.back()] == 1}, places_);
         first_.push_back(places_.size());
     }
@@ -194,7 +215,7 @@ Reference::Reference(const tree::VesselTree& source, int smooth_passes)
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             Place& place = places_[i];
             place.beside =
-                vessels_.nearest({place.at, place.radius}, kFar, {{}, place.branch, place.along}, 0.0).closeness;
+                axes_.vessels.nearest({place.at, place.radius}, kFar, {{}, place.branch, place.along}, 0.0).closeness;
         }
     });
 }

@@ -1,5 +1,6 @@
-// What a surface is held against: the centerlines of a tree, smoothed as for its surface but with all branches, sampled
-// at places of which each stands for a fraction of a vessel's radius; and which vessels are near a place. mm, RAS.
+// What a surface is held against: the centerlines and radii of a tree as it was read, with all branches, never as its
+// surface smooths or prunes them. They are sampled at places, each of which stands for a fraction of a vessel's radius;
+// and the reference knows which vessels are near a place. mm, RAS.
 #pragma once
 
 #include "core/tree/contacts/links.h"
@@ -9,6 +10,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ramus::validate {
@@ -20,15 +22,20 @@ struct Place {
     double step = 0.0;  // mm of centerline that this place stands for
     glm::dvec3 at{0.0};
     glm::dvec3 direction{0.0, 0.0, 1.0}; // unit length
-    double radius = 0.0;                 // as smoothed
-    glm::dvec3 input_at{0.0};            // as it was read
-    double input_radius = 0.0;           // likewise
-    double to_end = 0.0;                 // mm along the branch to its nearest free end; infinite where it has none
+    double radius = 0.0;                 // between two points, linear
+    // What lengths along the vessel are counted in: its radius, or nearly that of a wider place next to it. Where radii
+    // jump from point to point, nobody knows what lies between. mm
+    double scale = 0.0;
+    bool turns = false; // by 35 degrees over one and a half radii to either side
+    bool bent = false;  // no farther than one and a half radii from a sharp bend: no section is across the vessel there
+    double to_end = 0.0; // mm along the branch to its nearest free end; infinite where it has none
     // Closeness (core/tree/contacts/links.h) of the closest other vessel, kFar at most. A branch is another vessel to
     // itself where it comes back: where it would be farther than kFar if it were straight.
     double beside = 0.0;
 };
 inline constexpr double kFar = 1.45; // beyond, a vessel changes nothing at another one's surface
+// Away from joints, free ends, other vessels and sharp bends: a cross-section there is that of the vessel.
+[[nodiscard]] bool is_alone(const Place& place);
 // Parts of a surface farther than this from all centerlines, in radii, are of no vessel.
 inline constexpr double kOwn = 1.5;
 
@@ -67,18 +74,25 @@ private:
     std::vector<double> along_;        // mm from its branch's first point to each link
 };
 
+// Centerlines as vessels. Parts refer to each other.
+struct Axes {
+    explicit Axes(tree::PreparedTree of) : prepared(std::move(of)), links(prepared), vessels(links) {}
+    Axes(const Axes&) = delete;
+    Axes& operator=(const Axes&) = delete;
+    tree::PreparedTree prepared;
+    tree::Links links;
+    NearbyVessels vessels;
+};
+
 class Reference {
 public:
-    Reference(const tree::VesselTree& source, int smooth_passes);
-    Reference(const Reference&) = delete; // parts refer to each other
-    Reference& operator=(const Reference&) = delete;
+    explicit Reference(const tree::VesselTree& source);
 
-    [[nodiscard]] int smooth_passes() const { return smooth_passes_; }
-    [[nodiscard]] const tree::PreparedTree& prepared() const { return prepared_; }
-    [[nodiscard]] const tree::Links& links() const { return links_; }
-    [[nodiscard]] const NearbyVessels& vessels() const { return vessels_; }
-    // The vessels as they were read: whoever made the surface may have smoothed them in another way, or not at all.
-    [[nodiscard]] const NearbyVessels& input_vessels() const { return input_vessels_; }
+    // The edge of a voxel, mm: what is shorter, the tree does not know. 0: its points are no voxels.
+    [[nodiscard]] double grain_mm() const { return grain_mm_; }
+    [[nodiscard]] const Axes& axes() const { return axes_; }
+    [[nodiscard]] const tree::VesselTree& tree() const { return axes_.prepared.tree; }
+    [[nodiscard]] const NearbyVessels& vessels() const { return axes_.vessels; }
     [[nodiscard]] const std::vector<Place>& places() const { return places_; } // branch by branch, along each
     // Of one branch.
     [[nodiscard]] std::span<const Place> places_of(std::size_t branch) const {
@@ -88,12 +102,8 @@ public:
     [[nodiscard]] std::size_t branches() const { return first_.size() - 1; }
 
 private:
-    int smooth_passes_;
-    tree::PreparedTree prepared_;
-    tree::Links links_;
-    NearbyVessels vessels_;
-    tree::Links input_links_;
-    NearbyVessels input_vessels_;
+    double grain_mm_;
+    Axes axes_;
     std::vector<Place> places_;
     std::vector<std::size_t> first_; // of each branch, and one past the last
 };

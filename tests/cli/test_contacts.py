@@ -69,8 +69,8 @@ class Info(CommandLineTest):
         self.assertIn("axes cross, overlap 2 mm", self.listed(CROSSING.replace(" 1.8 ", " 0 "))[1])
 
     def test_they_are_those_of_the_prepared_tree(self):
-        # The bend at z = 1 goes to 0.5 in one pass: (0 + 2 x 1 + 0) / 4.
-        tree = tubes([(0, -10, 0), (0, 0, 1), (0, 10, 0)], [(-10, 0, 2.5), (10, 0, 2.5)])
+        # The bend at z = 1 goes to 0.5 in one pass: (0 + 2 x 1 + 0) / 4, with voxels so large that it reaches both ends.
+        tree = "# id type x y z radius parent (unknown, unknown) voxel 100 0 0 0 100 0 0 0 100\n" + tubes([(0, -10, 0), (0, 0, 1), (0, 10, 0)], [(-10, 0, 2.5), (10, 0, 2.5)])
         # Round, the bend is lower by half a radius times the sine of half the angle that it turns by.
         for options, height in ((["--smooth", "0"], 1.0), (["--smooth", "1"], 0.5), ([], 0.5)):
             gap = 2.5 - height - 2.0 + 0.5 * height / math.hypot(10.0, height)
@@ -102,7 +102,7 @@ class Info(CommandLineTest):
 
     def test_what_it_is_not_of(self):
         self.write("tree.swc", CROSSING)
-        for option in (("--smooth", "2"), ("--prune", "0.5"), ("--centerline", "lines"), ("--width", "1")):
+        for option in (("--prune", "0.5"), ("--centerline", "lines"), ("--width", "1")):
             self.expect_failure("info", "tree.swc", *option, says=["--contacts"], status=2)
         self.write("mask.nii", nifti((3, 3, 3), [0] * 27))
         self.expect_failure("info", "mask.nii", "--contacts", says=["mask.nii", "--contacts"])

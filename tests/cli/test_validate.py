@@ -5,7 +5,9 @@ import hashlib
 import html.parser
 import io
 import json
+import math
 import signal
+import statistics
 import subprocess
 import time
 import unittest
@@ -39,7 +41,7 @@ def fork(with_leaf):
 CROSSING = swc((0, -10, 0, 1, -1), (0, 10, 0, 1, 1), (-10, 0, 1.8, 1, -1), (10, 0, 1.8, 1, 3))
 
 
-TEXT_FILES = ["distances.csv", "files.csv", "places.csv", "questions.csv", "radii.csv", "shapes.csv", "validation.json"]
+TEXT_FILES = ["distances.csv", "fidelity.csv", "files.csv", "places.csv", "questions.csv", "radii.csv", "shapes.csv", "validation.json"]
 
 
 class Page(html.parser.HTMLParser):
@@ -125,6 +127,59 @@ class Validate(CommandLineTest):
         self.assertEqual(self.counts(false), [0, 1, 0, 0])
         self.assertEqual(self.counts(self.json("validate", "fork.swc", "--surface", "fork.stl", "--json")), [0, 0, 0, 0])
 
+    def test_a_branch_of_another_width_or_elsewhere(self):
+        def bent(scale, shift):
+            points = [(0, 0, 0, 1.0, -1)]
+            joint = line(points, 1, (0, 0, 0), (0, 0, 20), 20, 1.0)
+            line(points, joint, (0, 0, 20), (0, 12, 36), 20, 1.0)
+            first = line(points, joint, (0, 0, 20), (shift, -6, 28), 10, scale)
+            line(points, first, (shift, -6, 28), (shift, -24, 52), 30, scale)
+            return swc(*points)
+
+        self.write("bent.swc", bent(1.0, 0.0))
+        for scale in (2.0, 1.3, 0.7):
+            self.write("other.swc", bent(scale, 0.0))
+            self.expect_done("mesh", "other.swc", "-o", "other.stl")
+            found = self.json("validate", "bent.swc", "--surface", "other.stl", "--json")
+            self.assertEqual(self.counts(found), [0, 0, 0, 0])
+            self.assertEqual(found["questions"]["position"], [])
+            [one] = found["questions"]["width"]
+            self.assertEqual(one["branch"], 2)
+            self.assertAlmostEqual(one["expected_radius_mm"], 1.0, delta=0.01)
+            self.assertAlmostEqual(one["radius_mm"], scale, delta=0.04)
+        for shift in (0.5, 0.9, 1.3):
+            self.write("other.swc", bent(1.0, shift))
+            self.expect_done("mesh", "other.swc", "-o", "other.stl")
+            found = self.json("validate", "bent.swc", "--surface", "other.stl", "--json")
+            self.assertEqual(self.counts(found), [0, 0, 0, 0])
+            self.assertEqual(found["questions"]["width"], [])
+            [one] = found["questions"]["position"]
+            self.assertEqual(one["branch"], 2)
+            self.assertAlmostEqual(one["offset_mm"], shift, delta=0.05)
+            outside = found["fidelity"]["points_outside_percent"]
+            self.assertEqual(outside > 0, shift > 1)
+            self.assertIn("moved branches: 1",
+                          self.expect_done("validate", "bent.swc", "--surface", "other.stl").stdout)
+
+    def test_smoothing_does_not_move_the_reference(self):
+        # From voxel to voxel around a circle: smoothed, the surface still counts against the steps as they are.
+        points, at = [(40, 0, 0, 3.0, -1)], (40, 0)
+        while len(points) < 60:
+            x, y = at
+            at = min(((x - 1, y), (x, y + 1), (x - 1, y + 1)), key=lambda p: abs(math.hypot(*p) - 40))
+            points.append((*at, 0, 3.0, len(points)))
+        self.write("stairs.swc", swc(*points))
+        fidelity = {passes: self.json("validate", "stairs.swc", "--smooth", passes, "--json")["fidelity"]
+                    for passes in ("0", "1", "100")}
+        for passes, least in (("0", 0.0), ("1", 0.05), ("100", 0.05)):
+            self.assertEqual(fidelity[passes]["points_outside"], 0)
+            self.assertGreater(fidelity[passes]["axis_offset_mm"]["max"], least)
+            self.assertLess(fidelity[passes]["axis_offset_mm"]["max"], 0.75)
+        found = self.json("info", "stairs.swc", "--json")["smoothing"]
+        self.assertEqual((found["voxel_mm"], found["voxel_from"]), ([1, 1, 1], "points"))
+        self.assertLessEqual(self.json("info", "stairs.swc", "--smooth", "100", "--json")["smoothing"]["displacement_mm"]["max"], 0.5)
+        self.assertIn("voxels of 1 units (estimated)", self.expect_done("info", "stairs.swc").stdout)
+
     def test_vessels_that_touch(self):
         self.write("crossing.swc", CROSSING)
         self.assertEqual(self.counts(self.json("validate", "crossing.swc", "--blend", "tree", "--json")), [0, 0, 0, 0])
@@ -156,10 +211,20 @@ class Validate(CommandLineTest):
         self.assertAlmostEqual(found["distances"]["to_mask"]["threshold_mm"], 0.5 * 6 ** 0.5)
         report = self.folder / "made" / "report"
         self.assertEqual(sorted(path.name for path in report.iterdir()),
-                         ["boxes_to_cones.svg", "boxes_to_mask.svg", *sorted([*TEXT_FILES, "index.html"])])
+                         sorted([*TEXT_FILES, "volumes.csv", "boxes_from_mask.svg", "boxes_to_cones.svg",
+                                 "boxes_to_mask.svg", "index.html"]))
         self.assertEqual(json.loads((report / "validation.json").read_text()), found)
+        self.assertLess(found["distances"]["from_mask"]["mean"], 0.6)
+        # All 90 voxels of the mask are within the tube, but for the corners of the two slices at its end points: there
+        # half of the field is left, and the surface is at sqrt(1 - 1 / 5) = 0.894 radii. Voxels are 2 mm3.
+        self.assertAlmostEqual(found["volumes"]["mask_mm3"], 180)
+        self.assertAlmostEqual(found["volumes"]["dice"], 2 * 82 / (90 + 82))
+        # A tube, and two domes that hold as much as 0.277 radii of it; triangles are chords.
+        tube = math.pi * 1.5 ** 2 * (18 + 2 * 0.277 * 1.5)
+        self.assertAlmostEqual(found["volumes"]["surface_mm3"] / tube, 0.99, delta=0.015)
         # What scripts know of one tree.
-        self.assertEqual(list(found), ["tree", "units", "surface", "distances", "radius_error", "questions", "shape", "smoothed_away"])
+        self.assertEqual(list(found), ["tree", "units", "surface", "distances", "volumes", "fidelity", "radius_error",
+                                       "questions", "shape"])
         self.assertIsNone(found["distances"]["to_cones"]["above_percent"])
         self.assertNotIn("threshold_mm", found["distances"]["to_cones"])
         text = (report / "radii.csv").read_text()
@@ -174,8 +239,8 @@ class Validate(CommandLineTest):
         page = Page((report / "index.html").read_text())
         # From three sides, and coloured by how far it is from cones and from the mask.
         self.assertEqual(len(page.pictures), 5)
-        # Box plots and histograms to cones and mask, and one branch.
-        self.assertEqual(page.count["svg"], 5)
+        # Box plots and histograms to cones, to the mask and from it, and one branch.
+        self.assertEqual(page.count["svg"], 7)
         self.assertIn("mask", page.words)
         # Nobody says that the tree's lengths are mm.
         self.assertIn("Mean, units", page.words)
@@ -229,7 +294,7 @@ class Validate(CommandLineTest):
     def test_several_trees(self):
         self.write("line.swc", swc((0, 0, 0, 2, -1), (0, 0, 30, 2, 1)))
         found = self.json("validate", "fork.swc", "line.swc", "fork.swc", "--json")
-        self.assertEqual(list(found), ["data_sets", "averages"])
+        self.assertEqual(list(found), ["data_sets", "averages", "standard_deviations"])
         sets, averages = found["data_sets"], found["averages"]
         self.assertEqual([one["tree"] for one in sets], ["fork.swc", "line.swc", "fork.swc"])
         self.assertEqual(averages["data_sets"], 3)
@@ -244,7 +309,11 @@ class Validate(CommandLineTest):
         self.assertIsNone(averages["distances"]["to_mask"])
         self.assertAlmostEqual(averages["radius_error"]["median"],
                                sum(one["radius_error"]["median"] for one in sets) / 3)
-        self.assertEqual(averages["questions"], {"lost": 0, "false": 0, "merged": 0, "constrictions": 0})
+        self.assertEqual(averages["questions"], dict.fromkeys(
+            ("lost", "false", "merged", "constrictions", "width", "position"), 0))
+        # Of a sample: divided by one less than there are.
+        means = [one["distances"]["to_cones"]["mean"] for one in sets]
+        self.assertAlmostEqual(found["standard_deviations"]["distances"]["to_cones"]["mean"], statistics.stdev(means))
         text = self.expect_done("validate", "fork.swc", "line.swc").stdout
         for words in ("Surface to truncated cones", "average", "Mean, units"):  # nobody says that they are mm
             self.assertIn(words, text)
@@ -334,12 +403,12 @@ class Validate(CommandLineTest):
         self.assertIn(name, [element.text for element in svg.iter("{http://www.w3.org/2000/svg}text")])
         found = json.loads((report / "validation.json").read_text())
         distances = rows_of(report / "distances.csv")
-        self.assertEqual([row["tree"] for row in distances], [name, "less.swc", "average"])
+        self.assertEqual([row["tree"] for row in distances], [name, "less.swc", "average", "standard deviation"])
         self.assertAlmostEqual(float(distances[2]["mean_mm"]), found["averages"]["distances"]["to_cones"]["mean"],
                                delta=1e-6)
         places = rows_of(report / "places.csv")
         self.assertEqual([(row["data_set"], row["question"]) for row in places], [("1", "lost"), ("2", "false")])
-        self.assertEqual([row["lost"] for row in rows_of(report / "questions.csv")], ["1", "0", "0.5"])
+        self.assertEqual([row["lost"] for row in rows_of(report / "questions.csv")], ["1", "0", "0.5", str(round(0.5 ** 0.5, 6))])
         shapes = rows_of(report / "shapes.csv")
         self.assertEqual([(row["pieces"], row["pieces_of_tree"], row["loops"]) for row in shapes], [("1", "1", "0")] * 2)
         self.assertEqual({row["data_set"] for row in rows_of(report / "radii.csv")}, {"1", "2"})

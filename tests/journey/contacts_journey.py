@@ -10,8 +10,10 @@ import sys
 from screen import Window, check, choose, click, page, project, run_journeys, saved_session, slide
 
 # Tubes of radius 1. The first has a bend of 1 mm, 0.5 after one pass of smoothing, under one that is 2.5 mm high: they
-# touch, or overlap by 0.5 without smoothing. The last two overlap by 0.2.
-TUBES = """1 2 0 -10 0 1 -1
+# touch, or overlap by 0.5 without smoothing. The last two overlap by 0.2. Voxels are so large that smoothing reaches from
+# end to end.
+TUBES = """# id type x y z radius parent (unknown, unknown) voxel 100 0 0 0 100 0 0 0 100
+1 2 0 -10 0 1 -1
 2 2 0 0 1 1 1
 3 2 0 10 0 1 2
 4 2 -10 0 2.5 1 -1
@@ -24,7 +26,7 @@ TUBES = """1 2 0 -10 0 1 -1
 LINE = "Lists where vessels press on each other without being connected there"
 MARK = "Rings where vessels press on each other: yellow where they overlap, else blue"
 BLEND = "Vessels stay apart where they only press on each other, or merge wherever they come close"
-SMOOTH = "Binomial passes over points and radii"
+SMOOTH = "Passes against the steps of voxels: no point moves by more than half a voxel"
 
 
 def ready(status):

@@ -73,6 +73,23 @@ inline tree::VesselTree with_stenosis(tree::VesselTree tree, const PlaceOn& plac
     return tree;
 }
 
+// Calls change(point) for the points of a branch that no other branch has.
+template <class Change> tree::VesselTree with_own_points(tree::VesselTree tree, int branch, const Change& change) {
+    std::vector<int> degree(tree.points.size(), 0);
+    for (const tree::Branch& one : tree.branches) ++degree[one.points.front()], ++degree[one.points.back()];
+    for (const std::uint32_t p : tree.branches[static_cast<std::size_t>(branch)].points)
+        if (degree[p] <= 1) change(tree.points[p]); // inner points are nobody's end
+    return tree;
+}
+
+inline tree::VesselTree scaled_branch(const tree::VesselTree& tree, int branch, double factor) {
+    return with_own_points(tree, branch, [&](tree::Point& point) { point.radius *= factor; });
+}
+
+inline tree::VesselTree shifted_branch(const tree::VesselTree& tree, int branch, const glm::dvec3& by) {
+    return with_own_points(tree, branch, [&](tree::Point& point) { point.position += by; });
+}
+
 inline tree::VesselTree without_branch(const tree::VesselTree& tree, int branch) {
     auto edited = tree::apply(tree, {tree::Edit::Kind::kDelete, {branch}, {}, 0.0});
     REQUIRE_MESSAGE(edited, (edited ? "" : edited.error().message()));

@@ -20,7 +20,7 @@ RadiusCurves curves_of(const ValidatedDataSet& set, const validate::BranchError&
 
 void write_radii(io::BufferedFile& file, std::span<const ValidatedDataSet> sets, bool numbered) {
     file.write(numbered ? "data_set,branch" : "branch");
-    file.write(",along_mm,x,y,z,input_radius_mm,smoothed_radius_mm,surface_radius_mm,flat_radius_mm,alone,"
+    file.write(",along_mm,x,y,z,input_radius_mm,surface_radius_mm,flat_radius_mm,alone,"
                "cones_radius_mm,mask_radius_mm\r\n");
     for (std::size_t n = 0; n < sets.size(); ++n) {
         const ValidatedDataSet& set = sets[n];
@@ -32,7 +32,7 @@ void write_radii(io::BufferedFile& file, std::span<const ValidatedDataSet> sets,
             }
             file.write_number(place.branch);
             for (const double value : {place.along_mm, place.at.x, place.at.y, place.at.z, place.input_mm,
-                                       place.expected_mm, place.surface_mm, place.flat_mm}) {
+                                       place.surface_mm, place.flat_mm}) {
                 file.write(",");
                 file.write_number(value + 0.0); // no negative zero
             }

@@ -1,22 +1,28 @@
 #include "app/reports/validation/data_set.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace ramus::app {
 
 namespace {
 
+double summary(const std::vector<double>& numbers, Of what) {
+    const auto count = static_cast<double>(numbers.size());
+    double mean = 0.0, squares = 0.0;
+    for (const double number : numbers) mean += number / count;
+    if (what == Of::kMean) return mean;
+    for (const double number : numbers) squares += (number - mean) * (number - mean);
+    return numbers.size() > 1 ? std::sqrt(squares / (count - 1.0)) : 0.0;
+}
+
 // Of what `value` gives, an optional number, of those that have it; none: none has.
-template <class List, class Value> std::optional<double> mean_where(const List& list, const Value& value) {
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (const auto& one : list) {
-        const std::optional<double> number = value(one);
-        if (!number) continue;
-        sum += *number;
-        ++count;
-    }
-    return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
+template <class List, class Value> std::optional<double> summary_where(const List& list, Of what, const Value& value) {
+    std::vector<double> numbers;
+    for (const auto& one : list)
+        if (const std::optional<double> number = value(one)) numbers.push_back(*number);
+    return numbers.empty() ? std::nullopt : std::optional(summary(numbers, what));
 }
 
 } // namespace
@@ -39,48 +45,67 @@ DistanceFigures figures_of(const measure::DeviationStatistics& statistics) {
     return figures;
 }
 
-DistanceFigures mean_of(std::span<const DistanceFigures> all) {
-    DistanceFigures mean;
+DistanceFigures summary_of(std::span<const DistanceFigures> all, Of what) {
+    DistanceFigures figures;
     for (auto figure : {&DistanceFigures::mean, &DistanceFigures::sigma, &DistanceFigures::rms, &DistanceFigures::min,
-                        &DistanceFigures::max, &DistanceFigures::median, &DistanceFigures::percentile_95}) {
-        for (const DistanceFigures& one : all) mean.*figure += one.*figure;
-        mean.*figure /= static_cast<double>(all.size());
-    }
-    bool complete = true;
-    for (const DistanceFigures& one : all) complete = complete && one.above_percent.has_value();
-    if (complete) mean.above_percent = mean_where(all, [](const DistanceFigures& one) { return one.above_percent; });
-    return mean;
+                        &DistanceFigures::max, &DistanceFigures::median, &DistanceFigures::percentile_95})
+        figures.*figure =
+            *summary_where(all, what, [&](const DistanceFigures& one) { return std::optional(one.*figure); });
+    if (std::ranges::all_of(all, [](const DistanceFigures& one) { return one.above_percent.has_value(); }))
+        figures.above_percent = summary_where(all, what, [](const DistanceFigures& one) { return one.above_percent; });
+    return figures;
 }
 
-ValidationAverages averages_of(std::span<const ValidatedDataSet> sets) {
-    ValidationAverages averages;
-    averages.data_sets = sets.size();
-    std::vector<DistanceFigures> cones, masks;
+double outside_percent(const validate::Fidelity& fidelity) {
+    return 100.0 * static_cast<double>(fidelity.outside) /
+           static_cast<double>(std::max<std::size_t>(fidelity.points, 1));
+}
+
+ValidationSummary summary_of(std::span<const ValidatedDataSet> sets, Of what) {
+    ValidationSummary all;
+    all.data_sets = sets.size();
+    std::vector<DistanceFigures> cones, masks, from_masks;
     for (const ValidatedDataSet& set : sets) {
         cones.push_back(figures_of(set.to_cones.statistics));
         if (set.to_mask) masks.push_back(figures_of(set.to_mask->statistics));
+        if (set.from_mask) from_masks.push_back(figures_of(set.from_mask->statistics));
     }
-    averages.to_cones = mean_of(cones);
-    if (masks.size() == sets.size()) averages.to_mask = mean_of(masks);
-    const auto radius = [&](double validate::RadiusError::*figure) {
-        return mean_where(sets, [&](const ValidatedDataSet& set) {
-            const validate::RadiusError& error = set.validation.radius_error;
-            return error.places > 0 ? std::optional(error.*figure) : std::nullopt;
+    all.to_cones = summary_of(cones, what);
+    if (masks.size() == sets.size()) all.to_mask = summary_of(masks, what);
+    if (from_masks.size() == sets.size()) all.from_mask = summary_of(from_masks, what);
+    const auto volumes = [&](const auto& value) {
+        return summary_where(sets, what, [&](const ValidatedDataSet& set) -> std::optional<double> {
+            return set.volumes ? value(*set.volumes) : std::nullopt;
         });
     };
-    averages.radius_median = radius(&validate::RadiusError::median);
-    averages.radius_p95 = radius(&validate::RadiusError::p95);
+    all.surface_mm3 = volumes([](const Volumes& one) { return one.surface_mm3; });
+    all.mask_mm3 = volumes([](const Volumes& one) { return std::optional(one.mask_mm3); });
+    all.dice = volumes([](const Volumes& one) { return std::optional(one.dice); });
+    const auto alone = [&](const auto& value) { // of those that have places away from joints and others
+        return summary_where(sets, what, [&](const ValidatedDataSet& set) {
+            return set.validation.radius_error.places > 0 ? std::optional<double>(value(set.validation)) : std::nullopt;
+        });
+    };
+    all.radius_median = alone([](const auto& found) { return found.radius_error.median; });
+    all.radius_p95 = alone([](const auto& found) { return found.radius_error.p95; });
+    all.offset_median = alone([](const auto& found) { return found.fidelity.offset_median_mm; });
+    all.offset_p95 = alone([](const auto& found) { return found.fidelity.offset_p95_mm; });
+    all.offset_max = alone([](const auto& found) { return found.fidelity.offset_max_mm; });
+    all.points_outside_percent = *summary_where(sets, what, [](const ValidatedDataSet& set) {
+        return std::optional(outside_percent(set.validation.fidelity));
+    });
     const auto count = [&](const auto& list_of) {
-        return *mean_where(sets, [&](const ValidatedDataSet& set) {
+        return *summary_where(sets, what, [&](const ValidatedDataSet& set) {
             return std::optional(static_cast<double>(list_of(set.validation).size()));
         });
     };
-    averages.lost = count([](const auto& found) -> const auto& { return found.lost; });
-    averages.false_parts = count([](const auto& found) -> const auto& { return found.false_parts; });
-    averages.merged = count([](const auto& found) -> const auto& { return found.merged; });
-    averages.constrictions = count([](const auto& found) -> const auto& { return found.constrictions; });
-    averages.smoothed_away = count([](const auto& found) -> const auto& { return found.smoothed_away; });
-    return averages;
+    all.lost = count([](const auto& found) -> const auto& { return found.lost; });
+    all.false_parts = count([](const auto& found) -> const auto& { return found.false_parts; });
+    all.merged = count([](const auto& found) -> const auto& { return found.merged; });
+    all.constrictions = count([](const auto& found) -> const auto& { return found.constrictions; });
+    all.widths = count([](const auto& found) -> const auto& { return found.widths; });
+    all.positions = count([](const auto& found) -> const auto& { return found.positions; });
+    return all;
 }
 
 } // namespace ramus::app

@@ -23,13 +23,20 @@ struct FarPlace {
     int branch = 0; // whose centerline is nearest
 };
 
-// From the vertices of the surface to another one.
+// From the vertices of one surface to another one.
 struct SurfaceDistances {
     measure::DeviationStatistics statistics;
     std::vector<FarPlace> farthest; // the farthest first
     // Of cones: without the vertices beyond free ends of vessels, where a cone has half a ball and the surface ends by
     // the paper's sum. None: it is not known which those are.
     std::optional<measure::DeviationStatistics> but_for_ends{};
+};
+
+// Of the surface and the mask.
+struct Volumes {
+    std::optional<double> surface_mm3; // inside of the surface; none of one that is not closed
+    double mask_mm3 = 0.0;             // of the voxels
+    double dice = 0.0;                 // Dice's coefficient of their voxels
 };
 
 struct InputFile {
@@ -42,8 +49,9 @@ struct ValidatedDataSet {
     std::string tree, surface, mask; // files as they were named; empty: the surface was made, there is no mask
     tree::Claims claims;             // of the tree
     SurfaceDistances to_cones;
-    std::optional<SurfaceDistances> to_mask;
-    std::optional<double> half_voxel_mm; // half the diagonal of the mask's voxels
+    std::optional<SurfaceDistances> to_mask, from_mask; // to the mask's isosurface, and from it to the surface
+    std::optional<Volumes> volumes;                     // with a mask
+    std::optional<double> half_voxel_mm;                // half the diagonal of the mask's voxels
     validate::Validation validation;
     // At the places of `validation.radii`; empty: not asked for.
     std::vector<double> cones_radii_mm, mask_radii_mm;
@@ -63,18 +71,27 @@ struct DistanceFigures {
 };
 [[nodiscard]] DistanceFigures figures_of(const measure::DeviationStatistics& statistics);
 
-// The mean of each figure, every data set weighing the same, however many vertices it has: the mean of the means, of
-// the standard deviations, of the least and largest distances, as the paper's Table I has them of its ten trees. Not
-// the figures of all vertices together. The share above half a voxel is there when all have it. `all` is not empty.
-[[nodiscard]] DistanceFigures mean_of(std::span<const DistanceFigures> all);
+// What is said of a figure of several data sets: its mean, or its standard deviation (of a sample: divided by one less
+// than there are; 0 of one).
+enum class Of { kMean, kDeviation };
 
-struct ValidationAverages {
+// Of each figure, every data set weighing the same, however many vertices it has: the mean of the means, of the
+// standard deviations, of the least and largest distances, as the paper's Table I has them of its ten trees. Not the
+// figures of all vertices together. The share above half a voxel is there when all have it. `all` is not empty.
+[[nodiscard]] DistanceFigures summary_of(std::span<const DistanceFigures> all, Of what);
+
+struct ValidationSummary {
     std::size_t data_sets = 0;
     DistanceFigures to_cones;
-    std::optional<DistanceFigures> to_mask;          // when all have a mask
-    std::optional<double> radius_median, radius_p95; // of the data sets that have places for it
-    double lost = 0.0, false_parts = 0.0, merged = 0.0, constrictions = 0.0, smoothed_away = 0.0; // per data set
+    std::optional<DistanceFigures> to_mask, from_mask; // when all have a mask
+    std::optional<double> surface_mm3, mask_mm3, dice; // of the data sets that have them
+    std::optional<double> radius_median, radius_p95;   // of the data sets that have places for it
+    double points_outside_percent = 0.0;
+    std::optional<double> offset_median, offset_p95, offset_max; // likewise; mm
+    double lost = 0.0, false_parts = 0.0, merged = 0.0, constrictions = 0.0, widths = 0.0, positions = 0.0;
 };
-[[nodiscard]] ValidationAverages averages_of(std::span<const ValidatedDataSet> sets); // not empty
+[[nodiscard]] ValidationSummary summary_of(std::span<const ValidatedDataSet> sets, Of what); // not empty
+
+[[nodiscard]] double outside_percent(const validate::Fidelity& fidelity);
 
 } // namespace ramus::app

@@ -11,10 +11,10 @@ namespace ramus::app {
 
 namespace {
 
-constexpr std::array kOthers{HeldAgainst::kCones, HeldAgainst::kMask};
+constexpr std::array kAllHeld{Held::kToCones, Held::kToMask, Held::kFromMask};
 constexpr const char* kHalfVoxel = "half the diagonal of the mask's voxels";
 
-const Stroke& stroke_of(HeldAgainst other) { return other == HeldAgainst::kCones ? kConesStroke : kMaskStroke; }
+const Stroke& stroke_of(Held how) { return how == Held::kToCones ? kConesStroke : kMaskStroke; }
 
 // A table as the page says it: of lengths in the unit that they have.
 Table said(Table table, const Lengths& lengths) {
@@ -22,25 +22,28 @@ Table said(Table table, const Lengths& lengths) {
     return table;
 }
 
+// The rows of tables that are of all data sets together.
+std::size_t sums_of(std::span<const ValidatedDataSet> sets) { return sets.size() > 1 ? 2 : 0; }
+
 std::string figure_html(const Svg& plot) { return "<figure>" + plot.drawing() + "</figure>\n"; }
 
 std::string summary_html(std::span<const ValidatedDataSet> sets) {
     const bool several = sets.size() > 1;
-    std::string note = "For each vertex of the surface the distance to the nearest point of the other one, mm.";
+    std::string note = "For each vertex of the one surface the distance to the nearest point of the other one, mm.";
     const Lengths lengths = lengths_of(sets);
     if (several)
         note += " The average is the mean of the data sets' figures, each data set weighing the same, not the figures "
-                "of all vertices together.";
+                "of all vertices together; the standard deviation is that of these figures.";
     std::string text = "<h2>Distances</h2>\n<p class=\"quiet\">" + html_text(lengths.worded(note)) + "</p>\n";
     std::string plots;
-    for (const HeldAgainst other : kOthers) {
-        if (other == HeldAgainst::kMask && !has_mask(sets)) continue;
-        text += table_html(said(for_people(distance_table(sets, other)), lengths),
-                           {.last_is_sum = several, .is_part = true});
-        plots += figure_html(boxes_of(sets, other));
+    for (const Held how : kAllHeld) {
+        if (how != Held::kToCones && !has_mask(sets)) continue;
+        text +=
+            table_html(said(for_people(distance_table(sets, how)), lengths), {.sums = sums_of(sets), .is_part = true});
+        plots += figure_html(boxes_of(sets, how));
         if (several) continue;
-        const SurfaceDistances& distances = *distances_of(sets.front(), other);
-        plots += figure_html(histogram_plot("Surface to " + noun_of(other), distances.statistics, stroke_of(other),
+        const SurfaceDistances& distances = *distances_of(sets.front(), how);
+        plots += figure_html(histogram_plot(title_of(how), distances.statistics, stroke_of(how),
                                             sets.front().half_voxel_mm, kHalfVoxel, lengths.unit()));
     }
     return text + "<div class=\"plots\">\n" + plots + "</div>\n";
@@ -63,7 +66,10 @@ std::string places_html(const ValidatedDataSet& set) {
         Question{merged_table(found), "Vessels that pass each other without a joint and are one in the surface. A gap "
                                       "below 0 is an overlap."},
         Question{constrictions_table(found), "Narrow places whose radius the surface changes by more than 10 %."},
-        Question{smoothed_away_table(found), "Narrow places as read that smoothing alone changes by more than 10 %."}};
+        Question{widths_table(found), "Stretches that are wider or narrower than in the tree by more than 10 %; radii "
+                                      "are means along the vessel."},
+        Question{positions_table(found), "Stretches whose axis is off the tree's centerline by more than a third of "
+                                         "the radius, as the mean along the vessel."}};
     for (const Question& question : questions) {
         if (question.table.rows.empty()) {
             none += (none.empty() ? "" : ", ") + question.table.title;
@@ -71,7 +77,6 @@ std::string places_html(const ValidatedDataSet& set) {
         }
         TableLook with_note = look;
         with_note.note = question.note;
-        if (&question == &questions.back()) with_note.most_rows = 10; // the surface has no part in them
         text += table_html(said(question.table, lengths), with_note);
     }
     if (!none.empty()) text += "<p><strong>None:</strong> " + html_text(none) + ".</p>\n";
@@ -102,19 +107,18 @@ std::string data_set_html(const ValidatedDataSet& set, std::size_t number, bool 
     if (several) {
         text += "<h2>" + std::to_string(number) + ". " + html_text(name_of(set)) + "</h2>\n" +
                 pictures_html(set.pictures) + "<div class=\"plots\">\n";
-        for (const HeldAgainst other : kOthers)
-            if (const SurfaceDistances* distances = distances_of(set, other))
-                text +=
-                    figure_html(histogram_plot("Surface to " + noun_of(other), distances->statistics, stroke_of(other),
-                                               set.half_voxel_mm, kHalfVoxel, Lengths(set.claims).unit()));
+        for (const Held how : kAllHeld)
+            if (const SurfaceDistances* distances = distances_of(set, how))
+                text += figure_html(histogram_plot(title_of(how), distances->statistics, stroke_of(how),
+                                                   set.half_voxel_mm, kHalfVoxel, Lengths(set.claims).unit()));
         text += "</div>\n";
     }
     text += several ? "<h3>Found places</h3>\n" : "<h2>Found places</h2>\n";
     text += places_html(set) + even_pictures_html(set.close_ups);
     text += several ? "" : "<h2>Worst places</h2>\n";
     text += radii_html(set, several ? 4 : 6);
-    for (const HeldAgainst other : kOthers)
-        if (const Table far = farthest_table(set, other); !far.rows.empty())
+    for (const Held how : kAllHeld)
+        if (const Table far = farthest_table(set, how); !far.rows.empty())
             text += table_html(said(far, Lengths(set.claims)), {.is_part = true});
     return text + "</section>\n";
 }
@@ -127,7 +131,11 @@ std::string validation_page(std::span<const ValidatedDataSet> sets, const Facts&
         page_begin(several ? "Validation of " + counted(sets.size(), "data set", "data sets") : name_of(sets.front()),
                    several ? "Surfaces held against their trees" : "Surface held against its tree", made);
     if (!several) page += pictures_html(sets.front().pictures);
-    page += table_html(questions_table(sets), {.last_is_sum = several});
+    page += table_html(questions_table(sets), {.sums = sums_of(sets)});
+    page +=
+        table_html(said(for_people(fidelity_table(sets)), lengths_of(sets)), {.sums = sums_of(sets), .is_part = true});
+    if (const Table volumes = volumes_table(sets); !volumes.rows.empty())
+        page += table_html(said(for_people(volumes), lengths_of(sets)), {.sums = sums_of(sets), .is_part = true});
     if (const Table shapes = shape_table(sets); !shapes.rows.empty()) page += table_html(shapes, {.is_part = true});
     page += summary_html(sets);
     for (std::size_t i = 0; i < sets.size(); ++i) page += data_set_html(sets[i], i + 1, several);
@@ -136,12 +144,12 @@ std::string validation_page(std::span<const ValidatedDataSet> sets, const Facts&
     return page + page_end();
 }
 
-Svg boxes_of(std::span<const ValidatedDataSet> sets, HeldAgainst other) {
+Svg boxes_of(std::span<const ValidatedDataSet> sets, Held how) {
     std::vector<BoxRow> rows;
     for (const ValidatedDataSet& set : sets)
-        if (const SurfaceDistances* distances = distances_of(set, other))
+        if (const SurfaceDistances* distances = distances_of(set, how))
             rows.push_back({name_of(set), &distances->statistics, set.half_voxel_mm});
-    return box_plots("Surface to " + noun_of(other), rows, stroke_of(other), kHalfVoxel, lengths_of(sets).unit());
+    return box_plots(title_of(how), rows, stroke_of(how), kHalfVoxel, lengths_of(sets).unit());
 }
 
 bool has_mask(std::span<const ValidatedDataSet> sets) {

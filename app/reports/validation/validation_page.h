@@ -15,8 +15,8 @@ namespace ramus::app {
 [[nodiscard]] std::string validation_page(std::span<const ValidatedDataSet> sets, const Facts& settings,
                                           const std::string& made);
 
-// Box plots of all data sets; those to the mask where there are masks.
-[[nodiscard]] Svg boxes_of(std::span<const ValidatedDataSet> sets, HeldAgainst other);
+// Box plots of all data sets; those to and from the mask where there are masks.
+[[nodiscard]] Svg boxes_of(std::span<const ValidatedDataSet> sets, Held how);
 [[nodiscard]] bool has_mask(std::span<const ValidatedDataSet> sets); // one of them
 
 } // namespace ramus::app

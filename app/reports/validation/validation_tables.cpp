@@ -4,11 +4,13 @@
 #include "core/base/words.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace ramus::app {
 
@@ -38,14 +40,14 @@ void fill(const Table& table, std::vector<Cell>& row) {
     while (row.size() < table.columns.size()) row.emplace_back("");
 }
 
-Table constriction_table(const std::string& title, const std::vector<validate::Constriction>& list, bool coded) {
+// Places of a branch with another radius than they should have, each with its code.
+template <class List> Table radii_table(const std::string& title, const List& list, char letter) {
     Table table{title, {{"place", "Place"}, {"branch", "Branch"}}, {}};
     add_place_columns(table);
     table.columns.insert(table.columns.end(),
                          {{"expected_radius_mm", "Radius should be, mm"}, {"radius_mm", "Radius is, mm"}});
     for (std::size_t i = 0; i < list.size(); ++i) {
-        const std::string code = coded ? place_code(kConstrictionLetter, i) : std::to_string(i + 1);
-        std::vector<Cell> row{code, id_of(list[i].branch)};
+        std::vector<Cell> row{place_code(letter, i), id_of(list[i].branch)};
         add_place(row, list[i].at);
         row.insert(row.end(), {list[i].expected_radius_mm, list[i].radius_mm});
         table.rows.push_back(std::move(row));
@@ -53,21 +55,32 @@ Table constriction_table(const std::string& title, const std::vector<validate::C
     return table;
 }
 
+constexpr std::array kSummaries{std::pair{Of::kMean, "average"}, std::pair{Of::kDeviation, "standard deviation"}};
+
 } // namespace
 
-std::string noun_of(HeldAgainst other) {
-    return other == HeldAgainst::kCones ? "truncated cones" : "isosurface of the mask";
+std::string title_of(Held how) {
+    switch (how) {
+    case Held::kToCones:
+        return "Surface to truncated cones";
+    case Held::kToMask:
+        return "Surface to isosurface of the mask";
+    case Held::kFromMask:
+        return "Isosurface of the mask to surface";
+    }
+    return {};
 }
 
-const SurfaceDistances* distances_of(const ValidatedDataSet& set, HeldAgainst other) {
-    if (other == HeldAgainst::kCones) return &set.to_cones;
-    return set.to_mask ? &*set.to_mask : nullptr;
+const SurfaceDistances* distances_of(const ValidatedDataSet& set, Held how) {
+    if (how == Held::kToCones) return &set.to_cones;
+    const auto& distances = how == Held::kToMask ? set.to_mask : set.from_mask;
+    return distances ? &*distances : nullptr;
 }
 
 std::string place_code(char letter, std::size_t index) { return std::string(1, letter) + std::to_string(index + 1); }
 
-Table distance_table(std::span<const ValidatedDataSet> sets, HeldAgainst other) {
-    Table table{"Surface to " + noun_of(other),
+Table distance_table(std::span<const ValidatedDataSet> sets, Held how) {
+    Table table{title_of(how),
                 {{"data_set", "No."},
                  {"tree", "Tree"},
                  {"vertices", "Vertices"},
@@ -83,7 +96,7 @@ Table distance_table(std::span<const ValidatedDataSet> sets, HeldAgainst other) 
                 {}};
     std::vector<DistanceFigures> all;
     for (std::size_t i = 0; i < sets.size(); ++i) {
-        const SurfaceDistances* distances = distances_of(sets[i], other);
+        const SurfaceDistances* distances = distances_of(sets[i], how);
         if (distances == nullptr) continue;
         all.push_back(figures_of(distances->statistics));
         std::vector<Cell> row{count_of(i + 1), name_of(sets[i]), static_cast<double>(distances->statistics.count)};
@@ -92,41 +105,93 @@ Table distance_table(std::span<const ValidatedDataSet> sets, HeldAgainst other) 
         table.rows.push_back(std::move(row));
     }
     if (sets.size() > 1 && !all.empty()) {
-        std::vector<Cell> row{"", "average", ""};
-        add_figures(row, mean_of(all));
-        fill(table, row);
-        table.rows.push_back(std::move(row));
+        for (const auto& [what, name] : kSummaries) {
+            std::vector<Cell> row{"", name, ""};
+            add_figures(row, summary_of(all, what));
+            fill(table, row);
+            table.rows.push_back(std::move(row));
+        }
     }
     return table;
 }
 
 Table questions_table(std::span<const ValidatedDataSet> sets) {
-    Table table{"The four questions, and radii",
+    Table table{"The questions",
                 {{"data_set", "No."},
                  {"tree", "Tree"},
                  {"lost", "Lost"},
                  {"false", "False"},
                  {"merged", "Merged"},
                  {"constrictions", "Changed constrictions"},
-                 {"smoothed_away", "Smoothed away"},
+                 {"widths", "Changed widths"},
+                 {"positions", "Moved"}},
+                {}};
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        const validate::Validation& found = sets[i].validation;
+        table.rows.push_back({count_of(i + 1), name_of(sets[i]), count_of(found.lost.size()),
+                              count_of(found.false_parts.size()), count_of(found.merged.size()),
+                              count_of(found.constrictions.size()), count_of(found.widths.size()),
+                              count_of(found.positions.size())});
+    }
+    if (sets.size() > 1)
+        for (const auto& [what, name] : kSummaries) {
+            const ValidationSummary all = summary_of(sets, what);
+            table.rows.push_back(
+                {"", name, all.lost, all.false_parts, all.merged, all.constrictions, all.widths, all.positions});
+        }
+    return table;
+}
+
+Table fidelity_table(std::span<const ValidatedDataSet> sets) {
+    Table table{"How well the surface follows the tree",
+                {{"data_set", "No."},
+                 {"tree", "Tree"},
+                 {"points_outside_percent", "Points outside, %"},
+                 {"axis_offset_median_mm", "Axis off, median, mm"},
+                 {"axis_offset_95_mm", "95th percentile, mm"},
+                 {"axis_offset_max_mm", "Largest, mm"},
                  {"radius_error_median_percent", "Radius error, median %"},
                  {"radius_error_95_percent", "95th percentile %"}},
                 {}};
-    const auto percent = [](std::optional<double> share) { return share ? 100.0 * *share : kNothing; };
     for (std::size_t i = 0; i < sets.size(); ++i) {
-        const validate::Validation& found = sets[i].validation;
-        const validate::RadiusError& error = found.radius_error;
-        const bool has = error.places > 0;
-        table.rows.push_back({count_of(i + 1), name_of(sets[i]), count_of(found.lost.size()),
-                              count_of(found.false_parts.size()), count_of(found.merged.size()),
-                              count_of(found.constrictions.size()), count_of(found.smoothed_away.size()),
-                              has ? 100.0 * error.median : kNothing, has ? 100.0 * error.p95 : kNothing});
+        const validate::Fidelity& fidelity = sets[i].validation.fidelity;
+        const validate::RadiusError& error = sets[i].validation.radius_error;
+        std::vector<Cell> row{count_of(i + 1), name_of(sets[i]), outside_percent(fidelity)};
+        if (error.places > 0)
+            row.insert(row.end(), {fidelity.offset_median_mm, fidelity.offset_p95_mm, fidelity.offset_max_mm,
+                                   100.0 * error.median, 100.0 * error.p95});
+        while (row.size() < table.columns.size()) row.emplace_back(kNothing);
+        table.rows.push_back(std::move(row));
     }
-    if (sets.size() > 1) {
-        const ValidationAverages mean = averages_of(sets);
-        table.rows.push_back({"", "average", mean.lost, mean.false_parts, mean.merged, mean.constrictions,
-                              mean.smoothed_away, percent(mean.radius_median), percent(mean.radius_p95)});
-    }
+    const auto percent = [](std::optional<double> share) { return share ? 100.0 * *share : kNothing; };
+    if (sets.size() > 1)
+        for (const auto& [what, name] : kSummaries) {
+            const ValidationSummary all = summary_of(sets, what);
+            table.rows.push_back({"", name, all.points_outside_percent, or_nothing(all.offset_median),
+                                  or_nothing(all.offset_p95), or_nothing(all.offset_max), percent(all.radius_median),
+                                  percent(all.radius_p95)});
+        }
+    return table;
+}
+
+Table volumes_table(std::span<const ValidatedDataSet> sets) {
+    Table table{"Volumes",
+                {{"data_set", "No."},
+                 {"tree", "Tree"},
+                 {"surface_mm3", "Surface, mm\u00b3"},
+                 {"mask_mm3", "Mask, mm\u00b3"},
+                 {"dice", "Dice"}},
+                {}};
+    for (std::size_t i = 0; i < sets.size(); ++i)
+        if (const auto& volumes = sets[i].volumes)
+            table.rows.push_back({count_of(i + 1), name_of(sets[i]), or_nothing(volumes->surface_mm3),
+                                  volumes->mask_mm3, volumes->dice});
+    if (sets.size() > 1 && !table.rows.empty())
+        for (const auto& [what, name] : kSummaries) {
+            const ValidationSummary all = summary_of(sets, what);
+            table.rows.push_back(
+                {"", name, or_nothing(all.surface_mm3), or_nothing(all.mask_mm3), or_nothing(all.dice)});
+        }
     return table;
 }
 
@@ -194,23 +259,41 @@ Table merged_table(const validate::Validation& found) {
 }
 
 Table constrictions_table(const validate::Validation& found) {
-    return constriction_table("Changed constrictions", found.constrictions, true);
+    return radii_table("Changed constrictions", found.constrictions, kConstrictionLetter);
 }
 
-Table smoothed_away_table(const validate::Validation& found) {
-    return constriction_table("Narrow places that smoothing changes", found.smoothed_away, false);
+Table widths_table(const validate::Validation& found) {
+    Table table = radii_table("Changed widths", found.widths, kWidthLetter);
+    table.columns.insert(table.columns.begin() + 2, {"length_mm", "Length, mm"});
+    for (std::size_t i = 0; i < table.rows.size(); ++i)
+        table.rows[i].insert(table.rows[i].begin() + 2, found.widths[i].length_mm);
+    return table;
 }
 
-Table farthest_table(const ValidatedDataSet& set, HeldAgainst other) {
-    Table table{"Farthest from the " + noun_of(other),
+Table positions_table(const validate::Validation& found) {
+    Table table{"Moved branches",
+                {{"place", "Place"}, {"branch", "Branch"}, {"length_mm", "Length, mm"}, {"offset_mm", "Off, mm"}},
+                {}};
+    add_place_columns(table);
+    for (std::size_t i = 0; i < found.positions.size(); ++i) {
+        const validate::Offset& one = found.positions[i];
+        std::vector<Cell> row{place_code(kPositionLetter, i), id_of(one.branch), one.length_mm, one.offset_mm};
+        add_place(row, one.at);
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+Table farthest_table(const ValidatedDataSet& set, Held how) {
+    Table table{"Farthest: " + title_of(how),
                 {{"place", "Place"}, {"branch", "Nearest branch"}, {"distance_mm", "Distance, mm"}},
                 {}};
     add_place_columns(table);
-    const SurfaceDistances* distances = distances_of(set, other);
+    const SurfaceDistances* distances = distances_of(set, how);
     if (distances == nullptr) return table;
     for (std::size_t i = 0; i < distances->farthest.size(); ++i) {
         const FarPlace& far = distances->farthest[i];
-        const std::string code = other == HeldAgainst::kCones ? place_code(kFarLetter, i) : std::to_string(i + 1);
+        const std::string code = how == Held::kToCones ? place_code(kFarLetter, i) : std::to_string(i + 1);
         std::vector<Cell> row{code, id_of(far.branch), far.distance_mm};
         add_place(row, far.at);
         table.rows.push_back(std::move(row));
@@ -259,12 +342,12 @@ Table for_people(Table table) {
 
 Table all_distances_table(std::span<const ValidatedDataSet> sets) {
     Table all;
-    for (const HeldAgainst other : {HeldAgainst::kCones, HeldAgainst::kMask}) {
-        Table table = distance_table(sets, other);
-        table.columns.insert(table.columns.begin() + 2, {"to", "To"});
+    for (const Held how : {Held::kToCones, Held::kToMask, Held::kFromMask}) {
+        Table table = distance_table(sets, how);
+        table.columns.insert(table.columns.begin() + 2, {"distance", "Distance"});
         all.columns = table.columns;
         for (std::vector<Cell>& row : table.rows) {
-            row.insert(row.begin() + 2, noun_of(other));
+            row.insert(row.begin() + 2, title_of(how));
             all.rows.push_back(std::move(row));
         }
     }
@@ -287,11 +370,10 @@ Table all_places_table(std::span<const ValidatedDataSet> sets) {
               {}};
     for (std::size_t n = 0; n < sets.size(); ++n) {
         const validate::Validation& found = sets[n].validation;
-        const std::pair<const char*, Table> parts[] = {{"lost", lost_table(found)},
-                                                       {"false", false_table(found)},
-                                                       {"merged", merged_table(found)},
-                                                       {"constriction", constrictions_table(found)},
-                                                       {"smoothed_away", smoothed_away_table(found)}};
+        const std::pair<const char*, Table> parts[] = {
+            {"lost", lost_table(found)},     {"false", false_table(found)},
+            {"merged", merged_table(found)}, {"constriction", constrictions_table(found)},
+            {"width", widths_table(found)},  {"position", positions_table(found)}};
         for (const auto& [question, part] : parts)
             for (const std::vector<Cell>& from : part.rows) {
                 std::vector<Cell> row{count_of(n + 1), question};

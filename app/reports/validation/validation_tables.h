@@ -11,20 +11,24 @@
 
 namespace ramus::app {
 
-enum class HeldAgainst { kCones, kMask };
-[[nodiscard]] std::string noun_of(HeldAgainst other); // "truncated cones"
+enum class Held { kToCones, kToMask, kFromMask };
+[[nodiscard]] std::string title_of(Held how); // "Surface to truncated cones"
 // null: the data set has no mask.
-[[nodiscard]] const SurfaceDistances* distances_of(const ValidatedDataSet& set, HeldAgainst other);
+[[nodiscard]] const SurfaceDistances* distances_of(const ValidatedDataSet& set, Held how);
 
 // "L3": what a picture calls a place and a table has in its first column; `index` from 0.
 [[nodiscard]] std::string place_code(char letter, std::size_t index);
 inline constexpr char kLostLetter = 'L', kFalseLetter = 'F', kMergedLetter = 'M', kConstrictionLetter = 'C',
-                      kFarLetter = 'D';
+                      kWidthLetter = 'W', kPositionLetter = 'P', kFarLetter = 'D';
 
 // A row for each data set, and one for all on average where there are several. No rows: none has a mask.
-[[nodiscard]] Table distance_table(std::span<const ValidatedDataSet> sets, HeldAgainst other);
+[[nodiscard]] Table distance_table(std::span<const ValidatedDataSet> sets, Held how);
 // How often each question is answered by a place, and the error of the radius; likewise.
 [[nodiscard]] Table questions_table(std::span<const ValidatedDataSet> sets);
+// How well each surface follows its tree: points outside, offsets of the axis, errors of the radius; likewise.
+[[nodiscard]] Table fidelity_table(std::span<const ValidatedDataSet> sets);
+// Volumes of each surface and its mask, and their overlap; likewise. No rows: there are no masks.
+[[nodiscard]] Table volumes_table(std::span<const ValidatedDataSet> sets);
 // Pieces and loops of each surface beside its tree's. No rows: all are of cones.
 [[nodiscard]] Table shape_table(std::span<const ValidatedDataSet> sets);
 [[nodiscard]] std::string text_of(const validate::Shape& shape); // "1 piece, 2 loops; the tree has 1 piece, 0 loops"
@@ -34,14 +38,15 @@ inline constexpr char kLostLetter = 'L', kFalseLetter = 'F', kMergedLetter = 'M'
 [[nodiscard]] Table false_table(const validate::Validation& found);
 [[nodiscard]] Table merged_table(const validate::Validation& found);
 [[nodiscard]] Table constrictions_table(const validate::Validation& found);
-[[nodiscard]] Table smoothed_away_table(const validate::Validation& found);
-[[nodiscard]] Table farthest_table(const ValidatedDataSet& set, HeldAgainst other);
+[[nodiscard]] Table widths_table(const validate::Validation& found);
+[[nodiscard]] Table positions_table(const validate::Validation& found);
+[[nodiscard]] Table farthest_table(const ValidatedDataSet& set, Held how);
 [[nodiscard]] Table worst_branches_table(const ValidatedDataSet& set, std::size_t most);
 
 // Without the columns that have nothing in any row, and 0 for numbers so small that no vessel differs by them (10 nm).
 [[nodiscard]] Table for_people(Table table);
 
-// For CSV: both distance tables in one, every place of every question, the files.
+// For CSV: all distance tables in one, every place of every question, the files.
 [[nodiscard]] Table all_distances_table(std::span<const ValidatedDataSet> sets);
 [[nodiscard]] Table all_places_table(std::span<const ValidatedDataSet> sets);
 [[nodiscard]] Table files_table(std::span<const ValidatedDataSet> sets);

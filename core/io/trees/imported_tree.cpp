@@ -3,6 +3,7 @@
 #include "core/base/grouped.h"
 #include "core/io/text_numbers.h"
 #include "core/tree/merge_trunks.h"
+#include "core/tree/voxels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -119,6 +120,7 @@ void apply_unit(ImportedTree& imported, const ReadOptions& options) {
     if (!cubes) imported.assume("units", "radii are multiplied by the geometric mean of the three sizes");
     const double radius_mm = cubes ? mm.x : std::cbrt(mm.x * mm.y * mm.z);
     for (tree::Point& p : imported.graph.points) p.position *= mm, p.radius *= radius_mm;
+    for (int edge = 0; imported.voxel && edge < 3; ++edge) (*imported.voxel)[edge] *= mm;
     for (Note& note : imported.notes) {
         if (note.at) *note.at *= mm;
         if (note.outward) note.outward = glm::normalize(*note.outward / mm);
@@ -148,6 +150,8 @@ void apply_orientation(ImportedTree& imported, const ReadOptions& options) {
                                   {}});
     if (orientation == Orientation::ras()) return;
     for (tree::Point& p : imported.graph.points) p.position = orientation.to_patient(p.position);
+    for (int edge = 0; imported.voxel && edge < 3; ++edge)
+        (*imported.voxel)[edge] = orientation.to_patient((*imported.voxel)[edge]);
     for (Note& note : imported.notes) {
         if (note.at) note.at = orientation.to_patient(*note.at);
         if (note.outward) note.outward = orientation.to_patient(*note.outward);
@@ -313,6 +317,10 @@ Result<tree::VesselTree> tree_of(ImportedTree imported, const ReadOptions& optio
         if (!known.contains(note.text)) imported.notes.push_back(std::move(note));
     tree->notes = std::move(imported.notes);
     tree->claims = claims;
+    if (imported.voxel && tree::is_a_voxel(*imported.voxel))
+        tree->voxels = tree::Voxels{*imported.voxel, false};
+    else
+        tree->voxels = tree::estimated_voxels(*tree);
     return tree;
 }
 

@@ -10,6 +10,7 @@
 #include "core/tree/build_tree.h"
 
 #include <functional>
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <map>
 #include <optional>
@@ -60,10 +61,11 @@ struct ImportedTree {
     RadiusIs radius_is = RadiusIs::kRadius;
     std::string radius_name; // "thickness": what the file calls it, where that leaves open which of both it is
     Joining joining = Joining::kByIndex;
-    bool edges_are_vessels = false; // also where several connect the same two points: none of them repeats another
-    bool pieces_are_meant = false;  // what the file leaves apart is apart: open ends are not joined
-    bool may_repeat_trunks = false; // polylines may each begin at the root, as VMTK's centerlines do
-    std::string unit_hint;          // what speaks for another unit than mm, where the file states none; may be empty
+    bool edges_are_vessels = false;  // also where several connect the same two points: none of them repeats another
+    bool pieces_are_meant = false;   // what the file leaves apart is apart: open ends are not joined
+    bool may_repeat_trunks = false;  // polylines may each begin at the root, as VMTK's centerlines do
+    std::string unit_hint;           // what speaks for another unit than mm, where the file states none; may be empty
+    std::optional<glm::dmat3> voxel; // of the mask that the tree was made of: its edges, in the file's own numbers
     std::vector<tree::Note> notes;
     std::string source;                                 // the file that the tree came from first, where it says so
     std::function<std::string(std::uint32_t)> place_of; // of a point of `graph`, for messages: "liver.swc:41"

@@ -8,12 +8,14 @@
 
 namespace ramus::io {
 
-// The line that this program writes above the points, with its claims behind: "(mm, RAS)".
+// The line that this program writes above the points, with its claims behind.
 inline constexpr std::string_view kSwcColumns = "# id type x y z radius parent ";
 
-// "(mm, RAS)"; "(unknown, unknown)" of what nobody has said.
-[[nodiscard]] std::string claims_text(const tree::Claims& claims);
-// Takes as written what `claims` says, "(mm, RAS)" and what may follow it; false: it is no such text.
+// "(mm, RAS)"; "(unknown, unknown)" of what nobody has said. Of a tree that was made of a mask, the three edges of a
+// voxel follow: "(mm, RAS) voxel 0.7 0 0 0 0.7 0 0 0 1.5".
+[[nodiscard]] std::string claims_text(const tree::VesselTree& tree);
+// Takes as written what `claims` says, a text as claims_text() makes it and what may follow it; false: it is no such
+// text.
 bool take_claims(std::string_view claims, ImportedTree& imported);
 
 [[nodiscard]] Result<ImportedTree> parse_swc(const TreeInput& input);

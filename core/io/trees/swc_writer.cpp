@@ -1,4 +1,5 @@
 #include "core/io/output_file.h"
+#include "core/io/text_numbers.h"
 #include "core/io/trees/swc.h"
 
 #include <algorithm>
@@ -9,6 +10,21 @@ namespace ramus::io {
 namespace {
 
 constexpr std::uint32_t kRoot = 0xFFFFFFFFU;
+constexpr std::string_view kVoxel = " voxel";
+
+// Nine numbers, and nothing else in their line.
+void take_voxel(std::string_view text, ImportedTree& imported) {
+    std::vector<std::string_view> words;
+    split_words(text.substr(0, text.find_first_of("\r\n")), " ", words);
+    glm::dmat3 edges(0.0);
+    if (words.size() != 9) return;
+    for (int n = 0; n < 9; ++n) {
+        const std::optional<double> number = to_real(words[static_cast<std::size_t>(n)]);
+        if (!number) return;
+        edges[n / 3][n % 3] = *number;
+    }
+    imported.voxel = edges;
+}
 
 std::vector<std::uint32_t> parents_of(const tree::VesselTree& tree) {
     std::vector<std::uint32_t> parents(tree.points.size(), kRoot);
@@ -50,8 +66,13 @@ std::vector<std::uint32_t> order_of(const tree::VesselTree& tree, const std::vec
 
 } // namespace
 
-std::string claims_text(const tree::Claims& claims) {
-    return "(" + std::string(claims.unit_word()) + ", " + std::string(claims.axes_word()) + ")";
+std::string claims_text(const tree::VesselTree& tree) {
+    std::string text = "(" + std::string(tree.claims.unit_word()) + ", " + std::string(tree.claims.axes_word()) + ")";
+    if (!tree.voxels || tree.voxels->estimated) return text;
+    text += kVoxel;
+    for (int edge = 0; edge < 3; ++edge)
+        for (int axis = 0; axis < 3; ++axis) text += " " + exact_number(tree.voxels->edges_mm[edge][axis]);
+    return text;
 }
 
 bool take_claims(std::string_view claims, ImportedTree& imported) {
@@ -59,6 +80,8 @@ bool take_claims(std::string_view claims, ImportedTree& imported) {
         for (const std::string_view axes : {std::string_view("RAS"), tree::kNotSaid})
             if (claims.starts_with("(" + std::string(unit) + ", " + std::string(axes) + ")")) {
                 imported.take_as_written(unit, axes);
+                const std::string_view behind = claims.substr(claims.find(')') + 1);
+                if (behind.starts_with(kVoxel)) take_voxel(behind.substr(kVoxel.size()), imported);
                 return true;
             }
     return false;
@@ -85,7 +108,7 @@ Result<void> write_swc(const tree::VesselTree& tree, const std::filesystem::path
 
     RAMUS_TRY(output, OutputFile::create(file));
     write_comments(output, comments);
-    output.write(std::string(kSwcColumns) + claims_text(tree.claims) + "\n");
+    output.write(std::string(kSwcColumns) + claims_text(tree) + "\n");
     for (const std::uint32_t point : order) {
         const tree::Point& at = tree.points[point];
         output.write_number(id[point]);

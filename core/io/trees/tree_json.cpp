@@ -2,6 +2,7 @@
 
 #include "core/io/output_file.h"
 #include "core/io/trees/json_input.h"
+#include "core/tree/voxels.h"
 
 #include <algorithm>
 #include <array>
@@ -80,6 +81,20 @@ public:
     [[nodiscard]] std::string unit_word() const { return text("units"); }
     [[nodiscard]] std::string axes_word() const { return text("orientation"); }
     [[nodiscard]] std::string source() const { return document_.contains("source") ? text("source") : std::string(); }
+
+    [[nodiscard]] std::optional<glm::dmat3> voxel() const {
+        const std::string key = "voxel_mm";
+        if (!document_.contains(key)) return std::nullopt;
+        const json& edges = array(key);
+        if (edges.size() != 3) refuse(key, "is not a list of three edges");
+        glm::dmat3 voxel(0.0);
+        for (std::size_t edge = 0; edge < 3; ++edge) {
+            const std::array<double, 3> at = numbers<3>(edges[edge], element(key, edge), "[x, y, z]");
+            voxel[static_cast<int>(edge)] = {at[0], at[1], at[2]};
+        }
+        if (!tree::is_a_voxel(voxel)) refuse(key, "are no edges of a voxel: they lie in one plane");
+        return voxel;
+    }
 
     [[nodiscard]] std::vector<tree::Note> notes() const {
         std::vector<tree::Note> notes;
@@ -240,6 +255,15 @@ void write_note(const tree::Note& note, BufferedFile& file) {
     file.write("}");
 }
 
+void write_voxel(const glm::dmat3& edges_mm, BufferedFile& file) {
+    file.write("\"voxel_mm\": [");
+    for (int edge = 0; edge < 3; ++edge) {
+        if (edge > 0) file.write(", ");
+        write_list(std::array{edges_mm[edge].x, edges_mm[edge].y, edges_mm[edge].z}, file);
+    }
+    file.write("],\n");
+}
+
 void write_systems(const tree::VesselTree& tree, BufferedFile& file) {
     file.write("\"systems\": ");
     write_lines(tree.systems, file, [&](const tree::System& system) {
@@ -271,6 +295,7 @@ Result<ImportedTree> parse_tree_json(const TreeInput& input) {
         imported.take_as_written(reader.unit_word(), reader.axes_word());
         imported.notes = reader.notes();
         imported.source = reader.source();
+        imported.voxel = reader.voxel();
         imported.place_of = [name](std::uint32_t point) { return name + ": points[" + std::to_string(point) + "]"; };
         return imported;
     } catch (const Refused& refused) {
@@ -285,6 +310,7 @@ Result<void> write_tree_json(const tree::VesselTree& tree, const std::filesystem
                ",\n\"units\": \"" + std::string(tree.claims.unit_word()) + "\",\n\"orientation\": \"" +
                std::string(tree.claims.axes_word()) + "\",\n");
     if (!tree.source.empty()) file.write("\"source\": " + quoted(tree.source) + ",\n");
+    if (tree.voxels && !tree.voxels->estimated) write_voxel(tree.voxels->edges_mm, file);
     file.write("\"points\": ");
     write_lines(tree.points, file, [&](const tree::Point& point) {
         const glm::dvec3& p = point.position;

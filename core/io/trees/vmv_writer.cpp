@@ -8,7 +8,7 @@ Result<void> write_vmv(const tree::VesselTree& tree, const std::filesystem::path
                        const std::vector<std::string>& comments) {
     RAMUS_TRY(output, OutputFile::create(file));
     write_comments(output, comments);
-    output.write(std::string(kVmvColumns) + claims_text(tree.claims) + "\n" + std::string(kVmvRoots));
+    output.write(std::string(kVmvColumns) + claims_text(tree) + "\n" + std::string(kVmvRoots));
     for (const std::uint32_t root : tree.roots) output.write(" " + std::to_string(root + 1));
     output.write("\n\n$PARAM_BEGIN\nNUM_VERTS\t" + std::to_string(tree.points.size()) + "\nNUM_STRANDS\t" +
                  std::to_string(tree.branches.size()) + "\nNUM_ATTRIB_PER_VERT\t4\n$PARAM_END\n\n$VERT_LIST_BEGIN\n");

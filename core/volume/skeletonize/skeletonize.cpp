@@ -149,7 +149,8 @@ Result<void> add_mask(Masks& masks, BitMask mask, int system, const glm::dmat4& 
     return job.cancelled() ? fail("cancelled") : Result<void>();
 }
 
-Result<tree::VesselTree> tree_of(Masks masks, const SkeletonizeOptions& options, SkeletonizeFigures* figures) {
+Result<tree::VesselTree> tree_of(Masks masks, const glm::dmat4& to_patient, const SkeletonizeOptions& options,
+                                 SkeletonizeFigures* figures) {
     if (figures != nullptr) *figures = masks.figures;
     if (options.root) choose_root(masks.graph, *options.root);
     // Pieces of the mask stay pieces.
@@ -158,6 +159,7 @@ Result<tree::VesselTree> tree_of(Masks masks, const SkeletonizeOptions& options,
         return "point " + std::to_string(point) + " of the skeleton";
     });
     if (!tree) return tree;
+    tree->voxels = tree::Voxels{glm::dmat3(to_patient), false};
     std::vector<Note>& notes = masks.notes;
     const auto tell = [&](std::uint64_t count, const char* topic, const std::string& one, const std::string& several) {
         if (count > 0)
@@ -181,7 +183,7 @@ Result<tree::VesselTree> skeletonize(BitMask mask, const glm::dmat4& to_patient,
         if (auto added = add_mask(masks, std::move(mask), 0, to_patient, options, JobRange(job, 0.0F, 1.0F)); !added)
             return tl::unexpected(added.error());
         masks.graph.point_systems.clear();
-        return tree_of(std::move(masks), options, figures);
+        return tree_of(std::move(masks), to_patient, options, figures);
     });
 }
 
@@ -204,7 +206,7 @@ Result<tree::VesselTree> skeletonize(Volume&& volume, std::span<const SystemMask
                 masks.graph.systems.push_back({systems[s].name, colour_of_system(s)});
         else
             masks.graph.point_systems.clear();
-        return tree_of(std::move(masks), options, figures);
+        return tree_of(std::move(masks), volume.to_patient, options, figures);
     });
 }
 

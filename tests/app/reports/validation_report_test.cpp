@@ -17,7 +17,7 @@ measure::DeviationStatistics distances(std::vector<double> values, std::optional
 }
 
 validate::RadiusPlace place(int branch, double along, double input, double surface, bool alone) {
-    return {branch, along, {along, 0, 0}, input, input, surface, surface, alone, {1, 0, 0}};
+    return {branch, along, {along, 0, 0}, input, surface, surface, alone, {1, 0, 0}};
 }
 
 ValidatedDataSet data_set(const std::string& tree, const std::vector<double>& to_cones) {
@@ -43,7 +43,7 @@ TEST_CASE("an average is the mean of the data sets' figures, each weighing the s
     // values together the mean would be 26/6; the mean of the means is 3.5.
     const std::vector<DistanceFigures> rows{figures_of(distances({0.0, 2.0}, 1.0)),
                                             figures_of(distances({6.0, 6.0, 6.0, 6.0}, 1.0))};
-    const DistanceFigures mean = mean_of(rows);
+    const DistanceFigures mean = summary_of(rows, Of::kMean);
     CHECK(mean.mean == doctest::Approx(3.5));
     CHECK(mean.sigma == doctest::Approx(0.5));
     CHECK(mean.rms == doctest::Approx(0.5 * (std::sqrt(2.0) + 6.0)));
@@ -54,8 +54,8 @@ TEST_CASE("an average is the mean of the data sets' figures, each weighing the s
     CHECK(mean.above_percent.value() == doctest::Approx(0.5 * (50.0 + 100.0)));
 
     const std::vector<DistanceFigures> one_without{rows[0], figures_of(distances({6.0}, std::nullopt))};
-    CHECK_FALSE(mean_of(one_without).above_percent);
-    CHECK(mean_of(std::span(rows).first(1)).sigma == doctest::Approx(1.0)); // of one: itself
+    CHECK_FALSE(summary_of(one_without, Of::kMean).above_percent);
+    CHECK(summary_of(std::span(rows).first(1), Of::kMean).sigma == doctest::Approx(1.0)); // of one: itself
 }
 
 TEST_CASE("averages count places per data set, and leave out radii that are not there") {
@@ -63,7 +63,7 @@ TEST_CASE("averages count places per data set, and leave out radii that are not 
     sets[0].validation.lost.resize(3);
     sets[1].validation.merged.resize(1);
     sets[0].validation.radius_error = {10, 0.02, 0.08, 0.0, 0.0};
-    const ValidationAverages averages = averages_of(sets);
+    const ValidationSummary averages = summary_of(sets, Of::kMean);
     CHECK(averages.data_sets == 2);
     CHECK(averages.to_cones.mean == doctest::Approx(3.0));
     CHECK_FALSE(averages.to_mask);
@@ -71,26 +71,28 @@ TEST_CASE("averages count places per data set, and leave out radii that are not 
     CHECK(averages.merged == doctest::Approx(0.5));
     CHECK(averages.radius_median.value() == doctest::Approx(0.02)); // b has no place for it
     sets[0].validation.radius_error = {};
-    CHECK_FALSE(averages_of(sets).radius_median);
+    CHECK_FALSE(summary_of(sets, Of::kMean).radius_median);
     sets[0].to_mask = {distances({5.0}, 1.0), {}};
-    CHECK_FALSE(averages_of(sets).to_mask); // not all have a mask
+    CHECK_FALSE(summary_of(sets, Of::kMean).to_mask); // not all have a mask
     sets[1].to_mask = {distances({7.0}, 1.0), {}};
-    CHECK(averages_of(sets).to_mask.value().mean == doctest::Approx(6.0));
+    CHECK(summary_of(sets, Of::kMean).to_mask.value().mean == doctest::Approx(6.0));
 }
 
-TEST_CASE("the table of distances ends with the average where there are several data sets") {
+TEST_CASE("the table of distances ends with average and standard deviation where there are several data sets") {
     const std::vector<ValidatedDataSet> sets{data_set("a.swc", {1.0, 3.0}), data_set("b.swc", {4.0})};
-    const Table table = distance_table(sets, HeldAgainst::kCones);
-    REQUIRE(table.rows.size() == 3);
+    const Table table = distance_table(sets, Held::kToCones);
+    REQUIRE(table.rows.size() == 4);
     CHECK(number(table, 0, "mean_mm") == doctest::Approx(2.0));
     CHECK(number(table, 2, "mean_mm") == doctest::Approx(3.0));
     CHECK(table.rows[2][1].text == "average");
-    CHECK(distance_table(std::span(sets).first(1), HeldAgainst::kCones).rows.size() == 1);
-    CHECK(distance_table(sets, HeldAgainst::kMask).rows.empty());
+    CHECK(number(table, 3, "mean_mm") == doctest::Approx(std::sqrt(2.0))); // of 2 and 4, a sample
+    CHECK(table.rows[3][1].text == "standard deviation");
+    CHECK(distance_table(std::span(sets).first(1), Held::kToCones).rows.size() == 1);
+    CHECK(distance_table(sets, Held::kToMask).rows.empty());
     const Table shown = for_people(table); // no mask, no voxels
     CHECK(shown.columns.size() + 2 == table.columns.size());
     CHECK(std::ranges::find(shown.columns, "above_percent", &Column::name) == shown.columns.end());
-    CHECK(all_distances_table(sets).columns[2].name == "to");
+    CHECK(all_distances_table(sets).columns[2].name == "distance");
 }
 
 TEST_CASE("the worst branches are those whose radius is most off where they are alone") {
@@ -114,13 +116,17 @@ TEST_CASE("every place of every question is a row of one table") {
     sets[1].validation.lost = {{7, {1, 2, 3}, 4.5}};
     sets[1].validation.merged = {{{3, 9}, {0, 0, 1}, -0.5}};
     sets[1].validation.constrictions = {{5, {0, 0, 0}, 0.8, 1.2}};
+    sets[1].validation.widths = {{6, {0, 0, 0}, 9.0, 1.0, 1.5}};
+    sets[1].validation.positions = {{8, {0, 0, 0}, 7.0, 0.5}};
     const Table table = all_places_table(sets);
-    REQUIRE(table.rows.size() == 3);
+    REQUIRE(table.rows.size() == 5);
     CHECK(csv_of(table) ==
-          "data_set,question,branch,other_branch,x,y,z,length_mm,gap_mm,expected_radius_mm,radius_mm\r\n"
-          "2,lost,7,,1,2,3,4.5,,,\r\n"
-          "2,merged,3,9,0,0,1,,-0.5,,\r\n"
-          "2,constriction,5,,0,0,0,,,0.8,1.2\r\n");
+          "data_set,question,branch,other_branch,x,y,z,length_mm,gap_mm,offset_mm,expected_radius_mm,radius_mm\r\n"
+          "2,lost,7,,1,2,3,4.5,,,,\r\n"
+          "2,merged,3,9,0,0,1,,-0.5,,,\r\n"
+          "2,constriction,5,,0,0,0,,,,0.8,1.2\r\n"
+          "2,width,6,,0,0,0,9,,,1,1.5\r\n"
+          "2,position,8,,0,0,0,7,,0.5,,\r\n");
 }
 
 TEST_CASE("the page needs nothing beside it, and names are text in it") {

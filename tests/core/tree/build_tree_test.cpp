@@ -171,9 +171,8 @@ TEST_CASE("graphs at random keep every promise") {
         check_promises(tree, distinct.size());
         // Independent cycles: edges - nodes + components.
         CHECK(tree.loop_count == static_cast<int>(distinct.size() + tree.roots.size() - tree.points.size()));
-        // Nothing is pruned away at a ratio of 0, and smoothing moves points only.
+        // Nothing is pruned away at a ratio of 0.
         CHECK(tree::prune(tree, 0.0).tree == tree);
-        CHECK(tree::smooth(tree, 1).branches == tree.branches);
     }
 }
 
@@ -213,29 +212,6 @@ TEST_CASE("repeated points are merged and lonely ones left out, each with a word
     CHECK(tree.points.size() == 3);
     CHECK(sentences(tree, Note::Kind::kRepaired).size() == 2);
     CHECK_FALSE(tree::build_tree(graph, Repair::kNone, place).has_value());
-}
-
-TEST_CASE("smoothing is the binomial pass of the method") {
-    SUBCASE("inner points and ends") {
-        tree::Graph graph = chain(3);
-        graph.points[1] = {{4.0, 0.0, 1.0}, 3.0};
-        const auto tree = tree::smooth(built(graph), 1);
-        CHECK(tree.points[1].position == glm::dvec3(2.0, 0.0, 1.0)); // (0 + 2 * 4 + 0) / 4
-        CHECK(tree.points[1].radius == 2.0);                         // (1 + 2 * 3 + 1) / 4
-        CHECK(tree.points[0] == graph.points[0]);
-        CHECK(tree.points[2] == graph.points[2]);
-    }
-    SUBCASE("a branching node leans to the thick neighbours") {
-        tree::Graph graph = fork(8.0, {4.0, 4.0});
-        graph.points[0].radius = 4.0;
-        graph.points[1].radius = 3.0;
-        graph.points[2].radius = 2.0;
-        graph.points[3].radius = 2.0;
-        const auto tree = tree::smooth(built(graph), 1);
-        // sum r x / sum r = (4 (0,0,0) + 2 (4,0,8) + 2 (0,4,8)) / 8 = (1, 1, 4); sum r r / sum r = 24 / 8 = 3
-        CHECK(tree.points[1].position == glm::dvec3(0.5, 0.5, 6.0));
-        CHECK(tree.points[1].radius == 3.0);
-    }
 }
 
 TEST_CASE("pruning drops leaf branches shorter than the ratio of their parent") {

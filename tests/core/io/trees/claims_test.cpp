@@ -72,7 +72,6 @@ TEST_CASE("all 48 orientations are applied to the file's numbers; those that mir
 
 TEST_CASE("what is derived from a tree claims no more than the tree") {
     const tree::VesselTree bare = read(kBare);
-    CHECK(tree::smooth(bare, 1).claims == kNobody);
     CHECK(tree::part_of(bare, std::vector<std::uint8_t>{1, 1, 0}).claims == kNobody);
     const auto edited =
         tree::apply(bare, {.kind = tree::Edit::Kind::kRadius, .branches = {0}, .fractions = {}, .value = 2.0});

@@ -1,0 +1,29 @@
+// How far smoothing moves a tree's points (core/tree/smooth.h), in words and as JSON.
+#pragma once
+
+#include "app/session/numbers.h"
+#include "core/tree/smooth.h"
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+namespace ramus::app {
+
+struct Smoothing {
+    int passes = 0;
+    std::optional<tree::Voxels> voxels; // of the tree; none: smoothing leaves it as it is
+    tree::Displacement moved;
+};
+// Smooths a copy of the tree.
+[[nodiscard]] Smoothing smoothing_of(const tree::VesselTree& tree, int passes);
+
+// "voxels of 0.781 x 0.781 x 0.7 mm (estimated): points move by 0.21 mm (0.1 radii) in the median, by 0.39 mm (0.5
+// radii) at most"; "none: the points are no voxels".
+[[nodiscard]] std::string smoothing_text(const Smoothing& smoothing, const Lengths& lengths);
+
+// passes, voxel_mm (the three edges' lengths, or null), voxel_from ("mask" or "points", or null), displacement_mm and
+// displacement_radii {median, max}.
+[[nodiscard]] nlohmann::ordered_json smoothing_json(const Smoothing& smoothing);
+
+} // namespace ramus::app
