@@ -119,6 +119,34 @@ def radii():
     return text + ("" if brains else "\n" + MISSING + "\n")
 
 
+FORMATS = ("airways_human.vtu", "aorta_0066_centerline.vtp", "carotid_centerline.vtp", "coronary_227A.vtk", "penetrating_artery.vtk",
+           "cortex_slab.h5", "cortex_sample.vmv", "mesentery.am", "opencco_3D.xml", "vascusynth.xml", "vesselvio_vertices.csv")
+
+
+def fidelity():
+    """How well the surface of all defaults follows the tree as its file has it, beside one without smoothing."""
+    inputs = [(f"grown, {b} branches, seed {s}", grown(b, s)) for b, s in GROWN]
+    real = sorted((SHARED / "trees").glob("*.swc"))
+    inputs += [(path.stem.replace("_", " "), path) for path in real]
+    inputs += [(name, SHARED / "formats" / name) for name in FORMATS if real]
+    rows = []
+    for name, tree in inputs:
+        smoothing = ramus_json("info", tree)["smoothing"]
+        default, raw = (ramus_json("validate", tree, *options) for options in ((), ("--smooth", 0)))
+        points, offset, raw_offset = default["fidelity"], default["fidelity"]["axis_offset_mm"], raw["fidelity"]["axis_offset_mm"]
+        error, raw_error = default["radius_error"], raw["radius_error"]
+        voxel = "none" if smoothing["voxel_mm"] is None else f"{smoothing['voxel_mm'][0]:.3g}"
+        rows.append((name, voxel, f"{smoothing['displacement_radii']['max']:.2f}",
+                     f"{points['points_outside']} of {points['points']:,}",
+                     *(f"{offset[key]:.4f} ({raw_offset[key]:.4f})" for key in ("median", "p95")),
+                     *(f"{100.0 * error[key]:.2f} ({100.0 * raw_error[key]:.2f})" for key in ("median", "p95")),
+                     " ".join(str(len(found)) for found in default["questions"].values())))
+        print(f"    {name}", flush=True)
+    text = table(("tree", "voxels", "largest displacement, radii", "points outside", "axis off, median", "95th percentile",
+                  "radius off, median, %", "95th percentile", "lost, false, merged, constrictions, width, position"), rows)
+    return text + ("" if real else "\n" + MISSING + "\n")
+
+
 def stenoses():
     """The narrowest radius of stenoses: how much wider the surface is than the tree, and how far off it is beside that."""
     rows = []
@@ -153,16 +181,20 @@ def table1():
         tree = OUT / f"table1_{n}.json"
         ramus("skeletonize", mask, "-o", tree, *options)
         found = ramus_json("validate", tree, "--mask", mask, *(word.replace("--units", "--mask-units") for word in options))
-        cones, to_mask, questions = found["distances"]["to_cones"], found["distances"]["to_mask"], found["questions"]
+        cones, to_mask, from_mask = (found["distances"][other] for other in ("to_cones", "to_mask", "from_mask"))
+        volumes, questions = found["volumes"], found["questions"]
         boxes.append(plots.box_of(name, to_mask))
         rows.append((name, f"{cones['mean']:.4f}", f"{cones['sigma']:.4f}", f"{cones['max']:.3f}", f"{cones['but_for_free_ends']['max']:.3f}",
                      f"{to_mask['mean']:.4f}",
                      f"{to_mask['sigma']:.4f}", f"{to_mask['max']:.3f}", f"{to_mask['threshold_mm']:.3f}",
                      f"{100.0 - to_mask['above_percent']:.2f}",
-                     " ".join(str(len(questions[key])) for key in ("lost", "false", "merged", "constrictions"))))
+                     f"{from_mask['mean']:.4f}", f"{100.0 - from_mask['above_percent']:.2f}",
+                     f"{100.0 * volumes['surface_mm3'] / volumes['mask_mm3']:.1f}", f"{volumes['dice']:.3f}",
+                     " ".join(str(len(found)) for found in questions.values())))
         print(f"    {name}", flush=True)
     text = table(("mask", "to cones: mean, mm", "sigma", "largest", "but for free ends", "to isosurface: mean, mm", "sigma", "largest",
-                  "half a voxel's diagonal, mm", "below it, %", "lost, false, merged, constrictions"), rows)
+                  "half a voxel's diagonal, mm", "below it, %", "from isosurface: mean, mm", "below half a voxel, %", "volume, % of the mask's",
+                  "Dice", "lost, false, merged, constrictions, width, position"), rows)
     text += "\n" + MISSING + "\n" if missing else ""
     return text + "\n" + figure("table1.svg", plots.box_plots("Surface to isosurface of the mask", "mm", boxes))
 
@@ -209,5 +241,5 @@ def study():
     return text.replace(str(ROOT) + "/", "")
 
 
-PARTS = {"shapes": shapes, "joints": joints, "bounds": bounds, "radii": radii, "stenoses": stenoses, "table1": table1,
+PARTS = {"shapes": shapes, "joints": joints, "bounds": bounds, "radii": radii, "fidelity": fidelity, "stenoses": stenoses, "table1": table1,
          "roundness": roundness, "table3": table3, "study": study}
