@@ -263,7 +263,7 @@ std::vector<Command> context_commands() {
             "[FILE [--label N] [--isovalue X] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact] [--units UNIT]]",
             "Shows the surface of a mask, of a scan at an isovalue, or of a mesh beside the tree, or alone where there "
             "is none; without FILE, asks for one. A mask's steps between voxels are smoothed, by half a voxel at most, "
-            "unless `--exact` is given.",
+            "unless its exact steps are asked for.",
             context)
             .in_menu("File", "Add context..."),
         Command("context-remove", "N", "Takes the N-th context mesh away.", context_remove).when(has_context),

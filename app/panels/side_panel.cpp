@@ -102,7 +102,14 @@ void draw_words(InterfaceContext& context, const SurfaceOption& option, const me
 void draw_smoothing(InterfaceContext& context) {
     const Assets& assets = context.workspace.current_assets();
     if (!assets.centerlines.lines) return;
-    widgets::quiet_wrapped(smoothing_text(assets.centerlines.smoothing, Lengths(assets.tree->claims)).c_str());
+    const Smoothing& smoothing = assets.centerlines.smoothing;
+    const Lengths lengths(assets.tree->claims);
+    if (!smoothing.voxels) return widgets::quiet("Points are no voxels: they stay as they are.");
+    widgets::fact(smoothing.voxels->estimated ? "    voxels, estimated" : "    voxels",
+                  voxels_text(*smoothing.voxels, lengths));
+    widgets::fact("    moves points by, median", lengths.text(smoothing.moved.median_mm));
+    widgets::fact("    at most", lengths.text(smoothing.moved.largest_mm) + ", " +
+                                     digits(smoothing.moved.largest_radii, 2) + " radii");
 }
 
 void draw_options(InterfaceContext& context) {

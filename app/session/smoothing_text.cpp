@@ -6,17 +6,12 @@
 
 namespace ramus::app {
 
-namespace {
-
 std::string voxels_text(const tree::Voxels& voxels, const Lengths& lengths) {
     const glm::dvec3 sizes = tree::sizes_mm(voxels);
     const std::string cube = digits(sizes.x);
     const bool cubes = cube == digits(sizes.y) && cube == digits(sizes.z);
-    return (cubes ? cube : cube + " x " + digits(sizes.y) + " x " + digits(sizes.z)) + " " + lengths.unit() +
-           (voxels.estimated ? " (estimated)" : "");
+    return (cubes ? cube : cube + " x " + digits(sizes.y) + " x " + digits(sizes.z)) + " " + lengths.unit();
 }
-
-} // namespace
 
 Smoothing smoothing_of(const tree::VesselTree& tree, int passes) {
     Smoothing smoothing{passes, tree.voxels, {}};
@@ -28,9 +23,10 @@ std::string smoothing_text(const Smoothing& smoothing, const Lengths& lengths) {
     if (smoothing.passes == 0) return "off";
     if (!smoothing.voxels) return "none: the points are no voxels";
     const tree::Displacement& moved = smoothing.moved;
-    return "voxels of " + voxels_text(*smoothing.voxels, lengths) + ": points move by " +
-           lengths.text(moved.median_mm) + " (" + digits(moved.median_radii) + " radii) in the median, by " +
-           lengths.text(moved.largest_mm) + " (" + digits(moved.largest_radii) + " radii) at most";
+    return "voxels of " + voxels_text(*smoothing.voxels, lengths) +
+           (smoothing.voxels->estimated ? " (estimated)" : "") + ": points move by " + lengths.text(moved.median_mm) +
+           " (" + digits(moved.median_radii) + " radii) in the median, by " + lengths.text(moved.largest_mm) + " (" +
+           digits(moved.largest_radii) + " radii) at most";
 }
 
 nlohmann::ordered_json smoothing_json(const Smoothing& smoothing) {

@@ -18,6 +18,8 @@ struct Smoothing {
 // Smooths a copy of the tree.
 [[nodiscard]] Smoothing smoothing_of(const tree::VesselTree& tree, int passes);
 
+[[nodiscard]] std::string voxels_text(const tree::Voxels& voxels, const Lengths& lengths); // "0.781 x 0.781 x 0.7 mm"
+
 // "voxels of 0.781 x 0.781 x 0.7 mm (estimated): points move by 0.21 mm (0.1 radii) in the median, by 0.39 mm (0.5
 // radii) at most"; "none: the points are no voxels".
 [[nodiscard]] std::string smoothing_text(const Smoothing& smoothing, const Lengths& lengths);

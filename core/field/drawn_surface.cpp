@@ -30,7 +30,7 @@ struct CubeOfPoint {
     int size = 0; // side of the brick, as a power of two, mm
     std::array<int, 3> block{}, brick{};
     std::uint32_t point = 0;
-    auto operator<=>(const CubeOfPoint&) const = default;
+    auto operator<=>(const CubeOfPoint&) const = default; // NOLINT(modernize-use-nullptr): what clang makes of it
 
     [[nodiscard]] double side() const { return std::ldexp(1.0, size); }
     [[nodiscard]] bool same_block(const CubeOfPoint& o) const {

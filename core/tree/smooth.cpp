@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <oneapi/tbb/blocked_range.h>
@@ -25,6 +26,12 @@ struct VoxelPoint {
     glm::dvec3 at{0.0};
     double radius = 0.0; // mm
 };
+
+// As many steps between adjacent voxels, which may share a corner only: the paper's points are so far apart.
+double steps_between(const VoxelPoint& a, const VoxelPoint& b) {
+    const glm::dvec3 way = glm::abs(a.at - b.at);
+    return std::max({way.x, way.y, way.z});
+}
 
 class Diffusion {
 public:
@@ -60,18 +67,18 @@ private:
     // The centerline beside a point.
     struct Beside {
         VoxelPoint point;
-        double away = 1.0; // voxels along the centerline, 1 at least
+        double away = 1.0; // steps along the centerline, 1 at least
     };
     // The next point, or what lies a voxel away where that is closer; the centerline ends where branches do.
     [[nodiscard]] Beside beside(std::uint32_t from, std::uint32_t first) const {
         std::uint32_t before = from, here = first;
-        double gone = glm::distance(points_[from].at, points_[first].at);
+        double gone = steps_between(points_[from], points_[first]);
         if (gone >= 1.0) return {points_[first], gone};
         for (int step = 0; step < kMostSteps && next_.of(here).size() == 2; ++step) {
             const auto beyond = next_.of(here);
             const std::uint32_t next = beyond[0] == before ? beyond[1] : beyond[0];
             if (next == from) break; // around a loop
-            const double length = glm::distance(points_[here].at, points_[next].at);
+            const double length = steps_between(points_[here], points_[next]);
             if (gone + length >= 1.0) {
                 const double share = (1.0 - gone) / length;
                 return {{glm::mix(points_[here].at, points_[next].at, share),

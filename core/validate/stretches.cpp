@@ -14,11 +14,12 @@ namespace {
 // Tuned on trees of patients, whose surfaces have nothing wrong, and on trees with one thing wrong: what is compared
 // are means along the vessel, so that a jump of the radius from one point to the next, which the surface rounds, is no
 // change of width, and a corner none of position.
-constexpr double kWindow = 1.5;    // radii to either side
-constexpr double kVoxels = 3.0;    // likewise, of a tree of voxels
-constexpr double kShortest = 2.0;  // radii that a stretch is long at least
-constexpr double kJoined = 2.0;    // radii between stretches that are one
-constexpr std::size_t kFewest = 4; // places of a mean
+constexpr double kWindow = 1.5;          // radii to either side
+constexpr double kWindowVoxels = 3.0;    // likewise, of a tree of voxels
+constexpr double kShortestStretch = 2.0; // radii that a stretch is long at least
+constexpr double kJoined = 2.0;          // radii between stretches that are one
+constexpr double kLong = 12.0;           // radii
+constexpr std::size_t kFewest = 4;       // places of a mean
 
 constexpr double kAllowedWidth = 0.1;
 constexpr double kAllowedOffset = 1.0 / 3.0; // of the radius
@@ -44,7 +45,7 @@ public:
     // None: too little of the vessel around the place is away from joints, ends and other vessels.
     [[nodiscard]] std::optional<Mean> at(std::size_t i) const {
         if (!measured(i)) return std::nullopt;
-        const double reach = std::max(kWindow * places_[i].scale, kVoxels * grain_mm_);
+        const double reach = std::max(kWindow * places_[i].scale, kWindowVoxels * grain_mm_);
         Mean mean;
         double length = 0.0;
         std::size_t count = 0;
@@ -86,16 +87,16 @@ template <class Off> std::vector<Stretch> stretches_where(const Means& means, co
         if (!mean) continue;
         const bool goes_on_here = std::exchange(goes_on, off(*mean));
         if (!goes_on) continue;
-        if (goes_on_here)
-            all.back().last = i;
-        else if (!all.empty() && places[i].along - places[all.back().last].along <= kJoined * places[i].scale)
+        const bool is_near =
+            !all.empty() && places[i].along - places[all.back().last].along <= kJoined * places[i].scale;
+        if (goes_on_here || is_near)
             all.back().last = i;
         else
             all.push_back({i, i});
     }
     std::erase_if(all, [&](const Stretch& one) {
         const Place &first = places[one.first], &last = places[one.last];
-        return last.along + last.step - first.along < kShortest * places[(one.first + one.last) / 2].scale;
+        return last.along + last.step - first.along < kShortestStretch * places[(one.first + one.last) / 2].scale;
     });
     return all;
 }
@@ -125,13 +126,12 @@ std::size_t place_of(const Means& means, const glm::dvec3& at) {
 // Whether the vessel is off by as much on both sides of a narrow place, where it is widest: then the place is part of a
 // stretch of another width.
 bool is_of_stretch(const Means& means, std::size_t narrow, double side) {
-    constexpr double kFarthest = 12.0; // radii: half of a stenosis of five diameters, and more
+    constexpr double kLooked = 12.0; // radii: half of a stenosis of five diameters, and more
     const std::span<const Place> places = means.places();
     std::optional<std::size_t> before, behind; // the widest measured, the farthest of these
     const auto take = [&](std::optional<std::size_t>& widest, std::size_t i) {
         const double most = widest ? places[*widest].radius : places[narrow].radius;
-        if (std::abs(places[i].along - places[narrow].along) > kFarthest * std::max(most, places[i].radius))
-            return false;
+        if (std::abs(places[i].along - places[narrow].along) > kLooked * std::max(most, places[i].radius)) return false;
         if (means.measured(i) && places[i].radius >= (1.0 - 1e-6) * most) widest = i;
         return true;
     };
@@ -209,11 +209,13 @@ std::vector<Width> changed_widths(const Reference& reference, std::span<const Se
                 const std::size_t worst =
                     worst_of(means, stretch, [&](const Mean& mean) { return side * change_of(mean); });
                 if (is_moved(moved, means.places()[worst])) continue;
+                // Longer than what a stenosis of five diameters changes, it is no matter of narrow places.
+                const bool is_long = length_of(means, stretch) > kLong * means.places()[worst].scale;
                 const auto narrow_here = [&](const Constriction& one) {
                     return one.branch == id && overlaps(means, stretch, place_of(means, one.at));
                 };
                 std::erase_if(constrictions, [&](const Constriction& one) {
-                    return narrow_here(one) && is_of_stretch(means, place_of(means, one.at), side);
+                    return narrow_here(one) && (is_long || is_of_stretch(means, place_of(means, one.at), side));
                 });
                 if (std::ranges::any_of(constrictions, narrow_here)) continue;
                 const Mean mean = *means.at(worst);

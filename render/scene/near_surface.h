@@ -18,7 +18,7 @@ struct NearSurface {
 };
 
 // Pixels that the middle of an edge may be off its outline in a picture. Four samples a pixel tell a quarter.
-inline constexpr float kMostOffOutline = 0.2F;
+inline constexpr float kMostOffOutline = 0.15F;
 
 // Triangles: that are made, and those that may have an edge to divide, which all take time.
 struct NearLimits {

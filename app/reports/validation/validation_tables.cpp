@@ -365,6 +365,7 @@ Table all_places_table(std::span<const ValidatedDataSet> sets) {
                {"z", "z, mm"},
                {"length_mm", "Length, mm"},
                {"gap_mm", "Gap, mm"},
+               {"offset_mm", "Off, mm"},
                {"expected_radius_mm", "Radius should be, mm"},
                {"radius_mm", "Radius is, mm"}},
               {}};

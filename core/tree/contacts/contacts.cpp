@@ -116,7 +116,8 @@ Contacts find_contacts(const PreparedTree& prepared, const Links& links, const C
     const auto pieces = [](const Row& row) { return std::pair(row.piece, row.partner.piece); };
     std::ranges::sort(rows, {}, [&](const Row& row) { return std::pair(pieces(row), -row.partner.apart_from); });
     // A pair may be part of a fold and of a contact.
-    rows.erase(std::ranges::unique(rows, {}, pieces).begin(), rows.end());
+    const auto same = [&](const Row& a, const Row& b) { return pieces(a) == pieces(b); };
+    rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());
     contacts.first_partner.assign(links.all().size() + 1, 0);
     for (const Row& row : rows) {
         ++contacts.first_partner[row.piece + 1];

@@ -19,12 +19,11 @@ namespace {
 
 // Tubes of radius 1. The first has a bend of 1 mm, 0.5 after one pass of smoothing, under one that is 2.5 mm high: they
 // overlap by 0.5 or touch. The last two overlap by 0.2. Voxels are so large that smoothing reaches from end to end.
-constexpr const char* kTubes =
-    "# id type x y z radius parent (mm, RAS) voxel 100 0 0 0 100 0 0 0 100\n"
-    "1 2 0 -10 0 1 -1\n2 2 0 0 1 1 1\n3 2 0 10 0 1 2\n"
-    "4 2 -10 0 2.5 1 -1\n5 2 10 0 2.5 1 4\n"
-    "6 2 30 -10 0 1 -1\n7 2 30 10 0 1 6\n"
-    "8 2 20 0 1.8 1 -1\n9 2 40 0 1.8 1 8\n";
+constexpr const char* kTubes = "# id type x y z radius parent (mm, RAS) voxel 100 0 0 0 100 0 0 0 100\n"
+                               "1 2 0 -10 0 1 -1\n2 2 0 0 1 1 1\n3 2 0 10 0 1 2\n"
+                               "4 2 -10 0 2.5 1 -1\n5 2 10 0 2.5 1 4\n"
+                               "6 2 30 -10 0 1 -1\n7 2 30 10 0 1 6\n"
+                               "8 2 20 0 1.8 1 -1\n9 2 40 0 1.8 1 8\n";
 
 // By how much the round bend is lower than its point: half a radius times the sine of half the angle that it turns by.
 double rounded_off(double height) { return 0.5 * height / std::hypot(10.0, height); }

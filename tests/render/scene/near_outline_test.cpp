@@ -176,9 +176,12 @@ double most_off_outline(const tree::VesselTree& tree, const PagedMesh& mesh, con
 
 TEST_CASE("outlines near the eye are those of the field: a tip and a trunk, at any zoom") {
     // A vessel that bends and thins, with a branch, as trees have them; along it all radii and curvatures differ.
-    const tree::VesselTree tree = test::built_tree(
-        {{{0, 0, -25}, 4.0}, {{0, 0, -5}, 4.2}, {{2, 0, 8}, 3.2}, {{8, 3, 18}, 2.4}, {{-9, 2, 10}, 1.5}},
-        {{0, 1}, {1, 2}, {2, 3}, {1, 4}});
+    const tree::VesselTree tree = test::built_tree({{{0, 0, -25}, 4.0},
+                                                    {{-0.41, 0.17, -5.9}, 3.74},
+                                                    {{3, 0.75, 7.25}, 3.25},
+                                                    {{8, 3, 18}, 2.4},
+                                                    {{-9, 2, 10}, 1.5}},
+                                                   {{0, 1}, {1, 2}, {2, 3}, {1, 4}});
     constexpr double kThick = 4.2; // mm: the thickest
     const PagedMesh mesh = drawn_mesh(tree);
     const auto outermost = [&](const glm::vec3& along) { // of all vertices
@@ -271,8 +274,8 @@ TEST_CASE("the crease between vessels that cross is the line where their tubes m
                 bool near = false;
                 for (int v = -1; v <= 1; ++v)
                     for (int u = -1; u <= 1; ++u) {
-                        const int beside = exact(i + u, j + v);
-                        near = near || beside == there || beside == kElsewhere;
+                        const int neighbour = exact(i + u, j + v);
+                        near = near || neighbour == there || neighbour == kElsewhere;
                     }
                 off += near ? 0 : 1;
             }

@@ -40,11 +40,7 @@ NearView looking_at(const PagedMesh& mesh, const Camera& camera, glm::ivec2 size
 }
 
 // All of a mesh is looked at, wherever it is.
-void show_all(NearView& view) {
-    view.to_clip = glm::dmat4(0.0);
-    view.to_clip[3][3] = 1.0;
-    view.sides = {};
-}
+void show_all(NearView& view) { view.to_clip = glm::dmat4(0.0), view.to_clip[3][3] = 1.0, view.sides = {}; }
 
 // All that is drawn, relative to the mesh's origin; a vertex for each corner.
 TriangleMesh drawn(const PagedMesh& mesh, const NearSurface& near) {
@@ -406,9 +402,8 @@ TEST_CASE("pictures of what is near show round outlines, and the same vessels in
     TriangleMesh mesh;
     test::add_capsule(mesh, {-20, 0, 0}, {20.3F, 0, 0}, 5.0F, 5.0F, 0, 16); // the border lies within pixels
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        const bool right = mesh.positions[i].x > 0.0F;
-        mesh.branches[i] = right ? 1 : 0;
-        mesh.dominance.push_back({{100, 200}, {static_cast<std::uint8_t>(right ? 0 : 1), 7}});
+        mesh.branches[i] = mesh.positions[i].x > 0.0F ? 1 : 0;
+        mesh.dominance.push_back({{100, 200}, {static_cast<std::uint8_t>(1 - mesh.branches[i]), 7}});
     }
     Frame& frame = scene.frame;
     frame.mesh = std::make_shared<const PagedMesh>(mesh);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
+#include <string>
 #include <vector>
 
 using namespace ramus;
@@ -18,10 +19,10 @@ namespace {
 
 constexpr double kRadius = 5.0; // mm
 const glm::dvec3 kSpacing(1.0, 1.0, 2.0);
-const glm::ivec3 kSize(50, 50, 30);
+const glm::ivec3 kCutSize(50, 50, 30);
 
 tree::VesselTree tree_of_tube(const glm::dvec3& from, const glm::dvec3& to) {
-    const auto mask = test::mask_of(kSize, [&](const glm::ivec3& v) {
+    const auto mask = test::mask_of(kCutSize, [&](const glm::ivec3& v) {
         const glm::dvec3 at = kSpacing * glm::dvec3(v), way = to - from;
         const double along = std::clamp(glm::dot(at - from, way) / glm::dot(way, way), 0.0, 1.0);
         return glm::distance(at, from + along * way) < kRadius;
@@ -65,7 +66,7 @@ void check_caps(const mesh::TriangleMesh& surface, const tree::VesselTree& tree)
         }
         CHECK(on_plane > 16);
         CHECK(within > 4);
-        CHECK(widest > 0.9 * radius);
+        CHECK(widest > 0.6 * radius); // cells are 2 pi / 16 of the radius, and cut the rim
     }
 }
 
@@ -78,14 +79,15 @@ TEST_CASE("a vessel that the border of the volume cuts ends there in a flat cap,
     };
     for (const Tube& tube : {Tube{"straight", {25, 25, 20}, {25, 25, 90}}, Tube{"aslant", {12, 25, 16}, {70, 30, 30}},
                              Tube{"through a slice, aslant", {25, 18, 20}, {27, 40, 75}}}) {
-        CAPTURE(tube.name);
+        const std::string name = tube.name;
+        CAPTURE(name);
         const tree::VesselTree tree = tree_of_tube(tube.from, tube.to);
         CHECK(tree.branches.size() == 1);
         const auto cuts = cut_ends(tree);
         REQUIRE(cuts.size() == 1);
         // In the plane of the border, which is half a voxel beyond the last centres.
         const glm::dvec3 outward = *cuts[0].outward;
-        const glm::dvec3 border = (glm::dvec3(kSize) - 0.5) * kSpacing;
+        const glm::dvec3 border = (glm::dvec3(kCutSize) - 0.5) * kSpacing;
         CHECK(glm::dot(*cuts[0].at - border, outward) == doctest::Approx(0.0));
         CHECK(std::ranges::any_of(tree.points, [&](const tree::Point& p) { return p.position == *cuts[0].at; }));
         const glm::dvec3 axis = glm::normalize(tube.to - tube.from);

@@ -95,9 +95,7 @@ TEST_CASE("trees of real masks have their topology, and surfaces close to theirs
         CHECK(tree->roots.size() == known.pieces);
         CHECK(tree->loop_count == known.tunnels);
 
-        mesh::SurfaceOptions as_it_is;
-        as_it_is.smooth_passes = 0; // centerlines of masks are smooth already
-        const auto surface = mesh::make_surface(*tree, as_it_is, job);
+        const auto surface = mesh::make_surface(*tree, {}, job);
         REQUIRE(surface);
         const auto wall = volume::mask_surface(*mask, to_patient, {}, job);
         REQUIRE(wall);
