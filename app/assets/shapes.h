@@ -82,9 +82,9 @@ struct ContextShape {
 };
 
 // The mesh in this file, or the surface of the mask in it by marching cubes, without the steps of
-// its voxels (core/volume/smooth_level.h) unless it shall be exact; or `before` if the file was not written since
-// (null: it was not read before). When `job` is cancelled, the error's `what` is "cancelled", and the result must not
-// be kept. Any thread.
+// its voxels (core/volume/smooth_level.h) unless the exact one is asked for; or `before` if the file was not written
+// since (null: it was not read before). When `job` is cancelled, the error's `what` is "cancelled", and the result must
+// not be kept. Any thread.
 [[nodiscard]] Loaded<ContextShape> read_context_shape(const ContextSource& source, const Loaded<ContextShape>* before,
                                                       Job& job);
 

@@ -273,7 +273,8 @@ Result<int> run_mesh(const MeshFlags& flags) {
     warn_of_intersections(flags, written);
     warn_of_shape(flags, written, opened.session.marks.options.blend);
     const mesh::SurfaceOptions& options = opened.session.marks.options;
-    const Smoothing smoothing = smoothing_of(*opened.tree, options.smooth_passes);
+    std::optional<Smoothing> smoothing; // shown in JSON only
+    if (flags.json) smoothing = smoothing_of(*opened.tree, options.smooth_passes);
     report(flags, written, target.names.claims, smoothing, load_s);
     return kDone;
 }

@@ -18,7 +18,7 @@ namespace ramus::tree {
 namespace {
 
 constexpr double kMostVoxels = 0.5; // that a point moves, in voxels
-constexpr double kMostRadii = 0.5;  // likewise, in its radii
+constexpr double kMostRadii = 0.5;  // that a point moves, in its radii
 constexpr int kMostSteps = 64;      // from point to point within a voxel: a file may claim voxels of any size
 
 // A point with its position counted in voxels.

@@ -15,10 +15,10 @@ namespace {
 // are means along the vessel, so that a jump of the radius from one point to the next, which the surface rounds, is no
 // change of width, and a corner none of position.
 constexpr double kWindow = 1.5;          // radii to either side
-constexpr double kWindowVoxels = 3.0;    // likewise, of a tree of voxels
+constexpr double kWindowVoxels = 3.0;    // voxels to either side, of a tree of voxels
 constexpr double kShortestStretch = 2.0; // radii that a stretch is long at least
 constexpr double kJoined = 2.0;          // radii between stretches that are one
-constexpr double kLong = 12.0;           // radii
+constexpr double kLong = 12.0;           // radii: longer than the part of a stenosis that is filled
 constexpr std::size_t kFewest = 4;       // places of a mean
 
 constexpr double kAllowedWidth = 0.1;

@@ -87,7 +87,7 @@ struct ValidationSummary {
     std::optional<double> surface_mm3, mask_mm3, dice; // of the data sets that have them
     std::optional<double> radius_median, radius_p95;   // of the data sets that have places for it
     double points_outside_percent = 0.0;
-    std::optional<double> offset_median, offset_p95, offset_max; // likewise; mm
+    std::optional<double> offset_median, offset_p95, offset_max; // of the same data sets; mm
     double lost = 0.0, false_parts = 0.0, merged = 0.0, constrictions = 0.0, widths = 0.0, positions = 0.0;
 };
 [[nodiscard]] ValidationSummary summary_of(std::span<const ValidatedDataSet> sets, Of what); // not empty

@@ -23,11 +23,12 @@ inline constexpr char kLostLetter = 'L', kFalseLetter = 'F', kMergedLetter = 'M'
 
 // A row for each data set, and one for all on average where there are several. No rows: none has a mask.
 [[nodiscard]] Table distance_table(std::span<const ValidatedDataSet> sets, Held how);
-// How often each question is answered by a place, and the error of the radius; likewise.
+// How many places answer each question; a row for each data set.
 [[nodiscard]] Table questions_table(std::span<const ValidatedDataSet> sets);
-// How well each surface follows its tree: points outside, offsets of the axis, errors of the radius; likewise.
+// How well each surface follows its tree: points outside, offsets of the axis, errors of the radius. A row for each
+// data set.
 [[nodiscard]] Table fidelity_table(std::span<const ValidatedDataSet> sets);
-// Volumes of each surface and its mask, and their overlap; likewise. No rows: there are no masks.
+// Volumes of each surface and its mask, and their overlap; a row for each mask. No rows: there are no masks.
 [[nodiscard]] Table volumes_table(std::span<const ValidatedDataSet> sets);
 // Pieces and loops of each surface beside its tree's. No rows: all are of cones.
 [[nodiscard]] Table shape_table(std::span<const ValidatedDataSet> sets);
