@@ -30,15 +30,15 @@ std::string smoothing_text(const Smoothing& smoothing, const Lengths& lengths) {
 }
 
 nlohmann::ordered_json smoothing_json(const Smoothing& smoothing) {
-    nlohmann::ordered_json json = {{"passes", smoothing.passes}, {"voxel_mm", nullptr}, {"voxel_from", nullptr}};
+    nlohmann::ordered_json report = {{"passes", smoothing.passes}, {"voxel_mm", nullptr}, {"voxel_from", nullptr}};
     if (smoothing.voxels) {
         const glm::dvec3 sizes = tree::sizes_mm(*smoothing.voxels);
-        json["voxel_mm"] = {sizes.x, sizes.y, sizes.z};
-        json["voxel_from"] = smoothing.voxels->estimated ? "points" : "mask";
+        report["voxel_mm"] = {sizes.x, sizes.y, sizes.z};
+        report["voxel_from"] = smoothing.voxels->estimated ? "points" : "mask";
     }
-    json["displacement_mm"] = {{"median", smoothing.moved.median_mm}, {"max", smoothing.moved.largest_mm}};
-    json["displacement_radii"] = {{"median", smoothing.moved.median_radii}, {"max", smoothing.moved.largest_radii}};
-    return json;
+    report["displacement_mm"] = {{"median", smoothing.moved.median_mm}, {"max", smoothing.moved.largest_mm}};
+    report["displacement_radii"] = {{"median", smoothing.moved.median_radii}, {"max", smoothing.moved.largest_radii}};
+    return report;
 }
 
 } // namespace ramus::app
