@@ -209,8 +209,10 @@ std::vector<Width> changed_widths(const Reference& reference, std::span<const Se
                 const std::size_t worst =
                     worst_of(means, stretch, [&](const Mean& mean) { return side * change_of(mean); });
                 if (is_moved(moved, means.places()[worst])) continue;
-                // Longer than what a stenosis of five diameters changes, it is no matter of narrow places.
-                const bool is_long = length_of(means, stretch) > kLong * means.places()[worst].scale;
+                // Longer than what a stenosis of five diameters changes, of the vessel where it begins and ends, it is
+                // no matter of narrow places.
+                const double beside = std::max(means.places()[stretch.first].scale, means.places()[stretch.last].scale);
+                const bool is_long = length_of(means, stretch) > kLong * beside;
                 const auto narrow_here = [&](const Constriction& one) {
                     return one.branch == id && overlaps(means, stretch, place_of(means, one.at));
                 };
