@@ -105,8 +105,8 @@ void draw_smoothing(InterfaceContext& context) {
     const Smoothing& smoothing = assets.centerlines.smoothing;
     const Lengths lengths(assets.tree->claims);
     if (!smoothing.voxels) return widgets::quiet("Points are no voxels: they stay as they are.");
-    widgets::fact(smoothing.voxels->estimated ? "    voxels, estimated" : "    voxels",
-                  voxels_text(*smoothing.voxels, lengths));
+    widgets::fact("    voxels", voxels_text(*smoothing.voxels, lengths));
+    if (smoothing.voxels->estimated) widgets::fact("    their size is", "estimated from the points");
     widgets::fact("    moves points by, median", lengths.text(smoothing.moved.median_mm));
     widgets::fact("    at most", lengths.text(smoothing.moved.largest_mm) + ", " +
                                      digits(smoothing.moved.largest_radii, 2) + " radii");
