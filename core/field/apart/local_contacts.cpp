@@ -47,29 +47,23 @@ bool any_apart(const Pieces& pieces, SegmentIndices list, std::vector<std::uint3
 
 bool LocalContacts::enter(SegmentIndices list) {
     const tree::Contacts& contacts = all_.contacts();
-    list_pieces(all_, list, listed_);
-    pieces_.clear(), pairs_.clear();
-    number_.assign(listed_.size(), -1);
-    for (std::size_t n = 0; n < listed_.size(); ++n) {
-        const std::size_t before = pairs_.size();
-        for_partners(contacts.partners_of(listed_[n]), listed_, [&](const tree::Contacts::Partner& partner, auto m) {
+    list_pieces(all_, list, pieces_);
+    pairs_.clear();
+    bool any_pierced = false;
+    for (std::size_t n = 0; n < pieces_.size(); ++n) {
+        for_partners(contacts.partners_of(pieces_[n]), pieces_, [&](const tree::Contacts::Partner& partner, auto m) {
             pairs_.push_back({n, m, partner.apart_from});
             return true;
         });
-        if (pairs_.size() == before && all_.piercing(listed_[n]).count == 0) continue;
-        number_[n] = piece_count();
-        pieces_.push_back(listed_[n]);
+        any_pierced = any_pierced || all_.piercing(pieces_[n]).count > 0;
     }
-    if (pieces_.empty()) return false;
+    if (pairs_.empty() && !any_pierced) return false;
     number_segments(list);
     matrix_.assign(pieces_.size() * pieces_.size(), -1.0F);
     partner_bits_.assign(pieces_.size() * words(), 0);
-    for (const Pair& pair : pairs_) {
-        if (number_[pair.first] < 0 || number_[pair.second] < 0) continue;
-        const auto a = static_cast<std::size_t>(number_[pair.first]),
-                   b = static_cast<std::size_t>(number_[pair.second]);
-        matrix_[a * pieces_.size() + b] = pair.apart_from;
-        if (pair.apart_from > 0.0F) partner_bits_[a * words() + b / 64] |= std::uint64_t{1} << b % 64;
+    for (const auto& [a, b, apart_from] : pairs_) {
+        matrix_[a * pieces_.size() + b] = apart_from;
+        if (apart_from > 0.0F) partner_bits_[a * words() + b / 64] |= std::uint64_t{1} << b % 64;
     }
     return true;
 }

@@ -18,7 +18,8 @@ public:
     bool enter(SegmentIndices list);
     [[nodiscard]] const Pieces& all() const { return all_; }
 
-    // Of the n-th segment of the list: the number of its piece among those with partners here, or -1.
+    // Of the n-th segment of the list: the number of its piece among those with partners anywhere, or -1. Bricks that
+    // have a point in common agree on that, whichever partners reach them.
     [[nodiscard]] int piece(std::size_t n) const { return piece_of_[n]; }
     [[nodiscard]] int piece_count() const { return static_cast<int>(pieces_.size()); }
     // Its shape.
@@ -44,7 +45,7 @@ public:
     }
 
 private:
-    // Of those listed, by their places there.
+    // Of pieces, by their numbers here.
     struct Pair {
         std::size_t first = 0, second = 0;
         float apart_from = 0.0F;
@@ -52,9 +53,7 @@ private:
     void number_segments(SegmentIndices list);
 
     const Pieces& all_;
-    std::vector<std::uint32_t> pieces_; // of the list that have partners in it or are pierced, ascending
-    std::vector<std::uint32_t> listed_; // scratch: all of the list that have partners anywhere
-    std::vector<int> number_;           // scratch: of each of these, its number among pieces_, or -1
+    std::vector<std::uint32_t> pieces_; // of the list that have partners anywhere, ascending
     std::vector<Pair> pairs_;           // scratch
     std::vector<int> piece_of_;
     std::vector<float> matrix_;

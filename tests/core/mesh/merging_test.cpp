@@ -1,12 +1,16 @@
 // Surfaces of vessels that just merge, or just do not: closed, whatever the width, the radius and the cells, and where
 // vessels are kept apart in the pieces and loops of their tree.
+#include "core/io/trees/tree_file.h"
 #include "core/mesh/surface.h"
+#include "core/tree/build_tree.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/merging_vessels.h"
 #include "tests/support/mesh_topology.h"
+#include "tests/support/shared_data.h"
 #include "tests/support/surface_shape.h"
 
 #include <doctest/doctest.h>
+#include <glm/geometric.hpp>
 
 namespace ramus::mesh {
 
@@ -106,6 +110,39 @@ TEST_CASE("a speck is left out as a whole or not at all") {
                               {4.13, 12.18, -5.8}},
                              1.39, 1.39),
                      plain_options(5.0, 12));
+}
+
+TEST_CASE("bricks agree on what is cut off where many vessels press on each other") {
+    const auto path = test::shared_file("trees", "kidney_77922_segments.swc");
+    if (!path) return;
+    const auto kidney = io::read_tree(*path);
+    REQUIRE(kidney);
+    const glm::dvec3 middle(8.42058, 7.4696, 16.8831);
+    std::vector<tree::Edge> edges; // of what is near, with larger radii
+    std::vector<std::uint32_t> number(kidney->points.size(), 0);
+    const auto is_near = [&](std::uint32_t point) {
+        return glm::distance(kidney->points[point].position, middle) < 0.7;
+    };
+    std::vector<tree::Point> points;
+    for (std::uint32_t n = 0; n < number.size(); ++n) {
+        if (!is_near(n)) continue;
+        number[n] = static_cast<std::uint32_t>(points.size());
+        points.push_back({kidney->points[n].position, 1.6 * kidney->points[n].radius});
+    }
+    for (const tree::Branch& branch : kidney->branches)
+        for (std::size_t i = 1; i < branch.points.size(); ++i)
+            if (is_near(branch.points[i - 1]) && is_near(branch.points[i]))
+                edges.emplace_back(number[branch.points[i - 1]], number[branch.points[i]]);
+    REQUIRE(points.size() > 300);
+    const std::vector<std::uint32_t> roots = tree::complete_roots(points, edges, {});
+    const tree::VesselTree crowded = tree::assemble(std::move(points), {}, edges, roots);
+    for (const int detail : {12, 16, 20}) {
+        CAPTURE(detail);
+        Job job;
+        const auto surface = make_untangled_surface(crowded, plain_options(5.0, detail), job);
+        REQUIRE_MESSAGE(surface, (surface ? "" : surface.error().message()));
+        CHECK(test::topology(surface->mesh).closed_manifold());
+    }
 }
 
 } // namespace ramus::mesh
