@@ -72,18 +72,17 @@ private:
 MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const Compared> compared,
                                    const MeetingLimits& limits, Job& job) {
     const std::span<const glm::uvec3> triangles = boxes.triangles();
-    const auto count = static_cast<std::size_t>(std::ranges::count_if(compared, is_compared));
-    if (count == 0) return {};
-    const std::size_t most_looks = limits.looks > std::numeric_limits<std::size_t>::max() / count
+    const std::size_t most_looks = limits.looks > std::numeric_limits<std::size_t>::max() / kBlock
                                        ? std::numeric_limits<std::size_t>::max()
-                                       : limits.looks * count;
+                                       : limits.looks * kBlock;
     ListsByThread<TrianglePair> found; // each thread's as many as are listed and one more
-    std::atomic<std::size_t> looks{0}, pairs{0};
+    std::atomic<std::size_t> pairs{0};
+    std::atomic<bool> all{true};
     const auto compare = [&](std::size_t n) {
         const auto its = compared.subspan(kBlock * n, std::min(kBlock, compared.size() - kBlock * n));
         if (std::ranges::none_of(its, is_compared)) return; // most often
         const ComparedBlock block(boxes, compared, n);
-        if (looks.load(std::memory_order_relaxed) > most_looks || job.cancelled()) return;
+        if (job.cancelled()) return;
         std::size_t its_looks = 0, its_pairs = 0;
         std::vector<TrianglePair>& list = found.local();
         const auto look = [&](std::uint32_t other) {
@@ -97,7 +96,7 @@ MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const C
                 if (compared[one] != Compared::kWithAll && compared[other] != Compared::kWithAll &&
                     (!is_compared(compared[other]) || share_corner(triangles[one], triangles[other])))
                     return;
-                ++its_looks;
+                if (++its_looks > most_looks) return;
                 if (surely_beside(boxes.positions(), block.plane(one), triangles[one], triangles[other])) return;
                 if (!triangles_meet(boxes.positions(), triangles[one], triangles[other])) return;
                 ++its_pairs;
@@ -105,9 +104,10 @@ MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const C
             });
         };
         boxes.for_each_group_in(block.around(), [&](std::size_t group, const TriangleBox& around) {
-            if (block.may_meet(around)) boxes.for_each_of(group, look);
+            if (its_looks <= most_looks && block.may_meet(around)) boxes.for_each_of(group, look);
         });
-        looks += its_looks, pairs += its_pairs;
+        pairs += its_pairs;
+        if (its_looks > most_looks) all = false;
     };
     // A few blocks at a time: what is compared lies in a few places, where all of the work is.
     constexpr std::size_t kAtATime = 64;
@@ -118,9 +118,8 @@ MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const C
             for (std::size_t n = range.begin(); n < range.end(); ++n) compare(n);
         },
         tbb::simple_partitioner());
-    // Nothing is passed over before there are too many looks: whether there are depends on no thread.
-    if (looks > most_looks || job.cancelled()) return {{}, 0, false};
-    MeetingTriangles meeting{{}, pairs};
+    if (job.cancelled()) return {{}, 0, false};
+    MeetingTriangles meeting{{}, pairs, all};
     if (meeting.count <= limits.pairs) meeting.pairs = found.sorted();
     return meeting;
 }

@@ -25,14 +25,15 @@ enum class Compared : std::uint8_t { kNot, kApart, kWithAll };
 
 struct MeetingLimits {
     std::size_t pairs = std::numeric_limits<std::size_t>::max(); // that are listed
-    // Comparisons of two triangles whose boxes meet, for each that is compared.
+    // Comparisons of two triangles whose boxes meet, for some that follow each other, as many for each of them.
     std::size_t looks = std::numeric_limits<std::size_t>::max();
 };
 
 struct MeetingTriangles {
     std::vector<TrianglePair> pairs; // ascending; none where they are more than are listed
     std::size_t count = 0;           // of pairs, listed or not
-    bool looked_at_all = true;       // false: there was too much to compare, or the job is cancelled; nothing is known
+    // False: somewhere there was too much to compare, and pairs are missing there; or the job is cancelled.
+    bool looked_at_all = true;
 };
 
 // Of pairs that are compared (`compared`, by triangle) those that meet beyond the corners that they share

@@ -1,9 +1,12 @@
 #include "core/mesh/untangle/patches.h"
 
-#include "core/base/numbered_set.h"
+#include "core/base/disjoint_sets.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <span>
+#include <unordered_map>
+#include <utility>
 
 namespace ramus::mesh {
 
@@ -23,44 +26,28 @@ TriangleBox box_around(const TriangleMesh& mesh, const TrianglePair& pair) {
     return {box.least - kReach * longest, box.most + kReach * longest};
 }
 
-// Some of them where they are more than `most`.
-NumberedSet triangles_around(const TriangleMesh& mesh, const TriangleBoxes& boxes, std::span<const TrianglePair> pairs,
-                             std::size_t most, Job& job) {
-    NumberedSet around(mesh.triangles.size());
-    std::size_t count = 0;
-    std::vector<TriangleBox> looked_at; // places of pairs have the same triangles around them
-    for (const TrianglePair& pair : pairs) {
-        if (count > most || job.cancelled()) break;
-        const TriangleBox box = box_around(mesh, pair);
-        if (std::ranges::any_of(looked_at, [&](const TriangleBox& other) { return holds(other, box); })) continue;
-        looked_at.push_back(box);
-        boxes.for_each_in(box, [&](std::uint32_t n) { count += around.add(n) ? 1 : 0; });
-    }
-    return around;
-}
-
-// Neighbours, ascending; and, since each edge of a closed surface has two triangles, what is at the end of the patches.
-void connect(Patches& patches) {
+// Neighbours, ascending; and, since each edge of a closed surface has two triangles, what is at the end of the patch.
+void connect(Patch& patch) {
     // Of an edge both ends have the other one twice: for each of its triangles.
-    Grouped<std::uint32_t> ends(patches.vertices.size(), [&](const auto& put) {
-        for (const glm::uvec3& t : patches.triangles)
+    Grouped<std::uint32_t> ends(patch.vertices.size(), [&](const auto& put) {
+        for (const glm::uvec3& t : patch.triangles)
             for (int corner = 0; corner < 3; ++corner) {
                 const std::uint32_t a = t[corner], b = t[(corner + 1) % 3];
                 put(a, b), put(b, a);
             }
     });
-    patches.has_all.assign(patches.vertices.size(), 1);
-    for (std::size_t vertex = 0; vertex < patches.vertices.size(); ++vertex) {
+    patch.has_all.assign(patch.vertices.size(), 1);
+    for (std::size_t vertex = 0; vertex < patch.vertices.size(); ++vertex) {
         const std::span<std::uint32_t> its = ends.of(vertex);
         std::ranges::sort(its);
         for (std::size_t n = 0; n < its.size(); n += 2) {
             const bool twice = n + 1 < its.size() && its[n] == its[n + 1] && its[n] != vertex &&
                                (n + 2 == its.size() || its[n + 2] != its[n]);
-            if (!twice) patches.has_all[vertex] = 0;
+            if (!twice) patch.has_all[vertex] = 0;
         }
     }
-    patches.neighbours = Grouped<std::uint32_t>(patches.vertices.size(), [&](const auto& put) {
-        for (std::size_t vertex = 0; vertex < patches.vertices.size(); ++vertex) {
+    patch.neighbours = Grouped<std::uint32_t>(patch.vertices.size(), [&](const auto& put) {
+        for (std::size_t vertex = 0; vertex < patch.vertices.size(); ++vertex) {
             const std::span<const std::uint32_t> its = ends.of(vertex);
             for (std::size_t n = 0; n < its.size(); ++n)
                 if (n == 0 || its[n] != its[n - 1]) put(vertex, its[n]);
@@ -68,27 +55,65 @@ void connect(Patches& patches) {
     });
 }
 
+// The places of things in an ascending list.
+std::uint32_t place_in(const std::vector<std::uint32_t>& list, std::uint32_t thing) {
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(list, thing) - list.begin());
+}
+
+void sort_unique(std::vector<std::uint32_t>& list) {
+    std::ranges::sort(list);
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
 } // namespace
 
-std::optional<Patches> patches_around(const TriangleMesh& mesh, const TriangleBoxes& boxes,
-                                      std::span<const TrianglePair> pairs, std::size_t most, Job& job) {
-    NumberedSet triangles = triangles_around(mesh, boxes, pairs, most, job);
-    const std::vector<std::uint32_t> around = triangles.list();
-    if (around.size() > most || job.cancelled()) return std::nullopt;
-    NumberedSet vertices(mesh.positions.size());
-    for (const std::uint32_t n : around)
-        for (int corner = 0; corner < 3; ++corner) vertices.add(mesh.triangles[n][corner]);
-    Patches patches;
-    patches.vertices = vertices.list();
-    for (const std::uint32_t vertex : patches.vertices) patches.positions.push_back(mesh.positions[vertex]);
-    for (const std::uint32_t n : around) {
-        const glm::uvec3& t = mesh.triangles[n];
-        patches.triangles.emplace_back(vertices.place(t.x), vertices.place(t.y), vertices.place(t.z));
+std::vector<MeetingPlace> meeting_places(const TriangleMesh& mesh, const TriangleBoxes& boxes,
+                                         std::span<const TrianglePair> pairs) {
+    constexpr std::size_t kRemembered = 32; // pairs that follow each other have the same triangles around them
+    DisjointSets together(pairs.size());
+    std::unordered_map<std::uint32_t, std::uint32_t> pair_at; // by triangle, one that is around
+    std::vector<std::pair<TriangleBox, std::uint32_t>> looked_at;
+    for (std::uint32_t n = 0; n < pairs.size(); ++n) {
+        const TriangleBox box = box_around(mesh, pairs[n]);
+        const auto last = std::span(looked_at).last(std::min(kRemembered, looked_at.size()));
+        const auto known = std::ranges::find_if(last, [&](const auto& other) { return holds(other.first, box); });
+        if (known != last.end()) {
+            together.join(n, known->second);
+            continue;
+        }
+        looked_at.emplace_back(box, n);
+        boxes.for_each_in(box, [&](std::uint32_t triangle) {
+            const auto [at, fresh] = pair_at.try_emplace(triangle, n);
+            if (!fresh) together.join(n, at->second);
+        });
     }
-    for (const TrianglePair& pair : pairs)
-        patches.pairs.push_back({triangles.place(pair.first), triangles.place(pair.second)});
-    connect(patches);
-    return patches;
+    std::vector<MeetingPlace> places;
+    std::vector<std::uint32_t> place(pairs.size(), 0); // by the pair that stands for it
+    for (std::uint32_t n = 0; n < pairs.size(); ++n) {
+        const std::uint32_t first = together.find(n);
+        if (first == n) place[n] = static_cast<std::uint32_t>(places.size()), places.emplace_back();
+        places[place[first]].pairs.push_back(pairs[n]);
+    }
+    for (const auto& [triangle, pair] : pair_at) places[place[together.find(pair)]].triangles.push_back(triangle);
+    for (MeetingPlace& one : places) std::ranges::sort(one.triangles);
+    return places;
+}
+
+Patch patch_around(const TriangleMesh& mesh, const MeetingPlace& place) {
+    Patch patch;
+    for (const std::uint32_t n : place.triangles)
+        for (int corner = 0; corner < 3; ++corner) patch.vertices.push_back(mesh.triangles[n][corner]);
+    sort_unique(patch.vertices);
+    for (const std::uint32_t vertex : patch.vertices) patch.positions.push_back(mesh.positions[vertex]);
+    const auto here = [&](std::uint32_t vertex) { return place_in(patch.vertices, vertex); };
+    for (const std::uint32_t n : place.triangles) {
+        const glm::uvec3& t = mesh.triangles[n];
+        patch.triangles.emplace_back(here(t.x), here(t.y), here(t.z));
+    }
+    for (const TrianglePair& pair : place.pairs)
+        patch.pairs.push_back({place_in(place.triangles, pair.first), place_in(place.triangles, pair.second)});
+    connect(patch);
+    return patch;
 }
 
 } // namespace ramus::mesh

@@ -1,31 +1,34 @@
-// Patches: what of a surface lies around places where it meets itself, as a small mesh of its own.
+// Patches: what of a surface lies around places where it meets itself, each as a small mesh of its own.
 #pragma once
 
 #include "core/base/grouped.h"
-#include "core/base/job.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/mesh/untangle/meeting_triangles.h"
 #include "core/mesh/untangle/triangle_boxes.h"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 namespace ramus::mesh {
 
-struct Patches {
+// Pairs of a surface's triangles, and the triangles around them: as far as some times the longest of a pair's sides.
+struct MeetingPlace {
+    std::vector<TrianglePair> pairs;      // ascending
+    std::vector<std::uint32_t> triangles; // ascending
+};
+// In order of their first pairs; no two have a triangle in common.
+[[nodiscard]] std::vector<MeetingPlace> meeting_places(const TriangleMesh& mesh, const TriangleBoxes& boxes,
+                                                       std::span<const TrianglePair> pairs);
+
+struct Patch {
     std::vector<std::uint32_t> vertices; // of the surface, by their numbers here
     std::vector<glm::vec3> positions;    // mm
     std::vector<glm::uvec3> triangles;   // of vertices by their numbers here
-    std::vector<TrianglePair> pairs;     // of these triangles, that the patches are around
+    std::vector<TrianglePair> pairs;     // of these triangles, that the patch is around
     Grouped<std::uint32_t> neighbours;   // of each vertex
     std::vector<std::uint8_t> has_all;   // whether all triangles at a vertex are here, by vertex
 };
-
-// Around pairs of a surface's triangles, as far as some times the longest of their sides. None where that is more
-// triangles than `most`, or the job is cancelled.
-[[nodiscard]] std::optional<Patches> patches_around(const TriangleMesh& mesh, const TriangleBoxes& boxes,
-                                                    std::span<const TrianglePair> pairs, std::size_t most, Job& job);
+[[nodiscard]] Patch patch_around(const TriangleMesh& mesh, const MeetingPlace& place);
 
 } // namespace ramus::mesh

@@ -8,7 +8,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <oneapi/tbb/parallel_for.h>
-#include <optional>
 #include <utility>
 
 namespace ramus::mesh {
@@ -18,9 +17,10 @@ namespace {
 constexpr int kRounds = 32;       // some in most surfaces, 20 where vessels are packed
 constexpr float kStep = 0.5F;     // of the way to the middle of the neighbours
 constexpr float kFarthest = 0.5F; // of the vessel's radius, that a vertex moves
-// What has more is no surface with a fold here and there: cells are larger than its vessels.
+// Of a place: one with more is no fold, cells are larger than the vessels there.
 constexpr std::size_t kMostPairs = 4096;
-constexpr std::size_t kMostTriangles = 200'000; // of all patches: they are compared some tens of times
+constexpr std::size_t kMostTriangles = 200'000; // they are compared some tens of times
+constexpr std::size_t kMostListed = 4'000'000;  // pairs of a surface
 constexpr std::size_t kMostLooks = 400;         // for each triangle compared; 20 where nothing is wrong
 
 // By triangle: those at folds may meet any. At the places others meet that are there and lie beside each other: where
@@ -43,41 +43,64 @@ std::vector<Compared> suspects(const TriangleMesh& mesh, const Folds& folds, std
 }
 
 // The vertices of pairs, ascending.
-std::vector<std::uint32_t> vertices_of(const Patches& patches, std::span<const TrianglePair> pairs) {
+std::vector<std::uint32_t> vertices_of(const Patch& patch, std::span<const TrianglePair> pairs) {
     std::vector<std::uint32_t> vertices;
     for (const TrianglePair& pair : pairs)
         for (const std::uint32_t n : {pair.first, pair.second})
-            for (int corner = 0; corner < 3; ++corner) vertices.push_back(patches.triangles[n][corner]);
+            for (int corner = 0; corner < 3; ++corner) vertices.push_back(patch.triangles[n][corner]);
     std::ranges::sort(vertices);
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     return vertices;
 }
 
-void draw_smooth(Patches& patches, std::span<const std::uint32_t> moving, const TriangleMesh& mesh) {
-    const std::vector<glm::vec3> before = patches.positions;
+void draw_smooth(Patch& patch, std::span<const std::uint32_t> moving, const TriangleMesh& mesh) {
+    const std::vector<glm::vec3> before = patch.positions;
     for (const std::uint32_t vertex : moving) {
-        if (patches.has_all[vertex] == 0) continue;
-        const std::span<const std::uint32_t> neighbours = patches.neighbours.of(vertex);
+        if (patch.has_all[vertex] == 0) continue;
+        const std::span<const std::uint32_t> neighbours = patch.neighbours.of(vertex);
         glm::vec3 middle(0.0F);
         for (const std::uint32_t other : neighbours) middle += before[other] / static_cast<float>(neighbours.size());
         const glm::vec3 to = glm::mix(before[vertex], middle, kStep);
-        const std::uint32_t in_mesh = patches.vertices[vertex];
-        if (glm::distance(to, mesh.positions[in_mesh]) < kFarthest * mesh.radii[in_mesh])
-            patches.positions[vertex] = to;
+        const std::uint32_t in_mesh = patch.vertices[vertex];
+        if (glm::distance(to, mesh.positions[in_mesh]) < kFarthest * mesh.radii[in_mesh]) patch.positions[vertex] = to;
     }
 }
 
 // What meets after vertices have moved: nothing else had met before.
-MeetingTriangles meeting_at(const Patches& patches, std::span<const std::uint32_t> moved, Job& job) {
-    std::vector<std::uint8_t> is_moved(patches.vertices.size(), 0);
+MeetingTriangles meeting_at(const Patch& patch, std::span<const std::uint32_t> moved, Job& job) {
+    std::vector<std::uint8_t> is_moved(patch.vertices.size(), 0);
     for (const std::uint32_t vertex : moved) is_moved[vertex] = 1;
     std::vector<Compared> compared;
-    compared.reserve(patches.triangles.size());
-    for (const glm::uvec3& t : patches.triangles)
+    compared.reserve(patch.triangles.size());
+    for (const glm::uvec3& t : patch.triangles)
         compared.push_back((is_moved[t.x] | is_moved[t.y] | is_moved[t.z]) != 0 ? Compared::kWithAll : Compared::kNot);
     MeetingLimits limits;
     limits.looks = kMostLooks;
-    return meeting_triangles(TriangleBoxes(patches.positions, patches.triangles), compared, limits, job);
+    return meeting_triangles(TriangleBoxes(patch.positions, patch.triangles), compared, limits, job);
+}
+
+// A place after the best of some rounds, and how many pairs meet there.
+struct Drawn {
+    std::vector<std::uint32_t> vertices; // of the surface
+    std::vector<glm::vec3> positions;    // theirs now; none where all stay
+    std::size_t left = 0;
+};
+
+Drawn draw(const TriangleMesh& mesh, const MeetingPlace& place, Job& job) {
+    Drawn drawn{{}, {}, place.pairs.size()};
+    if (place.pairs.size() > kMostPairs || place.triangles.size() > kMostTriangles) return drawn;
+    Patch patch = patch_around(mesh, place);
+    std::vector<TrianglePair> pairs = patch.pairs;
+    for (int round = 0; round < kRounds && drawn.left > 0; ++round) {
+        const std::vector<std::uint32_t> moving = vertices_of(patch, pairs);
+        draw_smooth(patch, moving, mesh);
+        MeetingTriangles now = meeting_at(patch, moving, job);
+        if (!now.looked_at_all) break;
+        pairs = std::move(now.pairs);
+        if (pairs.size() < drawn.left) drawn.left = pairs.size(), drawn.positions = patch.positions;
+    }
+    drawn.vertices = std::move(patch.vertices);
+    return drawn;
 }
 
 } // namespace
@@ -85,28 +108,20 @@ MeetingTriangles meeting_at(const Patches& patches, std::span<const std::uint32_
 Untangled untangle(TriangleMesh& mesh, std::span<const TriangleBox> places, Job& job) {
     const Folds folds = find_folds(mesh);
     const MeetingTriangles found =
-        meeting_triangles(folds.boxes, suspects(mesh, folds, places), {kMostPairs, kMostLooks}, job);
-    if (!found.looked_at_all) return {0, 0, false};
-    if (found.count == 0) return {};
-    const Untangled as_it_was{found.count, found.count};
-    if (found.count > kMostPairs) return as_it_was;
-    std::optional<Patches> around = patches_around(mesh, folds.boxes, found.pairs, kMostTriangles, job);
-    if (!around) return as_it_was;
-    Patches& patches = *around;
-    std::vector<TrianglePair> pairs = patches.pairs;
-    std::vector<glm::vec3> best = patches.positions;
-    std::size_t least = pairs.size();
-    for (int round = 0; round < kRounds && least > 0; ++round) {
-        const std::vector<std::uint32_t> moving = vertices_of(patches, pairs);
-        draw_smooth(patches, moving, mesh);
-        MeetingTriangles now = meeting_at(patches, moving, job);
-        if (job.cancelled()) return as_it_was;
-        if (!now.looked_at_all) break;
-        pairs = std::move(now.pairs);
-        if (pairs.size() < least) least = pairs.size(), best = patches.positions;
+        meeting_triangles(folds.boxes, suspects(mesh, folds, places), {kMostListed, kMostLooks}, job);
+    Untangled all{found.count, found.count, found.looked_at_all, {}};
+    if (job.cancelled()) return all;
+    const std::vector<MeetingPlace> meeting = meeting_places(mesh, folds.boxes, found.pairs);
+    std::vector<Drawn> drawn(meeting.size());
+    tbb::parallel_for(std::size_t{0}, meeting.size(), [&](std::size_t n) { drawn[n] = draw(mesh, meeting[n], job); });
+    if (job.cancelled()) return all;
+    for (std::size_t n = 0; n < drawn.size(); ++n) {
+        all.left -= meeting[n].pairs.size() - drawn[n].left;
+        if (drawn[n].left > 0) all.places.push_back(mesh.positions[mesh.triangles[meeting[n].pairs.front().first].x]);
+        for (std::size_t v = 0; v < drawn[n].positions.size(); ++v)
+            mesh.positions[drawn[n].vertices[v]] = drawn[n].positions[v];
     }
-    for (std::size_t n = 0; n < best.size(); ++n) mesh.positions[patches.vertices[n]] = best[n];
-    return {found.count, least};
+    return all;
 }
 
 } // namespace ramus::mesh

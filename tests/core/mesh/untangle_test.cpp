@@ -17,6 +17,7 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <random>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -131,7 +132,7 @@ TEST_CASE("of two pieces that go through each other nothing is moved, and where 
     CHECK(two == tangled);
 }
 
-TEST_CASE("what is too much to look at is told, and nothing is counted of it") {
+TEST_CASE("what is too much to look at is told, and stays") {
     // Long triangles around one line, each of which has a box that meets all others.
     mesh::TriangleMesh bundle;
     constexpr int kTriangles = 3000;
@@ -149,14 +150,14 @@ TEST_CASE("what is too much to look at is told, and nothing is counted of it") {
     Job job;
     const mesh::Untangled pairs = mesh::untangle(bundle, {}, job);
     CHECK(!pairs.looked_at_all);
-    CHECK(pairs.found == 0);
-    CHECK(pairs.left == 0);
+    CHECK(pairs.left == pairs.found);
     CHECK(bundle == before);
-    mesh::Untangled all{3, 1};
-    all.add({2, 2});
+    mesh::Untangled all{3, 1, true, {}};
+    all.add({2, 2, true, {glm::vec3(1.0F)}});
+    CHECK(all.places.size() == 1);
     CHECK((all.found == 5 && all.left == 3 && all.looked_at_all));
     all.add(pairs);
-    CHECK((all.found == 5 && !all.looked_at_all));
+    CHECK(!all.looked_at_all);
 }
 
 TEST_CASE("triangles that meet are found wherever many lie side by side") {
@@ -225,22 +226,36 @@ TEST_CASE("triangles that are compared apart meet those alone that are compared 
     CHECK(pairs_of(compared).empty());
 }
 
-TEST_CASE("patches are made of so many triangles at most, and of none twice") {
+TEST_CASE("pairs whose surroundings have a triangle in common are one place, and others are places of their own") {
     mesh::TriangleMesh mesh = sphere();
     drag(mesh, 100, 0.6F);
+    const std::size_t of_one = test::intersecting_triangles(mesh).size();
+    const auto across = [&](const glm::uvec3& t) { return mesh.positions[t.x].x; };
+    const bool upper = across(mesh.triangles[100]) > 1.0F; // on the other side of the middle
+    const auto other = upper ? std::ranges::min_element(mesh.triangles, {}, across)
+                             : std::ranges::max_element(mesh.triangles, {}, across);
+    drag(mesh, static_cast<std::size_t>(other - mesh.triangles.begin()), 0.6F);
     Job job;
     const mesh::TriangleBoxes boxes(mesh.positions, mesh.triangles);
     const auto pairs = mesh::meeting_triangles(
                            boxes, std::vector<mesh::Compared>(mesh.triangles.size(), mesh::Compared::kWithAll), {}, job)
                            .pairs;
-    const auto patches = mesh::patches_around(mesh, boxes, pairs, mesh.triangles.size(), job);
-    REQUIRE(patches);
-    const std::size_t count = patches->triangles.size();
-    CHECK(count > pairs.size());
-    CHECK(mesh::patches_around(mesh, boxes, pairs, count, job));
-    CHECK(!mesh::patches_around(mesh, boxes, pairs, count - 1, job));
-    job.cancel();
-    CHECK(!mesh::patches_around(mesh, boxes, pairs, count, job));
+    REQUIRE(pairs.size() > of_one);
+    const auto places = mesh::meeting_places(mesh, boxes, pairs);
+    REQUIRE(places.size() == 2);
+    std::set<std::uint32_t> triangles;
+    std::size_t count = 0, in_all = 0;
+    for (const mesh::MeetingPlace& place : places) {
+        CHECK(place.triangles.size() > place.pairs.size());
+        const mesh::Patch patch = mesh::patch_around(mesh, place);
+        CHECK(patch.triangles.size() == place.triangles.size());
+        for (std::size_t n = 0; n < place.pairs.size(); ++n)
+            CHECK(place.triangles[patch.pairs[n].first] == place.pairs[n].first);
+        triangles.insert(place.triangles.begin(), place.triangles.end());
+        count += place.triangles.size(), in_all += place.pairs.size();
+    }
+    CHECK(triangles.size() == count);
+    CHECK(in_all == pairs.size());
 }
 
 TEST_CASE("sides that touch where nothing folds are drawn apart, at places where that is asked for") {
