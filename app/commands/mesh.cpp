@@ -129,13 +129,17 @@ const char* remedy_of_shape(const WrittenSurface& written, mesh::Blend blend) {
     return "look where axes all but cross: ramus info --contacts lists them, the closest first";
 }
 
-// " (closed at (1.5, -20.1, 33.4) and 2 more)": holes of the tree's cycles.
-std::string place_of_lost(const mesh::OpenedLoops& lost) {
-    if (lost.closed.empty()) return {};
-    const glm::vec3& p = lost.closed.front();
-    const std::size_t more = lost.closed.size() - 1;
-    return " (closed at (" + rounded(p.x) + ", " + rounded(p.y) + ", " + rounded(p.z) + ")" +
+// " (closed at (1.5, -20.1, 33.4) and 2 more)": holes of the tree's cycles, or loops that the tree has not.
+std::string places_text(const char* what, std::span<const glm::vec3> places) {
+    if (places.empty()) return {};
+    const glm::vec3& p = places.front();
+    const std::size_t more = places.size() - 1;
+    return " (" + std::string(what) + " (" + rounded(p.x) + ", " + rounded(p.y) + ", " + rounded(p.z) + ")" +
            (more > 0 ? " and " + std::to_string(more) + " more" : "") + ")";
+}
+std::string places_text(const std::optional<mesh::MatchedTree>& matched) {
+    if (!matched) return {};
+    return places_text("closed at", matched->lost_loops.closed) + places_text("near", matched->false_loops.left);
 }
 
 // A surface that connects what the tree keeps apart, or the other way round, says so.
@@ -145,7 +149,7 @@ void warn_of_shape(const MeshFlags& flags, const WrittenSurface& written, mesh::
     const std::string loops = difference_text(written.shape.loops, written.tree_shape->loops, "loop", "loops");
     if (!what.empty() && !loops.empty()) what += " and ";
     std::cerr << "ramus: " << flags.output << ": the surface has " << what << loops << " than the tree"
-              << place_of_lost(written.lost_loops) << "; " << remedy_of_shape(written, blend) << '\n';
+              << places_text(written.matched) << "; " << remedy_of_shape(written, blend) << '\n';
 }
 
 // What is left, and what nobody looked for.
@@ -169,7 +173,10 @@ void warn_of_intersections(const MeshFlags& flags, const WrittenSurface& written
 nlohmann::ordered_json mended_json(const WrittenSurface& written) {
     nlohmann::ordered_json mended = {
         {"streamed", written.streamed}, {"cut_loops", nullptr}, {"opened_loops", nullptr}, {"intersections", nullptr}};
-    if (written.cut_loops) mended["cut_loops"] = *written.cut_loops, mended["opened_loops"] = written.lost_loops.opened;
+    if (written.matched) {
+        mended["cut_loops"] = written.matched->false_loops.cut;
+        mended["opened_loops"] = written.matched->lost_loops.opened;
+    }
     if (written.untangled && written.untangled->looked_at_all)
         mended["intersections"] = {{"found", written.untangled->found}, {"left", written.untangled->left}};
     return mended;
@@ -261,10 +268,11 @@ Result<int> run_mesh(const MeshFlags& flags) {
                                opened.session.tree.path.string()));
     say(flags.surface, counted(written.evaluations, "evaluation", "evaluations") + " of the field in " +
                            rounded(written.mesh_s) + " s" + (written.streamed ? ", streamed to the disk" : ""));
-    if (written.cut_loops.value_or(0) > 0)
-        say(flags.surface, "cut " + counted(*written.cut_loops, "loop", "loops") + " that the tree does not have");
-    if (written.lost_loops.opened > 0)
-        say(flags.surface, "opened " + counted(written.lost_loops.opened, "loop", "loops") +
+    const mesh::MatchedTree matched = written.matched.value_or(mesh::MatchedTree{});
+    if (matched.false_loops.cut > 0)
+        say(flags.surface, "cut " + counted(matched.false_loops.cut, "loop", "loops") + " that the tree does not have");
+    if (matched.lost_loops.opened > 0)
+        say(flags.surface, "opened " + counted(matched.lost_loops.opened, "loop", "loops") +
                                " of the tree that the vessels' own thickness closes");
     if (written.untangled && written.untangled->found > 0)
         say(flags.surface, "moved vertices where " +

@@ -98,8 +98,7 @@ Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::S
     WrittenSurface written;
     written.evaluations = surface.statistics.evaluations;
     if (options.method == mesh::Method::kConvolutionSurface) {
-        if (options.blend == mesh::Blend::kTree) written.cut_loops = surface.statistics.cut_loops;
-        written.lost_loops = surface.statistics.lost_loops;
+        if (options.blend == mesh::Blend::kTree) written.matched = surface.statistics.matched;
         written.untangled = surface.statistics.untangled;
     }
     mesh::SeenBranches seen(tree.branches.size());

@@ -21,10 +21,9 @@ struct WrittenSurface {
     mesh::Connectivity shape; // loops: where it is closed
     // Of the tree's branches that are on a closed surface of it: what that has to be like.
     std::optional<mesh::Connectivity> tree_shape;
-    // Loops that the tree has not, and pairs of triangles that met; none: not looked for, which is not that there is
-    // none. Nor is it where not all pairs were looked at.
-    std::optional<std::size_t> cut_loops;
-    mesh::OpenedLoops lost_loops;
+    // What was done to have the tree's pieces and loops, and pairs of triangles that met; none: not looked for, which
+    // is not that there is none. Nor is it where not all pairs were looked at.
+    std::optional<mesh::MatchedTree> matched;
     std::optional<mesh::Untangled> untangled;
     bool streamed = false;
     std::vector<std::vector<int>> lost_pieces; // of the tree, by branch: not on the surface (core/mesh/lost_pieces.h)

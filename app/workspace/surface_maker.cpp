@@ -5,9 +5,7 @@
 #include "core/base/stopwatch.h"
 #include "core/field/drawn_surface.h"
 #include "core/mesh/check_kernel.h"
-#include "core/mesh/loops/cut_false_loops.h"
-#include "core/mesh/loops/drop_false_pieces.h"
-#include "core/mesh/loops/open_lost_loops.h"
+#include "core/mesh/loops/match_tree.h"
 #include "core/mesh/systems.h"
 #include "core/tree/prepare.h"
 #include "render/scene/bounds.h"
@@ -220,27 +218,26 @@ void SurfaceMaker::match_loops(Followed& followed, const SurfaceRequest& request
     if (request.options.blend != mesh::Blend::kTree || followed.current->triangle_count() == 0) return;
     const auto flags = hidden_flags(request.hidden, tree_->branches.size());
     const std::size_t systems = followed.polygonizers.size();
-    std::vector<tree::VesselTree> visible;
-    bool other = false;
+    std::vector<tree::PreparedTree> visible;
+    bool matches = true;
     for (std::size_t system = 0; system < systems; ++system) {
         const auto hidden = systems == 1 ? flags : mesh::hidden_beside(*tree_, static_cast<int>(system), flags);
-        visible.push_back(mesh::visible_part(prepared_, hidden).tree);
-        if (visible.back().branches.empty()) continue;
-        other = other || mesh::has_other_loops(followed.polygonizers[system].slots(), visible.back());
+        visible.push_back(mesh::visible_part(prepared_, hidden));
+        if (visible.back().tree.branches.empty()) continue;
+        matches = matches && mesh::matches_tree(followed.polygonizers[system].slots(), visible.back().tree);
     }
-    if (!other) return;
+    if (matches) return;
     mesh::TriangleMesh all;
-    std::size_t changed = 0;
+    bool changed = false;
     for (std::size_t system = 0; system < systems; ++system) {
-        if (visible[system].branches.empty()) continue;
+        if (visible[system].tree.branches.empty()) continue;
         mesh::TriangleMesh one = followed.polygonizers[system].compact();
-        changed += mesh::drop_false_pieces(one, visible[system]);
         const double memory = memory_left(static_cast<double>(request.options.memory_bytes));
-        changed += mesh::cut_false_loops(one, visible[system], memory, job);
-        changed += mesh::open_lost_loops(one, visible[system], memory, job).opened;
+        const auto walled = followed.polygonizers[system].walled();
+        changed = mesh::match_tree(one, visible[system], walled, memory, job).changed() || changed;
         mesh::append(all, std::move(one));
     }
-    if (changed > 0) followed.current = paged(all, *tree_, followed.drawn);
+    if (changed) followed.current = paged(all, *tree_, followed.drawn);
 }
 
 void SurfaceFollower::open(std::shared_ptr<SurfaceMaker> maker, ReadySurface shown) {

@@ -13,11 +13,12 @@ void ConnectivityCount::add_vertices(std::size_t count) {
 
 void ConnectivityCount::add_triangles(std::span<const glm::uvec3> more) {
     for (const glm::uvec3& triangle : more) {
+        if (triangle[0] == triangle[1]) continue;
+        ++triangles_;
         for (int corner = 0; corner < 3; ++corner) used_[triangle[corner]] = true;
         pieces_.join(triangle[0], triangle[1]);
         pieces_.join(triangle[0], triangle[2]);
     }
-    triangles_ += static_cast<std::int64_t>(more.size());
 }
 
 Connectivity ConnectivityCount::connectivity() const {

@@ -19,7 +19,7 @@ struct Connectivity {
 };
 
 // How many connected pieces a mesh has, closed or not: triangles that share a vertex belong together. Vertices that no
-// triangle uses do not count, here and below.
+// triangle uses do not count, nor do triangles whose first two are one, here and below.
 [[nodiscard]] int component_count(const TriangleMesh& mesh);
 
 // Of a closed surface that comes in parts, by Euler's formula.

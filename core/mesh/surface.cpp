@@ -10,8 +10,6 @@
 #include "core/mesh/check_kernel.h"
 #include "core/mesh/cones.h"
 #include "core/mesh/edge_balance.h"
-#include "core/mesh/loops/cut_false_loops.h"
-#include "core/mesh/loops/drop_false_pieces.h"
 #include "core/mesh/polygonize/feasible.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/systems.h"
@@ -188,11 +186,9 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
             fields.push_back(whole.without(part));
             RAMUS_TRY(mesh, polygonize(fields.back(), polygonize_options(options), making, &statistics, &walled));
             if (options.blend == Blend::kTree) {
-                const tree::VesselTree visible = visible_part(prepared, part).tree;
-                if (untangled || has_other_loops(mesh, visible)) drop_false_pieces(mesh, visible);
+                const PreparedTree visible = visible_part(prepared, part);
                 const double memory = polygonize_options(options).memory_bytes;
-                surface.statistics.cut_loops += cut_false_loops(mesh, visible, memory, mending);
-                surface.statistics.lost_loops.add(open_lost_loops(mesh, visible, memory, mending));
+                surface.statistics.matched.add(match_tree(mesh, visible, walled, memory, mending));
             }
             if (untangled && !job.cancelled()) surface.statistics.untangled.add(untangle(mesh, walled, mending));
             mending.report(1.0F);

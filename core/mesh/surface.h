@@ -6,7 +6,7 @@
 #include "core/field/kernels/kernel_kind.h"
 #include "core/field/rims.h"
 #include "core/mesh/blend.h"
-#include "core/mesh/loops/open_lost_loops.h"
+#include "core/mesh/loops/match_tree.h"
 #include "core/mesh/method.h"
 #include "core/mesh/radii.h"
 #include "core/mesh/surface_sink.h"
@@ -45,9 +45,8 @@ struct SurfaceOptions {
 struct SurfaceStatistics {
     std::uint64_t evaluations = 0; // kernel evaluations, one per segment and point
     double seconds = 0.0;
-    std::size_t cut_loops = 0; // that the tree has no cycle for (core/mesh/loops/cut_false_loops.h)
-    OpenedLoops lost_loops;    // of the tree, that the field has no hole for
-    Untangled untangled;       // where it was asked for
+    MatchedTree matched;
+    Untangled untangled; // where it was asked for
 };
 
 struct Surface {

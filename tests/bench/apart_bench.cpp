@@ -213,7 +213,7 @@ bool look_at(const std::string& name, const tree::VesselTree& tree, const ApartO
         return false;
     }
     row.mesh = std::move(surface->mesh);
-    row.cut = surface->statistics.cut_loops;
+    row.cut = surface->statistics.matched.false_loops.cut;
     row.mended = surface->statistics.untangled.found;
     row.topology = test::topology(row.mesh);
     row.pieces = test::pieces_of(row.mesh);

@@ -4,8 +4,6 @@
 #include "core/base/infinity.h"
 #include "core/base/lines.h"
 #include "core/measure/deviation/packed_triangles.h"
-#include "core/mesh/connectivity.h"
-#include "core/mesh/loops/cut_false_loops.h"
 #include "core/mesh/loops/spanning_triangles.h"
 #include "core/mesh/loops/tree_cycles.h"
 
@@ -227,17 +225,17 @@ void dig(TriangleMesh& mesh, const Tunnel& tunnel) {
 
 } // namespace
 
-OpenedLoops open_lost_loops(TriangleMesh& mesh, const tree::VesselTree& tree, double memory_bytes, Job& job) {
+OpenedLoops open_lost_loops(TriangleMesh& mesh, const tree::VesselTree& tree, std::size_t lost_loops,
+                            double memory_bytes, Job& job) {
     OpenedLoops found;
-    if (mesh.triangles.empty() || !has_other_loops(mesh, tree)) return found;
-    const std::int64_t lost = connectivity_of(tree).loops - connectivity_of(mesh).loops;
-    if (lost <= 0 || kPackedBytes * static_cast<double>(mesh.triangles.size()) > memory_bytes) return found;
+    if (mesh.triangles.empty() || kPackedBytes * static_cast<double>(mesh.triangles.size()) > memory_bytes)
+        return found;
     constexpr std::size_t kLookedAt = 64; // of a cycle's places
     std::vector<Tunnel> tunnels;
     {
         TunnelFinder finder(mesh);
         for (const auto& cycle : short_cycles(tree)) {
-            if (static_cast<std::int64_t>(tunnels.size()) == lost || job.cancelled()) break;
+            if (tunnels.size() == lost_loops || job.cancelled()) break;
             std::vector<Middle> middles = middles_of(cycle);
             if (middles.size() > kLookedAt) middles.resize(kLookedAt);
             const auto is_inside = [&](const Middle& middle) { return finder.inside(middle.at); };

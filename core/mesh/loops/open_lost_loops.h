@@ -22,11 +22,11 @@ struct OpenedLoops {
     }
 };
 
-// Opens a tunnel through the middle of each cycle whose hole lies inside a closed surface with fewer loops than its
-// tree, until it has as many. A tunnel is half as wide as the way from its middle to the centerlines at the most, and a
+// Opens a tunnel through the middle of each cycle whose hole lies inside a closed surface, until it has as many more
+// loops. A tunnel is half as wide as the way from its middle to the centerlines at the most, and a
 // triangle wide at the most. Other triangles stay as they are. `tree`: what the surface was made of. Does nothing where
 // it would take more than `memory_bytes`, or if cancelled.
-[[nodiscard]] OpenedLoops open_lost_loops(TriangleMesh& mesh, const tree::VesselTree& tree, double memory_bytes,
-                                          Job& job);
+[[nodiscard]] OpenedLoops open_lost_loops(TriangleMesh& mesh, const tree::VesselTree& tree, std::size_t lost_loops,
+                                          double memory_bytes, Job& job);
 
 } // namespace ramus::mesh

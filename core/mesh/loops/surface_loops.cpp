@@ -74,7 +74,8 @@ SurfaceLoops::Tree SurfaceLoops::shortest_paths(Job& job) const {
     return tree;
 }
 
-SurfaceLoops::SurfaceLoops(const SurfaceGraph& graph, Job& job) : graph_(graph) {
+SurfaceLoops::SurfaceLoops(const SurfaceGraph& graph, std::span<const std::uint8_t> barred, Job& job)
+    : graph_(graph), barred_(barred) {
     const auto edges = graph.edges();
     const Tree tree = shortest_paths(job);
     if (job.cancelled()) return;
@@ -156,7 +157,7 @@ std::vector<SurfaceLoop> SurfaceLoops::shortest(std::uint32_t vertex, double lon
         double length;
         std::uint32_t edge;
     };
-    if (edges_.empty()) return {};
+    if (edges_.empty() || is_barred(vertex)) return {};
     std::map<Crossings, Closing> kinds;
     KnownVertices known;
     known.try_emplace(vertex, Known{0.0, kNone, Crossings{}});
@@ -172,6 +173,7 @@ std::vector<SurfaceLoop> SurfaceLoops::shortest(std::uint32_t vertex, double lon
         for (const std::uint32_t edge : graph_.edges_at(at)) {
             if (edge == here.edge) continue;
             const std::uint32_t to = graph_.other_end(edge, at);
+            if (is_barred(to)) continue;
             Crossings there = here.crossed;
             flip(there, crossings_[edge]);
             const double along = distance + graph_.length(edge);

@@ -32,8 +32,9 @@ struct SurfaceLoop {
 
 class SurfaceLoops {
 public:
-    // Of a graph, which must outlive it.
-    SurfaceLoops(const SurfaceGraph& graph, Job& job);
+    // Of a graph, which must outlive it. `barred`: by vertex, not 0: no loop that is looked for goes there; later ones
+    // are not.
+    SurfaceLoops(const SurfaceGraph& graph, std::span<const std::uint8_t> barred, Job& job);
 
     // Two for each of the surface's loops, as connectivity_of() counts them; none if the job was cancelled.
     [[nodiscard]] std::span<const std::uint32_t> edges() const { return edges_; }
@@ -50,9 +51,11 @@ private:
     [[nodiscard]] Crossings label(std::size_t row) const;
     struct Known;
     using KnownVertices = std::unordered_map<std::uint32_t, Known>;
+    [[nodiscard]] bool is_barred(std::uint32_t vertex) const { return vertex < barred_.size() && barred_[vertex] != 0; }
     [[nodiscard]] SurfaceLoop closed(const KnownVertices& known, std::uint32_t start, std::uint32_t edge) const;
 
     const SurfaceGraph& graph_;
+    std::span<const std::uint8_t> barred_;
     std::vector<std::uint32_t> edges_;
     std::vector<Crossings> crossings_; // by edge
 };

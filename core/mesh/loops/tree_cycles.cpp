@@ -29,11 +29,11 @@ public:
     }
     // The branches of the shortest way, backward; none where it is too far.
     [[nodiscard]] std::vector<std::uint32_t> way(std::uint32_t from, std::uint32_t to) const {
-        struct Reached {
+        struct ReachedNode {
             double distance;
             std::uint32_t before, branch;
         };
-        std::unordered_map<std::uint32_t, Reached> reached{{from, {0.0, from, 0}}};
+        std::unordered_map<std::uint32_t, ReachedNode> reached{{from, {0.0, from, 0}}};
         using Open = std::pair<double, std::uint32_t>;
         std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
         open.emplace(0.0, from);
@@ -43,7 +43,7 @@ public:
             if (distance > reached[node].distance) continue;
             for (const Way& next : ways_[node]) {
                 const double there = distance + next.length;
-                const auto [known, fresh] = reached.try_emplace(next.to, Reached{there, node, next.branch});
+                const auto [known, fresh] = reached.try_emplace(next.to, ReachedNode{there, node, next.branch});
                 if (!fresh && known->second.distance <= there) continue;
                 known->second = {there, node, next.branch};
                 open.emplace(there, next.to);

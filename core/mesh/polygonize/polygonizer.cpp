@@ -214,6 +214,13 @@ bool Polygonizer::follow(std::unique_ptr<State> state, const field::SegmentChang
     return true;
 }
 
+std::vector<Bounds<glm::vec3>> Polygonizer::walled() const {
+    std::vector<Bounds<glm::vec3>> boxes;
+    for (const bricks::SubtreeCells& subtree : cells_.subtrees)
+        for (const std::uint32_t brick : subtree.walled_bricks) boxes.push_back(bricks::box_of_brick(octree_, brick));
+    return boxes;
+}
+
 SurfaceEdit Polygonizer::take_edit() {
     SurfaceEdit edit = slots_.take_edit();
     edit.whole = std::exchange(whole_, false);

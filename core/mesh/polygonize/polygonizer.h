@@ -26,6 +26,7 @@ public:
     [[nodiscard]] SurfaceEdit take_edit();
     // With gaps (MeshSlots), and without.
     [[nodiscard]] const TriangleMesh& slots() const { return slots_.mesh(); }
+    [[nodiscard]] std::vector<Bounds<glm::vec3>> walled() const; // as polygonize() has them
     [[nodiscard]] TriangleMesh compact() const { return slots_.compact(bricks::schedule_subtrees(octree_)); }
 
 private:

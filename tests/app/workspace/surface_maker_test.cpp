@@ -72,7 +72,8 @@ TEST_CASE("loops that the tree has not are cut in the window's surface too, what
         const auto flags = hidden_flags(hidden, shop.tree->branches.size());
         const auto made = mesh::make_surface(*shop.tree, as_drawn(request.options), job, flags);
         REQUIRE(made);
-        CHECK((made->statistics.cut_loops > 0) == (hidden != std::vector<int>{34})); // the vessel that threads a fork
+        CHECK((made->statistics.matched.false_loops.cut > 0) ==
+              (hidden != std::vector<int>{34})); // the vessel that threads a fork
         check_same(*shop.shown.back().mesh, *paged(made->mesh, *shop.tree));
     }
 }

@@ -33,7 +33,7 @@ TriangleMesh surface_with(const tree::VesselTree& tree, const SurfaceOptions& op
     Job job;
     auto surface = make_surface(tree, options, job, hidden);
     REQUIRE_MESSAGE(surface, (surface ? "" : surface.error().message()));
-    CHECK(surface->statistics.cut_loops == 0);
+    CHECK(surface->statistics.matched.false_loops.cut == 0);
     return std::move(surface->mesh);
 }
 

@@ -272,7 +272,7 @@ Shape shape_of(const tree::VesselTree& tree, const SurfaceOptions& options) {
     Job job;
     const auto surface = make_surface(tree, options, job);
     REQUIRE(surface.has_value());
-    CHECK(surface->statistics.cut_loops == 0); // the field and the cells keep vessels apart by themselves
+    CHECK(surface->statistics.matched.false_loops.cut == 0); // the field and the cells keep vessels apart by themselves
     return shape_of(surface->mesh);
 }
 
@@ -337,7 +337,7 @@ TEST_CASE("a loop beside a fork of the airways that their finest surface has is 
         Job job;
         const auto surface = make_surface(*tree, {.smooth_passes = 0, .detail = 24}, job);
         REQUIRE(surface.has_value());
-        CHECK(surface->statistics.cut_loops == 1);
+        CHECK(surface->statistics.matched.false_loops.cut == 1);
         const Shape shape = shape_of(surface->mesh);
         CHECK(shape.pieces == 1);
         CHECK(shape.loops == 0);

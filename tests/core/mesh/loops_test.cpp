@@ -1,7 +1,8 @@
 // Loops of surfaces: found, cut, and left alone where the tree has a cycle.
 #include "core/mesh/connectivity.h"
-#include "core/mesh/loops/cut_false_loops.h"
 #include "core/mesh/loops/cut_loop.h"
+#include "core/mesh/loops/loop_patch.h"
+#include "core/mesh/loops/match_tree.h"
 #include "core/mesh/loops/spanning_triangles.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/systems.h"
@@ -120,14 +121,25 @@ TriangleMesh closed_by_point(TriangleMesh mesh, const SurfaceLoop& rim) {
 std::size_t edges_of_loops(const TriangleMesh& mesh) {
     Job job;
     const SurfaceGraph graph(mesh);
-    return SurfaceLoops(graph, job).edges().size();
+    return SurfaceLoops(graph, {}, job).edges().size();
 }
 
 std::vector<SurfaceLoop> shortest_loops(const TriangleMesh& mesh, std::uint32_t vertex, double longest) {
     Job job;
     const SurfaceGraph graph(mesh);
     std::size_t visited = 0;
-    return SurfaceLoops(graph, job).shortest(vertex, longest, visited);
+    return SurfaceLoops(graph, {}, job).shortest(vertex, longest, visited);
+}
+
+SurfaceParts parts_at(const TriangleMesh& mesh, std::span<const Bounds<glm::vec3>> places) {
+    const TriangleBoxes boxes(mesh.positions, mesh.triangles);
+    return SurfaceParts(mesh, boxes, triangles_at(boxes, places));
+}
+
+// All that are too many.
+std::size_t cut_all(TriangleMesh& mesh, const tree::VesselTree& tree, double memory_bytes, Job& job,
+                    std::span<const Bounds<glm::vec3>> walls = {}) {
+    return cut_false_loops(mesh, tree::prune(tree, 0.0), parts_at(mesh, walls), memory_bytes, job).cut;
 }
 
 double angle_of(const glm::vec3& p) { return std::atan2(p.y, p.x) / (2.0 * std::numbers::pi); } // in turns
@@ -139,7 +151,7 @@ TEST_CASE("each loop of a surface has a line around its tube and one along it") 
     TriangleMesh mesh = torus();
     {
         const SurfaceGraph graph(mesh);
-        const SurfaceLoops loops(graph, job);
+        const SurfaceLoops loops(graph, {}, job);
         std::size_t visited = 0;
         CHECK(graph.edges().size() == 3 * mesh.triangles.size() / 2);
         CHECK(loops.edges().size() == 2);
@@ -185,8 +197,8 @@ TEST_CASE("of thousands of loops the false one is found") {
     TriangleMesh mesh = plate(kHoles);
     REQUIRE(test::topology(mesh).closed_manifold());
     REQUIRE(connectivity_of(mesh) == Connectivity{1, kHoles * kHoles});
-    CHECK(cut_false_loops(mesh, bars(kHoles, 0), kEnough, job) == 0);
-    CHECK(cut_false_loops(mesh, bars(kHoles, 1), kEnough, job) == 1);
+    CHECK(cut_all(mesh, bars(kHoles, 0), kEnough, job) == 0);
+    CHECK(cut_all(mesh, bars(kHoles, 1), kEnough, job) == 1);
     CHECK(job.progress() == 1.0F);
     CHECK(test::topology(mesh).closed_manifold());
     CHECK(connectivity_of(mesh) == Connectivity{1, kHoles * kHoles - 1});
@@ -201,7 +213,7 @@ TEST_CASE("where loops are far too many to cut in a while all stay") {
     Job job;
     TriangleMesh mesh = plate(kHoles);
     const TriangleMesh before = mesh;
-    CHECK(cut_false_loops(mesh, bars(kHoles, kHoles * kHoles / 2), kEnough, job) == 0);
+    CHECK(cut_all(mesh, bars(kHoles, kHoles * kHoles / 2), kEnough, job) == 0);
     CHECK(mesh == before);
 }
 
@@ -233,7 +245,7 @@ TEST_CASE("a surface with a hole has no edges that could be cut along") {
     mesh.triangles.pop_back();
     CHECK(!SurfaceGraph(mesh).is_closed());
     const TriangleMesh before = mesh;
-    CHECK(cut_false_loops(mesh, arc(-0.4, 0.4), kEnough, job) == 0);
+    CHECK(cut_all(mesh, arc(-0.4, 0.4), kEnough, job) == 0);
     CHECK(mesh == before);
 }
 
@@ -263,25 +275,70 @@ TEST_CASE("a loop that the tree has no cycle for is cut where no vessel runs, an
     Job job;
     TriangleMesh mesh = torus();
     const TriangleMesh before = mesh;
-    CHECK(!has_other_loops(mesh, arc(0.0, 1.0)));
-    CHECK(cut_false_loops(mesh, arc(0.0, 1.0), kEnough, job) == 0);
+    CHECK(matches_tree(mesh, arc(0.0, 1.0)));
+    CHECK(cut_all(mesh, arc(0.0, 1.0), kEnough, job) == 0);
     CHECK(mesh == before);
-    CHECK(has_other_loops(mesh, arc(-0.4, 0.4)));
-    CHECK(cut_false_loops(mesh, arc(-0.4, 0.4), 100e3, job) == 0); // it has 1,536 triangles
+    CHECK(!matches_tree(mesh, arc(-0.4, 0.4)));
+    CHECK(cut_all(mesh, arc(-0.4, 0.4), 100e3, job) == 0); // it has 1,536 triangles
     CHECK(mesh == before);
-    CHECK(cut_false_loops(mesh, arc(-0.4, 0.4), kEnough, job) == 1);
+    CHECK(cut_all(mesh, arc(-0.4, 0.4), kEnough, job) == 1);
     CHECK(test::topology(mesh).closed_manifold());
     CHECK(connectivity_of(mesh) == Connectivity{1, 0});
     for (std::size_t v = before.positions.size(); v < mesh.positions.size(); ++v)
         CHECK(std::abs(angle_of(mesh.positions[v])) > 0.4);
-    CHECK(!has_other_loops(mesh, arc(-0.4, 0.4)));
+    CHECK(matches_tree(mesh, arc(-0.4, 0.4)));
+}
+
+TEST_CASE("a loop is cut at a place that it leads through, and at none that it does not") {
+    // Boxes around parts of the torus, by the angle of their middles in turns; the vessel ends at 0.4 and -0.4.
+    const auto box_at = [](double turns) {
+        const double angle = 2.0 * std::numbers::pi * turns;
+        const glm::vec3 middle(kRadius * std::cos(angle), kRadius * std::sin(angle), 0.0);
+        return Bounds<glm::vec3>{middle - 3.5F, middle + 3.5F};
+    };
+    Job job;
+    for (const std::vector<double>& places : std::vector<std::vector<double>>{{0.5}, {0.1, 0.5, 0.8}, {0.2, 0.3}}) {
+        TriangleMesh mesh = torus();
+        std::vector<Bounds<glm::vec3>> boxes;
+        for (const double place : places) boxes.push_back(box_at(place));
+        CHECK(cut_all(mesh, arc(-0.4, 0.4), kEnough, job, boxes) == 1);
+        CHECK(test::topology(mesh).closed_manifold());
+        CHECK(connectivity_of(mesh) == Connectivity{1, 0});
+        for (std::size_t v = torus().positions.size(); v < mesh.positions.size(); ++v)
+            CHECK(std::abs(angle_of(mesh.positions[v])) > 0.4);
+    }
+}
+
+TEST_CASE("a part of a surface with its borders closed has the loops that lead through it, and is put back as it was") {
+    TriangleMesh mesh = torus();
+    append(mesh, torus(30, 12, {60, 0, 0}));
+    for (const float reach : {1.5F, 3.0F, 4.5F, 6.0F, 15.0F}) { // of a box in the middle of one side of the first
+        CAPTURE(reach);
+        const std::vector<Bounds<glm::vec3>> box{{{10.0F - reach, -reach, -reach}, {10.0F + reach, reach, reach}}};
+        const SurfaceParts parts = parts_at(mesh, box);
+        CHECK(parts.of_surface() == Connectivity{2, 2});
+        REQUIRE(!parts.parts().empty());
+        for (const SurfacePart& part : parts.parts()) {
+            LoopPatch patch(mesh, part);
+            CHECK(test::topology(patch.closed()).closed_manifold());
+            CHECK(connectivity_of(patch.closed()) == Connectivity{1, part.has_loops ? 1 : 0});
+            CHECK(part.has_loops == (part.borders.size() != 1));
+            TriangleMesh again = mesh;
+            patch.put_back(again);
+            CHECK(again == mesh);
+        }
+    }
+    const SurfaceParts none = parts_at(mesh, {});
+    CHECK(none.parts().empty());
+    CHECK(none.of_surface() == Connectivity{2, 2});
+    CHECK(whole_part(mesh).triangles.size() == mesh.triangles.size());
 }
 
 TEST_CASE("where a vessel runs all along a loop, its hole is filled, unless another vessel goes through") {
     Job job;
     const tree::VesselTree open = arc(0.005, 1.01); // its ends pass each other
     TriangleMesh mesh = torus();
-    CHECK(cut_false_loops(mesh, open, kEnough, job) == 1);
+    CHECK(cut_all(mesh, open, kEnough, job) == 1);
     CHECK(connectivity_of(mesh) == Connectivity{1, 0});
     tree::VesselTree threaded = open;
     threaded.points.push_back({{0.5, 0.3, -20.0}, 1.0});
@@ -291,7 +348,7 @@ TEST_CASE("where a vessel runs all along a loop, its hole is filled, unless anot
                                        static_cast<std::uint32_t>(threaded.points.size() - 1)};
     mesh = torus();
     const TriangleMesh before = mesh;
-    CHECK(cut_false_loops(mesh, threaded, kEnough, job) == 0);
+    CHECK(cut_all(mesh, threaded, kEnough, job) == 0);
     CHECK(mesh == before);
 }
 
@@ -324,7 +381,7 @@ TEST_CASE("a fork that another vessel threads keeps the loops of its tree") {
         Job job;
         const auto surface = make_surface(tree, options, job);
         REQUIRE(surface);
-        if (surface->statistics.cut_loops == 0) continue;
+        if (surface->statistics.matched.false_loops.cut == 0) continue;
         ++cut;
         CHECK(test::topology(surface->mesh).closed_manifold());
         CHECK(connectivity_of(surface->mesh) == connectivity_of(tree));

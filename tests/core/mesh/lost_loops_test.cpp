@@ -71,8 +71,8 @@ void check_loop(const tree::VesselTree& tree, const glm::dvec2& hole, int detail
     CAPTURE(detail);
     const Surface surface = surface_of(tree, detail);
     CHECK(connectivity_of(surface.mesh) == Connectivity{1, 1});
-    CHECK(surface.statistics.lost_loops.opened == opened);
-    CHECK(surface.statistics.lost_loops.closed.empty());
+    CHECK(surface.statistics.matched.lost_loops.opened == opened);
+    CHECK(surface.statistics.matched.lost_loops.closed.empty());
     CHECK(test::topology(surface.mesh).open_edges == 0);
     CHECK(test::intersecting_triangles(surface.mesh).empty());
     // There is a way through the plane of the cycle, between its centerlines.
@@ -115,7 +115,7 @@ TEST_CASE("a lost loop is said where nothing can be opened, and left where the p
     }();
     Job job;
     const std::size_t triangles = surface.mesh.triangles.size();
-    CHECK(open_lost_loops(surface.mesh, twice, 1e9, job).opened == 0);
+    CHECK(open_lost_loops(surface.mesh, twice, 0, 1e9, job).opened == 0);
     CHECK(surface.mesh.triangles.size() == triangles);
 
     SurfaceOptions paper;

@@ -81,6 +81,14 @@ int levels_needed(const field::Frame& frame, const Sizing& sizing) {
     return std::max(1, static_cast<int>(std::ceil(std::log2(largest / (4.0 * sizing.finest_cell_mm)))) + 1);
 }
 
+Bounds<glm::vec3> box_of_brick(const Octree& octree, std::uint32_t brick) {
+    const Brick& one = octree.bricks[brick];
+    Bounds<glm::vec3> box;
+    for (const int units : {0, brick_units(one.level)})
+        box.hold(glm::vec3(octree.lattice.position(one.corner + units)));
+    return box;
+}
+
 Octree build_octree(const field::Field& field, const Sizing& sizing, Job& job) {
     Octree octree;
     octree.top_level = levels_needed(field.frame(), sizing);

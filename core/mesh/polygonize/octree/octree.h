@@ -2,6 +2,7 @@
 // of the field prove to be wholly inside or outside. Leaves become bricks, in depth-first Morton order.
 #pragma once
 
+#include "core/base/bounds.h"
 #include "core/base/job.h"
 #include "core/base/large_array.h"
 #include "core/field/field.h"
@@ -96,6 +97,8 @@ struct Octree {
     void enter(std::uint32_t parent, std::size_t child, std::uint32_t upper_node); // indices of `upper`
     [[nodiscard]] std::vector<std::uint32_t> subtrees_in_order() const;            // depth first
 };
+
+[[nodiscard]] Bounds<glm::vec3> box_of_brick(const Octree& octree, std::uint32_t brick); // mm
 
 // Without bricks when cancelled.
 [[nodiscard]] Octree build_octree(const field::Field& field, const Sizing& sizing, Job& job);

@@ -85,13 +85,8 @@ SurfaceStream::End SurfaceStream::work(const SubtreeBatch& batch, const JobRange
 
 void SurfaceStream::tell_walls(std::span<const std::uint32_t> subtrees) {
     for (const std::uint32_t subtree : subtrees)
-        for (const std::uint32_t index : cells_.subtrees[subtree].walled_bricks) {
-            const Brick& brick = octree_.bricks[index];
-            Bounds<glm::vec3> box;
-            for (const int units : {0, brick_units(brick.level)})
-                box.hold(glm::vec3(octree_.lattice.position(brick.corner + units)));
-            store_.add_walled(box);
-        }
+        for (const std::uint32_t index : cells_.subtrees[subtree].walled_bricks)
+            store_.add_walled(box_of_brick(octree_, index));
 }
 
 SurfaceStream::End SurfaceStream::grow_vertices(std::size_t count) {

@@ -1,0 +1,272 @@
+#include "core/mesh/loops/surface_parts.h"
+
+#include "core/base/disjoint_sets.h"
+#include "core/base/lists_by_thread.h"
+
+#include <algorithm>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/biconnected_components.hpp>
+#include <iterator>
+#include <numeric>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <unordered_map>
+#include <utility>
+
+namespace ramus::mesh {
+
+namespace {
+
+constexpr float kBeside = 0.5F; // of a place's size, that what is near it reaches beyond it
+constexpr float kReach = 4.0F;  // sides, that what is around a triangle reaches beyond it
+
+void sort_all(std::vector<std::uint32_t>& numbers) {
+    std::ranges::sort(numbers);
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+// Pairs of branches of the file that have a point in common, the lower one first; ascending.
+class Neighbours {
+public:
+    explicit Neighbours(const tree::PreparedTree& tree) {
+        std::vector<std::pair<std::uint32_t, int>> at; // points, and a branch that is there
+        std::size_t segment = 0;
+        for (const tree::Branch& branch : tree.tree.branches)
+            for (std::size_t i = 1; i < branch.points.size(); ++i, ++segment)
+                for (const std::uint32_t point : {branch.points[i - 1], branch.points[i]})
+                    at.emplace_back(point, tree.segment_source[segment]);
+        std::ranges::sort(at);
+        at.erase(std::unique(at.begin(), at.end()), at.end());
+        for (std::size_t first = 0, end = 0; first < at.size(); first = end) {
+            while (end < at.size() && at[end].first == at[first].first) ++end;
+            for (std::size_t a = first; a < end; ++a)
+                for (std::size_t b = a + 1; b < end; ++b) pairs_.emplace_back(at[a].second, at[b].second);
+        }
+        std::ranges::sort(pairs_);
+        pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+    }
+    [[nodiscard]] bool meet(int a, int b) const {
+        return a == b || std::ranges::binary_search(pairs_, std::pair(std::min(a, b), std::max(a, b)));
+    }
+
+private:
+    std::vector<std::pair<int, int>> pairs_;
+};
+
+// An edge of a border: vertices in the order in which the triangle that is near has them.
+using Link = std::pair<std::uint32_t, std::uint32_t>;
+
+// Edges that one of some triangles has, and no other one; ascending.
+std::vector<Link> border_of(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles) {
+    std::vector<Link> there, back;
+    for (const std::uint32_t n : triangles)
+        for (int corner = 0; corner < 3; ++corner) {
+            const std::uint32_t from = mesh.triangles[n][corner], to = mesh.triangles[n][(corner + 1) % 3];
+            there.emplace_back(from, to), back.emplace_back(to, from);
+        }
+    std::ranges::sort(there), std::ranges::sort(back);
+    std::vector<Link> border;
+    std::ranges::set_difference(there, back, std::back_inserter(border));
+    return border;
+}
+
+// Adds all triangles at vertices that are of two borders, or twice of one. Whether there are such.
+bool widen(const TriangleMesh& mesh, const TriangleBoxes& boxes, std::span<const Link> border,
+           std::vector<std::uint32_t>& triangles) {
+    const std::size_t before = triangles.size();
+    for (std::size_t n = 1; n < border.size(); ++n) {
+        const std::uint32_t vertex = border[n].first;
+        if (vertex != border[n - 1].first) continue;
+        boxes.for_each_in({mesh.positions[vertex], mesh.positions[vertex]}, [&](std::uint32_t triangle) {
+            const glm::uvec3& t = mesh.triangles[triangle];
+            if (t.x == vertex || t.y == vertex || t.z == vertex) triangles.push_back(triangle);
+        });
+    }
+    sort_all(triangles);
+    return triangles.size() > before;
+}
+
+// Vertices by numbers of their own, as they come.
+class Numbers {
+public:
+    std::uint32_t of(std::uint32_t vertex) {
+        return numbers_.try_emplace(vertex, static_cast<std::uint32_t>(numbers_.size())).first->second;
+    }
+    [[nodiscard]] std::size_t size() const { return numbers_.size(); }
+
+private:
+    std::unordered_map<std::uint32_t, std::uint32_t> numbers_;
+};
+
+// By Euler's formula: closed by a point for each border, a part has V - E + F = 2 - 2 loops.
+std::int64_t loops_within(const TriangleMesh& mesh, const SurfacePart& part) {
+    std::vector<std::uint32_t> vertices;
+    for (const std::uint32_t n : part.triangles)
+        for (int corner = 0; corner < 3; ++corner) vertices.push_back(mesh.triangles[n][corner]);
+    sort_all(vertices);
+    std::size_t sides = 3 * part.triangles.size();
+    for (const PartBorder& border : part.borders) sides += border.vertices.size();
+    const auto closed = static_cast<std::int64_t>(vertices.size() + part.triangles.size() + part.borders.size()) -
+                        static_cast<std::int64_t>(sides / 2);
+    return (2 - closed) / 2;
+}
+
+} // namespace
+
+SurfaceParts::SurfaceParts(const TriangleMesh& mesh, const TriangleBoxes& boxes, std::vector<std::uint32_t> near)
+    : mesh_(mesh) {
+    std::vector<Link> border;
+    do border = border_of(mesh, near);
+    while (widen(mesh, boxes, border, near));
+    take_parts(near, border);
+    find_rest(near, border);
+}
+
+void SurfaceParts::take_parts(std::span<const std::uint32_t> near, std::span<const Link> border) {
+    Numbers here;
+    DisjointSets sets(3 * near.size());
+    for (const std::uint32_t n : near) {
+        const glm::uvec3& t = mesh_.triangles[n];
+        sets.join(here.of(t.x), here.of(t.y)), sets.join(here.of(t.x), here.of(t.z));
+    }
+    std::unordered_map<std::uint32_t, std::size_t> part_of; // by the vertex that stands for it
+    for (const std::uint32_t n : near) {
+        const auto [part, fresh] = part_of.try_emplace(sets.find(here.of(mesh_.triangles[n].x)), parts_.size());
+        if (fresh) parts_.emplace_back();
+        parts_[part->second].triangles.push_back(n);
+    }
+    std::unordered_map<std::uint32_t, std::uint32_t> after(border.begin(), border.end());
+    for (const Link& link : border) {
+        PartBorder one;
+        for (auto next = after.find(link.first); next != after.end(); next = after.find(one.vertices.back())) {
+            one.vertices.push_back(next->second);
+            after.erase(next);
+        }
+        if (!one.vertices.empty()) parts_[part_of.at(sets.find(here.of(link.first)))].borders.push_back(std::move(one));
+    }
+}
+
+// What of the rest is beyond each border: its pieces hang together by vertices, those of borders apart from what is
+// near. All triangles of the rest at such a vertex lie side by side.
+void SurfaceParts::find_rest(std::span<const std::uint32_t> near, std::span<const Link> border) {
+    std::vector<std::uint8_t> touched(mesh_.positions.size(), 0); // by vertex: it has triangles that are near
+    std::size_t of_parts = 0;
+    for (const std::uint32_t n : near)
+        for (int corner = 0; corner < 3; ++corner)
+            of_parts += std::exchange(touched[mesh_.triangles[n][corner]], std::uint8_t{1}) == 0 ? 1 : 0;
+    std::unordered_map<std::uint32_t, std::uint32_t> beyond; // of a border's vertices: their numbers in the rest
+    for (const Link& link : border)
+        beyond.emplace(link.first, static_cast<std::uint32_t>(mesh_.positions.size() + beyond.size()));
+    DisjointSets sets(mesh_.positions.size() + beyond.size());
+    const auto number = [&](std::uint32_t vertex) { return touched[vertex] == 0 ? vertex : beyond.at(vertex); };
+    auto next = near.begin();
+    for (std::uint32_t n = 0; n < mesh_.triangles.size(); ++n) {
+        const glm::uvec3& t = mesh_.triangles[n];
+        if ((touched[t.x] | touched[t.y] | touched[t.z]) == 0) { // most
+            sets.join(t.x, t.y), sets.join(t.x, t.z);
+            continue;
+        }
+        while (next != near.end() && *next < n) ++next;
+        if (next != near.end() && *next == n) continue;
+        sets.join(number(t.x), number(t.y)), sets.join(number(t.x), number(t.z));
+    }
+    std::vector<std::uint32_t> pieces; // of the rest, beyond all borders of all parts
+    for (const SurfacePart& part : parts_)
+        for (const PartBorder& one : part.borders) pieces.push_back(sets.find(beyond.at(one.vertices.front())));
+    find_loops(pieces, sets.count() - of_parts);
+}
+
+// A graph of parts and pieces of the rest, in which each border is a node of its own between two of them: two may have
+// several borders in common. `rest`: how many pieces that has.
+void SurfaceParts::find_loops(std::span<const std::uint32_t> beyond, std::size_t rest) {
+    using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
+                                        boost::property<boost::edge_index_t, std::size_t>>;
+    Numbers pieces;
+    for (const std::uint32_t piece : beyond) pieces.of(piece);
+    const std::size_t first_piece = parts_.size() + beyond.size();
+    Graph graph(first_piece + pieces.size());
+    DisjointSets together(first_piece + pieces.size());
+    std::size_t border = 0;
+    for (std::size_t part = 0; part < parts_.size(); ++part)
+        for (std::size_t n = 0; n < parts_[part].borders.size(); ++n, ++border) {
+            const std::size_t node = parts_.size() + border, piece = first_piece + pieces.of(beyond[border]);
+            boost::add_edge(part, node, 2 * border, graph);
+            boost::add_edge(node, piece, 2 * border + 1, graph);
+            together.join(static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(node));
+            together.join(static_cast<std::uint32_t>(node), static_cast<std::uint32_t>(piece));
+        }
+    std::vector<std::size_t> component(2 * beyond.size(), 0);
+    boost::biconnected_components(
+        graph, boost::make_iterator_property_map(component.begin(), boost::get(boost::edge_index, graph)));
+    border = 0;
+    for (SurfacePart& part : parts_) {
+        for (PartBorder& one : part.borders) {
+            one.connected = static_cast<std::uint32_t>(component[2 * border]);
+            part.has_loops = part.has_loops || component[2 * border] == component[2 * border + 1];
+            ++border;
+        }
+        part.has_loops = part.has_loops || loops_within(mesh_, part) > 0;
+    }
+    of_surface_.pieces = static_cast<std::int64_t>(together.count() + rest - pieces.size());
+    const auto characteristic = // of Euler: three edges for two triangles
+        static_cast<std::int64_t>(mesh_.positions.size()) - static_cast<std::int64_t>(mesh_.triangles.size() / 2);
+    of_surface_.loops = of_surface_.pieces - characteristic / 2;
+}
+
+SurfacePart whole_part(const TriangleMesh& mesh) {
+    SurfacePart whole{std::vector<std::uint32_t>(mesh.triangles.size()), {}, true};
+    std::iota(whole.triangles.begin(), whole.triangles.end(), 0U);
+    return whole;
+}
+
+std::vector<std::uint32_t> triangles_at(const TriangleBoxes& boxes, std::span<const Bounds<glm::vec3>> places) {
+    std::vector<std::uint32_t> found;
+    for (const Bounds<glm::vec3>& place : places) {
+        const glm::vec3 beside = kBeside * place.size();
+        boxes.for_each_in({place.least - beside, place.most + beside},
+                          [&](std::uint32_t triangle) { found.push_back(triangle); });
+    }
+    sort_all(found);
+    return found;
+}
+
+std::vector<std::uint32_t> triangles_around(const TriangleBoxes& boxes, std::span<const std::uint32_t> triangles) {
+    std::vector<std::uint32_t> found;
+    for (const std::uint32_t n : triangles) {
+        const TriangleBox box = boxes.box(n);
+        const glm::vec3 size = box.size();
+        const float reach = kReach * std::max({size.x, size.y, size.z});
+        boxes.for_each_in({box.least - reach, box.most + reach},
+                          [&](std::uint32_t triangle) { found.push_back(triangle); });
+    }
+    sort_all(found);
+    return found;
+}
+
+std::vector<std::uint32_t> triangles_between_branches(const TriangleMesh& mesh) {
+    if (mesh.branches.empty()) return {};
+    ListsByThread<std::uint32_t> found;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.triangles.size()), [&](const auto& range) {
+        for (std::size_t n = range.begin(); n < range.end(); ++n) {
+            const glm::uvec3& t = mesh.triangles[n];
+            const std::int32_t first = mesh.branches[t.x];
+            if (first != mesh.branches[t.y] || first != mesh.branches[t.z])
+                found.local().push_back(static_cast<std::uint32_t>(n));
+        }
+    });
+    return found.sorted();
+}
+
+std::vector<std::uint32_t> foreign_triangles(const TriangleMesh& mesh, const tree::PreparedTree& tree,
+                                             std::span<const std::uint32_t> between_branches) {
+    const Neighbours neighbours(tree);
+    std::vector<std::uint32_t> foreign;
+    std::ranges::copy_if(between_branches, std::back_inserter(foreign), [&](std::uint32_t n) {
+        const glm::uvec3& t = mesh.triangles[n];
+        const std::int32_t a = mesh.branches[t.x], b = mesh.branches[t.y], c = mesh.branches[t.z];
+        return !neighbours.meet(a, b) || !neighbours.meet(b, c) || !neighbours.meet(a, c);
+    });
+    return foreign;
+}
+
+} // namespace ramus::mesh
