@@ -157,7 +157,8 @@ void warn_of_intersections(const MeshFlags& flags, const WrittenSurface& written
     if (written.untangled && written.untangled->left > 0)
         std::cerr << "ramus: " << flags.output << ": "
                   << counted(written.untangled->left, "pair of triangles goes", "pairs of triangles go")
-                  << " through each other; another --detail may have none\n";
+                  << " through each other" << places_text("near", written.untangled->places)
+                  << "; another --detail may have none\n";
     if (written.untangled && !written.untangled->looked_at_all)
         std::cerr
             << "ramus: " << flags.output
@@ -170,16 +171,16 @@ void warn_of_intersections(const MeshFlags& flags, const WrittenSurface& written
 }
 
 // Of what is looked for in some surfaces: null where it was not.
-nlohmann::ordered_json mended_json(const WrittenSurface& written) {
-    nlohmann::ordered_json mended = {
+nlohmann::ordered_json repairs_json(const WrittenSurface& written) {
+    nlohmann::ordered_json repairs = {
         {"streamed", written.streamed}, {"cut_loops", nullptr}, {"opened_loops", nullptr}, {"intersections", nullptr}};
     if (written.matched) {
-        mended["cut_loops"] = written.matched->false_loops.cut;
-        mended["opened_loops"] = written.matched->lost_loops.opened;
+        repairs["cut_loops"] = written.matched->false_loops.cut;
+        repairs["opened_loops"] = written.matched->lost_loops.opened;
     }
     if (written.untangled && written.untangled->looked_at_all)
-        mended["intersections"] = {{"found", written.untangled->found}, {"left", written.untangled->left}};
-    return mended;
+        repairs["intersections"] = {{"found", written.untangled->found}, {"left", written.untangled->left}};
+    return repairs;
 }
 
 void report(const MeshFlags& flags, const WrittenSurface& written, const tree::Claims& claims,
@@ -193,7 +194,7 @@ void report(const MeshFlags& flags, const WrittenSurface& written, const tree::C
             figures["tree"] = {{"components", written.tree_shape->pieces}, {"loops", written.tree_shape->loops}};
         }
         if (!flags.mask.iso) {
-            figures.update(mended_json(written));
+            figures.update(repairs_json(written));
             figures["evaluations"] = written.evaluations;
         }
         if (smoothing) figures["smoothing"] = smoothing_json(*smoothing);

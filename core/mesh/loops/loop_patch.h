@@ -36,7 +36,7 @@ private:
     TriangleMesh closed_;
     std::vector<std::uint8_t> barred_;
     std::vector<std::uint32_t> vertices_;  // of the surface, by number here
-    std::vector<std::uint32_t> triangles_; // likewise
+    std::vector<std::uint32_t> triangles_; // of the surface, by number here
     std::size_t all_triangles_ = 0;        // with those that close it
 };
 

@@ -53,7 +53,7 @@ private:
     std::vector<std::pair<int, int>> pairs_;
 };
 
-// An edge of a border: vertices in the order in which the triangle that is near has them.
+// An edge of a border: vertices in the order in which the part's triangle has them.
 using Link = std::pair<std::uint32_t, std::uint32_t>;
 
 // Edges that one of some triangles has, and no other one; ascending.
