@@ -21,7 +21,8 @@ public:
         levels_.push_back(std::move(lowest));
         while (levels_.back().size() > 1) {
             const Level& below = levels_.back();
-            Level level((below.size() + EightBoxes::kCount - 1) / EightBoxes::kCount, EightBoxes());
+            Level level((below.size() + EightBoxes::kCount - 1) / EightBoxes::kCount, EightBoxes(),
+                        below.get_allocator());
             for (std::size_t n = 0; n < below.size(); ++n)
                 level[n / EightBoxes::kCount].set(n % EightBoxes::kCount, below[n].around());
             levels_.push_back(std::move(level));

@@ -1,7 +1,7 @@
 // DisjointSets: things numbered from 0, joined into sets; more may come at any time. The lowest of a set stands for it.
 #pragma once
 
-#include "core/base/mapped_pages.h"
+#include "core/base/large_array.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -11,7 +11,9 @@ namespace ramus {
 class DisjointSets {
 public:
     DisjointSets() = default;
-    explicit DisjointSets(std::size_t count) { add(count); }
+    explicit DisjointSets(std::size_t count, const LargeAllocator<std::uint32_t>& memory = {}) : stands_(memory) {
+        add(count);
+    }
     // More things, each a set of its own.
     void add(std::size_t count) {
         const std::size_t first = stands_.size();
@@ -34,7 +36,7 @@ public:
     [[nodiscard]] std::size_t count() const { return stands_.size() - joined_; } // of sets
 
 private:
-    PagedArray<std::uint32_t> stands_; // another of the same set, lower unless it is the lowest itself
+    LargeArray<std::uint32_t> stands_; // another of the same set, lower unless it is the lowest itself
     std::size_t joined_ = 0;
 };
 

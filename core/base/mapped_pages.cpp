@@ -14,21 +14,15 @@ std::size_t whole_pages(std::size_t bytes) { return (bytes + kPage - 1) / kPage 
 
 } // namespace
 
-void* map_pages(std::size_t bytes, [[maybe_unused]] PageUse use) {
+void* map_pages(std::size_t bytes) {
     // Not all that is asked for is written at the same time, so none is set aside.
     constexpr int kFlags = MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE;
     void* memory = mmap(nullptr, whole_pages(bytes), PROT_READ | PROT_WRITE, kFlags, -1, 0);
     if (memory == MAP_FAILED) throw std::bad_alloc();
 #ifdef MADV_NOHUGEPAGE
-    if (use == PageUse::kSparse) madvise(memory, whole_pages(bytes), MADV_NOHUGEPAGE);
+    madvise(memory, whole_pages(bytes), MADV_NOHUGEPAGE);
 #endif
     return memory;
-}
-
-void* remap_pages(void* memory, std::size_t bytes, std::size_t more_bytes) {
-    void* moved = mremap(memory, whole_pages(bytes), whole_pages(more_bytes), MREMAP_MAYMOVE);
-    if (moved == MAP_FAILED) throw std::bad_alloc();
-    return moved;
 }
 
 void unmap_pages(void* memory, std::size_t bytes) { munmap(memory, whole_pages(bytes)); }

@@ -9,6 +9,7 @@ namespace ramus {
 
 [[nodiscard]] double memory_limit(double asked); // what is asked for, or half of the machine's when that is 0
 [[nodiscard]] double process_memory();           // resident now; 0 where the system does not tell
+[[nodiscard]] double process_file_memory();      // of it, pages of files
 [[nodiscard]] double memory_left(double asked);  // what the process may still take of memory_limit(); 1 at the least
 
 [[nodiscard]] std::string megabytes(double bytes); // "12 MB"

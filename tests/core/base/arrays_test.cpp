@@ -1,17 +1,23 @@
 // The arrays of core/base, and the memory that they give back.
 #include "core/base/chunked_array.h"
+#include "core/base/disk_pages.h"
 #include "core/base/large_array.h"
 #include "core/base/mapped_pages.h"
 #include "core/base/memory.h"
 #include "core/base/shared_pages.h"
+#include "tests/support/temporary_folder.h"
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstring>
 #include <doctest/doctest.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <set>
+#include <stdexcept>
+#include <string>
 #include <sys/mman.h>
+#include <thread>
 
 using namespace ramus;
 
@@ -65,21 +71,39 @@ TEST_CASE("a sparse array is zero where nothing was written, whatever was given 
     CHECK(std::ranges::all_of(zeros, [](std::uint8_t v) { return v == 0; }));
 }
 
-TEST_CASE("a paged array keeps its values while it grows, and takes no memory for what is emptied") {
-    PagedArray<std::uint32_t> numbers;
-    for (std::size_t count = 1; count <= 16 * kMiB; count *= 4) {
-        const std::size_t from = numbers.size();
-        numbers.resize(count);
-        for (std::size_t n = from; n < count; ++n) numbers[n] = static_cast<std::uint32_t>(n);
-    }
-    bool same = true;
-    for (std::size_t n = 0; n < numbers.size(); ++n) same = same && numbers[n] == n;
+TEST_CASE("arrays on the disk keep their values while their memory is dropped, and leave no file") {
+    const TemporaryFolder folder;
+    const double most = process_memory() + 20e6;
+    const auto pages = std::make_shared<DiskPages>(folder.path() / "target", most);
+    const LargeAllocator<std::byte> memory(pages);
+    LargeArray<std::uint32_t> numbers(16 * kMiB, memory), few(16, memory);
+    for (std::size_t n = 0; n < numbers.size(); ++n) numbers[n] = static_cast<std::uint32_t>(n);
+    for (int looks = 0; looks < 1000 && process_memory() > most; ++looks)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    CHECK(process_memory() <= most);
+    CHECK(folder.names().empty());
+    const LargeArray<std::uint32_t> copy(numbers);
+    CHECK(copy.get_allocator().memory() == pages);
+    const LargeArray<std::uint32_t> moved = std::move(numbers);
+    numbers = few;
+    bool same = moved.size() == copy.size();
+    for (std::size_t n = 0; n < moved.size(); ++n) same = same && moved[n] == n && copy[n] == n;
     CHECK(same);
-    const double before = process_memory();
-    empty_pages(numbers.data(), numbers.size() * sizeof(std::uint32_t));
-    CHECK(before - process_memory() > 60e6);
-    numbers[5] = 5;
-    CHECK(numbers[5] == 5);
+}
+
+TEST_CASE("a disk that is too small for an array is an error that names it") {
+    const TemporaryFolder folder;
+    const std::string target = (folder.path() / "target").string();
+    const LargeAllocator<float> memory(std::make_shared<DiskPages>(target, 1e9));
+    std::string what;
+    try {
+        LargeArray<float> floats(std::size_t{1} << 50, memory);
+    } catch (const std::runtime_error& error) {
+        what = error.what();
+    }
+    CHECK(what.starts_with(target + ": making it needs 4.5e+06 GB or more on the disk of " + folder.path().string()));
+    CHECK(what.find("nothing was written") != std::string::npos);
+    CHECK(folder.names().empty());
 }
 
 TEST_CASE("threads take and give back arrays, and nobody shares one") {

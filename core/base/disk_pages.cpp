@@ -1,0 +1,131 @@
+#include "core/base/disk_pages.h"
+
+#include "core/base/descriptor.h"
+#include "core/base/error.h"
+#include "core/base/memory.h"
+#include "core/base/words.h"
+
+#include <cerrno>
+#include <chrono>
+#include <condition_variable>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <stdexcept>
+#include <string>
+#include <sys/mman.h>
+#include <utility>
+
+namespace ramus {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A look comes late where threads have all cores (measured: by up to 50 ms, on two): most of the room is for what they
+// bring back in the meantime.
+constexpr std::chrono::milliseconds kBetweenLooks(5);
+constexpr double kShare = 0.25; // of the room that other memory leaves
+
+fs::path folder_on_disk_of(const fs::path& target) {
+    std::error_code code;
+    const fs::file_status status = fs::status(target, code);
+    if (!code && fs::exists(status) && !fs::is_regular_file(status)) {
+        const char* folder = std::getenv("TMPDIR");
+        return folder != nullptr && *folder != 0 ? folder : "/var/tmp";
+    }
+    const fs::path folder = target.parent_path();
+    return fs::absolute(folder.empty() ? fs::path(".") : folder).lexically_normal();
+}
+
+int open_without_name(const fs::path& folder) {
+#ifdef O_TMPFILE
+    const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+    if (descriptor >= 0) return descriptor;
+#endif
+    // Not every file system can do that: a name for a moment, then.
+    std::string name = (folder / ".ramus-XXXXXX").string();
+    const int named = ::mkostemp(name.data(), O_CLOEXEC);
+    if (named >= 0) ::unlink(name.c_str());
+    return named;
+}
+
+std::string gigabytes(double bytes) { return in_digits(bytes / 1e9, 3) + " GB"; }
+
+} // namespace
+
+DiskPages::DiskPages(fs::path target, double most_bytes)
+    : target_(std::move(target)), folder_(folder_on_disk_of(target_)), most_bytes_(most_bytes) {}
+
+void* DiskPages::allocate(std::size_t bytes) {
+    Descriptor file(open_without_name(folder_));
+    if (file.number() < 0) refuse(bytes, errno);
+    int code = EINTR;
+    while (code == EINTR) code = ::posix_fallocate(file.number(), 0, static_cast<off_t>(bytes));
+    if (code != 0) {
+        file.close(); // with what there was space for
+        refuse(bytes, code);
+    }
+    void* const memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file.number(), 0);
+    if (memory == MAP_FAILED) refuse(bytes, errno);
+    // Read ahead, a new file gets large pages in the system's cache, and then one byte maps megabytes (Linux 6.18).
+    madvise(memory, bytes, MADV_RANDOM);
+    const std::lock_guard lock(mutex_);
+    mapped_.emplace(memory, bytes);
+    if (!watcher_.joinable()) watcher_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
+    return memory;
+}
+
+void DiskPages::deallocate(void* memory) noexcept {
+    const std::lock_guard lock(mutex_);
+    const auto at = mapped_.find(memory);
+    munmap(memory, at->second);
+    mapped_.erase(at);
+}
+
+void DiskPages::rest() const {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [memory, bytes] : mapped_) madvise(memory, bytes, MADV_NORMAL);
+    drop();
+}
+
+// The files keep the content.
+void DiskPages::drop() const {
+    for (const auto& [memory, bytes] : mapped_) madvise(memory, bytes, MADV_DONTNEED);
+}
+
+void DiskPages::watch(const std::stop_token& stop) const {
+    std::mutex mutex;
+    std::condition_variable_any never;
+    std::unique_lock lock(mutex);
+    while (!stop.stop_requested()) {
+        never.wait_for(lock, stop, kBetweenLooks, [] { return false; });
+        const double of_files = process_file_memory(), other = process_memory() - of_files;
+        if (of_files <= kShare * (most_bytes_ - other)) continue;
+        const std::lock_guard mapped(mutex_);
+        drop();
+    }
+}
+
+void DiskPages::refuse(std::size_t bytes, int code) const {
+    const std::lock_guard lock(mutex_);
+    auto all = static_cast<double>(bytes);
+    for (const auto& [memory, size] : mapped_) all += static_cast<double>(size);
+    Error error{"making it needs " + gigabytes(all) + " or more on the disk of " + folder_.string(), target_.string(),
+                ""};
+    if (code == ENOSPC || code == EDQUOT) {
+        std::error_code unknown;
+        const fs::space_info space = fs::space(folder_, unknown);
+        if (!unknown) error.what += "; " + gigabytes(static_cast<double>(space.available)) + " are left there";
+        error.hint = "nothing was written; free some space, write to another disk, or raise --memory";
+    } else if (code == EFBIG) {
+        error.what += ", in files larger than this system allows";
+        error.hint = "nothing was written; raise the limit (ulimit -f) or --memory";
+    } else {
+        error.what += std::string(": ") + std::strerror(code);
+        error.hint = "nothing was written; write to another disk, or raise --memory";
+    }
+    throw std::runtime_error(error.message());
+}
+
+} // namespace ramus
