@@ -10,7 +10,6 @@
 #include "app/session/systems.h"
 #include "app/session/thickness_text.h"
 #include "core/io/meshes/mesh_file.h"
-#include "core/io/meshes/surface_file.h"
 #include "core/io/output_file.h"
 #include "core/io/trees/tree_file.h"
 #include "core/measure/wall_thickness.h"
@@ -34,26 +33,9 @@ struct SurfaceWork {
     Export wanted;
 };
 
-Result<void> stream(const SurfaceWork& work, Job& job) {
-    RAMUS_TRY(file, io::SurfaceFile::create(work.wanted.file, work.names.claims));
-    const auto streamed = mesh::stream_surface(*work.tree, work.options, *file, job, work.hidden);
-    if (auto taken = file->check(); !taken) return taken;
-    if (!streamed) return tl::unexpected(streamed.error());
-    return file->commit();
-}
-
 Result<Continuation> write_surface_of(const SurfaceWork& work, Job& job) {
     std::string sentence = saved_text("Surface", work.wanted);
-    if (mesh::asks_for_streaming(*work.tree, work.options, work.hidden)) {
-        if (work.wanted.for_printing)
-            return fail("the surface is larger than memory, and cannot be measured for printing", {},
-                        "use a lower detail");
-        if (auto written = stream(work, job); !written) return tl::unexpected(written.error());
-        return has_written(work.wanted.file, sentence +
-                                                 "; streamed, for want of memory: triangles that go through each "
-                                                 "other were not looked for");
-    }
-    RAMUS_TRY(surface, mesh::make_untangled_surface(*work.tree, work.options, job, work.hidden));
+    RAMUS_TRY(surface, mesh::make_untangled_surface(*work.tree, work.options, job, work.hidden, work.wanted.file));
     if (const std::size_t left = surface.statistics.untangled.left; left > 0)
         sentence += "; " + counted(left, "pair of triangles goes", "pairs of triangles go") + " through each other";
     if (!surface.statistics.untangled.looked_at_all)
@@ -88,7 +70,7 @@ Result<Outcome> export_surface(ActionContext& context, const Export& wanted) {
     work->wanted = wanted;
     work->hidden = exported_branches(document, wanted.of);
     for (std::uint8_t& branch : work->hidden) branch = branch == 0 ? 1 : 0;
-    if (!io::is_streamed(*format)) {
+    if (io::has_names(*format)) {
         refresh(context.assets, document);
         work->names = surface_names(*document.tree(), *document.facts(), document.marks(), context.assets.plan.get(),
                                     wanted.parts.value_or(usual_parts(*document.tree())));

@@ -122,10 +122,8 @@ std::string difference_text(std::int64_t here, std::int64_t wanted, const char* 
 }
 
 // What to do about a surface of other pieces or loops than the tree's.
-const char* remedy_of_shape(const WrittenSurface& written, mesh::Blend blend) {
+const char* remedy_of_shape(mesh::Blend blend) {
     if (blend == mesh::Blend::kPaper) return "vessels that come close are merged: --blend tree keeps them apart";
-    if (written.streamed && written.shape.loops > written.tree_shape->loops)
-        return "loops are cut in surfaces that are not streamed: raise --memory, or lower --detail";
     return "look where axes all but cross: ramus info --contacts lists them, the closest first";
 }
 
@@ -149,7 +147,7 @@ void warn_of_shape(const MeshFlags& flags, const WrittenSurface& written, mesh::
     const std::string loops = difference_text(written.shape.loops, written.tree_shape->loops, "loop", "loops");
     if (!what.empty() && !loops.empty()) what += " and ";
     std::cerr << "ramus: " << flags.output << ": the surface has " << what << loops << " than the tree"
-              << places_text(written.matched) << "; " << remedy_of_shape(written, blend) << '\n';
+              << places_text(written.matched) << "; " << remedy_of_shape(blend) << '\n';
 }
 
 // What is left, and what nobody looked for.
@@ -164,10 +162,6 @@ void warn_of_intersections(const MeshFlags& flags, const WrittenSurface& written
             << "ramus: " << flags.output
             << ": triangles that go through each other were not counted: too many may do so, as with cells larger "
                "than vessels; lower --cell, or raise --detail\n";
-    if (written.streamed)
-        std::cerr << "ramus: " << flags.output
-                  << ": streamed, for want of memory: triangles that go through each other were not looked for; raise "
-                     "--memory, or lower --detail\n";
 }
 
 // Of what is looked for in some surfaces: null where it was not.
@@ -258,7 +252,7 @@ Result<int> run_mesh(const MeshFlags& flags) {
     std::vector<std::uint8_t> hidden(opened.tree->branches.size(), 0);
     for (const int branch : branches_in_state(opened.session.marks, render::BranchState::kHidden))
         hidden[static_cast<std::size_t>(branch)] = 1;
-    if (!io::is_streamed(*format)) {
+    if (io::has_names(*format)) {
         RAMUS_TRY(names, names_for(flags, opened));
         target.names = std::move(names);
     }
@@ -268,7 +262,7 @@ Result<int> run_mesh(const MeshFlags& flags) {
     RAMUS_TRY(written, of_file(write_surface(*opened.tree, opened.session.marks.options, hidden, target),
                                opened.session.tree.path.string()));
     say(flags.surface, counted(written.evaluations, "evaluation", "evaluations") + " of the field in " +
-                           rounded(written.mesh_s) + " s" + (written.streamed ? ", streamed to the disk" : ""));
+                           rounded(written.mesh_s) + " s" + (written.streamed ? ", on the disk" : ""));
     const mesh::MatchedTree matched = written.matched.value_or(mesh::MatchedTree{});
     if (matched.false_loops.cut > 0)
         say(flags.surface, "cut " + counted(matched.false_loops.cut, "loop", "loops") + " that the tree does not have");

@@ -203,8 +203,8 @@ void add_surface_flags(CLI::App& command, SurfaceFlags& flags) {
             throw CLI::ValidationError("--width", takes.error().message());
     });
     add_memory_option(command, "--memory", surface.memory_bytes,
-                      "Most memory to use, as 800M or 4G (default 0: half of the machine's); ramus mesh streams larger "
-                      "surfaces to the disk");
+                      "Most memory to use, as 800M or 4G (default 0: half of the machine's); ramus mesh makes larger "
+                      "surfaces on the disk of the output");
     add_source_flags(command, flags);
 }
 

@@ -1,5 +1,5 @@
-// A tree's surface, made and written: as a whole, or streamed to the disk when it is more than memory holds. The file
-// is the same either way, but for the places where a whole one is mended (make_untangled_surface()).
+// A tree's surface, made and written: in memory, or on the disk when it is more than memory holds. The file is the same
+// either way.
 #pragma once
 
 #include "core/base/error.h"
@@ -25,7 +25,7 @@ struct WrittenSurface {
     // is not that there is none. Nor is it where not all pairs were looked at.
     std::optional<mesh::MatchedTree> matched;
     std::optional<mesh::Untangled> untangled;
-    bool streamed = false;
+    bool streamed = false;                     // made on the disk
     std::vector<std::vector<int>> lost_pieces; // of the tree, by branch: not on the surface (core/mesh/lost_pieces.h)
     double mesh_s = 0.0, write_s = 0.0;
     std::vector<measure::Thickness> thicknesses; // for printing: as measure::least_thicknesses() gives them

@@ -23,7 +23,8 @@ const double kFacesBack = std::cos(std::acos(-1.0) / 18.0);
 
 class Solid {
 public:
-    explicit Solid(const mesh::TriangleMesh& mesh) : mesh_(mesh), surface_(mesh), folded_(mesh.positions.size()) {
+    explicit Solid(const mesh::TriangleMesh& mesh)
+        : mesh_(mesh), surface_(mesh, kMostCopied, mesh.memory()), folded_(mesh.positions.size(), 0, mesh.memory()) {
         constexpr double kHere = 1e-9; // of the size of the whole: rounding, where the way begins on a triangle
         Bounds<glm::dvec3> box;
         for (const glm::vec3& position : mesh.positions) box.hold(glm::dvec3(position));
@@ -66,14 +67,14 @@ private:
 
     const mesh::TriangleMesh& mesh_;
     PackedTriangles surface_;
-    std::vector<std::uint8_t> folded_; // by vertex: a triangle at it faces away from its normal
-    double here_ = 0.0;                // mm
+    LargeArray<std::uint8_t> folded_; // by vertex: a triangle at it faces away from its normal
+    double here_ = 0.0;               // mm
 };
 
 } // namespace
 
 std::vector<Thickness> least_thicknesses(const mesh::TriangleMesh& mesh, int threads) {
-    std::vector<double> thickness(mesh.positions.size());
+    LargeArray<double> thickness(mesh.positions.size(), mesh.memory());
     tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
     arena.execute([&] {
         const Solid solid(mesh);

@@ -47,8 +47,8 @@ struct HalfEdge {
     [[nodiscard]] bool same_edge(const HalfEdge& o) const { return low == o.low && high == o.high; }
 };
 
-std::vector<HalfEdge> half_edges(const TriangleMesh& mesh) {
-    std::vector<HalfEdge> all;
+LargeArray<HalfEdge> half_edges(const TriangleMesh& mesh) {
+    LargeArray<HalfEdge> all(mesh.memory());
     all.reserve(3 * mesh.triangles.size());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (int k = 0; k < 3; ++k) {
@@ -59,7 +59,7 @@ std::vector<HalfEdge> half_edges(const TriangleMesh& mesh) {
     return all;
 }
 
-Result<void> expect_two_each(const TriangleMesh& mesh, const std::vector<HalfEdge>& edges, const std::string& where) {
+Result<void> expect_two_each(const TriangleMesh& mesh, const LargeArray<HalfEdge>& edges, const std::string& where) {
     std::size_t open = 0, crowded = 0;
     std::uint32_t first = 0;
     for (std::size_t i = 0; i < edges.size();) {
@@ -89,7 +89,7 @@ double signed_volume(const TriangleMesh& mesh, const glm::uvec3& t) {
 }
 
 // Every edge has two triangles here.
-Result<void> turn_alike(TriangleMesh& mesh, const std::vector<HalfEdge>& edges, const std::string& where) {
+Result<void> turn_alike(TriangleMesh& mesh, const LargeArray<HalfEdge>& edges, const std::string& where) {
     struct Neighbour {
         std::uint32_t triangle = 0;
         bool alike = true; // both run through the edge in opposite ways
@@ -158,7 +158,7 @@ void add_normals(TriangleMesh& mesh) {
 Result<TriangleMesh> closed_mesh(TriangleMesh loose, const std::string& where) {
     weld(loose);
     if (loose.triangles.empty()) return fail("there is no surface in it", where, "give a closed triangle mesh");
-    const std::vector<HalfEdge> edges = half_edges(loose);
+    const LargeArray<HalfEdge> edges = half_edges(loose);
     if (auto closed = expect_two_each(loose, edges, where); !closed) return tl::unexpected(closed.error());
     if (auto turned = turn_alike(loose, edges, where); !turned) return tl::unexpected(turned.error());
     add_normals(loose);
@@ -168,7 +168,7 @@ Result<TriangleMesh> closed_mesh(TriangleMesh loose, const std::string& where) {
 Result<TriangleMesh> tidy_mesh(TriangleMesh loose, const std::string& where) {
     weld(loose);
     if (loose.triangles.empty()) return fail("there is no surface in it", where, "give a triangle mesh");
-    const std::vector<HalfEdge> edges = half_edges(loose);
+    const LargeArray<HalfEdge> edges = half_edges(loose);
     if (expect_two_each(loose, edges, where)) {
         TriangleMesh turned = loose;
         if (turn_alike(turned, edges, where)) loose = std::move(turned);

@@ -1,39 +1,29 @@
 #include "core/mesh/connectivity.h"
 
+#include "core/base/disjoint_sets.h"
+
 #include <algorithm>
 
 namespace ramus::mesh {
 
 int component_count(const TriangleMesh& mesh) { return static_cast<int>(connectivity_of(mesh).pieces); }
 
-void ConnectivityCount::add_vertices(std::size_t count) {
-    pieces_.add(count);
-    used_.resize(used_.size() + count, false);
-}
-
-void ConnectivityCount::add_triangles(std::span<const glm::uvec3> more) {
-    for (const glm::uvec3& triangle : more) {
-        if (triangle[0] == triangle[1]) continue;
-        ++triangles_;
-        for (int corner = 0; corner < 3; ++corner) used_[triangle[corner]] = true;
-        pieces_.join(triangle[0], triangle[1]);
-        pieces_.join(triangle[0], triangle[2]);
-    }
-}
-
-Connectivity ConnectivityCount::connectivity() const {
-    const auto unused = std::ranges::count(used_, false);
-    const auto pieces = static_cast<std::int64_t>(pieces_.count()) - unused;
-    const auto vertices = static_cast<std::int64_t>(used_.size()) - unused;
-    // A closed surface has three edges for two triangles, and pieces - loops is half of its Euler characteristic.
-    return {pieces, pieces - (vertices - triangles_ / 2) / 2};
-}
-
 Connectivity connectivity_of(const TriangleMesh& closed) {
-    ConnectivityCount count;
-    count.add_vertices(closed.positions.size());
-    count.add_triangles(closed.triangles);
-    return count.connectivity();
+    DisjointSets sets(closed.positions.size(), closed.memory());
+    std::vector<bool> used(closed.positions.size(), false);
+    std::int64_t triangles = 0;
+    for (const glm::uvec3& triangle : closed.triangles) {
+        if (triangle[0] == triangle[1]) continue;
+        ++triangles;
+        for (int corner = 0; corner < 3; ++corner) used[triangle[corner]] = true;
+        sets.join(triangle[0], triangle[1]);
+        sets.join(triangle[0], triangle[2]);
+    }
+    const auto unused = std::ranges::count(used, false);
+    const auto pieces = static_cast<std::int64_t>(sets.count()) - unused;
+    const auto vertices = static_cast<std::int64_t>(used.size()) - unused;
+    // A closed surface has three edges for two triangles, and pieces - loops is half of its Euler characteristic.
+    return {pieces, pieces - (vertices - triangles / 2) / 2};
 }
 
 Connectivity connectivity_of(const tree::VesselTree& tree, std::span<const std::uint8_t> hidden) {

@@ -2,7 +2,6 @@
 // handle for each independent cycle of its graph; one more is a connection that the tree has not.
 #pragma once
 
-#include "core/base/disjoint_sets.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/tree/vessel_tree.h"
 
@@ -22,19 +21,7 @@ struct Connectivity {
 // triangle uses do not count, nor do triangles whose first two are one, here and below.
 [[nodiscard]] int component_count(const TriangleMesh& mesh);
 
-// Of a closed surface that comes in parts, by Euler's formula.
-class ConnectivityCount {
-public:
-    void add_vertices(std::size_t count);
-    void add_triangles(std::span<const glm::uvec3> more); // of vertices that were added
-    [[nodiscard]] Connectivity connectivity() const;
-
-private:
-    DisjointSets pieces_;
-    std::vector<bool> used_; // by vertex
-    std::int64_t triangles_ = 0;
-};
-
+// By Euler's formula.
 [[nodiscard]] Connectivity connectivity_of(const TriangleMesh& closed);
 // Of what is left of a tree without the branches whose entry in `hidden` is not 0; it may be empty.
 [[nodiscard]] Connectivity connectivity_of(const tree::VesselTree& tree, std::span<const std::uint8_t> hidden = {});

@@ -7,8 +7,10 @@
 #include <cstdio>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace ramus::mesh {
 
@@ -42,45 +44,28 @@ private:
 
 } // namespace
 
-void EdgeBalance::add_vertices(std::span<const glm::vec3> more) {
-    const std::size_t end = vertices_ + more.size();
-    for (std::size_t v = places_.size() << kPlaceBits; v < end; v = places_.size() << kPlaceBits)
-        places_.push_back(more[v - vertices_]);
-    sums_.resize(places_.size(), 0);
-    vertices_ = end;
-}
-
-void EdgeBalance::add_triangles(std::span<const glm::uvec3> more) {
+Result<void> check_balance(const TriangleMesh& mesh) {
     constexpr std::size_t kAtOnce = 4096;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, more.size(), kAtOnce), [&](const auto& range) {
-        SharedSums sums(sums_);
+    std::vector<std::uint64_t> sums((mesh.positions.size() >> kPlaceBits) + 1, 0); // by an edge's lower vertex
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.triangles.size(), kAtOnce), [&](const auto& range) {
+        SharedSums shared(sums);
         for (std::size_t n = range.begin(); n < range.end(); ++n)
             for (int corner = 0; corner < 3; ++corner) {
-                const std::uint32_t from = more[n][corner], to = more[n][(corner + 1) % 3];
+                const std::uint32_t from = mesh.triangles[n][corner], to = mesh.triangles[n][(corner + 1) % 3];
                 const auto [low, high] = std::minmax(from, to);
                 const std::uint64_t edge = scattered(std::uint64_t{low} << 32 | high);
-                sums.add(low >> kPlaceBits, from < to ? edge : 0 - edge);
+                shared.add(low >> kPlaceBits, from < to ? edge : 0 - edge);
             }
     });
-}
-
-Result<void> EdgeBalance::check() const {
-    const auto first = std::ranges::find_if(sums_, [](std::uint64_t sum) { return sum != 0; });
-    if (first == sums_.end()) return {};
-    const auto others = static_cast<std::ptrdiff_t>(sums_.size()) - std::ranges::count(sums_, 0U) - 1;
-    const glm::vec3& at = places_[static_cast<std::size_t>(first - sums_.begin())];
+    const auto first = std::ranges::find_if(sums, [](std::uint64_t sum) { return sum != 0; });
+    if (first == sums.end()) return {};
+    const auto others = static_cast<std::ptrdiff_t>(sums.size()) - std::ranges::count(sums, 0U) - 1;
+    const glm::vec3& at = mesh.positions[static_cast<std::size_t>(first - sums.begin()) << kPlaceBits];
     char position[96];
     std::snprintf(position, sizeof position, "(%g, %g, %g)", double(at.x), double(at.y), double(at.z));
     std::string what = "the surface is not closed near " + std::string(position);
     if (others > 0) what += ", and at " + std::to_string(others) + (others == 1 ? " other place" : " other places");
     return fail(what, {}, "this is a fault of the program: report it with the tree; another --detail may avoid it");
-}
-
-Result<void> check_balance(const TriangleMesh& mesh) {
-    EdgeBalance balance;
-    balance.add_vertices(mesh.positions);
-    balance.add_triangles(mesh.triangles);
-    return balance.check();
 }
 
 } // namespace ramus::mesh

@@ -1,6 +1,7 @@
 #include "core/mesh/surface.h"
 
 #include "core/base/bounded.h"
+#include "core/base/disk_pages.h"
 #include "core/base/memory.h"
 #include "core/base/stopwatch.h"
 #include "core/field/drawn_surface.h"
@@ -29,35 +30,17 @@ namespace {
 
 // As many as 31 bits count; of one system, the polygonizer sees to it.
 constexpr std::size_t kMostVertices = std::size_t{1} << 31U;
-constexpr float kMade = 0.9F; // of the time, before a surface is mended
+constexpr float kMade = 0.9F; // of the time, before a surface is repaired
 
 tl::unexpected<Error> too_many_vertices() {
     return fail("the surface has more vertices than can be counted", {}, "lower --detail, or hide a system");
 }
 
-// Passes on what it is given, and counts it.
-class CountedSink final : public SurfaceSink {
-public:
-    explicit CountedSink(SurfaceSink& sink) : sink_(sink) {}
-    [[nodiscard]] bool add_vertices(const VertexSpan& more) override {
-        vertices_ += more.size();
-        return sink_.add_vertices(more);
-    }
-    [[nodiscard]] bool add_triangles(std::span<const glm::uvec3> more, const VertexSpan& vertices) override {
-        triangles_ += more.size();
-        return vertices_ <= kMostVertices && sink_.add_triangles(more, vertices);
-    }
-    [[nodiscard]] std::size_t vertices() const { return vertices_; }
-    [[nodiscard]] std::size_t triangles() const { return triangles_; }
-
-private:
-    SurfaceSink& sink_;
-    std::size_t vertices_ = 0, triangles_ = 0;
-};
-
 // What the surface may take: the limit is for the process, which has a tree already.
-PolygonizeOptions polygonize_options(const SurfaceOptions& options) {
+PolygonizeOptions polygonize_options(const SurfaceOptions& options, const std::shared_ptr<DiskPages>& pages = {}) {
+    if (pages != nullptr) pages->rest(); // they would count
     PolygonizeOptions chosen;
+    chosen.disk = pages;
     chosen.detail = options.detail;
     chosen.cell_mm = options.cell_mm;
     chosen.memory_bytes = memory_left(static_cast<double>(options.memory_bytes));
@@ -139,10 +122,10 @@ field::ConvolutionField plain_sum(const tree::VesselTree& source, const SurfaceO
 }
 
 // Of all systems. What cannot be met is known before contacts are looked for, which takes longer the thicker vessels
-// are.
+// are. `pages`, which may be null, are kept where the surface does not fit into memory.
 Result<field::VesselField> feasible_field(const tree::VesselTree& source, const SurfaceOptions& options,
-                                          const PreparedTree& prepared,
-                                          std::span<const std::vector<std::uint8_t>> parts, PolygonizeMode mode) {
+                                          const PreparedTree& prepared, std::span<const std::uint8_t> hidden,
+                                          std::shared_ptr<DiskPages>& pages) {
     std::optional<field::ConvolutionField> made;
     std::optional<tree::Links> links;
     tbb::parallel_invoke([&] { made = plain_sum(source, options, prepared); },
@@ -151,11 +134,12 @@ Result<field::VesselField> feasible_field(const tree::VesselTree& source, const 
                          });
     const field::ConvolutionField& sum = *made;
     const field::VesselField merged(sum, std::make_shared<const tree::Contacts>());
-    for (const auto& part : parts) {
-        const field::VesselField one = part.empty() ? merged : merged.without(part);
-        if (one.skeleton().present().empty()) continue;
-        if (auto possible = check_feasible(one, polygonize_options(options), mode); !possible)
-            return tl::unexpected(possible.error());
+    const field::VesselField visible = hidden.empty() ? merged : merged.without(hidden);
+    if (!visible.skeleton().present().empty()) {
+        const PolygonizeOptions chosen = polygonize_options(options);
+        if (is_feasible(visible, chosen, PolygonizeMode::kWhole)) pages = nullptr;
+        const auto mode = pages != nullptr ? PolygonizeMode::kOnDisk : PolygonizeMode::kWhole;
+        if (auto possible = check_feasible(visible, chosen, mode); !possible) return tl::unexpected(possible.error());
     }
     if (options.blend != Blend::kTree) return merged;
     return field::VesselField(
@@ -163,8 +147,12 @@ Result<field::VesselField> feasible_field(const tree::VesselTree& source, const 
         options.rims);
 }
 
+// What goes through itself is untangled for files alone.
+enum class MadeFor { kPictures, kFile };
+
+// `pages`: of the disk for what does not fit into memory; may be null.
 Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
-                     std::span<const std::uint8_t> hidden, bool untangled) {
+                     std::span<const std::uint8_t> hidden, MadeFor use, const std::shared_ptr<DiskPages>& pages = {}) {
     const Stopwatch watch;
     Surface surface;
     if (options.method == Method::kTruncatedCones) {
@@ -173,27 +161,36 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
     } else {
         const auto parts = hidden_by_system(source, hidden);
         const PreparedTree prepared = prepare_tree(source, options);
-        RAMUS_TRY(whole, feasible_field(source, options, prepared, parts, PolygonizeMode::kWhole));
+        std::shared_ptr<DiskPages> of_mesh = pages;
+        RAMUS_TRY(whole, feasible_field(source, options, prepared, hidden, of_mesh));
+        surface.disk = of_mesh;
         std::vector<field::VesselField> fields;
         for (std::size_t n = 0; n < parts.size(); ++n) {
             const std::vector<std::uint8_t>& part = parts[n];
             const auto share = [&](float of_part) {
                 return (static_cast<float>(n) + of_part) / static_cast<float>(parts.size());
             };
-            Job making(job, share(0.0F), share(kMade)), mending(job, share(kMade), share(1.0F));
+            Job making(job, share(0.0F), share(kMade)), repairing(job, share(kMade), share(1.0F));
             PolygonizeStatistics statistics;
             std::vector<TriangleBox> walled;
             fields.push_back(whole.without(part));
-            RAMUS_TRY(mesh, polygonize(fields.back(), polygonize_options(options), making, &statistics, &walled));
+            RAMUS_TRY(mesh,
+                      polygonize(fields.back(), polygonize_options(options, of_mesh), making, &statistics, &walled));
             if (options.blend == Blend::kTree) {
-                const PreparedTree visible = visible_part(prepared, part);
-                const double memory = polygonize_options(options).memory_bytes;
-                surface.statistics.matched.add(match_tree(mesh, visible, walled, memory, mending));
+                const double memory = polygonize_options(options, of_mesh).memory_bytes;
+                const MatchedTree matched =
+                    match_tree(mesh, visible_part(prepared, part), walled, memory, repairing, pages);
+                if (pages != nullptr && matched.false_loops.lacked_bytes > 0.0)
+                    return fail(takes_too_much("looking for loops that the tree does not have",
+                                               matched.false_loops.lacked_bytes, memory),
+                                {}, "raise --memory, or lower --detail");
+                surface.statistics.matched.add(matched);
             }
-            if (untangled && !job.cancelled()) surface.statistics.untangled.add(untangle(mesh, walled, mending));
-            mending.report(1.0F);
+            if (use == MadeFor::kFile && !job.cancelled())
+                surface.statistics.untangled.add(untangle(mesh, walled, repairing));
+            repairing.report(1.0F);
             if (job.cancelled()) return fail("cancelled");
-            if (untangled)
+            if (use == MadeFor::kFile)
                 if (auto closed = check_balance(mesh); !closed) return tl::unexpected(closed.error());
             if (surface.mesh.positions.size() + mesh.positions.size() > kMostVertices) return too_many_vertices();
             append(surface.mesh, std::move(mesh));
@@ -230,47 +227,18 @@ tl::unexpected<Error> empty_surface(double cell_mm) {
 Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                              std::span<const std::uint8_t> hidden) {
     if (auto takes = check_kernel(options); !takes) return tl::unexpected(takes.error());
-    return bounded(options.threads, at_memory_end, [&] { return make(source, options, job, hidden, false); });
+    return bounded(options.threads, at_memory_end,
+                   [&] { return make(source, options, job, hidden, MadeFor::kPictures); });
 }
 
 Result<Surface> make_untangled_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
-                                       std::span<const std::uint8_t> hidden) {
+                                       std::span<const std::uint8_t> hidden, const std::filesystem::path& target) {
     if (auto takes = check_kernel(options); !takes) return tl::unexpected(takes.error());
-    return bounded(options.threads, at_memory_end, [&] { return make(source, options, job, hidden, true); });
-}
-
-bool asks_for_streaming(const tree::VesselTree& source, SurfaceOptions options, std::span<const std::uint8_t> hidden) {
-    if (options.method == Method::kTruncatedCones) return false;
-    options.blend = Blend::kPaper; // contacts change no size
-    const field::VesselField field = make_field(source, options, hidden);
-    const PolygonizeOptions chosen = polygonize_options(options);
-    const bricks::Sizing sizing = bricks::make_sizing(field, chosen.detail, chosen.cell_mm);
-    return check_resolved(field, sizing, chosen) && !check_feasible(field, sizing, chosen, PolygonizeMode::kWhole);
-}
-
-Result<SurfaceStatistics> stream_surface(const tree::VesselTree& source, const SurfaceOptions& options,
-                                         SurfaceSink& sink, Job& job, std::span<const std::uint8_t> hidden) {
-    if (auto takes = check_kernel(options); !takes) return tl::unexpected(takes.error());
-    return bounded(options.threads, at_memory_end, [&]() -> Result<SurfaceStatistics> {
-        const Stopwatch watch;
-        std::uint64_t evaluations = 0;
-        CountedSink counted(sink);
-        const auto parts = hidden_by_system(source, hidden);
-        RAMUS_TRY(whole,
-                  feasible_field(source, options, prepare_tree(source, options), parts, PolygonizeMode::kStream));
-        for (const auto& part : parts) {
-            PolygonizeStatistics statistics;
-            if (auto done = polygonize_to(counted, whole.without(part), polygonize_options(options), job, &statistics,
-                                          counted.vertices());
-                !done)
-                return counted.vertices() > kMostVertices ? too_many_vertices() : tl::unexpected(done.error());
-            evaluations += statistics.evaluations;
-        }
-        if (counted.triangles() == 0) return empty_surface(options.cell_mm);
-        SurfaceStatistics statistics;
-        statistics.evaluations = evaluations, statistics.seconds = watch.seconds();
-        return statistics;
-    });
+    std::shared_ptr<DiskPages> pages;
+    if (!target.empty())
+        pages = std::make_shared<DiskPages>(target, memory_limit(static_cast<double>(options.memory_bytes)));
+    return bounded(options.threads, at_memory_end,
+                   [&] { return make(source, options, job, hidden, MadeFor::kFile, pages); });
 }
 
 } // namespace ramus::mesh

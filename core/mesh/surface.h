@@ -9,13 +9,17 @@
 #include "core/mesh/loops/match_tree.h"
 #include "core/mesh/method.h"
 #include "core/mesh/radii.h"
-#include "core/mesh/surface_sink.h"
 #include "core/mesh/untangle/untangle.h"
 #include "core/tree/prepare.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <span>
+
+namespace ramus {
+class DiskPages;
+} // namespace ramus
 
 namespace ramus::field {
 class DrawnSurface;
@@ -51,6 +55,7 @@ struct SurfaceStatistics {
 
 struct Surface {
     TriangleMesh mesh;
+    std::shared_ptr<const DiskPages> disk;            // where its arrays are; null: in memory
     std::shared_ptr<const field::DrawnSurface> drawn; // what it is a mesh of, where it is for pictures; else null
     SurfaceStatistics statistics;
 };
@@ -81,22 +86,14 @@ using tree::PreparedTree;
                                            std::span<const std::uint8_t> hidden = {});
 // The same for files, which simulations and printers read: where it goes through itself within a few triangles, their
 // vertices are moved (core/mesh/untangle). Takes some more time, and makes no difference that can be seen. Fails if a
-// convolution surface is not closed (edge_balance.h).
+// convolution surface is not closed (edge_balance.h). `target`: the file; may be
+// empty. What does not fit into memory is on its disk
+// (core/base/disk_pages.h), so that the surface has the same bits whatever memory it may take, or making it fails.
 [[nodiscard]] Result<Surface> make_untangled_surface(const tree::VesselTree& source, const SurfaceOptions& options,
-                                                     Job& job, std::span<const std::uint8_t> hidden = {});
+                                                     Job& job, std::span<const std::uint8_t> hidden = {},
+                                                     const std::filesystem::path& target = {});
 
 // The error of a surface that has no triangle.
 [[nodiscard]] tl::unexpected<Error> empty_surface(double cell_mm);
-
-// Whether make_surface() would refuse for want of memory what stream_surface() may be able to make.
-[[nodiscard]] bool asks_for_streaming(const tree::VesselTree& source, SurfaceOptions options,
-                                      std::span<const std::uint8_t> hidden = {});
-
-// The same surface in parts, which `sink` takes as they are made; loops and pieces that the tree has not stay, and so
-// does what goes through itself. Fails at the end if it is not closed: what `sink` has taken is to be thrown away. Not
-// of truncated cones.
-[[nodiscard]] Result<SurfaceStatistics> stream_surface(const tree::VesselTree& source, const SurfaceOptions& options,
-                                                       SurfaceSink& sink, Job& job,
-                                                       std::span<const std::uint8_t> hidden = {});
 
 } // namespace ramus::mesh

@@ -5,6 +5,7 @@
 #include "core/base/large_array.h"
 #include "core/field/dominance.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -12,6 +13,10 @@
 namespace ramus::mesh {
 
 struct VertexArrays {
+    VertexArrays() = default;
+    explicit VertexArrays(const LargeAllocator<std::byte>& memory)
+        : positions(memory), normals(memory), radii(memory), branches(memory), dominance(memory) {}
+
     LargeArray<glm::vec3> positions;        // mm
     LargeArray<glm::vec3> normals;          // unit length, outward
     LargeArray<float> radii;                // local vessel radius in mm
@@ -28,6 +33,11 @@ struct VertexArrays {
 };
 
 struct TriangleMesh : VertexArrays {
+    TriangleMesh() = default;
+    explicit TriangleMesh(const LargeAllocator<std::byte>& memory) : VertexArrays(memory), triangles(memory) {}
+    // Where its arrays are, and arrays as large should be.
+    [[nodiscard]] LargeAllocator<std::byte> memory() const { return triangles.get_allocator(); }
+
     LargeArray<glm::uvec3> triangles; // counter-clockwise seen from outside
     bool operator==(const TriangleMesh&) const = default;
 };
@@ -39,10 +49,6 @@ struct VertexSpan {
     std::span<const std::int32_t> branches;
 
     [[nodiscard]] std::size_t size() const { return positions.size(); }
-    [[nodiscard]] VertexSpan subspan(std::size_t first, std::size_t count) const {
-        return {positions.subspan(first, count), normals.subspan(first, count), radii.subspan(first, count),
-                branches.subspan(first, count)};
-    }
 };
 
 [[nodiscard]] inline VertexSpan vertices_of(const TriangleMesh& mesh) {

@@ -206,8 +206,10 @@ bool look_at(const std::string& name, const tree::VesselTree& tree, const ApartO
     row.contacts = tree::find_contacts(prepared, tree::limits_of_gaussian(options.surface.width));
     Result<mesh::Surface> surface;
     Job job;
-    const auto make = options.as_drawn ? mesh::make_surface : mesh::make_untangled_surface;
-    row.seconds = seconds_of([&] { surface = make(tree, options.surface, job, {}); });
+    row.seconds = seconds_of([&] {
+        surface = options.as_drawn ? mesh::make_surface(tree, options.surface, job)
+                                   : mesh::make_untangled_surface(tree, options.surface, job);
+    });
     if (!surface) {
         std::printf("%s: %s\n", name.c_str(), surface.error().message().c_str());
         return false;

@@ -67,9 +67,7 @@ const std::vector<MeshFormat>& mesh_formats() {
          parse_obj,
          obj_header,
          write_obj_faces,
-         {write_obj_positions, write_obj_normals},
-         nullptr,
-         true},
+         {write_obj_positions, write_obj_normals}},
         {{.name = "VTP surface",
           .extensions = {".vtp"},
           .help = "PolyData of VTK: triangles with normals, radius, branch and system."},
@@ -86,7 +84,6 @@ const std::vector<MeshFormat>& mesh_formats() {
          nullptr,
          {},
          write_glb,
-         false,
          true,
          1000.0},
     };
@@ -100,12 +97,6 @@ std::string MeshCounts::claims_text() const {
 
 std::string readable_mesh_extensions() { return listed(readable_extensions(mesh_formats())); }
 std::string writable_mesh_extensions() { return listed(writable_extensions(mesh_formats())); }
-std::string streamed_mesh_extensions() {
-    std::vector<std::string_view> words;
-    for (const MeshFormat& format : mesh_formats())
-        if (is_streamed(format)) words.push_back(format.extensions.front());
-    return listed(words);
-}
 
 bool names_mesh(const std::filesystem::path& path) {
     const MeshFormat* format = format_by_name(mesh_formats(), path);
@@ -136,9 +127,10 @@ Result<mesh::TriangleMesh> read_mesh(const std::filesystem::path& path, Holes ho
 
 Result<void> write_mesh(const mesh::TriangleMesh& mesh, const std::filesystem::path& path, const MeshNames& names) {
     RAMUS_TRY(format, mesh_format(path));
-    if (mesh.positions.size() > kMostInFile || mesh.triangles.size() > kMostInFile) return too_many_for_file(path);
+    if (mesh.positions.size() > kMostInFile || mesh.triangles.size() > kMostInFile)
+        return fail("the mesh has more triangles than its format can count", path.string(), "use a lower --detail");
     RAMUS_TRY(file, OutputFile::create(path));
-    if (!is_streamed(*format)) {
+    if (has_names(*format)) {
         if (auto written = format->whole(mesh, names, path.string(), file); !written) return written;
         return file.commit();
     }
@@ -149,10 +141,6 @@ Result<void> write_mesh(const mesh::TriangleMesh& mesh, const std::filesystem::p
         if (write != nullptr) write(vertices, file);
     format->triangles(mesh.triangles, vertices, file);
     return file.commit();
-}
-
-tl::unexpected<Error> too_many_for_file(const std::filesystem::path& path) {
-    return fail("the mesh has more triangles than its format can count", path.string(), "use a lower --detail");
 }
 
 } // namespace ramus::io

@@ -1,7 +1,6 @@
 // Triangle meshes from and to files: the formats, one row each, and the functions that read and write them all. A new
 // format is a pair of files beside this and a row in mesh_file.cpp. Coordinates are mm, RAS. Arrays that a mesh lacks
-// are left out of what is written; the same mesh gives the same bytes, whether it is written as a whole or comes in
-// parts (surface_file.h).
+// are left out of what is written; the same mesh gives the same bytes.
 //
 // What is read is tidied: polygons are cut into triangles, vertices at one position become one, triangles without an
 // area go, and all triangles are turned the same way round, outward. Then every edge must have exactly two triangles: a
@@ -34,7 +33,7 @@ struct PolygonSoup {
     std::vector<std::vector<std::uint32_t>> polygons; // every index is that of a position
 };
 
-// What a mesh file has: a mesh that comes in parts has all arrays.
+// What a mesh file has.
 struct MeshCounts {
     std::uint64_t vertices = 0, triangles = 0;
     bool normals = true, radii = true, branches = true;
@@ -45,18 +44,13 @@ struct MeshCounts {
 struct MeshFormat : FileFormat {
     // `text`: all bytes of the file called `name`; null: it is not read.
     Result<PolygonSoup> (*parse)(std::string_view text, const std::string& name) = nullptr;
-    // A file is the header, what each of `vertices` (null: nothing) writes, one after the other, and the triangles. Of
-    // a mesh that comes in parts, binary formats are told of more and more and each function writes to a file of its
-    // own until all are put together. Text is longer than the arrays: it is written at the end, from some of one array
-    // at a time, the first of `vertices` from positions, the second from normals, which there always are.
+    // A file is the header, what each of `vertices` (null: nothing) writes, one after the other, and the triangles.
     std::string (*header)(const MeshCounts&) = nullptr;
-    // Given all vertices so far that `more` names.
-    void (*triangles)(std::span<const glm::uvec3> more, const mesh::VertexSpan&, BufferedFile&) = nullptr;
-    std::array<void (*)(const mesh::VertexSpan& more, BufferedFile&), 2> vertices{};
-    // Instead of these: a format that needs the whole mesh before its first byte. `where`: what errors name.
+    void (*triangles)(std::span<const glm::uvec3>, const mesh::VertexSpan&, BufferedFile&) = nullptr;
+    std::array<void (*)(const mesh::VertexSpan&, BufferedFile&), 2> vertices{};
+    // Instead of these: a format that has names and colours too. `where`: what errors name.
     Result<void> (*whole)(const mesh::TriangleMesh&, const MeshNames&, const std::string& where,
                           BufferedFile&) = nullptr;
-    bool is_text = false;
     bool has_parts = false; // objects of their own, with names and colours
     double unit_mm = 1.0;   // what programs take the file's unit for, once they have heeded what it says
 };
@@ -65,15 +59,13 @@ struct MeshFormat : FileFormat {
 [[nodiscard]] inline bool is_written(const MeshFormat& format) {
     return format.header != nullptr || format.whole != nullptr;
 }
-// Whether it can be written in parts.
-[[nodiscard]] inline bool is_streamed(const MeshFormat& format) { return format.header != nullptr; }
+[[nodiscard]] inline bool has_names(const MeshFormat& format) { return format.whole != nullptr; }
 
 [[nodiscard]] const std::vector<MeshFormat>& mesh_formats();
 
 // ".ply, .stl or .obj": of the formats that are read, and of those that are written.
 [[nodiscard]] std::string readable_mesh_extensions();
 [[nodiscard]] std::string writable_mesh_extensions();
-[[nodiscard]] std::string streamed_mesh_extensions(); // of those that can be written in parts
 
 // Whether the name is that of a mesh that can be read.
 [[nodiscard]] bool names_mesh(const std::filesystem::path& path);
@@ -94,7 +86,5 @@ enum class Holes : std::uint8_t { kRefused, kAllowed };
 // In the format of the extension. `names`: for formats that have a place for them.
 [[nodiscard]] Result<void> write_mesh(const mesh::TriangleMesh& mesh, const std::filesystem::path& file,
                                       const MeshNames& names = {});
-
-[[nodiscard]] tl::unexpected<Error> too_many_for_file(const std::filesystem::path& path);
 
 } // namespace ramus::io

@@ -10,7 +10,7 @@ namespace {
 // Gives the section vertices of its own, in place of those of the mesh that its triangles name. `last_section` and
 // `numbers`: by vertex of the mesh, the section that took it last (counted from 1), and its number there.
 void take_vertices(MeshSections& cut, std::size_t which, const mesh::TriangleMesh& mesh,
-                   std::vector<std::uint32_t>& last_section, std::vector<std::uint32_t>& numbers) {
+                   LargeArray<std::uint32_t>& last_section, LargeArray<std::uint32_t>& numbers) {
     MeshSections::Section& section = cut.sections[which];
     section.first_vertex = cut.vertices.size();
     section.least = glm::vec3(std::numeric_limits<float>::max());
@@ -34,7 +34,7 @@ void take_vertices(MeshSections& cut, std::size_t which, const mesh::TriangleMes
 
 MeshSections sections_of(const mesh::TriangleMesh& mesh, std::size_t count,
                          const std::function<std::size_t(const glm::uvec3&)>& section_of) {
-    MeshSections cut;
+    MeshSections cut{{}, LargeArray<std::uint32_t>(mesh.memory()), LargeArray<glm::uvec3>(mesh.memory())};
     cut.sections.resize(count);
     for (const glm::uvec3& triangle : mesh.triangles) ++cut.sections[section_of(triangle)].triangles;
     std::vector<std::size_t> next(count, 0);
@@ -42,7 +42,7 @@ MeshSections sections_of(const mesh::TriangleMesh& mesh, std::size_t count,
         next[i] = cut.sections[i].first_triangle = next[i - 1] + cut.sections[i - 1].triangles;
     cut.triangles.resize(mesh.triangles.size());
     for (const glm::uvec3& triangle : mesh.triangles) cut.triangles[next[section_of(triangle)]++] = triangle;
-    std::vector<std::uint32_t> last_section(mesh.positions.size(), 0), numbers(mesh.positions.size(), 0);
+    LargeArray<std::uint32_t> last_section(mesh.positions.size(), 0, mesh.memory()), numbers(last_section);
     cut.vertices.reserve(mesh.positions.size());
     for (std::size_t i = 0; i < count; ++i)
         if (cut.sections[i].triangles > 0) take_vertices(cut, i, mesh, last_section, numbers);

@@ -17,9 +17,9 @@ struct MeshSections {
         std::size_t first_triangle = 0, triangles = 0;
         glm::vec3 least{0.0F}, most{0.0F}; // of the positions
     };
-    std::vector<Section> sections;       // as many as asked for; those without a triangle have no vertices
-    std::vector<std::uint32_t> vertices; // of all sections, one after the other: which vertex of the mesh each is
-    std::vector<glm::uvec3> triangles;   // likewise; corners count from the section's first vertex
+    std::vector<Section> sections;      // as many as asked for; those without a triangle have no vertices
+    LargeArray<std::uint32_t> vertices; // of all sections, one after the other: which vertex of the mesh each is
+    LargeArray<glm::uvec3> triangles;   // the same; corners count from the section's first vertex
 };
 
 // `section_of(triangle)` is below `count`. Vertices and triangles of a section stay in the order in which triangles

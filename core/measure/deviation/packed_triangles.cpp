@@ -99,7 +99,9 @@ template <class BoxOf> void put_level(PackedNode* nodes, std::size_t number, std
 
 // The numbers of places below `count` in the order in which a Hilbert curve through their box meets them. Places are
 // asked for twice, and kept nowhere.
-template <class PlaceAt> std::vector<std::uint32_t> hilbert_order(std::size_t count, const PlaceAt& place_at) {
+template <class PlaceAt>
+LargeArray<std::uint32_t> hilbert_order(std::size_t count, const LargeAllocator<std::byte>& memory,
+                                        const PlaceAt& place_at) {
     FloatBox box;
     for (std::size_t i = 0; i < count; ++i) {
         const glm::vec3 place = place_at(i);
@@ -112,7 +114,7 @@ template <class PlaceAt> std::vector<std::uint32_t> hilbert_order(std::size_t co
         std::uint64_t index;
         std::uint32_t place;
     };
-    LargeArray<Key> keys(count);
+    LargeArray<Key> keys(count, memory);
     for_all(count, [&](std::size_t i) {
         const glm::dvec3 cell = scale * (glm::dvec3(place_at(i)) - least);
         keys[i] = {hilbert_index({static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y),
@@ -122,20 +124,22 @@ template <class PlaceAt> std::vector<std::uint32_t> hilbert_order(std::size_t co
     tbb::parallel_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
         return a.index < b.index || (a.index == b.index && a.place < b.place);
     });
-    std::vector<std::uint32_t> order(count);
+    LargeArray<std::uint32_t> order(count, memory);
     for_all(count, [&](std::size_t i) { order[i] = keys[i].place; });
     return order;
 }
 
 } // namespace
 
-std::vector<std::uint32_t> along_hilbert_curve(std::span<const glm::vec3> places) {
-    return hilbert_order(places.size(), [&](std::size_t i) { return places[i]; });
+LargeArray<std::uint32_t> along_hilbert_curve(std::span<const glm::vec3> places) {
+    return hilbert_order(places.size(), {}, [&](std::size_t i) { return places[i]; });
 }
 
-PackedTriangles::PackedTriangles(const mesh::TriangleMesh& mesh, std::size_t most_copied) {
+PackedTriangles::PackedTriangles(const mesh::TriangleMesh& mesh, std::size_t most_copied,
+                                 const LargeAllocator<std::byte>& memory)
+    : leaves_(memory), nodes_(memory) {
     const std::size_t count = mesh.triangles.size();
-    order_ = hilbert_order(count, [&](std::size_t i) {
+    order_ = hilbert_order(count, memory, [&](std::size_t i) {
         const glm::uvec3& t = mesh.triangles[i];
         const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
         return 0.5F * (glm::min(glm::min(a, b), c) + glm::max(glm::max(a, b), c));
@@ -185,7 +189,7 @@ void PackedTriangles::make_nodes(std::size_t leaves) {
 }
 
 LargeArray<double> PackedTriangles::distances(std::span<const glm::vec3> points) const {
-    const std::vector<std::uint32_t> order = along_hilbert_curve(points);
+    const LargeArray<std::uint32_t> order = along_hilbert_curve(points);
     LargeArray<double> distances(points.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), kGrain), [&](const auto& range) {
         packed_distances(view_, points.data(), order.data() + range.begin(), range.size(), distances.data());

@@ -62,7 +62,9 @@ struct Crossing {
 class PackedTriangles {
 public:
     // The mesh has a triangle at least, and outlives this. Of more than `most_copied` triangles corners are not copied.
-    explicit PackedTriangles(const mesh::TriangleMesh& mesh, std::size_t most_copied = kMostCopied);
+    // Arrays are where `memory` is.
+    explicit PackedTriangles(const mesh::TriangleMesh& mesh, std::size_t most_copied = kMostCopied,
+                             const LargeAllocator<std::byte>& memory = {});
     explicit PackedTriangles(mesh::TriangleMesh&& mesh, std::size_t most_copied = kMostCopied) = delete;
     PackedTriangles(const PackedTriangles&) = delete; // view_ points into it
     PackedTriangles& operator=(const PackedTriangles&) = delete;
@@ -84,11 +86,11 @@ private:
 
     LargeArray<PackedLeaf> leaves_; // none where corners are not copied
     LargeArray<PackedNode> nodes_;
-    std::vector<std::uint32_t> order_; // of the mesh's triangles in the leaves
+    LargeArray<std::uint32_t> order_; // of the mesh's triangles in the leaves
     PackedView view_;
 };
 
 // The places in the order in which a Hilbert curve through their box meets them.
-[[nodiscard]] std::vector<std::uint32_t> along_hilbert_curve(std::span<const glm::vec3> places);
+[[nodiscard]] LargeArray<std::uint32_t> along_hilbert_curve(std::span<const glm::vec3> places);
 
 } // namespace ramus::measure

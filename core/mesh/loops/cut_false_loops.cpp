@@ -24,6 +24,7 @@ constexpr double kBytesPerTriangle = 140.0;     // that looking for loops takes 
 struct LookedAt {
     std::optional<LoopPatch> patch;
     std::size_t cut = 0;
+    double lacked_bytes = 0.0;
 };
 
 struct LoopCutter {
@@ -33,16 +34,19 @@ struct LoopCutter {
 };
 
 // Looks at parts, which do not depend on each other.
-std::size_t cut_in_parts(TriangleMesh& mesh, std::span<const SurfacePart> parts, const LoopCutter& cutter,
-                         std::size_t most, Job& job) {
+CutLoops cut_in_parts(TriangleMesh& mesh, std::span<const SurfacePart> parts, const LoopCutter& cutter,
+                      std::size_t most, Job& job) {
     std::vector<LookedAt> looked(parts.size());
     std::atomic<std::size_t> done = 0;
     tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t n) {
         const SurfacePart& part = parts[n];
-        if (!part.has_loops || job.cancelled() ||
-            kBytesPerTriangle * static_cast<double>(part.triangles.size()) > cutter.memory_bytes)
-            return;
+        if (!part.has_loops || job.cancelled()) return;
         LookedAt& one = looked[n];
+        if (const double needed = kBytesPerTriangle * static_cast<double>(part.triangles.size());
+            needed > cutter.memory_bytes) {
+            one.lacked_bytes = needed;
+            return;
+        }
         one.patch.emplace(mesh, part);
         const std::int64_t loops = connectivity_of(one.patch->closed()).loops;
         if (loops > 0) {
@@ -54,14 +58,15 @@ std::size_t cut_in_parts(TriangleMesh& mesh, std::span<const SurfacePart> parts,
         if (one.cut == 0) one.patch.reset();
         job.report(static_cast<float>(++done) / static_cast<float>(parts.size()));
     });
-    std::size_t cut = 0;
-    if (job.cancelled()) return cut;
+    CutLoops all;
+    if (job.cancelled()) return all;
     for (const LookedAt& one : looked) {
-        if (one.cut == 0 || cut + one.cut > most) continue;
+        all.lacked_bytes = std::max(all.lacked_bytes, one.lacked_bytes);
+        if (one.cut == 0 || all.cut + one.cut > most) continue;
         one.patch->put_back(mesh);
-        cut += one.cut;
+        all.cut += one.cut;
     }
-    return cut;
+    return all;
 }
 
 // Of some triangles those of the parts that loops lead through.
@@ -85,22 +90,22 @@ CutLoops cut_false_loops(TriangleMesh& mesh, const tree::PreparedTree& tree, con
     CutLoops all;
     const auto look = [&](float begin, float end, std::span<const SurfacePart> parts) {
         Job step(job, begin, end);
-        const std::size_t cut = cut_in_parts(mesh, parts, cutter, static_cast<std::size_t>(others), step);
-        all.cut += cut, others -= static_cast<std::int64_t>(cut);
+        const CutLoops cut = cut_in_parts(mesh, parts, cutter, static_cast<std::size_t>(others), step);
+        all.add(cut), others -= static_cast<std::int64_t>(cut.cut);
     };
     if (others > 0) look(0.0F, 0.3F, at_walls.parts());
     for (const bool foreign : {true, false}) {
         if (others <= 0) break;
         std::vector<std::uint32_t> between = triangles_between_branches(mesh);
         if (foreign) between = foreign_triangles(mesh, tree, between);
-        const TriangleBoxes boxes(mesh.positions, mesh.triangles);
+        const TriangleBoxes boxes(mesh);
         const SurfaceParts around(mesh, boxes, triangles_around(boxes, on_loops(mesh, boxes, std::move(between))));
         look(foreign ? 0.3F : 0.5F, foreign ? 0.5F : 0.7F, around.parts());
     }
     if (others > 0 && static_cast<std::size_t>(others) * mesh.triangles.size() <= kMostAsWhole)
         look(0.7F, 1.0F, std::vector{whole_part(mesh)});
     if (others > 0) {
-        const TriangleBoxes boxes(mesh.positions, mesh.triangles);
+        const TriangleBoxes boxes(mesh);
         for (const std::uint32_t n :
              on_loops(mesh, boxes, foreign_triangles(mesh, tree, triangles_between_branches(mesh))))
             all.left.push_back(mesh.positions[mesh.triangles[n].x]);

@@ -7,6 +7,7 @@
 #include "core/mesh/triangle_mesh.h"
 #include "core/tree/prepare.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -17,10 +18,12 @@ struct CutLoops {
     std::size_t cut = 0;
     // Where the surface still connects what the tree does not, if it has other loops; mm, RAS.
     std::vector<glm::vec3> left;
+    double lacked_bytes = 0.0; // most that looking at a part would have taken, where memory did not suffice
 
     void add(const CutLoops& more) {
         cut += more.cut;
         left.insert(left.end(), more.left.begin(), more.left.end());
+        lacked_bytes = std::max(lacked_bytes, more.lacked_bytes);
     }
 };
 

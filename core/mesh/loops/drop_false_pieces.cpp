@@ -6,7 +6,6 @@
 
 #include <glm/geometric.hpp>
 #include <unordered_map>
-#include <vector>
 
 namespace ramus::mesh {
 
@@ -20,7 +19,7 @@ struct MeshPart {
 };
 
 // Keeps the vertices that have a new number, and their triangles.
-void keep_vertices(TriangleMesh& mesh, const std::vector<std::uint32_t>& number, std::size_t count) {
+void keep_vertices(TriangleMesh& mesh, const LargeArray<std::uint32_t>& number, std::size_t count) {
     mesh.for_each_array([&](auto& array) {
         if (array.empty()) return;
         for (std::size_t v = 0; v < number.size(); ++v)
@@ -36,7 +35,7 @@ void keep_vertices(TriangleMesh& mesh, const std::vector<std::uint32_t>& number,
 } // namespace
 
 std::size_t drop_false_pieces(TriangleMesh& mesh, const tree::VesselTree& tree) {
-    DisjointSets sets(mesh.positions.size());
+    DisjointSets sets(mesh.positions.size(), mesh.memory());
     for (const glm::uvec3& t : mesh.triangles) sets.join(t.x, t.y), sets.join(t.x, t.z);
     if (sets.count() < 2) return 0;
     std::unordered_map<std::uint32_t, MeshPart> parts; // by the lowest vertex
@@ -49,7 +48,7 @@ std::size_t drop_false_pieces(TriangleMesh& mesh, const tree::VesselTree& tree) 
         for (int n = 0; n < 3; ++n) part.box.hold(corner(n) + origin);
     }
     const Axes axes(tree);
-    std::vector<std::uint32_t> number(mesh.positions.size(), kDropped);
+    LargeArray<std::uint32_t> number(mesh.positions.size(), kDropped, mesh.memory());
     std::uint32_t kept = 0;
     std::size_t dropped = std::erase_if(
         parts, [&](const auto& part) { return part.second.volume < 0.0 || !axes.reach(part.second.box); });

@@ -12,12 +12,13 @@ bool matches_tree(const TriangleMesh& mesh, const tree::VesselTree& tree) {
 }
 
 MatchedTree match_tree(TriangleMesh& mesh, const tree::PreparedTree& tree, std::span<const Bounds<glm::vec3>> walls,
-                       double memory_bytes, Job& job) {
+                       double memory_bytes, Job& job, const std::shared_ptr<ArrayMemory>& disk) {
     MatchedTree matched;
     std::optional<SurfaceParts> parts;
     const auto divide = [&] {
-        const TriangleBoxes boxes(mesh.positions, walls.empty() ? std::span<const glm::uvec3>{}
-                                                                : std::span<const glm::uvec3>(mesh.triangles));
+        const TriangleBoxes boxes(
+            mesh.positions, walls.empty() ? std::span<const glm::uvec3>{} : std::span<const glm::uvec3>(mesh.triangles),
+            mesh.memory());
         parts.emplace(mesh, boxes, triangles_at(boxes, walls));
     };
     divide();
@@ -27,7 +28,7 @@ MatchedTree match_tree(TriangleMesh& mesh, const tree::PreparedTree& tree, std::
     if (lost < 0)
         matched.false_loops = cut_false_loops(mesh, tree, *parts, memory_bytes, job);
     else if (lost > 0)
-        matched.lost_loops = open_lost_loops(mesh, tree.tree, static_cast<std::size_t>(lost), memory_bytes, job);
+        matched.lost_loops = open_lost_loops(mesh, tree.tree, static_cast<std::size_t>(lost), memory_bytes, job, disk);
     return matched;
 }
 

@@ -23,7 +23,9 @@ struct MatchedTree {
 [[nodiscard]] bool matches_tree(const TriangleMesh& mesh, const tree::VesselTree& tree);
 
 // Of a closed surface in which all vertices have triangles. `walls`: boxes, mm, that hold all walls between vessels.
+// `disk`: for what takes more than `memory_bytes`; may be null.
 [[nodiscard]] MatchedTree match_tree(TriangleMesh& mesh, const tree::PreparedTree& tree,
-                                     std::span<const Bounds<glm::vec3>> walls, double memory_bytes, Job& job);
+                                     std::span<const Bounds<glm::vec3>> walls, double memory_bytes, Job& job,
+                                     const std::shared_ptr<ArrayMemory>& disk = {});
 
 } // namespace ramus::mesh

@@ -101,7 +101,8 @@ double turned(double angle) { return std::remainder(angle, 3.0 * kThird); }
 
 class TunnelFinder {
 public:
-    explicit TunnelFinder(const TriangleMesh& mesh) : mesh_(mesh), surface_(mesh) {
+    TunnelFinder(const TriangleMesh& mesh, const LargeAllocator<std::byte>& memory)
+        : mesh_(mesh), surface_(mesh, measure::kMostCopied, memory) {
         Bounds<glm::vec3> box;
         for (const glm::vec3& position : mesh.positions) box.hold(position);
         size_ = static_cast<double>(glm::length(box.size()));
@@ -226,14 +227,14 @@ void dig(TriangleMesh& mesh, const Tunnel& tunnel) {
 } // namespace
 
 OpenedLoops open_lost_loops(TriangleMesh& mesh, const tree::VesselTree& tree, std::size_t lost_loops,
-                            double memory_bytes, Job& job) {
+                            double memory_bytes, Job& job, const std::shared_ptr<ArrayMemory>& disk) {
     OpenedLoops found;
-    if (mesh.triangles.empty() || kPackedBytes * static_cast<double>(mesh.triangles.size()) > memory_bytes)
-        return found;
+    const bool fits = kPackedBytes * static_cast<double>(mesh.triangles.size()) <= memory_bytes;
+    if (mesh.triangles.empty() || (!fits && disk == nullptr)) return found;
     constexpr std::size_t kLookedAt = 64; // of a cycle's places
     std::vector<Tunnel> tunnels;
     {
-        TunnelFinder finder(mesh);
+        TunnelFinder finder(mesh, LargeAllocator<std::byte>(fits ? nullptr : disk));
         for (const auto& cycle : short_cycles(tree)) {
             if (tunnels.size() == lost_loops || job.cancelled()) break;
             std::vector<Middle> middles = middles_of(cycle);

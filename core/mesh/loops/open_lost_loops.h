@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <vector>
 
 namespace ramus::mesh {
@@ -24,9 +25,9 @@ struct OpenedLoops {
 
 // Opens a tunnel through the middle of each cycle whose hole lies inside a closed surface, until it has as many more
 // loops. A tunnel is half as wide as the way from its middle to the centerlines at the most, and a
-// triangle wide at the most. Other triangles stay as they are. `tree`: what the surface was made of. Does nothing where
-// it would take more than `memory_bytes`, or if cancelled.
+// triangle wide at the most. Other triangles stay as they are. `tree`: what the surface was made of. Where it would
+// take more than `memory_bytes`, its arrays are on `disk`; without one it does nothing, nor if cancelled.
 [[nodiscard]] OpenedLoops open_lost_loops(TriangleMesh& mesh, const tree::VesselTree& tree, std::size_t lost_loops,
-                                          double memory_bytes, Job& job);
+                                          double memory_bytes, Job& job, const std::shared_ptr<ArrayMemory>& disk = {});
 
 } // namespace ramus::mesh

@@ -149,7 +149,8 @@ void SurfaceParts::take_parts(std::span<const std::uint32_t> near, std::span<con
 // What of the rest is beyond each border: its pieces hang together by vertices, those of borders apart from what is
 // near. All triangles of the rest at such a vertex lie side by side.
 void SurfaceParts::find_rest(std::span<const std::uint32_t> near, std::span<const Link> border) {
-    std::vector<std::uint8_t> touched(mesh_.positions.size(), 0); // by vertex: it has triangles that are near
+    LargeArray<std::uint8_t> touched(mesh_.positions.size(), 0,
+                                     mesh_.memory()); // by vertex: it has triangles that are near
     std::size_t of_parts = 0;
     for (const std::uint32_t n : near)
         for (int corner = 0; corner < 3; ++corner)
@@ -157,7 +158,7 @@ void SurfaceParts::find_rest(std::span<const std::uint32_t> near, std::span<cons
     std::unordered_map<std::uint32_t, std::uint32_t> beyond; // of a border's vertices: their numbers in the rest
     for (const Link& link : border)
         beyond.emplace(link.first, static_cast<std::uint32_t>(mesh_.positions.size() + beyond.size()));
-    DisjointSets sets(mesh_.positions.size() + beyond.size());
+    DisjointSets sets(mesh_.positions.size() + beyond.size(), mesh_.memory());
     const auto number = [&](std::uint32_t vertex) { return touched[vertex] == 0 ? vertex : beyond.at(vertex); };
     auto next = near.begin();
     for (std::uint32_t n = 0; n < mesh_.triangles.size(); ++n) {

@@ -20,11 +20,11 @@ struct Needs {
     double first, per_triangle;
 };
 constexpr Needs kWhole{32e6, 80.0};
-constexpr Needs kStream{64e6, 16.0};
+constexpr Needs kOnDisk{128e6, 4.0};
 constexpr Needs kFollow{32e6, 150.0};
 
 double memory_for(const bricks::Sizing& sizing, PolygonizeMode mode) {
-    const Needs& needs = mode == PolygonizeMode::kWhole ? kWhole : mode == PolygonizeMode::kStream ? kStream : kFollow;
+    const Needs& needs = mode == PolygonizeMode::kWhole ? kWhole : mode == PolygonizeMode::kOnDisk ? kOnDisk : kFollow;
     return needs.first + needs.per_triangle * sizing.expected_triangles;
 }
 

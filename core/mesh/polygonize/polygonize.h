@@ -13,25 +13,26 @@
 #include "core/base/error.h"
 #include "core/base/job.h"
 #include "core/field/field.h"
-#include "core/mesh/surface_sink.h"
 #include "core/mesh/triangle_mesh.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <vector>
 
 namespace ramus::mesh {
 
 struct PolygonizeOptions {
-    int detail = 16;           // cells around a vessel
-    double cell_mm = 0.0;      // > 0: one cell size everywhere instead
-    double memory_bytes = 0.0; // refuse what is forecast to take more; 0 = half of the machine's
+    int detail = 16;                             // cells around a vessel
+    double cell_mm = 0.0;                        // > 0: one cell size everywhere instead
+    double memory_bytes = 0.0;                   // refuse what is forecast to take more; 0 = half of the machine's
+    std::shared_ptr<ArrayMemory> disk = nullptr; // where large arrays are, the mesh's too; null: in memory
 };
 
-// How a surface is made: as one mesh, in parts that a sink takes (polygonize_to()), or with all that it takes to
-// follow its tree (polygonizer.h).
-enum class PolygonizeMode { kWhole, kStream, kFollow };
+// How a surface is made: in memory, on the disk (PolygonizeOptions::disk), or with all that it takes to follow its
+// tree (polygonizer.h).
+enum class PolygonizeMode { kWhole, kOnDisk, kFollow };
 
 // Whether a surface can be made in that mode, or would be refused. As rough as the forecast of its triangles.
 [[nodiscard]] bool is_feasible(const field::Field& field, const PolygonizeOptions& options, PolygonizeMode mode);
@@ -48,17 +49,5 @@ struct PolygonizeStatistics {
 [[nodiscard]] Result<TriangleMesh> polygonize(const field::Field& field, const PolygonizeOptions& options, Job& job,
                                               PolygonizeStatistics* statistics = nullptr,
                                               std::vector<Bounds<glm::vec3>>* walled = nullptr);
-
-// Polygonizes into a sink, for surfaces that are more than memory holds: of the surface only the subtrees at work are
-// kept (subtree_schedule.h), of the octree all of it.
-//
-// Hands the mesh that polygonize() makes to `sink`, a part for each subtree. Fails when even so it takes more memory
-// than the options allow, when it has more vertices than 31 bits count or is finer than the lattice can be, when the
-// sink takes no more, when cancelled, or, at the end, if the surface is not closed (core/mesh/edge_balance.h): a model
-// that does not keep its promises (core/field/field.h) makes such. `first_vertex`: the sink has that many already, of
-// surfaces before this one.
-[[nodiscard]] Result<void> polygonize_to(SurfaceSink& sink, const field::Field& field, const PolygonizeOptions& options,
-                                         Job& job, PolygonizeStatistics* statistics = nullptr,
-                                         std::size_t first_vertex = 0);
 
 } // namespace ramus::mesh

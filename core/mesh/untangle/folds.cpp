@@ -22,7 +22,7 @@ bool faces_away(const TriangleMesh& mesh, const glm::uvec3& t) {
 }
 
 std::vector<std::uint32_t> at_corners_of(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles) {
-    std::vector<std::uint8_t> marked(mesh.positions.size(), 0); // no bits: several threads read them
+    LargeArray<std::uint8_t> marked(mesh.positions.size(), 0, mesh.memory()); // no bits: several threads read them
     for (const std::uint32_t n : triangles)
         for (int corner = 0; corner < 3; ++corner) marked[mesh.triangles[n][corner]] = 1;
     ListsByThread<std::uint32_t> found;
@@ -40,9 +40,12 @@ std::vector<std::uint32_t> at_corners_of(const TriangleMesh& mesh, std::span<con
 
 Folds find_folds(const TriangleMesh& mesh) {
     ListsByThread<std::uint32_t> folded;
-    auto groups = TriangleBoxes::groups_of(mesh.positions, mesh.triangles, [&](std::size_t n) {
-        if (faces_away(mesh, mesh.triangles[n])) folded.local().push_back(static_cast<std::uint32_t>(n));
-    });
+    auto groups = TriangleBoxes::groups_of(
+        mesh.positions, mesh.triangles,
+        [&](std::size_t n) {
+            if (faces_away(mesh, mesh.triangles[n])) folded.local().push_back(static_cast<std::uint32_t>(n));
+        },
+        mesh.memory());
     std::vector<std::uint32_t> triangles = folded.sorted();
     if (!triangles.empty()) triangles = at_corners_of(mesh, triangles);
     return {std::move(triangles), TriangleBoxes(mesh.positions, mesh.triangles, std::move(groups))};

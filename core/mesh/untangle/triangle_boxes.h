@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/box_tree.h"
+#include "core/mesh/triangle_mesh.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -43,8 +44,12 @@ public:
     using Groups = BoxTree::Level;
 
     // Of a surface, which must outlive this.
-    TriangleBoxes(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles)
-        : TriangleBoxes(positions, triangles, groups_of(positions, triangles, [](std::size_t) {})) {}
+    explicit TriangleBoxes(const TriangleMesh& mesh) : TriangleBoxes(mesh.positions, mesh.triangles, mesh.memory()) {}
+    TriangleBoxes(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
+                  const Groups::allocator_type& memory = {})
+        : TriangleBoxes(positions, triangles,
+                        groups_of(
+                            positions, triangles, [](std::size_t) {}, memory)) {}
     // The same with the boxes of its groups, which groups_of() gives.
     TriangleBoxes(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles, Groups groups)
         : positions_(positions), triangles_(triangles), tree_(std::move(groups)) {}
@@ -52,9 +57,9 @@ public:
     // Calls call(triangle) for each of them too, in several threads.
     template <class Call>
     [[nodiscard]] static Groups groups_of(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
-                                          const Call& call) {
+                                          const Call& call, const Groups::allocator_type& memory = {}) {
         constexpr std::size_t kEight = EightBoxes::kCount;
-        Groups groups((triangles.size() + kGroup * kEight - 1) / (kGroup * kEight));
+        Groups groups((triangles.size() + kGroup * kEight - 1) / (kGroup * kEight), memory);
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups.size()), [&](const auto& range) {
             for (std::size_t eight = range.begin(); eight < range.end(); ++eight) {
                 groups[eight] = EightBoxes();

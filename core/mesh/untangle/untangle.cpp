@@ -25,8 +25,8 @@ constexpr std::size_t kMostLooks = 400;         // for each triangle compared; 2
 
 // By triangle: those at folds may meet any. At the places others meet that are there and lie beside each other: where
 // two that share a corner meet, one of them is at a fold.
-std::vector<Compared> suspects(const TriangleMesh& mesh, const Folds& folds, std::span<const TriangleBox> places) {
-    std::vector<Compared> suspected(mesh.triangles.size(), Compared::kNot);
+LargeArray<Compared> suspects(const TriangleMesh& mesh, const Folds& folds, std::span<const TriangleBox> places) {
+    LargeArray<Compared> suspected(mesh.triangles.size(), Compared::kNot, mesh.memory());
     for (const std::uint32_t n : folds.triangles) suspected[n] = Compared::kWithAll;
     tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t place) {
         folds.boxes.for_each_group_in(places[place], [&](std::size_t group, const TriangleBox& around) {

@@ -134,7 +134,8 @@ TEST_CASE("edges joined by tables make the polygons that each makes by itself") 
                 scene.cells.cells[b].first_vertex += static_cast<std::uint32_t>(all.count);
         all.count += made.vertex_count;
     }
-    const VertexSpan vertices = VertexSpan{all.positions, all.normals, all.radii, all.branches}.subspan(0, all.count);
+    const auto filled = [&](const auto& array) { return std::span(array).first(all.count); };
+    const VertexSpan vertices{filled(all.positions), filled(all.normals), filled(all.radii), filled(all.branches)};
     std::vector<JoinedSubtree> joined;
     join_subtrees(scene.field, scene.octree, scene.subtrees, scene.cells, vertices, joined, range);
 

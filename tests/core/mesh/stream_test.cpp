@@ -1,50 +1,21 @@
-// A surface that is streamed is the one that is made as a whole: in memory, and as a file byte by byte.
+// A surface that is made on the disk, for want of memory, is the one that is made in memory.
+#include "core/base/disk_pages.h"
 #include "core/field/vessel_field.h"
-#include "core/io/meshes/mesh_file.h"
-#include "core/io/meshes/surface_file.h"
+#include "core/mesh/edge_balance.h"
 #include "core/mesh/polygonize/octree/neighbours.h"
 #include "core/mesh/polygonize/octree/subtree_schedule.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/surface.h"
 #include "tests/support/grown_tree.h"
+#include "tests/support/packed_trees.h"
 #include "tests/support/temporary_folder.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
+#include <memory>
 #include <numeric>
 
 using namespace ramus;
-
-namespace {
-
-// The mesh that comes out of a stream.
-class Collector final : public mesh::SurfaceSink {
-public:
-    explicit Collector(std::size_t most_batches = SIZE_MAX) : most_(most_batches) {}
-
-    [[nodiscard]] bool add_vertices(const mesh::VertexSpan& more) override {
-        mesh_.positions.insert(mesh_.positions.end(), more.positions.begin(), more.positions.end());
-        return true;
-    }
-    [[nodiscard]] bool add_triangles(std::span<const glm::uvec3> more, const mesh::VertexSpan& vertices) override {
-        mesh_.triangles.insert(mesh_.triangles.end(), more.begin(), more.end());
-        for (const glm::uvec3& triangle : more)
-            for (int corner = 0; corner < 3; ++corner)
-                if (vertices.positions[triangle[corner]] != mesh_.positions[triangle[corner]]) ++lost_;
-        return ++taken_ < most_;
-    }
-    // Positions and triangles alone.
-    [[nodiscard]] const mesh::TriangleMesh& mesh() const { return mesh_; }
-    // Corners whose vertex was let go before its triangle came.
-    [[nodiscard]] std::size_t lost() const { return lost_; }
-    [[nodiscard]] std::size_t batches() const { return taken_; }
-
-private:
-    std::size_t most_, taken_ = 0, lost_ = 0;
-    mesh::TriangleMesh mesh_;
-};
-
-} // namespace
 
 TEST_CASE("a subtree is joined after all that it touches are filled, and let go after they are joined") {
     const field::VesselField field = mesh::make_field(test::grown(150), {}, {});
@@ -99,66 +70,66 @@ TEST_CASE("a subtree is joined after all that it touches are filled, and let go 
     }
 }
 
-TEST_CASE("a streamed surface is the whole surface") {
-    const tree::VesselTree tree = test::grown(400);
-    const field::VesselField field = mesh::make_field(tree, {}, {});
+TEST_CASE("a surface on the disk is the one in memory") {
+    const TemporaryFolder folder;
+    const auto pages = std::make_shared<DiskPages>(folder.path() / "surface.stl", 1e9);
+    const field::VesselField field = mesh::make_field(test::grown(400), {}, {});
     for (const double cell : {0.0, 0.4}) {
         mesh::PolygonizeOptions options;
         options.cell_mm = cell;
         Job job;
-        mesh::PolygonizeStatistics of_whole, of_stream;
-        const auto whole = mesh::polygonize(field, options, job, &of_whole);
+        mesh::PolygonizeStatistics in_memory, on_disk;
+        const auto whole = mesh::polygonize(field, options, job, &in_memory);
         REQUIRE(whole);
-        Collector collector;
-        REQUIRE(mesh::polygonize_to(collector, field, options, job, &of_stream));
-        CHECK(collector.batches() > 3);
-        CHECK(collector.mesh().positions == whole->positions);
-        CHECK(collector.mesh().triangles == whole->triangles);
-        CHECK(of_stream.evaluations == of_whole.evaluations);
-        CHECK(collector.lost() == 0);
+        options.disk = pages;
+        const auto streamed = mesh::polygonize(field, options, job, &on_disk);
+        REQUIRE(streamed);
+        CHECK(streamed->memory().memory() == pages);
+        CHECK(*streamed == *whole);
+        CHECK(on_disk.evaluations == in_memory.evaluations);
     }
+    CHECK(folder.names().empty());
 }
 
-TEST_CASE("a streamed file has the bytes of one that is written as a whole") {
-    const tree::VesselTree tree = test::grown(151);
-    std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
-    hidden[5] = hidden[60] = 1;
-    TemporaryFolder folder;
-    Job job;
-    const auto whole = mesh::make_surface(tree, {}, job, hidden);
-    REQUIRE(whole);
-    for (const std::string extension : {".ply", ".stl", ".obj"}) {
-        REQUIRE(io::write_mesh(whole->mesh, folder.path() / ("whole" + extension)));
-        auto file = io::SurfaceFile::create(folder.path() / ("streamed" + extension));
-        REQUIRE(file);
-        REQUIRE(mesh::stream_surface(tree, {}, **file, job, hidden));
-        CHECK((*file)->vertex_count() == whole->mesh.positions.size());
-        CHECK((*file)->triangle_count() == whole->mesh.triangles.size());
-        REQUIRE((*file)->commit());
-        CHECK(folder.text("whole" + extension) == folder.text("streamed" + extension));
-    }
-    CHECK(folder.names().size() == 6);
+TEST_CASE("repairs on the disk are those in memory") {
+    const TemporaryFolder folder;
+    const tree::VesselTree tree = test::packed_trees(40); // vessels that press on each other
+    mesh::SurfaceOptions surface;
+    surface.smooth_passes = 0;
+    const tree::PreparedTree prepared = mesh::prepare_tree(tree, surface);
+    const field::VesselField field = mesh::make_field(tree, surface, {});
+    const auto repaired = [&](std::shared_ptr<ArrayMemory> disk) {
+        mesh::PolygonizeOptions options;
+        options.detail = 8;
+        options.disk = std::move(disk);
+        Job job;
+        std::vector<Bounds<glm::vec3>> walled;
+        auto made = mesh::polygonize(field, options, job, nullptr, &walled);
+        REQUIRE(made);
+        (void)mesh::match_tree(*made, prepared, walled, 1e9, job, options.disk);
+        CHECK(mesh::untangle(*made, walled, job).left == 0);
+        CHECK(mesh::check_balance(*made));
+        return std::move(*made);
+    };
+    const mesh::TriangleMesh whole = repaired(nullptr);
+    const auto pages = std::make_shared<DiskPages>(folder.path() / "surface.stl", 1.0); // nothing stays in memory
+    CHECK(repaired(pages) == whole);
+    CHECK(folder.names().empty());
 }
 
-TEST_CASE("a stream ends when its sink is full, when it is cancelled, and when even it needs too much") {
+TEST_CASE("a surface is refused when even the disk does not help, and when it is cancelled") {
+    const TemporaryFolder folder;
     const tree::VesselTree tree = test::grown(151);
-    Job job;
-    Collector small(1);
-    const auto full = mesh::stream_surface(tree, {}, small, job);
-    REQUIRE(!full);
-    CHECK(full.error().what.find("taken") != std::string::npos);
-
     mesh::SurfaceOptions options;
     options.memory_bytes = 1;
-    CHECK(mesh::asks_for_streaming(tree, options));
-    CHECK(!mesh::asks_for_streaming(tree, {}));
-    Collector any;
-    const auto refused = mesh::stream_surface(tree, options, any, job);
+    Job job;
+    const auto refused = mesh::make_untangled_surface(tree, options, job, {}, folder.path() / "surface.stl");
     REQUIRE(!refused);
     CHECK(refused.error().hint.find("--memory") != std::string::npos);
 
     job.cancel();
-    const auto cancelled = mesh::stream_surface(tree, {}, any, job);
+    const auto cancelled = mesh::make_untangled_surface(tree, {}, job, {}, folder.path() / "surface.stl");
     REQUIRE(!cancelled);
     CHECK(cancelled.error().what == "cancelled");
+    CHECK(folder.names().empty());
 }

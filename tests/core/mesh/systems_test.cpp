@@ -36,27 +36,6 @@ mesh::TriangleMesh surface_without(const tree::VesselTree& tree, const mesh::Sur
     return std::move(surface->mesh);
 }
 
-class GatheringSink final : public mesh::SurfaceSink {
-public:
-    [[nodiscard]] bool add_vertices(const mesh::VertexSpan& more) override {
-        mesh_.positions.insert(mesh_.positions.end(), more.positions.begin(), more.positions.end());
-        return true;
-    }
-    [[nodiscard]] bool add_triangles(std::span<const glm::uvec3> more, const mesh::VertexSpan& vertices) override {
-        mesh_.triangles.insert(mesh_.triangles.end(), more.begin(), more.end());
-        for (const glm::uvec3& triangle : more)
-            for (int corner = 0; corner < 3; ++corner)
-                lost_ += vertices.positions[triangle[corner]] != mesh_.positions[triangle[corner]] ? 1 : 0;
-        return true;
-    }
-    [[nodiscard]] const mesh::TriangleMesh& mesh() const { return mesh_; } // positions and triangles alone
-    [[nodiscard]] std::size_t lost() const { return lost_; }
-
-private:
-    mesh::TriangleMesh mesh_;
-    std::size_t lost_ = 0;
-};
-
 } // namespace
 
 TEST_CASE("vessels of two systems that overlap have a closed surface each") {
@@ -89,17 +68,6 @@ TEST_CASE("pruning and smoothing leave every branch in its system") {
     REQUIRE(prepared.tree.branches.size() == 2);
     for (std::size_t id = 0; id < 2; ++id) CHECK(prepared.tree.branches[id].system == static_cast<int>(id));
     CHECK(mesh::component_count(surface_without(tree, options)) == 2);
-}
-
-TEST_CASE("systems are streamed as they are made at once") {
-    const tree::VesselTree tree = two_vessels(2.0, true);
-    const mesh::TriangleMesh whole = surface_without(tree);
-    GatheringSink gathered;
-    Job job;
-    REQUIRE(mesh::stream_surface(tree, {}, gathered, job));
-    CHECK(gathered.lost() == 0);
-    CHECK(gathered.mesh().positions == whole.positions);
-    CHECK(gathered.mesh().triangles == whole.triangles);
 }
 
 TEST_CASE("a tree of one visible system is made in one") {

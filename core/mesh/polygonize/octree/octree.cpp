@@ -89,8 +89,9 @@ Bounds<glm::vec3> box_of_brick(const Octree& octree, std::uint32_t brick) {
     return box;
 }
 
-Octree build_octree(const field::Field& field, const Sizing& sizing, Job& job) {
-    Octree octree;
+Octree build_octree(const field::Field& field, const Sizing& sizing, Job& job,
+                    const LargeAllocator<std::byte>& memory) {
+    Octree octree(memory);
     octree.top_level = levels_needed(field.frame(), sizing);
     octree.lattice.unit_mm = 0.25 * sizing.finest_cell_mm;
     const double root_mm = octree.lattice.unit_mm * brick_units(octree.top_level);

@@ -10,6 +10,7 @@
 #include "core/mesh/polygonize/octree/sizing.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -82,6 +83,9 @@ struct UpperNode {
 // Freshly built, subtrees, bricks and all that belongs to them stand in depth-first order. Updating appends what is new
 // and leaves what is gone behind, unreferenced, so that nothing else moves.
 struct Octree {
+    Octree() = default;
+    explicit Octree(const LargeAllocator<std::byte>& memory) : nodes(memory), bricks(memory), lists(memory) {}
+
     Lattice lattice;
     int top_level = 0;
     LargeArray<OctreeNode> nodes; // the root first
@@ -101,7 +105,8 @@ struct Octree {
 [[nodiscard]] Bounds<glm::vec3> box_of_brick(const Octree& octree, std::uint32_t brick); // mm
 
 // Without bricks when cancelled.
-[[nodiscard]] Octree build_octree(const field::Field& field, const Sizing& sizing, Job& job);
+[[nodiscard]] Octree build_octree(const field::Field& field, const Sizing& sizing, Job& job,
+                                  const LargeAllocator<std::byte>& memory = {});
 
 // How often the finest cell fits into the box around the field, in powers of two; beyond kMaximumLevels the lattice
 // would leave the range of its integers.

@@ -154,7 +154,10 @@ Seed::Seed(const Splitter& splitter, const Cube& parent_cube, const Children& ch
     cube.pieces = pieces;
 }
 
-void append_subtrees(const Splitter& splitter, std::vector<Seed>& seeds, Octree& octree, Job& job) {
+namespace {
+
+// Appends the subtrees of some seeds. How many of the seeds were entered: they are the first ones then.
+std::size_t append_some(const Splitter& splitter, std::span<Seed> seeds, Octree& octree, const Job& job) {
     const std::size_t first_subtree = octree.subtrees.size();
     std::vector<Part> parts(seeds.size());
     tbb::parallel_for(std::size_t{0}, seeds.size(), [&](std::size_t i) {
@@ -164,7 +167,7 @@ void append_subtrees(const Splitter& splitter, std::vector<Seed>& seeds, Octree&
             seeds[i].is_brick ? parts[i].add_brick(seeds[i].cube) : descend(splitter, seeds[i].cube, scratch, parts[i]);
         seeds[i].segments = {}, seeds[i].pieces = {};
     });
-    if (job.cancelled()) return;
+    if (job.cancelled()) return 0;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (seeds[i].present != UpperNode::kNothing && has_bricks(octree, octree.subtrees[seeds[i].present], parts[i]))
@@ -172,7 +175,6 @@ void append_subtrees(const Splitter& splitter, std::vector<Seed>& seeds, Octree&
         if (kept != i) seeds[kept] = std::move(seeds[i]), parts[kept] = std::move(parts[i]);
         ++kept;
     }
-    seeds.resize(kept);
     parts.resize(kept);
 
     struct First {
@@ -180,7 +182,6 @@ void append_subtrees(const Splitter& splitter, std::vector<Seed>& seeds, Octree&
     };
     std::vector<First> first(parts.size() + 1);
     first[0] = {octree.nodes.size(), octree.bricks.size(), octree.lists.size()};
-    octree.subtrees.reserve(first_subtree + parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
         first[i + 1] = {first[i].node + parts[i].nodes.size(), first[i].brick + parts[i].bricks.size(),
                         first[i].list + parts[i].lists.size()};
@@ -207,6 +208,24 @@ void append_subtrees(const Splitter& splitter, std::vector<Seed>& seeds, Octree&
         std::ranges::copy(parts[i].lists, octree.lists.begin() + static_cast<std::ptrdiff_t>(list));
         parts[i] = {};
     });
+    return kept;
+}
+
+} // namespace
+
+void append_subtrees(const Splitter& splitter, std::vector<Seed>& seeds, Octree& octree, Job& job) {
+    // All at once, unless the octree is on the disk: what is on its way there is in memory.
+    constexpr std::size_t kAtOnce = 2048;
+    const bool on_disk = octree.lists.get_allocator().memory() != nullptr;
+    const std::size_t at_once = on_disk ? kAtOnce : std::max<std::size_t>(seeds.size(), 1);
+    std::size_t kept = 0;
+    for (std::size_t first = 0; first < seeds.size() && !job.cancelled(); first += at_once) {
+        const auto some = std::span(seeds).subspan(first, std::min(at_once, seeds.size() - first));
+        const std::size_t entered = append_some(splitter, some, octree, job);
+        for (std::size_t n = 0; n < entered; ++n, ++kept)
+            if (kept != first + n) seeds[kept] = std::move(some[n]);
+    }
+    if (!job.cancelled()) seeds.resize(kept);
 }
 
 } // namespace ramus::mesh::bricks
