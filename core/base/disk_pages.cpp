@@ -34,8 +34,7 @@ fs::path folder_on_disk_of(const fs::path& target) {
         const char* folder = std::getenv("TMPDIR");
         return folder != nullptr && *folder != 0 ? folder : "/var/tmp";
     }
-    const fs::path folder = target.parent_path();
-    return fs::absolute(folder.empty() ? fs::path(".") : folder).lexically_normal();
+    return fs::absolute(target).lexically_normal().parent_path();
 }
 
 int open_without_name(const fs::path& folder) {
@@ -109,14 +108,16 @@ void DiskPages::watch(const std::stop_token& stop) const {
 
 void DiskPages::refuse(std::size_t bytes, int code) const {
     const std::lock_guard lock(mutex_);
-    auto all = static_cast<double>(bytes);
-    for (const auto& [memory, size] : mapped_) all += static_cast<double>(size);
-    Error error{"making it needs " + gigabytes(all) + " or more on the disk of " + folder_.string(), target_.string(),
-                ""};
+    double there = 0.0;
+    for (const auto& [memory, size] : mapped_) there += static_cast<double>(size);
+    Error error{"making it needs " + gigabytes(there + static_cast<double>(bytes)) + " or more on the disk of " +
+                    folder_.string(),
+                target_.string(), ""};
     if (code == ENOSPC || code == EDQUOT) {
         std::error_code unknown;
         const fs::space_info space = fs::space(folder_, unknown);
-        if (!unknown) error.what += "; " + gigabytes(static_cast<double>(space.available)) + " are left there";
+        if (!unknown)
+            error.what += ", which has " + gigabytes(there + static_cast<double>(space.available)) + " for it";
         error.hint = "nothing was written; free some space, write to another disk, or raise --memory";
     } else if (code == EFBIG) {
         error.what += ", in files larger than this system allows";

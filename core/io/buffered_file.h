@@ -1,4 +1,4 @@
-// BufferedFile: bytes on their way to a file, a megabyte at a time; what OutputFile and TemporaryFile have in common.
+// BufferedFile: bytes on their way to a file, a megabyte at a time.
 // The first failure is kept, so that writers need not ask at every number. One thread at a time per file.
 #pragma once
 
