@@ -1,5 +1,8 @@
 #include "core/mesh/loops/loop_patch.h"
 
+#include "core/base/sort_unique.h"
+#include "core/mesh/loops/triangle_holes.h"
+
 #include <algorithm>
 #include <map>
 
@@ -14,8 +17,7 @@ constexpr float kFar = 1e15F; // mm: no line that is looked for goes there, and 
 LoopPatch::LoopPatch(const TriangleMesh& mesh, const SurfacePart& part) : triangles_(part.triangles) {
     for (const std::uint32_t n : triangles_)
         for (int corner = 0; corner < 3; ++corner) vertices_.push_back(mesh.triangles[n][corner]);
-    std::ranges::sort(vertices_);
-    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+    sort_unique(vertices_);
     const auto here = [&](std::uint32_t vertex) {
         return static_cast<std::uint32_t>(std::ranges::lower_bound(vertices_, vertex) - vertices_.begin());
     };
@@ -40,7 +42,10 @@ LoopPatch::LoopPatch(const TriangleMesh& mesh, const SurfacePart& part) : triang
             for (const std::uint32_t v : borders[n]->vertices) line.push_back(here(v));
             const std::size_t first = closed_.triangles.size();
             close(line);
-            if (n > 0) connect(last, open(first));
+            if (n > 0) {
+                const glm::uvec3 hole = open(first);
+                connect_holes(closed_, last, {hole.x, hole.z, hole.y}); // the other way round
+            }
             if (n + 1 < borders.size()) last = open(first + 1);
         }
     }
@@ -69,31 +74,12 @@ std::uint32_t LoopPatch::add_far(std::uint32_t like) {
     return vertex;
 }
 
-// Makes a triangular hole in a triangle of what closes the patch. Returns its corners, as the triangle had them.
+// A hole in a triangle of what closes the patch: its corners, as the triangle has them.
 glm::uvec3 LoopPatch::open(std::size_t triangle) {
-    const glm::uvec3 t = closed_.triangles[triangle];
     glm::uvec3 hole;
-    for (int n = 0; n < 3; ++n) hole[n] = add_far(t.x);
-    for (int n = 0; n < 3; ++n) {
-        const int next = (n + 1) % 3;
-        const glm::uvec3 outer(t[n], t[next], hole[next]);
-        if (n == 0)
-            closed_.triangles[triangle] = outer;
-        else
-            closed_.triangles.push_back(outer);
-        closed_.triangles.emplace_back(t[n], hole[next], hole[n]);
-    }
+    for (int n = 0; n < 3; ++n) hole[n] = add_far(closed_.triangles[triangle].x);
+    open_hole(closed_, triangle, hole);
     return hole;
-}
-
-// By a tube from one hole to the other.
-void LoopPatch::connect(const glm::uvec3& a, const glm::uvec3& b) {
-    const glm::uvec3 across(b.x, b.z, b.y); // the other way round
-    for (int n = 0; n < 3; ++n) {
-        const int next = (n + 1) % 3;
-        closed_.triangles.emplace_back(a[n], a[next], across[next]);
-        closed_.triangles.emplace_back(a[n], across[next], across[n]);
-    }
 }
 
 void LoopPatch::put_back(TriangleMesh& mesh) const {

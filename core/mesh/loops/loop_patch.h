@@ -31,7 +31,6 @@ private:
     void close(std::span<const std::uint32_t> border);
     [[nodiscard]] std::uint32_t add_far(std::uint32_t like);
     [[nodiscard]] glm::uvec3 open(std::size_t triangle);
-    void connect(const glm::uvec3& a, const glm::uvec3& b);
 
     TriangleMesh closed_;
     std::vector<std::uint8_t> barred_;

@@ -6,6 +6,7 @@
 #include "core/measure/deviation/packed_triangles.h"
 #include "core/mesh/loops/spanning_triangles.h"
 #include "core/mesh/loops/tree_cycles.h"
+#include "core/mesh/loops/triangle_holes.h"
 
 #include <algorithm>
 #include <array>
@@ -201,27 +202,16 @@ std::uint32_t add_vertex(TriangleMesh& mesh, const glm::uvec3& triangle, const g
 }
 
 void dig(TriangleMesh& mesh, const Tunnel& tunnel) {
-    std::array<std::array<std::uint32_t, 3>, 2> rim{};
+    std::array<glm::uvec3, 2> holes{};
     for (std::size_t side = 0; side < 2; ++side) {
         const Mouth& mouth = tunnel.mouths[side];
         const glm::uvec3 t = mesh.triangles[mouth.triangle];
-        for (std::size_t n = 0; n < 3; ++n) rim[side][n] = add_vertex(mesh, t, mouth.at[n]);
-        for (std::size_t n = 0; n < 3; ++n) {
-            const auto k = static_cast<int>(n), next = (k + 1) % 3;
-            const glm::uvec3 outer(t[k], t[next], rim[side][static_cast<std::size_t>(next)]);
-            if (n == 0)
-                mesh.triangles[mouth.triangle] = outer;
-            else
-                mesh.triangles.push_back(outer);
-            mesh.triangles.push_back({t[k], rim[side][static_cast<std::size_t>(next)], rim[side][n]});
-        }
+        for (int n = 0; n < 3; ++n) holes[side][n] = add_vertex(mesh, t, mouth.at[static_cast<std::size_t>(n)]);
+        open_hole(mesh, mouth.triangle, holes[side]);
     }
-    for (std::uint32_t n = 0; n < 3; ++n) {
-        const std::uint32_t next = (n + 1) % 3;
-        const std::uint32_t across = rim[1][(tunnel.turn + 3 - n) % 3], beyond = rim[1][(tunnel.turn + 3 - next) % 3];
-        mesh.triangles.push_back({rim[0][n], rim[0][next], beyond});
-        mesh.triangles.push_back({rim[0][n], beyond, across});
-    }
+    glm::uvec3 across;
+    for (int n = 0; n < 3; ++n) across[n] = holes[1][(static_cast<int>(tunnel.turn) + 3 - n) % 3];
+    connect_holes(mesh, holes[0], across);
 }
 
 } // namespace
