@@ -2,6 +2,7 @@
 
 #include "core/base/disjoint_sets.h"
 #include "core/base/lists_by_thread.h"
+#include "core/base/sort_unique.h"
 
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>
@@ -20,11 +21,6 @@ namespace {
 constexpr float kBeside = 0.5F; // of a place's size, that what is near it reaches beyond it
 constexpr float kReach = 4.0F;  // sides, that what is around a triangle reaches beyond it
 
-void sort_all(std::vector<std::uint32_t>& numbers) {
-    std::ranges::sort(numbers);
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
-
 // Pairs of branches of the file that have a point in common, the lower one first; ascending.
 class Neighbours {
 public:
@@ -35,15 +31,13 @@ public:
             for (std::size_t i = 1; i < branch.points.size(); ++i, ++segment)
                 for (const std::uint32_t point : {branch.points[i - 1], branch.points[i]})
                     at.emplace_back(point, tree.segment_source[segment]);
-        std::ranges::sort(at);
-        at.erase(std::unique(at.begin(), at.end()), at.end());
+        sort_unique(at);
         for (std::size_t first = 0, end = 0; first < at.size(); first = end) {
             while (end < at.size() && at[end].first == at[first].first) ++end;
             for (std::size_t a = first; a < end; ++a)
                 for (std::size_t b = a + 1; b < end; ++b) pairs_.emplace_back(at[a].second, at[b].second);
         }
-        std::ranges::sort(pairs_);
-        pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+        sort_unique(pairs_);
     }
     [[nodiscard]] bool meet(int a, int b) const {
         return a == b || std::ranges::binary_search(pairs_, std::pair(std::min(a, b), std::max(a, b)));
@@ -53,25 +47,22 @@ private:
     std::vector<std::pair<int, int>> pairs_;
 };
 
-// An edge of a border: vertices in the order in which the part's triangle has them.
-using Link = std::pair<std::uint32_t, std::uint32_t>;
-
 // Edges that one of some triangles has, and no other one; ascending.
-std::vector<Link> border_of(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles) {
-    std::vector<Link> there, back;
+std::vector<BorderEdge> border_of(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles) {
+    std::vector<BorderEdge> there, back;
     for (const std::uint32_t n : triangles)
         for (int corner = 0; corner < 3; ++corner) {
             const std::uint32_t from = mesh.triangles[n][corner], to = mesh.triangles[n][(corner + 1) % 3];
             there.emplace_back(from, to), back.emplace_back(to, from);
         }
     std::ranges::sort(there), std::ranges::sort(back);
-    std::vector<Link> border;
+    std::vector<BorderEdge> border;
     std::ranges::set_difference(there, back, std::back_inserter(border));
     return border;
 }
 
 // Adds all triangles at vertices that are of two borders, or twice of one. Whether there are such.
-bool widen(const TriangleMesh& mesh, const TriangleBoxes& boxes, std::span<const Link> border,
+bool widen(const TriangleMesh& mesh, const TriangleBoxes& boxes, std::span<const BorderEdge> border,
            std::vector<std::uint32_t>& triangles) {
     const std::size_t before = triangles.size();
     for (std::size_t n = 1; n < border.size(); ++n) {
@@ -82,7 +73,7 @@ bool widen(const TriangleMesh& mesh, const TriangleBoxes& boxes, std::span<const
             if (t.x == vertex || t.y == vertex || t.z == vertex) triangles.push_back(triangle);
         });
     }
-    sort_all(triangles);
+    sort_unique(triangles);
     return triangles.size() > before;
 }
 
@@ -103,7 +94,7 @@ std::int64_t loops_within(const TriangleMesh& mesh, const SurfacePart& part) {
     std::vector<std::uint32_t> vertices;
     for (const std::uint32_t n : part.triangles)
         for (int corner = 0; corner < 3; ++corner) vertices.push_back(mesh.triangles[n][corner]);
-    sort_all(vertices);
+    sort_unique(vertices);
     std::size_t sides = 3 * part.triangles.size();
     for (const PartBorder& border : part.borders) sides += border.vertices.size();
     const auto closed = static_cast<std::int64_t>(vertices.size() + part.triangles.size() + part.borders.size()) -
@@ -115,14 +106,14 @@ std::int64_t loops_within(const TriangleMesh& mesh, const SurfacePart& part) {
 
 SurfaceParts::SurfaceParts(const TriangleMesh& mesh, const TriangleBoxes& boxes, std::vector<std::uint32_t> near)
     : mesh_(mesh) {
-    std::vector<Link> border;
+    std::vector<BorderEdge> border;
     do border = border_of(mesh, near);
     while (widen(mesh, boxes, border, near));
     take_parts(near, border);
     find_rest(near, border);
 }
 
-void SurfaceParts::take_parts(std::span<const std::uint32_t> near, std::span<const Link> border) {
+void SurfaceParts::take_parts(std::span<const std::uint32_t> near, std::span<const BorderEdge> border) {
     Numbers here;
     DisjointSets sets(3 * near.size());
     for (const std::uint32_t n : near) {
@@ -136,7 +127,7 @@ void SurfaceParts::take_parts(std::span<const std::uint32_t> near, std::span<con
         parts_[part->second].triangles.push_back(n);
     }
     std::unordered_map<std::uint32_t, std::uint32_t> after(border.begin(), border.end());
-    for (const Link& link : border) {
+    for (const BorderEdge& link : border) {
         PartBorder one;
         for (auto next = after.find(link.first); next != after.end(); next = after.find(one.vertices.back())) {
             one.vertices.push_back(next->second);
@@ -148,7 +139,7 @@ void SurfaceParts::take_parts(std::span<const std::uint32_t> near, std::span<con
 
 // What of the rest is beyond each border: its pieces hang together by vertices, those of borders apart from what is
 // near. All triangles of the rest at such a vertex lie side by side.
-void SurfaceParts::find_rest(std::span<const std::uint32_t> near, std::span<const Link> border) {
+void SurfaceParts::find_rest(std::span<const std::uint32_t> near, std::span<const BorderEdge> border) {
     LargeArray<std::uint8_t> touched(mesh_.positions.size(), 0,
                                      mesh_.memory()); // by vertex: it has triangles that are near
     std::size_t of_parts = 0;
@@ -156,7 +147,7 @@ void SurfaceParts::find_rest(std::span<const std::uint32_t> near, std::span<cons
         for (int corner = 0; corner < 3; ++corner)
             of_parts += std::exchange(touched[mesh_.triangles[n][corner]], std::uint8_t{1}) == 0 ? 1 : 0;
     std::unordered_map<std::uint32_t, std::uint32_t> beyond; // of a border's vertices: their numbers in the rest
-    for (const Link& link : border)
+    for (const BorderEdge& link : border)
         beyond.emplace(link.first, static_cast<std::uint32_t>(mesh_.positions.size() + beyond.size()));
     DisjointSets sets(mesh_.positions.size() + beyond.size(), mesh_.memory());
     const auto number = [&](std::uint32_t vertex) { return touched[vertex] == 0 ? vertex : beyond.at(vertex); };
@@ -227,20 +218,26 @@ std::vector<std::uint32_t> triangles_at(const TriangleBoxes& boxes, std::span<co
         boxes.for_each_in({place.least - beside, place.most + beside},
                           [&](std::uint32_t triangle) { found.push_back(triangle); });
     }
-    sort_all(found);
+    sort_unique(found);
     return found;
 }
 
 std::vector<std::uint32_t> triangles_around(const TriangleBoxes& boxes, std::span<const std::uint32_t> triangles) {
-    std::vector<std::uint32_t> found;
+    std::vector<std::uint8_t> is_around(boxes.triangles().size(), 0); // most of them many times
     for (const std::uint32_t n : triangles) {
         const TriangleBox box = boxes.box(n);
         const glm::vec3 size = box.size();
         const float reach = kReach * std::max({size.x, size.y, size.z});
-        boxes.for_each_in({box.least - reach, box.most + reach},
-                          [&](std::uint32_t triangle) { found.push_back(triangle); });
+        const TriangleBox around{box.least - reach, box.most + reach};
+        boxes.for_each_group_in(around, [&](std::size_t group, const TriangleBox&) {
+            boxes.for_each_of(group, [&](std::uint32_t other) {
+                if (is_around[other] == 0 && boxes_meet(boxes.box(other), around)) is_around[other] = 1;
+            });
+        });
     }
-    sort_all(found);
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t n = 0; n < is_around.size(); ++n)
+        if (is_around[n] != 0) found.push_back(n);
     return found;
 }
 

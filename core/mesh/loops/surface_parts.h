@@ -22,6 +22,8 @@
 
 namespace ramus::mesh {
 
+using BorderEdge = std::pair<std::uint32_t, std::uint32_t>; // vertices, as the part's triangle has them
+
 struct PartBorder {
     std::vector<std::uint32_t> vertices; // in the order in which the part's triangles have them
     // Borders of one part with the same number are connected beyond it.
@@ -45,9 +47,8 @@ public:
     [[nodiscard]] const Connectivity& of_surface() const { return of_surface_; }
 
 private:
-    using Link = std::pair<std::uint32_t, std::uint32_t>; // an edge of a border, as the part's triangle has it
-    void take_parts(std::span<const std::uint32_t> near, std::span<const Link> border);
-    void find_rest(std::span<const std::uint32_t> near, std::span<const Link> border);
+    void take_parts(std::span<const std::uint32_t> near, std::span<const BorderEdge> border);
+    void find_rest(std::span<const std::uint32_t> near, std::span<const BorderEdge> border);
     void find_loops(std::span<const std::uint32_t> beyond, std::size_t rest);
 
     const TriangleMesh& mesh_;
