@@ -88,27 +88,32 @@ CutLoops cut_false_loops(TriangleMesh& mesh, const tree::PreparedTree& tree, con
     const LoopCutter cutter{axes, asked == 0, memory_bytes};
     std::int64_t others = at_walls.of_surface().loops - asked;
     CutLoops all;
+    std::optional<TriangleBoxes> boxes; // of the surface as it is now
     const auto look = [&](float begin, float end, std::span<const SurfacePart> parts) {
         Job step(job, begin, end);
         const CutLoops cut = cut_in_parts(mesh, parts, cutter, static_cast<std::size_t>(others), step);
         all.add(cut), others -= static_cast<std::int64_t>(cut.cut);
+        if (cut.cut > 0) boxes.reset();
+    };
+    const auto loops_through = [&](const std::vector<std::uint32_t>& triangles) {
+        if (!boxes) boxes.emplace(mesh);
+        return on_loops(mesh, *boxes, triangles);
     };
     if (others > 0) look(0.0F, 0.3F, at_walls.parts());
-    for (const bool foreign : {true, false}) {
-        if (others <= 0) break;
-        std::vector<std::uint32_t> between = triangles_between_branches(mesh);
-        if (foreign) between = foreign_triangles(mesh, tree, between);
-        const TriangleBoxes boxes(mesh);
-        const SurfaceParts around(mesh, boxes, triangles_around(boxes, on_loops(mesh, boxes, std::move(between))));
-        look(foreign ? 0.3F : 0.5F, foreign ? 0.5F : 0.7F, around.parts());
-    }
-    if (others > 0 && static_cast<std::size_t>(others) * mesh.triangles.size() <= kMostAsWhole)
-        look(0.7F, 1.0F, std::vector{whole_part(mesh)});
-    if (others > 0) {
-        const TriangleBoxes boxes(mesh);
-        for (const std::uint32_t n :
-             on_loops(mesh, boxes, foreign_triangles(mesh, tree, triangles_between_branches(mesh))))
-            all.left.push_back(mesh.positions[mesh.triangles[n].x]);
+    if (others > 0) { // caps, whose triangles come later, connect nothing
+        const std::vector<std::uint32_t> between = triangles_between_branches(mesh);
+        const std::vector<std::uint32_t> foreign = foreign_triangles(mesh, tree, between);
+        const auto look_around = [&](float begin, float end, const std::vector<std::uint32_t>& triangles) {
+            const std::vector<std::uint32_t> through = loops_through(triangles);
+            look(begin, end, SurfaceParts(mesh, *boxes, triangles_around(*boxes, through)).parts());
+        };
+        look_around(0.3F, 0.5F, foreign);
+        if (others > 0) look_around(0.5F, 0.7F, between);
+        if (others > 0 && static_cast<std::size_t>(others) * mesh.triangles.size() <= kMostAsWhole)
+            look(0.7F, 1.0F, std::vector{whole_part(mesh)});
+        if (others > 0)
+            for (const std::uint32_t n : loops_through(foreign))
+                all.left.push_back(mesh.positions[mesh.triangles[n].x]);
     }
     job.report(1.0F);
     return all;
