@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kLongest = 16.0;         // radii of the vessel there, that a line is
 constexpr std::size_t kMostCorners = 512; // of a line: caps take time as the cube of them
-// The surface is looked at as a whole for each loop that is cut: the triangles of all these looks. They take 1.2 us
-// each; where they are more, cells are larger than the gaps between vessels.
+// The surface is looked at as a whole for each loop that is cut, or for several that lie apart: the triangles of all
+// these looks, at most. They take 1.2 us each; where they are more, cells are larger than the gaps between vessels.
 constexpr double kMostInAll = 20e6;
 // Vertices that searches come to, in all, which take 0.2 us each; and as how many choices of a cap's triangle one
 // counts.
@@ -37,22 +37,44 @@ bool goes_around_inside(const TriangleMesh& mesh, const SurfaceLoop& loop) {
 std::size_t FalseLoops::cut(std::size_t most, Job& job) {
     if (static_cast<double>(most) * static_cast<double>(mesh_.triangles.size()) > kMostInAll) return 0;
     std::size_t cut = 0;
-    for (; cut < most; ++cut) {
+    for (std::size_t before = most; cut < most && cut != before;) {
+        before = cut;
         const auto share = [&](std::size_t n) { return static_cast<float>(n) / static_cast<float>(most); };
         Job step(job, share(cut), share(cut + 1));
-        const SurfaceLoop loop = best(step);
-        if (loop.vertices.empty() || !cut_along(mesh_, loop)) break;
-        forget(loop);
+        for (const SurfaceLoop& loop : best_apart(most - cut, step)) {
+            if (!cut_along(mesh_, loop)) return cut;
+            forget(loop);
+            ++cut;
+        }
     }
     return cut;
 }
 
-// Without vertices if there is none, it takes too long to find, or the job is cancelled.
-SurfaceLoop FalseLoops::best(Job& job) {
-    best_ = {}, cost_ = std::numeric_limits<double>::max();
+// The best line, and those of the next best ones that have no triangle in common with it or each other. They do not
+// part the surface together.
+std::vector<SurfaceLoop> FalseLoops::best_apart(std::size_t most, Job& job) {
     const SurfaceGraph graph(mesh_);
     if (!graph.is_closed()) return {};
     const SurfaceLoops loops(graph, barred_, job);
+    found_ = {};
+    std::vector<SurfaceLoop> lines;
+    std::vector<std::uint8_t> taken(mesh_.positions.size(), 0); // by vertex: it is of a line, or next to one
+    for (std::size_t n = 0; n < most; ++n) {
+        SurfaceLoop line = best(graph, loops, job);
+        if (line.vertices.empty()) break;
+        found_.add(line.kind);
+        if (std::ranges::any_of(line.vertices, [&](std::uint32_t v) { return taken[v] != 0; })) continue;
+        for (const std::uint32_t v : line.vertices)
+            for (const std::uint32_t edge : graph.edges_at(v)) taken[graph.other_end(edge, v)] = 1;
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+// Of the kinds that are no sums of those found. Without vertices if there is none, it takes too long to find, or the
+// job is cancelled.
+SurfaceLoop FalseLoops::best(const SurfaceGraph& graph, const SurfaceLoops& loops, Job& job) {
+    best_ = {}, cost_ = std::numeric_limits<double>::max();
     const auto edges = loops.edges();
     for (std::size_t n = 0; n < edges.size(); ++n) {
         for (const std::uint32_t vertex : graph.edges()[edges[n]].ends) {
@@ -79,7 +101,7 @@ void FalseLoops::look(const SurfaceGraph& graph, const SurfaceLoops& loops, std:
     for (SurfaceLoop& loop : loops.shortest(vertex, longest, steps_)) {
         const bool connects = goes_around_inside(mesh_, loop);
         const double cost = connects ? loop.length : kFilled * loop.length;
-        if (loop.vertices.size() > kMostCorners || (!connects && !fill_holes_)) continue;
+        if (loop.vertices.size() > kMostCorners || (!connects && !fill_holes_) || !found_.allow(loop.kind)) continue;
         if (!(cost < cost_) || !has_free_cap(graph, loop) || goes_around_vessel(loop)) continue;
         cost_ = cost;
         best_ = std::move(loop);

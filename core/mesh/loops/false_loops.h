@@ -22,14 +22,15 @@ public:
     FalseLoops(TriangleMesh& mesh, const Axes& axes, bool fill_holes, std::span<const std::uint8_t> barred)
         : mesh_(mesh), axes_(axes), fill_holes_(fill_holes), barred_(barred) {}
 
-    // Cuts the surface along the best line each time, at most so often, and as long as that takes no more than seconds.
-    // Returns how often; fewer if cancelled.
+    // Cuts the surface along the best lines, at most so many, and as long as that takes no more than seconds. Each cut
+    // takes one loop away. Returns how many; fewer if cancelled.
     [[nodiscard]] std::size_t cut(std::size_t most, Job& job);
     // Where a loop was that was looked at last, and not cut, mm.
     [[nodiscard]] const glm::vec3& left_at() const { return left_at_; }
 
 private:
-    [[nodiscard]] SurfaceLoop best(Job& job);
+    [[nodiscard]] std::vector<SurfaceLoop> best_apart(std::size_t most, Job& job);
+    [[nodiscard]] SurfaceLoop best(const SurfaceGraph& graph, const SurfaceLoops& loops, Job& job);
     void look(const SurfaceGraph& graph, const SurfaceLoops& loops, std::uint32_t vertex);
     [[nodiscard]] bool goes_around_vessel(const SurfaceLoop& loop);
     void forget(const SurfaceLoop& loop);
@@ -38,6 +39,7 @@ private:
     const Axes& axes_;
     bool fill_holes_;
     std::span<const std::uint8_t> barred_;
+    IndependentKinds found_; // kinds of lines, as the surface is now
     SurfaceLoop best_;
     double cost_ = 0.0;
     glm::vec3 left_at_{0.0F};

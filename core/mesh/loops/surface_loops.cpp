@@ -30,11 +30,11 @@ using Front = std::priority_queue<Reached, std::vector<Reached>, std::greater<>>
 
 constexpr std::size_t kBits = 128; // of a label
 
-void flip(std::array<std::uint64_t, 2>& bits, const std::array<std::uint64_t, 2>& by) {
+void flip(LoopKind& bits, const LoopKind& by) {
     for (std::size_t n = 0; n < by.size(); ++n) bits[n] ^= by[n];
 }
 
-bool any(const std::array<std::uint64_t, 2>& bits) { return (bits[0] | bits[1]) != 0; }
+bool any(const LoopKind& bits) { return (bits[0] | bits[1]) != 0; }
 
 } // namespace
 
@@ -42,6 +42,15 @@ std::vector<glm::dvec3> positions_of(const TriangleMesh& mesh, const SurfaceLoop
     std::vector<glm::dvec3> positions;
     for (const std::uint32_t v : loop.vertices) positions.emplace_back(mesh.positions[v]);
     return positions;
+}
+
+LoopKind IndependentKinds::rest(LoopKind kind) const {
+    for (const LoopKind& other : rests_) {
+        LoopKind without = kind;
+        flip(without, other);
+        kind = std::min(kind, without);
+    }
+    return kind;
 }
 
 // The shortest paths from one vertex of each piece.
@@ -98,9 +107,9 @@ SurfaceLoops::SurfaceLoops(const SurfaceGraph& graph, std::span<const std::uint8
     find_crossings(of_triangles);
 }
 
-SurfaceLoops::Crossings SurfaceLoops::label(std::size_t row) const {
+LoopKind SurfaceLoops::label(std::size_t row) const {
     if (edges_.size() > kBits) return {scattered(2 * row), scattered(2 * row + 1)};
-    Crossings bits{};
+    LoopKind bits{};
     bits[row / 64] = std::uint64_t{1} << row % 64;
     return bits;
 }
@@ -111,7 +120,7 @@ void SurfaceLoops::find_crossings(std::span<const std::uint32_t> tree) {
     if (edges_.empty()) return;
     crossings_.resize(graph_.edges().size(), {});
     const std::size_t count = graph_.mesh().triangles.size();
-    std::vector<Crossings> below(count, Crossings{}); // each triangle of the tree
+    std::vector<LoopKind> below(count, LoopKind{}); // each triangle of the tree
     for (std::size_t row = 0; row < edges_.size(); ++row) {
         crossings_[edges_[row]] = label(row);
         for (const std::uint32_t t : graph_.edges()[edges_[row]].triangles) flip(below[t], label(row));
@@ -148,7 +157,7 @@ void SurfaceLoops::find_crossings(std::span<const std::uint32_t> tree) {
 struct SurfaceLoops::Known {
     double distance;
     std::uint32_t edge; // toward the start
-    Crossings crossed;  // on the way
+    LoopKind crossed;   // on the way
     bool settled = false;
 };
 
@@ -158,9 +167,9 @@ std::vector<SurfaceLoop> SurfaceLoops::shortest(std::uint32_t vertex, double lon
         std::uint32_t edge;
     };
     if (edges_.empty() || is_barred(vertex)) return {};
-    std::map<Crossings, Closing> kinds;
+    std::map<LoopKind, Closing> kinds;
     KnownVertices known;
-    known.try_emplace(vertex, Known{0.0, kNone, Crossings{}});
+    known.try_emplace(vertex, Known{0.0, kNone, LoopKind{}});
     Front front;
     front.push({0.0, vertex});
     while (!front.empty()) {
@@ -174,7 +183,7 @@ std::vector<SurfaceLoop> SurfaceLoops::shortest(std::uint32_t vertex, double lon
             if (edge == here.edge) continue;
             const std::uint32_t to = graph_.other_end(edge, at);
             if (is_barred(to)) continue;
-            Crossings there = here.crossed;
+            LoopKind there = here.crossed;
             flip(there, crossings_[edge]);
             const double along = distance + graph_.length(edge);
             const auto [entry, fresh] = known.try_emplace(to, Known{along, edge, there});
@@ -192,7 +201,10 @@ std::vector<SurfaceLoop> SurfaceLoops::shortest(std::uint32_t vertex, double lon
     }
     visited += known.size();
     std::vector<SurfaceLoop> loops;
-    for (const auto& [kind, closing] : kinds) loops.push_back(closed(known, vertex, closing.edge));
+    for (const auto& [kind, closing] : kinds) {
+        loops.push_back(closed(known, vertex, closing.edge));
+        loops.back().kind = kind;
+    }
     std::ranges::stable_sort(loops, {}, &SurfaceLoop::length);
     return loops;
 }

@@ -23,9 +23,26 @@
 
 namespace ramus::mesh {
 
+// The sum of the labels of the rows of triangles that a closed line crosses an odd number of times.
+using LoopKind = std::array<std::uint64_t, 2>;
+
 struct SurfaceLoop {
     std::vector<std::uint32_t> vertices; // in order, each once
     double length = 0.0;                 // mm
+    LoopKind kind{};
+};
+
+// Kinds of which none is the sum of others. Closed lines of such kinds that have no vertex in common do not part their
+// surface, even together.
+class IndependentKinds {
+public:
+    // Without what is a sum of the kinds here: 0 if it is one of their sums.
+    [[nodiscard]] LoopKind rest(LoopKind kind) const;
+    [[nodiscard]] bool allow(const LoopKind& kind) const { return rest(kind) != LoopKind{}; }
+    void add(const LoopKind& kind) { rests_.push_back(rest(kind)); } // one that they allow
+
+private:
+    std::vector<LoopKind> rests_; // each has a highest bit of its own
 };
 
 [[nodiscard]] std::vector<glm::dvec3> positions_of(const TriangleMesh& mesh, const SurfaceLoop& loop); // mm
@@ -44,11 +61,10 @@ public:
     [[nodiscard]] std::vector<SurfaceLoop> shortest(std::uint32_t vertex, double longest, std::size_t& visited) const;
 
 private:
-    using Crossings = std::array<std::uint64_t, 2>; // a sum of labels
     struct Tree;
     [[nodiscard]] Tree shortest_paths(Job& job) const;
     void find_crossings(std::span<const std::uint32_t> tree);
-    [[nodiscard]] Crossings label(std::size_t row) const;
+    [[nodiscard]] LoopKind label(std::size_t row) const;
     struct Known;
     using KnownVertices = std::unordered_map<std::uint32_t, Known>;
     [[nodiscard]] bool is_barred(std::uint32_t vertex) const { return vertex < barred_.size() && barred_[vertex] != 0; }
@@ -57,7 +73,7 @@ private:
     const SurfaceGraph& graph_;
     std::span<const std::uint8_t> barred_;
     std::vector<std::uint32_t> edges_;
-    std::vector<Crossings> crossings_; // by edge
+    std::vector<LoopKind> crossings_; // by edge
 };
 
 } // namespace ramus::mesh

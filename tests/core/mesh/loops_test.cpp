@@ -1,6 +1,7 @@
 // Loops of surfaces: found, cut, and left alone where the tree has a cycle.
 #include "core/mesh/connectivity.h"
 #include "core/mesh/loops/cut_loop.h"
+#include "core/mesh/loops/false_loops.h"
 #include "core/mesh/loops/loop_patch.h"
 #include "core/mesh/loops/match_tree.h"
 #include "core/mesh/loops/spanning_triangles.h"
@@ -206,6 +207,47 @@ TEST_CASE("of thousands of loops the false one is found") {
     REQUIRE(mesh.positions.size() > whole);
     for (std::size_t v = whole; v < mesh.positions.size(); ++v) // around the first bar along y
         CHECK(glm::distance(mesh.positions[v], glm::vec3(0.5F, 1.5F, 0.5F)) < 1.0F);
+}
+
+TEST_CASE("kinds of lines are independent where no sum of some is 0") {
+    IndependentKinds kinds;
+    CHECK(!kinds.allow({0, 0}));
+    for (const LoopKind& kind : {LoopKind{6, 1}, LoopKind{0, 3}, LoopKind{5, 0}}) {
+        REQUIRE(kinds.allow(kind));
+        kinds.add(kind);
+        CHECK(!kinds.allow(kind));
+    }
+    CHECK(!kinds.allow({6, 2})); // the first two
+    CHECK(!kinds.allow({3, 1})); // the first and the third
+    CHECK(!kinds.allow({3, 2})); // all three
+    CHECK(kinds.allow({3, 0}));
+    CHECK(kinds.allow({0, 1}));
+}
+
+TEST_CASE("several loops of one part are cut, no more than asked for, and together they do not part the surface") {
+    constexpr int kHoles = 6, kLoops = kHoles * kHoles, kBars = kHoles + 1; // bars along y, of a row of holes
+    for (const int missing : {2, kBars, kBars + 3}) {
+        const int loops = missing - missing / kBars; // without all bars of a row the plate would be parted
+        for (const int most : {1, 2, loops}) {
+            CAPTURE(missing);
+            CAPTURE(most);
+            Job job;
+            TriangleMesh mesh = plate(kHoles);
+            const std::size_t whole = mesh.positions.size();
+            const tree::VesselTree tree = bars(kHoles, missing);
+            const Axes axes(tree);
+            CHECK(FalseLoops(mesh, axes, false, {}).cut(static_cast<std::size_t>(most), job) ==
+                  static_cast<std::size_t>(most));
+            CHECK(test::topology(mesh).closed_manifold());
+            CHECK(connectivity_of(mesh) == Connectivity{1, kLoops - most});
+            for (std::size_t v = whole; v < mesh.positions.size(); ++v) { // around bars that are missing
+                const glm::vec3 place = mesh.positions[v];
+                const int row = static_cast<int>(0.5F * (place.y - 0.5F)),
+                          bar = static_cast<int>(0.5F * (place.x + 0.5F));
+                CHECK(row * kBars + bar < missing);
+            }
+        }
+    }
 }
 
 TEST_CASE("where loops are far too many to cut in a while all stay") {
