@@ -1,5 +1,6 @@
 #include "app/session/comparison.h"
 
+#include "core/base/sort_unique.h"
 #include "core/base/words.h"
 
 #include <algorithm>
@@ -67,8 +68,7 @@ std::optional<std::vector<std::int32_t>> label_list(std::string_view text) {
         labels.push_back(parsed<std::int32_t>(part).value_or(0));
         if (labels.back() == 0) return std::nullopt;
     }
-    std::ranges::sort(labels);
-    labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+    sort_unique(labels);
     return labels;
 }
 

@@ -1,6 +1,7 @@
 #include "app/session/session.h"
 
 #include "app/session/branch_facts.h"
+#include "core/base/sort_unique.h"
 
 #include <algorithm>
 #include <array>
@@ -39,8 +40,7 @@ std::vector<int> branches_in_state(const Marks& marks, BranchState state) {
 }
 
 std::vector<int> canonical(std::vector<int> branches) {
-    std::sort(branches.begin(), branches.end());
-    branches.erase(std::unique(branches.begin(), branches.end()), branches.end());
+    sort_unique(branches);
     return branches;
 }
 

@@ -1,6 +1,7 @@
 #include "core/tree/build_tree.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/sort_unique.h"
 #include "core/base/words.h"
 #include "core/tree/open_ends.h"
 #include "core/tree/suspicions.h"
@@ -114,8 +115,7 @@ std::optional<std::uint32_t> fill_radii(std::vector<Point>& points, const std::v
                             ", the mean of its neighbours",
                         points[layer[n]].position);
         }
-        std::ranges::sort(next);
-        next.erase(std::unique(next.begin(), next.end()), next.end());
+        sort_unique(next);
         std::erase_if(next, [&](std::uint32_t p) { return points[p].radius > 0.0; });
         layer = std::move(next);
     }

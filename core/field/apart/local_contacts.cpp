@@ -1,5 +1,7 @@
 #include "core/field/apart/local_contacts.h"
 
+#include "core/base/sort_unique.h"
+
 #include <algorithm>
 
 namespace ramus::field {
@@ -14,8 +16,7 @@ void list_pieces(const Pieces& all, SegmentIndices list, std::vector<std::uint32
         if (piece != Pieces::kNone && (pieces.empty() || pieces.back() != piece)) pieces.push_back(piece);
     }
     if (pieces.empty()) return;
-    std::ranges::sort(pieces);
-    pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+    sort_unique(pieces);
 }
 
 // Calls visit(partner, n) for the partners that are the n-th of some pieces. Both are ascending.

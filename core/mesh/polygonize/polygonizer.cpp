@@ -1,5 +1,6 @@
 #include "core/mesh/polygonize/polygonizer.h"
 
+#include "core/base/sort_unique.h"
 #include "core/base/stopwatch.h"
 #include "core/mesh/polygonize/feasible.h"
 #include "core/mesh/polygonize/join/join_triangles.h"
@@ -28,8 +29,7 @@ std::vector<std::uint32_t> pieces_of(const bricks::Sizing& sizing, const std::ve
 std::vector<std::uint32_t> merged(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
     std::vector<std::uint32_t> both(a);
     both.insert(both.end(), b.begin(), b.end());
-    std::ranges::sort(both);
-    both.erase(std::unique(both.begin(), both.end()), both.end());
+    sort_unique(both);
     return both;
 }
 

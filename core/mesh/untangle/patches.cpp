@@ -1,6 +1,7 @@
 #include "core/mesh/untangle/patches.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/sort_unique.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -58,11 +59,6 @@ void connect(Patch& patch) {
 // The places of things in an ascending list.
 std::uint32_t place_in(const std::vector<std::uint32_t>& list, std::uint32_t thing) {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(list, thing) - list.begin());
-}
-
-void sort_unique(std::vector<std::uint32_t>& list) {
-    std::ranges::sort(list);
-    list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 } // namespace

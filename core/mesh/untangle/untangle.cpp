@@ -1,5 +1,6 @@
 #include "core/mesh/untangle/untangle.h"
 
+#include "core/base/sort_unique.h"
 #include "core/mesh/untangle/folds.h"
 #include "core/mesh/untangle/patches.h"
 
@@ -48,8 +49,7 @@ std::vector<std::uint32_t> vertices_of(const Patch& patch, std::span<const Trian
     for (const TrianglePair& pair : pairs)
         for (const std::uint32_t n : {pair.first, pair.second})
             for (int corner = 0; corner < 3; ++corner) vertices.push_back(patch.triangles[n][corner]);
-    std::ranges::sort(vertices);
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    sort_unique(vertices);
     return vertices;
 }
 

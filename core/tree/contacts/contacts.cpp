@@ -1,5 +1,6 @@
 #include "core/tree/contacts/contacts.h"
 
+#include "core/base/sort_unique.h"
 #include "core/tree/contacts/islands.h"
 #include "core/tree/contacts/links.h"
 #include "core/tree/contacts/spread_axes.h"
@@ -67,8 +68,7 @@ Contact describe(const Links& links, const Island& island, const Contacts& conta
                            static_cast<double>(std::popcount(places)) / kPlaces;
         }
         if (side.branches.empty()) side.branches.push_back(side.branch);
-        std::ranges::sort(side.branches);
-        side.branches.erase(std::unique(side.branches.begin(), side.branches.end()), side.branches.end());
+        sort_unique(side.branches);
     }
     return contact;
 }

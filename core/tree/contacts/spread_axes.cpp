@@ -1,5 +1,7 @@
 #include "core/tree/contacts/spread_axes.h"
 
+#include "core/base/sort_unique.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -150,8 +152,7 @@ private:
     [[nodiscard]] double length_of(const Island& island) const {
         std::vector<std::uint32_t> first;
         for (const OrientedPair& pair : island.pairs) first.push_back(pair.link[0]);
-        std::ranges::sort(first);
-        first.erase(std::unique(first.begin(), first.end()), first.end());
+        sort_unique(first);
         double length = 0.0;
         for (const std::uint32_t link : first)
             length += glm::distance(links_[link].a.position, links_[link].b.position);

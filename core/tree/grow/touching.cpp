@@ -1,5 +1,7 @@
 #include "core/tree/grow/touching.h"
 
+#include "core/base/sort_unique.h"
+
 #include <algorithm>
 
 namespace ramus::tree::growth {
@@ -92,8 +94,7 @@ std::vector<std::pair<int, int>> Touching::find(const Centerlines& lines, const 
             }
         }
     }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    sort_unique(pairs);
     return pairs;
 }
 
