@@ -15,13 +15,14 @@
 
 namespace ramus {
 
+// Where arrays are.
 class ArrayMemory {
 public:
     ArrayMemory() = default;
     ArrayMemory(const ArrayMemory&) = delete;
     ArrayMemory& operator=(const ArrayMemory&) = delete;
     virtual ~ArrayMemory() = default;
-    [[nodiscard]] virtual void* allocate(std::size_t bytes) = 0; // throws std::bad_alloc
+    [[nodiscard]] virtual void* allocate(std::size_t bytes) = 0; // throws where it has none
     virtual void deallocate(void* memory) noexcept = 0;
 };
 

@@ -86,9 +86,9 @@ using tree::PreparedTree;
                                            std::span<const std::uint8_t> hidden = {});
 // The same for files, which simulations and printers read: where it goes through itself within a few triangles, their
 // vertices are moved (core/mesh/untangle). Takes some more time, and makes no difference that can be seen. Fails if a
-// convolution surface is not closed (edge_balance.h). `target`: the file; may be
-// empty. What does not fit into memory is on its disk
-// (core/base/disk_pages.h), so that the surface has the same bits whatever memory it may take, or making it fails.
+// convolution surface is not closed (edge_balance.h). `target`: the file; may be empty. What does not fit into memory
+// is on its disk (core/base/disk_pages.h), so that the surface has the same bits whatever memory it may take, or making
+// it fails.
 [[nodiscard]] Result<Surface> make_untangled_surface(const tree::VesselTree& source, const SurfaceOptions& options,
                                                      Job& job, std::span<const std::uint8_t> hidden = {},
                                                      const std::filesystem::path& target = {});

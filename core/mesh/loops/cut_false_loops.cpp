@@ -105,7 +105,7 @@ CutLoops cut_false_loops(TriangleMesh& mesh, const tree::PreparedTree& tree, con
         const std::vector<std::uint32_t> foreign = foreign_triangles(mesh, tree, between);
         const auto look_around = [&](float begin, float end, const std::vector<std::uint32_t>& triangles) {
             const std::vector<std::uint32_t> through = loops_through(triangles);
-            look(begin, end, SurfaceParts(mesh, *boxes, triangles_around(*boxes, through)).parts());
+            look(begin, end, SurfaceParts(mesh, *boxes, triangles_around(mesh, *boxes, through)).parts());
         };
         look_around(0.3F, 0.5F, foreign);
         if (others > 0) look_around(0.5F, 0.7F, between);

@@ -81,7 +81,6 @@ SurfaceLoop FalseLoops::best(const SurfaceGraph& graph, const SurfaceLoops& loop
             if (job.cancelled() || steps_ > kMostSteps) return {};
             look(graph, loops, vertex);
         }
-        left_at_ = mesh_.positions[graph.edges()[edges[n]].ends[0]];
         job.report(static_cast<float>(n + 1) / static_cast<float>(edges.size()));
     }
     for (double before = 2.0 * cost_; cost_ < before;) {

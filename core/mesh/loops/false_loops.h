@@ -25,8 +25,6 @@ public:
     // Cuts the surface along the best lines, at most so many, and as long as that takes no more than seconds. Each cut
     // takes one loop away. Returns how many; fewer if cancelled.
     [[nodiscard]] std::size_t cut(std::size_t most, Job& job);
-    // Where a loop was that was looked at last, and not cut, mm.
-    [[nodiscard]] const glm::vec3& left_at() const { return left_at_; }
 
 private:
     [[nodiscard]] std::vector<SurfaceLoop> best_apart(std::size_t most, Job& job);
@@ -42,7 +40,6 @@ private:
     IndependentKinds found_; // kinds of lines, as the surface is now
     SurfaceLoop best_;
     double cost_ = 0.0;
-    glm::vec3 left_at_{0.0F};
     std::map<std::vector<std::uint32_t>, bool> around_vessel_; // by a line's vertices
     std::size_t steps_ = 0;                                    // of all searches
 };

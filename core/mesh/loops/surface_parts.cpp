@@ -222,8 +222,9 @@ std::vector<std::uint32_t> triangles_at(const TriangleBoxes& boxes, std::span<co
     return found;
 }
 
-std::vector<std::uint32_t> triangles_around(const TriangleBoxes& boxes, std::span<const std::uint32_t> triangles) {
-    std::vector<std::uint8_t> is_around(boxes.triangles().size(), 0); // most of them many times
+std::vector<std::uint32_t> triangles_around(const TriangleMesh& mesh, const TriangleBoxes& boxes,
+                                            std::span<const std::uint32_t> triangles) {
+    LargeArray<std::uint8_t> is_around(mesh.triangles.size(), 0, mesh.memory()); // most are found many times
     for (const std::uint32_t n : triangles) {
         const TriangleBox box = boxes.box(n);
         const glm::vec3 size = box.size();

@@ -63,7 +63,7 @@ private:
 [[nodiscard]] std::vector<std::uint32_t> triangles_at(const TriangleBoxes& boxes,
                                                       std::span<const Bounds<glm::vec3>> places);
 // Triangles around some, as far as some times the longest of their sides; ascending.
-[[nodiscard]] std::vector<std::uint32_t> triangles_around(const TriangleBoxes& boxes,
+[[nodiscard]] std::vector<std::uint32_t> triangles_around(const TriangleMesh& mesh, const TriangleBoxes& boxes,
                                                           std::span<const std::uint32_t> triangles);
 // Triangles whose corners belong to different branches; ascending.
 [[nodiscard]] std::vector<std::uint32_t> triangles_between_branches(const TriangleMesh& mesh);

@@ -34,8 +34,6 @@ std::string millions(double count) {
     return count < 1e6 * kMostTold ? std::to_string(std::llround(count / 1e6)) : in_digits(count / 1e6, 3);
 }
 
-} // namespace
-
 Result<void> check_resolved(const field::Field& field, const bricks::Sizing& sizing, const PolygonizeOptions& options) {
     const field::Frame& frame = field.frame();
     if (bricks::levels_needed(frame, sizing) > bricks::kMaximumLevels)
@@ -54,6 +52,8 @@ Result<void> check_resolved(const field::Field& field, const bricks::Sizing& siz
                 options.cell_mm > 0.0 ? "raise --cell, or move the tree to the origin"
                                       : "check the radii and the unit, or move the tree to the origin");
 }
+
+} // namespace
 
 Result<void> check_feasible(const field::Field& field, const bricks::Sizing& sizing, const PolygonizeOptions& options,
                             PolygonizeMode mode) {

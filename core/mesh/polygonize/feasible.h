@@ -6,12 +6,8 @@
 
 namespace ramus::mesh {
 
-// Fails on cells finer than the lattice counts, or than single precision tells apart where the tree is.
-[[nodiscard]] Result<void> check_resolved(const field::Field& field, const bricks::Sizing& sizing,
-                                          const PolygonizeOptions& options);
-
-// Fails when the surface, made in that mode, is forecast to take more memory than the options allow, and where it
-// cannot be resolved.
+// Fails when the surface, made in that mode, is forecast to take more memory than the options allow, and on cells finer
+// than the lattice counts, or than single precision tells apart where the tree is.
 [[nodiscard]] Result<void> check_feasible(const field::Field& field, const bricks::Sizing& sizing,
                                           const PolygonizeOptions& options, PolygonizeMode mode);
 

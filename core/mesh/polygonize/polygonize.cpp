@@ -17,10 +17,10 @@ namespace {
 
 // Makes the surface of an octree's bricks in batches (octree/subtree_schedule.h), so that what is worked on is small
 // enough for the caches, and what is done with can go.
-class SurfaceStream {
+class SurfaceBatches {
 public:
     // The octree freshly built. Its lists are emptied on the way.
-    SurfaceStream(const field::Field& field, Octree& octree, const LargeAllocator<std::byte>& memory);
+    SurfaceBatches(const field::Field& field, Octree& octree, const LargeAllocator<std::byte>& memory);
 
     enum class End { kDone, kCancelled, kTooManyVertices };
     [[nodiscard]] End work(Job& job);
@@ -51,7 +51,7 @@ private:
     PolygonizeStatistics statistics_;
 };
 
-SurfaceStream::SurfaceStream(const field::Field& field, Octree& octree, const LargeAllocator<std::byte>& memory)
+SurfaceBatches::SurfaceBatches(const field::Field& field, Octree& octree, const LargeAllocator<std::byte>& memory)
     : field_(field), octree_(octree), mesh_(memory), dropped_(octree.subtrees.size(), false) {
     // Measured: 12.5 to 15 vertices a brick, and twice as many triangles. Capacity that stays unused takes no memory.
     constexpr std::size_t kVertices = 16;
@@ -59,7 +59,7 @@ SurfaceStream::SurfaceStream(const field::Field& field, Octree& octree, const La
     mesh_.triangles.reserve(2 * kVertices * octree.bricks.size());
 }
 
-SurfaceStream::End SurfaceStream::work(Job& job) {
+SurfaceBatches::End SurfaceBatches::work(Job& job) {
     constexpr float kOctree = 0.1F; // of the progress
     float progress = kOctree;
     std::size_t bricks = 0;
@@ -71,7 +71,7 @@ SurfaceStream::End SurfaceStream::work(Job& job) {
     return End::kDone;
 }
 
-SurfaceStream::End SurfaceStream::work(const SubtreeBatch& batch, const JobRange& job) {
+SurfaceBatches::End SurfaceBatches::work(const SubtreeBatch& batch, const JobRange& job) {
     Stopwatch watch;
     find_neighbours(octree_, batch.fill, cells_.neighbours);
     fill_subtrees(field_, octree_, batch.fill, cells_, job);
@@ -87,19 +87,19 @@ SurfaceStream::End SurfaceStream::work(const SubtreeBatch& batch, const JobRange
     return End::kDone;
 }
 
-void SurfaceStream::tell_walls(std::span<const std::uint32_t> subtrees) {
+void SurfaceBatches::tell_walls(std::span<const std::uint32_t> subtrees) {
     for (const std::uint32_t subtree : subtrees)
         for (const std::uint32_t index : cells_.subtrees[subtree].walled_bricks)
             walled_.push_back(box_of_brick(octree_, index));
 }
 
-SurfaceStream::End SurfaceStream::grow_vertices(std::size_t count) {
+SurfaceBatches::End SurfaceBatches::grow_vertices(std::size_t count) {
     if (count >= kAddedBit) return End::kTooManyVertices;
     mesh_.resize_vertices(count);
     return End::kDone;
 }
 
-SurfaceStream::End SurfaceStream::place_vertices(std::span<const std::uint32_t> subtrees) {
+SurfaceBatches::End SurfaceBatches::place_vertices(std::span<const std::uint32_t> subtrees) {
     std::vector<std::size_t> placed{mesh_.positions.size()};
     for (const std::uint32_t subtree : subtrees)
         placed.push_back(placed.back() + cells_.subtrees[subtree].vertex_count);
@@ -115,7 +115,7 @@ SurfaceStream::End SurfaceStream::place_vertices(std::span<const std::uint32_t> 
     return End::kDone;
 }
 
-SurfaceStream::End SurfaceStream::place_triangles(std::span<const std::uint32_t> subtrees) {
+SurfaceBatches::End SurfaceBatches::place_triangles(std::span<const std::uint32_t> subtrees) {
     struct First {
         std::size_t added, triangle;
     };
@@ -140,7 +140,7 @@ SurfaceStream::End SurfaceStream::place_triangles(std::span<const std::uint32_t>
 }
 
 // Gives back what belongs to these subtrees, and with it the pages that they share with subtrees dropped before.
-void SurfaceStream::drop(std::span<const std::uint32_t> subtrees) {
+void SurfaceBatches::drop(std::span<const std::uint32_t> subtrees) {
     for (const std::uint32_t subtree : subtrees) {
         dropped_[subtree] = true;
         statistics_.evaluations += cells_.subtrees[subtree].counts.evaluations;
@@ -164,7 +164,7 @@ void SurfaceStream::drop(std::span<const std::uint32_t> subtrees) {
     }
 }
 
-void SurfaceStream::empty(std::uint32_t first_subtree, std::uint32_t end_subtree) {
+void SurfaceBatches::empty(std::uint32_t first_subtree, std::uint32_t end_subtree) {
     const std::uint32_t first = octree_.subtrees[first_subtree].first_brick;
     const std::uint32_t count = brick_end(end_subtree - 1) - first;
     if (count == 0) return;
@@ -182,7 +182,7 @@ Result<TriangleMesh> polygonize(const field::Field& field, const PolygonizeOptio
     if (field.skeleton().segments().empty())
         return fail("the tree has no segments", {}, "nothing to make a surface of");
     if (field.skeleton().present().empty()) return fail("every branch is hidden", {}, "nothing to make a surface of");
-    using End = bricks::SurfaceStream::End;
+    using End = bricks::SurfaceBatches::End;
     Stopwatch watch;
     const bricks::Sizing sizing = bricks::make_sizing(field, options.detail, options.cell_mm);
     const PolygonizeMode mode = options.disk != nullptr ? PolygonizeMode::kOnDisk : PolygonizeMode::kWhole;
@@ -192,10 +192,10 @@ Result<TriangleMesh> polygonize(const field::Field& field, const PolygonizeOptio
     bricks::Octree octree = bricks::build_octree(field, sizing, job, memory);
     if (job.cancelled()) return fail("cancelled");
     const double bricks_s = watch.lap();
-    bricks::SurfaceStream stream(field, octree, memory);
-    const End end = stream.work(job);
+    bricks::SurfaceBatches batches(field, octree, memory);
+    const End end = batches.work(job);
     if (statistics != nullptr) {
-        *statistics = stream.statistics();
+        *statistics = batches.statistics();
         statistics->bricks = octree.bricks.size();
         statistics->bricks_s = bricks_s;
     }
@@ -204,8 +204,8 @@ Result<TriangleMesh> polygonize(const field::Field& field, const PolygonizeOptio
         return fail("the surface has more than 2 147 483 647 vertices", {},
                     options.cell_mm > 0.0 ? "raise --cell" : "lower --detail, or prune with --prune");
     job.report(1.0F);
-    if (walled != nullptr) *walled = stream.take_walled();
-    return stream.take();
+    if (walled != nullptr) *walled = batches.take_walled();
+    return batches.take();
 }
 
 } // namespace ramus::mesh
