@@ -70,6 +70,7 @@ Result<Outcome> export_surface(ActionContext& context, const Export& wanted) {
     work->wanted = wanted;
     work->hidden = exported_branches(document, wanted.of);
     for (std::uint8_t& branch : work->hidden) branch = branch == 0 ? 1 : 0;
+    work->names.claims = work->tree->claims;
     if (io::has_names(*format)) {
         refresh(context.assets, document);
         work->names = surface_names(*document.tree(), *document.facts(), document.marks(), context.assets.plan.get(),

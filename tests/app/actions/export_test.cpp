@@ -11,6 +11,7 @@
 #include <chrono>
 #include <set>
 #include <thread>
+#include <utility>
 
 using namespace ramus;
 using namespace ramus::app;
@@ -30,7 +31,7 @@ tree::VesselTree export_forks() {
 
 struct ExportStage : test::CommandStage {
     TemporaryFolder folder;
-    ExportStage() : test::CommandStage(export_forks()) {}
+    explicit ExportStage(tree::VesselTree tree = export_forks()) : test::CommandStage(std::move(tree)) {}
     [[nodiscard]] std::string at(const std::string& name) const { return (folder.path() / name).string(); }
     std::string exported(const std::string& words, const std::string& name, const std::string& more = "") {
         return good("export " + words + " \"" + at(name) + "\" " + more);
@@ -106,6 +107,19 @@ TEST_CASE("a picture is that of the picture's host, whatever is selected") {
     CHECK(stage.folder.text("r.html").find("<html") != std::string::npos);
     stage.good("select-invert\nhide");
     stage.exported("picture", "empty.png");
+}
+
+TEST_CASE("a surface of a tree whose unit and sides nobody has said does not say them either") {
+    tree::VesselTree tree = export_forks();
+    tree.claims = {tree::SaidBy::kNobody, tree::SaidBy::kNobody};
+    ExportStage stage(std::move(tree));
+    for (const std::string name : {"s.stl", "s.ply", "s.obj"}) {
+        CAPTURE(name);
+        stage.exported("surface", name);
+        const std::string header = stage.folder.text(name).substr(0, 400);
+        CHECK(header.find("unit unknown, orientation unknown") != std::string::npos);
+        CHECK(header.find("RAS") == std::string::npos);
+    }
 }
 
 TEST_CASE("a surface that is made on the disk is exported as any other") {
