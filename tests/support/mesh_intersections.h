@@ -30,7 +30,7 @@ struct Box {
 // Boxes around a mesh's triangles, in groups along a curve that fills space, and around ever more of these groups.
 class BoxTree {
 public:
-    explicit BoxTree(const mesh::TriangleMesh& mesh) : mesh_(mesh) {
+    explicit BoxTree(const mesh::TriangleMesh& mesh) {
         const std::size_t count = mesh.triangles.size();
         Box all;
         boxes_.resize(count);
@@ -90,7 +90,6 @@ private:
         }
         return place;
     }
-    const mesh::TriangleMesh& mesh_;
     std::vector<Box> boxes_;               // by triangle
     std::vector<std::uint32_t> triangles_; // along the curve
     int levels_ = 0;
