@@ -27,12 +27,6 @@ int BrickField::piece_of(Owner /*owner*/) const { return -1; }
 
 bool BrickField::apart_pieces(int /*a*/, int /*b*/) const { return false; }
 
-OwnedPoint BrickField::move(const OwnedGuess& /*whose*/, const glm::vec3& guess) { return {guess, {}, 0.0F}; }
-
-OwnedPoint BrickField::way_out(Owner /*owner*/, const glm::vec3& from, const glm::vec3& /*to*/, float /*guess*/) {
-    return {from};
-}
-
 bool BrickField::beside_contact(const glm::vec3& /*at*/) { return false; }
 
 DrawnPoint BrickField::draw(const OwnedGuess& /*whose*/, const glm::vec3& guess, float /*onward*/) { return {guess}; }

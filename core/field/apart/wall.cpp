@@ -161,53 +161,6 @@ bool go_onward(VesselViews& views, std::uint32_t own, const Depth& depth, double
 
 } // namespace
 
-WallPoint way_out(VesselViews& views, std::uint32_t place, const Way& way, double guess, double onward,
-                  std::uint64_t& kernels) {
-    constexpr int kMostSteps = 12;
-    constexpr double kLeastSlope = 0.25;
-    constexpr double kNear = 0.002; // of the way: a thousandth of a radius, at 16 cells around a vessel
-    const double length = glm::distance(way.from, way.to);
-    double own = 0.0, beyond = 1.0;
-    double at = guess, last = 0.0, last_mm = 0.0;
-    std::uint32_t seen = VesselViews::kNone;
-    Depth depth;
-    bool looked_at_start = false;
-    const auto look_at = [&](double share) {
-        seen = look_from(views, place, glm::mix(way.from, way.to, share), kernels);
-        depth = seen == VesselViews::kNone ? Depth{-length} : depth_of(views, seen);
-        return depth.mm;
-    };
-    for (int step = 0; step < kMostSteps && beyond - own > kNear; ++step) {
-        const double mm = look_at(at);
-        (mm > 0.0 ? own : beyond) = at;
-        if (std::abs(mm) < 0.5 * kNear * length) {
-            own = at;
-            break;
-        }
-        // Along the line through the last two places; at first as the surface is inclined. Where that led no nearer, as
-        // where the depth jumps, what is left is halved; but first it is seen whether the vessel has any of the way.
-        const double slope = step == 0 ? -std::max(glm::dot(depth.outward, way.to - way.from), kLeastSlope * length)
-                                       : (mm - last_mm) / (at - last);
-        double next = at - mm / slope;
-        const bool slow = step > 0 && std::abs(mm) > 0.5 * std::abs(last_mm);
-        if (slow || !(next > own && next < beyond)) {
-            const bool perhaps_none = step > 0 && !(own > 0.0) && !looked_at_start;
-            next = perhaps_none ? 0.5 * kNear : 0.5 * (own + beyond);
-            looked_at_start = looked_at_start || perhaps_none;
-        }
-        last = std::exchange(at, next), last_mm = mm;
-    }
-    WallPoint point;
-    point.position = glm::mix(way.from, way.to, own);
-    if (seen == VesselViews::kNone) (void)look_at(own);
-    if (seen == VesselViews::kNone) return point;
-    if (const double outward = glm::length(depth.outward); outward > 0.0) point.normal = depth.outward / outward;
-    name(views, seen, point);
-    if (onward > 0.0 && !go_onward(views, seen, depth, onward, point))
-        go_to_rim(views, place, seen, onward, kernels, point);
-    return point;
-}
-
 WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3& guess,
                        const Bounds<glm::dvec3>& bounds, double onward, std::uint64_t& kernels) {
     constexpr int kSteps = 6;

@@ -34,13 +34,4 @@ struct WallPoint {
 [[nodiscard]] DrawnPoint::Place go_on_own_surface(VesselViews& views, std::uint32_t place, double near_radii,
                                                   WallPoint& point, std::uint64_t& kernels);
 
-// A straight way, mm.
-struct Way {
-    glm::dvec3 from{0.0}, to{0.0};
-};
-// The last place on a way that is the vessel's, to a thousandth of the way; it is at its start, and not at its end.
-// `guess`: the share of the way where it may be.
-[[nodiscard]] WallPoint way_out(VesselViews& views, std::uint32_t place, const Way& way, double guess, double onward,
-                                std::uint64_t& kernels);
-
 } // namespace ramus::field

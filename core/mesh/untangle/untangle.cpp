@@ -15,8 +15,10 @@ namespace ramus::mesh {
 
 namespace {
 
-constexpr int kRounds = 32;       // some in most surfaces, 20 where vessels are packed
-constexpr float kStep = 0.5F;     // of the way to the middle of the neighbours
+constexpr int kRounds = 64;       // a few in most places, 40 where vessels are packed
+constexpr int kInTurn = 4;        // rounds that push inward, then rounds that draw smooth
+constexpr float kPush = 0.005F;   // of the vessel's radius, that a vertex is pushed in a round
+constexpr float kStep = 0.5F;     // of the way to the middle of the neighbours, that one is drawn
 constexpr float kFarthest = 0.5F; // of the vessel's radius, that a vertex moves
 // Of a place: one with more is no fold, cells are larger than the vessels there.
 constexpr std::size_t kMostPairs = 4096;
@@ -53,17 +55,38 @@ std::vector<std::uint32_t> vertices_of(const Patch& patch, std::span<const Trian
     return vertices;
 }
 
-void draw_smooth(Patch& patch, std::span<const std::uint32_t> moving, const TriangleMesh& mesh) {
-    const std::vector<glm::vec3> before = patch.positions;
+// How vertices move in a round.
+enum class Move { kInward, kSmoothInward, kSmooth };
+
+// First as few rounds as part the sides of a wall, of which neither may come back; then such as flatten a fold.
+Move move_of(int round) {
+    if (round / kInTurn % 2 == 0) return Move::kInward;
+    return round < kRounds / 2 ? Move::kSmoothInward : Move::kSmooth;
+}
+
+glm::vec3 step_of(const Patch& patch, std::uint32_t vertex, const glm::vec3& normal, float radius, Move move) {
+    if (move == Move::kInward) return -kPush * radius * normal;
+    const std::span<const std::uint32_t> neighbours = patch.neighbours.of(vertex);
+    glm::vec3 middle(0.0F);
+    for (const std::uint32_t other : neighbours)
+        middle += patch.positions[other] / static_cast<float>(neighbours.size());
+    const glm::vec3 step = kStep * (middle - patch.positions[vertex]);
+    const float outward = std::max(glm::dot(step, normal), 0.0F);
+    return move == Move::kSmoothInward ? step - outward * normal : step;
+}
+
+void move(Patch& patch, std::span<const std::uint32_t> moving, const TriangleMesh& mesh, Move how) {
+    std::vector<glm::vec3> to;
+    to.reserve(moving.size());
     for (const std::uint32_t vertex : moving) {
-        if (patch.has_all[vertex] == 0) continue;
-        const std::span<const std::uint32_t> neighbours = patch.neighbours.of(vertex);
-        glm::vec3 middle(0.0F);
-        for (const std::uint32_t other : neighbours) middle += before[other] / static_cast<float>(neighbours.size());
-        const glm::vec3 to = glm::mix(before[vertex], middle, kStep);
-        const std::uint32_t in_mesh = patch.vertices[vertex];
-        if (glm::distance(to, mesh.positions[in_mesh]) < kFarthest * mesh.radii[in_mesh]) patch.positions[vertex] = to;
+        const std::uint32_t n = patch.vertices[vertex];
+        const glm::vec3 at = patch.positions[vertex];
+        const glm::vec3 there = at + step_of(patch, vertex, mesh.normals[n], mesh.radii[n], how);
+        const bool may =
+            patch.has_all[vertex] != 0 && glm::distance(there, mesh.positions[n]) < kFarthest * mesh.radii[n];
+        to.push_back(may ? there : at);
     }
+    for (std::size_t n = 0; n < moving.size(); ++n) patch.positions[moving[n]] = to[n];
 }
 
 // What meets after vertices have moved: nothing else had met before.
@@ -93,7 +116,7 @@ Drawn draw(const TriangleMesh& mesh, const MeetingPlace& place, Job& job) {
     std::vector<TrianglePair> pairs = patch.pairs;
     for (int round = 0; round < kRounds && drawn.left > 0; ++round) {
         const std::vector<std::uint32_t> moving = vertices_of(patch, pairs);
-        draw_smooth(patch, moving, mesh);
+        move(patch, moving, mesh, move_of(round));
         MeetingTriangles now = meeting_at(patch, moving, job);
         if (!now.looked_at_all) break;
         pairs = std::move(now.pairs);

@@ -1,5 +1,5 @@
-// Untangling: a surface that goes through itself here and there, within a few triangles, is drawn smooth there until it
-// does not. So it bounds a solid that simulations can take.
+// Untangling: a surface that goes through itself here and there, within a few triangles, is pushed inward and drawn
+// smooth there until it does not. So it bounds a solid that simulations can take.
 #pragma once
 
 #include "core/base/job.h"
@@ -30,7 +30,8 @@ struct Untangled {
 };
 
 // Looks for triangles that meet, near folds (folds.h) and at `places` (as polygonize() has them), and moves their
-// vertices toward the middle of their neighbours until none meet, at most by half of the vessel's radius; normals stay.
+// vertices inward and toward the middle of their neighbours until none meet, at most by half of the vessel's radius;
+// normals stay.
 // Each place by itself, in time as its triangles. Where that does not help in some rounds, what met least stays; where
 // very much meets, as with cells larger than vessels, all stays there. Of a closed surface with normals and radii. If
 // cancelled, the surface is as it was.

@@ -18,14 +18,6 @@ const CellRecord& SurfaceCells::record(const Brick& brick, std::uint32_t index, 
     return record_of(cells[index], subtrees[brick.subtree], cell);
 }
 
-const KnownEnds* SurfaceCells::ends(const Octree& octree, std::uint32_t index, const glm::ivec3& middle) const {
-    const std::uint32_t subtree = octree.bricks[index].subtree;
-    const std::vector<KnownEnds>& all = subtrees[subtree].edge_ends;
-    const std::uint32_t edge = edge_number(index - octree.subtrees[subtree].first_brick, middle);
-    const auto found = std::ranges::lower_bound(all, edge, {}, &KnownEnds::edge);
-    return found != all.end() && found->edge == edge ? &*found : nullptr;
-}
-
 std::uint32_t SurfaceCells::vertex(const Brick& brick, std::uint32_t index, int cell, int crossing) const {
     const std::uint16_t in_brick = cells[index].first[static_cast<std::size_t>(cell)];
     if (in_brick == kNoVertex) return kAbsent;
@@ -211,7 +203,6 @@ void fill_subtrees(const field::Field& field, const Octree& octree, std::span<co
             if (sampler.has_walled_cells()) made.walled_bricks.push_back(index);
         }
         specks.local().leave_out(octree, subtrees[t], surface.neighbours, parted, surface.cells, made, vertices);
-        std::ranges::sort(made.edge_ends, {}, &KnownEnds::edge);
         made.vertex_count = vertices.count - made.first_vertex;
         surface.subtrees[subtrees[t]] = std::move(made);
         job.report(static_cast<float>(++done) / static_cast<float>(subtrees.size()));

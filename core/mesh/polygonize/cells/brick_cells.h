@@ -4,7 +4,6 @@
 
 #include "core/field/field.h"
 #include "core/mesh/polygonize/cells/cell_loops.h"
-#include "core/mesh/polygonize/cells/wall_pairs.h"
 #include "core/mesh/polygonize/octree/neighbours.h"
 #include "core/mesh/triangle_mesh.h"
 
@@ -34,7 +33,6 @@ struct CellRecord {
     std::uint32_t walls = 0xFFFFFFFFU; // into SubtreeCells::upper_loops, where edges have walls; or kNoWalls
     std::uint32_t arcs_begin = 0;      // into SubtreeCells::arc_vertices
     std::uint32_t arcs_count = 0;
-    bool walled = false; // placed as in walled_cells.h
 };
 
 inline constexpr std::uint16_t kNoVertex = 0xFFFF;
@@ -121,8 +119,7 @@ struct SubtreeCells {
     std::vector<ArcVertex> arc_vertices;
     std::vector<BrickWalls> walls;
     std::vector<std::array<std::uint8_t, kQuarterPoints>> upper_loops; // as in CellRecord, of their upper ends
-    std::vector<KnownEnds> edge_ends;                                  // of cells placed as in walled_cells.h, by edge
-    std::vector<std::uint32_t> walled_bricks;                          // that have such cells
+    std::vector<std::uint32_t> walled_bricks;                          // that have cells with walls
     SampleCounts counts;
     // It may be another one when bricks beside the subtree change; and when some do that are beside those.
     bool looked_beyond = false, looked_far = false;
@@ -176,8 +173,6 @@ struct SurfaceCells {
     // Vertex (within the mesh once first_vertex is) of the loop through a crossing; kAbsent where a wall has none.
     static constexpr std::uint32_t kAbsent = 0xFFFFFFFFU;
     [[nodiscard]] std::uint32_t vertex(const Brick& brick, std::uint32_t index, int cell, int crossing) const;
-    // Where the surface goes through an edge of a brick beside a wall (by its middle in quarter cells), if it is known.
-    [[nodiscard]] const KnownEnds* ends(const Octree& octree, std::uint32_t index, const glm::ivec3& middle) const;
     // Of a brick that has them.
     [[nodiscard]] const BrickWalls& walls(const Brick& brick, std::uint32_t index) const {
         return subtrees[brick.subtree].walls[cells[index].walls];

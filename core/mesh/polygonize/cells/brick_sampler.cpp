@@ -45,7 +45,6 @@ void BrickSampler::fill(std::uint32_t index, const Neighbourhood& neighbours, Br
     half_crossed_ = 0;
     hanging_inside_.clear();
     owned_.clear();
-    walled_.begin(cell_mm_);
     has_walled_cells_ = false;
     if (neighbours_->finer != 0) sample_hanging(subtree);
     const bool parts = field_->parts_vessels();
@@ -73,7 +72,6 @@ void BrickSampler::fill(std::uint32_t index, const Neighbourhood& neighbours, Br
         cells.first[static_cast<std::size_t>(traced.cell)] = static_cast<std::uint16_t>(guesses_.size());
         add_recorded_vertices(traced, subtree, subtree.records.emplace_back());
     }
-    walled_.add_ends(index - octree_->subtrees[brick_->subtree].first_brick, subtree.edge_ends);
     subtree.counts.evaluations += append_projected(*field_, guesses_, *vertices_, owned_);
     subtree.counts.samples += guesses_.size();
 }
@@ -196,7 +194,6 @@ void BrickSampler::trace(int cell, unsigned corner_signs, std::uint32_t finer) {
     if (traced.walled) {
         traced.apart = static_cast<int>(apart_points_.size());
         apart_points_.push_back(apart);
-        traced.shape.coarser_faces = coarser_faces(low_corner_of(cell));
     }
     traced.loops = trace_loops(traced.shape, traced.centres, apart_points(traced));
     traced.first_centre = points_.size();
@@ -236,8 +233,9 @@ void BrickSampler::find_centres_vessels(TracedCell& traced, SubtreeCells& subtre
 
 // Beside contacts vertices stay in their cells, so that they do not reach into cells with walls.
 void BrickSampler::keep_within(field::OwnedGuess& vertex, glm::ivec3 cell) const {
-    const Span room = within_cell(cell, cell_mm_);
-    vertex.lower = room.lower, vertex.upper = room.upper;
+    constexpr float kOff = 0.01F; // of a cell, its boundary
+    vertex.lower = (glm::vec3(cell) + kOff) * cell_mm_;
+    vertex.upper = (glm::vec3(cell) + 1.0F - kOff) * cell_mm_;
 }
 
 void BrickSampler::add_vertex(glm::vec3 guess, glm::ivec3 cell, bool alone, const field::OwnedGuess& whose) {
@@ -288,11 +286,6 @@ void BrickSampler::add_recorded_vertices(const TracedCell& traced, SubtreeCells&
         record.walls = static_cast<std::uint32_t>(subtree.upper_loops.size());
         std::copy_n(loops.loop_of.begin() + kUpperEnd, kQuarterPoints, subtree.upper_loops.emplace_back().begin());
     }
-    record.walled = traced.walled;
-    if (record.walled) {
-        add_walled_vertices(traced, subtree, record);
-        return;
-    }
     std::array<glm::vec3, kMostLoops> sum{};
     std::array<int, kMostLoops> count{};
     std::array<field::OwnedGuess, kMostLoops> whose{};
@@ -332,24 +325,6 @@ std::uint8_t BrickSampler::coarser_faces(const glm::ivec3& cell) const {
 // Arcs that need a vertex belong to the finer of the two cells, or the one on the negative side.
 bool BrickSampler::owns(const FaceArc& arc, glm::ivec3 cell) const {
     return (arc.face & 1) != 0 || (coarser_faces(cell) >> arc.face & 1) != 0;
-}
-
-void BrickSampler::add_walled_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record) {
-    const glm::ivec3 cell = low_corner_of(traced.cell);
-    WalledCells::Guesses guesses;
-    guesses.fill(0.5F);
-    for (std::size_t m = 0; m < kQuarterPoints; ++m)
-        if (traced.loops.loop_of[m] != kNoLoop) guesses[m] = crossing_share(cell, static_cast<int>(m));
-    const WalledCells::Cell placed = walled_.place(*field_, owners_, cell, traced.shape, traced.loops, guesses);
-    const auto add = [&](const field::OwnedGuess& vertex) { add_vertex(vertex.lower, cell, false, vertex); };
-    for (const field::OwnedGuess& vertex : placed.loops) add(vertex);
-    record.arcs_begin = static_cast<std::uint32_t>(subtree.arc_vertices.size());
-    for (std::size_t n = 0; n < placed.arcs.size(); ++n) {
-        if (!owns(traced.loops.own_arcs[n], cell)) continue;
-        subtree.add_arc(traced.loops.own_arcs[n], guesses_.size());
-        add(placed.arcs[n]);
-    }
-    record.arcs_count = static_cast<std::uint32_t>(subtree.arc_vertices.size()) - record.arcs_begin;
 }
 
 } // namespace ramus::mesh::bricks

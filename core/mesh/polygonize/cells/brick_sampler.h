@@ -7,7 +7,6 @@
 #include "core/mesh/polygonize/cells/brick_grid.h"
 #include "core/mesh/polygonize/cells/brick_owners.h"
 #include "core/mesh/polygonize/cells/vertex_guesses.h"
-#include "core/mesh/polygonize/cells/walled_cells.h"
 
 #include <memory>
 
@@ -58,7 +57,6 @@ private:
     [[nodiscard]] glm::vec3 crossing(glm::ivec3 cell, int edge_midpoint);
     [[nodiscard]] float value_at(glm::ivec3 fine) const;
     void add_vertex(glm::vec3 guess, glm::ivec3 cell, bool alone, const field::OwnedGuess& whose);
-    void add_walled_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record);
     [[nodiscard]] std::uint8_t coarser_faces(const glm::ivec3& cell) const;
     [[nodiscard]] bool owns(const FaceArc& arc, glm::ivec3 cell) const;
     void keep_within(field::OwnedGuess& vertex, glm::ivec3 cell) const;
@@ -95,7 +93,6 @@ private:
     std::vector<field::LatticePoint> hanging_inside_;
     std::vector<ApartPoints> apart_points_; // of traced cells
     std::vector<field::OwnedGuess> owned_;  // by guess
-    WalledCells walled_;
     bool has_walled_cells_ = false;
 };
 

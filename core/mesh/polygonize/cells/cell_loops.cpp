@@ -92,7 +92,6 @@ struct Arc {
     std::uint8_t first, second;
     std::uint8_t face;
     bool shared; // one of several on a whole face
-    bool walled; // on a whole face, with a vertex of its own because of a contact
 };
 
 struct Arcs {
@@ -101,7 +100,6 @@ struct Arcs {
 
     void add(std::uint8_t first, std::uint8_t second, Arc kind) {
         kind.first = first, kind.second = second;
-        kind.walled = kind.walled && first % kUpperEnd != second % kUpperEnd;
         arc[static_cast<std::size_t>(count++)] = kind;
     }
 };
@@ -218,8 +216,7 @@ void add_arcs_of_runs(const Runs& runs, const Ring& ring, const ApartPoints& apa
 void add_arcs(const CellShape& shape, const Ring& ring, const ApartPoints* apart, FaceCentres& centres, Arcs& arcs) {
     const RingCrossings found = crossings_of(shape.inside, ring, apart);
     if (found.count == 0) return;
-    const bool coarser = (shape.coarser_faces >> ring.face & 1) != 0;
-    const Arc kind{0, 0, ring.face, ring.whole && found.count > 2, ring.whole && (found.any_apart || coarser)};
+    const Arc kind{0, 0, ring.face, ring.whole && found.count > 2};
     if (found.any_apart) return add_arcs_of_runs(runs_of(found), ring, *apart, centres, kind, arcs);
     // Cut off each outside run when the centre is inside (its first crossing leaves), each inside run otherwise.
     const bool start_leaving = found.count > 2 ? ask_centre(centres, ring, false) : found.first_leaves;
@@ -363,10 +360,8 @@ CellLoops trace_loops(const CellShape& shape, FaceCentres& centres, const ApartP
     if (apart != nullptr) drop_lenses(loops);
     for (int n = 0; n < arc_count; ++n) {
         const Arc& arc = arcs[static_cast<std::size_t>(n)];
-        if (apart != nullptr && loops.loop_of[arc.first] != kNoLoop)
-            loops.arcs.push_back({arc.face, arc.first, arc.second});
-        if (!(arc.shared || arc.walled) || loops.loop_of[arc.first] == kNoLoop) continue;
-        bool own_vertex = arc.walled;
+        if (!arc.shared || loops.loop_of[arc.first] == kNoLoop) continue;
+        bool own_vertex = false;
         for (int m = 0; m < arc_count && !own_vertex; ++m) {
             const Arc& other = arcs[static_cast<std::size_t>(m)];
             own_vertex = m != n && other.face == arc.face && loops.loop_of[other.first] == loops.loop_of[arc.first];

@@ -51,10 +51,9 @@ extern const std::array<bool, 256> kPlainCells;
 
 // A cell with its neighbourhood.
 struct CellShape {
-    std::uint8_t split_faces = 0;   // bit 2 axis + side: four finer faces
-    std::uint16_t split_edges = 0;  // bit = edge: two finer edges
-    std::uint8_t coarser_faces = 0; // those that are a quarter of a coarser cell's: where some points are apart only
-    std::uint32_t inside = 0;       // bit x + 3 y + 9 z of the 3 x 3 x 3 corners and hanging corners
+    std::uint8_t split_faces = 0;  // bit 2 axis + side: four finer faces
+    std::uint16_t split_edges = 0; // bit = edge: two finer edges
+    std::uint32_t inside = 0;      // bit x + 3 y + 9 z of the 3 x 3 x 3 corners and hanging corners
 };
 
 // For each of a cell's 27 corners and hanging corners the others that belong to a vessel apart from its own.
@@ -69,11 +68,8 @@ struct CellLoops {
     int loop_count = 0;
     std::array<std::uint8_t, kCrossings> loop_of{}; // by crossing; kNoLoop too where a wall ends between points of both
     // Arcs of whole faces that need a vertex of their own: where some loop crosses the face more than once, since, if
-    // the cell beyond does the same, two arcs would join the same two vertices; and where vessels are apart on the
-    // face, so that each has its surface in its own part of it; and, in cells where vessels are apart, toward coarser
-    // cells, since a line between vertices of cells of two sizes may leave both.
+    // the cell beyond does the same, two arcs would join the same two vertices.
     std::vector<FaceArc> own_arcs;
-    std::vector<FaceArc> arcs; // all of them, where some of its points are apart
 };
 
 // Centres of minimal faces with four or more crossings: their signs decide how the crossings pair up, and, where some

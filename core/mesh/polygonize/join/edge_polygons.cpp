@@ -1,7 +1,5 @@
 #include "core/mesh/polygonize/join/edge_polygons.h"
 
-#include "core/mesh/polygonize/join/unfolded_fan.h"
-
 #include <algorithm>
 #include <cassert>
 #include <glm/common.hpp>
@@ -39,7 +37,7 @@ void JoinedSubtree::clear() {
     added.count = 0;
     guesses.clear();
     owned.clear();
-    edges.clear();
+    inside.clear();
 }
 
 void EdgePolygons::add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedSubtree& out) const {
@@ -47,6 +45,11 @@ void EdgePolygons::add(std::uint32_t index, int axis, glm::ivec3 point, bool fir
     Ring ring = ring_around(edge);
     if (ring.count < 3) return;
     if (!first_inside) std::ranges::reverse(std::span(ring.cells).first(ring.count));
+    add_polygon(ring, edge, out);
+}
+
+void EdgePolygons::add_polygon(const Ring& ring, const Edge& edge, JoinedSubtree& out) const {
+    if (ring.count < 3) return;
     const Polygon polygon = polygon_of(ring.span(), false);
     if (polygon.extra)
         emit_fan(add_centre(polygon, edge, out), polygon, false, out);
@@ -61,10 +64,19 @@ void EdgePolygons::add_wall(std::uint32_t index, int axis, glm::ivec3 point, uns
     const Ring first = (left_out & 1U) == 0 ? ring_around(lower) : Ring{};
     Ring second = (left_out & 2U) == 0 ? ring_around(upper) : Ring{};
     std::ranges::reverse(std::span(second.cells).first(second.count));
-    const std::uint32_t centre = first.count < 2 ? 0 : add_fan(first, lower, out);
+    std::uint32_t centre = 0;
+    if (first.count >= 2) {
+        if (first.open)
+            centre = add_fan(first, lower, out);
+        else
+            add_polygon(first, lower, out);
+    }
     if (second.count < 2) return;
     if (first.count < 2 || !first.open) {
-        add_fan(second, upper, out);
+        if (second.open)
+            add_fan(second, upper, out);
+        else
+            add_polygon(second, upper, out);
         return;
     }
     // The wall ends at the edge: its two sides meet there.
@@ -153,7 +165,6 @@ EdgePolygons::Around EdgePolygons::same_level(std::uint32_t brick, const Edge& e
         return entry;
     }
     entry.recorded = surface_.is_recorded(brick, entry.cell);
-    entry.walled = entry.recorded && surface_.record(octree_.bricks[brick], brick, entry.cell).walled;
     entry.vertex = surface_.vertex(octree_.bricks[brick], brick, entry.cell, entry.crossing);
     return entry;
 }
@@ -177,7 +188,6 @@ EdgePolygons::Around EdgePolygons::coarser(std::uint32_t brick, const Edge& edge
         entry.vertex = SurfaceCells::kAbsent;
         return entry;
     }
-    entry.walled = surface_.is_recorded(brick, entry.cell) && surface_.record(other, brick, entry.cell).walled;
     entry.vertex = surface_.vertex(octree_.bricks[brick], brick, entry.cell, entry.crossing);
     return entry;
 }
@@ -217,32 +227,18 @@ glm::ivec3 EdgePolygons::low_corner(const Around& a) const {
     return brick.corner + glm::ivec3(a.cell & 3, a.cell >> 2 & 3, a.cell >> 4) * cell_units(a.level);
 }
 
-bool EdgePolygons::has_one_vertex(const Around& a) const {
-    if (!surface_.is_recorded(a.brick, a.cell)) return true;
-    const CellRecord& record = surface_.record(octree_.bricks[a.brick], a.brick, a.cell);
-    return record.walls == kNoWalls &&
-           std::ranges::all_of(record.loop_of, [](std::uint8_t loop) { return loop == kNoLoop || loop == 0; });
-}
-
 EdgePolygons::Polygon EdgePolygons::polygon_of(std::span<const Around> ring, bool open) const {
     Polygon polygon;
-    polygon.walled = std::ranges::any_of(ring, &Around::walled);
-    polygon.extra = polygon.walled;
     const bool any_arcs = std::ranges::any_of(ring, &Around::recorded);
     for (std::size_t n = 0; n < ring.size(); ++n) {
         polygon.vertices[polygon.count++] = ring[n].vertex;
         if (!any_arcs || (open && n + 1 == ring.size())) continue;
         const Around& next = ring[(n + 1) % ring.size()];
         const std::uint32_t between = arc_vertex(ring[n], next);
-        if (between == kNoArcVertex) {
-            polygon.may_fold = polygon.may_fold || (polygon.walled && !open && ring[n].level != next.level);
-            continue;
-        }
+        if (between == kNoArcVertex) continue;
         polygon.vertices[polygon.count++] = between;
         polygon.extra = true;
     }
-    polygon.may_fold =
-        polygon.may_fold && std::ranges::all_of(ring, [this](const Around& a) { return has_one_vertex(a); });
     return polygon;
 }
 
@@ -271,8 +267,7 @@ void EdgePolygons::emit(std::span<const Around> ring, const Edge& edge, JoinedSu
 }
 
 // A polygon with vertices on its arcs is fanned about a vertex at its edge's crossing, so that no new edge can
-// coincide with another polygon's. Where cells have walls that vertex is on the edge: each triangle of a fan then lies
-// in one cell.
+// coincide with another polygon's; and so is one at which a wall ends, for its two sides meet there.
 std::uint32_t EdgePolygons::add_centre(const Polygon& polygon, const Edge& edge, JoinedSubtree& out) const {
     const Brick& brick = octree_.bricks[edge.brick];
     const auto cell = static_cast<float>(octree_.lattice.cell_mm(brick.level));
@@ -281,24 +276,14 @@ std::uint32_t EdgePolygons::add_centre(const Polygon& polygon, const Edge& edge,
     for (const std::uint32_t v : polygon.span()) sum += glm::vec3(glm::dvec3(vertices_.positions[v]) - corner);
     glm::vec3 middle = glm::vec3(edge.point) * cell;
     middle[edge.axis] += 0.5F * cell;
-    glm::vec3 guess = sum / static_cast<float>(polygon.count);
-    field::OwnedGuess whose{static_cast<std::uint32_t>(out.guesses.size())};
-    if (polygon.walled) {
-        whose.lower = whose.upper = middle;
-        whose.lower[edge.axis] -= 0.5F * cell;
-        whose.upper[edge.axis] += 0.5F * cell;
-        guess = middle;
-    }
+    const glm::vec3 guess = sum / static_cast<float>(polygon.count);
+    const auto number = static_cast<std::uint32_t>(out.guesses.size());
     out.guesses.add(guess, middle, 0.6F * cell);
-    out.owned.push_back(whose);
-    glm::ivec3 upper = edge.point;
-    ++upper[edge.axis];
-    const EdgeKind kind = edge.walled ? EdgeKind::kWall : edge.upper ? EdgeKind::kUpperInside : EdgeKind::kLowerInside;
-    const std::array<field::LatticePoint, 2> ends{lattice_point(edge.point), lattice_point(upper)};
-    const bool second = edge.walled && edge.upper && !out.edges.empty() && out.edges.back().ends == ends;
-    out.edges.push_back({ends, kind, edge.upper, polygon.walled, second, out.triangles.size(),
-                         polygon.may_fold && !edge.walled ? polygon.count : 0});
-    return kAddedBit | static_cast<std::uint32_t>(out.added.count + whose.guess);
+    out.owned.push_back({number});
+    glm::ivec3 inside = edge.point;
+    if (edge.upper) ++inside[edge.axis];
+    out.inside.push_back(lattice_point(inside));
+    return kAddedBit | static_cast<std::uint32_t>(out.added.count + number);
 }
 
 std::uint32_t EdgePolygons::add_fan(const Ring& ring, const Edge& edge, JoinedSubtree& out) const {
@@ -313,55 +298,11 @@ void EdgePolygons::emit_fan(std::uint32_t centre, const Polygon& polygon, bool o
         out.triangles.emplace_back(centre, polygon.vertices[n], polygon.vertices[(n + 1) % polygon.count]);
 }
 
-// Whose the vertices on edges are, and where those of edges beside walls go.
-void EdgePolygons::find_centres(field::BrickField& field, std::uint32_t index, JoinedSubtree& out) const {
-    const field::LatticeAxes lattice = lattice_axes(octree_.lattice, octree_.bricks[index]);
-    KnownEnds found;
-    for (std::size_t n = 0; n < out.owned.size(); ++n) {
-        field::OwnedGuess& whose = out.owned[n];
-        const JoinedSubtree::GuessEdge& edge = out.edges[n];
-        const bool wall = edge.kind == EdgeKind::kWall;
-        if (!edge.second) { // else found with the lower end's
-            const auto [low, high] = edge.ends;
-            const glm::ivec3 middle = (glm::ivec3(low.i, low.j, low.k) + glm::ivec3(high.i, high.j, high.k)) / 2;
-            const KnownEnds* const known = edge.exact ? surface_.ends(octree_, index, middle) : nullptr;
-            if (known != nullptr) {
-                found = *known;
-            } else {
-                const std::size_t begin = edge.upper && !wall ? 1 : 0, count = wall ? 2 : 1;
-                (void)field.find_owners(lattice, std::span(edge.ends).subspan(begin, count),
-                                        std::span(found.owner).subspan(begin, count));
-                if (edge.exact)
-                    found.ends =
-                        ends_on_edge(field, {{whose.lower, whose.upper}, edge.kind, found.owner[0], found.owner[1]});
-            }
-        }
-        whose.owner = found.owner[edge.upper ? 1 : 0];
-        if (!edge.exact) continue;
-        whose.place = field::OwnedGuess::Place::kPlaced;
-        whose.placed = edge.upper ? found.ends.upper : found.ends.lower;
-        if (edge.triangle_count > 0) unfold(index, edge, out, whose);
-    }
-}
-
-// Moves a centre off its edge where its fan would fold over.
-void EdgePolygons::unfold(std::uint32_t index, const JoinedSubtree::GuessEdge& edge, JoinedSubtree& out,
-                          field::OwnedGuess& whose) const {
-    const Brick& brick = octree_.bricks[index];
-    const glm::dvec3 corner = octree_.lattice.position(brick.corner);
-    std::array<glm::vec3, 8> corners;
-    glm::vec3 facing(0.0F);
-    for (std::size_t n = 0; n < edge.triangle_count; ++n) {
-        const std::uint32_t v = out.triangles[edge.first_triangle + n].y;
-        corners[n] = glm::vec3(glm::dvec3(vertices_.positions[v]) - corner);
-        facing += vertices_.normals[v];
-    }
-    const auto at = unfolded_centre(std::span(corners).first(edge.triangle_count), facing, whose.placed.at);
-    if (!at) return;
-    const float reach = 0.02F * static_cast<float>(octree_.lattice.cell_mm(brick.level));
-    out.guesses.set(whose.guess, *at, *at, reach);
-    whose.place = field::OwnedGuess::Place::kBox;
-    whose.lower = *at - reach, whose.upper = *at + reach;
+// Whose the vertices on edges are.
+void EdgePolygons::find_owners(field::BrickField& field, std::uint32_t index, JoinedSubtree& out) const {
+    std::vector<field::Owner> owners(out.owned.size(), field::kNoOwner);
+    (void)field.find_owners(lattice_axes(octree_.lattice, octree_.bricks[index]), out.inside, owners);
+    for (std::size_t n = 0; n < owners.size(); ++n) out.owned[n].owner = owners[n];
 }
 
 void EdgePolygons::finish(std::uint32_t index, JoinedSubtree& out) const {
@@ -370,11 +311,11 @@ void EdgePolygons::finish(std::uint32_t index, JoinedSubtree& out) const {
     field::BrickField& field = *fields_.local();
     field.enter(octree_.segments_of(brick), grid_axes(octree_.lattice, brick));
     const bool parts = field.parts_vessels();
-    if (parts) find_centres(field, index, out);
+    if (parts) find_owners(field, index, out);
     (void)append_projected(field, out.guesses, out.added, parts ? std::span(out.owned) : std::span(out.owned).first(0));
     out.guesses.clear();
     out.owned.clear();
-    out.edges.clear();
+    out.inside.clear();
 }
 
 } // namespace ramus::mesh::bricks

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "core/mesh/polygonize/cells/brick_cells.h"
-#include "core/mesh/polygonize/cells/wall_pairs.h"
 
 #include <array>
 #include <glm/vec4.hpp>
@@ -27,16 +26,7 @@ struct JoinedSubtree {
     // Of the brick that is being joined: vertices on edges, to be moved onto the surface all at once.
     field::Projection guesses;
     std::vector<field::OwnedGuess> owned;
-    struct GuessEdge {
-        std::array<field::LatticePoint, 2> ends;
-        EdgeKind kind = EdgeKind::kLowerInside;
-        bool upper = false;  // the vertex is of the upper end
-        bool exact = false;  // the vertex is on the edge
-        bool second = false; // of a wall, after that of the lower end
-        // Of a polygon that may fold over about a centre on the edge: its fan, in `triangles`; else 0 of them.
-        std::size_t first_triangle = 0, triangle_count = 0;
-    };
-    std::vector<GuessEdge> edges; // by guess
+    std::vector<field::LatticePoint> inside; // by guess, the end of its edge that looks at the surface
 
     [[nodiscard]] std::size_t triangle_count() const { return 2 * quads.size() + triangles.size(); }
     // Writes them all, first those of the quads. `vertices`: those joined; `first_added`: the index of the first added.
@@ -78,7 +68,6 @@ private:
         std::int32_t crossing = 0; // as the cell names it
         std::int32_t place = 0;    // of four around the edge, the first that it takes
         bool recorded = false;
-        bool walled = false; // the cell has walls
     };
 
     struct Ring {
@@ -101,24 +90,21 @@ private:
     [[nodiscard]] Around coarser(std::uint32_t brick, const Edge& edge, glm::ivec3 cell) const;
     [[nodiscard]] std::uint32_t arc_vertex(const Around& a, const Around& b) const;
     [[nodiscard]] glm::ivec3 low_corner(const Around& a) const;
-    [[nodiscard]] bool has_one_vertex(const Around& a) const; // its cell
     // Which diagonals of four cells may cut their polygon: from the first, from the second.
     [[nodiscard]] std::pair<bool, bool> diagonals_of(std::span<const Around> ring, const Edge& edge) const;
-    // The polygon with the vertices of arcs between the cells. `extra`: it has such, or some cell has walls.
-    // `may_fold`: all its cells have one vertex, and two of different size none on the arc between them.
+    // The polygon with the vertices of arcs between the cells. `extra`: it has such.
     struct Polygon {
         std::array<std::uint32_t, 8> vertices{};
         std::size_t count = 0;
-        bool extra = false, walled = false, may_fold = false;
+        bool extra = false;
         [[nodiscard]] std::span<const std::uint32_t> span() const { return std::span(vertices).first(count); }
     };
     [[nodiscard]] Polygon polygon_of(std::span<const Around> ring, bool open) const;
+    void add_polygon(const Ring& ring, const Edge& edge, JoinedSubtree& out) const;
     void emit(std::span<const Around> ring, const Edge& edge, JoinedSubtree& out) const;
     std::uint32_t add_centre(const Polygon& polygon, const Edge& edge, JoinedSubtree& out) const;
-    void find_centres(field::BrickField& field, std::uint32_t index, JoinedSubtree& out) const;
-    void unfold(std::uint32_t index, const JoinedSubtree::GuessEdge& edge, JoinedSubtree& out,
-                field::OwnedGuess& whose) const;
-    std::uint32_t add_fan(const Ring& ring, const Edge& edge, JoinedSubtree& out) const; // its centre
+    void find_owners(field::BrickField& field, std::uint32_t index, JoinedSubtree& out) const; // of guesses
+    std::uint32_t add_fan(const Ring& ring, const Edge& edge, JoinedSubtree& out) const;       // its centre
     static void emit_fan(std::uint32_t centre, const Polygon& polygon, bool open, JoinedSubtree& out);
 
     const Octree& octree_;
