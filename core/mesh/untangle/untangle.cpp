@@ -5,6 +5,7 @@
 #include "core/mesh/untangle/patches.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -17,7 +18,6 @@ namespace {
 
 constexpr int kRounds = 64;       // a few in most places, 40 where vessels are packed
 constexpr int kInTurn = 4;        // rounds that push inward, then rounds that draw smooth
-constexpr float kPush = 0.005F;   // of the vessel's radius, that a vertex is pushed in a round
 constexpr float kStep = 0.5F;     // of the way to the middle of the neighbours, that one is drawn
 constexpr float kFarthest = 0.5F; // of the vessel's radius, that a vertex moves
 // Of a place: one with more is no fold, cells are larger than the vessels there.
@@ -55,33 +55,55 @@ std::vector<std::uint32_t> vertices_of(const Patch& patch, std::span<const Trian
     return vertices;
 }
 
+// What is tried at a place, one after the other until nothing meets: where one way is stuck, another one is not.
+struct Way {
+    float push;    // of the vessel's radius, that a vertex is pushed inward in a round; 0: all are drawn smooth
+    int rings;     // of neighbours that move too
+    int no_return; // rounds, the first, in which what is drawn smooth does not come back outward
+};
+constexpr std::array kWays{Way{0.005F, 0, kRounds / 2}, Way{0.005F, 2, 0}, Way{0.02F, 1, 0}, Way{0.0F, 2, 0}};
+
+// With so many rings of neighbours.
+std::vector<std::uint32_t> grown(const Patch& patch, std::vector<std::uint32_t> vertices, int rings) {
+    for (int ring = 0; ring < rings; ++ring) {
+        const std::vector<std::uint32_t> before = vertices;
+        for (const std::uint32_t vertex : before) {
+            const std::span<const std::uint32_t> beside = patch.neighbours.of(vertex);
+            vertices.insert(vertices.end(), beside.begin(), beside.end());
+        }
+        sort_unique(vertices);
+    }
+    return vertices;
+}
+
 // How vertices move in a round.
 enum class Move { kInward, kSmoothInward, kSmooth };
 
-// First as few rounds as part the sides of a wall, of which neither may come back; then such as flatten a fold.
-Move move_of(int round) {
-    if (round / kInTurn % 2 == 0) return Move::kInward;
-    return round < kRounds / 2 ? Move::kSmoothInward : Move::kSmooth;
+Move move_of(int round, const Way& way) {
+    if (way.push > 0.0F && round / kInTurn % 2 == 0) return Move::kInward;
+    return round < way.no_return ? Move::kSmoothInward : Move::kSmooth;
 }
 
-glm::vec3 step_of(const Patch& patch, std::uint32_t vertex, const glm::vec3& normal, float radius, Move move) {
-    if (move == Move::kInward) return -kPush * radius * normal;
+glm::vec3 smooth_step(const Patch& patch, std::uint32_t vertex, const glm::vec3& normal, Move how) {
     const std::span<const std::uint32_t> neighbours = patch.neighbours.of(vertex);
     glm::vec3 middle(0.0F);
     for (const std::uint32_t other : neighbours)
         middle += patch.positions[other] / static_cast<float>(neighbours.size());
     const glm::vec3 step = kStep * (middle - patch.positions[vertex]);
     const float outward = std::max(glm::dot(step, normal), 0.0F);
-    return move == Move::kSmoothInward ? step - outward * normal : step;
+    return how == Move::kSmoothInward ? step - outward * normal : step;
 }
 
-void move(Patch& patch, std::span<const std::uint32_t> moving, const TriangleMesh& mesh, Move how) {
+void move(Patch& patch, std::span<const std::uint32_t> moving, const TriangleMesh& mesh, const Way& way, int round) {
+    const Move how = move_of(round, way);
     std::vector<glm::vec3> to;
     to.reserve(moving.size());
     for (const std::uint32_t vertex : moving) {
         const std::uint32_t n = patch.vertices[vertex];
         const glm::vec3 at = patch.positions[vertex];
-        const glm::vec3 there = at + step_of(patch, vertex, mesh.normals[n], mesh.radii[n], how);
+        const glm::vec3 step = how == Move::kInward ? -way.push * mesh.radii[n] * mesh.normals[n]
+                                                    : smooth_step(patch, vertex, mesh.normals[n], how);
+        const glm::vec3 there = at + step;
         const bool may =
             patch.has_all[vertex] != 0 && glm::distance(there, mesh.positions[n]) < kFarthest * mesh.radii[n];
         to.push_back(may ? there : at);
@@ -113,14 +135,18 @@ Drawn draw(const TriangleMesh& mesh, const MeetingPlace& place, Job& job) {
     Drawn drawn{{}, {}, place.pairs.size()};
     if (place.pairs.size() > kMostPairs || place.triangles.size() > kMostTriangles) return drawn;
     Patch patch = patch_around(mesh, place);
-    std::vector<TrianglePair> pairs = patch.pairs;
-    for (int round = 0; round < kRounds && drawn.left > 0; ++round) {
-        const std::vector<std::uint32_t> moving = vertices_of(patch, pairs);
-        move(patch, moving, mesh, move_of(round));
-        MeetingTriangles now = meeting_at(patch, moving, job);
-        if (!now.looked_at_all) break;
-        pairs = std::move(now.pairs);
-        if (pairs.size() < drawn.left) drawn.left = pairs.size(), drawn.positions = patch.positions;
+    const std::vector<glm::vec3> before = patch.positions;
+    for (const Way& way : kWays) {
+        patch.positions = before;
+        std::vector<TrianglePair> pairs = patch.pairs;
+        for (int round = 0; round < kRounds && drawn.left > 0; ++round) {
+            const std::vector<std::uint32_t> moving = grown(patch, vertices_of(patch, pairs), way.rings);
+            move(patch, moving, mesh, way, round);
+            MeetingTriangles now = meeting_at(patch, moving, job);
+            if (!now.looked_at_all) break;
+            pairs = std::move(now.pairs);
+            if (pairs.size() < drawn.left) drawn.left = pairs.size(), drawn.positions = patch.positions;
+        }
     }
     drawn.vertices = std::move(patch.vertices);
     return drawn;
