@@ -6,7 +6,6 @@
 #include "render/scene/bent_edge.h"
 #include "render/scene/near_surface.h"
 #include "tests/support/built_tree.h"
-#include "tests/support/mesh_intersections.h"
 #include "tests/support/small_tree.h"
 #include "tests/support/tube_mesh.h"
 
@@ -62,23 +61,6 @@ TriangleMesh drawn(const PagedMesh& mesh, const NearSurface& near) {
     add(mesh, near.replaced);
     if (near.mesh) add(*near.mesh, {});
     return all;
-}
-
-// Corners in the same place are one.
-TriangleMesh joined(const TriangleMesh& corners) {
-    TriangleMesh mesh;
-    std::map<Key, std::uint32_t> numbers;
-    for (const glm::uvec3& t : corners.triangles) {
-        glm::uvec3 made;
-        for (int k = 0; k < 3; ++k) {
-            const glm::vec3& p = corners.positions[t[k]];
-            const auto [at, is_new] = numbers.try_emplace(place_of(p), static_cast<std::uint32_t>(numbers.size()));
-            if (is_new) mesh.positions.push_back(p);
-            made[k] = at->second;
-        }
-        mesh.triangles.push_back(made);
-    }
-    return mesh;
 }
 
 struct Edges {
@@ -196,6 +178,15 @@ mesh::TriangleMesh surface_of(const tree::VesselTree& tree, int detail) {
     auto surface = mesh::make_surface(tree, options, job);
     REQUIRE(surface);
     return std::move(surface->mesh);
+}
+
+// The triangles of one vessel.
+TriangleMesh part_of(const TriangleMesh& mesh, std::int32_t branch) {
+    TriangleMesh part = mesh;
+    part.triangles.clear();
+    for (const glm::uvec3& t : mesh.triangles)
+        if (mesh.branches[t.x] == branch) part.triangles.push_back(t);
+    return part;
 }
 
 constexpr NearLimits kEnough{10'000'000, 10'000'000};
@@ -375,6 +366,7 @@ TEST_CASE("surfaces of vessels bend between their vertices as finer ones do") {
 }
 
 TEST_CASE("walls between vessels that press on each other stay, however near the eye is") {
+    constexpr double kCell = 2.0 * std::numbers::pi * 3.0 / 16.0; // mm: 16 around the thinner vessel
     for (const double gap : {4.0, 5.5}) {
         CAPTURE(gap);
         const tree::VesselTree tree =
@@ -382,8 +374,8 @@ TEST_CASE("walls between vessels that press on each other stay, however near the
                              {{0, 1}, {2, 3}}, {0, 2});
         const TriangleMesh surface = surface_of(tree, 16);
         const PagedMesh mesh(surface, glm::dvec3(0.0));
-        const std::size_t before = test::intersecting_triangles(joined(drawn(mesh, {}))).size();
-        CHECK(before == 0);
+        const std::array<measure::MeshDistance, 2> vessels{measure::MeshDistance(part_of(surface, 0)),
+                                                           measure::MeshDistance(part_of(surface, 1))};
         const glm::ivec2 size(1600, 1200);
         for (const double side : {0.0, 35.0, 80.0}) {
             const Camera camera =
@@ -391,8 +383,14 @@ TEST_CASE("walls between vessels that press on each other stay, however near the
                        side, 20.0);
             const NearSurface near = near_surface(mesh, looking_at(mesh, camera, size), kEnough);
             REQUIRE(near.mesh);
-            const TriangleMesh all = joined(drawn(mesh, near));
-            CHECK(test::intersecting_triangles(all).empty());
+            const TriangleMesh all = drawn(mesh, near);
+            double deepest = 0.0; // in the other vessel, mm
+            for (std::size_t n = 0; n < all.positions.size(); ++n) {
+                const measure::MeshDistance& other = vessels.at(all.branches[n] == 0 ? 1 : 0);
+                if (other.inside(all.positions[n])) deepest = std::max(deepest, other.surface_distance(all.positions[n]));
+            }
+            MESSAGE("deepest in the other vessel: " << deepest << " mm");
+            CHECK(deepest < 0.1 * kCell); // the mesh itself: 0.087 mm
         }
     }
 }
