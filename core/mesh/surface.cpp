@@ -59,7 +59,7 @@ PreparedTree prepare_tree(const tree::VesselTree& source, const SurfaceOptions& 
     // Truncated cones are the paper's: one for each segment.
     if (options.centerline == tree::Centerline::kLines || options.method == Method::kTruncatedCones) return prepared;
     // Numbers of pieces stay what they are, whatever is pruned.
-    const std::vector<std::uint8_t> pieces = tree::pieces_of_curves(
+    const std::vector<tree::CurvePieces> pieces = tree::pieces_of_curves(
         prepared.segment_index.empty() ? prepared.tree : tree::smooth(source, options.smooth_passes));
     return tree::along_curves(std::move(prepared), pieces);
 }

@@ -12,10 +12,11 @@ namespace ramus::tree {
 namespace {
 
 constexpr double kRounded = 1.0;   // radii from a point, at most, that its corner is rounded
-constexpr double kShort = 0.25;    // radii: corners of segments of twice this length the kernel rounds by itself
+constexpr double kShort = 0.4;     // radii: corners of segments of twice this length the kernel rounds by itself
 constexpr double kSlight = 5.0;    // degrees: a corner that turns by less stays
-constexpr double kPerPiece = 20.0; // degrees that a piece of half a corner stands for
+constexpr double kPerPiece = 45.0; // degrees that a piece of half a corner stands for
 constexpr int kMostPieces = 3;     // of half a corner
+constexpr double kMeet = 1e-9;     // of a segment: two corners meet if no more than that is straight between them
 
 // How an inner point is rounded.
 struct Corner {
@@ -47,22 +48,29 @@ public:
         return here.reach > 0.0 ? Point{on_corner(i, here.reach, 0.5), points_[i].radius} : points_[i];
     }
 
-    // Of a segment's curve in so many pieces: the end of each but the last.
-    [[nodiscard]] std::vector<Point> between(std::size_t i, int pieces) const {
+    [[nodiscard]] CurvePieces pieces(std::size_t i) const {
+        const Corner &first = corner(i), &last = corner(i + 1);
+        const bool meet = first.reach + last.reach >= (1.0 - kMeet) * lengths_[i];
+        return {static_cast<std::uint8_t>(first.pieces), static_cast<std::uint8_t>(last.pieces),
+                static_cast<std::uint8_t>(meet && first.reach > 0.0 && last.reach > 0.0 ? 0 : 1)};
+    }
+
+    // Of a segment's curve in pieces: the end of each but the last.
+    [[nodiscard]] std::vector<Point> between(std::size_t i, const CurvePieces& pieces) const {
         std::vector<Point> ends;
-        const int half = pieces / 2; // on each corner; the middle piece is straight
         const Corner &first = corner(i), &last = corner(i + 1);
         const double length = lengths_[i];
+        // A corner that is not rounded may have pieces: pruning has moved its neighbours since they were counted.
         const double from = first.reach > 0.0 ? first.reach : std::min(points_[i].radius, 0.25 * length);
         const double to = last.reach > 0.0 ? last.reach : std::min(points_[i + 1].radius, 0.25 * length);
-        for (int n = 1; n <= half; ++n) {
-            const double share = static_cast<double>(n) / half;
+        for (int n = 1; n <= pieces.first; ++n) {
+            const double share = static_cast<double>(n) / pieces.first;
             const glm::dvec3 at = first.reach > 0.0 ? on_corner(i, from, 0.5 + 0.5 * share)
                                                     : points_[i].position + share * from * direction(i);
             ends.push_back({at, radius(i, share * from)});
         }
-        for (int n = 0; n < half; ++n) {
-            const double share = static_cast<double>(n) / half;
+        for (int n = pieces.middle == 0 ? 1 : 0; n < pieces.last; ++n) {
+            const double share = static_cast<double>(n) / pieces.last;
             const glm::dvec3 at = last.reach > 0.0 ? on_corner(i + 1, to, 0.5 * share)
                                                    : points_[i + 1].position - (1.0 - share) * to * direction(i);
             ends.push_back({at, radius(i, length - (1.0 - share) * to)});
@@ -120,24 +128,19 @@ Run run_of(const VesselTree& tree, const Branch& branch) {
 
 } // namespace
 
-std::vector<std::uint8_t> pieces_of_curves(const VesselTree& tree) {
-    std::vector<std::uint8_t> pieces;
+std::vector<CurvePieces> pieces_of_curves(const VesselTree& tree) {
+    std::vector<CurvePieces> pieces;
     pieces.reserve(tree.segment_count());
     for (const Branch& branch : tree.branches) {
         const Run run = run_of(tree, branch);
-        int before = 0; // of the corner before the segment
-        for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
-            const int behind = run.corner(i + 1).pieces;
-            pieces.push_back(static_cast<std::uint8_t>(2 * std::max(before, behind) + 1));
-            before = behind;
-        }
+        for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) pieces.push_back(run.pieces(i));
     }
     return pieces;
 }
 
-PreparedTree along_curves(PreparedTree lines, std::span<const std::uint8_t> pieces) {
+PreparedTree along_curves(PreparedTree lines, std::span<const CurvePieces> pieces) {
     std::vector<std::uint32_t> first(pieces.size() + 1, 0); // of each segment's pieces
-    for (std::size_t i = 0; i < pieces.size(); ++i) first[i + 1] = first[i] + pieces[i];
+    for (std::size_t i = 0; i < pieces.size(); ++i) first[i + 1] = first[i] + pieces[i].count();
     VesselTree& tree = lines.tree;
     const bool pruned = !lines.segment_index.empty();
     std::vector<int> source;
@@ -148,9 +151,9 @@ PreparedTree along_curves(PreparedTree lines, std::span<const std::uint8_t> piec
         std::vector<std::uint32_t> points{branch.points.front()};
         for (std::size_t i = 0; i + 1 < branch.points.size(); ++i, ++segment) {
             const std::size_t of = pruned ? lines.segment_index[segment] : segment;
-            source.insert(source.end(), pieces[of], lines.segment_source[segment]);
-            for (std::uint32_t piece = 0; pruned && piece < pieces[of]; ++piece) index.push_back(first[of] + piece);
-            if (pieces[of] > 1)
+            source.insert(source.end(), pieces[of].count(), lines.segment_source[segment]);
+            for (std::uint32_t piece = first[of]; pruned && piece < first[of + 1]; ++piece) index.push_back(piece);
+            if (pieces[of].count() > 1)
                 for (const Point& end : run.between(i, pieces[of])) {
                     points.push_back(static_cast<std::uint32_t>(tree.points.size()));
                     tree.points.push_back(end);

@@ -16,13 +16,19 @@
 
 namespace ramus::tree {
 
-// How many pieces follow each segment's curve (branches in order, segments along each): one where both of its corners
-// stay.
-[[nodiscard]] std::vector<std::uint8_t> pieces_of_curves(const VesselTree& tree);
+// The pieces that follow a segment's curve: on the corner where it begins, on the one where it ends, and a straight one
+// between the two. One straight piece where both corners stay.
+struct CurvePieces {
+    std::uint8_t first = 0, last = 0, middle = 1;
+    [[nodiscard]] std::uint32_t count() const { return std::uint32_t{first} + last + middle; }
+};
+
+// Of each segment (branches in order, segments along each).
+[[nodiscard]] std::vector<CurvePieces> pieces_of_curves(const VesselTree& tree);
 
 // The tree along its curves. `pieces`: for each segment of the file's tree, as `segment_index` counts them. Pieces of a
 // segment are numbered one after the other, whatever pruning leaves of the others. New points have the label of the
 // point before them.
-[[nodiscard]] PreparedTree along_curves(PreparedTree lines, std::span<const std::uint8_t> pieces);
+[[nodiscard]] PreparedTree along_curves(PreparedTree lines, std::span<const CurvePieces> pieces);
 
 } // namespace ramus::tree

@@ -136,7 +136,7 @@ std::vector<Merged> merged_along(const Axes& axes, const Reference& reference, c
 tree::PreparedTree rounded(const Reference& reference) {
     tree::PreparedTree prepared = reference.axes().prepared;
     prepared.tree = tree::smooth(std::move(prepared.tree), 1);
-    const std::vector<std::uint8_t> pieces = tree::pieces_of_curves(prepared.tree);
+    const std::vector<tree::CurvePieces> pieces = tree::pieces_of_curves(prepared.tree);
     return tree::along_curves(std::move(prepared), pieces);
 }
 

@@ -192,7 +192,7 @@ TEST_CASE("where one side of a contact is hidden the other is the plain sum's, t
     const tree::Contacts contacts = tree::find_contacts(prepared, tree::limits_of_gaussian(options.width));
     const auto all = test::kept_apart(prepared, contacts, true);
     int whole = 0;
-    for (std::size_t n = 0; n < std::min<std::size_t>(contacts.list.size(), 6); ++n) {
+    for (std::size_t n = 0; n < std::min<std::size_t>(contacts.list.size(), 8); ++n) {
         const tree::Contact& contact = contacts.list[n];
         if (contact.sides[0].branch == contact.sides[1].branch) continue;
         CAPTURE(n);

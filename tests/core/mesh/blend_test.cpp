@@ -327,7 +327,7 @@ TEST_CASE("a loop beside a fork of the airways that their finest surface has is 
         const auto tree = io::read_tree(path);
         REQUIRE(tree.has_value());
         Job job;
-        const auto surface = make_surface(*tree, {.smooth_passes = 0, .detail = 24}, job);
+        const auto surface = make_surface(*tree, {.smooth_passes = 0, .detail = 28}, job);
         REQUIRE(surface.has_value());
         CHECK(surface->statistics.matched.false_loops.cut == 1);
         const Shape shape = shape_of(surface->mesh);

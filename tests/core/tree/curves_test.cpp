@@ -66,10 +66,12 @@ TEST_CASE("corners are rounded near their points, within the hull, and radii bet
         REQUIRE(found.size() > 3);
         CHECK(found.front().position == points.front().position);
         CHECK(found.back().position == points.back().position);
-        // Half a corner has three pieces at most, and the curve turns by less than its mean at most twice over.
+        // Half a corner has a piece for each 45 degrees, three at most. A parabola turns most in the middle, there
+        // by 2.5 times its mean at most.
+        const double turns = 2.0 * std::min(std::ceil(turn / 45.0), 3.0) + 1.0;
         for (std::size_t n = 2; n < found.size(); ++n)
             CHECK(degrees_between(found[n - 1].position - found[n - 2].position,
-                                  found[n].position - found[n - 1].position) <= 2.0 * std::max(turn / 5.0, 10.0));
+                                  found[n].position - found[n - 1].position) <= 2.5 * turn / turns);
         double nearest = 1e300, thinnest = 1e300;
         for (const Point& p : found) {
             nearest = std::min(nearest, glm::distance(p.position, points[1].position));
@@ -82,6 +84,19 @@ TEST_CASE("corners are rounded near their points, within the hull, and radii bet
         CHECK(nearest <= 0.5 * 0.5 * std::sin(0.5 * angle) + 1e-9); // reach: the radius there
         CHECK(thinnest == 0.5);                                     // a narrow place keeps its radius
     }
+}
+
+TEST_CASE("corners that meet half-way have no piece between them") {
+    std::vector<Point> points;
+    glm::dvec3 at(0.0);
+    for (int n = 0; n < 5; ++n) { // corners that turn by 40 degrees, to and fro
+        points.push_back({at, 1.0});
+        const double angle = n % 2 == 0 ? 0.0 : 40.0 * std::numbers::pi / 180.0;
+        at += 1.5 * glm::dvec3(std::cos(angle), std::sin(angle), 0.0);
+    }
+    const std::vector<Point> found = along(points);
+    CHECK(found.size() == 2 * points.size() - 1);
+    for (std::size_t n = 1; n < found.size(); ++n) CHECK(glm::distance(found[n - 1].position, found[n].position) > 0.5);
 }
 
 TEST_CASE("what is not pruned keeps its number and its place on the curves") {
