@@ -69,11 +69,9 @@ CutLoops cut_in_parts(TriangleMesh& mesh, std::span<const SurfacePart> parts, co
     return all;
 }
 
-// Of some triangles those of the parts that loops lead through.
-std::vector<std::uint32_t> on_loops(const TriangleMesh& mesh, const TriangleBoxes& boxes,
-                                    std::vector<std::uint32_t> triangles) {
+// Triangles of the parts that loops lead through.
+std::vector<std::uint32_t> on_loops(const SurfaceParts& all) {
     std::vector<std::uint32_t> found;
-    const SurfaceParts all(mesh, boxes, std::move(triangles));
     for (const SurfacePart& part : all.parts())
         if (part.has_loops) found.insert(found.end(), part.triangles.begin(), part.triangles.end());
     return found;
@@ -95,24 +93,28 @@ CutLoops cut_false_loops(TriangleMesh& mesh, const tree::PreparedTree& tree, con
         all.add(cut), others -= static_cast<std::int64_t>(cut.cut);
         if (cut.cut > 0) boxes.reset();
     };
-    const auto loops_through = [&](const std::vector<std::uint32_t>& triangles) {
+    const auto divided = [&](const std::vector<std::uint32_t>& near, Rest rest = Rest::kConnections) {
         if (!boxes) boxes.emplace(mesh);
-        return on_loops(mesh, *boxes, triangles);
+        return SurfaceParts(mesh, *boxes, near, rest);
+    };
+    const auto look_around = [&](float begin, float end, const SurfaceParts& near) {
+        look(begin, end, divided(triangles_around(mesh, *boxes, on_loops(near))).parts());
     };
     if (others > 0) look(0.0F, 0.3F, at_walls.parts());
     if (others > 0) { // caps, whose triangles come later, connect nothing
         const std::vector<std::uint32_t> between = triangles_between_branches(mesh);
         const std::vector<std::uint32_t> foreign = foreign_triangles(mesh, tree, between);
-        const auto look_around = [&](float begin, float end, const std::vector<std::uint32_t>& triangles) {
-            const std::vector<std::uint32_t> through = loops_through(triangles);
-            look(begin, end, SurfaceParts(mesh, *boxes, triangles_around(mesh, *boxes, through)).parts());
-        };
-        look_around(0.3F, 0.5F, foreign);
-        if (others > 0) look_around(0.5F, 0.7F, between);
+        look_around(0.3F, 0.5F, divided(foreign));
+        if (others > 0) {
+            const SurfaceParts joints = divided(between, Rest::kLoops);
+            look_around(0.5F, 0.6F, joints);
+            // Within a branch: one that bends until it touches itself.
+            if (others > 0) look(0.6F, 0.7F, divided(joints.rest_with_loops()).parts());
+        }
         if (others > 0 && static_cast<std::size_t>(others) * mesh.triangles.size() <= kMostAsWhole)
             look(0.7F, 1.0F, std::vector{whole_part(mesh)});
         if (others > 0)
-            for (const std::uint32_t n : loops_through(foreign))
+            for (const std::uint32_t n : on_loops(divided(foreign)))
                 all.left.push_back(mesh.positions[mesh.triangles[n].x]);
     }
     job.report(1.0F);

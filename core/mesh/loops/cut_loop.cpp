@@ -7,7 +7,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
-#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -45,11 +44,10 @@ public:
                 if (!its) return false;
                 rims_[side].push_back(std::move(*its));
             }
-        std::vector<glm::dvec3> line;
-        for (const std::uint32_t v : line_) line.emplace_back(mesh_.positions[v]);
-        const std::vector<glm::uvec3> cap = spanning_triangles(line); // by places in the line
         const std::size_t first = mesh_.positions.size(), count = line_.size();
-        mesh_.resize_vertices(first + count); // the line's on the right
+        const std::vector<glm::uvec3> cap = cap_triangles();
+        const bool has_middle = cap.front().z == count;
+        mesh_.resize_vertices(first + count + (has_middle ? kSides : 0)); // the line's on the right, the middles
         std::array<std::vector<std::uint32_t>, kSides> vertices;
         for (std::size_t n = 0; n < count; ++n) {
             const auto right = static_cast<std::uint32_t>(first + n);
@@ -57,8 +55,10 @@ public:
             for (const auto& [triangle, corner] : rims_[1][n].corners) mesh_.triangles[triangle][corner] = right;
             vertices[0].push_back(line_[n]), vertices[1].push_back(right);
         }
-        for (std::size_t side = 0; side < kSides; ++side)
+        for (std::size_t side = 0; side < kSides; ++side) {
             for (std::size_t n = 0; n < count; ++n) move_off(vertices[side][n], rims_[side][n]);
+            if (has_middle) add_middle(static_cast<std::uint32_t>(first + count + side), vertices[side], side);
+        }
         for (const glm::uvec3& triangle : cap) {
             const auto [a, b, c] = std::array{triangle.x, triangle.y, triangle.z};
             mesh_.triangles.emplace_back(vertices[0][a], vertices[0][c], vertices[0][b]);
@@ -93,6 +93,44 @@ private:
         return rim;
     }
 
+    // By places in the line. Those of least area; where they have an edge that the surface has already, which would
+    // then have four triangles, those to a middle, which is as a place behind the last one.
+    [[nodiscard]] std::vector<glm::uvec3> cap_triangles() const {
+        std::vector<glm::dvec3> line;
+        for (const std::uint32_t v : line_) line.emplace_back(mesh_.positions[v]);
+        std::vector<glm::uvec3> cap = spanning_triangles(line);
+        const auto is_taken = [&](std::uint32_t a, std::uint32_t b) { // a < b
+            if (b - a == 1 || b - a == line_.size() - 1) return false;
+            return std::ranges::any_of(around_.at(line_[a]), [&](std::uint32_t t) {
+                const glm::uvec3& corners = mesh_.triangles[t];
+                return corners.x == line_[b] || corners.y == line_[b] || corners.z == line_[b];
+            });
+        };
+        if (std::ranges::any_of(cap, [&](const glm::uvec3& t) {
+                return is_taken(t.x, t.y) || is_taken(t.y, t.z) || is_taken(t.x, t.z);
+            })) {
+            cap.clear();
+            const auto count = static_cast<std::uint32_t>(line_.size());
+            for (std::uint32_t n = 0; n < count; ++n) cap.emplace_back(n, (n + 1) % count, count);
+        }
+        return cap;
+    }
+
+    // Of a cap, behind the vertices of its line.
+    void add_middle(std::uint32_t middle, std::vector<std::uint32_t>& vertices, std::size_t side) {
+        mesh_.for_each_array([&](auto& array) { array[middle] = array[vertices.front()]; });
+        glm::vec3 sum(0.0F), across(0.0F);
+        for (const std::uint32_t v : vertices) sum += mesh_.positions[v];
+        const glm::vec3 at = sum / static_cast<float>(vertices.size());
+        for (std::size_t n = 0; n < vertices.size(); ++n)
+            across += glm::cross(mesh_.positions[vertices[n]] - at,
+                                 mesh_.positions[vertices[(n + 1) % vertices.size()]] - at);
+        mesh_.positions[middle] = at;
+        if (const float length = glm::length(across); length > 0.0F && !mesh_.normals.empty())
+            mesh_.normals[middle] = (side == 0 ? -1.0F : 1.0F) / length * across;
+        vertices.push_back(middle);
+    }
+
     void move_off(std::uint32_t vertex, const Rim& rim) {
         const glm::vec3 way = rim.neighbours - mesh_.positions[vertex];
         const float length = glm::length(way);
@@ -107,23 +145,6 @@ private:
 };
 
 } // namespace
-
-bool has_free_cap(const SurfaceGraph& graph, const SurfaceLoop& loop) {
-    const std::size_t count = loop.vertices.size();
-    std::unordered_map<std::uint32_t, std::uint32_t> places;
-    for (std::size_t n = 0; n < count; ++n) places[loop.vertices[n]] = static_cast<std::uint32_t>(n);
-    std::set<std::pair<std::uint32_t, std::uint32_t>> across; // of places, ascending
-    for (const auto& [vertex, place] : places)
-        for (const std::uint32_t edge : graph.edges_at(vertex)) {
-            const auto other = places.find(graph.other_end(edge, vertex));
-            if (other == places.end() || other->second < place + 2 || other->second - place == count - 1) continue;
-            across.emplace(place, other->second);
-        }
-    if (across.empty()) return true;
-    return std::ranges::none_of(spanning_triangles(positions_of(graph.mesh(), loop)), [&](const glm::uvec3& t) {
-        return across.contains({t.x, t.y}) || across.contains({t.y, t.z}) || across.contains({t.x, t.z});
-    });
-}
 
 bool cut_along(TriangleMesh& mesh, const SurfaceLoop& loop) { return Cut(mesh, loop).make(); }
 

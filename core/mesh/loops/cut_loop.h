@@ -5,14 +5,11 @@
 
 namespace ramus::mesh {
 
-// Whether no edge within the caps of a line is one of the surface already: it would have four triangles.
-[[nodiscard]] bool has_free_cap(const SurfaceGraph& graph, const SurfaceLoop& loop);
-
-// A hair's breadth lies between the two caps, of the same triangles (spanning_triangles.h). The vertices of the line
-// stay with what is on its left, as seen from outside; the others come behind those of the mesh, and the caps'
-// triangles behind its triangles. `loop`: in order, each vertex once, of a closed surface that it does not part, with
-// free caps. False, and nothing is cut, where the triangles at a vertex of it do not lie around that in a circle, all
-// facing one way.
+// Cuts a closed surface along `loop` and closes both sides with caps, a hair's breadth apart: the triangles of least
+// area (spanning_triangles.h), or, where one of their edges is an edge of the surface already, a fan around a new
+// vertex in the middle. The loop's vertices, each once and in order, stay with the side on its left, as seen from
+// outside. The vertices of the other side come behind those of the mesh, and the caps' triangles behind its triangles.
+// Returns false, and cuts nothing, where the triangles at a vertex of the loop are no circle that faces one way.
 [[nodiscard]] bool cut_along(TriangleMesh& mesh, const SurfaceLoop& loop);
 
 } // namespace ramus::mesh

@@ -79,7 +79,7 @@ SurfaceLoop FalseLoops::best(const SurfaceGraph& graph, const SurfaceLoops& loop
     for (std::size_t n = 0; n < edges.size(); ++n) {
         for (const std::uint32_t vertex : graph.edges()[edges[n]].ends) {
             if (job.cancelled() || steps_ > kMostSteps) return {};
-            look(graph, loops, vertex);
+            look(loops, vertex);
         }
         job.report(static_cast<float>(n + 1) / static_cast<float>(edges.size()));
     }
@@ -87,21 +87,21 @@ SurfaceLoop FalseLoops::best(const SurfaceGraph& graph, const SurfaceLoops& loop
         before = cost_;
         for (const std::uint32_t vertex : std::vector(best_.vertices)) {
             if (job.cancelled() || steps_ > kMostSteps) return {};
-            look(graph, loops, vertex);
+            look(loops, vertex);
         }
     }
     return best_;
 }
 
 // A connection is cut rather than the hole beside it filled, unless that is far smaller.
-void FalseLoops::look(const SurfaceGraph& graph, const SurfaceLoops& loops, std::uint32_t vertex) {
+void FalseLoops::look(const SurfaceLoops& loops, std::uint32_t vertex) {
     constexpr double kFilled = 2.0;
     const double longest = std::min(cost_, kLongest * double{mesh_.radii[vertex]});
     for (SurfaceLoop& loop : loops.shortest(vertex, longest, steps_)) {
         const bool connects = goes_around_inside(mesh_, loop);
         const double cost = connects ? loop.length : kFilled * loop.length;
         if (loop.vertices.size() > kMostCorners || (!connects && !fill_holes_) || !found_.allow(loop.kind)) continue;
-        if (!(cost < cost_) || !has_free_cap(graph, loop) || goes_around_vessel(loop)) continue;
+        if (!(cost < cost_) || goes_around_vessel(loop)) continue;
         cost_ = cost;
         best_ = std::move(loop);
     }

@@ -29,7 +29,7 @@ public:
 private:
     [[nodiscard]] std::vector<SurfaceLoop> best_apart(std::size_t most, Job& job);
     [[nodiscard]] SurfaceLoop best(const SurfaceGraph& graph, const SurfaceLoops& loops, Job& job);
-    void look(const SurfaceGraph& graph, const SurfaceLoops& loops, std::uint32_t vertex);
+    void look(const SurfaceLoops& loops, std::uint32_t vertex);
     [[nodiscard]] bool goes_around_vessel(const SurfaceLoop& loop);
     void forget(const SurfaceLoop& loop);
 

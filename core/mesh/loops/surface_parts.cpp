@@ -104,13 +104,14 @@ std::int64_t loops_within(const TriangleMesh& mesh, const SurfacePart& part) {
 
 } // namespace
 
-SurfaceParts::SurfaceParts(const TriangleMesh& mesh, const TriangleBoxes& boxes, std::vector<std::uint32_t> near)
+SurfaceParts::SurfaceParts(const TriangleMesh& mesh, const TriangleBoxes& boxes, std::vector<std::uint32_t> near,
+                           Rest rest)
     : mesh_(mesh) {
     std::vector<BorderEdge> border;
     do border = border_of(mesh, near);
     while (widen(mesh, boxes, border, near));
     take_parts(near, border);
-    find_rest(near, border);
+    find_rest(near, border, rest);
 }
 
 void SurfaceParts::take_parts(std::span<const std::uint32_t> near, std::span<const BorderEdge> border) {
@@ -139,7 +140,7 @@ void SurfaceParts::take_parts(std::span<const std::uint32_t> near, std::span<con
 
 // What of the rest is beyond each border: its pieces hang together by vertices, those of borders apart from what is
 // near. All triangles of the rest at such a vertex lie side by side.
-void SurfaceParts::find_rest(std::span<const std::uint32_t> near, std::span<const BorderEdge> border) {
+void SurfaceParts::find_rest(std::span<const std::uint32_t> near, std::span<const BorderEdge> border, Rest rest) {
     LargeArray<std::uint8_t> touched(mesh_.positions.size(), 0,
                                      mesh_.memory()); // by vertex: it has triangles that are near
     std::size_t of_parts = 0;
@@ -151,20 +152,38 @@ void SurfaceParts::find_rest(std::span<const std::uint32_t> near, std::span<cons
         beyond.emplace(link.first, static_cast<std::uint32_t>(mesh_.positions.size() + beyond.size()));
     DisjointSets sets(mesh_.positions.size() + beyond.size(), mesh_.memory());
     const auto number = [&](std::uint32_t vertex) { return touched[vertex] == 0 ? vertex : beyond.at(vertex); };
-    auto next = near.begin();
-    for (std::uint32_t n = 0; n < mesh_.triangles.size(); ++n) {
-        const glm::uvec3& t = mesh_.triangles[n];
-        if ((touched[t.x] | touched[t.y] | touched[t.z]) == 0) { // most
-            sets.join(t.x, t.y), sets.join(t.x, t.z);
-            continue;
+    // Calls call(triangle, the numbers of its corners) for those of the rest.
+    const auto for_each_of_rest = [&](const auto& call) {
+        auto next = near.begin();
+        for (std::uint32_t n = 0; n < mesh_.triangles.size(); ++n) {
+            const glm::uvec3& t = mesh_.triangles[n];
+            if ((touched[t.x] | touched[t.y] | touched[t.z]) == 0) { // most
+                call(n, t);
+                continue;
+            }
+            while (next != near.end() && *next < n) ++next;
+            if (next == near.end() || *next != n) call(n, glm::uvec3(number(t.x), number(t.y), number(t.z)));
         }
-        while (next != near.end() && *next < n) ++next;
-        if (next != near.end() && *next == n) continue;
-        sets.join(number(t.x), number(t.y)), sets.join(number(t.x), number(t.z));
-    }
+    };
+    for_each_of_rest([&](std::uint32_t, const glm::uvec3& t) { sets.join(t.x, t.y), sets.join(t.x, t.z); });
     std::vector<std::uint32_t> pieces; // of the rest, beyond all borders of all parts
     for (const SurfacePart& part : parts_)
         for (const PartBorder& one : part.borders) pieces.push_back(sets.find(beyond.at(one.vertices.front())));
+    if (rest == Rest::kLoops) {
+        // Of each piece, closed by a point for each border, 2 (V - E + F) = 4 - 4 loops, with 2 E = 3 F + its borders'
+        // edges.
+        LargeArray<std::int32_t> twice(mesh_.positions.size() + beyond.size(), 0, mesh_.memory());
+        for (std::uint32_t n = 0; n < twice.size(); ++n)
+            if (n >= touched.size() || touched[n] == 0) twice[sets.find(n)] += 2;
+        for_each_of_rest([&](std::uint32_t, const glm::uvec3& t) { --twice[sets.find(t.x)]; });
+        auto piece = pieces.begin();
+        for (const SurfacePart& part : parts_)
+            for (const PartBorder& one : part.borders)
+                twice[*piece++] += 2 - static_cast<std::int32_t>(one.vertices.size());
+        for_each_of_rest([&](std::uint32_t n, const glm::uvec3& t) {
+            if (twice[sets.find(t.x)] < 4) rest_with_loops_.push_back(n);
+        });
+    }
     find_loops(pieces, sets.count() - of_parts);
 }
 

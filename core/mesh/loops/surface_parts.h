@@ -36,24 +36,31 @@ struct SurfacePart {
     bool has_loops = false; // some lead through it
 };
 
+// What of the rest is asked for, besides how it connects the parts.
+enum class Rest : std::uint8_t { kConnections, kLoops };
+
 class SurfaceParts {
 public:
     // Of a closed surface in which all vertices have triangles, its boxes, and triangles that are near, ascending.
-    // Takes 20 ns for each triangle, and more for each that is near.
-    SurfaceParts(const TriangleMesh& mesh, const TriangleBoxes& boxes, std::vector<std::uint32_t> near);
+    // Takes 20 ns for each triangle (twice that with the loops of the rest), and more for each that is near.
+    SurfaceParts(const TriangleMesh& mesh, const TriangleBoxes& boxes, std::vector<std::uint32_t> near,
+                 Rest rest = Rest::kConnections);
 
     // In order of their first triangles.
     [[nodiscard]] std::span<const SurfacePart> parts() const { return parts_; }
     [[nodiscard]] const Connectivity& of_surface() const { return of_surface_; }
+    // The triangles of those pieces of the rest that have loops within, ascending; Rest::kLoops.
+    [[nodiscard]] const std::vector<std::uint32_t>& rest_with_loops() const { return rest_with_loops_; }
 
 private:
     void take_parts(std::span<const std::uint32_t> near, std::span<const BorderEdge> border);
-    void find_rest(std::span<const std::uint32_t> near, std::span<const BorderEdge> border);
+    void find_rest(std::span<const std::uint32_t> near, std::span<const BorderEdge> border, Rest rest);
     void find_loops(std::span<const std::uint32_t> beyond, std::size_t rest);
 
     const TriangleMesh& mesh_;
     std::vector<SurfacePart> parts_;
     Connectivity of_surface_;
+    std::vector<std::uint32_t> rest_with_loops_;
 };
 
 // All of a surface as one part, without a border.

@@ -259,14 +259,21 @@ TEST_CASE("where loops are far too many to cut in a while all stay") {
     CHECK(mesh == before);
 }
 
-TEST_CASE("a line whose caps would have an edge of the surface is not cut along") {
-    const SurfaceLoop ring{{0, 1, 2, 3}, 10.0}; // whose caps have an edge from 0 to 2
-    TriangleMesh mesh;
-    mesh.positions = {{0, 0, 0}, {1, 0, 1}, {2, 0, 0}, {1, 3, 0}};
-    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-    CHECK(!has_free_cap(SurfaceGraph(closed_by_point(mesh, ring)), ring));
-    mesh.triangles = {{0, 1, 3}, {1, 2, 3}};
-    CHECK(has_free_cap(SurfaceGraph(closed_by_point(mesh, ring)), ring));
+TEST_CASE("caps that would have an edge of the surface have a vertex in their middle instead") {
+    const SurfaceLoop ring{{0, 1, 2, 3}, 10.0}; // whose caps of least area have an edge from 0 to 2
+    for (const bool taken : {true, false}) {
+        TriangleMesh mesh;
+        mesh.positions = {{0, 0, 0}, {1, 0, 1}, {2, 0, 0}, {1, 3, 0}};
+        mesh.triangles = {{0, 1, taken ? 2U : 3U}, {taken ? 0U : 1U, 2, 3}};
+        mesh = closed_by_point(mesh, ring);
+        mesh.normals.resize(mesh.positions.size(), {0, 0, 1}), mesh.radii.resize(mesh.positions.size(), 1.0F);
+        CHECK(cut_along(mesh, ring));
+        CHECK(test::topology(mesh).closed_manifold());
+        CHECK(connectivity_of(mesh) == Connectivity{2, 0});
+        CHECK(mesh.positions.size() == (taken ? 11 : 9));
+        CHECK(mesh.normals.size() == mesh.positions.size());
+        if (taken) CHECK(glm::dot(mesh.normals[9], mesh.normals[10]) < -0.9F); // they face each other
+    }
 }
 
 TEST_CASE("a surface whose triangles do not all face one way is not cut, and nobody waits forever") {
@@ -329,6 +336,31 @@ TEST_CASE("a loop that the tree has no cycle for is cut where no vessel runs, an
     for (std::size_t v = before.positions.size(); v < mesh.positions.size(); ++v)
         CHECK(std::abs(angle_of(mesh.positions[v])) > 0.4);
     CHECK(matches_tree(mesh, arc(-0.4, 0.4)));
+}
+
+TEST_CASE("pieces of the rest that have loops are told, and no others") {
+    // A torus with a ball next to it. What is near parts the torus to two tubes, or only borders on a disk.
+    for (const bool across : {true, false}) {
+        CAPTURE(across);
+        TriangleMesh mesh = torus();
+        const std::size_t ring = mesh.triangles.size();
+        TriangleMesh other;
+        other.positions = {{0, 0, 20}, {1, 0, 21}, {2, 0, 20}, {1, 3, 20}};
+        other.triangles = {{0, 1, 3}, {1, 2, 3}};
+        other = closed_by_point(other, {{0, 1, 2, 3}, 1.0});
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
+        for (const glm::uvec3& t : other.triangles) mesh.triangles.push_back(t + first);
+        std::vector<std::uint32_t> near;
+        for (std::uint32_t n = 0; n < ring; ++n) {
+            const glm::vec3 at = mesh.positions[mesh.triangles[n].x];
+            if (across ? std::abs(at.y) < 2.0F : at.x > 12.0F && std::abs(at.y) < 2.0F) near.push_back(n);
+        }
+        const SurfaceParts parts(mesh, TriangleBoxes(mesh), near, Rest::kLoops);
+        CHECK(parts.of_surface() == Connectivity{2, 1});
+        CHECK(parts.rest_with_loops().size() == (across ? 0 : ring - parts.parts().front().triangles.size()));
+        CHECK(std::ranges::all_of(parts.rest_with_loops(), [&](std::uint32_t n) { return n < ring; }));
+    }
 }
 
 TEST_CASE("a loop is cut at a place that it leads through, and at none that it does not") {

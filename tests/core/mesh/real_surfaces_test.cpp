@@ -1,6 +1,7 @@
 // The promises of the polygonizer on real trees, against the brute-force field: raw radii, spanning 1:100 in one tree.
 #include "core/field/vessel_field.h"
 #include "core/io/trees/tree_file.h"
+#include "core/mesh/connectivity.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/surface.h"
 #include "core/tree/contacts/contacts.h"
@@ -141,6 +142,24 @@ TEST_CASE("next to no triangles intersect away from walls, where branches touch 
                 CHECK(kTrianglesForOne * elsewhere < raw->triangles.size());
             }
         }
+}
+
+TEST_CASE("real trees with radii far too large have surfaces with their pieces and loops, and nothing intersects") {
+    // A loop of the first is within a branch that bends until it touches itself.
+    for (const char* name : {"brain_BG001.swc", "brain_BG05.swc", "brain_BG0002.swc", "airways_from_mask.swc"}) {
+        const auto path = test::shared_file("trees", name);
+        if (!path) continue;
+        CAPTURE(name);
+        auto tree = io::read_tree(*path);
+        REQUIRE(tree.has_value());
+        for (tree::Point& point : tree->points) point.radius *= 1.6;
+        Job job;
+        const auto surface = mesh::make_untangled_surface(*tree, {}, job);
+        REQUIRE(surface.has_value());
+        CHECK(test::topology(surface->mesh).closed_manifold());
+        CHECK(mesh::connectivity_of(surface->mesh) == mesh::connectivity_of(*tree));
+        CHECK(surface->statistics.untangled.left == 0);
+    }
 }
 
 TEST_CASE("one thread and two give the same bits, and so does a second run") {
