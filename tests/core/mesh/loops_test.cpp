@@ -294,7 +294,9 @@ TEST_CASE("a surface with a hole has no edges that could be cut along") {
     mesh.triangles.pop_back();
     CHECK(!SurfaceGraph(mesh).is_closed());
     const TriangleMesh before = mesh;
-    CHECK(cut_all(mesh, arc(-0.4, 0.4), kEnough, job) == 0);
+    const tree::VesselTree tree = arc(-0.4, 0.4);
+    const Axes axes(tree);
+    CHECK(FalseLoops(mesh, axes, true, {}).cut(1, job) == 0);
     CHECK(mesh == before);
 }
 
