@@ -4,12 +4,8 @@
 #include "core/mesh/loops/false_loops.h"
 #include "core/mesh/loops/loop_patch.h"
 #include "core/mesh/loops/match_tree.h"
-#include "core/mesh/loops/spanning_triangles.h"
-#include "core/mesh/surface.h"
 #include "core/mesh/systems.h"
 #include "tests/support/mesh_topology.h"
-#include "tests/support/packed_trees.h"
-#include "tests/support/surface_shape.h"
 
 #include <array>
 #include <cmath>
@@ -426,43 +422,6 @@ TEST_CASE("where a vessel runs all along a loop, its hole is filled, unless anot
     const TriangleMesh before = mesh;
     CHECK(cut_all(mesh, threaded, kEnough, job) == 0);
     CHECK(mesh == before);
-}
-
-TEST_CASE("a closed line is spanned by triangles of least area") {
-    const auto area = [](const std::vector<glm::dvec3>& line) {
-        double sum = 0.0;
-        for (const glm::uvec3& t : spanning_triangles(line)) {
-            CHECK(t.x < t.y);
-            CHECK(t.y < t.z);
-            sum += 0.5 * glm::length(glm::cross(line[t.y] - line[t.x], line[t.z] - line[t.x]));
-        }
-        return sum;
-    };
-    const std::vector<glm::dvec3> bent{{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}};
-    CHECK(spanning_triangles(bent).size() == 4);
-    CHECK(area(bent) == doctest::Approx(7.0));
-    // Of two diagonals the better one, wherever the line begins.
-    CHECK(area({{0, 0, 0}, {1, 0, 1}, {2, 0, 0}, {1, 3, 0}}) == doctest::Approx(4.0));
-    CHECK(area({{1, 0, 1}, {2, 0, 0}, {1, 3, 0}, {0, 0, 0}}) == doctest::Approx(4.0));
-    CHECK(spanning_triangles(std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}}).empty());
-}
-
-TEST_CASE("a fork that another vessel threads keeps the loops of its tree") {
-    int cut = 0;
-    for (std::uint64_t seed = 20; seed < 60; ++seed) {
-        CAPTURE(seed);
-        const tree::VesselTree tree = test::packed_trees(seed);
-        SurfaceOptions options;
-        options.detail = 8;
-        Job job;
-        const auto surface = make_surface(tree, options, job);
-        REQUIRE(surface);
-        if (surface->statistics.matched.false_loops.cut == 0) continue;
-        ++cut;
-        CHECK(test::topology(surface->mesh).closed_manifold());
-        CHECK(connectivity_of(surface->mesh) == connectivity_of(tree));
-    }
-    CHECK(cut > 0);
 }
 
 } // namespace ramus::mesh

@@ -1,11 +1,13 @@
 // Surfaces of vessels that just merge, or just do not: closed, whatever the width, the radius and the cells, and where
 // vessels are kept apart in the pieces and loops of their tree.
 #include "core/io/trees/tree_file.h"
+#include "core/mesh/connectivity.h"
 #include "core/mesh/surface.h"
 #include "core/tree/build_tree.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/merging_vessels.h"
 #include "tests/support/mesh_topology.h"
+#include "tests/support/packed_trees.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/surface_shape.h"
 
@@ -143,6 +145,24 @@ TEST_CASE("bricks agree on what is cut off where many vessels press on each othe
         REQUIRE_MESSAGE(surface, (surface ? "" : surface.error().message()));
         CHECK(test::topology(surface->mesh).closed_manifold());
     }
+}
+
+TEST_CASE("a fork that another vessel threads keeps the loops of its tree") {
+    int cut = 0;
+    for (std::uint64_t seed = 20; seed < 60; ++seed) {
+        CAPTURE(seed);
+        const tree::VesselTree tree = test::packed_trees(seed);
+        SurfaceOptions options;
+        options.detail = 8;
+        Job job;
+        const auto surface = make_surface(tree, options, job);
+        REQUIRE(surface);
+        if (surface->statistics.matched.false_loops.cut == 0) continue;
+        ++cut;
+        CHECK(test::topology(surface->mesh).closed_manifold());
+        CHECK(connectivity_of(surface->mesh) == connectivity_of(tree));
+    }
+    CHECK(cut > 0);
 }
 
 } // namespace ramus::mesh

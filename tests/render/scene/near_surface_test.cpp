@@ -387,7 +387,8 @@ TEST_CASE("walls between vessels that press on each other stay, however near the
             double deepest = 0.0; // in the other vessel, mm
             for (std::size_t n = 0; n < all.positions.size(); ++n) {
                 const measure::MeshDistance& other = vessels.at(all.branches[n] == 0 ? 1 : 0);
-                if (other.inside(all.positions[n])) deepest = std::max(deepest, other.surface_distance(all.positions[n]));
+                if (other.inside(all.positions[n]))
+                    deepest = std::max(deepest, other.surface_distance(all.positions[n]));
             }
             MESSAGE("deepest in the other vessel: " << deepest << " mm");
             CHECK(deepest < 0.1 * kCell); // the mesh itself: 0.087 mm
