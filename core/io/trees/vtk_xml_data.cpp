@@ -118,11 +118,12 @@ Result<void> VtkXmlData::read_header(const pugi::xml_node& root) {
         header_ = NumberType::kUInt64;
     else if (header != "UInt32")
         return fail("the header type " + shown(header) + " is neither UInt32 nor UInt64", place(root), kGetVtkAgain);
-    const std::string_view compressor = root.attribute("compressor").value();
-    compressed_ = !compressor.empty();
-    if (compressed_ && compressor != "vtkZLibDataCompressor")
-        return fail("the data are compressed by " + shown(compressor), place(root),
-                    "write the file anew with zlib or without compression");
+    const std::string_view name = root.attribute("compressor").value();
+    const auto compressor = vtk_compressor(name);
+    if (!compressor)
+        return fail("the data are compressed by " + shown(name), place(root),
+                    "write the file anew with zlib, LZ4, LZMA or without compression");
+    compressor_ = *compressor;
     return {};
 }
 
@@ -136,7 +137,7 @@ Result<std::string> VtkXmlData::decoded(std::string_view data, bool base64, cons
     const auto ends = [&] { return fail("the data of this array end too early", where, kGetVtkAgain); };
     const auto first = header(1);
     if (!first || first->front() < 0) return ends();
-    if (!compressed_) {
+    if (compressor_ == VtkCompressor::kNone) {
         if (auto all = bytes.take(static_cast<std::uint64_t>(first->front()))) return std::move(*all);
         return ends();
     }
@@ -151,17 +152,18 @@ Result<std::string> VtkXmlData::decoded(std::string_view data, bool base64, cons
         const std::int64_t last = sizes->at(1), full = sizes->at(0);
         const std::int64_t size = b + 1 == count && last != 0 ? last : full, small = packed->at(b);
         if (size < 0 || small < 0 ||
-            static_cast<std::uint64_t>(size) / kMostInflation > static_cast<std::uint64_t>(small))
+            !can_grow_to(compressor_, static_cast<std::uint64_t>(small), static_cast<std::uint64_t>(size)))
             return fail("a block of this array claims a size that it cannot have", where, kGetVtkAgain);
-        if (all.size() + static_cast<std::uint64_t>(size) > inflation_limit(text_.size()))
-            return fail("the compressed data of this array grow beyond " +
+        // Of all arrays: several may name the same bytes.
+        unpacked_ += static_cast<std::uint64_t>(size);
+        if (unpacked_ > inflation_limit(text_.size()))
+            return fail("the compressed data grow, with this array, beyond " +
                             std::to_string(inflation_limit(text_.size()) >> 20) + " MiB",
                         where, "write the file anew without compression");
         const auto block = bytes.take(static_cast<std::uint64_t>(small));
         if (!block) return ends();
-        const auto plain = inflated(*block, static_cast<std::uint64_t>(size), where);
-        if (!plain || plain->size() != static_cast<std::size_t>(size))
-            return fail("a compressed block of this array is damaged", where, kGetVtkAgain);
+        const auto plain = unpacked_block(compressor_, *block, static_cast<std::uint64_t>(size));
+        if (!plain) return fail("a compressed block of this array is damaged", where, kGetVtkAgain);
         all += *plain;
     }
     return all;

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/io/trees/binary_numbers.h"
+#include "core/io/trees/vtk_blocks.h"
 
 #include <bit>
 #include <memory>
@@ -41,7 +42,8 @@ private:
     bool appended_base64_ = false;
     std::endian order_ = std::endian::little;
     NumberType header_ = NumberType::kUInt32;
-    bool compressed_ = false;
+    VtkCompressor compressor_ = VtkCompressor::kNone;
+    mutable std::uint64_t unpacked_ = 0; // bytes that compressed blocks claim to be, so far
 };
 
 } // namespace ramus::io
