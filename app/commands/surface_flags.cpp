@@ -39,6 +39,13 @@ void add_meaning_flags(CLI::App& command, io::ReadOptions& read) {
         ->type_name("WIDTH")
         ->transform(CLI::CheckedTransformer(widths).description(""));
     add_option_taking<std::string>(
+        command, "--radius", "MM",
+        [&read](const std::string& text) { read.radius_mm = with(io::ReadOptions(), "radius", text)->radius_mm; },
+        "Radius of all points of a tree whose file gives none, in mm")
+        ->check(expecting(" is not a number of mm above 0", [](const std::string& text) {
+            return text != "auto" && with(io::ReadOptions(), "radius", text).has_value();
+        }));
+    add_option_taking<std::string>(
         command, "--orientation,--axes", "XYZ",
         [&read](const std::string& text) { read.orientation = io::Orientation::named(text); },
         "Which sides of the patient a tree's axes x, y and z lead to, three letters of R L A P S I, as RAS or LPS")

@@ -25,7 +25,10 @@ struct RepairRow {
     const char *label, *help;
 };
 constexpr std::array kRepairRows{
-    RepairRow{tree::Repair::kZeroRadii, "Fill in radii of 0", "A radius of 0 becomes the mean of its neighbours'"},
+    RepairRow{tree::Repair::kZeroRadii, "Fill in radii of 0",
+              "A radius of 0 is interpolated between its neighbours along the vessel"},
+    RepairRow{tree::Repair::kUnmeasuredRadii, "Fill in radii that were not measured",
+              "A radius of -1 or NaN is interpolated between its neighbours along the vessel"},
     RepairRow{tree::Repair::kRepeatedPoints, "Merge repeated points", "Connected points at one place become one"},
     RepairRow{tree::Repair::kLonelyPoints, "Leave out points on their own", "Points that are connected to nothing"},
     RepairRow{tree::Repair::kRepeatedTrunks, "Keep repeated trunks once",

@@ -30,6 +30,7 @@ json reading_json(const io::ReadOptions& reading) {
     json value = json::object();
     if (reading.unit) value["units"] = spelled(*reading.unit);
     if (reading.radius_is) value["radius_is"] = spelled(*reading.radius_is);
+    if (reading.radius_mm) value["radius_mm"] = *reading.radius_mm;
     if (reading.orientation) value["orientation"] = reading.orientation->letters();
     if (reading.repair != tree::Repair::kUsual) value["repair"] = spelled(reading.repair);
     if (!reading.columns.empty()) value["columns"] = reading.columns;
@@ -45,8 +46,8 @@ json reading_json(const io::ReadOptions& reading) {
 
 io::ReadOptions reading_in(const json& value) {
     expect_only(value, "reading",
-                {"units", "radius_is", "orientation", "axes", "repair", "columns", "labels", "isovalue", "fill_holes",
-                 "bulge_size", "islands", "root"});
+                {"units", "radius_is", "radius_mm", "orientation", "axes", "repair", "columns", "labels", "isovalue",
+                 "fill_holes", "bulge_size", "islands", "root"});
     io::ReadOptions reading;
     for (const auto& [name, key] :
          {std::pair("units", "units"), std::pair("radius_is", "radius-is"), std::pair("axes", "axes"),
@@ -60,6 +61,8 @@ io::ReadOptions reading_in(const json& value) {
         if (!value["columns"].is_object()) throw Refusal{"columns is not an object"};
         for (const auto& [what, name] : value["columns"].items()) reading.columns[what] = text(name, "column " + what);
     }
+    if (value.contains("radius_mm"))
+        reading.radius_mm = number(value["radius_mm"], "radius_mm", 1e-6, tree::kMaximumRadius);
     read_mask(value, reading.mask);
     return reading;
 }

@@ -3,6 +3,7 @@
 #include "app/session/mask_reading.h"
 #include "app/session/numbers.h"
 #include "core/base/words.h"
+#include "core/tree/suspicions.h"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +16,8 @@ namespace {
 using tree::Note;
 using tree::Repair;
 
+constexpr double kLeastRadius = 1e-6; // mm
+
 constexpr std::array kTopics{std::pair{"units", "Unit of length"},
                              std::pair{"axes", "Orientation"},
                              std::pair{"radius-is", "Radius or diameter"},
@@ -22,6 +25,8 @@ constexpr std::array kTopics{std::pair{"units", "Unit of length"},
                              std::pair{"radii", "Absurd radii"},
                              std::pair{"joining", "Joints"},
                              std::pair{"zero-radii", "Radii of 0"},
+                             std::pair{"unmeasured-radii", "Radii not measured"},
+                             std::pair{"invented-radii", "Invented radii"},
                              std::pair{"repeated-points", "Repeated points"},
                              std::pair{"lonely-points", "Points on their own"},
                              std::pair{"repeated-trunks", "Repeated trunks"},
@@ -89,6 +94,11 @@ Result<io::ReadOptions> with(io::ReadOptions options, std::string_view key, cons
     } else if (key == "radius-is") {
         options.radius_is = width_in(value);
         if (!options.radius_is && !reset) return refused("radius-is takes radius, diameter or auto");
+    } else if (key == "radius") {
+        const auto mm = parsed<double>(value);
+        if (!reset && !(mm && *mm >= kLeastRadius && *mm <= tree::kMaximumRadius))
+            return refused("radius takes a number of mm above 0, or auto");
+        options.radius_mm = reset ? std::nullopt : mm;
     } else if (key == "orientation" || key == "axes") {
         options.orientation = io::Orientation::named(value);
         if (!options.orientation && !reset)
@@ -102,9 +112,9 @@ Result<io::ReadOptions> with(io::ReadOptions options, std::string_view key, cons
         RAMUS_TRY(mask, with(options.mask, key, value));
         options.mask = std::move(mask);
     } else {
-        return fail(
-            std::string(key) + " is no option of reading", {},
-            "units, radius-is, orientation, repair; of masks labels, isovalue, fill-holes, bulge-size, islands, root");
+        return fail(std::string(key) + " is no option of reading", {},
+                    "units, radius-is, radius, orientation, repair; of masks labels, isovalue, fill-holes, bulge-size, "
+                    "islands, root");
     }
     return options;
 }
@@ -113,6 +123,7 @@ io::ReadOptions over(const io::ReadOptions& said, io::ReadOptions session) {
     if (said.repair != Repair::kUsual) session.repair = said.repair;
     if (said.unit) session.unit = said.unit;
     if (said.radius_is) session.radius_is = said.radius_is;
+    if (said.radius_mm) session.radius_mm = said.radius_mm;
     if (said.orientation) session.orientation = said.orientation;
     for (const auto& [what, name] : said.columns) session.columns[what] = name;
     session.mask = over(said.mask, std::move(session.mask));
@@ -128,7 +139,7 @@ std::string topic_label(std::string_view topic) {
 bool could_mislead(const Note& note, const io::ReadOptions& options) {
     switch (note.kind) {
     case Note::Kind::kSuspect:
-        return note.topic == "units" || note.topic == "axes";
+        return note.topic == "units" || note.topic == "axes" || note.topic == tree::kInventedRadii;
     case Note::Kind::kAssumed:
         return note.topic == "radius-is" && !options.radius_is;
     case Note::Kind::kRepaired:

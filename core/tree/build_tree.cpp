@@ -3,6 +3,7 @@
 #include "core/base/disjoint_sets.h"
 #include "core/base/sort_unique.h"
 #include "core/base/words.h"
+#include "core/tree/missing_radii.h"
 #include "core/tree/open_ends.h"
 #include "core/tree/suspicions.h"
 
@@ -29,7 +30,8 @@ struct Repairs {
         if (!allows(allowed, kind) && !refused)
             refused = Error{"the file needs repair: " + sentence,
                             {},
-                            "allow it with --repair usual or --repair " + name + ", or edit the file"};
+                            std::string("allow it with --repair ") + (allows(Repair::kUsual, kind) ? "usual" : "all") +
+                                " or --repair " + name + ", or edit the file"};
         done.push_back({Note::Kind::kRepaired, name, std::move(sentence), at});
     }
 };
@@ -46,6 +48,7 @@ std::optional<Error> find_bad_point(const Graph& graph, const SourceOf& source) 
                                  " mm",
                              source(i), "check the unit, or remove the point"};
         }
+        if (p.radius == kNotMeasured) continue;
         if (!std::isfinite(p.radius))
             return Error{"the radius is not a finite number", source(i), "correct the radius"};
         if (p.radius < 0.0)
@@ -80,48 +83,24 @@ std::vector<std::uint32_t> merge_repeated(const Graph& graph, Repairs& repairs, 
     return stands;
 }
 
-// Zero radii become the mean of their neighbours' positive radii; a run of them fills up from its ends, one layer at a
-// time, and each layer looks at its own points only. Returns a point that no positive radius reaches, if there is one.
-std::optional<std::uint32_t> fill_radii(std::vector<Point>& points, const std::vector<Edge>& edges, Repairs& repairs,
-                                        const SourceOf& source) {
-    std::vector<Edge> around; // (point of radius 0, neighbour), sorted
-    for (const auto& [a, b] : edges) {
-        if (points[a].radius <= 0.0) around.emplace_back(a, b);
-        if (points[b].radius <= 0.0) around.emplace_back(b, a);
+// Returns how many points got a radius that nobody measured.
+Result<std::size_t> fill_radii(std::vector<Point>& points, const std::vector<Edge>& edges, Repairs& repairs,
+                               const SourceOf& source) {
+    const std::vector<Point> read = points;
+    const FilledRadii filled = fill_missing_radii(points, edges);
+    if (filled.out_of_reach)
+        return fail("the vessel of this point has no positive radius anywhere", source(*filled.out_of_reach),
+                    "give at least one of its points a radius");
+    for (const std::uint32_t p : filled.points) {
+        const bool measured = read[p].radius != kNotMeasured;
+        repairs.add(
+            measured ? Repair::kZeroRadii : Repair::kUnmeasuredRadii,
+            source(p) +
+                (measured ? ": radius 0 replaced by " : ": the radius was not measured (-1 or NaN); taken as ") +
+                in_digits(points[p].radius) + ", interpolated between its neighbours",
+            points[p].position);
     }
-    std::ranges::sort(around);
-    std::vector<std::uint32_t> layer;
-    for (const auto& [p, neighbour] : around)
-        if (points[neighbour].radius > 0.0 && (layer.empty() || layer.back() != p)) layer.push_back(p);
-    while (!layer.empty()) {
-        std::vector<double> radius;
-        std::vector<std::uint32_t> next;
-        for (const std::uint32_t p : layer) {
-            double sum = 0.0;
-            int count = 0;
-            for (auto at = std::ranges::lower_bound(around, std::pair(p, 0U)); at != around.end() && at->first == p;
-                 ++at) {
-                if (points[at->second].radius > 0.0)
-                    sum += points[at->second].radius, ++count;
-                else
-                    next.push_back(at->second);
-            }
-            radius.push_back(sum / count);
-        }
-        for (std::size_t n = 0; n < layer.size(); ++n) {
-            points[layer[n]].radius = radius[n];
-            repairs.add(Repair::kZeroRadii,
-                        source(layer[n]) + ": radius 0 replaced by " + in_digits(radius[n]) +
-                            ", the mean of its neighbours",
-                        points[layer[n]].position);
-        }
-        sort_unique(next);
-        std::erase_if(next, [&](std::uint32_t p) { return points[p].radius > 0.0; });
-        layer = std::move(next);
-    }
-    for (const auto& [p, neighbour] : around)
-        if (points[p].radius <= 0.0) return p;
-    return std::nullopt;
+    return filled.points.size();
 }
 
 // The edges between the points that are left (`stands`: which stands for each), each once.
@@ -183,7 +162,8 @@ Result<VesselTree> build_tree(Graph graph, Repair repair, const SourceOf& source
     if (auto error = find_bad_point(graph, source)) return tl::unexpected(std::move(*error));
     if (std::ranges::none_of(graph.points, [](const Point& p) { return p.radius > 0.0; }))
         return fail("no point has a positive radius", graph.points.empty() ? std::string() : source(0),
-                    "the tree needs radii; check that the radius column is filled");
+                    "the tree needs radii; check that the radius column is filled, or give all points the same "
+                    "radius with --radius MM");
 
     Repairs repairs{repair, {}, {}};
     const std::vector<std::uint32_t> stands = merge_repeated(graph, repairs, source);
@@ -199,9 +179,7 @@ Result<VesselTree> build_tree(Graph graph, Repair repair, const SourceOf& source
             repairs.add(Repair::kLonelyPoints, source(p) + ": a point connected to nothing was left out",
                         graph.points[p].position);
 
-    if (const auto unfilled = fill_radii(graph.points, edges, repairs, source))
-        return fail("the vessel of this point has no positive radius anywhere", source(*unfilled),
-                    "give at least one of its points a radius");
+    RAMUS_TRY(filled, fill_radii(graph.points, edges, repairs, source));
     if (repairs.refused) return tl::unexpected(std::move(*repairs.refused));
 
     // Points that are left, renumbered in their old order.
@@ -217,6 +195,8 @@ Result<VesselTree> build_tree(Graph graph, Repair repair, const SourceOf& source
     }
     left.edges = std::move(edges);
     for (auto& [a, b] : left.edges) a = renumbered[a], b = renumbered[b];
+    const std::size_t invented = graph.radii_are_invented ? left.points.size() : filled;
+    if (auto note = check_invented(invented, left.points.size())) repairs.done.push_back(std::move(*note));
     std::ranges::move(check_radii(left.points, left.edges, allows(repair, Repair::kRadiusJumps)),
                       std::back_inserter(repairs.done));
     for (const std::uint32_t root : graph.roots)

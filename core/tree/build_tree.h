@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -16,15 +17,16 @@ namespace ramus::tree {
 // What may be mended, as a set.
 enum class Repair : unsigned {
     kNone = 0,
-    kZeroRadii = 1,      // a radius of 0 becomes the mean of its neighbours' positive radii
-    kRepeatedPoints = 2, // connected points at one place become one; connections named twice count once
-    kLonelyPoints = 4,   // points connected to nothing are left out
-    kRepeatedTrunks = 8, // what several polylines trace alike becomes one vessel (core/tree/merge_trunks.h)
-    kRadiusJumps = 16,   // a radius far from those on both sides becomes their mean; else it is only told
-    kOrphans = 32,       // a point whose parent is missing becomes a root; else the file is refused
-    kOpenEnds = 64,      // an end within a vessel of another piece is joined to it (core/tree/open_ends.h)
-    kUsual = 79,         // all that leaves measured numbers alone, and invents nothing that vessels do not show
-    kAll = 127
+    kZeroRadii = 1,         // a radius of 0 is interpolated from positive radii (core/tree/missing_radii.h)
+    kRepeatedPoints = 2,    // connected points at one place become one; connections named twice count once
+    kLonelyPoints = 4,      // points connected to nothing are left out
+    kRepeatedTrunks = 8,    // what several polylines trace alike becomes one vessel (core/tree/merge_trunks.h)
+    kRadiusJumps = 16,      // a radius far from those on both sides becomes their mean; else it is only told
+    kOrphans = 32,          // a point whose parent is missing becomes a root; else the file is refused
+    kOpenEnds = 64,         // an end within a vessel of another piece is joined to it (core/tree/open_ends.h)
+    kUsual = 79,            // all that leaves measured numbers alone, and invents nothing that vessels do not show
+    kUnmeasuredRadii = 128, // so is a radius that was not measured; else the file is refused
+    kAll = 255
 };
 [[nodiscard]] constexpr Repair operator|(Repair a, Repair b) {
     return static_cast<Repair>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
@@ -41,8 +43,12 @@ inline constexpr std::pair<Repair, const char*> kRepairNames[] = {
     {Repair::kZeroRadii, "zero-radii"},       {Repair::kRepeatedPoints, "repeated-points"},
     {Repair::kLonelyPoints, "lonely-points"}, {Repair::kRepeatedTrunks, "repeated-trunks"},
     {Repair::kRadiusJumps, "radius-jumps"},   {Repair::kOrphans, "orphans"},
-    {Repair::kOpenEnds, "open-ends"}};
+    {Repair::kOpenEnds, "open-ends"},         {Repair::kUnmeasuredRadii, "unmeasured-radii"}};
 [[nodiscard]] std::string_view name_of(Repair one);
+
+// The radius of a point that was not measured, as the file says: -1 or NaN there. Below every radius, so that the
+// larger one of two radii is the measured one.
+inline constexpr double kNotMeasured = -std::numeric_limits<double>::infinity();
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>; // points
 
@@ -52,7 +58,8 @@ struct Graph {
     std::vector<Edge> edges;
     std::vector<std::uint32_t> roots; // requested roots; a component without one gets its thickest end
     std::vector<System> systems;
-    std::vector<int> point_systems; // per point, an index into `systems`; empty where there are none
+    std::vector<int> point_systems;  // per point, an index into `systems`; empty where there are none
+    bool radii_are_invented = false; // no radius comes from the file
 };
 
 // Largest coordinate and radius that make sense in mm; beyond, a file has the wrong unit or is damaged.

@@ -57,6 +57,15 @@ void check_sizes(const std::vector<Point>& points, const std::vector<Edge>& edge
 
 } // namespace
 
+std::optional<Note> check_invented(std::size_t invented, std::size_t points) {
+    if (static_cast<double>(invented) <= kMostInvented * static_cast<double>(points)) return std::nullopt;
+    return Note{Note::Kind::kSuspect,
+                std::string(kInventedRadii),
+                std::to_string(invented) + " of " + std::to_string(points) +
+                    " radii are invented: nobody measured how wide the vessels are there",
+                {}};
+}
+
 std::vector<Note> check_radii(std::vector<Point>& points, const std::vector<Edge>& edges, bool mend) {
     const std::string topic(name_of(Repair::kRadiusJumps));
     std::vector<Note> notes;

@@ -19,7 +19,7 @@ BAD_TREES = {
     "duplicate id": (GOOD + "4 2 9 9 9 1 3\n", [":6:", "id 4", "line 4", "its own id"]),
     "NaN": (GOOD.replace("-3 0 15", "nan 0 15"), [":5:", "not finite", "correct"]),
     "infinite": (GOOD.replace("-3 0 15", "-inf 0 15"), [":5:", "not finite", "correct"]),
-    "NaN radius": (GOOD.replace("0.7", "NaN"), [":5:", "radius", "positive radius"]),
+    "NaN radius": (GOOD.replace("0.7", "NaN"), [":5:", "the radius was not measured", "--repair all or --repair unmeasured-radii"]),
     "number overflows": (GOOD.replace("-3 0 15", "1e999 0 15"), [":5:", "not finite", "correct"]),
     "id overflows": (GOOD + "99999999999999999999 2 1 1 1 1 1\n", [":6:", "id", "whole number"]),
     "negative radius": (GOOD.replace("0.7", "-0.7"), [":5:", "radius -0.7 is negative", "edit the file"]),
@@ -60,7 +60,8 @@ class BadTrees(CommandLineTest):
         self.expect_failure("info", "folder.swc", says=["folder.swc", "directory"])
 
     def test_unknown_extension(self):
-        tree = self.write("tree.xyz", GOOD)
+        self.expect_done("info", self.write("tree.xyz", GOOD))  # its content tells
+        tree = self.write("tree.xyz", "A letter.\n")
         self.expect_failure("info", tree, says=["tree.xyz", "'.xyz' cannot be read", "use .swc"])
 
     def test_unreadable_file(self):

@@ -171,10 +171,11 @@ class Info(CommandLineTest):
         tree = self.write("tree.swc", "1 0 0 0 0 0.5 -1\n2 0 0 0 5 0 1\n3 0 0 0 9 0.5 2\n")
         notes = self.json("info", tree, "--json")["notes"]
         self.assertEqual([(note["kind"], note["topic"]) for note in notes],
-                         [("assumed", "units"), ("suspect", "units"), ("assumed", "axes"), ("repaired", "zero-radii")])
-        self.assertEqual(notes[3]["at"], [0, 0, 5])
+                         [("suspect", "invented-radii"), ("assumed", "units"), ("suspect", "units"), ("assumed", "axes"),
+                          ("repaired", "zero-radii")])
+        self.assertEqual(notes[4]["at"], [0, 0, 5])
         self.assertNotIn("at", notes[0])
-        self.assertIn("tree.swc:2", notes[3]["text"])
+        self.assertIn("tree.swc:2", notes[4]["text"])
         self.assertEqual(self.json("info", tree, "--json", "--units", "cm")["notes"][-1]["at"], [0, 0, 50])
         self.assertIn("1 (1 zero-radii)", self.expect_done("info", tree).stdout)
 

@@ -2,8 +2,10 @@
 // ramus's own format.
 #include "core/io/inflate.h"
 #include "core/io/trees/tree_file.h"
+#include "core/io/trees/vtk_blocks.h"
 #include "tests/fuzz/target.h"
 
+#include <array>
 #include <filesystem>
 
 namespace ramus::fuzz {
@@ -18,6 +20,7 @@ io::ReadOptions options_for(std::string_view bytes) {
     options.unit = io::LengthUnit{{0.3, 0.3, 0.6}};
     options.radius_is = io::RadiusIs::kDiameter;
     options.orientation = io::Orientation::lps();
+    if (bytes.size() % 4 == 1) options.radius_mm = 0.5;
     return options;
 }
 
@@ -57,10 +60,23 @@ void inflate_bytes(std::string_view bytes) {
     must(inflated->size() <= kMost, "more was inflated than is allowed");
 }
 
+// The first byte chooses the compressor, two more are the size that the block claims, and the rest is the block.
+void unpack_block(std::string_view bytes) {
+    if (bytes.size() < 3) return;
+    constexpr std::array kPackers{io::VtkCompressor::kZlib, io::VtkCompressor::kLz4, io::VtkCompressor::kLzma};
+    const auto byte = [&](std::size_t at) { return static_cast<std::size_t>(static_cast<unsigned char>(bytes[at])); };
+    const io::VtkCompressor packer = kPackers[byte(0) % kPackers.size()];
+    const std::size_t size = byte(1) + 256 * byte(2);
+    const std::string_view packed = bytes.substr(3);
+    if (!can_grow_to(packer, packed.size(), size)) return;
+    const auto plain = unpacked_block(packer, packed, size);
+    must(!plain || plain->size() == size, "a block is not as long as it was said to be");
+}
+
 } // namespace
 
 std::vector<Target> tree_targets() {
-    std::vector<Target> targets{{"gz", inflate_bytes}};
+    std::vector<Target> targets{{"gz", inflate_bytes}, {"vtk-blocks", unpack_block}};
     for (const io::TreeFormat& format : io::tree_formats()) {
         if (!io::is_read(format)) continue;
         const std::string extension(format.extensions.front());

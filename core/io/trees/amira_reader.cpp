@@ -104,9 +104,12 @@ private:
                 if (array.is_there) arrays.push_back(&array), names.push_back(array.name);
             }
         const auto chosen = choose_width(names, input_.options);
+        static const AmiraArray kNoWidths{};
+        graph.width_array = &kNoWidths;
+        if (!chosen && input_.options.radius_mm) return {};
         if (!chosen)
             return fail("no array gives the radius: there is " + (list.empty() ? "none" : list), name_,
-                        "call it \"thickness\", as Amira does");
+                        "call it \"thickness\", as Amira does, or give all points the same radius with --radius MM");
         graph.width_array = arrays[chosen->index];
         imported_.radius_is = chosen->is;
         if (chosen->open) imported_.radius_name = graph.width_array->name;
@@ -227,9 +230,9 @@ private:
 } // namespace
 
 bool is_amira(std::string_view head) {
-    const std::string_view first = head.substr(0, head.find('\n'));
-    return first.starts_with('#') &&
-           (first.find("Amira") != std::string_view::npos || first.find("Avizo") != std::string_view::npos);
+    if (!head.starts_with('#')) return false;
+    const std::string_view first = trimmed(head.substr(1, head.find('\n') - 1));
+    return first.starts_with("Amira") || first.starts_with("Avizo");
 }
 
 Result<ImportedTree> parse_amira(const TreeInput& input) { return AmiraReader(input).read(); }

@@ -3,6 +3,7 @@
 #include "core/base/grouped.h"
 #include "core/io/text_numbers.h"
 #include "core/tree/merge_trunks.h"
+#include "core/tree/suspicions.h"
 #include "core/tree/voxels.h"
 
 #include <algorithm>
@@ -102,6 +103,36 @@ void suspect_sizes(ImportedTree& imported, const LengthUnit& unit) {
                           (large ? "large" : "small") + " for vessels; --units takes another unit");
 }
 
+double radius_factor(const LengthUnit& unit) {
+    const glm::dvec3 mm = unit.mm;
+    return mm.x == mm.y && mm.y == mm.z ? mm.x : std::cbrt(mm.x * mm.y * mm.z);
+}
+
+// -1 and NaN are what programs write for a radius that was not measured.
+void mark_unmeasured(ImportedTree& imported) {
+    const auto mark = [](double& radius) {
+        if (radius == -1.0 || std::isnan(radius)) radius = tree::kNotMeasured;
+    };
+    for (tree::Point& p : imported.graph.points) mark(p.radius);
+    for (double& radius : imported.edge_radii) mark(radius);
+}
+
+// In the file's numbers.
+void apply_radius(ImportedTree& imported, const ReadOptions& options) {
+    if (!options.radius_mm) return;
+    const std::string mm = short_number(*options.radius_mm) + " mm";
+    const auto has_radius = [](const tree::Point& p) { return p.radius > 0.0; };
+    if (std::ranges::any_of(imported.graph.points, has_radius)) {
+        imported.assume("radius", "the file has radii: that of " + mm + ", which was asked for, is not used");
+        return;
+    }
+    const LengthUnit unit = options.unit.value_or(imported.unit.value_or(LengthUnit{}));
+    for (tree::Point& p : imported.graph.points) p.radius = *options.radius_mm / radius_factor(unit);
+    imported.graph.radii_are_invented = true;
+    imported.radius_name.clear();
+    imported.assume("radius", "the file has no radii: every point has a radius of " + mm + " as asked for");
+}
+
 void apply_unit(ImportedTree& imported, const ReadOptions& options) {
     if (!imported.unit && !options.unit) {
         add_once(imported, {Note::Kind::kAssumed, "units", "the file names no unit of length: taken as mm", {}});
@@ -118,7 +149,7 @@ void apply_unit(ImportedTree& imported, const ReadOptions& options) {
     const glm::dvec3 mm = unit.mm;
     const bool cubes = mm.x == mm.y && mm.y == mm.z;
     if (!cubes) imported.assume("units", "radii are multiplied by the geometric mean of the three sizes");
-    const double radius_mm = cubes ? mm.x : std::cbrt(mm.x * mm.y * mm.z);
+    const double radius_mm = radius_factor(unit);
     for (tree::Point& p : imported.graph.points) p.position *= mm, p.radius *= radius_mm;
     for (int edge = 0; imported.voxel && edge < 3; ++edge) (*imported.voxel)[edge] *= mm;
     for (Note& note : imported.notes) {
@@ -294,9 +325,11 @@ Result<void> join(ImportedTree& imported, tree::Repair repair) {
 
 Result<tree::VesselTree> tree_of(ImportedTree imported, const ReadOptions& options) {
     if (auto good = check_lengths(imported); !good) return tl::unexpected(good.error());
+    mark_unmeasured(imported);
     keep_parallel_vessels(imported);
     if (auto moved = move_radii_to_points(imported); !moved) return tl::unexpected(moved.error());
     apply_radius_meaning(imported, options);
+    apply_radius(imported, options);
     apply_unit(imported, options);
     apply_orientation(imported, options);
     const tree::Claims claims{said_by(options.unit.has_value(), imported.unit.has_value()),
@@ -315,6 +348,8 @@ Result<tree::VesselTree> tree_of(ImportedTree imported, const ReadOptions& optio
             if (note.topic != "units") note.text = claims.worded(note.text);
     for (Note& note : tree->notes)
         if (!known.contains(note.text)) imported.notes.push_back(std::move(note));
+    std::stable_partition(imported.notes.begin(), imported.notes.end(),
+                          [](const Note& note) { return note.topic == tree::kInventedRadii; });
     tree->notes = std::move(imported.notes);
     tree->claims = claims;
     if (imported.voxel && tree::is_a_voxel(*imported.voxel))

@@ -41,6 +41,7 @@ struct ReadOptions {
     std::optional<LengthUnit> unit;
     std::optional<RadiusIs> radius_is;
     std::optional<Orientation> orientation;     // where the file's axes lead
+    std::optional<double> radius_mm;            // of all points of a file that gives no radius
     std::map<std::string, std::string> columns; // of tables: what is read (x, y, z, radius, from, to) by its column
     MaskReading mask;
     bool operator==(const ReadOptions&) const = default;

@@ -196,7 +196,7 @@ Result<void> NodeGraph::add_edge(const EdgeRow& row, std::size_t line) {
     // Radii of nodes say more.
     if (edges_.at[cell(EdgeCell::kRadius)] != kNoColumn && nodes_.at[cell(NodeCell::kRadius)] == kNoColumn) {
         RAMUS_TRY(radius, number(row[cell(EdgeCell::kRadius)], "the radius", line));
-        if (!std::isfinite(radius) || radius < 0.0)
+        if (!std::isfinite(radius) || (radius < 0.0 && radius != -1.0)) // which means that it was not measured
             return fail("the radius " + shown(row[cell(EdgeCell::kRadius)]) + " is not positive", place(line),
                         "correct the file");
         edge_radii_.push_back(radius);
@@ -223,9 +223,11 @@ void NodeGraph::state(std::optional<LengthUnit> unit, std::optional<Orientation>
 Result<void> NodeGraph::choose_radii() {
     const bool of_nodes = nodes_.at[cell(NodeCell::kRadius)] != kNoColumn;
     const bool of_edges = edges_.at[cell(EdgeCell::kRadius)] != kNoColumn;
+    if (!of_nodes && !of_edges && input_.options.radius_mm) return {};
     if (!of_nodes && !of_edges)
         return fail("no column of the nodes or the edges gives the radius", file_,
-                    "call it radius, or avgRadiusAvg as VesselGraph does");
+                    "call it radius, or avgRadiusAvg as VesselGraph does, or give all points the same radius with "
+                    "--radius MM");
     const ChosenWidth& width = of_nodes ? nodes_.width : edges_.width;
     imported_.radius_is = width.is;
     if (width.open) imported_.radius_name = width.is == RadiusIs::kDiameter ? "diameter" : "radius";

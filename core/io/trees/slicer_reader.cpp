@@ -41,9 +41,10 @@ public:
         if (imported_.graph.edges.empty())
             return fail("there are " + counted(markups->size(), "markup") + ", but no curve of two points", name_,
                         "a tree needs curves: in 3D Slicer, Extract Centerline makes them");
-        if (!has_radii_)
+        if (!has_radii_ && !input_.options.radius_mm)
             return fail("no curve has a measurement of its radius", name_,
-                        "a measurement \"Radius\" with controlPointValues is needed; Extract Centerline writes it");
+                        "a measurement \"Radius\" with controlPointValues is needed (Extract Centerline writes it), or "
+                        "one radius for all points, with --radius MM");
         imported_.joining = Joining::kAtCoincidingEnds;
         imported_.place_of = [name = name_, firsts = firsts_, numbers = numbers_](std::uint32_t point) {
             const auto curve = static_cast<std::size_t>(std::ranges::upper_bound(firsts, point) - firsts.begin() - 1);

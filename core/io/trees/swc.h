@@ -1,6 +1,7 @@
-// SWC: one point a line, `id type x y z radius parent`. Any type code, ids in any order, several roots (parent -1, or
-// any negative number), tabs or blanks, CRLF, a byte order mark, comments after `#` anywhere. The format
-// has no unit; what this program writes says in a comment that it is in mm and RAS, or that this is not known.
+// SWC: one point a line, `id type x y z radius parent`. Any type code, ids in any order and of up to 18 digits, several
+// roots (parent -1, or any negative number), tabs, blanks or commas, CRLF, a byte order mark, comments after `#`
+// anywhere. The first line may name the columns, without `#`; they may then stand in any order. The format has no unit;
+// what this program writes says in a comment that it is in mm and RAS, or that this is not known.
 #pragma once
 
 #include "core/io/buffered_file.h"
@@ -17,6 +18,9 @@ inline constexpr std::string_view kSwcColumns = "# id type x y z radius parent "
 // Takes as written what `claims` says, a text as claims_text() makes it and what may follow it; false: it is no such
 // text.
 bool take_claims(std::string_view claims, ImportedTree& imported);
+
+// Whether the first line that is no comment is one of a point.
+[[nodiscard]] bool is_swc(std::string_view head);
 
 [[nodiscard]] Result<ImportedTree> parse_swc(const TreeInput& input);
 

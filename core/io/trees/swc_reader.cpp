@@ -1,9 +1,12 @@
+#include "core/base/words.h"
 #include "core/io/input_file.h"
 #include "core/io/text_numbers.h"
 #include "core/io/trees/swc.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <optional>
 #include <vector>
@@ -13,8 +16,8 @@ namespace ramus::io {
 namespace {
 
 struct Row {
-    long long id = 0;
-    long long parent = 0;
+    std::int64_t id = 0;
+    std::int64_t parent = 0;
     int type = 0;
     tree::Point point;
     std::size_t line = 0;
@@ -22,53 +25,139 @@ struct Row {
 
 constexpr const char* kLayout = "a line is: id type x y z radius parent";
 
+// Where a line has each of the seven values.
+enum SwcValue : std::size_t { kSwcId, kSwcType, kSwcX, kSwcY, kSwcZ, kSwcRadius, kSwcParent, kSwcValueCount };
+struct SwcColumns {
+    std::array<std::size_t, kSwcValueCount> at{kSwcId, kSwcType, kSwcX, kSwcY, kSwcZ, kSwcRadius, kSwcParent};
+    std::size_t count = kSwcValueCount; // of a line
+    bool named = false;
+};
+
+// What pandas, navis and CATMAID call the columns, in small letters.
+constexpr std::pair<std::string_view, SwcValue> kSwcColumnNames[] = {{"id", kSwcId},
+                                                                     {"n", kSwcId},
+                                                                     {"node_id", kSwcId},
+                                                                     {"point_no", kSwcId},
+                                                                     {"pointno", kSwcId},
+                                                                     {"type", kSwcType},
+                                                                     {"t", kSwcType},
+                                                                     {"label", kSwcType},
+                                                                     {"x", kSwcX},
+                                                                     {"y", kSwcY},
+                                                                     {"z", kSwcZ},
+                                                                     {"radius", kSwcRadius},
+                                                                     {"r", kSwcRadius},
+                                                                     {"rad", kSwcRadius},
+                                                                     {"parent", kSwcParent},
+                                                                     {"pid", kSwcParent},
+                                                                     {"parent_id", kSwcParent},
+                                                                     {"parent_node_id", kSwcParent}};
+
+// None: these are not the names of all that a point needs.
+std::optional<SwcColumns> swc_columns_named(const std::vector<std::string_view>& fields) {
+    constexpr std::size_t kMissing = 0xFFFFFFFFU;
+    SwcColumns columns{{}, fields.size(), true};
+    columns.at.fill(kMissing);
+    for (std::size_t column = 0; column < fields.size(); ++column) {
+        std::string name = lower_case(fields[column]);
+        std::erase(name, '"');
+        if (const auto value = paired(kSwcColumnNames, std::string_view(name))) columns.at[*value] = column;
+    }
+    for (const std::size_t value : {kSwcId, kSwcX, kSwcY, kSwcZ, kSwcRadius, kSwcParent})
+        if (columns.at[value] == kMissing) return std::nullopt;
+    return columns;
+}
+
 bool looks_binary(std::string_view text) { return text.substr(0, 4096).find('\0') != std::string_view::npos; }
 
-// `content`: the line that `fields` are of; `where`: the file and the line's number.
-Result<Row> row_of(const std::vector<std::string_view>& fields, std::string_view content, const std::string& where) {
-    if (fields.size() < 7) return fail("expected 7 columns, found " + std::to_string(fields.size()), where, kLayout);
+// The lines that hold something besides a comment.
+class SwcLines {
+public:
+    explicit SwcLines(std::string_view text) : text_(text) {
+        if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
+    }
+    // The next one, in words; false: there is none.
+    bool next() {
+        for (fields.clear(); fields.empty() && at_ < text_.size();) {
+            std::size_t end = text_.find_first_of("\r\n", at_); // a lone CR ends a line too: old Macintosh files
+            if (end == std::string_view::npos) end = text_.size();
+            const std::string_view line = text_.substr(at_, end - at_);
+            content = line.substr(0, line.find('#'));
+            at_ = end + (text_.substr(end).starts_with("\r\n") ? 2 : 1);
+            ++number;
+            split_words(content, " \t\r\f\v,;", fields);
+        }
+        return !fields.empty();
+    }
+
+    std::vector<std::string_view> fields;
+    std::string_view content;
+    std::size_t number = 0; // of the line, from 1
+
+private:
+    std::string_view text_;
+    std::size_t at_ = 0;
+};
+
+// Ids of 18 digits are beyond what a double tells apart.
+std::optional<std::int64_t> to_id(std::string_view field) {
+    const auto exact = parsed<std::int64_t>(field);
+    return exact ? exact : to_whole(field);
+}
+
+Result<Row> row_of(const SwcLines& line, const SwcColumns& columns, const std::string& where) {
+    const std::vector<std::string_view>& fields = line.fields;
+    const std::string expected = "expected " + std::to_string(columns.count) + " columns, found ";
+    if (fields.size() < columns.count) return fail(expected + std::to_string(fields.size()), where, kLayout);
     // Some programs add columns of their own, but a comma in one too many is more likely half a number.
-    if (fields.size() > 7 && content.substr(0, content.find('#')).find(',') != std::string_view::npos)
-        return fail("expected 7 columns, found " + std::to_string(fields.size()) + " columns between commas", where,
+    if (fields.size() > columns.count && line.content.find(',') != std::string_view::npos)
+        return fail(expected + std::to_string(fields.size()) + " columns between commas", where,
                     std::string(kLayout) + "; numbers take a decimal point");
-    const auto id = to_whole(fields[0]);
-    const auto type = to_whole(fields[1]);
-    const auto parent = to_whole(fields[6]);
-    if (!id || *id < 0) return fail("the id " + shown(fields[0]) + " is not a whole number from 0", where, kLayout);
-    if (!type || std::abs(*type) > 2147483647LL)
-        return fail("the type " + shown(fields[1]) + " is not a whole number", where, kLayout);
-    if (!parent) return fail("the parent " + shown(fields[6]) + " is not a whole number", where, kLayout);
-    Row row{*id, *parent, static_cast<int>(*type), {}, 0};
-    constexpr const char* kNames[4] = {"x", "y", "z", "radius"};
-    for (std::size_t column = 0; column < 4; ++column) {
-        const std::string_view field = fields[2 + column];
-        const auto value = to_real(field);
-        const bool is_radius = column == 3;
-        const std::string named = std::string("the ") + kNames[column] + " " + shown(field);
-        if (!value) return fail(named + " is not a number", where, kLayout);
-        if (!std::isfinite(*value))
+    const auto field = [&](SwcValue value) {
+        return columns.at[value] < fields.size() ? fields[columns.at[value]] : std::string_view("0");
+    };
+    const auto id = to_id(field(kSwcId));
+    const auto type = to_whole(field(kSwcType));
+    const auto parent = to_id(field(kSwcParent));
+    if (!id || *id < 0) return fail("the id " + shown(field(kSwcId)) + " is not a whole number from 0", where, kLayout);
+    if (!type || std::abs(static_cast<double>(*type)) > 2147483647.0)
+        return fail("the type " + shown(field(kSwcType)) + " is not a whole number", where, kLayout);
+    if (!parent) return fail("the parent " + shown(field(kSwcParent)) + " is not a whole number", where, kLayout);
+    Row row{*id, *parent, static_cast<int>(*type), {}, line.number};
+    constexpr std::pair<SwcValue, const char*> kNumbers[] = {
+        {kSwcX, "x"}, {kSwcY, "y"}, {kSwcZ, "z"}, {kSwcRadius, "radius"}};
+    for (const auto& [value, name] : kNumbers) {
+        const auto number = to_real(field(value));
+        const std::string named = std::string("the ") + name + " " + shown(field(value));
+        if (!number) return fail(named + " is not a number", where, kLayout);
+        const bool is_radius = value == kSwcRadius; // one that was not measured may be NaN
+        if (!std::isfinite(*number) && !(is_radius && std::isnan(*number)))
             return fail(named + " is not finite", where,
                         is_radius ? "write a positive radius" : "correct or remove the point");
-        (is_radius ? row.point.radius : row.point.position[static_cast<int>(column)]) = *value;
+        (is_radius ? row.point.radius : row.point.position[static_cast<int>(value - kSwcX)]) = *number;
     }
     return row;
+}
+
+// The columns that the first line names, which is taken then, or the usual ones. pandas may write the number of the
+// row in front, without a name.
+SwcColumns take_columns(SwcLines& lines) {
+    auto columns = swc_columns_named(lines.fields);
+    if (!columns) return {};
+    if (!lines.next() || lines.fields.size() != columns->count + 1) return *columns;
+    for (std::size_t& at : columns->at) ++at;
+    ++columns->count;
+    return *columns;
 }
 
 // All points of the file, in its order.
 Result<std::vector<Row>> rows_of(std::string_view text, const std::string& name) {
     std::vector<Row> rows;
-    std::vector<std::string_view> fields;
-    std::size_t number = 0;
-    for (std::size_t at = 0; at < text.size();) {
-        std::size_t end = text.find_first_of("\r\n", at); // a lone CR ends a line too: old Macintosh files
-        if (end == std::string_view::npos) end = text.size();
-        const std::string_view content = text.substr(at, end - at);
-        at = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
-        ++number;
-        split_words(content.substr(0, content.find('#')), " \t\r\f\v,;", fields);
-        if (fields.empty()) continue;
-        RAMUS_TRY(row, row_of(fields, content, name + ":" + std::to_string(number)));
-        row.line = number;
+    SwcLines lines(text);
+    lines.next();
+    const SwcColumns columns = take_columns(lines);
+    for (; !lines.fields.empty(); lines.next()) {
+        RAMUS_TRY(row, row_of(lines, columns, name + ":" + std::to_string(lines.number)));
         rows.push_back(row);
     }
     if (rows.empty()) return fail("the file has no points, only comments or blank lines", name, "choose another file");
@@ -103,7 +192,7 @@ Result<tree::Graph> graph_of(const std::vector<Row>& rows, const LineOf& line_of
         graph.points.push_back(row.point);
         graph.labels.push_back(row.type);
     }
-    using Entry = std::pair<long long, std::uint32_t>; // id, row
+    using Entry = std::pair<std::int64_t, std::uint32_t>; // id, row
     std::vector<Entry> by_id;
     for (std::uint32_t i = 0; i < rows.size(); ++i) by_id.emplace_back(rows[i].id, i);
     std::ranges::sort(by_id);
@@ -140,10 +229,17 @@ Result<tree::Graph> graph_of(const std::vector<Row>& rows, const LineOf& line_of
 
 } // namespace
 
+bool is_swc(std::string_view head) {
+    if (looks_binary(head)) return false;
+    SwcLines lines(head);
+    lines.next();
+    const SwcColumns columns = take_columns(lines);
+    return !lines.fields.empty() && row_of(lines, columns, {}).has_value();
+}
+
 Result<ImportedTree> parse_swc(const TreeInput& input) {
-    std::string_view text = input.text;
+    const std::string_view text = input.text;
     const std::string& name = input.name;
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     if (text.empty()) return fail("the file is empty", name, "choose another file");
     if (looks_binary(text)) return fail("this is a binary file, not SWC text", name, "check the file's format");
     RAMUS_TRY(rows, rows_of(text, name));

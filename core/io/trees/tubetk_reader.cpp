@@ -180,9 +180,11 @@ private:
                              : std::ranges::find(kRadiusNames, lower) != kRadiusNames.end();
             };
             const auto at = std::ranges::find_if(tube.columns, is_it);
-            if (at == tube.columns.end() && (c != 2 || tube.dimensions == 3))
+            const bool may_lack = c == 2 ? tube.dimensions == 2 : c == 3 && input_.options.radius_mm.has_value();
+            if (at == tube.columns.end() && !may_lack)
                 return fail(std::string("PointDim names no column of ") + (c == 3 ? "radii" : "positions"), place,
-                            "it needs x, y, z and r");
+                            c == 3 ? "it needs x, y, z and r; --radius MM gives all points the same radius"
+                                   : "it needs x, y, z and r");
             found[static_cast<std::size_t>(c)] = static_cast<std::size_t>(at - tube.columns.begin());
         }
         return found;
@@ -193,7 +195,7 @@ private:
             return fail("the points are compressed", words_.place(), "write the file without compression");
         RAMUS_TRY(columns, columns_of(tube));
         tube.first_point = static_cast<std::uint32_t>(imported_.graph.points.size());
-        std::vector<double> row(tube.columns.size() + 1, 0.0); // one more for the z of flat tubes
+        std::vector<double> row(tube.columns.size() + 1, 0.0); // one more, for what tubes lack
         std::string_view bytes;
         const std::size_t size = tube.columns.size() * size_of(tube.number);
         if (tube.binary) {

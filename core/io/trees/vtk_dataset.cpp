@@ -222,15 +222,16 @@ Result<ImportedTree> tree_of_vtk(const VtkDataset& data, const TreeInput& input)
     const std::string& name = input.name;
     if (data.lines.empty()) return no_lines(data, name);
     RAMUS_TRY(widths, find_widths(data, input));
-    if (widths.array == nullptr)
+    if (widths.array == nullptr && !input.options.radius_mm)
         return fail("no array of points or lines gives the radius: " + list_of_arrays(data), name,
-                    "name the array \"Radius\"; VMTK calls it MaximumInscribedSphereRadius");
+                    "name the array \"Radius\" (VMTK calls it MaximumInscribedSphereRadius), or give all points the "
+                    "same radius with --radius MM");
     ImportedTree imported;
     for (const glm::dvec3& position : data.points) imported.graph.points.push_back({position, 0.0});
     for (const VtkLine& line : data.lines)
         for (std::size_t i = line.begin + 1; i < line.end; ++i)
             imported.graph.edges.emplace_back(data.line_points[i - 1], data.line_points[i]);
-    set_widths(data, widths, imported);
+    if (widths.array != nullptr) set_widths(data, widths, imported);
     imported.joining = Joining::kAtAnyPoint;
     imported.may_repeat_trunks = has_any(data, kCenterlineNames) && begins_several_times(imported.graph);
     imported.unit_hint = hint_of_arrays(data);

@@ -164,7 +164,7 @@ TEST_CASE("what is wrong with a file is named with its place") {
         {replaced(kRing, "[2,1,0,1]", "[2,1,0]"), "bad.json: points[2]: is not [x, y, z, radius]"},
         {replaced(kRing, "[2,1,0,1]", "[2,null,0,1]"), "bad.json: points[2][1]: is not a number"},
         {replaced(kRing, "[2,1,0,1]", "[2,1,0,\n1e999]"), "bad.json:3: the number 1e999 is too large"},
-        {replaced(kRing, "[2,1,0,1]", "[2,1,0,-1]"), "bad.json: points[2]: radius -1 is negative"},
+        {replaced(kRing, "[2,1,0,1]", "[2,1,0,-2]"), "bad.json: points[2]: radius -2 is negative"},
         {replaced(kRing, "[2,1,0,1]", "[2e9,1,0,1]"), "bad.json: points[2]: coordinate 2e+09 mm is farther out"},
         {replaced(kRing, "[1,2,4]", "[1]"), "bad.json: branches[1]: is not a list of at least two point indices"},
         {replaced(kRing, "[1,2,4]", "[1,2,6]"), "bad.json: branches[1][2]: is not the index of one of the 6 points"},

@@ -186,15 +186,16 @@ TEST_CASE("a chain of a hundred thousand points is one branch, with all radii mi
     CHECK(std::ranges::all_of(tree.points, [](const auto& p) { return p.radius == 2.0; }));
 }
 
-TEST_CASE("a zero radius becomes the mean of its neighbours' positive radii") {
+TEST_CASE("a zero radius is interpolated from positive radii, by the length between") {
     tree::Graph graph = fork(10.0, {4.0, 5.0});
     graph.points[0].radius = 3.0;
     graph.points[1].radius = 0.0;
     graph.points[2].radius = 1.0;
     graph.points[3].radius = 0.0; // not positive: counts neither for its neighbour nor before it
     const auto tree = built(graph);
-    CHECK(tree.points[1].radius == 2.0);
-    CHECK(tree.points[3].radius == 2.0);
+    const double expected = (3.0 / 10.0 + 1.0 / 4.0) / (1.0 / 10.0 + 1.0 / 4.0);
+    CHECK(tree.points[1].radius == doctest::Approx(expected));
+    CHECK(tree.points[3].radius == doctest::Approx(expected)); // an end: nothing is measured beyond
     REQUIRE(sentences(tree, Note::Kind::kRepaired).size() == 2);
     CHECK(tree.notes[0].text.find("point 1") != std::string::npos);
     CHECK(tree.notes[0].at == tree.points[1].position);

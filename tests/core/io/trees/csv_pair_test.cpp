@@ -132,7 +132,7 @@ TEST_CASE("pairs that are wrong are refused with their file and line") {
     CHECK(csv_error(replaced(kCsvNodes, "1;0.5", "1;0,5"), kCsvEdges).find("decimal point") != std::string::npos);
     CHECK(csv_error(replaced(kCsvNodes, "\n1;", "\n0;"), kCsvEdges).find("a_nodes.csv:3: the node '0' is there") == 0);
     CHECK(csv_error(kCsvNodes, replaced(kCsvEdges, "1;1;2", "1;1;9")).find("a_edges.csv:3: the edge names") == 0);
-    CHECK(csv_error(kCsvNodes, replaced(kCsvEdges, ";1.5;", ";-1;")).find("a_edges.csv:3: the radius") == 0);
+    CHECK(csv_error(kCsvNodes, replaced(kCsvEdges, ";1.5;", ";-2;")).find("a_edges.csv:3: the radius") == 0);
     CHECK(csv_error(kCsvNodes, replaced(kCsvEdges, "5;1;1.5;0.1", "5;1")).find("a_edges.csv:3: the row has 5 cells") ==
           0);
     CHECK(csv_error(kCsvNodes, kCsvNodes).find("a_edges.csv: no columns name the two nodes") == 0);

@@ -167,7 +167,7 @@ TEST_CASE("what is wrong with curves is told with the curve") {
     CHECK(mrk_has(with("/markups/1/coordinateUnits", "cm"), "in cm, those of other curves in mm"));
     CHECK(
         mrk_has(with("/markups/1/measurements/1/controlPointValues", {1, 2, 3}), "has 3 values for 2 control points"));
-    CHECK(mrk_has(with("/markups/0/measurements/1/controlPointValues/1", -1), "radius -1 is negative"));
+    CHECK(mrk_has(with("/markups/0/measurements/1/controlPointValues/1", -2), "radius -2 is negative"));
     const std::string text = mrk_tree().dump(1);
     CHECK(mrk_has(test::refusal(text.substr(0, text.size() / 2), "t.mrk.json"), "this is not valid JSON"));
     CHECK(memory.grown_mib() < 30.0);
