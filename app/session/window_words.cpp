@@ -12,9 +12,10 @@ namespace {
 using Words = std::pair<std::string_view, std::string_view>;
 
 // The longer of two that begin alike comes first.
-constexpr std::array<Words, 42> kWindowWords{{
+constexpr std::array<Words, 45> kWindowWords{{
     {"repair with --repair or edit the file", "choose more repairs (Shift+D) or edit the file"},
     {"allow it with --repair usual or --repair ", "allow all repairs when the file is read (Shift+D), such as "},
+    {"allow it with --repair all or --repair ", "allow all repairs when the file is read (Shift+D), such as "},
     {"--repair all makes it a root", "with all repairs (Shift+D) it is a root"},
     {"--repair all takes", "a repair (Shift+D) takes"},
     {"prune with --prune", "prune"},
@@ -30,6 +31,8 @@ constexpr std::array<Words, 42> kWindowWords{{
     {"or write it anew with `ramus convert`", "or write it anew with the program that made it"},
     {"`ramus compare` takes meshes; a tree needs centerlines",
      "File, Add context shows meshes; a tree needs centerlines"},
+    {"ramus compare and ramus render --context take meshes", "File, Add context shows meshes"},
+    {", or give all points the same radius with --radius MM", ""},
     {"leave out --orientation, or ", ""},
     {"say which one it is with --units", "say which one it is: View, What the file does not say"},
     {"say which they are with --units", "say which they are: View, What the file does not say"},

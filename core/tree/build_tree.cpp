@@ -30,8 +30,9 @@ struct Repairs {
         if (!allows(allowed, kind) && !refused)
             refused = Error{"the file needs repair: " + sentence,
                             {},
-                            std::string("allow it with --repair ") + (allows(Repair::kUsual, kind) ? "usual" : "all") +
-                                " or --repair " + name + ", or edit the file"};
+                            (allows(Repair::kUsual, kind) ? "allow it with --repair usual or --repair "
+                                                          : "allow it with --repair all or --repair ") +
+                                name + ", or edit the file"};
         done.push_back({Note::Kind::kRepaired, name, std::move(sentence), at});
     }
 };

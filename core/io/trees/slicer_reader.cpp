@@ -44,7 +44,7 @@ public:
         if (!has_radii_ && !input_.options.radius_mm)
             return fail("no curve has a measurement of its radius", name_,
                         "a measurement \"Radius\" with controlPointValues is needed (Extract Centerline writes it), or "
-                        "one radius for all points, with --radius MM");
+                        "give all points the same radius with --radius MM");
         imported_.joining = Joining::kAtCoincidingEnds;
         imported_.place_of = [name = name_, firsts = firsts_, numbers = numbers_](std::uint32_t point) {
             const auto curve = static_cast<std::size_t>(std::ranges::upper_bound(firsts, point) - firsts.begin() - 1);

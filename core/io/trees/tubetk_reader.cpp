@@ -183,7 +183,7 @@ private:
             const bool may_lack = c == 2 ? tube.dimensions == 2 : c == 3 && input_.options.radius_mm.has_value();
             if (at == tube.columns.end() && !may_lack)
                 return fail(std::string("PointDim names no column of ") + (c == 3 ? "radii" : "positions"), place,
-                            c == 3 ? "it needs x, y, z and r; --radius MM gives all points the same radius"
+                            c == 3 ? "it needs x, y, z and r, or give all points the same radius with --radius MM"
                                    : "it needs x, y, z and r");
             found[static_cast<std::size_t>(c)] = static_cast<std::size_t>(at - tube.columns.begin());
         }
