@@ -120,7 +120,7 @@ void add_deviation_flags(CLI::App& command, DeviationFlags& flags) {
 std::vector<std::vector<std::string>> command_lines(const DeviationFlags& flags, const std::string& mask_units) {
     std::vector<std::vector<std::string>> lines;
     if (!flags.from.empty()) lines.push_back({"deviation-from", flags.from});
-    if (!flags.from.empty() && !mask_units.empty() && io::names_volume(flags.from))
+    if (!flags.from.empty() && !mask_units.empty() && io::is_volume(flags.from))
         lines.back().insert(lines.back().end(), {"--units", mask_units});
     if (flags.most_mm) lines.push_back({"deviation-scale", exact_text(*flags.most_mm), "mm"});
     if (flags.most_voxels) lines.push_back({"deviation-scale", exact_text(*flags.most_voxels), "voxels"});

@@ -243,7 +243,7 @@ Result<void> run_commands(ActionContext& here, const RenderFlags& flags,
                           const std::function<Result<void>(ActionContext&)>& run) {
     for (const std::string& file : flags.context) {
         std::vector<std::string> words{"context", file};
-        if (!flags.comparison.mask_units.empty() && !io::names_mesh(file))
+        if (!flags.comparison.mask_units.empty() && !io::is_mesh(file))
             words.insert(words.end(), {"--units", flags.comparison.mask_units});
         if (auto added = run_command(here, words); !added) return added;
     }

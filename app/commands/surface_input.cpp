@@ -60,7 +60,7 @@ Result<SurfaceInput> surface_of_tree(const tree::VesselTree& tree, const Surface
 }
 
 Result<SurfaceInput> load_surface(const std::string& file, const SurfaceFlags& flags, const MaskInput& mask) {
-    if (io::names_mesh(file)) return load_mesh(file);
+    if (io::is_mesh(file)) return load_mesh(file);
     if (io::is_volume(file)) return surface_of_mask(file, flags, mask);
     RAMUS_TRY(tree, load_tree(file, flags));
     return of_file(surface_of_tree(tree, flags), file);

@@ -5,7 +5,7 @@
 #include "app/storage/recent_files.h"
 #include "app/storage/tree_source.h"
 #include "app/storage/user_folders.h"
-#include "core/io/trees/tree_file.h"
+#include "core/io/recognise.h"
 #include "core/io/volumes/volume_file.h"
 
 #include <algorithm>
@@ -107,16 +107,14 @@ void ViewerFiles::quit() {
 }
 
 void ViewerFiles::dropped(const std::filesystem::path& path) {
-    // A mesh is a lesion for who is planning.
-    const bool lesion = state_.interface.page == PanelPage::kPlan && can_be_lesion_mesh(path);
-    // What can be a tree, too, is one where there is none.
-    const bool beside = can_be_context(path.string()) && (state_.workspace.document.tree() || !io::names_tree(path));
+    const io::Recognised file = io::recognised(path);
+    const bool is_mesh = file.mesh != nullptr, planning = state_.interface.page == PanelPage::kPlan;
     Interface& interface = state_.interface;
-    if (!lesion && io::is_volume(path)) {
+    if (file.volume != nullptr) {
         interface.help_open = interface.open_dialog.open = false;
         ask_about_volume(path);
     } else {
-        state_.perform(lesion ? "lesion-mesh" : beside ? "context" : "open", {path.string()});
+        state_.perform(!is_mesh ? "open" : planning ? "lesion-mesh" : "context", {path.string()});
     }
     state_.redraw();
 }

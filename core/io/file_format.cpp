@@ -1,12 +1,17 @@
 #include "core/io/file_format.h"
 
+#include "core/io/text_numbers.h"
+
 #include <algorithm>
 
 namespace ramus::io {
 
+std::filesystem::path without_gz(const std::filesystem::path& path) {
+    return lower_case(path.extension().string()) == ".gz" ? std::filesystem::path(path).replace_extension() : path;
+}
+
 std::size_t extension_length(const std::filesystem::path& path, const FileFormat& format) {
-    std::string name = path.filename().string();
-    std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    const std::string name = lower_case(path.filename().string());
     std::size_t longest = 0;
     for (const std::string_view extension : format.extensions)
         if (name.size() > extension.size() && name.ends_with(extension)) longest = std::max(longest, extension.size());

@@ -1,5 +1,6 @@
 #include "core/io/meshes/mesh_file.h"
 
+#include "core/io/inflate.h"
 #include "core/io/input_file.h"
 #include "core/io/meshes/assimp_reader.h"
 #include "core/io/meshes/glb.h"
@@ -8,9 +9,11 @@
 #include "core/io/meshes/stl.h"
 #include "core/io/meshes/vtp_surface.h"
 #include "core/io/output_file.h"
+#include "core/io/recognise.h"
 #include "core/mesh/close_mesh.h"
 #include "core/tree/build_tree.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ramus::io {
@@ -59,11 +62,19 @@ const std::vector<MeshFormat>& mesh_formats() {
          ply_header,
          write_ply_faces,
          {write_ply_vertices}},
-        {{.name = "STL", .extensions = {".stl"}, .help = "Binary; triangles with a normal each, for printing."},
+        {{.name = "STL",
+          .extensions = {".stl"},
+          .has_signature = is_stl,
+          .certainty = Certainty::kLikeness,
+          .help = "Binary; triangles with a normal each, for printing."},
          [](auto text, const auto& name) { return parse_with_assimp(text, "stl", name); },
          stl_header,
          write_stl_facets},
-        {{.name = "OBJ", .extensions = {".obj"}, .help = "Text; vertices with normals, and triangles."},
+        {{.name = "OBJ",
+          .extensions = {".obj"},
+          .has_signature = is_obj,
+          .certainty = Certainty::kLikeness,
+          .help = "Text; vertices with normals, and triangles."},
          parse_obj,
          obj_header,
          write_obj_faces,
@@ -99,9 +110,11 @@ std::string readable_mesh_extensions() { return listed(readable_extensions(mesh_
 std::string writable_mesh_extensions() { return listed(writable_extensions(mesh_formats())); }
 
 bool names_mesh(const std::filesystem::path& path) {
-    const MeshFormat* format = format_by_name(mesh_formats(), path);
+    const MeshFormat* format = format_by_name(mesh_formats(), without_gz(path));
     return format != nullptr && is_read(*format);
 }
+
+bool is_mesh(const std::filesystem::path& path) { return recognised(path).mesh != nullptr; }
 
 Result<const MeshFormat*> mesh_format(const std::filesystem::path& file) {
     const MeshFormat* format = format_by_name(mesh_formats(), file);
@@ -115,11 +128,15 @@ Result<const MeshFormat*> mesh_format(const std::filesystem::path& file) {
 Result<mesh::TriangleMesh> read_mesh(const std::filesystem::path& path, Holes holes) {
     const std::string name = path.string();
     RAMUS_TRY(text, read_file(path, kMostMeshBytes));
-    const MeshFormat* format = find_format(mesh_formats(), text, path);
-    if (format == nullptr || !is_read(*format))
+    if (is_gzip(text)) {
+        RAMUS_TRY(plain, inflated(text, std::min<std::uint64_t>(inflation_limit(text.size()), kMostMeshBytes), name));
+        text = std::move(plain);
+    }
+    const Recognised found = recognised(text, path);
+    if (found.mesh == nullptr)
         return fail("a mesh is a file of type " + readable_mesh_extensions(), name, "convert it to one of these");
     if (text.empty()) return fail("the file is empty", name, "write it again");
-    RAMUS_TRY(soup, format->parse(text, name));
+    RAMUS_TRY(soup, found.mesh->parse(text, name));
     RAMUS_TRY(loose, triangles_of(soup, name));
     return holes == Holes::kAllowed ? mesh::tidy_mesh(std::move(loose), name)
                                     : mesh::closed_mesh(std::move(loose), name);

@@ -70,6 +70,9 @@ struct MeshFormat : FileFormat {
 // Whether the name is that of a mesh that can be read.
 [[nodiscard]] bool names_mesh(const std::filesystem::path& path);
 
+// Whether there is a mesh at `path` (core/io/recognise.h).
+[[nodiscard]] bool is_mesh(const std::filesystem::path& path);
+
 // The format in which `file` will be written; fails on any extension that has none.
 [[nodiscard]] Result<const MeshFormat*> mesh_format(const std::filesystem::path& file);
 

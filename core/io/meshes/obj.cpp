@@ -1,9 +1,12 @@
 #include "core/io/meshes/obj.h"
 
+#include "core/io/input_file.h"
 #include "core/io/meshes/assimp_reader.h"
+#include "core/io/text_numbers.h"
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace ramus::io {
 
@@ -43,6 +46,20 @@ void join_continued_lines(std::string& text) {
 }
 
 } // namespace
+
+bool is_obj(std::string_view head) {
+    constexpr std::array<std::string_view, 8> kBefore{"o", "g", "s", "mtllib", "usemtl", "vn", "vt", "vp"};
+    std::vector<std::string_view> words;
+    for (std::size_t at = 0; at < head.size();) {
+        const std::size_t end = std::min(head.find_first_of("\r\n", at), head.size());
+        split_words(head.substr(at, end - at), " \t\v", words);
+        at = end + 1;
+        if (words.empty() || words[0].starts_with('#')) continue;
+        if (words[0] == "v") return words.size() > 3 && to_real(words[1]) && to_real(words[2]) && to_real(words[3]);
+        if (std::ranges::find(kBefore, words[0]) == kBefore.end()) return false;
+    }
+    return false;
+}
 
 std::string obj_shape(std::string_view text) {
     std::string joined(text);

@@ -8,6 +8,9 @@ namespace ramus::io {
 
 [[nodiscard]] Result<PolygonSoup> parse_obj(std::string_view text, const std::string& name);
 
+// Whether a position follows nothing but comments, names and other vertices.
+[[nodiscard]] bool is_obj(std::string_view head);
+
 // The lines that say where a shape is (v, vt, vn, f), continued lines joined.
 [[nodiscard]] std::string obj_shape(std::string_view text);
 

@@ -1,8 +1,29 @@
 #include "core/io/meshes/stl.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
 #include <glm/geometric.hpp>
 
 namespace ramus::io {
+
+bool is_stl(std::string_view head) {
+    if (head.starts_with("solid") && head.find("facet") != std::string_view::npos) return true;
+    constexpr std::size_t kHeader = 80, kFacet = 50;
+    std::uint32_t count = 0;
+    if (head.size() < kHeader + sizeof count + kFacet) return false;
+    std::memcpy(&count, head.data() + kHeader, sizeof count);
+    const std::string_view facets = head.substr(kHeader + sizeof count);
+    for (std::size_t n = 0; n < std::min<std::size_t>(count, facets.size() / kFacet); ++n) {
+        std::array<float, 12> numbers{}; // a normal, and the three corners
+        std::memcpy(numbers.data(), facets.data() + n * kFacet, sizeof numbers);
+        if (!std::ranges::all_of(numbers, [](float x) { return std::isfinite(x); })) return false;
+        const float length = std::hypot(numbers[0], numbers[1], numbers[2]);
+        if (length != 0.0F && std::abs(length - 1.0F) > 0.01F) return false;
+    }
+    return count > 0;
+}
 
 std::string stl_header(const MeshCounts& counts) {
     // A binary file must not begin with "solid", or programs take it for text.

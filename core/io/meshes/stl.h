@@ -5,6 +5,9 @@
 
 namespace ramus::io {
 
+// Whether it is text that begins with a solid, or a whole triangle follows a header of 80 bytes and a count.
+[[nodiscard]] bool is_stl(std::string_view head);
+
 [[nodiscard]] std::string stl_header(const MeshCounts& counts);
 void write_stl_facets(std::span<const glm::uvec3> triangles, const mesh::VertexSpan& vertices, BufferedFile& file);
 

@@ -11,6 +11,9 @@ namespace ramus::io {
 // What the other table may be called, the likeliest first. `nodes`: the file at `path` is the table of nodes.
 [[nodiscard]] std::vector<std::filesystem::path> partner_names(const std::filesystem::path& path, bool nodes);
 
+// Whether the first line names columns of nodes or of edges.
+[[nodiscard]] bool is_csv_pair(std::string_view head);
+
 // Fails also when the other table is missing, or when `input` has no place where it could lie.
 [[nodiscard]] Result<ImportedTree> parse_csv_pair(const TreeInput& input);
 

@@ -127,6 +127,11 @@ std::vector<fs::path> partner_names(const fs::path& path, bool nodes) {
     return paths;
 }
 
+bool is_csv_pair(std::string_view head) {
+    const auto columns = columns_in(head, {});
+    return columns && (has_nodes(node_columns(*columns, {})) || has_edges(edge_columns(*columns, {})));
+}
+
 Result<ImportedTree> parse_csv_pair(const TreeInput& input) {
     RAMUS_TRY(columns, columns_in(input.text, input.name));
     const bool is_nodes = has_nodes(node_columns(columns, input.options));

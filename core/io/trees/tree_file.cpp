@@ -3,6 +3,7 @@
 #include "core/io/inflate.h"
 #include "core/io/input_file.h"
 #include "core/io/output_file.h"
+#include "core/io/recognise.h"
 #include "core/io/text_numbers.h"
 #include "core/io/trees/amira.h"
 #include "core/io/trees/csv_pair.h"
@@ -16,7 +17,6 @@
 #include "core/io/trees/vmv.h"
 #include "core/io/trees/voreen.h"
 #include "core/io/trees/vtk.h"
-#include "core/io/volumes/volume_file.h"
 
 #include <system_error>
 
@@ -24,9 +24,15 @@ namespace ramus::io {
 
 namespace {
 
-tl::unexpected<Error> is_a_volume(const std::string& name) {
-    return fail("this is a volume, where a vessel tree is needed", name,
-                "ramus mesh --method iso makes the surface of a mask");
+tl::unexpected<Error> no_tree(const Recognised& found, const std::filesystem::path& path) {
+    if (found.volume != nullptr)
+        return fail("this is a volume, where a vessel tree is needed", path.string(),
+                    "ramus mesh --method iso makes the surface of a mask");
+    if (found.mesh != nullptr)
+        return fail("this is a surface mesh, where a vessel tree is needed", path.string(),
+                    "ramus compare and ramus render --context take meshes; trees are " + readable_tree_extensions());
+    return fail("files of type '" + path.extension().string() + "' cannot be read", path.string(),
+                "use " + readable_tree_extensions());
 }
 
 Result<tree::VesselTree> parse(const TreeFormat& format, const TreeInput& input) {
@@ -36,20 +42,14 @@ Result<tree::VesselTree> parse(const TreeFormat& format, const TreeInput& input)
     return tree;
 }
 
-// Of "liver.swc.gz" what "liver.swc" is called.
-std::filesystem::path without_gz(const std::filesystem::path& path) {
-    return lower_case(path.extension().string()) == ".gz" ? std::filesystem::path(path).replace_extension() : path;
-}
-
 Result<tree::VesselTree> read_any(const std::filesystem::path& path, const ReadOptions& options) {
     const std::string name = path.string();
-    const std::filesystem::path plain_path = without_gz(path);
-    // By its name, before gigabytes are read for nothing.
-    if (format_by_name(tree_formats(), plain_path) == nullptr && is_volume(path)) {
+    // Before gigabytes are read for nothing.
+    if (const Recognised begins = recognised(path); begins && begins.tree == nullptr) {
         std::error_code error;
-        if (std::filesystem::is_directory(path, error)) return is_a_volume(name);
-        if (auto possible = check_input(path); !possible) return tl::unexpected(possible.error());
-        return is_a_volume(name);
+        const bool is_folder = std::filesystem::is_directory(path, error);
+        if (auto possible = check_input(path); !possible && !is_folder) return tl::unexpected(possible.error());
+        return no_tree(begins, path);
     }
     // What is wrong with the file itself comes before what is wrong with its name.
     RAMUS_TRY(text, read_file(path));
@@ -57,11 +57,8 @@ Result<tree::VesselTree> read_any(const std::filesystem::path& path, const ReadO
         RAMUS_TRY(plain, inflated(text, inflation_limit(text.size()), name));
         text = std::move(plain);
     }
-    const TreeFormat* format = find_format(tree_formats(), text, plain_path);
-    if (format != nullptr && is_read(*format)) return parse(*format, {text, name, options, path});
-    if (find_format(volume_formats(), text, path) != nullptr) return is_a_volume(name);
-    return fail("files of type '" + path.extension().string() + "' cannot be read", name,
-                "use " + readable_tree_extensions());
+    const Recognised found = recognised(text, path);
+    return found.tree != nullptr ? parse(*found.tree, {text, name, options, path}) : no_tree(found, path);
 }
 
 const TreeFormat* written_format(const std::filesystem::path& file) {
@@ -79,6 +76,7 @@ std::vector<TreeFormat> formats_of_curves_and_graphs() {
         {{.name = "VMV",
           .extensions = {".vmv"},
           .has_signature = is_vmv,
+          .certainty = Certainty::kHeader,
           .help = "Vertices and strands of VessMorphoVis, as text."},
          parse_vmv,
          write_vmv},
@@ -90,11 +88,13 @@ std::vector<TreeFormat> formats_of_curves_and_graphs() {
         {{.name = "Voreen vessel graph",
           .extensions = {".vvg"},
           .has_signature = is_voreen,
+          .certainty = Certainty::kHeader,
           .help = "Nodes and edges with the voxels of their skeletons, as JSON."},
          parse_voreen},
         {{.name = "3D Slicer markups",
           .extensions = {".mrk.json"},
           .has_signature = is_markups,
+          .certainty = Certainty::kHeader,
           .states_unit = true,
           .states_orientation = true,
           .help = "Curves with a measurement of their radius, as Extract Centerline makes them."},
@@ -107,18 +107,22 @@ std::vector<TreeFormat> formats_of_nodes_and_edges() {
     return {
         {{.name = "CSV pair",
           .extensions = {".csv"},
+          .has_signature = is_csv_pair,
+          .certainty = Certainty::kLikeness,
           .help = "A table of nodes and one of edges beside it, as VesselVio and VesselGraph write them."},
          parse_csv_pair,
          write_csv_pair},
         {{.name = "GraphML",
           .extensions = {".graphml"},
           .has_signature = is_graphml,
+          .certainty = Certainty::kHeader,
           .help = "Nodes with positions and edges with radii, as VesselVio writes them."},
          parse_graphml,
          write_graphml},
         {{.name = "GXL",
           .extensions = {".gxl", ".xml"},
           .has_signature = is_gxl,
+          .certainty = Certainty::kHeader,
           .help = "Synthetic trees of VascuSynth and OpenCCO."},
          parse_gxl},
     };
@@ -128,12 +132,17 @@ std::vector<TreeFormat> formats_of_nodes_and_edges() {
 
 const std::vector<TreeFormat>& tree_formats() {
     static const std::vector<TreeFormat> table = {
-        {{.name = "SWC", .extensions = {".swc"}, .help = "One point a line: id, type, x, y, z, radius, parent."},
+        {{.name = "SWC",
+          .extensions = {".swc"},
+          .has_signature = is_swc,
+          .certainty = Certainty::kLikeness,
+          .help = "One point a line: id, type, x, y, z, radius, parent."},
          parse_swc,
          write_swc},
         {{.name = "ramus JSON",
           .extensions = {".json"},
           .has_signature = is_tree_json,
+          .certainty = Certainty::kHeader,
           .states_unit = true,
           .states_orientation = true,
           .help = "Points, branches, labels and repairs of any network, without loss."},
@@ -142,12 +151,14 @@ const std::vector<TreeFormat>& tree_formats() {
         {{.name = "VTK PolyData",
           .extensions = {".vtp"},
           .has_signature = is_vtk_poly_data,
+          .certainty = Certainty::kHeader,
           .help = "Centerlines of VMTK, Slicer, SimVascular: polylines with an array of radii."},
          parse_vtk_xml,
          write_vtp},
         {{.name = "VTK unstructured grid",
           .extensions = {".vtu"},
           .has_signature = is_vtk_unstructured_grid,
+          .certainty = Certainty::kHeader,
           .help = "Cells that are lines, with an array of radii."},
          parse_vtk_xml},
         {{.name = "Legacy VTK",
@@ -158,6 +169,7 @@ const std::vector<TreeFormat>& tree_formats() {
         {{.name = "TubeTK",
           .extensions = {".tre"},
           .has_signature = is_tre,
+          .certainty = Certainty::kHeader,
           .states_orientation = true,
           .help = "Tubes of ITK and TubeTK, with parents, arteries and veins."},
          parse_tre},
@@ -193,10 +205,8 @@ Result<tree::VesselTree> parse_tree(std::string_view text, const std::string& na
         plain = std::move(bytes);
         text = plain;
     }
-    const TreeFormat* format = find_format(tree_formats(), text, without_gz(name));
-    if (format == nullptr || !is_read(*format))
-        return fail("this is no vessel tree", name, "use " + readable_tree_extensions());
-    return parse(*format, {text, name, options, {}});
+    const Recognised found = recognised(text, name);
+    return found.tree != nullptr ? parse(*found.tree, {text, name, options, {}}) : no_tree(found, name);
 }
 
 Result<void> check_tree_output(const std::filesystem::path& file) {

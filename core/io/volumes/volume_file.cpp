@@ -1,14 +1,12 @@
 #include "core/io/volumes/volume_file.h"
 
-#include "core/io/trees/tree_file.h"
+#include "core/io/recognise.h"
 #include "core/io/volumes/dicom/dicom_reader.h"
 #include "core/io/volumes/meta_image_reader.h"
 #include "core/io/volumes/nifti_reader.h"
 #include "core/io/volumes/nrrd_reader.h"
 #include "core/io/volumes/volume_unit.h"
 
-#include <algorithm>
-#include <fstream>
 #include <new>
 #include <system_error>
 
@@ -16,32 +14,26 @@ namespace ramus::io {
 
 namespace {
 
-// The format that a folder has; null: it is none, or holds no volume.
-const VolumeFormat* folder_format(const std::filesystem::path& path) {
-    std::error_code error;
-    if (!std::filesystem::is_directory(path, error)) return nullptr;
-    for (const VolumeFormat& format : volume_formats())
-        if (format.is_folder != nullptr && format.is_folder(path)) return &format;
-    return nullptr;
-}
-
 Result<volume::Volume> read_any(const std::filesystem::path& path, const ReadVolumeOptions& options, Job& job) {
-    if (const VolumeFormat* format = folder_format(path)) return format->read_folder(path, options, job);
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error))
+        if (const VolumeFormat* format = recognised(path).volume) return format->read_folder(path, options, job);
     RAMUS_TRY(source, ByteSource::open(path));
     const std::string extensions = readable_volume_extensions();
-    const VolumeFormat* format = find_format(volume_formats(), source.head(), path);
+    const Recognised found = recognised(source.head(), path);
+    const VolumeFormat* format = found.volume;
     // A name alone does not make a volume that can be read.
-    if (format != nullptr && is_read(*format) && format->has_signature(source.head()))
-        return format->read(source, options, job);
+    if (format != nullptr && found.by_content) return format->read(source, options, job);
     if (format != nullptr && !is_read(*format))
         return fail("this is half of a " + std::string(format->name), source.name(),
                     "convert the pair to one file: " + extensions);
     if (format != nullptr)
         return fail("this is no " + std::string(format->name) + " file, or it is damaged", source.name(),
                     "name a segmentation mask or a scan as " + extensions);
-    if (find_format(tree_formats(), source.head(), path) != nullptr)
-        return fail("this is a vessel tree, where a segmentation mask is needed", source.name(),
-                    "name a file as " + extensions);
+    if (found)
+        return fail(std::string("this is a ") + (found.tree != nullptr ? "vessel tree" : "surface mesh") +
+                        ", where a segmentation mask is needed",
+                    source.name(), "name a file as " + extensions);
     return fail("this is no volume that can be read, or it is damaged", source.name(),
                 "name a segmentation mask or a scan as " + extensions);
 }
@@ -53,6 +45,7 @@ const std::vector<VolumeFormat>& volume_formats() {
         {{.name = "NIfTI",
           .extensions = {".nii", ".nii.gz"},
           .has_signature = is_nifti,
+          .certainty = Certainty::kHeader,
           .states_unit = true,
           .states_orientation = true,
           .help = "NIfTI-1 and NIfTI-2 in one file, compressed or not."},
@@ -71,6 +64,7 @@ const std::vector<VolumeFormat>& volume_formats() {
         {{.name = "MetaImage",
           .extensions = {".mha", ".mhd"},
           .has_signature = is_meta_image,
+          .certainty = Certainty::kHeader,
           .states_unit = true,
           .states_orientation = true,
           .help = "A header of fields, and values behind it or in another file, compressed or not."},
@@ -90,20 +84,11 @@ const std::vector<VolumeFormat>& volume_formats() {
 
 std::string readable_volume_extensions() { return listed(readable_extensions(volume_formats())); }
 
-bool names_volume(const std::filesystem::path& path) { return format_by_name(volume_formats(), path) != nullptr; }
-
-bool is_volume(const std::filesystem::path& path) {
-    if (names_volume(path) || folder_format(path) != nullptr) return true;
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) return false; // pipes can be read but once
-    std::string head(kHeadBytes, '\0');
-    std::ifstream file(path, std::ios::binary);
-    file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(file.gcount()));
-    return std::ranges::any_of(volume_formats(), [&](const VolumeFormat& format) {
-        return format.has_signature != nullptr && format.has_signature(head);
-    });
+bool names_volume(const std::filesystem::path& path) {
+    return format_by_name(volume_formats(), without_gz(path)) != nullptr;
 }
+
+bool is_volume(const std::filesystem::path& path) { return recognised(path).volume != nullptr; }
 
 Result<volume::Volume> read_volume(const std::filesystem::path& path, const ReadVolumeOptions& options, Job& job) {
     try {

@@ -40,8 +40,7 @@ struct VolumeFormat : FileFormat {
 // Whether the name is that of a volume, read or not.
 [[nodiscard]] bool names_volume(const std::filesystem::path& path);
 
-// Whether there is a volume at `path`: by its name, or by its content, as with a folder of DICOM files and with those
-// files, whose names tell little.
+// Whether there is a volume at `path`: a file, or a folder of DICOM files (core/io/recognise.h).
 [[nodiscard]] bool is_volume(const std::filesystem::path& path);
 
 // The volume in `path`, in mm, RAS. The content of the file says which format it has. Where it states no unit of

@@ -171,7 +171,7 @@ TEST_CASE("MetaImage slope and intercept, and headers that make no sense") {
     const auto with = [&](const char* field, const char* value) {
         return files.refusal(MetaText().set(field, value).bytes());
     };
-    CHECK(holds(with("ObjectType", "Tube"), "another kind: Tube"));
+    CHECK(holds(with("ObjectType", "Landmark"), "another kind: Landmark"));
     CHECK(holds(with("NDims", "0"), "1 to 10"));
     CHECK(holds(with("DimSize", ""), "one for each axis"));
     CHECK(holds(with("DimSize", "2 3 4 5"), "one for each axis"));

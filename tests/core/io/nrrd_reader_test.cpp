@@ -1,5 +1,6 @@
 // NRRD as its format description has it: every type, byte order, encoding and way to say where voxels lie; and what is
 // refused.
+#include "core/io/recognise.h"
 #include "core/io/volumes/volume_file.h"
 #include "tests/support/volume_files.h"
 
@@ -214,7 +215,7 @@ TEST_CASE("NRRD values in another file, behind lines and bytes that are not thei
     Job job;
     auto memory = io::ByteSource::of_memory(file.bytes(), "fuzz");
     REQUIRE(memory);
-    const auto format = io::find_format(io::volume_formats(), memory->head(), "fuzz");
+    const auto* format = io::recognised(memory->head(), "fuzz").volume;
     REQUIRE(format != nullptr);
     CHECK(holds(format->read(*memory, {}, job).error().what, "in another file"));
 }

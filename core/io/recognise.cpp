@@ -1,0 +1,88 @@
+#include "core/io/recognise.h"
+
+#include "core/io/meshes/mesh_file.h"
+#include "core/io/trees/tree_file.h"
+#include "core/io/volumes/byte_stage.h"
+#include "core/io/volumes/volume_file.h"
+
+#include <system_error>
+#include <utility>
+
+namespace ramus::io {
+
+namespace {
+
+// Gives `visit` the formats of all tables that are read, or known by their content, with what each is recognised as.
+template <class Visit> void for_each_known(const Visit& visit) {
+    for (const TreeFormat& format : tree_formats())
+        if (is_read(format)) visit(format, Recognised{&format, nullptr, nullptr, false});
+    for (const VolumeFormat& format : volume_formats()) visit(format, Recognised{nullptr, &format, nullptr, false});
+    for (const MeshFormat& format : mesh_formats())
+        if (is_read(format)) visit(format, Recognised{nullptr, nullptr, &format, false});
+}
+
+Recognised by_content(std::string_view head, Certainty certainty) {
+    Recognised found;
+    for_each_known([&](const FileFormat& format, const Recognised& as) {
+        if (found || format.certainty != certainty || format.has_signature == nullptr) return;
+        if (format.has_signature(head)) found = as, found.by_content = true;
+    });
+    return found;
+}
+
+// Of several extensions the longest: ".mrk.json" says more than ".json".
+Recognised by_name(const std::filesystem::path& name) {
+    const std::filesystem::path plain = without_gz(name);
+    Recognised found;
+    std::size_t longest = 0;
+    for_each_known([&](const FileFormat& format, const Recognised& as) {
+        if (const std::size_t length = extension_length(plain, format); length > longest) found = as, longest = length;
+    });
+    return found;
+}
+
+Recognised folder_at(const std::filesystem::path& path) {
+    for (const VolumeFormat& format : volume_formats())
+        if (format.is_folder != nullptr && format.is_folder(path)) return {nullptr, &format, nullptr, true};
+    return {};
+}
+
+// Empty: it cannot be read.
+std::string head_of(const std::filesystem::path& path) {
+    auto stage = file_stage(path);
+    std::string head(kHeadBytes, '\0');
+    if (stage) head.resize((*stage)->read(head.data(), head.size()).value_or(0));
+    if (!stage || !head.starts_with("\x1f\x8b")) return stage ? head : std::string();
+    stage = inflate_stage(std::move(head), std::move(*stage));
+    head.assign(kHeadBytes, '\0');
+    head.resize((*stage)->read(head.data(), head.size()).value_or(0));
+    return head;
+}
+
+} // namespace
+
+Recognised recognised(std::string_view head, const std::filesystem::path& name) {
+    head = head.substr(0, kHeadBytes);
+    for (const Certainty certainty : {Certainty::kMark, Certainty::kHeader})
+        if (const Recognised found = by_content(head, certainty)) return found;
+    if (const Recognised found = by_name(name)) return found;
+    return by_content(head, Certainty::kLikeness);
+}
+
+Recognised recognised(const std::filesystem::path& path) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) return folder_at(path);
+    if (!std::filesystem::is_regular_file(path, error)) return by_name(path);
+    return recognised(head_of(path), path);
+}
+
+std::vector<const FileFormat*> recognition_order() {
+    std::vector<const FileFormat*> order;
+    for (const Certainty certainty : {Certainty::kMark, Certainty::kHeader, Certainty::kLikeness})
+        for_each_known([&](const FileFormat& format, const Recognised&) {
+            if (format.certainty == certainty && format.has_signature != nullptr) order.push_back(&format);
+        });
+    return order;
+}
+
+} // namespace ramus::io
