@@ -104,8 +104,8 @@ private:
                 if (array.is_there) arrays.push_back(&array), names.push_back(array.name);
             }
         const auto chosen = choose_width(names, input_.options);
-        static const AmiraArray kNoWidths{};
-        graph.width_array = &kNoWidths;
+        static const AmiraArray no_widths{};
+        graph.width_array = &no_widths;
         if (!chosen && input_.options.radius_mm) return {};
         if (!chosen)
             return fail("no array gives the radius: there is " + (list.empty() ? "none" : list), name_,
