@@ -62,7 +62,7 @@ io::ReadOptions reading_in(const json& value) {
         for (const auto& [what, name] : value["columns"].items()) reading.columns[what] = text(name, "column " + what);
     }
     if (value.contains("radius_mm"))
-        reading.radius_mm = number(value["radius_mm"], "radius_mm", 1e-6, tree::kMaximumRadius);
+        reading.radius_mm = number(value["radius_mm"], "radius_mm", kLeastRadius, tree::kMaximumRadius);
     read_mask(value, reading.mask);
     return reading;
 }

@@ -16,8 +16,6 @@ namespace {
 using tree::Note;
 using tree::Repair;
 
-constexpr double kLeastRadius = 1e-6; // mm
-
 constexpr std::array kTopics{std::pair{"units", "Unit of length"},
                              std::pair{"axes", "Orientation"},
                              std::pair{"radius-is", "Radius or diameter"},

@@ -18,6 +18,8 @@ namespace ramus::app {
 [[nodiscard]] std::string_view spelled(io::RadiusIs width);                    // "radius", "diameter"
 [[nodiscard]] std::optional<io::RadiusIs> width_in(std::string_view text);
 
+inline constexpr double kLeastRadius = 1e-6; // mm, that all points of a tree can be given
+
 // `options` with one of them changed. Keys: units, radius-is, radius, orientation (axes is its older name), repair, and
 // those of masks (mask_reading.h); "auto" leaves the answer to the file, or to what is usual. Fails with what the key
 // takes.

@@ -6,11 +6,11 @@ Usage: contacts.py PROGRAM TREE[*FACTOR][@DETAIL]... [--runs N]; trees are SWC f
 
 import argparse
 import json
-import os
 import statistics
-import subprocess
 import tempfile
 from pathlib import Path
+
+from measured import measured
 
 
 def scaled(tree, factor, folder):
@@ -26,17 +26,6 @@ def scaled(tree, factor, folder):
     return path
 
 
-def measured(command):
-    """Seconds of processor time, peak MB, and the JSON that was printed."""
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as process:
-        text = process.stdout.read()
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = status
-    if status != 0:
-        raise SystemExit(f"failed: {' '.join(map(str, command))}")
-    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1000.0, json.loads(text)
-
-
 def row(program, argument, runs, folder):
     name, _, detail = argument.partition("@")
     name, _, factor = name.partition("*")
@@ -46,14 +35,14 @@ def row(program, argument, runs, folder):
     for _ in range(runs):
         ours.append(measured(command))
         plain.append(measured([*command, "--blend", "paper"]))
-    apart, paper = (statistics.median(result[0] for result in results) for results in (ours, plain))
-    report, before = ours[0][2], plain[0][2]
+    apart, paper = (statistics.median(result[1] for result in results) for results in (ours, plain))
+    report, before = json.loads(ours[0][3]), json.loads(plain[0][3])
     asked = report["tree"]
     differs = [report[what] - asked[what] for what in ("components", "loops")]
     title = tree.stem.replace("_", " ") + (f", radii x {factor}" if factor else "")
     print(f"| {title} | {detail or 16} "
-          f"| {report['triangles'] / 1e6:.2f} | {apart:.1f} | {apart / paper:.2f}x | {ours[0][1]:.0f} "
-          f"| {ours[0][1] / plain[0][1]:.2f}x | {before['loops'] - asked['loops']} | {report['cut_loops']} "
+          f"| {report['triangles'] / 1e6:.2f} | {apart:.1f} | {apart / paper:.2f}x | {ours[0][2]:.0f} "
+          f"| {ours[0][2] / plain[0][2]:.2f}x | {before['loops'] - asked['loops']} | {report['cut_loops']} "
           f"| {report['intersections']['found']:,} | {differs[0]} {differs[1]} {report['intersections']['left']} |",
           flush=True)
 

@@ -80,22 +80,20 @@ class Recognition(CommandLineTest):
                 if f"{kind}/{path.name}" not in NAMELESS:
                     yield kind, path
 
-    def test_trees(self):
-        for extension, path in self.corpus(TREES):
-            with self.subTest(path=path):
-                self.check_same(path.read_bytes(), extension, self.ask_tree)
-
-    def test_volumes(self):
-        for extension, path in self.corpus(VOLUMES):
+    def check_corpus(self, kinds, ask):
+        for extension, path in self.corpus(kinds):
             with self.subTest(path=path):
                 plain = path.read_bytes()
-                self.check_same(gzip.decompress(plain) if plain[:2] == b"\x1f\x8b" else plain, extension,
-                                self.ask_volume)
+                self.check_same(gzip.decompress(plain) if plain[:2] == b"\x1f\x8b" else plain, extension, ask)
+
+    def test_trees(self):
+        self.check_corpus(TREES, self.ask_tree)
+
+    def test_volumes(self):
+        self.check_corpus(VOLUMES, self.ask_volume)
 
     def test_meshes(self):
-        for extension, path in self.corpus(MESHES):
-            with self.subTest(path=path):
-                self.check_same(path.read_bytes(), extension, self.ask_mesh)
+        self.check_corpus(MESHES, self.ask_mesh)
 
     def test_headers_whose_values_lie_in_another_file(self):
         for extension, path in self.corpus(DETACHED):

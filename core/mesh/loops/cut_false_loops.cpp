@@ -97,8 +97,11 @@ CutLoops cut_false_loops(TriangleMesh& mesh, const tree::PreparedTree& tree, con
         if (!boxes) boxes.emplace(mesh);
         return SurfaceParts(mesh, *boxes, near, rest);
     };
+    const auto look_at = [&](float begin, float end, const std::vector<std::uint32_t>& triangles) {
+        if (!triangles.empty()) look(begin, end, divided(triangles).parts());
+    };
     const auto look_around = [&](float begin, float end, const SurfaceParts& near) {
-        look(begin, end, divided(triangles_around(mesh, *boxes, on_loops(near))).parts());
+        look_at(begin, end, triangles_around(mesh, *boxes, on_loops(near)));
     };
     if (others > 0) look(0.0F, 0.3F, at_walls.parts());
     if (others > 0) { // caps, whose triangles come later, connect nothing
@@ -109,7 +112,7 @@ CutLoops cut_false_loops(TriangleMesh& mesh, const tree::PreparedTree& tree, con
             const SurfaceParts joints = divided(between, Rest::kLoops);
             look_around(0.5F, 0.6F, joints);
             // Within a branch: one that bends until it touches itself.
-            if (others > 0) look(0.6F, 0.7F, divided(joints.rest_with_loops()).parts());
+            if (others > 0) look_at(0.6F, 0.7F, joints.rest_with_loops());
         }
         if (others > 0 && static_cast<std::size_t>(others) * mesh.triangles.size() <= kMostAsWhole)
             look(0.7F, 1.0F, std::vector{whole_part(mesh)});
