@@ -2,8 +2,8 @@
 
 #include "app/ratings/sheet_texts.h"
 #include "app/session/json_text.h"
+#include "core/io/binary_numbers.h"
 #include "core/io/output_file.h"
-#include "core/io/trees/binary_numbers.h"
 
 #include <nlohmann/json.hpp>
 #include <system_error>

@@ -1,7 +1,7 @@
 #include "app/reports/html.h"
 
 #include "app/session/numbers.h"
-#include "core/io/trees/binary_numbers.h"
+#include "core/io/binary_numbers.h"
 
 #include <algorithm>
 #include <array>

@@ -51,7 +51,7 @@ glm::dvec3 Orientation::to_file(const glm::dvec3& in_patient) const {
     glm::dvec3 there;
     for (int axis = 0; axis < 3; ++axis) {
         const double along = in_patient[line_of(side(axis))];
-        there[axis] = is_positive(side(axis)) ? along : -along;
+        there[axis] = is_positive(side(axis)) ? along : 0.0 - along; // no -0
     }
     return there;
 }
@@ -64,6 +64,31 @@ bool Orientation::mirrors() const {
         for (int b = a + 1; b < 3; ++b) odd ^= line_of(side(a)) > line_of(side(b));
     }
     return odd;
+}
+
+std::optional<Orientation> slicer_space(std::string_view letters) {
+    const auto named = Orientation::named(letters);
+    return named && std::ranges::find(kSlicerSpaces, *named) != kSlicerSpaces.end() ? named : std::nullopt;
+}
+
+std::string space_word(const Orientation& axes) { return "SPACE=" + axes.letters(); }
+
+std::optional<Orientation> space_in(std::string_view text) {
+    std::size_t first = std::string_view::npos;
+    std::optional<Orientation> said;
+    for (const Orientation& axes : kSlicerSpaces)
+        if (const std::size_t at = text.find(space_word(axes)); at < first) first = at, said = axes;
+    return said;
+}
+
+std::string axes_word(const Orientation& axes, const tree::Claims& claims) {
+    return claims.has_sides() ? axes.letters() : std::string(tree::kNotSaid);
+}
+
+Result<void> check_axes(const Orientation& axes, const tree::Claims& claims, const std::string& where) {
+    if (axes == Orientation::ras() || claims.has_sides()) return {};
+    return fail("nobody has said where the axes of the tree lead: they cannot be turned into " + axes.letters(), where,
+                "say it with --orientation, as RAS");
 }
 
 std::vector<Orientation> all_orientations() {

@@ -4,6 +4,9 @@
 // value is, mirrors() says: a left-handed one is never assumed, only taken when somebody has said all three letters.
 #pragma once
 
+#include "core/base/error.h"
+#include "core/tree/vessel_tree.h"
+
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -48,6 +51,20 @@ private:
     constexpr explicit Orientation(const std::array<Side, 3>& sides) : sides_(sides) {}
     std::array<Side, 3> sides_{Side::kRight, Side::kAnterior, Side::kSuperior};
 };
+
+// The axes that 3D Slicer's files may have, and the word that says so in the header of an STL file, in comments of PLY
+// and OBJ files and in the title of a legacy VTK file: "SPACE=LPS".
+inline constexpr std::array kSlicerSpaces{Orientation::ras(), Orientation::lps()};
+[[nodiscard]] std::optional<Orientation> slicer_space(std::string_view letters); // in any case
+[[nodiscard]] std::string space_word(const Orientation& axes);
+// The first such word in a text; none: it has none.
+[[nodiscard]] std::optional<Orientation> space_in(std::string_view text);
+
+// Whether what is taken as RAS can be written in these axes: fails on others than RAS of which nobody has said that it
+// is RAS; `where` is what the error names.
+[[nodiscard]] Result<void> check_axes(const Orientation& axes, const tree::Claims& claims, const std::string& where);
+// What a file in these axes says of them: "LPS"; tree::kNotSaid where nobody has said that the tree is RAS.
+[[nodiscard]] std::string axes_word(const Orientation& axes, const tree::Claims& claims);
 
 // The 48, RAS first, those that do not mirror before those that do.
 [[nodiscard]] std::vector<Orientation> all_orientations();

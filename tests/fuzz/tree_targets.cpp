@@ -2,7 +2,7 @@
 // ramus's own format.
 #include "core/io/inflate.h"
 #include "core/io/trees/tree_file.h"
-#include "core/io/trees/vtk_blocks.h"
+#include "core/io/vtk/vtk_blocks.h"
 #include "tests/fuzz/target.h"
 
 #include <array>

@@ -38,13 +38,15 @@ public:
         json_["asset"] = {{"version", "2.0"}, {"generator", "ramus " RAMUS_VERSION}};
         json_["scene"] = 0;
         json_["scenes"].push_back({{"name", names.name}, {"nodes", Json::array({0})}});
-        // (x, y, z) of RAS becomes (-x, z, y) / 1000: half a turn about (0, 1, 1).
+        // (x, y, z) of RAS becomes (-x, z, y) / 1000: half a turn about (0, 1, 1). That of LPS becomes (x, z, -y) /
+        // 1000: a quarter of a turn about x.
         const double half = std::sqrt(0.5);
-        nodes_.push_back(
-            {{"name", names.name},
-             {"rotation", {0.0, half, half, 0.0}},
-             {"scale", {0.001, 0.001, 0.001}},
-             {"extras", {{"units", names.claims.unit_word()}, {"orientation", names.claims.axes_word()}}}});
+        const bool ras = names.axes == Orientation::ras();
+        const std::string axes = axes_word(names.axes, names.claims);
+        nodes_.push_back({{"name", names.name},
+                          {"rotation", ras ? Json{0.0, half, half, 0.0} : Json{-half, 0.0, 0.0, half}},
+                          {"scale", {0.001, 0.001, 0.001}},
+                          {"extras", {{"units", names.claims.unit_word()}, {"orientation", axes}}}});
         add_views();
     }
 

@@ -7,9 +7,11 @@
 #include "core/io/meshes/obj.h"
 #include "core/io/meshes/ply.h"
 #include "core/io/meshes/stl.h"
+#include "core/io/meshes/vtk_surface.h"
 #include "core/io/meshes/vtp_surface.h"
 #include "core/io/output_file.h"
 #include "core/io/recognise.h"
+#include "core/io/vtk/vtk_dataset.h"
 #include "core/mesh/close_mesh.h"
 #include "core/tree/build_tree.h"
 
@@ -26,13 +28,13 @@ bool sensible(const glm::dvec3& p) {
     return true;
 }
 
-Result<mesh::TriangleMesh> triangles_of(const PolygonSoup& soup, const std::string& name) {
+Result<mesh::TriangleMesh> triangles_of(const PolygonSoup& soup, const Orientation& axes, const std::string& name) {
     mesh::TriangleMesh mesh;
     for (const glm::dvec3& p : soup.positions) {
         if (!sensible(p))
             return fail("a coordinate is not a number of mm that makes sense", name,
                         "check the unit and the program that wrote it");
-        mesh.positions.push_back(glm::vec3(p));
+        mesh.positions.push_back(glm::vec3(axes.to_patient(p)));
     }
     std::vector<glm::dvec3> corners;
     for (const auto& polygon : soup.polygons) {
@@ -42,6 +44,12 @@ Result<mesh::TriangleMesh> triangles_of(const PolygonSoup& soup, const std::stri
             mesh.triangles.push_back({polygon[t.x], polygon[t.y], polygon[t.z]});
     }
     return mesh;
+}
+
+void turn_into(const Orientation& axes, mesh::TriangleMesh& mesh) {
+    if (axes == Orientation::ras()) return;
+    for (auto* vectors : {&mesh.positions, &mesh.normals})
+        for (glm::vec3& vector : *vectors) vector = glm::vec3(axes.to_file(glm::dvec3(vector)));
 }
 
 Result<void> write_vtp_whole(const mesh::TriangleMesh& mesh, const MeshNames& names, const std::string& /*where*/,
@@ -67,7 +75,7 @@ const std::vector<MeshFormat>& mesh_formats() {
           .has_signature = is_stl,
           .certainty = Certainty::kLikeness,
           .help = "Binary; triangles with a normal each, for printing."},
-         [](auto text, const auto& name) { return parse_with_assimp(text, "stl", name); },
+         parse_stl,
          stl_header,
          write_stl_facets},
         {{.name = "OBJ",
@@ -81,16 +89,28 @@ const std::vector<MeshFormat>& mesh_formats() {
          {write_obj_positions, write_obj_normals}},
         {{.name = "VTP surface",
           .extensions = {".vtp"},
+          .has_signature = is_vtk_poly_data,
           .help = "PolyData of VTK: triangles with normals, radius, branch and system."},
-         nullptr,
+         parse_vtk_xml_surface,
          nullptr,
          nullptr,
          {},
          write_vtp_whole},
+        {{.name = "VTU surface",
+          .extensions = {".vtu"},
+          .has_signature = is_vtk_unstructured_grid,
+          .help = "Unstructured grid of VTK: its cells that are faces."},
+         parse_vtk_xml_surface},
+        {{.name = "Legacy VTK surface",
+          .extensions = {".vtk"},
+          .has_signature = is_vtk_legacy,
+          .help = "Polygons and triangle strips of VTK, as text or binary."},
+         parse_vtk_legacy_surface},
         {{.name = "GLB",
           .extensions = {".glb"},
+          .has_signature = is_glb,
           .help = "glTF 2.0 in binary, for browsers and Blender: a named, coloured object for each system or branch."},
-         nullptr,
+         parse_glb,
          nullptr,
          nullptr,
          {},
@@ -103,7 +123,7 @@ const std::vector<MeshFormat>& mesh_formats() {
 
 std::string MeshCounts::claims_text() const {
     return std::string(claims.has_unit() ? "mm" : "unit unknown") + ", " +
-           std::string(claims.has_sides() ? "RAS" : "orientation unknown");
+           (claims.has_sides() ? axes.letters() + "; " + space_word(axes) : "orientation unknown");
 }
 
 std::string readable_mesh_extensions() { return listed(readable_extensions(mesh_formats())); }
@@ -125,7 +145,7 @@ Result<const MeshFormat*> mesh_format(const std::filesystem::path& file) {
                 file.string(), "use " + writable_mesh_extensions());
 }
 
-Result<mesh::TriangleMesh> read_mesh(const std::filesystem::path& path, Holes holes) {
+Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const MeshReading& reading) {
     const std::string name = path.string();
     RAMUS_TRY(text, read_file(path, kMostMeshBytes));
     if (is_gzip(text)) {
@@ -137,23 +157,45 @@ Result<mesh::TriangleMesh> read_mesh(const std::filesystem::path& path, Holes ho
         return fail("a mesh is a file of type " + readable_mesh_extensions(), name, "convert it to one of these");
     if (text.empty()) return fail("the file is empty", name, "write it again");
     RAMUS_TRY(soup, found.mesh->parse(text, name));
-    RAMUS_TRY(loose, triangles_of(soup, name));
-    return holes == Holes::kAllowed ? mesh::tidy_mesh(std::move(loose), name)
-                                    : mesh::closed_mesh(std::move(loose), name);
+    MeshFile read;
+    read.stated = soup.orientation;
+    if (read.stated || reading.orientation) read.axes = read.stated ? tree::SaidBy::kFile : tree::SaidBy::kPerson;
+    const Orientation axes = read.stated.value_or(reading.orientation.value_or(Orientation::ras()));
+    RAMUS_TRY(loose, triangles_of(soup, axes, name));
+    RAMUS_TRY(tidied, reading.holes == Holes::kAllowed ? mesh::tidy_mesh(std::move(loose), name)
+                                                       : mesh::closed_mesh(std::move(loose), name));
+    read.mesh = std::move(tidied);
+    return read;
 }
 
-Result<void> write_mesh(const mesh::TriangleMesh& mesh, const std::filesystem::path& path, const MeshNames& names) {
+Result<mesh::TriangleMesh> read_mesh(const std::filesystem::path& path, Holes holes) {
+    RAMUS_TRY(read, read_mesh_file(path, {holes, {}}));
+    return std::move(read.mesh);
+}
+
+bool holds_mesh(const std::filesystem::path& path) {
+    const MeshFormat* format = format_by_name(mesh_formats(), path);
+    if (format == nullptr || !is_read(*format)) return false;
+    if (format->extensions.front().starts_with(".vt")) {
+        const auto text = read_file(path, kMostMeshBytes);
+        return text && is_vtk_surface(*text);
+    }
+    return true;
+}
+
+Result<void> write_mesh(mesh::TriangleMesh mesh, const std::filesystem::path& path, const MeshNames& names) {
     RAMUS_TRY(format, mesh_format(path));
     if (mesh.positions.size() > kMostInFile || mesh.triangles.size() > kMostInFile)
         return fail("the mesh has more triangles than its format can count", path.string(), "use a lower --detail");
     RAMUS_TRY(file, OutputFile::create(path));
+    turn_into(names.axes, mesh);
     if (has_names(*format)) {
         if (auto written = format->whole(mesh, names, path.string(), file); !written) return written;
         return file.commit();
     }
     const mesh::VertexSpan vertices = vertices_of(mesh);
     file.write(format->header({mesh.positions.size(), mesh.triangles.size(), !mesh.normals.empty(), !mesh.radii.empty(),
-                               !mesh.branches.empty(), names.claims}));
+                               !mesh.branches.empty(), names.claims, names.axes}));
     for (const auto write : format->vertices)
         if (write != nullptr) write(vertices, file);
     format->triangles(mesh.triangles, vertices, file);

@@ -1,6 +1,7 @@
 // Triangle meshes from and to files: the formats, one row each, and the functions that read and write them all. A new
-// format is a pair of files beside this and a row in mesh_file.cpp. Coordinates are mm, RAS. Arrays that a mesh lacks
-// are left out of what is written; the same mesh gives the same bytes.
+// format is a pair of files beside this and a row in mesh_file.cpp. Coordinates are mm, RAS, in memory, and in files
+// unless they say otherwise as 3D Slicer's do: SPACE=LPS. Arrays that a mesh lacks are left out of what is written; the
+// same mesh gives the same bytes.
 //
 // What is read is tidied: polygons are cut into triangles, vertices at one position become one, triangles without an
 // area go, and all triangles are turned the same way round, outward. Then every edge must have exactly two triangles: a
@@ -11,6 +12,7 @@
 #include "core/io/buffered_file.h"
 #include "core/io/file_format.h"
 #include "core/io/meshes/mesh_names.h"
+#include "core/io/orientation.h"
 #include "core/mesh/triangle_mesh.h"
 
 #include <array>
@@ -18,6 +20,7 @@
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,14 +34,17 @@ inline constexpr std::uint64_t kMostInFile = std::numeric_limits<std::int32_t>::
 struct PolygonSoup {
     std::vector<glm::dvec3> positions;
     std::vector<std::vector<std::uint32_t>> polygons; // every index is that of a position
+    std::optional<Orientation> orientation;           // of the positions, where the file states it; none mirrors
 };
 
 // What a mesh file has.
 struct MeshCounts {
     std::uint64_t vertices = 0, triangles = 0;
     bool normals = true, radii = true, branches = true;
-    tree::Claims claims = {};                      // of the tree that it is the surface of
-    [[nodiscard]] std::string claims_text() const; // "mm, RAS", as far as that is known
+    tree::Claims claims = {}; // of the tree that it is the surface of
+    Orientation axes = {};    // that the vertices are written in
+    // "mm, RAS; SPACE=RAS", as far as that is known: for people, and for 3D Slicer.
+    [[nodiscard]] std::string claims_text() const;
 };
 
 struct MeshFormat : FileFormat {
@@ -81,13 +87,30 @@ inline constexpr std::uintmax_t kMostMeshBytes = std::uintmax_t{256} << 20;
 // kAllowed: for meshes that are only looked at.
 enum class Holes : std::uint8_t { kRefused, kAllowed };
 
-// Positions, triangles and unit normals per vertex. The content of the file says which format it has, and where it does
-// not, the extension. Fails, with the file's name, on what is no such file, is damaged, too large, empty or open, and
-// on coordinates that make no sense in mm.
+// What a person says about a mesh's file.
+struct MeshReading {
+    Holes holes = Holes::kRefused;
+    std::optional<Orientation> orientation; // of a file that does not state it: RAS or LPS; none: RAS is assumed
+};
+
+struct MeshFile {
+    mesh::TriangleMesh mesh;           // positions, triangles and unit normals per vertex; mm, RAS
+    std::optional<Orientation> stated; // by the file
+    tree::SaidBy axes = tree::SaidBy::kNobody;
+};
+
+// The content of the file says which format it has, and where it does not, the extension. Fails, with the file's name,
+// on what is no such file, is damaged, too large, empty or open, and on coordinates that make no sense in mm.
+[[nodiscard]] Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const MeshReading& reading);
+// The mesh alone.
 [[nodiscard]] Result<mesh::TriangleMesh> read_mesh(const std::filesystem::path& path, Holes holes = Holes::kRefused);
 
-// In the format of the extension. `names`: for formats that have a place for them.
-[[nodiscard]] Result<void> write_mesh(const mesh::TriangleMesh& mesh, const std::filesystem::path& file,
+// Whether a file of a mesh's name holds one: of VTK's formats, which trees have too, those without lines do.
+[[nodiscard]] bool holds_mesh(const std::filesystem::path& path);
+
+// In the format of the extension, in the axes of `names`, whose other members are for formats that have a place for
+// them. The mesh is turned into the axes in place: pass by std::move what is not needed any more.
+[[nodiscard]] Result<void> write_mesh(mesh::TriangleMesh mesh, const std::filesystem::path& file,
                                       const MeshNames& names = {});
 
 } // namespace ramus::io

@@ -2,6 +2,7 @@
 // system or branch, VTP arrays and the names of systems. A mesh file without it has triangles and nothing to call them.
 #pragma once
 
+#include "core/io/orientation.h"
 #include "core/tree/vessel_tree.h"
 
 #include <array>
@@ -30,6 +31,7 @@ struct MeshNames {
     std::vector<tree::System> systems; // of the tree; empty: none
     std::vector<Branch> branches;      // by branch id; empty: not known
     tree::Claims claims;               // of the tree that the surface is of
+    Orientation axes;                  // of the file; others than RAS only where the claims have sides
 };
 
 // Whether it names every branch that is in `vertex_branches`, and that has any.

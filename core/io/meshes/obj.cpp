@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace ramus::io {
@@ -45,6 +46,17 @@ void join_continued_lines(std::string& text) {
     }
 }
 
+// What the comments before the first vertex state.
+std::optional<Orientation> obj_orientation(std::string_view text) {
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find_first_of(kLineEnds));
+        if (says_shape(line)) break;
+        if (const auto axes = line.starts_with('#') ? space_in(line) : std::nullopt) return axes;
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+    }
+    return {};
+}
+
 } // namespace
 
 bool is_obj(std::string_view head) {
@@ -76,7 +88,9 @@ std::string obj_shape(std::string_view text) {
 }
 
 Result<PolygonSoup> parse_obj(std::string_view text, const std::string& name) {
-    return parse_with_assimp(obj_shape(text), "obj", name);
+    auto soup = parse_with_assimp(obj_shape(text), "obj", name);
+    if (soup) soup->orientation = obj_orientation(text);
+    return soup;
 }
 
 std::string obj_header(const MeshCounts& counts) { return "# ramus " RAMUS_VERSION ", " + counts.claims_text() + "\n"; }

@@ -1,5 +1,6 @@
 // OBJ: text, written with the shortest numbers that read back exactly, and with vertex normals. Of what is read,
-// vertices and faces alone are looked at: materials, pictures and other files that it names are not.
+// vertices and faces alone are looked at, and the comments before them, which may say SPACE=LPS, as 3D Slicer's do:
+// materials, pictures and other files that it names are not.
 #pragma once
 
 #include "core/io/meshes/mesh_file.h"

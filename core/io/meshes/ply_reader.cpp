@@ -82,6 +82,7 @@ struct Element {
 struct Header {
     Format format = Format::kText;
     std::vector<Element> elements;
+    std::optional<Orientation> orientation; // that a comment states
 };
 
 // Takes the header off `text`; nothing when it is none.
@@ -92,12 +93,13 @@ std::optional<Header> take_header(std::string_view& text) {
     for (int line_number = 0; !text.empty(); ++line_number) {
         const std::size_t end = text.find('\n');
         if (end == std::string_view::npos) return {};
-        split_words(text.substr(0, end), " \t\r", words);
+        const std::string_view line = text.substr(0, end);
+        split_words(line, " \t\r", words);
         text.remove_prefix(end + 1);
         if (line_number == 0) {
             if (words.size() != 1 || words[0] != "ply") return {};
         } else if (words.empty() || words[0] == "comment" || words[0] == "obj_info") {
-            continue;
+            if (!header.orientation) header.orientation = space_in(line);
         } else if (words[0] == "end_header") {
             return format ? std::optional(header) : std::nullopt;
         } else if (words[0] == "format" && words.size() == 3) {
@@ -138,6 +140,7 @@ Result<PolygonSoup> parse_ply(std::string_view text, const std::string& name) {
     if (!header) return damaged();
     Numbers numbers(text, header->format);
     PolygonSoup soup;
+    soup.orientation = header->orientation;
     for (const Element& element : header->elements) {
         if (element.properties.empty()) continue;
         if (element.count > numbers.bytes_left()) return damaged(); // a byte each at least

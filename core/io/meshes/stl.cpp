@@ -1,5 +1,7 @@
 #include "core/io/meshes/stl.h"
 
+#include "core/io/meshes/assimp_reader.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,13 +10,19 @@
 
 namespace ramus::io {
 
+namespace {
+
+constexpr std::size_t kStlHeader = 80; // bytes
+
+} // namespace
+
 bool is_stl(std::string_view head) {
     if (head.starts_with("solid") && head.find("facet") != std::string_view::npos) return true;
-    constexpr std::size_t kHeader = 80, kFacet = 50;
+    constexpr std::size_t kFacet = 50;
     std::uint32_t count = 0;
-    if (head.size() < kHeader + sizeof count + kFacet) return false;
-    std::memcpy(&count, head.data() + kHeader, sizeof count);
-    const std::string_view facets = head.substr(kHeader + sizeof count);
+    if (head.size() < kStlHeader + sizeof count + kFacet) return false;
+    std::memcpy(&count, head.data() + kStlHeader, sizeof count);
+    const std::string_view facets = head.substr(kStlHeader + sizeof count);
     for (std::size_t n = 0; n < std::min<std::size_t>(count, facets.size() / kFacet); ++n) {
         std::array<float, 12> numbers{}; // a normal, and the three corners
         std::memcpy(numbers.data(), facets.data() + n * kFacet, sizeof numbers);
@@ -25,10 +33,18 @@ bool is_stl(std::string_view head) {
     return count > 0;
 }
 
+Result<PolygonSoup> parse_stl(std::string_view text, const std::string& name) {
+    auto soup = parse_with_assimp(text, "stl", name);
+    // A text may have a longer line; binary files may begin like text.
+    const std::size_t line = std::min(text.substr(0, kHeadBytes).find('\n'), text.size());
+    if (soup) soup->orientation = space_in(text.substr(0, text.starts_with("solid") ? line : kStlHeader));
+    return soup;
+}
+
 std::string stl_header(const MeshCounts& counts) {
     // A binary file must not begin with "solid", or programs take it for text.
     std::string header = "ramus " RAMUS_VERSION ", " + counts.claims_text();
-    header.resize(80, ' ');
+    header.resize(kStlHeader, ' ');
     const auto count = static_cast<std::uint32_t>(counts.triangles);
     header.append(reinterpret_cast<const char*>(&count), sizeof count);
     return header;

@@ -1,7 +1,7 @@
 #include "core/io/meshes/vtp_surface.h"
 
 #include "core/io/meshes/mesh_file.h"
-#include "core/io/trees/vtk.h"
+#include "core/io/vtk/vtk_dataset.h"
 
 #include <bit>
 #include <cstddef>
@@ -53,10 +53,12 @@ private:
     std::vector<std::function<void(BufferedFile&)>> writers_;
 };
 
-void add_field_data(AppendedArrays& arrays, const std::vector<tree::System>& systems, const tree::Claims& claims) {
+void add_field_data(AppendedArrays& arrays, const MeshNames& of) {
+    const std::vector<tree::System>& systems = of.systems;
+    const std::string axes = axes_word(of.axes, of.claims);
     arrays.write_text("<FieldData>\n");
-    arrays.write_text(vtk_text_array(kVtkMark, {std::string(claims.unit_word()), std::string(claims.axes_word())}));
-    if (claims.has_sides()) arrays.write_text(vtk_text_array(kVtkSpace, {"RAS"}));
+    arrays.write_text(vtk_text_array(kVtkMark, {std::string(of.claims.unit_word()), axes}));
+    if (of.claims.has_sides()) arrays.write_text(vtk_text_array(kVtkSpace, {axes}));
     if (!systems.empty()) {
         std::vector<std::string> names;
         for (const tree::System& system : systems) names.push_back(system.name);
@@ -122,8 +124,8 @@ void write_vtp_surface(const mesh::TriangleMesh& mesh, const MeshNames& names, B
     AppendedArrays arrays;
     arrays.write_text("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
                       "header_type=\"UInt64\">\n<!-- ramus " RAMUS_VERSION ", " +
-                      MeshCounts{.claims = names.claims}.claims_text() + " -->\n<PolyData>\n");
-    add_field_data(arrays, names.systems, names.claims);
+                      MeshCounts{.claims = names.claims, .axes = names.axes}.claims_text() + " -->\n<PolyData>\n");
+    add_field_data(arrays, names);
     arrays.write_text("<Piece NumberOfPoints=\"" + std::to_string(mesh.positions.size()) +
                       "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
                       std::to_string(mesh.triangles.size()) + "\">\n");

@@ -10,7 +10,7 @@ namespace ramus::io {
 
 // Triangles; of points Normals, Radius (mm) and GroupIds (the branch, as VMTK names it), where the mesh has them; of
 // cells GroupIds and, of trees with systems, SystemId. Field data say the unit and the axes, and what the systems are
-// called, as in files of trees (core/io/trees/vtk.h).
+// called, as in files of trees (core/io/vtk/vtk_dataset.h).
 void write_vtp_surface(const mesh::TriangleMesh& mesh, const MeshNames& names, BufferedFile& file);
 
 } // namespace ramus::io

@@ -2,7 +2,7 @@
 // have, and the arrays behind it.
 #pragma once
 
-#include "core/io/trees/binary_numbers.h"
+#include "core/io/binary_numbers.h"
 #include "core/io/trees/imported_tree.h"
 
 #include <cstdint>

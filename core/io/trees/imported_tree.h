@@ -79,7 +79,7 @@ struct ImportedTree {
     // tree::Claims.
     void take_as_written(std::string_view unit_word = "mm", std::string_view axes_word = "RAS") {
         unit = unit_word == "mm" ? std::optional(LengthUnit{}) : std::nullopt;
-        orientation = axes_word == "RAS" ? std::optional(Orientation::ras()) : std::nullopt;
+        orientation = Orientation::named(axes_word); // none of tree::kNotSaid
         pieces_are_meant = true;
     }
 };

@@ -12,8 +12,9 @@ constexpr std::array<std::uint8_t, 3> kPlainVessel = {214, 69, 65};
 
 class MarkupsWriter {
 public:
-    MarkupsWriter(const tree::VesselTree& tree, OutputFile& output)
-        : tree_(tree), output_(output), unit_(tree.claims.has_unit()), sides_(tree.claims.has_sides()) {}
+    MarkupsWriter(const tree::VesselTree& tree, const Orientation& axes, OutputFile& output)
+        : tree_(tree), output_(output), unit_(tree.claims.has_unit()),
+          axes_(tree.claims.has_sides() ? axes : Orientation::ras()) {}
 
     void write() {
         output_.write("{\"@schema\": \"https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/"
@@ -53,14 +54,14 @@ private:
         const bool has_system = !tree_.systems.empty();
         const auto system = static_cast<std::size_t>(branch.system);
         const std::string name = (has_system ? tree_.systems[system].name : "Branch") + " " + std::to_string(number);
-        output_.write("{\"type\": \"Curve\", \"coordinateSystem\": \"" + std::string(sides_ ? "LPS\"" : "RAS\"") +
+        output_.write("{\"type\": \"Curve\", \"coordinateSystem\": \"" + axes_.letters() + "\"" +
                       (unit_ ? ", \"coordinateUnits\": \"mm\"" : "") + ", \"name\": " + mrk_quoted(name) +
                       ",\n\"controlPoints\": ");
         std::size_t id = 0;
         mrk_list(branch.points, [&](std::uint32_t point) {
-            const glm::dvec3& at = tree_.points[point].position;
+            const glm::dvec3 at = axes_.to_file(tree_.points[point].position);
             output_.write("\n{\"id\": \"" + std::to_string(++id) + "\", \"label\": \"\", \"position\": ");
-            mrk_numbers(sides_ ? std::array{0.0 - at.x, 0.0 - at.y, at.z} : std::array{at.x, at.y, at.z});
+            mrk_numbers(std::array{at.x, at.y, at.z});
             output_.write(", \"positionStatus\": \"defined\"}");
         });
         output_.write(",\n\"measurements\": [{\"name\": \"Radius\", \"enabled\": true, \"units\": \"" +
@@ -106,15 +107,16 @@ private:
     OutputFile& output_;
     // Slicer takes a file that says nothing for mm. It has no word for axes that lead nowhere known: numbers stand as
     // they are then, and "ramus" says so.
-    bool unit_, sides_;
+    bool unit_;
+    Orientation axes_;
 };
 
 } // namespace
 
 Result<void> write_markups(const tree::VesselTree& tree, const std::filesystem::path& file,
-                           const std::vector<std::string>& /*comments*/) {
+                           const std::vector<std::string>& /*comments*/, const Orientation& axes) {
     RAMUS_TRY(output, OutputFile::create(file));
-    MarkupsWriter(tree, output).write();
+    MarkupsWriter(tree, axes, output).write();
     return output.commit();
 }
 

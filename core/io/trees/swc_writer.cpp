@@ -1,3 +1,4 @@
+#include "core/io/input_file.h"
 #include "core/io/output_file.h"
 #include "core/io/text_numbers.h"
 #include "core/io/trees/swc.h"

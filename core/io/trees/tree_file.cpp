@@ -99,6 +99,9 @@ std::vector<TreeFormat> formats_of_curves_and_graphs() {
           .states_orientation = true,
           .help = "Curves with a measurement of their radius, as Extract Centerline makes them."},
          parse_markups,
+         [](const auto& tree, const auto& file, const auto& comments) {
+             return write_markups(tree, file, comments, Orientation::lps());
+         },
          write_markups},
     };
 }
@@ -154,6 +157,9 @@ const std::vector<TreeFormat>& tree_formats() {
           .certainty = Certainty::kHeader,
           .help = "Centerlines of VMTK, Slicer, SimVascular: polylines with an array of radii."},
          parse_vtk_xml,
+         [](const auto& tree, const auto& file, const auto& comments) {
+             return write_vtp(tree, file, comments, Orientation::ras());
+         },
          write_vtp},
         {{.name = "VTK unstructured grid",
           .extensions = {".vtu"},
@@ -209,17 +215,24 @@ Result<tree::VesselTree> parse_tree(std::string_view text, const std::string& na
     return found.tree != nullptr ? parse(*found.tree, {text, name, options, {}}) : no_tree(found, name);
 }
 
-Result<void> check_tree_output(const std::filesystem::path& file) {
-    if (written_format(file) == nullptr)
+Result<void> check_tree_output(const std::filesystem::path& file, const std::optional<Orientation>& axes) {
+    const TreeFormat* format = written_format(file);
+    if (format == nullptr)
         return fail("no tree format has the extension \"" + file.extension().string() + "\"", file.string(),
                     "use " + writable_tree_extensions());
+    if (axes && *axes != Orientation::ras() && format->write_in == nullptr)
+        return fail("files of this format cannot say that their axes are " + axes->letters(), file.string(),
+                    "use .vtp or .mrk.json, or RAS");
     return check_output(file);
 }
 
 Result<void> write_tree(const tree::VesselTree& tree, const std::filesystem::path& file,
-                        const std::vector<std::string>& comments) {
-    if (auto possible = check_tree_output(file); !possible) return possible;
-    return written_format(file)->write(tree, file, comments);
+                        const std::vector<std::string>& comments, const std::optional<Orientation>& axes) {
+    if (auto possible = check_tree_output(file, axes); !possible) return possible;
+    const TreeFormat& format = *written_format(file);
+    if (!axes || format.write_in == nullptr) return format.write(tree, file, comments);
+    if (auto known = check_axes(*axes, tree.claims, file.string()); !known) return known;
+    return format.write_in(tree, file, comments, *axes);
 }
 
 } // namespace ramus::io

@@ -29,6 +29,9 @@ struct TreeFormat : FileFormat {
     // `comments` stand at the head of formats that can hold them; null: it is not written.
     Result<void> (*write)(const tree::VesselTree&, const std::filesystem::path&,
                           const std::vector<std::string>& comments) = nullptr;
+    // The same in these axes, which the file states; null: it has no word for them that programs look for.
+    Result<void> (*write_in)(const tree::VesselTree&, const std::filesystem::path&,
+                             const std::vector<std::string>& comments, const Orientation& axes) = nullptr;
 };
 
 [[nodiscard]] inline bool is_read(const TreeFormat& format) { return format.parse != nullptr; }
@@ -50,11 +53,16 @@ struct TreeFormat : FileFormat {
 [[nodiscard]] Result<tree::VesselTree> parse_tree(std::string_view text, const std::string& name,
                                                   const ReadOptions& options = {});
 
-// Asked before long work starts: is there a format for this extension, and can a file be made there?
-[[nodiscard]] Result<void> check_tree_output(const std::filesystem::path& file);
+// Asked before long work starts: is there a format for this extension, which can state `axes`, and
+// can a file be made there?
+[[nodiscard]] Result<void> check_tree_output(const std::filesystem::path& file,
+                                             const std::optional<Orientation>& axes = {});
 
-// In the format of the extension. `comments` stand at the head of formats that can hold them.
+// In the format of the extension. `comments` stand at the head of formats that can hold them. `axes` (none: as usual
+// for the format, RAS but for 3D Slicer's curves): fails where the format cannot state them, and where nobody has said
+// where the tree's axes lead.
 [[nodiscard]] Result<void> write_tree(const tree::VesselTree& tree, const std::filesystem::path& file,
-                                      const std::vector<std::string>& comments = {});
+                                      const std::vector<std::string>& comments = {},
+                                      const std::optional<Orientation>& axes = {});
 
 } // namespace ramus::io

@@ -1,5 +1,5 @@
+#include "core/io/binary_numbers.h"
 #include "core/io/text_numbers.h"
-#include "core/io/trees/binary_numbers.h"
 #include "core/io/trees/tubetk.h"
 
 #include <algorithm>

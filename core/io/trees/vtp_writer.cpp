@@ -1,5 +1,5 @@
+#include "core/io/binary_numbers.h"
 #include "core/io/output_file.h"
-#include "core/io/trees/binary_numbers.h"
 #include "core/io/trees/vtk.h"
 
 #include <algorithm>
@@ -47,18 +47,18 @@ public:
     }
 
     void element(const char* name, const auto& write_arrays) {
-        output_.write("<" + std::string(name) + ">\n");
+        output_.write(std::string("<").append(name).append(">\n"));
         whole_ = std::string_view(name) == "FieldData";
         write_arrays();
-        output_.write("</" + std::string(name) + ">\n");
+        output_.write(std::string("</").append(name).append(">\n"));
     }
 
     void write(std::string_view text) { output_.write(text); }
 
 private:
     void open(std::string_view element, std::string_view type, std::string_view name) {
-        output_.write("<" + std::string(element) + " type=\"" + std::string(type) + "\" Name=\"" + std::string(name) +
-                      "\"");
+        output_.write(std::string("<").append(element).append(" type=\"").append(type).append("\" Name=\""));
+        output_.write(std::string(name).append("\""));
     }
 
     OutputFile& output_;
@@ -89,9 +89,10 @@ template <class Value> std::vector<std::int32_t> by_branch(const tree::VesselTre
     return values;
 }
 
-void write_fields(VtpWriter& vtp, const tree::VesselTree& tree) {
-    vtp.texts(kVtkMark, {std::string(tree.claims.unit_word()), std::string(tree.claims.axes_word())});
-    if (tree.claims.has_sides()) vtp.texts(kVtkSpace, {"RAS"});
+void write_fields(VtpWriter& vtp, const tree::VesselTree& tree, const Orientation& axes) {
+    const std::string said = axes_word(axes, tree.claims);
+    vtp.texts(kVtkMark, {std::string(tree.claims.unit_word()), said});
+    if (tree.claims.has_sides()) vtp.texts(kVtkSpace, {said});
     vtp.array("Int64", kVtkRoots, std::vector<std::int64_t>(tree.roots.begin(), tree.roots.end()));
     if (tree.systems.empty()) return;
     std::vector<std::string> names;
@@ -128,11 +129,13 @@ void write_cell_data(VtpWriter& vtp, const tree::VesselTree& tree) {
     });
 }
 
-void write_geometry(VtpWriter& vtp, const tree::VesselTree& tree) {
+void write_geometry(VtpWriter& vtp, const tree::VesselTree& tree, const Orientation& axes) {
     vtp.element("Points", [&] {
         std::vector<double> positions;
-        for (const tree::Point& point : tree.points)
-            positions.insert(positions.end(), {point.position.x, point.position.y, point.position.z});
+        for (const tree::Point& point : tree.points) {
+            const glm::dvec3 at = axes.to_file(point.position);
+            positions.insert(positions.end(), {at.x, at.y, at.z});
+        }
         vtp.array("Float64", "Points", positions, 3);
     });
     vtp.element("Lines", [&] {
@@ -148,28 +151,18 @@ void write_geometry(VtpWriter& vtp, const tree::VesselTree& tree) {
 
 } // namespace
 
-std::string vtk_text_array(std::string_view name, const std::vector<std::string>& texts) {
-    std::string array = "<Array type=\"String\" Name=\"" + std::string(name) + "\" NumberOfTuples=\"" +
-                        std::to_string(texts.size()) + "\" format=\"ascii\">";
-    for (const std::string& text : texts) {
-        for (const char c : text) array += std::to_string(static_cast<unsigned char>(c)) + " ";
-        array += "0 ";
-    }
-    return array + "</Array>\n";
-}
-
 Result<void> write_vtp(const tree::VesselTree& tree, const std::filesystem::path& file,
-                       const std::vector<std::string>& comments) {
+                       const std::vector<std::string>& comments, const Orientation& axes) {
     RAMUS_TRY(output, OutputFile::create(file));
     VtpWriter vtp(output);
     vtp.begin(comments);
-    vtp.element("FieldData", [&] { write_fields(vtp, tree); });
+    vtp.element("FieldData", [&] { write_fields(vtp, tree, axes); });
     vtp.write("<Piece NumberOfPoints=\"" + std::to_string(tree.points.size()) +
               "\" NumberOfVerts=\"0\" NumberOfLines=\"" + std::to_string(tree.branches.size()) +
               "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n");
     write_points(vtp, tree);
     write_cell_data(vtp, tree);
-    write_geometry(vtp, tree);
+    write_geometry(vtp, tree, axes);
     vtp.write("</Piece>\n</PolyData>\n</VTKFile>\n");
     return output.commit();
 }

@@ -2,7 +2,7 @@
 #include "app/ratings/rating_order.h"
 #include "app/ratings/rating_results.h"
 #include "app/ratings/rating_sheet.h"
-#include "core/io/trees/binary_numbers.h"
+#include "core/io/binary_numbers.h"
 #include "tests/support/temporary_folder.h"
 
 #include <doctest/doctest.h>

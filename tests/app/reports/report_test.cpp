@@ -1,6 +1,6 @@
 #include "app/reports/report_page.h"
 #include "app/reports/report_tables.h"
-#include "core/io/trees/binary_numbers.h"
+#include "core/io/binary_numbers.h"
 #include "core/io/trees/swc.h"
 #include "tests/support/command_stage.h"
 #include "tests/support/temporary_folder.h"

@@ -37,7 +37,7 @@ std::string source_file(const std::string& name) {
 
 TEST_CASE("every format has a name, a sentence of help and extensions that no other has") {
     std::set<std::string_view> names;
-    // A .vtp is a tree or a surface: whoever writes one says which.
+    // A .vtp is a tree or a surface: whoever writes or reads one says which.
     std::array<std::set<std::string_view>, 2> extensions; // of trees and volumes; of meshes
     for_each_format([&](const io::FileFormat& format) {
         const auto& meshes = io::mesh_formats();

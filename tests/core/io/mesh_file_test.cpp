@@ -157,7 +157,7 @@ TEST_CASE("what is no mesh is refused by name") {
     const Files files;
     CHECK_FALSE(io::read_mesh(files.folder.path() / "missing.stl"));
     CHECK_FALSE(io::read_mesh(files.folder.path()));
-    CHECK(files.refusal("mesh.vtk", "x").find(".ply, .stl or .obj") != std::string::npos);
+    CHECK(files.refusal("mesh.xyz", "x").find(io::readable_mesh_extensions()) != std::string::npos);
     CHECK(files.refusal("empty.stl", "").find("empty") != std::string::npos);
     files.refusal("words.stl", "solid and nothing else");
     files.refusal("words.ply", "ply\nformat ascii 1.0\nend_header\n");

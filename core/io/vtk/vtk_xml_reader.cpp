@@ -1,7 +1,6 @@
 #include "core/io/text_numbers.h"
-#include "core/io/trees/vtk.h"
-#include "core/io/trees/vtk_dataset.h"
-#include "core/io/trees/vtk_xml_data.h"
+#include "core/io/vtk/vtk_dataset.h"
+#include "core/io/vtk/vtk_xml_data.h"
 
 #include <algorithm>
 #include <limits>
@@ -26,14 +25,14 @@ bool head_has_vtk_type(std::string_view head, std::string_view type) {
 
 class VtkXmlReader {
 public:
-    VtkXmlReader(const TreeInput& input, const VtkXmlData& xml) : input_(input), xml_(xml) {}
+    VtkXmlReader(const VtkInput& input, const VtkXmlData& xml) : input_(input), xml_(xml) {}
 
     Result<VtkDataset> read() {
         const pugi::xml_node root = xml_.document().child("VTKFile");
         const std::string type = root.attribute("type").value();
         if (type != "PolyData" && type != "UnstructuredGrid")
-            return fail("VTK data of type " + shown(type) + " cannot hold a tree", xml_.place(root),
-                        "lines stand in PolyData (.vtp) or UnstructuredGrid (.vtu)");
+            return fail("VTK data of type " + shown(type) + " hold neither lines nor faces", xml_.place(root),
+                        "they stand in PolyData (.vtp) or UnstructuredGrid (.vtu)");
         const pugi::xml_node body = root.child(type.c_str());
         if (!body) return fail("the element " + type + " is missing", xml_.place(root), "get the file again");
         if (auto good = read_fields(body.child("FieldData")); !good) return tl::unexpected(good.error());
@@ -104,7 +103,7 @@ private:
                             "the file is damaged; get it again");
             cell.assign(corners.begin() + begin, corners.begin() + offsets[c]);
             begin = offsets[c];
-            if (auto good = data_.add_cell(kind_of(c), cell, first_point, where); !good) return good;
+            if (auto good = data_.add_cell(kind_of(c), cell, first_point, input_.faces, where); !good) return good;
         }
         return {};
     }
@@ -116,11 +115,18 @@ private:
         RAMUS_TRY(strips, claim(piece, "NumberOfStrips"));
         data_.cells += vertices;
         data_.vertex_cells += vertices;
-        const auto line = [](std::size_t) { return VtkDataset::Cell::kLine; };
+        using Cell = VtkDataset::Cell;
+        const auto line = [](std::size_t) { return Cell::kLine; };
         if (auto good = read_cells(piece.child("Lines"), lines, first_point, line); !good) return good;
-        data_.cells += faces + strips;
-        data_.surface_cells += faces + strips;
-        return {};
+        if (!input_.faces) {
+            data_.cells += faces + strips;
+            data_.surface_cells += faces + strips;
+            return {};
+        }
+        const auto face = [](std::size_t) { return Cell::kFace; };
+        if (auto good = read_cells(piece.child("Polys"), faces, first_point, face); !good) return good;
+        const auto strip = [](std::size_t) { return Cell::kStrip; };
+        return read_cells(piece.child("Strips"), strips, first_point, strip);
     }
 
     Result<void> read_grid(const pugi::xml_node& piece, std::size_t first_point) {
@@ -149,7 +155,7 @@ private:
                 data_.arrays.push_back({name, of, std::max<std::size_t>(components, 1), {}, {}});
             }
             VtkArray& known = data_.arrays[at->second];
-            if (known.components != 1 || !vtk_needs(name, input_.options)) continue;
+            if (known.components != 1 || !input_.needs(name)) continue;
             RAMUS_TRY(values, xml_.numbers(array));
             if (values.size() != things)
                 return fail("the array " + shown(name) + " has " + counted(values.size(), "value") + " for " +
@@ -163,7 +169,7 @@ private:
     Result<void> read_fields(const pugi::xml_node& fields) {
         for (const pugi::xml_node& array : fields.children()) {
             const std::string name = array.attribute("Name").value();
-            if (!vtk_needs(name, input_.options)) continue;
+            if (!input_.needs(name)) continue;
             VtkArray field{name, VtkOf::kWhole, 1, {}, {}};
             const bool is_text = std::string_view(array.attribute("type").value()) == "String";
             RAMUS_TRY(values, xml_.numbers(array));
@@ -182,7 +188,7 @@ private:
         return {};
     }
 
-    const TreeInput& input_;
+    const VtkInput& input_;
     const VtkXmlData& xml_;
     VtkDataset data_;
     std::map<std::pair<VtkOf, std::string>, std::size_t> known_; // arrays of points and cells
@@ -193,10 +199,9 @@ private:
 bool is_vtk_poly_data(std::string_view head) { return head_has_vtk_type(head, "PolyData"); }
 bool is_vtk_unstructured_grid(std::string_view head) { return head_has_vtk_type(head, "UnstructuredGrid"); }
 
-Result<ImportedTree> parse_vtk_xml(const TreeInput& input) {
+Result<VtkDataset> read_vtk_xml(const VtkInput& input) {
     RAMUS_TRY(xml, VtkXmlData::parse(input.text, input.name));
-    RAMUS_TRY(data, VtkXmlReader(input, xml).read());
-    return tree_of_vtk(data, input);
+    return VtkXmlReader(input, xml).read();
 }
 
 } // namespace ramus::io

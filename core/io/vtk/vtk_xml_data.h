@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/io/trees/binary_numbers.h"
-#include "core/io/trees/vtk_blocks.h"
+#include "core/io/binary_numbers.h"
+#include "core/io/vtk/vtk_blocks.h"
 
 #include <bit>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "core/io/trees/vtk_blocks.h"
+#include "core/io/vtk/vtk_blocks.h"
 
 #include "core/base/words.h"
 #include "core/io/inflate.h"

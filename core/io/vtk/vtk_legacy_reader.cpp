@@ -1,8 +1,7 @@
 #include "core/base/words.h"
+#include "core/io/binary_numbers.h"
 #include "core/io/text_numbers.h"
-#include "core/io/trees/binary_numbers.h"
-#include "core/io/trees/vtk.h"
-#include "core/io/trees/vtk_dataset.h"
+#include "core/io/vtk/vtk_dataset.h"
 
 #include <algorithm>
 #include <limits>
@@ -56,14 +55,12 @@ std::string legacy_name(std::string_view encoded) {
 
 class VtkLegacyReader {
 public:
-    explicit VtkLegacyReader(const TreeInput& input) : input_(input), words_(input.text, input.name) {}
+    explicit VtkLegacyReader(const VtkInput& input) : input_(input), words_(input.text, input.name) {}
 
     Result<VtkDataset> read() {
         static_cast<void>(words_.line()); // the version: what differs between them is told by what stands there
-        const std::string_view title = words_.line();
-        for (const char* space : {"LPS", "RAS"})
-            if (title.find(std::string(kVtkSpace) + "=" + space) != std::string_view::npos)
-                data_.arrays.push_back({std::string(kVtkSpace), VtkOf::kWhole, 1, {}, {space}});
+        if (const auto space = space_in(words_.line()))
+            data_.arrays.push_back({std::string(kVtkSpace), VtkOf::kWhole, 1, {}, {space->letters()}});
         const std::string encoding = lower_case(words_.next());
         binary_ = encoding == "binary";
         if (!binary_ && encoding != "ascii")
@@ -83,8 +80,8 @@ private:
         if (keyword == "dataset") {
             type_ = lower_case(words_.next());
             if (type_ == "polydata" || type_ == "unstructured_grid") return {};
-            return fail("VTK data of type " + shown(type_) + " cannot hold a tree", words_.place(),
-                        "lines stand in POLYDATA or UNSTRUCTURED_GRID");
+            return fail("VTK data of type " + shown(type_) + " hold neither lines nor faces", words_.place(),
+                        "they stand in POLYDATA or UNSTRUCTURED_GRID");
         }
         if (keyword == "points") return read_points();
         if (keyword == "vertices") return read_cells(vertices_);
@@ -181,7 +178,7 @@ private:
         } else {
             const auto number = legacy_type(type);
             if (!number) return fail("the type " + shown(type) + " is unknown", words_.place(), "the file is damaged");
-            if (of == VtkOf::kWhole || components != 1 || !vtk_needs(name, input_.options)) {
+            if (of == VtkOf::kWhole || components != 1 || !input_.needs(name)) {
                 if (auto good = skip(count, *number); !good) return good;
             } else {
                 RAMUS_TRY(values, numbers(count, *number, "a value of " + name));
@@ -338,7 +335,7 @@ private:
         for (std::size_t c = 0; c < cells.ends.size(); ++c) {
             cell.assign(cells.corners.begin() + begin, cells.corners.begin() + cells.ends[c]);
             begin = cells.ends[c];
-            if (auto good = data_.add_cell(kind_of(c), cell, 0, cells.place); !good) return good;
+            if (auto good = data_.add_cell(kind_of(c), cell, 0, input_.faces, cells.place); !good) return good;
         }
         return {};
     }
@@ -348,8 +345,8 @@ private:
         using Cell = VtkDataset::Cell;
         if (auto good = add(vertices_, [](std::size_t) { return Cell::kVertex; }); !good) return good;
         if (auto good = add(lines_, [](std::size_t) { return Cell::kLine; }); !good) return good;
-        if (auto good = add(faces_, [](std::size_t) { return Cell::kSurface; }); !good) return good;
-        if (auto good = add(strips_, [](std::size_t) { return Cell::kSurface; }); !good) return good;
+        if (auto good = add(faces_, [](std::size_t) { return Cell::kFace; }); !good) return good;
+        if (auto good = add(strips_, [](std::size_t) { return Cell::kStrip; }); !good) return good;
         if (types_.size() != cells_.ends.size())
             return fail("there are " + counted(cells_.ends.size(), "cell") + ", but types of " +
                             std::to_string(types_.size()),
@@ -364,7 +361,7 @@ private:
         return {};
     }
 
-    const TreeInput& input_;
+    const VtkInput& input_;
     WordScanner words_;
     VtkDataset data_;
     bool binary_ = false;
@@ -379,9 +376,6 @@ private:
 
 bool is_vtk_legacy(std::string_view head) { return head.starts_with(kLegacyMark); }
 
-Result<ImportedTree> parse_vtk_legacy(const TreeInput& input) {
-    RAMUS_TRY(data, VtkLegacyReader(input).read());
-    return tree_of_vtk(data, input);
-}
+Result<VtkDataset> read_vtk_legacy(const VtkInput& input) { return VtkLegacyReader(input).read(); }
 
 } // namespace ramus::io

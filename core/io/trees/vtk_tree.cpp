@@ -1,8 +1,7 @@
-#include "core/io/trees/vtk_dataset.h"
-
 #include "core/io/text_numbers.h"
 #include "core/io/trees/vtk.h"
 #include "core/io/trees/width_names.h"
+#include "core/io/vtk/vtk_dataset.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,8 +58,8 @@ std::string list_of_arrays(const VtkDataset& data) {
 
 tl::unexpected<Error> no_lines(const VtkDataset& data, const std::string& name) {
     if (data.surface_cells > 0)
-        return fail("this is a surface mesh of " + std::to_string(data.surface_cells) + " faces, not a tree", name,
-                    "`ramus compare` takes meshes; a tree needs centerlines");
+        return fail("this is a surface mesh of " + counted(data.surface_cells, "face") + ", not a tree", name,
+                    "a tree needs centerlines; as a surface, --context of ramus render shows it");
     if (data.volume_cells > 0)
         return fail("this is a volume mesh of " + std::to_string(data.volume_cells) + " cells, not a tree", name,
                     "a tree needs centerlines: cells that are lines");
@@ -149,76 +148,7 @@ Result<void> read_own_arrays(const VtkDataset& data, const std::string& name, Im
 
 } // namespace
 
-bool vtk_needs(std::string_view name, const ReadOptions& options) {
-    if (const auto asked = options.columns.find("radius"); asked != options.columns.end() && asked->second == name)
-        return true;
-    return width_by_word(name).has_value() || name == kVtkMark || name == kVtkRoots || name == kVtkSystemNames ||
-           name == kVtkSystemIds || name == kVtkSystemColours || name == kVtkLabels || name == kVtkSpace;
-}
-
-const VtkArray* VtkDataset::find(VtkOf of, std::string_view name) const {
-    const std::string lower = lower_case(name);
-    for (const VtkArray& array : arrays)
-        if (array.of == of && array.name == name) return &array;
-    for (const VtkArray& array : arrays)
-        if (array.of == of && lower_case(array.name) == lower) return &array;
-    return nullptr;
-}
-
-VtkDataset::Cell vtk_cell(int type) {
-    switch (type) {
-    case 0: // empty
-    case 1:
-    case 2:
-        return VtkDataset::Cell::kVertex;
-    case 3:
-    case 4:
-        return VtkDataset::Cell::kLine;
-    case 21:
-        return VtkDataset::Cell::kQuadraticLine;
-    case 35:
-        return VtkDataset::Cell::kCubicLine;
-    case 5:
-    case 6:
-    case 7:
-    case 8:
-    case 9:
-    case 22:
-    case 23:
-    case 28:
-    case 30:
-    case 34:
-    case 36:
-        return VtkDataset::Cell::kSurface;
-    default:
-        return VtkDataset::Cell::kVolume;
-    }
-}
-
-Result<void> VtkDataset::add_cell(Cell kind, const std::vector<std::int64_t>& corners, std::size_t first_point,
-                                  const std::string& where) {
-    const std::size_t cell = cells++;
-    if (kind == Cell::kVertex) ++vertex_cells;
-    if (kind == Cell::kSurface) ++surface_cells;
-    if (kind == Cell::kVolume) ++volume_cells;
-    if (kind == Cell::kVertex || kind == Cell::kSurface || kind == Cell::kVolume) return {};
-    for (const std::int64_t corner : corners)
-        if (corner < 0 || static_cast<std::uint64_t>(corner) >= points.size() - first_point)
-            return fail("cell " + std::to_string(cell) + " names point " + std::to_string(corner) +
-                            ", but there are only " + std::to_string(points.size() - first_point),
-                        where, "the file is damaged; get it again");
-    // Curved lines name their two ends first.
-    std::vector<std::int64_t> along = corners;
-    if (kind != Cell::kLine && along.size() > 2) std::rotate(along.begin() + 1, along.begin() + 2, along.end());
-    VtkLine line{line_points.size(), 0, cell};
-    for (const std::int64_t corner : along)
-        line_points.push_back(static_cast<std::uint32_t>(first_point + static_cast<std::size_t>(corner)));
-    line.end = line_points.size();
-    lines.push_back(line);
-    return {};
-}
-
-Result<ImportedTree> tree_of_vtk(const VtkDataset& data, const TreeInput& input) {
+static Result<ImportedTree> tree_of_vtk(const VtkDataset& data, const TreeInput& input) {
     const std::string& name = input.name;
     if (data.lines.empty()) return no_lines(data, name);
     RAMUS_TRY(widths, find_widths(data, input));
@@ -235,15 +165,34 @@ Result<ImportedTree> tree_of_vtk(const VtkDataset& data, const TreeInput& input)
     imported.joining = Joining::kAtAnyPoint;
     imported.may_repeat_trunks = has_any(data, kCenterlineNames) && begins_several_times(imported.graph);
     imported.unit_hint = hint_of_arrays(data);
-    if (const VtkArray* space = data.find(VtkOf::kWhole, kVtkSpace); space != nullptr && space->texts.size() == 1) {
-        if (space->texts[0] == "LPS") imported.orientation = Orientation::lps();
-        if (space->texts[0] == "RAS") imported.orientation = Orientation::ras();
-    }
+    imported.orientation = data.space();
     imported.place_of = [name](std::uint32_t point) { return name + ": point " + std::to_string(point); };
     if (auto own = read_own_arrays(data, name, imported); !own) return tl::unexpected(own.error());
     if (data.surface_cells > 0)
         imported.assume("lines", counted(data.surface_cells, "face") + " beside the lines were left out");
     return imported;
+}
+
+// What a tree needs of a file.
+static VtkInput vtk_input(const TreeInput& input) {
+    const auto asked = input.options.columns.find("radius");
+    const std::string column = asked == input.options.columns.end() ? std::string() : asked->second;
+    const auto needs = [column](std::string_view name) {
+        return (!column.empty() && name == column) || width_by_word(name).has_value() || name == kVtkMark ||
+               name == kVtkRoots || name == kVtkSystemNames || name == kVtkSystemIds || name == kVtkSystemColours ||
+               name == kVtkLabels || name == kVtkSpace;
+    };
+    return {.text = input.text, .name = input.name, .needs = needs, .faces = false};
+}
+
+Result<ImportedTree> parse_vtk_xml(const TreeInput& input) {
+    RAMUS_TRY(data, read_vtk_xml(vtk_input(input)));
+    return tree_of_vtk(data, input);
+}
+
+Result<ImportedTree> parse_vtk_legacy(const TreeInput& input) {
+    RAMUS_TRY(data, read_vtk_legacy(vtk_input(input)));
+    return tree_of_vtk(data, input);
 }
 
 } // namespace ramus::io

@@ -1,4 +1,4 @@
-#include "core/io/trees/binary_numbers.h"
+#include "core/io/binary_numbers.h"
 
 #include <array>
 #include <cmath>
@@ -34,13 +34,13 @@ template <class To> std::vector<To> converted(std::string_view bytes, NumberType
 
 constexpr std::uint8_t kNoDigit = 255, kPadding = 254, kBlank = 253;
 
-constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+constexpr std::string_view kBase64Digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 constexpr std::array<std::uint8_t, 256> base64_digits() {
     std::array<std::uint8_t, 256> digits{};
     digits.fill(kNoDigit);
-    for (std::size_t d = 0; d < kDigits.size(); ++d)
-        digits[static_cast<unsigned char>(kDigits[d])] = static_cast<std::uint8_t>(d);
+    for (std::size_t d = 0; d < kBase64Digits.size(); ++d)
+        digits[static_cast<unsigned char>(kBase64Digits[d])] = static_cast<std::uint8_t>(d);
     digits['='] = kPadding;
     for (const char blank : {' ', '\t', '\r', '\n'}) digits[static_cast<unsigned char>(blank)] = kBlank;
     return digits;
@@ -85,7 +85,7 @@ std::string base64_encoded(std::string_view bytes) {
         std::uint32_t bits = 0;
         for (std::size_t b = 0; b < 3; ++b)
             bits = bits << 8 | (b < count ? static_cast<unsigned char>(bytes[at + b]) : 0U);
-        for (std::size_t d = 0; d < 4; ++d) text += d > count ? '=' : kDigits[bits >> (18 - 6 * d) & 63U];
+        for (std::size_t d = 0; d < 4; ++d) text += d > count ? '=' : kBase64Digits[bits >> (18 - 6 * d) & 63U];
     }
     return text;
 }

@@ -1,0 +1,55 @@
+#include "core/io/meshes/vtk_surface.h"
+
+#include "core/io/text_numbers.h"
+#include "core/io/vtk/vtk_dataset.h"
+
+#include <utility>
+
+namespace ramus::io {
+
+namespace {
+
+tl::unexpected<Error> no_faces(const VtkDataset& data, const std::string& name) {
+    if (!data.lines.empty())
+        return fail("it has " + counted(data.lines.size(), "line") + " and no faces: this is a tree, not a surface",
+                    name, "a surface has triangles or other polygons");
+    if (data.volume_cells > 0)
+        return fail("this is a volume mesh of " + counted(data.volume_cells, "cell") + ", not a surface", name,
+                    "extract its surface, as ParaView does with Extract Surface");
+    return fail("it has no faces", name, "a surface has triangles or other polygons");
+}
+
+Result<PolygonSoup> vtk_soup(VtkDataset data, const std::string& name) {
+    if (data.faces.empty()) return no_faces(data, name);
+    PolygonSoup soup;
+    soup.orientation = data.space();
+    soup.positions = std::move(data.points);
+    soup.polygons = std::move(data.faces);
+    return soup;
+}
+
+VtkInput surface_input(std::string_view text, const std::string& name, bool faces) {
+    return {
+        .text = text, .name = name, .needs = [](std::string_view array) { return array == kVtkSpace; }, .faces = faces};
+}
+
+} // namespace
+
+Result<PolygonSoup> parse_vtk_xml_surface(std::string_view text, const std::string& name) {
+    RAMUS_TRY(data, read_vtk_xml(surface_input(text, name, true)));
+    return vtk_soup(std::move(data), name);
+}
+
+Result<PolygonSoup> parse_vtk_legacy_surface(std::string_view text, const std::string& name) {
+    RAMUS_TRY(data, read_vtk_legacy(surface_input(text, name, true)));
+    return vtk_soup(std::move(data), name);
+}
+
+bool is_vtk_surface(std::string_view text) {
+    const std::string no_name;
+    const VtkInput input = surface_input(text, no_name, false);
+    const auto data = is_vtk_legacy(text) ? read_vtk_legacy(input) : read_vtk_xml(input);
+    return data && data->lines.empty();
+}
+
+} // namespace ramus::io
