@@ -2,6 +2,7 @@
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
+#include "app/assets/half_turn.h"
 #include "app/session/colour_by.h"
 #include "app/session/numbers.h"
 #include "core/base/words.h"
@@ -19,7 +20,8 @@ namespace ramus::app::actions {
 namespace {
 
 constexpr const char* kUsage =
-    "context FILE [--label N] [--isovalue X] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact] [--units UNIT]";
+    "context FILE [--label N] [--isovalue X] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact] [--units UNIT] "
+    "[--mesh-orientation LPS|RAS]";
 
 // Quiet, and well apart from vessels: an organ's brown, bone, and others that nothing in a body has.
 constexpr std::array<std::array<std::uint8_t, 3>, 6> kColours{
@@ -42,7 +44,7 @@ Result<ContextItem> item_in(Arguments arguments, const std::vector<ContextItem>&
         } else if (word == "--exact") {
             item.exact = true;
         } else if (word == "--label" || word == "--isovalue" || word == "--colour" || word == "--opacity" ||
-                   word == "--units") {
+                   word == "--units" || word == "--mesh-orientation") {
             const std::string value = i + 1 < arguments.size() ? arguments[++i] : std::string();
             if (word == "--label") {
                 item.label = parsed<int>(value).value_or(0);
@@ -54,6 +56,9 @@ Result<ContextItem> item_in(Arguments arguments, const std::vector<ContextItem>&
             } else if (word == "--units") {
                 if (!io::length_unit(value)) return fail("--units takes a unit of length: mm, um, cm or m", {}, kUsage);
                 item.units = value;
+            } else if (word == "--mesh-orientation") {
+                if (!io::slicer_space(value)) return fail("--mesh-orientation takes LPS or RAS", {}, kUsage);
+                item.axes = value;
             } else if (word == "--colour") {
                 const auto colour = colour_in(value);
                 if (!colour)
@@ -77,9 +82,12 @@ Result<ContextItem> item_in(Arguments arguments, const std::vector<ContextItem>&
 }
 
 // Something that lies far from the tree is of another patient, or in other coordinates.
-std::string distance_text(const mesh::TriangleMesh& mesh, const tree::VesselTree* tree) {
+std::string distance_text(const ContextShape& shape, const std::string& read_in, const tree::VesselTree* tree) {
     if (tree == nullptr) return {};
-    const render::Box vessels = render::bounds_of(*tree), box = render::bounds_of(mesh);
+    const render::Box vessels = render::bounds_of(*tree), &box = shape.box;
+    const std::string turned = half_turn_hint({box, shape.claims.orientation}, {vessels, tree->claims.orientation},
+                                              other_axes_option(read_in));
+    if (!turned.empty()) return "; " + turned;
     if (box.empty() || vessels.empty()) return {};
     const double away = glm::length(glm::max(glm::max(box.lower - vessels.upper, vessels.lower - box.upper), 0.0));
     return away > 0.0 ? "; it lies " + Lengths().text(away) + " beside the tree: is it in the same coordinates?"
@@ -111,7 +119,7 @@ Result<void> add_context(ActionContext& context, Arguments arguments, const Cont
     RAMUS_TRY(item, new_item(context.document, arguments));
     context.say(std::filesystem::path(item.file).filename().string() + ": " +
                 counted(mesh.triangles.size(), "triangle", "triangles") +
-                distance_text(mesh, context.document.tree().get()) +
+                distance_text(shape, item.axes, context.document.tree().get()) +
                 (shape.suspicion.empty() ? "" : "; " + shape.suspicion));
     // Without a tree all is looked at, until somebody looks otherwise.
     const bool looks_at_all = !has_tree(context.document) &&
@@ -260,10 +268,11 @@ std::vector<Command> context_commands() {
     return {
         Command(
             "context",
-            "[FILE [--label N] [--isovalue X] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact] [--units UNIT]]",
+            "[FILE [--label N] [--isovalue X] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact] [--units UNIT] "
+            "[--mesh-orientation LPS|RAS]]",
             "Shows the surface of a mask, of a scan at an isovalue, or of a mesh beside the tree, or alone where there "
             "is none; without FILE, asks for one. A mask's steps between voxels are smoothed, by half a voxel at most, "
-            "unless its exact steps are asked for.",
+            "unless its exact steps are asked for. A mesh that does not state its axes is in RAS unless you say LPS.",
             context)
             .in_menu("File", "Add context..."),
         Command("context-remove", "N", "Takes the N-th context mesh away.", context_remove).when(has_context),

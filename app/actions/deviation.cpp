@@ -5,6 +5,7 @@
 #include "core/base/words.h"
 #include "core/io/length_unit.h"
 #include "core/io/meshes/mesh_file.h"
+#include "core/io/orientation.h"
 #include "core/io/volumes/volume_file.h"
 
 #include <filesystem>
@@ -41,17 +42,23 @@ Result<void> take_file(Marks& marks, const std::string& name, const std::string&
 Result<void> deviation_from(ActionContext& context, Arguments arguments) {
     if (arguments.empty())
         return ask_for_file(context, FilePurpose::kDeviation, fail("deviation-from needs a surface", {}, kWanted));
-    std::string units;
+    std::string units, axes;
     if (arguments.size() == 3 && arguments[1] == "--units") {
         units = arguments[2];
         if (!io::length_unit(units)) return fail("\"" + units + "\" is no unit of length", {}, "mm, um, cm or m");
         arguments = arguments.first(1);
+    } else if (arguments.size() == 3 && arguments[1] == "--mesh-orientation") {
+        axes = arguments[2];
+        if (!io::slicer_space(axes)) return fail("--mesh-orientation takes LPS or RAS");
+        arguments = arguments.first(1);
     }
     if (arguments.size() > 1)
-        return fail("deviation-from takes one surface, and --units", {}, "put quotes around a name with blanks");
+        return fail("deviation-from takes one surface, and --units of a mask or --mesh-orientation of a mesh", {},
+                    "put quotes around a name with blanks");
     Marks next = context.document.marks();
     next.colour_by = ColourBy::kDeviation;
     next.deviation.file.clear();
+    next.deviation.axes = axes;
     if (arguments[0] == name_of(Compared::kTruncatedCones))
         next.deviation.from = From::kCones;
     else if (arguments[0] == name_of(Compared::kIsosurface))
@@ -87,7 +94,7 @@ Result<void> deviation_scale(ActionContext& context, Arguments arguments) {
 
 std::vector<Command> deviation_commands() {
     return {
-        Command("deviation-from", "[cones|iso|FILE [--units UNIT]]",
+        Command("deviation-from", "[cones|iso|FILE [--units UNIT] [--mesh-orientation LPS|RAS]]",
                 "Colours the surface by how far it lies from truncated cones, from the isosurface of the mask that "
                 "compare-mask names, or from a mesh or mask. Without any, asks for a file.",
                 deviation_from)

@@ -48,7 +48,7 @@ Result<Continuation> write_surface_of(const SurfaceWork& work, Job& job) {
         sentence += "; " + (thin.empty() ? printing_text(thicknesses, Lengths(work.names.claims)) : thin);
     }
     if (job.cancelled()) return fail("cancelled");
-    if (auto written = io::write_mesh(surface.mesh, work.wanted.file, work.names); !written)
+    if (auto written = io::write_mesh(std::move(surface.mesh), work.wanted.file, work.names); !written)
         return tl::unexpected(written.error());
     return has_written(work.wanted.file, sentence);
 }

@@ -2,6 +2,7 @@
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
+#include "app/assets/half_turn.h"
 #include "app/session/numbers.h"
 #include "core/io/meshes/mesh_file.h"
 
@@ -44,23 +45,37 @@ Result<void> expect_new_lesion(const Document& document, const std::filesystem::
 
 Result<void> add_lesion_mesh(ActionContext& context, const std::filesystem::path& path, const LesionMesh& lesion) {
     if (auto is_new = expect_new_lesion(context.document, path); !is_new) return is_new;
+    std::string apart;
+    if (const tree::VesselTree* tree = context.document.tree().get(); tree != nullptr)
+        apart =
+            half_turn_hint({render::bounds_of(lesion.mesh), lesion.axes},
+                           {render::bounds_of(*tree), tree->claims.orientation}, other_axes_option(lesion.asked_axes));
     context.say("Lesion of " + counted(lesion.mesh.triangles.size(), "triangle", "triangles") + ": " +
-                path.filename().string());
-    return edit(context, [&](Marks& marks) { marks.lesion_meshes.push_back(path.string()); });
+                path.filename().string() + (apart.empty() ? "" : "; " + apart));
+    return edit(context, [&](Marks& marks) {
+        marks.lesion_meshes.push_back(path.string());
+        if (!lesion.asked_axes.empty()) marks.lesion_axes[path.string()] = lesion.asked_axes;
+    });
 }
 
 Result<Outcome> lesion_mesh(ActionContext& context, Arguments arguments) {
     if (arguments.empty())
         return outcome_of(ask_for_file(context, FilePurpose::kLesionMesh,
                                        fail("lesion-mesh needs a FILE here", {}, io::readable_mesh_extensions())));
+    std::string axes;
+    if (arguments.size() == 3 && arguments[1] == "--mesh-orientation") {
+        if (!io::slicer_space(arguments[2])) return fail("--mesh-orientation takes LPS or RAS");
+        axes = arguments[2];
+        arguments = arguments.first(1);
+    }
     if (arguments.size() != 1)
-        return fail("lesion-mesh takes a file: " + io::readable_mesh_extensions(), {},
+        return fail("lesion-mesh takes a file, " + io::readable_mesh_extensions() + ", and --mesh-orientation", {},
                     "put quotes around a name with blanks");
     const std::filesystem::path path = std::filesystem::absolute(arguments[0]).lexically_normal();
     if (auto is_new = expect_new_lesion(context.document, path); !is_new) return tl::unexpected(is_new.error());
     return Pending{"Reading " + path.filename().string(),
-                   [path, assets = context.assets](Job&) mutable -> Result<Continuation> {
-                       if (auto mesh = load_lesion_mesh(assets, path.string()); !mesh)
+                   [path, axes, assets = context.assets](Job&) mutable -> Result<Continuation> {
+                       if (auto mesh = load_lesion_mesh(assets, path.string(), axes); !mesh)
                            return tl::unexpected(mesh.error());
                        return [path, read = assets.lesion_meshes.at(path.string())](ActionContext& then) {
                            then.assets.put(path.string(), read);
@@ -74,16 +89,20 @@ Result<void> lesion_remove(ActionContext& context, Arguments arguments) {
     Marks next = context.document.marks();
     const std::size_t spheres = next.lesions.size();
     RAMUS_TRY(index, list_index(arguments, spheres + next.lesion_meshes.size(), "lesion"));
-    if (index < spheres)
+    if (index < spheres) {
         next.lesions.erase(next.lesions.begin() + static_cast<std::ptrdiff_t>(index));
-    else
-        next.lesion_meshes.erase(next.lesion_meshes.begin() + static_cast<std::ptrdiff_t>(index - spheres));
+    } else {
+        const auto mesh = next.lesion_meshes.begin() + static_cast<std::ptrdiff_t>(index - spheres);
+        next.lesion_axes.erase(*mesh);
+        next.lesion_meshes.erase(mesh);
+    }
     context.document.change(std::move(next));
     return {};
 }
 
 Result<void> lesion_clear(ActionContext& context, Arguments) {
-    return edit(context, [](Marks& marks) { marks.lesions.clear(), marks.lesion_meshes.clear(); });
+    return edit(context,
+                [](Marks& marks) { marks.lesions.clear(), marks.lesion_meshes.clear(), marks.lesion_axes.clear(); });
 }
 
 std::string cost_text(const measure::CutFigures& cut, const Lengths& lengths) {
@@ -213,8 +232,9 @@ std::vector<Command> surgery_commands() {
         Command("reconstruct", "MM", "Sets the diameter above which a cut vessel must be reconstructed.", reconstruct),
         Command("lesion", "X,Y,Z,R", "Places a lesion: a sphere, its centre and radius in mm.", lesion),
         Command("lesion-change", "N X,Y,Z,R", "Gives lesion N of the list another centre and radius.", lesion_change),
-        Command("lesion-mesh", "[FILE]",
-                "Places a lesion with the shape of a closed mesh: " + io::readable_mesh_extensions() + ", in mm.",
+        Command("lesion-mesh", "[FILE [--mesh-orientation LPS|RAS]]",
+                "Places a lesion with the shape of a closed mesh: " + io::readable_mesh_extensions() +
+                    ", in mm; in RAS, unless the file states other axes, or you do where it states none.",
                 lesion_mesh),
         Command("lesion-remove", "N", "Takes lesion N of the list away; meshes are counted after spheres.",
                 lesion_remove),

@@ -143,7 +143,8 @@ bool lesions_awaited(const Assets& assets, const Marks& marks, GridIs grid) {
 }
 
 void complete_lesions(Assets& assets, const Marks& marks, GridIs grid) {
-    for (const std::string& file : marks.lesion_meshes) (void)load_lesion_mesh(assets, file);
+    for (const std::string& file : marks.lesion_meshes)
+        (void)load_lesion_mesh(assets, file, axes_of_lesion(marks, file));
     measure::Lesions lesions = loaded_lesions(assets, marks);
     if (!assets.tree || lesions.meshes.empty()) return;
     const double reach = widest_margin_mm(marks.planning);
@@ -162,10 +163,13 @@ void complete_lesions(Assets& assets, const Document& document) {
     refresh(assets, document);
 }
 
-Result<std::shared_ptr<const LesionMesh>> load_lesion_mesh(Assets& assets, const std::string& file) {
+Result<std::shared_ptr<const LesionMesh>> load_lesion_mesh(Assets& assets, const std::string& file,
+                                                           const std::string& axes) {
     const Loaded<LesionMesh>* before = found(assets.lesion_meshes, file);
-    Loaded<LesionMesh> loaded = read_lesion_mesh(file, before);
-    if (before == nullptr || before->stamp != loaded.stamp) assets.put(file, loaded);
+    Loaded<LesionMesh> loaded = read_lesion_mesh(file, axes, before);
+    const bool is_new = before == nullptr || before->stamp != loaded.stamp ||
+                        (before->value && loaded.value && *before->value != *loaded.value);
+    if (is_new) assets.put(file, loaded);
     return loaded.value;
 }
 

@@ -88,8 +88,10 @@ void complete_lesions(Assets& assets, const Marks& marks, GridIs grid);
 // The same where something is awaited, in this thread, and refreshes the rest.
 void complete_lesions(Assets& assets, const Document& document);
 
-// The shape, read in this thread unless it is there and the file was not written since.
-[[nodiscard]] Result<std::shared_ptr<const LesionMesh>> load_lesion_mesh(Assets& assets, const std::string& file);
+// The shape, read in this thread unless it is there and the file was not written since. `axes`: as read_lesion_mesh()
+// takes them.
+[[nodiscard]] Result<std::shared_ptr<const LesionMesh>> load_lesion_mesh(Assets& assets, const std::string& file,
+                                                                         const std::string& axes = {});
 [[nodiscard]] Result<std::shared_ptr<const ContextShape>> load_context_shape(Assets& assets,
                                                                              const ContextSource& source, Job& job);
 

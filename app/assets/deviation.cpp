@@ -20,6 +20,7 @@ DeviationOf deviation_of(std::shared_ptr<const tree::VesselTree> tree, const Mar
         break;
     case DeviationChoice::From::kFile:
         of.file = marks.deviation.file;
+        of.axes = marks.deviation.axes;
         break;
     }
     return of;

@@ -30,11 +30,12 @@ Result<mesh::TriangleMesh> read_surface(const ContextSource& source, ContextShap
         if (source.label != 0 || source.isovalue)
             return fail("a mesh has neither labels nor values", source.file,
                         "masks and scans have them: " + io::readable_volume_extensions());
-        shape.claims = {unit ? tree::SaidBy::kPerson : tree::SaidBy::kNobody, tree::SaidBy::kNobody};
-        auto mesh = io::read_mesh(source.file, io::Holes::kAllowed);
-        if (mesh && unit) scale(*mesh, unit->mm);
-        return mesh;
+        RAMUS_TRY(read, io::read_mesh_file(source.file, {io::Holes::kAllowed, io::slicer_space(source.axes)}));
+        shape.claims = {unit ? tree::SaidBy::kPerson : tree::SaidBy::kNobody, read.axes};
+        if (unit) scale(read.mesh, unit->mm);
+        return std::move(read.mesh);
     }
+    if (!source.axes.empty()) return fail("a mask states its axes itself", source.file, "leave out --mesh-orientation");
     auto volume = io::read_volume(source.file, {0.0, unit}, job);
     if (!volume) return tl::unexpected(volume.error());
     if (!volume->suspicions.empty()) shape.suspicion = volume->suspicions.front();
@@ -66,11 +67,14 @@ Result<std::shared_ptr<const ContextShape>> read_shape(const ContextSource& sour
 
 } // namespace
 
-Loaded<LesionMesh> read_lesion_mesh(const std::filesystem::path& file, const Loaded<LesionMesh>* before) {
+Loaded<LesionMesh> read_lesion_mesh(const std::filesystem::path& file, const std::string& axes,
+                                    const Loaded<LesionMesh>* before) {
+    if (before != nullptr && before->value && (*before->value)->asked_axes != axes) before = nullptr;
     return read_if_written(file, before, "the lesion", [&]() -> Result<std::shared_ptr<const LesionMesh>> {
-        RAMUS_TRY(mesh, io::read_mesh(file));
-        auto distance = std::make_shared<const measure::MeshDistance>(mesh);
-        return std::make_shared<const LesionMesh>(LesionMesh{std::move(mesh), std::move(distance)});
+        RAMUS_TRY(read, io::read_mesh_file(file, {io::Holes::kRefused, io::slicer_space(axes)}));
+        auto distance = std::make_shared<const measure::MeshDistance>(read.mesh);
+        return std::make_shared<const LesionMesh>(
+            LesionMesh{std::move(read.mesh), axes, read.axes, std::move(distance)});
     });
 }
 

@@ -52,12 +52,16 @@ template <class T, class Read>
 // The closed meshes that sessions name as lesions, read from their files.
 struct LesionMesh {
     mesh::TriangleMesh mesh; // positions, normals and triangles
+    std::string asked_axes;  // that it was read with
+    tree::SaidBy axes = tree::SaidBy::kNobody;
     std::shared_ptr<const measure::MeshDistance> distance;
 };
 
 // The mesh in this file (core/io/meshes/mesh_file.h says which ones are taken), or `before` if the file was not written
-// since; null: it was not read before. Any thread.
-[[nodiscard]] Loaded<LesionMesh> read_lesion_mesh(const std::filesystem::path& file, const Loaded<LesionMesh>* before);
+// since; null: it was not read before. `axes`: "LPS" or "RAS", of a file that does not state them; empty: nobody says.
+// Any thread.
+[[nodiscard]] Loaded<LesionMesh> read_lesion_mesh(const std::filesystem::path& file, const std::string& axes,
+                                                  const Loaded<LesionMesh>* before);
 
 // The surfaces that sessions show beside the tree, read from meshes and masks.
 struct ContextSource {
@@ -66,11 +70,12 @@ struct ContextSource {
     bool exact = false;                                     // of a mask: with the steps of its voxels
     std::string units = {};                                 // of the file's lengths; empty: as it says itself
     std::optional<double> isovalue{};                       // of a scan
+    std::string axes = {};                                  // of a mesh that does not state them
     auto operator<=>(const ContextSource&) const = default; // NOLINT(modernize-use-nullptr): the rule mistakes it
 };
 [[nodiscard]] inline ContextSource source_of(const ContextItem& item) {
     // Who looks at triangles wants the true ones.
-    return {item.file, item.label, item.exact || item.wireframe, item.units, item.isovalue};
+    return {item.file, item.label, item.exact || item.wireframe, item.units, item.isovalue, item.axes};
 }
 
 struct ContextShape {
@@ -78,7 +83,7 @@ struct ContextShape {
     std::shared_ptr<const mesh::TriangleMesh> preview; // fewer triangles; null: the mesh has few
     std::string suspicion;                             // of a mask: that its unit is likely another; may be empty
     render::Box box;                                   // around it
-    tree::Claims claims;                               // who says its unit and its sides; of a mesh no file does
+    tree::Claims claims;                               // who says its unit and its sides
 };
 
 // The mesh in this file, or the surface of the mask in it by marching cubes, without the steps of

@@ -26,7 +26,7 @@ namespace {
 struct CompareFlags {
     SurfaceFlags surface;
     MaskInput mask;
-    std::array<std::string, 2> files;
+    std::array<std::string, 2> files, mesh_axes;
     std::optional<double> threshold_mm;
     bool json = false;
 };
@@ -61,15 +61,40 @@ nlohmann::ordered_json input_json(const std::string& file, const SurfaceInput& i
     return json;
 }
 
+// "LPS" of both, "LPS,RAS" of one after the other.
+std::optional<std::array<std::string, 2>> two_axes(const std::string& text) {
+    const std::size_t comma = text.find(',');
+    const auto first = io::slicer_space(text.substr(0, comma));
+    const auto second = comma == std::string::npos ? first : io::slicer_space(text.substr(comma + 1));
+    if (!first || !second) return {};
+    return std::array{first->letters(), second->letters()};
+}
+
+// Of a mesh against the other surface; of two meshes the first that does not state its axes.
+void warn_of_axes(const CompareFlags& flags, const std::array<SurfaceInput, 2>& inputs) {
+    if (std::ranges::none_of(inputs,
+                             [](const auto& input) { return input.claims.orientation == tree::SaidBy::kPerson; }))
+        for (std::size_t i = 0; i < 2; ++i) warn_of_stated_axes(flags.files[i], inputs[i], flags.mesh_axes[i]);
+    const auto states = [](const SurfaceInput& input) { return input.claims.orientation == tree::SaidBy::kFile; };
+    for (std::size_t i = 0; i < 2; ++i) {
+        const SurfaceInput &mesh = inputs[i], &other = inputs[1 - i];
+        if (!mesh.is_mesh || (other.is_mesh && (states(mesh) || (i == 1 && !states(other))))) continue;
+        std::string option = other_axes_option(flags.mesh_axes[i]);
+        if (other.is_mesh && !states(other)) option += "," + (flags.mesh_axes[1].empty() ? "RAS" : flags.mesh_axes[1]);
+        warn_of_half_turn(flags.files[i], mesh, {render::bounds_of(other.mesh), other.claims.orientation}, option);
+    }
+}
+
 Result<int> run_compare(const CompareFlags& flags) {
     std::array<SurfaceInput, 2> inputs;
     std::array<measure::SurfaceSize, 2> sizes;
     for (std::size_t i = 0; i < 2; ++i) {
-        RAMUS_TRY(input, load_surface(flags.files[i], flags.surface, flags.mask));
+        RAMUS_TRY(input, load_surface(flags.files[i], flags.surface, flags.mask, flags.mesh_axes[i]));
         if (input.mesh.triangles.empty()) return fail("there is no surface in it", flags.files[i]);
         inputs[i] = std::move(input);
         sizes[i] = measure::size_of(inputs[i].mesh);
     }
+    warn_of_axes(flags, inputs);
     const Deviations found = deviations(inputs, flags);
     const double hausdorff = std::max(found.ways[0].max, found.ways[1].max);
     const double hausdorff_95 = std::max(found.ways[0].percentile_95, found.ways[1].percentile_95);
@@ -120,6 +145,11 @@ void register_compare(CLI::App& app, Action& chosen) {
         }));
     add_label_flag(*command, flags->mask.labels, "Labels of the mask that are these vessels (default: all)");
     add_mask_units_flag(*command, flags->mask.units, "a mask");
+    add_option_taking<std::string>(
+        *command, "--mesh-orientation", "LPS|RAS[,LPS|RAS]",
+        [flags](const std::string& text) { flags->mesh_axes = *two_axes(text); },
+        "Axes of meshes that do not state them, of both or of A and of B (default RAS)")
+        ->check(expecting(" is not LPS, RAS or two of them, as LPS,RAS", two_axes));
     command->add_flag("--json", flags->json, "Print the figures as one JSON object");
     add_surface_flags(*command, flags->surface);
     command->callback([flags, &chosen] { chosen = [flags] { return run_compare(*flags); }; });

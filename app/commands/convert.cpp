@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace ramus::app {
 
@@ -18,12 +19,14 @@ struct ConvertFlags {
     SurfaceFlags surface;
     std::string file, session;
     std::string output;
+    std::optional<io::Orientation> axes;
 };
 
 Result<int> run_convert(const ConvertFlags& flags) {
     io::note_input(flags.file);
     io::note_input(flags.session);
-    if (auto possible = io::check_tree_output(flags.output); !possible) return tl::unexpected(possible.error());
+    if (auto possible = io::check_tree_output(flags.output, flags.axes); !possible)
+        return tl::unexpected(possible.error());
     if (flags.file.empty() && flags.session.empty())
         return fail("there is no tree to convert", {}, "give a FILE, or --session SESSION");
     RAMUS_TRY(opened, open_session(flags.file, flags.session, flags.surface));
@@ -37,7 +40,8 @@ Result<int> run_convert(const ConvertFlags& flags) {
     for (const std::string& sentence : sentences(tree, tree::Note::Kind::kRepaired))
         comments.push_back("repaired: " + sentence);
     for (const tree::Edit& edit : marks.edits) comments.push_back("edited: " + sentence(edit));
-    if (auto written = io::write_tree(tree, flags.output, comments); !written) return tl::unexpected(written.error());
+    if (auto written = io::write_tree(tree, flags.output, comments, flags.axes); !written)
+        return tl::unexpected(written.error());
     return kDone;
 }
 
@@ -57,6 +61,9 @@ void register_convert(CLI::App& app, Action& chosen) {
     flags->surface.command = command;
     add_source_flags(*command, flags->surface);
     add_system_flag(*command, flags->surface);
+    add_axes_flag(*command, flags->axes,
+                  "Of .vtp and .mrk.json: axes of the coordinates in the file, which states them (default RAS, of "
+                  ".mrk.json LPS)");
     command->callback([flags, &chosen] { chosen = [flags] { return run_convert(*flags); }; });
 }
 

@@ -70,6 +70,8 @@ Result<WrittenSurface> mesh_of_mask(const std::string& file, const MaskFlags& ma
     RAMUS_TRY(read, load_volume(file, flags));
     warn_about(file, read);
     target.names.claims = io::claims_of(read, flags.read.unit);
+    if (auto known = io::check_axes(target.names.axes, target.names.claims, file); !known)
+        return tl::unexpected(known.error());
     load_s = watch.lap();
     const volume::IsosurfaceOptions options{static_cast<double>(flags.surface.memory_bytes), flags.surface.threads};
     const auto make = [&](Job& job) {
@@ -78,7 +80,7 @@ Result<WrittenSurface> mesh_of_mask(const std::string& file, const MaskFlags& ma
     RAMUS_TRY(surface, with_progress("surface", make, kNothingWritten));
     WrittenSurface written;
     written.mesh_s = watch.lap();
-    if (auto saved = write_surface(surface, target, written); !saved) return tl::unexpected(saved.error());
+    if (auto saved = write_surface(std::move(surface), target, written); !saved) return tl::unexpected(saved.error());
     return written;
 }
 
@@ -87,6 +89,7 @@ struct MeshFlags {
     MaskFlags mask;
     std::string file, session, output;
     std::optional<io::PartsBy> parts; // none: what is usual
+    std::optional<io::Orientation> axes;
     PrintingFlags printing;
     bool json = false;
 };
@@ -177,8 +180,9 @@ nlohmann::ordered_json repairs_json(const WrittenSurface& written) {
     return repairs;
 }
 
-void report(const MeshFlags& flags, const WrittenSurface& written, const tree::Claims& claims,
+void report(const MeshFlags& flags, const WrittenSurface& written, const io::MeshNames& names,
             const std::optional<Smoothing>& smoothing, double load_s) {
+    const tree::Claims& claims = names.claims;
     warn_of_lost(flags, written);
     if (flags.json) {
         nlohmann::ordered_json figures = {
@@ -192,7 +196,7 @@ void report(const MeshFlags& flags, const WrittenSurface& written, const tree::C
             figures["evaluations"] = written.evaluations;
         }
         if (smoothing) figures["smoothing"] = smoothing_json(*smoothing);
-        figures.update({{"units", claims.unit_word()}, {"orientation", claims.axes_word()}});
+        figures.update({{"units", claims.unit_word()}, {"orientation", io::axes_word(names.axes, claims)}});
         figures.update({{"load_s", load_s}, {"mesh_s", written.mesh_s}, {"write_s", written.write_s}});
         if (!written.lost_pieces.empty()) figures["lost_pieces"] = written.lost_pieces;
         if (flags.printing.wanted) figures["printing"] = printing_json(flags.printing, written.thicknesses, claims);
@@ -238,10 +242,11 @@ Result<int> run_mesh(const MeshFlags& flags) {
     if (flags.mask.iso) {
         double load_s = 0.0;
         target.names.name = std::filesystem::path(flags.file).stem().stem().string();
+        target.names.axes = flags.axes.value_or(io::Orientation::ras());
         MaskFlags mask = flags.mask;
         mask.selection.isovalue = flags.surface.read.mask.isovalue;
         RAMUS_TRY(written, mesh_of_mask(flags.file, mask, flags.surface, target, load_s));
-        report(flags, written, target.names.claims, std::nullopt, load_s);
+        report(flags, written, target.names, std::nullopt, load_s);
         return kDone;
     }
 
@@ -257,6 +262,9 @@ Result<int> run_mesh(const MeshFlags& flags) {
         target.names = std::move(names);
     }
     target.names.claims = opened.tree->claims;
+    target.names.axes = flags.axes.value_or(io::Orientation::ras());
+    if (auto known = io::check_axes(target.names.axes, target.names.claims, opened.session.tree.path.string()); !known)
+        return tl::unexpected(known.error());
     const double load_s = watch.seconds();
 
     RAMUS_TRY(written, of_file(write_surface(*opened.tree, opened.session.marks.options, hidden, target),
@@ -278,7 +286,7 @@ Result<int> run_mesh(const MeshFlags& flags) {
     const mesh::SurfaceOptions& options = opened.session.marks.options;
     std::optional<Smoothing> smoothing; // shown in JSON only
     if (flags.json) smoothing = smoothing_of(*opened.tree, options.smooth_passes);
-    report(flags, written, target.names.claims, smoothing, load_s);
+    report(flags, written, target.names, smoothing, load_s);
     return kDone;
 }
 
@@ -306,6 +314,7 @@ void register_mesh(CLI::App& app, Action& chosen) {
     add_mask_flags(*command, flags->mask);
     add_printing_flags(*command, flags->printing);
     add_parts_flag(*command, flags->parts);
+    add_axes_flag(*command, flags->axes, "Axes of the coordinates in the file, which states them (default RAS)");
     command->callback([flags, command, &chosen] {
         check_mask_flags(*command, flags->mask);
         if (flags->file.empty() && flags->session.empty()) throw CLI::RequiredError("FILE or --session");

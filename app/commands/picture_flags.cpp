@@ -3,6 +3,7 @@
 #include "app/commands/command.h"
 #include "app/picture/figure_options.h"
 #include "app/session/numbers.h"
+#include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/volume_file.h"
 #include "render/renderer/drawn.h"
 
@@ -117,11 +118,14 @@ void add_deviation_flags(CLI::App& command, DeviationFlags& flags) {
         ->excludes(mm);
 }
 
-std::vector<std::vector<std::string>> command_lines(const DeviationFlags& flags, const std::string& mask_units) {
+std::vector<std::vector<std::string>> command_lines(const DeviationFlags& flags, const std::string& mask_units,
+                                                    const std::string& mesh_axes) {
     std::vector<std::vector<std::string>> lines;
     if (!flags.from.empty()) lines.push_back({"deviation-from", flags.from});
     if (!flags.from.empty() && !mask_units.empty() && io::is_volume(flags.from))
         lines.back().insert(lines.back().end(), {"--units", mask_units});
+    if (!flags.from.empty() && !mesh_axes.empty() && io::names_mesh(flags.from))
+        lines.back().insert(lines.back().end(), {"--mesh-orientation", mesh_axes});
     if (flags.most_mm) lines.push_back({"deviation-scale", exact_text(*flags.most_mm), "mm"});
     if (flags.most_voxels) lines.push_back({"deviation-scale", exact_text(*flags.most_voxels), "voxels"});
     return lines;

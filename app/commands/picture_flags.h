@@ -46,9 +46,10 @@ struct DeviationFlags {
     std::optional<double> most_mm, most_voxels; // none: the session's
 };
 void add_deviation_flags(CLI::App& command, DeviationFlags& flags);
-// As the command lines that do the same; `mask_units`: of a file that is a mask, empty: as it says.
-[[nodiscard]] std::vector<std::vector<std::string>> command_lines(const DeviationFlags& flags,
-                                                                  const std::string& mask_units);
+// As the command lines that do the same; `mask_units`: of a file that is a mask, `mesh_axes`: of one that is a mesh,
+// empty: as it says.
+[[nodiscard]] std::vector<std::vector<std::string>>
+command_lines(const DeviationFlags& flags, const std::string& mask_units, const std::string& mesh_axes);
 
 // Throws CLI::ValidationError for what has no meaning without the other.
 void check_comparison_flags(const CLI::App& command, const ComparisonFlags& flags);

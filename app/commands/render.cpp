@@ -1,6 +1,7 @@
 // `ramus render`: the window's picture without a window.
 #include "app/actions/script.h"
-#include "app/assets/shapes.h"
+#include "app/assets/assets.h"
+#include "app/assets/half_turn.h"
 #include "app/commands/figure_flags.h"
 #include "app/commands/inputs.h"
 #include "app/commands/picture_flags.h"
@@ -46,6 +47,7 @@ struct RenderFlags {
     std::string camera, session, commands;
     std::optional<ColourBy> colour_by; // none: as the session has it
     std::vector<std::string> context;  // files
+    std::string mesh_axes;             // of meshes that do not state them; empty: not given
     glm::ivec2 size{1600, 1200};
     render::View view = render::View::kAnterior;
     bool view_given = false, orthographic = false, transparent = false, interface = false, json = false, notes = false;
@@ -245,15 +247,35 @@ Result<void> run_commands(ActionContext& here, const RenderFlags& flags,
         std::vector<std::string> words{"context", file};
         if (!flags.comparison.mask_units.empty() && !io::is_mesh(file))
             words.insert(words.end(), {"--units", flags.comparison.mask_units});
+        if (!flags.mesh_axes.empty() && io::names_mesh(file))
+            words.insert(words.end(), {"--mesh-orientation", flags.mesh_axes});
         if (auto added = run_command(here, words); !added) return added;
     }
-    for (const std::vector<std::string>& words : command_lines(flags.deviation, flags.comparison.mask_units))
+    for (const std::vector<std::string>& words :
+         command_lines(flags.deviation, flags.comparison.mask_units, flags.mesh_axes))
         if (auto set = run_command(here, words); !set) return set;
     if (flags.comparison.contact > 0) {
         const std::vector<std::string> words{"contact", std::to_string(flags.comparison.contact)};
         if (auto there = run_command(here, words); !there) return there;
     }
     return flags.interface ? Result<void>() : run(here);
+}
+
+// Of meshes that are shown beside the tree.
+void warn_of_half_turns(const Document& document, const Assets& assets) {
+    if (!document.tree()) return;
+    const Marks& marks = document.marks();
+    const Place vessels{render::bounds_of(*document.tree()), document.tree()->claims.orientation};
+    const auto warn = [&](const std::string& file, const Place& mesh, const std::string& read_in) {
+        const std::string hint = half_turn_hint(mesh, vessels, other_axes_option(read_in));
+        if (!hint.empty()) std::cerr << "ramus: " << file << ": " << hint << '\n';
+    };
+    for (const ContextItem& item : marks.context)
+        if (const auto shape = assets.context_shape(source_of(item)))
+            warn(item.file, {shape->box, shape->claims.orientation}, item.axes);
+    for (const std::string& file : marks.lesion_meshes)
+        if (const auto lesion = assets.lesion_mesh(file))
+            warn(file, {render::bounds_of(lesion->mesh), lesion->axes}, lesion->asked_axes);
 }
 
 Result<int> run_render(const RenderFlags& flags) {
@@ -281,6 +303,8 @@ Result<int> run_render(const RenderFlags& flags) {
                        .assets = stage.assets,
                        .tell = [&](const std::string& line) { say(flags.common, line); }};
     if (auto ran = run_commands(here, flags, run); !ran) return tl::unexpected(ran.error());
+
+    warn_of_half_turns(document, stage.assets);
 
     RAMUS_TRY(sheet, stage.sheet());
     dress(sheet, flags.figure);
@@ -390,6 +414,7 @@ void register_render(CLI::App& app, Action& chosen) {
     add_option(*command, "--context", "FILE", flags->context,
                "Show the surface of this mask or mesh beside the tree (" + context_extensions() + "); may be repeated")
         ->allow_extra_args(false);
+    add_mesh_orientation_flag(*command, flags->mesh_axes, "meshes of --context and --deviation-from");
     add_colour_flag(*command, flags->colour_by);
     command->add_flag("--ui", flags->interface, "The whole window, with the panels around the picture");
     command->add_flag("--notes", flags->notes,

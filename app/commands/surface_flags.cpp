@@ -46,7 +46,7 @@ void add_meaning_flags(CLI::App& command, io::ReadOptions& read) {
             return text != "auto" && with(io::ReadOptions(), "radius", text).has_value();
         }));
     add_option_taking<std::string>(
-        command, "--orientation,--axes", "XYZ",
+        command, "--orientation", "XYZ",
         [&read](const std::string& text) { read.orientation = io::Orientation::named(text); },
         "Which sides of the patient a tree's axes x, y and z lead to, three letters of R L A P S I, as RAS or LPS")
         ->check(
@@ -82,6 +82,20 @@ CLI::Option* add_mask_units_flag(CLI::App& command, std::string& units, const st
     return command.add_option("--mask-units", units, "Unit of the lengths in " + masks + ", as with --units")
         ->type_name("UNIT")
         ->check(unit_check());
+}
+
+CLI::Option* add_mesh_orientation_flag(CLI::App& command, std::string& axes, const std::string& meshes) {
+    return add_option_taking<std::string>(
+               command, "--mesh-orientation", "LPS|RAS",
+               [&axes](const std::string& word) { axes = io::slicer_space(word)->letters(); },
+               "Axes of " + meshes + " where the file does not state them (default RAS)")
+        ->check(expecting(" is neither LPS nor RAS", io::slicer_space));
+}
+
+void add_axes_flag(CLI::App& command, std::optional<io::Orientation>& axes, const std::string& help) {
+    add_option_taking<std::string>(
+        command, "--axes", "LPS|RAS", [&axes](const std::string& word) { axes = io::slicer_space(word); }, help)
+        ->check(expecting(" is neither LPS nor RAS", io::slicer_space));
 }
 
 void add_reading_flags(CLI::App& command, SurfaceFlags& flags) {

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,12 @@ void add_units_flag(CLI::App& command, io::ReadOptions& read);
 
 // --mask-units; `masks`: those that it is of, "--mask". Empty units: as the file says.
 CLI::Option* add_mask_units_flag(CLI::App& command, std::string& units, const std::string& masks);
+
+// --mesh-orientation LPS|RAS, of `meshes`, "--surface", that do not state their axes. Empty: not given.
+CLI::Option* add_mesh_orientation_flag(CLI::App& command, std::string& axes, const std::string& meshes);
+
+// --axes LPS|RAS, of what is written; none: not given.
+void add_axes_flag(CLI::App& command, std::optional<io::Orientation>& axes, const std::string& help);
 
 // --method, of those that make surfaces of trees, `with_masks` of all; `take` is called with what is given.
 void add_method_flag(CLI::App& command, bool with_masks, const std::function<void(mesh::Method)>& take);

@@ -9,7 +9,10 @@
 #include "core/io/volumes/volume_unit.h"
 #include "core/volume/isosurface.h"
 
+#include <filesystem>
 #include <glm/geometric.hpp>
+#include <iostream>
+#include <system_error>
 #include <utility>
 
 namespace ramus::app {
@@ -20,13 +23,31 @@ SurfaceFlags with_units(SurfaceFlags flags, const MaskInput& mask) {
 }
 
 std::string surface_input_kinds() {
-    return "a mesh (" + io::readable_mesh_extensions() + "), a vessel tree, of which the surface is made, or a mask (" +
-           io::readable_volume_extensions() + "), of which the isosurface is";
+    return "a mesh (" + io::readable_mesh_extensions() + "), a vessel tree (" + io::readable_tree_extensions() +
+           "), of which the surface is made, or a mask (" + io::readable_volume_extensions() +
+           "), of which the isosurface is";
 }
 
-Result<SurfaceInput> load_mesh(const std::string& file) {
-    RAMUS_TRY(mesh, io::read_mesh(file, io::Holes::kAllowed));
-    return SurfaceInput{std::move(mesh), {}, {}};
+Result<SurfaceInput> load_mesh(const std::string& file, const std::string& axes) {
+    RAMUS_TRY(read, io::read_mesh_file(file, {io::Holes::kAllowed, io::slicer_space(axes)}));
+    SurfaceInput input;
+    input.mesh = std::move(read.mesh);
+    input.claims.orientation = read.axes;
+    input.is_mesh = true;
+    if (read.stated) input.stated_axes = read.stated->letters();
+    return input;
+}
+
+void warn_of_stated_axes(const std::string& file, const SurfaceInput& mesh, const std::string& asked) {
+    if (asked.empty() || mesh.stated_axes.empty() || mesh.stated_axes == asked) return;
+    std::cerr << "ramus: " << file << ": the file states that its axes are " << mesh.stated_axes
+              << "; --mesh-orientation is for meshes that state none\n";
+}
+
+void warn_of_half_turn(const std::string& file, const SurfaceInput& mesh, const Place& vessels,
+                       const std::string& option) {
+    const std::string hint = half_turn_hint({render::bounds_of(mesh.mesh), mesh.claims.orientation}, vessels, option);
+    if (!hint.empty()) std::cerr << "ramus: " << file << ": " << hint << '\n';
 }
 
 Result<SurfaceInput> surface_of_mask(const std::string& file, const SurfaceFlags& flags, const MaskInput& mask,
@@ -56,14 +77,22 @@ Result<SurfaceInput> surface_of_mask(const std::string& file, const SurfaceFlags
 Result<SurfaceInput> surface_of_tree(const tree::VesselTree& tree, const SurfaceFlags& flags) {
     RAMUS_TRY(surface,
               with_progress("surface", [&](Job& job) { return mesh::make_surface(tree, flags.surface, job); }));
-    return SurfaceInput{std::move(surface.mesh), tree.claims, {}};
+    SurfaceInput made;
+    made.mesh = std::move(surface.mesh);
+    made.claims = tree.claims;
+    return made;
 }
 
-Result<SurfaceInput> load_surface(const std::string& file, const SurfaceFlags& flags, const MaskInput& mask) {
-    if (io::is_mesh(file)) return load_mesh(file);
+Result<SurfaceInput> load_surface(const std::string& file, const SurfaceFlags& flags, const MaskInput& mask,
+                                  const std::string& mesh_axes) {
+    if (io::is_mesh(file)) return load_mesh(file, mesh_axes);
     if (io::is_volume(file)) return surface_of_mask(file, flags, mask);
-    RAMUS_TRY(tree, load_tree(file, flags));
-    return of_file(surface_of_tree(tree, flags), file);
+    auto tree = load_tree(file, flags);
+    std::error_code missing;
+    if (!tree && !io::names_tree(file) && std::filesystem::exists(file, missing))
+        return fail(tree.error().what, tree.error().where, "give " + surface_input_kinds());
+    if (!tree) return tl::unexpected(tree.error());
+    return of_file(surface_of_tree(*tree, flags), file);
 }
 
 } // namespace ramus::app

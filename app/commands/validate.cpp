@@ -87,6 +87,7 @@ void register_validate(CLI::App& app, Action& chosen) {
                "The surface, from any program (" + io::readable_mesh_extensions() +
                    "); without it, that of ramus. Of several trees once for each, in the same order")
         ->allow_extra_args(false);
+    add_mesh_orientation_flag(*command, flags->mesh_axes, "--surface")->needs(command->get_option("--surface"));
     CLI::Option* mask = add_option(*command, "--mask", "MASK", flags->masks,
                                    "Segmentation mask of the same vessels (" + io::readable_volume_extensions() +
                                        "): distances to its isosurface. Of several trees once for each, likewise")

@@ -7,6 +7,7 @@
 #include "app/workspace/compared_surfaces.h"
 #include "core/field/kernel.h"
 #include "core/io/checksum.h"
+#include "core/io/meshes/mesh_file.h"
 #include "core/measure/deviation/deviation.h"
 #include "core/mesh/close_mesh.h"
 #include "core/validate/free_ends.h"
@@ -28,8 +29,12 @@ Result<mesh::TriangleMesh> surface_to_validate(const ValidateFlags& flags, std::
                                                const tree::VesselTree& tree) {
     const std::string file = flags.mesh(n);
     RAMUS_TRY(loaded, file.empty() ? of_file(surface_of_tree(tree, flags.surface), flags.trees[n])
-                                   : of_file(load_mesh(file), file));
+                                   : of_file(load_mesh(file, flags.mesh_axes), file));
     if (loaded.mesh.triangles.empty()) return fail("there is no surface in it", file.empty() ? flags.trees[n] : file);
+    warn_of_stated_axes(file, loaded, flags.mesh_axes);
+    if (loaded.is_mesh)
+        warn_of_half_turn(file, loaded, {render::bounds_of(tree), tree.claims.orientation},
+                          other_axes_option(flags.mesh_axes));
     return std::move(loaded.mesh);
 }
 
@@ -159,7 +164,8 @@ Result<std::vector<tree::VesselTree>> read_all(const ValidateFlags& flags) {
     for (const std::string& file : flags.masks)
         if (auto mask = load_volume(file, with_units(silent, flags.labels)); !mask) return tl::unexpected(mask.error());
     for (const std::string& file : flags.meshes)
-        if (auto mesh = of_file(load_mesh(file), file); !mesh) return tl::unexpected(mesh.error());
+        if (auto mesh = of_file(io::read_mesh(file, io::Holes::kAllowed), file); !mesh)
+            return tl::unexpected(mesh.error());
     return trees;
 }
 

@@ -19,6 +19,7 @@ struct ValidateFlags {
     MaskInput labels;
     std::vector<std::string> trees, masks, meshes; // of masks and meshes none, or one for each tree
     std::filesystem::path report;                  // a folder; empty: none
+    std::string mesh_axes;                         // of surfaces that do not state them; empty: not given
     bool kernels = false;                          // compare these instead
     bool json = false;
 

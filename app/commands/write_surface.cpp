@@ -7,6 +7,8 @@
 #include "core/mesh/lost_pieces.h"
 #include "core/validate/shape.h"
 
+#include <utility>
+
 namespace ramus::app {
 
 namespace {
@@ -22,7 +24,7 @@ void compare_shapes(const tree::VesselTree& tree, const mesh::SurfaceOptions& op
 
 } // namespace
 
-Result<void> write_surface(const mesh::TriangleMesh& surface, const SurfaceTarget& target, WrittenSurface& written) {
+Result<void> write_surface(mesh::TriangleMesh surface, const SurfaceTarget& target, WrittenSurface& written) {
     Stopwatch watch;
     written.vertices = surface.positions.size();
     written.triangles = surface.triangles.size();
@@ -32,7 +34,7 @@ Result<void> write_surface(const mesh::TriangleMesh& surface, const SurfaceTarge
     }
     written.shape = mesh::connectivity_of(surface);
     written.mesh_s += watch.lap();
-    if (auto saved = io::write_mesh(surface, target.file, target.names); !saved) return saved;
+    if (auto saved = io::write_mesh(std::move(surface), target.file, target.names); !saved) return saved;
     written.write_s = watch.lap();
     return {};
 }
@@ -54,7 +56,8 @@ Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::S
     written.lost_pieces = mesh::lost_pieces(tree, hidden, seen);
     compare_shapes(tree, options, hidden, written);
     written.mesh_s = watch.lap();
-    if (auto saved = write_surface(surface.mesh, target, written); !saved) return tl::unexpected(saved.error());
+    if (auto saved = write_surface(std::move(surface.mesh), target, written); !saved)
+        return tl::unexpected(saved.error());
     return written;
 }
 

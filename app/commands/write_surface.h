@@ -40,7 +40,7 @@ struct SurfaceTarget {
 
 // Writes a surface that is there: adds to `written` what it consists of and how long writing took. Fails on what cannot
 // be written or is not fit for printing.
-[[nodiscard]] Result<void> write_surface(const mesh::TriangleMesh& surface, const SurfaceTarget& target,
+[[nodiscard]] Result<void> write_surface(mesh::TriangleMesh surface, const SurfaceTarget& target,
                                          WrittenSurface& written);
 
 // Shows a progress bar; an interrupt cancels it.

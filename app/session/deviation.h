@@ -19,6 +19,7 @@ struct DeviationChoice {
     std::string file;      // of kFile: a mesh, absolute
     Unit unit = Unit::kMm; // kVoxels of isosurfaces alone
     double most = 0.0;     // where the scale ends, in its unit; 0: where nearly all distances lie below
+    std::string axes{};    // of a mesh that does not state them: "LPS"; empty: nobody has said
     bool operator==(const DeviationChoice&) const = default;
 };
 inline constexpr std::array kDeviationUnits{DeviationChoice::Unit::kMm, DeviationChoice::Unit::kVoxels};

@@ -221,6 +221,12 @@ static std::string units_in(const json& value) {
     return units;
 }
 
+std::string mesh_axes_in(const json& value) {
+    const std::string axes = text(value, "axes");
+    if (!io::slicer_space(axes)) throw Refusal{"axes \"" + axes + "\" are neither LPS nor RAS"};
+    return axes;
+}
+
 json comparison_json(const Comparison& comparison, const fs::path& folder) {
     json surfaces = json::array();
     for (const Compared kind : comparison.surfaces) surfaces.push_back(std::string(name_of(kind)));
@@ -267,12 +273,13 @@ json deviation_json(const DeviationChoice& choice, const fs::path& folder) {
             std::string(name_of(choice.from == From::kCones ? Compared::kTruncatedCones : Compared::kIsosurface));
     if (choice.unit != DeviationChoice{}.unit) value["unit"] = std::string(name_of(choice.unit));
     if (choice.most > 0.0) value["most"] = choice.most;
+    if (!choice.axes.empty()) value["axes"] = choice.axes;
     return value;
 }
 
 DeviationChoice deviation_in(const json& value, const fs::path& folder) {
     using From = DeviationChoice::From;
-    expect_only(value, "deviation", {"from", "mesh", "unit", "most"});
+    expect_only(value, "deviation", {"from", "mesh", "unit", "most", "axes"});
     DeviationChoice choice;
     if (value.contains("mesh")) {
         choice.from = From::kFile;
@@ -287,6 +294,7 @@ DeviationChoice deviation_in(const json& value, const fs::path& folder) {
     if (choice.unit == DeviationChoice::Unit::kVoxels && !may_count_voxels(choice.from))
         throw Refusal{"voxels are of an isosurface"};
     if (value.contains("most")) choice.most = number(value["most"], "most", kLeastDeviation, kMostDeviation);
+    if (value.contains("axes")) choice.axes = mesh_axes_in(value["axes"]);
     return choice;
 }
 
@@ -313,12 +321,13 @@ json context_json(const ContextItem& item, const fs::path& folder) {
     if (item.isovalue) value["isovalue"] = *item.isovalue;
     if (item.exact) value["exact"] = true;
     if (!item.units.empty()) value["units"] = item.units;
+    if (!item.axes.empty()) value["axes"] = item.axes;
     return value;
 }
 
 ContextItem context_item(const json& value, const fs::path& folder) {
     expect_only(value, "context",
-                {"path", "label", "isovalue", "colour", "opacity", "wireframe", "visible", "exact", "units"});
+                {"path", "label", "isovalue", "colour", "opacity", "wireframe", "visible", "exact", "units", "axes"});
     ContextItem item;
     if (!value.contains("path")) throw Refusal{"a context mesh has no path"};
     item.file = (folder / text(value["path"], "path of a context mesh")).lexically_normal().string();
@@ -329,6 +338,7 @@ ContextItem context_item(const json& value, const fs::path& folder) {
     if (value.contains("wireframe")) item.wireframe = truth(value["wireframe"], "wireframe");
     if (value.contains("exact")) item.exact = truth(value["exact"], "exact");
     if (value.contains("units")) item.units = units_in(value["units"]);
+    if (value.contains("axes")) item.axes = mesh_axes_in(value["axes"]);
     if (value.contains("visible")) item.visible = truth(value["visible"], "visible");
     if (value.contains("colour")) item.colour = colour_from(value["colour"], "colour");
     return item;

@@ -17,6 +17,7 @@ inline constexpr std::array kListedStates{render::BranchState::kHighlighted, ren
 [[nodiscard]] nlohmann::json measurement_json(const Measurement& m);
 
 // Throw Refusal (app/session/json_values.h).
+[[nodiscard]] std::string mesh_axes_in(const nlohmann::json& value); // "LPS" or "RAS"
 void read_options(const nlohmann::json& value, Marks& marks);
 void read_states(const nlohmann::json& value, Marks& marks);
 void read_plans(const nlohmann::json& value, Marks& marks); // lesions, cuts, names, measurements

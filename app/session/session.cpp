@@ -16,6 +16,11 @@ std::filesystem::path subject_of(const Session& session) {
     return session.marks.context.front().file;
 }
 
+std::string axes_of_lesion(const Marks& marks, const std::string& file) {
+    const auto said = marks.lesion_axes.find(file);
+    return said == marks.lesion_axes.end() ? std::string() : said->second;
+}
+
 std::string_view name_of(render::BranchState state) {
     constexpr std::array<std::string_view, 4> kNames{"normal", "highlighted", "defocused", "hidden"};
     return kNames[static_cast<std::size_t>(state)];

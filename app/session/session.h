@@ -75,6 +75,7 @@ struct ContextItem {
     bool exact = false;               // of a mask: with the steps of its voxels
     std::string units;                // of the file's lengths, "cm"; empty: as it says itself
     std::optional<double> isovalue{}; // of a scan: what is at least that is inside
+    std::string axes{};               // of a mesh that does not state them: "LPS"; empty: nobody has said
     bool operator==(const ContextItem&) const = default;
 };
 
@@ -83,10 +84,11 @@ struct Marks {
     std::vector<tree::Edit> edits;           // of the file's tree, in order; ids below are those of the tree after them
     std::vector<int> selection;              // branch ids, ascending
     std::vector<render::BranchState> states; // by branch id; branches beyond its end are normal
-    std::vector<std::array<double, 4>> lesions; // spheres: centre and radius, mm, RAS
-    std::vector<std::string> lesion_meshes;     // files of closed meshes, absolute
-    std::vector<ContextItem> context;           // in the order in which they came
-    std::vector<std::pair<int, double>> cuts;   // branch, and where: of its length from the parent's end
+    std::vector<std::array<double, 4>> lesions;     // spheres: centre and radius, mm, RAS
+    std::vector<std::string> lesion_meshes;         // files of closed meshes, absolute
+    std::map<std::string, std::string> lesion_axes; // "LPS", by the file of one that does not state them
+    std::vector<ContextItem> context;               // in the order in which they came
+    std::vector<std::pair<int, double>> cuts;       // branch, and where: of its length from the parent's end
     std::vector<Measurement> measurements;
     std::map<int, std::string> names;
     std::vector<int> subtree_names;    // ids of `names`, ascending: these are also what depends on the branch is called
@@ -124,6 +126,9 @@ struct Session {
 
 // What it is of: the tree's file, else the first of what is shown without one; empty: of nothing.
 [[nodiscard]] std::filesystem::path subject_of(const Session& session);
+
+// What somebody said about the axes of a lesion's file; empty: nothing.
+[[nodiscard]] std::string axes_of_lesion(const Marks& marks, const std::string& file);
 
 [[nodiscard]] std::string_view name_of(render::BranchState state); // "normal", "highlighted", "defocused", "hidden"
 [[nodiscard]] render::BranchState state_of(const Marks& marks, int branch);

@@ -34,7 +34,12 @@ json to_json(const Session& session, const fs::path& folder) {
     json names = json::object();
     for (const auto& [id, name] : session.marks.names) names[std::to_string(id)] = name;
     json meshes = json::array();
-    for (const std::string& mesh : session.marks.lesion_meshes) meshes.push_back(written_path(mesh, folder).string());
+    for (const std::string& mesh : session.marks.lesion_meshes) {
+        const std::string path = written_path(mesh, folder).string();
+        const auto axes = session.marks.lesion_axes.find(mesh);
+        meshes.push_back(axes == session.marks.lesion_axes.end() ? json(path)
+                                                                 : json{{"path", path}, {"axes", axes->second}});
+    }
     json context = json::array();
     for (const ContextItem& item : session.marks.context) context.push_back(context_json(item, folder));
     json measurements = json::array();
@@ -95,9 +100,14 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
         if (value.contains("states")) read_states(value["states"], session.marks);
         if (value.contains("edits")) session.marks.edits = edits_in(value["edits"]);
         read_plans(value, session.marks);
-        for (const json& mesh : list_in(value, "lesion_meshes"))
+        for (const json& mesh : list_in(value, "lesion_meshes")) {
+            if (mesh.is_object()) expect_only(mesh, "lesion", {"path", "axes"});
+            const json& path = mesh.is_object() && mesh.contains("path") ? mesh["path"] : mesh;
             session.marks.lesion_meshes.push_back(
-                (folder / text(mesh, "path of a lesion")).lexically_normal().string());
+                (folder / text(path, "path of a lesion")).lexically_normal().string());
+            if (mesh.is_object() && mesh.contains("axes"))
+                session.marks.lesion_axes[session.marks.lesion_meshes.back()] = mesh_axes_in(mesh["axes"]);
+        }
         for (const json& item : list_in(value, "systems")) session.marks.systems.push_back(system_in(item));
         for (const json& item : list_in(value, "context")) session.marks.context.push_back(context_item(item, folder));
         if (value.contains("comparison")) session.marks.comparison = comparison_in(value["comparison"], folder);

@@ -5,7 +5,7 @@
 #include "app/storage/recent_files.h"
 #include "app/storage/tree_source.h"
 #include "app/storage/user_folders.h"
-#include "core/io/recognise.h"
+#include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/volume_file.h"
 
 #include <algorithm>
@@ -107,10 +107,9 @@ void ViewerFiles::quit() {
 }
 
 void ViewerFiles::dropped(const std::filesystem::path& path) {
-    const io::Recognised file = io::recognised(path);
-    const bool is_mesh = file.mesh != nullptr, planning = state_.interface.page == PanelPage::kPlan;
+    const bool is_mesh = io::is_mesh(path), planning = state_.interface.page == PanelPage::kPlan;
     Interface& interface = state_.interface;
-    if (file.volume != nullptr) {
+    if (io::is_volume(path)) {
         interface.help_open = interface.open_dialog.open = false;
         ask_about_volume(path);
     } else {

@@ -1,5 +1,6 @@
 #include "app/workspace/deviation_maker.h"
 
+#include "app/assets/half_turn.h"
 #include "app/session/of_file.h"
 #include "app/workspace/compared_surfaces.h"
 #include "core/io/meshes/mesh_file.h"
@@ -49,11 +50,16 @@ ComparedRequest request_of(const DeviationOf& of, int threads, std::size_t memor
 
 Result<OtherSurface> other_surface(const DeviationOf& of, int threads, std::size_t memory_bytes, Job& job) {
     if (of.from == DeviationChoice::From::kFile) {
-        RAMUS_TRY(read, io::read_mesh(of.file, io::Holes::kAllowed));
-        if (lies_elsewhere(read, *of.tree))
+        RAMUS_TRY(read, io::read_mesh_file(of.file, {io::Holes::kAllowed, io::slicer_space(of.axes)}));
+        if (lies_elsewhere(read.mesh, *of.tree)) {
+            const std::string hint =
+                half_turn_hint({render::bounds_of(read.mesh), read.axes},
+                               {render::bounds_of(*of.tree), of.tree->claims.orientation}, other_axes_option(of.axes));
+            if (!hint.empty()) return fail(hint, of.file);
             return fail("this surface lies elsewhere than the tree", of.file,
                         "give a surface in the coordinates of the tree, in mm");
-        return OtherSurface{std::move(read), {}};
+        }
+        return OtherSurface{std::move(read.mesh), {}};
     }
     RAMUS_TRY(made, compared_mesh(*of.tree, request_of(of, threads, memory_bytes), job));
     return OtherSurface{std::move(made.mesh), made.voxel_diagonal_mm};

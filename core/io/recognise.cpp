@@ -5,6 +5,7 @@
 #include "core/io/volumes/byte_stage.h"
 #include "core/io/volumes/volume_file.h"
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -21,11 +22,20 @@ template <class Visit> void for_each_known(const Visit& visit) {
         if (is_read(format)) visit(format, Recognised{nullptr, nullptr, &format, false});
 }
 
+// Lets `found` be what else a file may be, too, that `as` fits.
+void add(Recognised& found, const Recognised& as) {
+    if (found.tree == nullptr) found.tree = as.tree;
+    if (found.volume == nullptr) found.volume = as.volume;
+    if (found.mesh == nullptr) found.mesh = as.mesh;
+}
+
 Recognised by_content(std::string_view head, Certainty certainty) {
     Recognised found;
+    decltype(FileFormat::has_signature) signature = nullptr;
     for_each_known([&](const FileFormat& format, const Recognised& as) {
-        if (found || format.certainty != certainty || format.has_signature == nullptr) return;
-        if (format.has_signature(head)) found = as, found.by_content = true;
+        if (format.has_signature == nullptr || format.certainty != certainty) return;
+        if (signature == nullptr && format.has_signature(head)) signature = format.has_signature;
+        if (signature != nullptr && format.has_signature == signature) add(found, as), found.by_content = true;
     });
     return found;
 }
@@ -36,7 +46,9 @@ Recognised by_name(const std::filesystem::path& name) {
     Recognised found;
     std::size_t longest = 0;
     for_each_known([&](const FileFormat& format, const Recognised& as) {
-        if (const std::size_t length = extension_length(plain, format); length > longest) found = as, longest = length;
+        const std::size_t length = extension_length(plain, format);
+        if (length > longest) found = {}, longest = length;
+        if (length > 0 && length == longest) add(found, as);
     });
     return found;
 }
@@ -80,7 +92,9 @@ std::vector<const FileFormat*> recognition_order() {
     std::vector<const FileFormat*> order;
     for (const Certainty certainty : {Certainty::kMark, Certainty::kHeader, Certainty::kLikeness})
         for_each_known([&](const FileFormat& format, const Recognised&) {
-            if (format.certainty == certainty && format.has_signature != nullptr) order.push_back(&format);
+            if (format.certainty == certainty && format.has_signature != nullptr &&
+                std::ranges::find(order, format.has_signature, &FileFormat::has_signature) == order.end())
+                order.push_back(&format);
         });
     return order;
 }

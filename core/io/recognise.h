@@ -17,7 +17,8 @@ struct TreeFormat;
 struct VolumeFormat;
 struct MeshFormat;
 
-// One format, or none. Volumes may have a format that is known and not read.
+// One format, or none. Volumes may have a format that is known and not read. VTK's files hold trees or meshes, which
+// their first bytes do not tell: both are set (is_mesh() reads on).
 struct Recognised {
     const TreeFormat* tree = nullptr;
     const VolumeFormat* volume = nullptr;
@@ -33,7 +34,8 @@ struct Recognised {
 // read, are recognised by their names.
 [[nodiscard]] Recognised recognised(const std::filesystem::path& path);
 
-// The formats whose content tells, in the order in which they are tried, with what their signatures are worth.
+// The formats whose content tells, in the order in which they are tried, with what their signatures are worth; each
+// signature once.
 [[nodiscard]] std::vector<const FileFormat*> recognition_order();
 
 } // namespace ramus::io

@@ -60,11 +60,6 @@ class Info(CommandLineTest):
             self.assertEqual(result.returncode, 2, wrong)
             self.assertIn("RAS", result.stderr)
 
-    def test_axes_is_the_older_name(self):
-        self.write("bare.swc", GOOD)
-        self.assertEqual(self.json("info", "bare.swc", "--json", "--branches", "--axes", "lps"),
-                         self.json("info", "bare.swc", "--json", "--branches", "--orientation", "LPS"))
-
 
 class Files(CommandLineTest):
     def test_a_converted_tree_claims_no_more(self):
@@ -84,7 +79,7 @@ class Files(CommandLineTest):
         head = (self.folder / "bare.ply").read_bytes()[:200]
         self.assertIn(b"unit unknown, orientation unknown", head)
         self.expect_done("mesh", "bare.swc", "-o", "said.ply", "--units", "mm", "--orientation", "RAS")
-        self.assertIn(b", mm, RAS\n", (self.folder / "said.ply").read_bytes()[:200])
+        self.assertIn(b", mm, RAS; SPACE=RAS\n", (self.folder / "said.ply").read_bytes()[:200])
         self.expect_done("mesh", "bare.swc", "-o", "bare.glb")
         self.assertIn(b'"orientation":"unknown"', (self.folder / "bare.glb").read_bytes())
         report = self.json("mesh", "bare.swc", "-o", "bare.stl", "--json")

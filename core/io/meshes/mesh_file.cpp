@@ -46,6 +46,13 @@ Result<mesh::TriangleMesh> triangles_of(const PolygonSoup& soup, const Orientati
     return mesh;
 }
 
+// All bytes of the file, uncompressed.
+Result<std::string> mesh_text(const std::filesystem::path& path) {
+    RAMUS_TRY(text, read_file(path, kMostMeshBytes));
+    if (!is_gzip(text)) return std::move(text);
+    return inflated(text, std::min<std::uint64_t>(inflation_limit(text.size()), kMostMeshBytes), path.string());
+}
+
 void turn_into(const Orientation& axes, mesh::TriangleMesh& mesh) {
     if (axes == Orientation::ras()) return;
     for (auto* vectors : {&mesh.positions, &mesh.normals})
@@ -134,7 +141,12 @@ bool names_mesh(const std::filesystem::path& path) {
     return format != nullptr && is_read(*format);
 }
 
-bool is_mesh(const std::filesystem::path& path) { return recognised(path).mesh != nullptr; }
+bool is_mesh(const std::filesystem::path& path) {
+    const Recognised found = recognised(path);
+    if (found.mesh == nullptr || found.tree == nullptr) return found.mesh != nullptr;
+    const auto text = mesh_text(path);
+    return text && is_vtk_surface(*text);
+}
 
 Result<const MeshFormat*> mesh_format(const std::filesystem::path& file) {
     const MeshFormat* format = format_by_name(mesh_formats(), file);
@@ -147,11 +159,7 @@ Result<const MeshFormat*> mesh_format(const std::filesystem::path& file) {
 
 Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const MeshReading& reading) {
     const std::string name = path.string();
-    RAMUS_TRY(text, read_file(path, kMostMeshBytes));
-    if (is_gzip(text)) {
-        RAMUS_TRY(plain, inflated(text, std::min<std::uint64_t>(inflation_limit(text.size()), kMostMeshBytes), name));
-        text = std::move(plain);
-    }
+    RAMUS_TRY(text, mesh_text(path));
     const Recognised found = recognised(text, path);
     if (found.mesh == nullptr)
         return fail("a mesh is a file of type " + readable_mesh_extensions(), name, "convert it to one of these");
@@ -171,16 +179,6 @@ Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const MeshRea
 Result<mesh::TriangleMesh> read_mesh(const std::filesystem::path& path, Holes holes) {
     RAMUS_TRY(read, read_mesh_file(path, {holes, {}}));
     return std::move(read.mesh);
-}
-
-bool holds_mesh(const std::filesystem::path& path) {
-    const MeshFormat* format = format_by_name(mesh_formats(), path);
-    if (format == nullptr || !is_read(*format)) return false;
-    if (format->extensions.front().starts_with(".vt")) {
-        const auto text = read_file(path, kMostMeshBytes);
-        return text && is_vtk_surface(*text);
-    }
-    return true;
 }
 
 Result<void> write_mesh(mesh::TriangleMesh mesh, const std::filesystem::path& path, const MeshNames& names) {

@@ -76,7 +76,8 @@ struct MeshFormat : FileFormat {
 // Whether the name is that of a mesh that can be read.
 [[nodiscard]] bool names_mesh(const std::filesystem::path& path);
 
-// Whether there is a mesh at `path` (core/io/recognise.h).
+// Whether there is a mesh at `path` (core/io/recognise.h). Files of VTK, which trees have too, are read for it: those
+// without lines are meshes.
 [[nodiscard]] bool is_mesh(const std::filesystem::path& path);
 
 // The format in which `file` will be written; fails on any extension that has none.
@@ -104,9 +105,6 @@ struct MeshFile {
 [[nodiscard]] Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const MeshReading& reading);
 // The mesh alone.
 [[nodiscard]] Result<mesh::TriangleMesh> read_mesh(const std::filesystem::path& path, Holes holes = Holes::kRefused);
-
-// Whether a file of a mesh's name holds one: of VTK's formats, which trees have too, those without lines do.
-[[nodiscard]] bool holds_mesh(const std::filesystem::path& path);
 
 // In the format of the extension, in the axes of `names`, whose other members are for formats that have a place for
 // them. The mesh is turned into the axes in place: pass by std::move what is not needed any more.
