@@ -29,8 +29,8 @@ tl::unexpected<Error> no_tree(const Recognised& found, const std::filesystem::pa
         return fail("this is a volume, where a vessel tree is needed", path.string(),
                     "ramus mesh --method iso makes the surface of a mask");
     if (found.mesh != nullptr)
-        return fail("this is a surface mesh, where a vessel tree is needed", path.string(),
-                    "ramus compare and ramus render --context take meshes; trees are " + readable_tree_extensions());
+        return fail("this is a surface mesh, not a tree", path.string(),
+                    "a tree needs centerlines; as a surface, --context of ramus render shows it");
     return fail("files of type '" + path.extension().string() + "' cannot be read", path.string(),
                 "use " + readable_tree_extensions());
 }
