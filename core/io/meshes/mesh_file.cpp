@@ -47,10 +47,10 @@ Result<mesh::TriangleMesh> triangles_of(const PolygonSoup& soup, const Orientati
 }
 
 // All bytes of the file, uncompressed.
-Result<std::string> mesh_text(const std::filesystem::path& path) {
-    RAMUS_TRY(text, read_file(path, kMostMeshBytes));
+Result<std::string> uncompressed(const std::filesystem::path& path, std::uintmax_t most_bytes) {
+    RAMUS_TRY(text, read_file(path, most_bytes));
     if (!is_gzip(text)) return std::move(text);
-    return inflated(text, std::min<std::uint64_t>(inflation_limit(text.size()), kMostMeshBytes), path.string());
+    return inflated(text, std::min<std::uintmax_t>(inflation_limit(text.size()), most_bytes), path.string());
 }
 
 void turn_into(const Orientation& axes, mesh::TriangleMesh& mesh) {
@@ -144,7 +144,7 @@ bool names_mesh(const std::filesystem::path& path) {
 bool is_mesh(const std::filesystem::path& path) {
     const Recognised found = recognised(path);
     if (found.mesh == nullptr || found.tree == nullptr) return found.mesh != nullptr;
-    const auto text = mesh_text(path);
+    const auto text = uncompressed(path, kNoLimit); // also of a file that is too large for a mesh
     return text && is_vtk_surface(*text);
 }
 
@@ -159,7 +159,7 @@ Result<const MeshFormat*> mesh_format(const std::filesystem::path& file) {
 
 Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const MeshReading& reading) {
     const std::string name = path.string();
-    RAMUS_TRY(text, mesh_text(path));
+    RAMUS_TRY(text, uncompressed(path, kMostMeshBytes));
     const Recognised found = recognised(text, path);
     if (found.mesh == nullptr)
         return fail("a mesh is a file of type " + readable_mesh_extensions(), name, "convert it to one of these");
