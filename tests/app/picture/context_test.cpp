@@ -35,7 +35,9 @@ struct ContextStage {
         auto mesh = test::icosphere(level, centre, 12.0);
         mesh.radii.resize(mesh.positions.size(), 1.0F);
         mesh.branches.resize(mesh.positions.size(), 0);
-        REQUIRE(io::write_mesh(mesh, folder.path() / name));
+        io::MeshNames nothing; // is said of it
+        nothing.claims = {tree::SaidBy::kNobody, tree::SaidBy::kNobody};
+        REQUIRE(io::write_mesh(mesh, folder.path() / name, nothing));
         return (folder.path() / name).string();
     }
     // Two blocks: label 1 from x = 0 to 4 mm, label 2 from 10 to 18.
