@@ -1,6 +1,7 @@
 #include "core/io/meshes/assimp_reader.h"
 
 #include "core/base/own_process.h"
+#include "core/io/input_file.h"
 
 #include <algorithm>
 #include <assimp/BaseImporter.h>
@@ -29,13 +30,14 @@ public:
     void Close(Assimp::IOStream* /*stream*/) override {}
 };
 
-// Only the reader of that one format: others would take a file that is not what its name says.
+// Only the readers of that one format: others would take a file that is not what its name says.
 bool keep_only(Assimp::Importer& importer, const std::string& extension) {
     bool found = false;
     for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
         const aiImporterDesc* about = importer.GetImporterInfo(i);
-        const std::string_view known = about != nullptr ? about->mFileExtensions : "";
-        if (known == extension) {
+        std::vector<std::string_view> known;
+        split_words(about != nullptr ? about->mFileExtensions : "", " ", known);
+        if (std::ranges::find(known, extension) != known.end()) {
             found = true;
         } else { // which leaves it to the caller
             const std::unique_ptr<Assimp::BaseImporter> other(importer.GetImporter(i));
@@ -53,25 +55,40 @@ template <class T> void append_numbers(std::string& bytes, const std::vector<T>&
     bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T));
 }
 
-std::string soup_bytes(const aiScene& scene) {
+struct SoupNumbers {
     std::vector<double> positions;
     std::vector<std::uint32_t> polygons;
-    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-        const aiMesh& part = *scene.mMeshes[m];
-        const auto first = static_cast<std::uint32_t>(positions.size() / 3);
-        for (unsigned v = 0; v < part.mNumVertices; ++v)
-            positions.insert(positions.end(), {part.mVertices[v].x, part.mVertices[v].y, part.mVertices[v].z});
-        for (unsigned f = 0; f < part.mNumFaces; ++f) {
-            const aiFace& face = part.mFaces[f];
-            polygons.push_back(face.mNumIndices);
-            for (unsigned k = 0; k < face.mNumIndices; ++k)
-                polygons.push_back(face.mIndices[k] < part.mNumVertices ? first + face.mIndices[k] : kNoVertex);
-        }
+};
+
+// `place`: from the mesh's own axes to those of the scene.
+void add_part(const aiMesh& part, const aiMatrix4x4t<double>& place, SoupNumbers& numbers) {
+    const auto first = static_cast<std::uint32_t>(numbers.positions.size() / 3);
+    for (unsigned v = 0; v < part.mNumVertices; ++v) {
+        const aiVector3t<double> at =
+            place * aiVector3t<double>(part.mVertices[v].x, part.mVertices[v].y, part.mVertices[v].z);
+        numbers.positions.insert(numbers.positions.end(), {at.x, at.y, at.z});
     }
+    for (unsigned f = 0; f < part.mNumFaces; ++f) {
+        const aiFace& face = part.mFaces[f];
+        numbers.polygons.push_back(face.mNumIndices);
+        for (unsigned k = 0; k < face.mNumIndices; ++k)
+            numbers.polygons.push_back(face.mIndices[k] < part.mNumVertices ? first + face.mIndices[k] : kNoVertex);
+    }
+}
+
+void add_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4t<double>& above, SoupNumbers& numbers) {
+    const aiMatrix4x4t<double> place = above * aiMatrix4x4t<double>(node.mTransformation);
+    for (unsigned m = 0; m < node.mNumMeshes; ++m) add_part(*scene.mMeshes[node.mMeshes[m]], place, numbers);
+    for (unsigned n = 0; n < node.mNumChildren; ++n) add_node(scene, *node.mChildren[n], place, numbers);
+}
+
+std::string soup_bytes(const aiScene& scene) {
+    SoupNumbers numbers;
+    if (scene.mRootNode != nullptr) add_node(scene, *scene.mRootNode, {}, numbers);
     std::string bytes;
-    append_numbers(bytes, std::vector<std::uint64_t>{positions.size() / 3});
-    append_numbers(bytes, positions);
-    append_numbers(bytes, polygons);
+    append_numbers(bytes, std::vector<std::uint64_t>{numbers.positions.size() / 3});
+    append_numbers(bytes, numbers.positions);
+    append_numbers(bytes, numbers.polygons);
     return bytes;
 }
 

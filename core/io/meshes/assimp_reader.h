@@ -6,7 +6,8 @@
 
 namespace ramus::io {
 
-// `extension` without its dot, as the library calls the format. Fails on damaged files.
+// `extension` without its dot, as the library calls the format. Positions are where the nodes of the file's scene place
+// them. Fails on damaged files.
 [[nodiscard]] Result<PolygonSoup> parse_with_assimp(std::string_view text, const std::string& extension,
                                                     const std::string& name);
 

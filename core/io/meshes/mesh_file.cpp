@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <system_error>
 
 namespace ramus::io {
 
@@ -97,6 +98,7 @@ const std::vector<MeshFormat>& mesh_formats() {
         {{.name = "VTP surface",
           .extensions = {".vtp"},
           .has_signature = is_vtk_poly_data,
+          .certainty = Certainty::kHeader,
           .help = "PolyData of VTK: triangles with normals, radius, branch and system."},
          parse_vtk_xml_surface,
          nullptr,
@@ -106,6 +108,7 @@ const std::vector<MeshFormat>& mesh_formats() {
         {{.name = "VTU surface",
           .extensions = {".vtu"},
           .has_signature = is_vtk_unstructured_grid,
+          .certainty = Certainty::kHeader,
           .help = "Unstructured grid of VTK: its cells that are faces."},
          parse_vtk_xml_surface},
         {{.name = "Legacy VTK surface",
@@ -144,7 +147,10 @@ bool names_mesh(const std::filesystem::path& path) {
 bool is_mesh(const std::filesystem::path& path) {
     const Recognised found = recognised(path);
     if (found.mesh == nullptr || found.tree == nullptr) return found.mesh != nullptr;
-    const auto text = uncompressed(path, kNoLimit); // also of a file that is too large for a mesh
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return false; // a pipe can be read but once
+    constexpr std::uintmax_t kMostTreeBytes = std::uintmax_t{4} << 30; // more than a mesh may have
+    const auto text = uncompressed(path, kMostTreeBytes);
     return text && is_vtk_surface(*text);
 }
 
