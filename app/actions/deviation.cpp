@@ -25,7 +25,7 @@ Result<void> take_file(Marks& marks, const std::string& name, const std::string&
     std::error_code error;
     if (!std::filesystem::exists(path, error))
         return fail("the surface cannot be read", path.string(), std::string("give ") + kWanted);
-    if (io::is_mesh(path)) {
+    if (io::may_be_mesh(path)) {
         marks.deviation.from = From::kFile;
         marks.deviation.file = path.string();
         return {};

@@ -86,7 +86,7 @@ Loaded<ContextShape> read_context_shape(const ContextSource& source, const Loade
     return loaded;
 }
 
-bool can_be_context(const std::string& file) { return io::is_mesh(file) || io::is_volume(file); }
+bool can_be_context(const std::string& file) { return io::may_be_mesh(file) || io::is_volume(file); }
 
 std::string context_extensions() {
     std::vector<std::string_view> words = io::readable_extensions(io::volume_formats());

@@ -212,7 +212,9 @@ class WrittenAxes(MeshAxes):
                     name = f"{axes}.{extension}"
                     figures = self.json("mesh", "tree.swc", "-o", name, "--axes", axes, "--json")
                     self.assertEqual(figures["orientation"], axes)
-                    self.assertEqual(self.apart(name, "plain." + extension), (0.0, ""))
+                    distance, told = self.apart(name, "plain." + extension)
+                    self.assertEqual(told, "")
+                    self.assertLessEqual(distance, 1e-5 if extension == "glb" else 0.0)  # its nodes turn in single precision
                     self.assertLess(self.apart(name, "plain.stl")[0], 1e-5)  # numbers of text may round
                     found = self.json("validate", "tree.swc", "--surface", name, "--json")
                     self.assertEqual(found["questions"]["lost"], [])
@@ -234,7 +236,9 @@ class WrittenAxes(MeshAxes):
                 self.expect_failure("mesh", "bare.swc", "-o", "l." + extension, "--axes", "LPS",
                                     says=("bare.swc", "nobody has said", "--orientation"))
                 self.expect_done("mesh", "bare.swc", "-o", "l." + extension, "--axes", "LPS", "--orientation", "RAS")
-                self.assertEqual(self.apart("l." + extension, "m." + extension), (0.0, ""))
+                distance, told = self.apart("l." + extension, "m." + extension)
+                self.assertEqual(told, "")
+                self.assertLessEqual(distance, 1e-5 if extension == "glb" else 0.0)
         self.expect_failure("mesh", "tree.swc", "-o", "m.stl", "--axes", "PIR", status=2, says=("PIR", "LPS"))
 
     def test_a_mask(self):
@@ -311,7 +315,7 @@ class SurfacesThatAreRead(MeshAxes):
                 "accessors": [{"bufferView": 0, "componentType": 5126, "count": 2 ** 60, "type": "VEC3"}],
                 "bufferViews": [{"buffer": 0, "byteLength": 2 ** 62}], "buffers": [{"byteLength": 8, "uri": "/etc/passwd"}]}
         packed = {"asset": {"version": "2.0"}, "extensionsRequired": ["KHR_draco_mesh_compression"]}
-        for name, description, words in (("loop", loop, "no triangles"), ("far", far, "damaged"), ("away", away, "another file"),
+        for name, description, words in (("loop", loop, "damaged"), ("far", far, "damaged"), ("away", away, "damaged"),
                                          ("packed", packed, "compressed")):
             with self.subTest(name=name):
                 self.write("bad.glb", gltf(description))

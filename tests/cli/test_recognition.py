@@ -205,7 +205,7 @@ class Kinds(CommandLineTest):
         (self.folder / "ball.ply").rename(self.folder / "ball")
         for command in (["info", "ball"], ["convert", "ball", "-o", "a.swc"], ["render", "ball", "-o", "a.png"]):
             with self.subTest(command):
-                self.expect_failure(*command, says=["this is a surface mesh, where a vessel tree is needed"])
+                self.expect_failure(*command, says=["this is a surface mesh, not a tree"])
         self.expect_failure("skeletonize", "ball", "-o", "a.swc", says=["this is no mask"])
         self.expect_done("compare", "ball", "tree.swc")
         self.expect_done("render", "tree.swc", "--context", "ball", "-o", "a.png", "--size", "80x60")

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <assimp/BaseImporter.h>
+#include <assimp/DefaultLogger.hpp>
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
 #include <assimp/importerdesc.h>
 #include <assimp/scene.h>
 #include <cstring>
@@ -92,17 +94,32 @@ std::string soup_bytes(const aiScene& scene) {
     return bytes;
 }
 
+// Hears what the library says of triangles that it leaves out, and of which it says nothing to its caller.
+class LeftOut final : public Assimp::LogStream {
+public:
+    explicit LeftOut(bool& any) : any_(any) {}
+    void write(const char* message) override {
+        any_ = any_ || std::string_view(message).find("out-of-range") != std::string_view::npos;
+    }
+
+private:
+    bool& any_;
+};
+
 // `input`: the format's extension, a line's end, and the file's text.
 std::string read_with_assimp(std::string_view input) {
     const std::size_t line = input.find('\n');
     const std::string extension(input.substr(0, line));
     const std::string_view text = input.substr(line + 1);
     try {
+        bool left_out = false; // this process is the library's own, and so is its one logger
+        Assimp::DefaultLogger::create(nullptr, Assimp::Logger::NORMAL, 0);
+        Assimp::DefaultLogger::get()->attachStream(new LeftOut(left_out), Assimp::Logger::Warn); // which owns it
         Assimp::Importer importer;
         importer.SetIOHandler(new NoFiles); // which owns it
         if (!keep_only(importer, extension)) return {};
         const aiScene* scene = importer.ReadFileFromMemory(text.data(), text.size(), 0, extension.c_str());
-        return scene == nullptr ? std::string() : soup_bytes(*scene);
+        return scene == nullptr || left_out ? std::string() : soup_bytes(*scene);
     } catch (const std::exception&) { // on damaged files
         return {};
     }
