@@ -12,7 +12,7 @@ namespace {
 using Words = std::pair<std::string_view, std::string_view>;
 
 // The longer of two that begin alike comes first.
-constexpr std::array<Words, 45> kWindowWords{{
+constexpr auto kWindowWords = std::to_array<Words>({
     {"repair with --repair or edit the file", "choose more repairs (Shift+D) or edit the file"},
     {"allow it with --repair usual or --repair ", "allow all repairs when the file is read (Shift+D), such as "},
     {"allow it with --repair all or --repair ", "allow all repairs when the file is read (Shift+D), such as "},
@@ -57,7 +57,7 @@ constexpr std::array<Words, 45> kWindowWords{{
     {"--islands", "Islands (Shift+D)"},
     {"a --width", "a width"},
     {"another --kernel", "another kernel"},
-}};
+});
 
 } // namespace
 
