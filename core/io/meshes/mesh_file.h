@@ -76,7 +76,8 @@ struct MeshFormat : FileFormat {
 // Whether the name is that of a mesh that can be read.
 [[nodiscard]] bool names_mesh(const std::filesystem::path& path);
 
-// Whether the file at `path` has a format that meshes have (core/io/recognise.h): read_mesh_file() says what else it is.
+// Whether the file at `path` has a format that meshes have (core/io/recognise.h): read_mesh_file() says what else it
+// is.
 [[nodiscard]] bool may_be_mesh(const std::filesystem::path& path);
 
 // Whether there is a mesh at `path`. Files of VTK, which trees have too, are read for it: those
