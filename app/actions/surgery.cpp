@@ -105,8 +105,8 @@ Result<void> lesion_clear(ActionContext& context, Arguments) {
                 [](Marks& marks) { marks.lesions.clear(), marks.lesion_meshes.clear(), marks.lesion_axes.clear(); });
 }
 
-std::string cost_text(const measure::CutFigures& cut, const Lengths& lengths) {
-    return lengths.text(cut.diameter_mm) + " wide" + (cut.reconstruct ? ", must be reconstructed" : "") +
+std::string cost_text(const measure::CutFigures& cut, double limit_mm, const Lengths& lengths) {
+    return lengths.text(cut.diameter_mm) + " wide" + (cut.reconstruct ? ", " + over_text(limit_mm, lengths) : "") +
            "; lost: " + amount_text(cut.lost, lengths);
 }
 
@@ -139,7 +139,8 @@ Result<void> cut(ActionContext& context, Arguments arguments) {
     document.change(std::move(next));
     if (added == 1)
         context.say("Cut " + std::to_string(before + 1) + ": " +
-                    cost_text(refresh_plan(context.assets, context.document).cuts.cuts.back(), document.lengths()));
+                    cost_text(refresh_plan(context.assets, context.document).cuts.cuts.back(),
+                              document.marks().planning.reconstruct_mm, document.lengths()));
     else
         context.say(counted(added, "cut", "cuts"));
     return {};
@@ -173,7 +174,7 @@ Result<void> bands(ActionContext& context, Arguments arguments) {
 Result<void> reconstruct(ActionContext& context, Arguments arguments) {
     const auto limit = arguments.size() == 1 ? number_in(arguments[0], 0.0, kFarthestMm) : std::nullopt;
     if (!limit)
-        return fail("reconstruct takes a diameter in mm", {}, "cut vessels larger than that must be reconstructed");
+        return fail("reconstruct takes a diameter in mm", {}, "cuts through vessels larger than that are marked");
     return edit(context, [&](Marks& marks) { marks.planning.reconstruct_mm = *limit; });
 }
 
@@ -229,7 +230,7 @@ std::vector<Command> surgery_commands() {
             .when(has_selection),
         Command("cut-remove", "N", "Takes cut N of the list back.", cut_remove),
         Command("cut-clear", "", "Takes all cuts back.", cut_clear).in_menu("Plan", "Remove all cuts").when(has_cuts),
-        Command("reconstruct", "MM", "Sets the diameter above which a cut vessel must be reconstructed.", reconstruct),
+        Command("reconstruct", "MM", "Sets the diameter above which cuts through vessels are marked.", reconstruct),
         Command("lesion", "X,Y,Z,R", "Places a lesion: a sphere, its centre and radius in mm.", lesion),
         Command("lesion-change", "N X,Y,Z,R", "Gives lesion N of the list another centre and radius.", lesion_change),
         Command("lesion-mesh", "[FILE [--mesh-orientation LPS|RAS]]",

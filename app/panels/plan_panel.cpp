@@ -209,11 +209,11 @@ void draw_cuts(InterfaceContext& context) {
     const Document& document = context.workspace.document;
     const Marks& marks = document.marks();
     draw_title(context, "Cuts", {{"Cut", "Cut vessels in the picture", "tool", {"cut"}}});
-    field_label(context, "Reconstruct above (mm)");
+    field_label(context, "Mark cuts above \xC3\x98 (mm)");
     if (const auto words = number_field(context, "reconstruct", rounded(marks.planning.reconstruct_mm), 56.0F);
         words.size() == 1)
         context.perform("reconstruct", words);
-    widgets::tooltip("A cut vessel of a larger diameter must be reconstructed");
+    widgets::tooltip("Cuts through vessels of a larger diameter are marked in the list");
     const auto plan = context.workspace.current_assets().plan; // kept here: removing a cut makes the document another
     const measure::CutReport& report = plan->cuts;
     for (std::size_t i = 0; i < std::min(marks.cuts.size(), report.cuts.size()); ++i) {
@@ -225,7 +225,9 @@ void draw_cuts(InterfaceContext& context) {
             figures.reconstruct ? theme::kTrouble : theme::kText, "Click to select the branch and look at it");
         if (ImGui::IsItemHovered()) context.interface.listed = branch;
         if (done > 0) go_to(context, branch);
-        if (figures.reconstruct) ImGui::TextColored(theme::kTrouble, "must be reconstructed");
+        if (figures.reconstruct)
+            ImGui::TextColored(theme::kTrouble, "%s",
+                               over_text(marks.planning.reconstruct_mm, document.lengths()).c_str());
         widgets::quiet_wrapped(("Lost: " + amount_text(figures.lost, document.lengths())).c_str());
         ImGui::PopID();
         if (done < 0) context.perform("cut-remove", {std::to_string(i + 1)});
@@ -259,10 +261,11 @@ void draw_thin_vessels(InterfaceContext& context) {
     field_label(context, "Below \xC3\x98 (mm)");
     if (const auto words = number_field(context, "thin", below, 56.0F); words.size() == 1) typed = words[0];
     widgets::tooltip("Vessels of a smaller mean diameter");
-    draw_buttons(context,
-                 {{"Hide", "Hides the vessels below this diameter", "filter-diameter", {below, "hide"}},
-                  {"Glass", "Makes the vessels below this diameter grey glass", "filter-diameter", {below, "defocus"}},
-                  {"Show", "Shows the vessels below this diameter normally", "filter-diameter", {below, "show"}}});
+    draw_buttons(
+        context,
+        {{"Hide", "Hides the vessels below this diameter", "filter-diameter", {below, "hide"}},
+         {"Defocus", "Makes the vessels below this diameter grey glass", "filter-diameter", {below, "defocus"}},
+         {"Show", "Shows the vessels below this diameter normally", "filter-diameter", {below, "show"}}});
 }
 
 void draw_measurements(InterfaceContext& context) {

@@ -47,8 +47,8 @@ void show_context(render::Frame& frame, const Assets& assets, const std::vector<
 constexpr glm::vec3 kCutColour{0.94F, 0.95F, 0.97F}, kReconstructColour{1.00F, 0.62F, 0.20F},
     kMeasureColour{0.55F, 0.93F, 0.82F};
 
-// A ring around every cut. Nothing without `frame`'s centerlines. `plan`: of the same marks; null: no vessel need be
-// reconstructed.
+// A ring around every cut. Nothing without `frame`'s centerlines. `plan`: of the same marks; null: no cut is
+// marked.
 void draw_cuts(render::Frame& frame, const Marks& marks, const Plan* plan) {
     for (std::size_t i = 0; i < marks.cuts.size() && frame.centerlines; ++i) {
         const auto& [branch, fraction] = marks.cuts[i];

@@ -57,7 +57,7 @@ Facts option_facts(const Marks& marks) {
     Facts found = surface_facts(marks.options);
     found.insert(found.end(), {{"Coloured by", std::string(name_of(marks.colour_by))},
                                {"Margins", bands + " mm"},
-                               {"Reconstruct above", digits(marks.planning.reconstruct_mm) + " mm"}});
+                               {"Cuts marked above", digits(marks.planning.reconstruct_mm) + " mm"}});
     return found;
 }
 
@@ -82,8 +82,8 @@ std::string cuts_note(const Document& document, const Plan& plan) {
     const measure::CutReport& report = plan.cuts;
     std::size_t rebuilt = 0;
     for (const measure::CutFigures& cut : report.cuts) rebuilt += cut.reconstruct ? 1 : 0;
-    std::string note = counted(rebuilt, "vessel", "vessels") + " of more than " +
-                       digits(document.marks().planning.reconstruct_mm) + " mm must be reconstructed.";
+    std::string note = counted(rebuilt, "vessel that is cut is", "vessels that are cut are") + " over " +
+                       digits(document.marks().planning.reconstruct_mm) + " mm wide.";
     if (report.in_part > 0)
         note.append(" ")
             .append(counted(static_cast<std::uint64_t>(report.in_part), "branch is", "branches are"))

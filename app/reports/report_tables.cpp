@@ -119,7 +119,7 @@ Table cuts_table(const Document& document, const Assets& assets) {
                  {"name", "Name"},
                  {"fraction", "At"},
                  {"diameter_mm", "Diameter, mm"},
-                 {"must_be_reconstructed", "Must be reconstructed"},
+                 {"over_limit", "Over " + digits(document.marks().planning.reconstruct_mm) + " mm"},
                  {"lost_branches", "Lost branches"},
                  {"lost_length_mm", "Lost length, mm"},
                  {"lost_volume_mm3", "Lost volume, mm\xC2\xB3"},

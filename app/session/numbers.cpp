@@ -90,9 +90,11 @@ std::string counted(std::uint64_t number, const std::string& one, const std::str
     return grouped(number) + " " + (number == 1 ? one : many);
 }
 
+std::string over_text(double limit_mm, const Lengths& lengths) { return "over " + lengths.text(limit_mm); }
+
 std::string amount_text(const measure::Amount& amount, const Lengths& lengths) {
     return counted(static_cast<std::uint64_t>(amount.branches), "branch", "branches") + ", " +
-           lengths.text(amount.length_mm) + ", " + lengths.volume(amount.volume_mm3) + ", " +
+           lengths.text(amount.length_mm) + ", " + lengths.volume(amount.volume_mm3) + " of vessel volume, " +
            counted(static_cast<std::uint64_t>(amount.leaves), "leaf", "leaves");
 }
 

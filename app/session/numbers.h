@@ -42,8 +42,11 @@ private:
 // "1 branch", "1,504 branches".
 [[nodiscard]] std::string counted(std::uint64_t number, const std::string& one, const std::string& many);
 
-// "3 branches, 16.0 mm, 1.55 ml, 2 leaves".
+// "3 branches, 16.0 mm, 1.55 ml of vessel volume, 2 leaves".
 [[nodiscard]] std::string amount_text(const measure::Amount& amount, const Lengths& lengths);
+
+// "over 5.00 mm": of a cut through a vessel that is larger than the limit.
+[[nodiscard]] std::string over_text(double limit_mm, const Lengths& lengths);
 
 // From `low` to `high`, ascending: multiples of 1, 2 or 5 times a power of ten, ten at most. Logarithmic: 1, 2 and 5
 // times every power of ten, both ends above 0.

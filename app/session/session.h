@@ -54,7 +54,7 @@ struct Measurement {
 // What distances and diameters mean to who plans an operation.
 struct Planning {
     std::vector<double> bands_mm{5.0, 10.0, 20.0}; // margins around lesions, ascending, positive
-    double reconstruct_mm = 5.0;                   // a cut vessel of a larger diameter must be reconstructed
+    double reconstruct_mm = 5.0;                   // cuts through vessels of a larger diameter are marked
     bool operator==(const Planning&) const = default;
 };
 

@@ -28,7 +28,7 @@ struct LostSpan {
 
 struct CutFigures {
     double diameter_mm = 0.0; // of the vessel at the cut
-    bool reconstruct = false; // larger than the limit: must be reconstructed
+    bool reconstruct = false; // the vessel is larger than the limit
     Amount lost;              // by this cut alone; branches that are lost in part count as branches
 };
 

@@ -87,7 +87,7 @@ class Planning(CommandLineTest):
         self.assertIn("lost: 3 branches", said)
         rows = self.rows("cuts.csv")
         self.assertEqual([row["cut"] for row in rows], ["1", "2", "all"])
-        self.assertEqual([row["must_be_reconstructed"] for row in rows], ["yes", "no", ""])
+        self.assertEqual([row["over_limit"] for row in rows], ["yes", "no", ""])
         self.assertEqual(rows[1]["name"], 'upper, "left"')
         side = math.sqrt(9 + 25)
         self.assertAlmostEqual(float(rows[0]["lost_length_mm"]), 5 + 2 * side, places=5)

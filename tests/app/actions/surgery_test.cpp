@@ -114,7 +114,7 @@ TEST_CASE("cuts are placed, told, listed and taken back") {
     const std::string said = stage.good("cut 1 0.25");
     CHECK(said.find("Cut 1: 4.00 mm wide; lost: 3 branches, 16.0 mm") == 0);
     CHECK(said.find("2 leaves") != std::string::npos);
-    CHECK(stage.good("cut 0").find("6.00 mm wide, must be reconstructed") != std::string::npos);
+    CHECK(stage.good("cut 0").find("6.00 mm wide, over 5.00 mm") != std::string::npos);
     CHECK(stage.marks().cuts == std::vector<std::pair<int, double>>{{1, 0.25}, {0, 0.5}});
     CHECK(stage.bad("cut 0 0.5").find("already") != std::string::npos);
     const auto plan = stage.plan();

@@ -133,7 +133,7 @@ TEST_CASE("the page is whole by itself, and what people wrote is text in it") {
     CHECK(page.find("http") == std::string::npos); // nothing from elsewhere
     for (const char* title : {"Cuts", "Margins around lesions", "Lesions", "Measurements", "Selection", "Options"})
         CHECK_MESSAGE(page.find("<h2>" + std::string(title)) != std::string::npos, title);
-    CHECK(page.find("1 vessel of more than 5.00 mm must be reconstructed") != std::string::npos);
+    CHECK(page.find("1 vessel that is cut is over 5.00 mm wide") != std::string::npos);
     REQUIRE(stage.host.cameras.size() == 1); // without a mesh there is but the current view
     CHECK(stage.host.cameras[0] == stage.document.session().camera);
 }
