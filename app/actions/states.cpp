@@ -86,7 +86,8 @@ std::vector<Command> state_commands() {
         Command("show-hidden", "", "Makes the hidden branches normal again.", ending(BranchState::kHidden))
             .in_menu("Branches", "Show hidden")
             .when(has_any<BranchState::kHidden>),
-        Command("focus-all", "", "Makes the branches of grey glass normal again.", ending(BranchState::kDefocused))
+        Command("focus-all", "", "Makes the defocused branches, those of grey glass, normal again.",
+                ending(BranchState::kDefocused))
             .in_menu("Branches", "Focus all")
             .when(has_any<BranchState::kDefocused>),
         Command("show-all", "", "Makes every branch normal again.", show_all)

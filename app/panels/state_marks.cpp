@@ -21,8 +21,8 @@ float draw_state_marks(InterfaceContext& context, float right_edge) {
     const std::array<Mark, 3> all{
         {{branches_in_state(marks, BranchState::kHidden).size(), "hidden", "Shows the hidden branches again", nullptr,
           "show-hidden", theme::kText},
-         {branches_in_state(marks, BranchState::kDefocused).size(), "glass",
-          "Brings the branches of glass back into focus", nullptr, "focus-all", theme::kText},
+         {branches_in_state(marks, BranchState::kDefocused).size(), "defocused",
+          "Brings the defocused branches back into focus", nullptr, "focus-all", theme::kText},
          {marks.selection.size(), "selected", "Selects nothing", "Escape", "select-none", theme::kAccent}}};
     const float scale = theme::scale();
     const char* command = nullptr;

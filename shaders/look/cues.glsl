@@ -16,7 +16,11 @@ INLINE Vec3 shown_colour(SurfacePoint p) {
     if (cues.z > 0.0F)
         colour = select(has(p.flags, kHighlighted) || p.fixed_colour, colour, mix(colour, chromatic(p.far), cues.z));
 #endif
-    if (ANY(selected)) colour = select(selected, mix(colour, Vec3(selection_colour), 0.62F), colour);
+    // The outline says what is selected; the state of a branch stays to be seen in its colour.
+    if (ANY(selected)) {
+        Float share = select(has(p.flags, kHighlighted), Float(0.0F), Float(0.62F));
+        colour = select(selected, mix(colour, Vec3(selection_colour), share), colour);
+    }
     if (ANY(calm)) {
         Float grey = dot(colour, Vec3(0.2126F, 0.7152F, 0.0722F));
         colour = select(calm, 0.62F * mix(Vec3(grey), colour, 0.38F), colour);
@@ -99,7 +103,6 @@ INLINE Vec3 radiance_of(SurfacePoint p, Vec2 taken) {
 // Centerlines inside glass are plain: no light, only the tree's depth.
 INLINE Vec3 line_radiance(SurfacePoint p) {
     Vec3 radiance = Vec3(line_colour);
-    radiance = select(has(p.flags, kSelected), mix(radiance, Vec3(selection_colour), 0.8F), radiance);
     radiance = select(has(p.flags, kHovered), mix(radiance, Vec3(1.0F, 0.85F, 0.55F), 0.6F), radiance);
     radiance = select(has(p.flags, kLost), mix(radiance, Vec3(lost_colour), 0.6F), radiance);
     return fogged_line(radiance, p.far);

@@ -6,9 +6,8 @@ INLINE Vec4 veiled(Vec3 radiance, Float veil, Float shine) {
 
 // Clear grey glass: nearly nothing where it faces the eye, a veil towards its outline.
 INLINE Vec4 glass_veil(SurfacePoint p) {
-    Mask selected = has(p.flags, kSelected), hovered = has(p.flags, kHovered), glowing = has(p.flags, kGlowing);
+    Mask hovered = has(p.flags, kHovered), glowing = has(p.flags, kGlowing);
     Vec3 tint = Vec3(glass_colour);
-    tint = select(selected, mix(tint, Vec3(selection_colour), 0.7F), tint);
     tint = select(hovered, 1.6F * tint, tint);
     tint = select(glowing, 1.3F * tint, tint);
 #ifdef CUTS
@@ -16,7 +15,7 @@ INLINE Vec4 glass_veil(SurfacePoint p) {
     if (ANY(lost)) tint = select(lost, mix(tint, 1.4F * Vec3(lost_colour), 0.7F), tint);
 #endif
     Float veil = mix(0.20F, 0.72F, pow(1.0F - facing_eye(p), 1.6F));
-    veil = veil + select(selected, 0.12F, 0.0F) + select(hovered, 0.12F, 0.0F) + select(glowing, 0.06F, 0.0F);
+    veil = veil + select(hovered, 0.12F, 0.0F) + select(glowing, 0.06F, 0.0F);
     float opacity = more.y;
     veil = opacity < 1.0F ? veil * opacity : mix(veil, 0.97F, opacity - 1.0F);
     veil = veil * mad(-0.5F * background_bottom.w, p.far, 1.0F);
