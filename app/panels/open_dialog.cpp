@@ -59,7 +59,8 @@ void OpenDialog::rename(const std::string& text) {
 fs::path OpenDialog::named() const {
     if (purpose == FilePurpose::kExport) return folder / exported.named(name.data());
     const fs::path target = folder / name.data();
-    return target.extension() == ".json" ? target : fs::path(target.string() + ".ramus.json");
+    if (target.extension() == ".json") return target;
+    return fs::path(target.string() + (target.extension() == ".ramus" ? ".json" : ".ramus.json"));
 }
 
 void OpenDialog::enter(const fs::path& where) {

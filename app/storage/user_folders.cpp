@@ -1,12 +1,14 @@
 #include "app/storage/user_folders.h"
 
 #include "app/session/document.h"
+#include "core/io/file_format.h"
 
 #include <array>
 #include <cstdlib>
 #include <fstream>
 #include <pwd.h>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <unistd.h>
 
@@ -89,6 +91,18 @@ bool writable(const fs::path& folder) {
 
 } // namespace user_folders
 
+namespace {
+
+// "case" of case.nii.gz, case.seg.nrrd and case.mrk.json.
+std::string bare_name(const fs::path& file) {
+    std::string name = io::without_gz(file.filename()).stem().string();
+    for (const std::string_view kind : {".mrk", ".seg", ".ramus"})
+        if (name.size() > kind.size() && name.ends_with(kind)) name.resize(name.size() - kind.size());
+    return name;
+}
+
+} // namespace
+
 fs::path suggested_file(const Document& document, std::string_view extension) {
     const fs::path& file = document.file();
     const fs::path tree = document.subject();
@@ -104,7 +118,7 @@ fs::path suggested_file(const Document& document, std::string_view extension) {
         folder = candidate;
         break;
     }
-    const std::string stem = tree.empty() ? "ramus" : tree.stem().string();
+    const std::string stem = tree.empty() ? "ramus" : bare_name(tree);
     fs::path free = folder / (stem + std::string(extension));
     for (int i = 2; fs::exists(free, ignored); ++i)
         free = folder / (stem + "-" + std::to_string(i) + std::string(extension));

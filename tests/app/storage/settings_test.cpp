@@ -146,6 +146,8 @@ TEST_CASE("what is saved without a name goes beside the tree or the session, nev
 
     CHECK(suggested_file(document_of(tree), ".png") == home / "Pictures" / "liver.png");
     CHECK(suggested_file(document_of(tree), ".csv") == data / "liver.csv");
+    for (const char* name : {"case.nii.gz", "case.seg.nrrd", "case.mrk.json", "case.swc.gz"})
+        CHECK(suggested_file(document_of(data / name), ".ply") == data / "case.ply");
     CHECK(suggested_file(document_of(tree, data / "plan.ramus.json"), ".png") == data / "liver.png");
     std::ofstream(data / "liver.png") << "picture";
     CHECK(suggested_file(document_of(tree, data / "plan.ramus.json"), ".png") == data / "liver-2.png");
