@@ -52,6 +52,7 @@ using Continuation = std::function<Result<void>(ActionContext&)>;
 struct Pending {
     std::string activity; // for people, while it goes on: "Reading liver.nii"
     std::function<Result<Continuation>(Job&)> work;
+    bool writes = false; // a file that a person waits for: whoever quits meanwhile is asked
 };
 struct Awaited {
     std::function<bool()> ready; // does not wait; when it is true `then` does not, either

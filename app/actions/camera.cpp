@@ -75,6 +75,7 @@ template <render::View Which> std::string view_label(const Document& document) {
 template <render::View Which> Command view_entry(const char* key, const char* help) {
     return Command("view", "NAME", help, view)
         .in_menu("View", render::title_of(Which, true), {key})
+        .in_submenu("Look from")
         .labelled(view_label<Which>)
         .giving({std::string(render::name_of(Which))})
         .when(has_scene);

@@ -253,4 +253,9 @@ void CommandRunner::cancel() {
 
 std::string CommandRunner::activity() const { return busy() ? pending_.front().pending.activity : std::string(); }
 
+std::string CommandRunner::writing() const {
+    const auto writer = std::ranges::find_if(pending_, [](const Waiting& one) { return one.pending.writes; });
+    return writer == pending_.end() ? std::string() : writer->pending.activity;
+}
+
 } // namespace ramus::app

@@ -47,7 +47,8 @@ public:
     void cancel(); // all that is pending
 
     [[nodiscard]] bool busy() const { return !pending_.empty(); }
-    [[nodiscard]] std::string activity() const;                         // of what is worked on; empty: nothing
+    [[nodiscard]] std::string activity() const; // of what is worked on; empty: nothing
+    [[nodiscard]] std::string writing() const;  // the activity of what writes a file, worked on or next; empty: nothing
     [[nodiscard]] float progress() const { return worker_.progress(); } // of that, 0 to 1
 
 private:

@@ -124,7 +124,7 @@ std::vector<Entry> make_entries() {
         if (shown_with_arguments) continue;
         Entry entry{&command, {}};
         entry.words[0] = words_in(command.label);
-        entry.words[1] = words_in(command.name + " " + command.menu);
+        entry.words[1] = words_in(command.name + " " + command.menu + " " + command.submenu);
         entry.words[kSynonymKind] = words_in(synonyms_of(command));
         entry.words[3] = words_in(command.help);
         entries.push_back(std::move(entry));
@@ -162,7 +162,8 @@ Named named_by(const Command& command, std::string_view typed, const std::vector
     std::string entry = command.name;
     for (const std::string& given : command.preset) entry += " " + given;
     if (typed == entry) return Named::kAsTyped;
-    if (is(command.label) || is(command.menu + " " + command.label)) return Named::kByLabel;
+    const std::string menu = command.menu + " " + (command.submenu.empty() ? "" : command.submenu + " ");
+    if (is(command.label) || is(menu + command.label)) return Named::kByLabel;
     if (is(entry)) return Named::kByWords;
     return is(command.name) ? Named::kByCommand : Named::kNot;
 }
@@ -224,7 +225,10 @@ std::vector<const Command*> search_commands(std::string_view words) {
 }
 
 std::string title_of(const Command& command, const Document& document) {
-    if (!command.menu.empty()) return command.menu + " \xE2\x80\xBA " + label_of(command, document);
+    if (!command.menu.empty()) {
+        const std::string submenu = command.submenu.empty() ? "" : command.submenu + " \xE2\x80\xBA ";
+        return command.menu + " \xE2\x80\xBA " + submenu + label_of(command, document);
+    }
     std::string title = command.name;
     std::ranges::replace(title, '-', ' ');
     return title;

@@ -3,6 +3,7 @@
 #include "app/actions/groups.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace ramus::app {
@@ -42,6 +43,12 @@ std::vector<Command> make_table() {
              window_commands,     //
          })
         for (Command& command : part()) table.push_back(std::move(command));
+    // What adds to a picture stands behind what opens one.
+    const auto named = [&](std::string_view name) {
+        return std::ranges::find_if(table, [&](const Command& c) { return c.name == name && !c.menu.empty(); });
+    };
+    const auto open = named("open"), context = named("context");
+    std::rotate(open + 1, context, context + 1);
     return table;
 }
 

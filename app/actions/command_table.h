@@ -16,6 +16,7 @@ struct Command {
     std::string arguments;         // "ID...", "[FILE]", "NAME"; empty: none
     std::string help;              // one sentence
     std::string menu;              // menu that it is in; empty: none
+    std::string submenu;           // of that menu; empty: the command stands in the menu itself
     std::string label;             // its text there
     std::vector<std::string> keys; // "Ctrl+Z"; the first one is shown in the menu
     CommandAction action;
@@ -34,6 +35,7 @@ struct Command {
         menu = std::move(its_menu), label = std::move(its_label), keys = std::move(its_keys);
         return std::move(*this);
     }
+    Command in_submenu(std::string its_submenu) && { return with(&Command::submenu, std::move(its_submenu)); }
     Command on_keys(std::vector<std::string> its_keys) && { return with(&Command::keys, std::move(its_keys)); }
     Command giving(std::vector<std::string> words) && { return with(&Command::preset, std::move(words)); }
     Command when(bool (*is)(const Document&)) && { return with(&Command::enabled, is); }

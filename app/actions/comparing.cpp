@@ -109,6 +109,7 @@ bool shows_skeleton(const Document& document) { return document.marks().skeleton
 Command mode_entry(Mode mode, const char* label, const char* help) {
     return Command("compare", "MODE [SURFACES]", help, compare)
         .in_menu("View", label)
+        .in_submenu("Compare")
         .giving({std::string(name_of(mode))})
         .when(has_tree)
         .checked_when([mode](const Document& document) { return document.marks().comparison.mode == mode; });

@@ -89,6 +89,7 @@ std::vector<Command> contact_commands() {
                 "Shows or hides the list of contacts: where vessels press on each other without being connected there.",
                 contacts)
             .in_menu("View", "Contacts", {"Shift+T"})
+            .in_submenu("Panels")
             .when(has_tree)
             .in_use_when(shows_part("contacts")),
         Command("contact", "N [wipe]",

@@ -26,6 +26,7 @@ std::vector<Command> depth_commands() {
         commands.push_back(
             Command("depth-cue", "NAME [on|off]", std::string(cue.help), depth_cue)
                 .in_menu("View", std::string(cue.label))
+                .in_submenu("Depth")
                 .giving({std::string(cue.name)})
                 .when(has_tree)
                 .checked_when([&cue](const Document& document) { return document.marks().depth_cues.has(cue); }));

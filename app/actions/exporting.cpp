@@ -77,7 +77,7 @@ Result<Outcome> export_surface(ActionContext& context, const Export& wanted) {
                                     wanted.parts.value_or(usual_parts(*document.tree())));
     }
     return Pending{"Exporting " + wanted.file.filename().string(),
-                   [work](Job& job) { return write_surface_of(*work, job); }};
+                   [work](Job& job) { return write_surface_of(*work, job); }, true};
 }
 
 Result<Outcome> export_tree(ActionContext& context, const Export& wanted) {
@@ -97,7 +97,8 @@ Result<Outcome> export_tree(ActionContext& context, const Export& wanted) {
             if (auto written = io::write_tree(part, wanted.file, comments); !written)
                 return tl::unexpected(written.error());
             return has_written(wanted.file, saved_text("Tree", wanted));
-        }};
+        },
+        true};
 }
 
 Result<Outcome> export_file(ActionContext& context, Arguments arguments) {

@@ -70,7 +70,8 @@ Result<Outcome> shot(ActionContext& context, Arguments arguments) {
                            if (auto written = render::write_png(image, full); !written)
                                return tl::unexpected(written.error());
                            return say;
-                       }};
+                       },
+                       true};
     if (auto written = context.picture.write_picture(path); !written) return tl::unexpected(written.error());
     return outcome_of(say(context));
 }
@@ -203,10 +204,12 @@ std::vector<Command> window_commands() {
                 "Shows or hides the side panel, or shows a page of it: the tree and the selection, how the surface is "
                 "made and shown, or the plan.",
                 panel)
-            .in_menu("View", "Side panel", {"Tab"}),
+            .in_menu("View", "Side panel", {"Tab"})
+            .in_submenu("Panels"),
         Command("panel", "[explore|surface|plan]",
                 "Goes from the exploring page of the side panel to the planning page, and back.", panel)
             .in_menu("View", "Explore or plan", {"B"})
+            .in_submenu("Panels")
             .giving({"other"})
             .when(has_tree),
         Command(
@@ -215,6 +218,7 @@ std::vector<Command> window_commands() {
             "panel again.",
             branches)
             .in_menu("View", "Branches in a window")
+            .in_submenu("Panels")
             .when(has_tree)
             .in_use_when(shows_part("branches")),
         Command("warnings", "[read]",
@@ -222,19 +226,23 @@ std::vector<Command> window_commands() {
                 "read takes all out of the count.",
                 warnings)
             .in_menu("View", "Warnings")
+            .in_submenu("Panels")
             .in_use_when(shows_part("warnings")),
         Command("ui-scale", "FACTOR|larger|smaller|auto",
                 "Sets how large text and panels are, in pixels per point; auto is what the display says.", ui_scale),
         Command("ui-scale", "FACTOR|larger|smaller|auto", "Makes text and panels larger.", ui_scale)
             .in_menu("View", "Larger interface")
+            .in_submenu("Interface")
             .giving({"larger"}),
         Command("ui-scale", "FACTOR|larger|smaller|auto", "Makes text and panels smaller.", ui_scale)
             .in_menu("View", "Smaller interface")
+            .in_submenu("Interface")
             .giving({"smaller"}),
         Command("theme", "[light|dark]",
                 "Switches between light and dark panels; the picture stays as it is, and the next start knows it.",
                 theme)
             .in_menu("View", "Light theme")
+            .in_submenu("Interface")
             .in_use_when(theme_is_light),
         Command("help", "", "Shows what the mouse and the keys do.", help)
             .in_menu("Help", "Mouse and keys", {"F1", "?"}),

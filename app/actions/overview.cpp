@@ -55,6 +55,7 @@ std::vector<Command> overview_commands() {
         Command("overview", "[on|off|generation|distance]",
                 "Shows or hides the tree as a flat picture: generation or distance from the root downwards.", overview)
             .in_menu("View", "Overview", {"T"})
+            .in_submenu("Panels")
             .in_use_when(shows_part("overview")),
         Command("rename", "[ID]", "Asks for the name of the selected branch, or of it and all that depends on it.",
                 rename)

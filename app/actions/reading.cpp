@@ -132,6 +132,7 @@ std::vector<Command> reading_commands() {
         Command("doctor", "",
                 "Shows or hides the import doctor: what reading the file assumed, repaired and finds strange.", doctor)
             .in_menu("View", "Import doctor", {"Shift+D"})
+            .in_submenu("Panels")
             .when(has_tree)
             .in_use_when(shows_part("doctor")),
         Command("note", "N", "Goes to the place of the N-th note of the import doctor, as the panel lists them.", note)

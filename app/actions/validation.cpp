@@ -49,6 +49,7 @@ std::vector<Command> validation_commands() {
                 "merged, changed constrictions, radii.",
                 validation)
             .in_menu("View", "Validation", {"Shift+V"})
+            .in_submenu("Panels")
             .when(has_tree)
             .in_use_when(shows_part("validation")),
         Command("finding", "N",

@@ -290,7 +290,23 @@ void draw_filter(InterfaceContext& context) {
     ImGui::PopStyleVar();
 }
 
+// Six rows and the headings, in the small font.
+float least_table_height() {
+    constexpr float kLeastRows = 6.0F;
+    return (kLeastRows + 1.0F) * (ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y) +
+           2.0F * theme::scale();
+}
+
 } // namespace
+
+float least_branch_list_height(const BranchList& list) {
+    const float title = 2.0F * ImGui::GetFrameHeightWithSpacing() + 10.0F * theme::scale(); // and its line
+    if (list.apart) return title;
+    ImGui::PushFont(theme::small_font());
+    const float height = title + ImGui::GetFrameHeightWithSpacing() + least_table_height();
+    ImGui::PopFont();
+    return height;
+}
 
 void draw_branch_list(InterfaceContext& context) {
     BranchList& list = context.interface.list;
@@ -299,8 +315,7 @@ void draw_branch_list(InterfaceContext& context) {
     ImGui::PushFont(theme::small_font());
     draw_filter(context);
     read_filter(list);
-    constexpr float kLeastRows = 11.0F; // and the panel scrolls where that is more than it has room for
-    const float least = list.apart ? 0.0F : kLeastRows * ImGui::GetTextLineHeightWithSpacing();
+    const float least = list.apart ? 0.0F : least_table_height();
     const ImVec2 size(0.0F, std::max(least, ImGui::GetContentRegionAvail().y));
     const float width = ImGui::GetContentRegionAvail().x;
     if (ImGui::BeginTable("branches", static_cast<int>(kFirstQuantity + rows_with(&QuantityRow::list).size()),

@@ -189,6 +189,7 @@ void draw_interface(InterfaceContext& context) {
     draw_open_dialog(context);
     draw_recovery_dialog(context);
     draw_unsaved_dialog(context);
+    draw_quit_dialog(context);
     draw_volume_dialog(context);
     draw_error_dialog(context);
 }

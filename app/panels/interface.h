@@ -213,7 +213,9 @@ struct Interface {
     bool menu_entry = false;   // an arrow has gone from the menu into its entries
     int menu_step = 0;         // how many menus further left and right lead
     PanelPage page = PanelPage::kExplore;
-    float panel_points = 296.0F; // how wide it wants to be
+    float panel_points = 296.0F;         // how wide it wants to be
+    float explore_height = 0.0F;         // of what stands above the table of branches, in pixels, as drawn last
+    glm::vec2 card_size{250.0F, 150.0F}; // of the card about the branch under the pointer, likewise
     bool help_open = false;
     std::array<char, 64> help_search{};
     Settings settings;
@@ -224,6 +226,7 @@ struct Interface {
     FigurePreview preview;
     RecoveryDialog recovery;
     UnsavedDialog unsaved;
+    QuitDialog quit;
     VolumeDialog volume;
     float volume_progress = 0.0F; // of reading what it is about
     std::deque<Error> errors;     // of files, shown one after the other in a dialog
@@ -282,7 +285,7 @@ struct Interface {
     [[nodiscard]] bool between_menus() const { return menu_keys > 0 && !menu_open && !context_menu.open; }
     [[nodiscard]] bool dialog_open() const {
         return help_open || palette.open || rename.open || radius.open || open_dialog.open || recovery.open ||
-               unsaved.open() || volume.open() || !errors.empty();
+               unsaved.open() || quit.open() || volume.open() || !errors.empty();
     }
     bool dismiss();     // closes what lies on top; false: nothing does
     void forget_tree(); // another one was opened
@@ -318,9 +321,11 @@ void draw_context(InterfaceContext& context);
 void draw_compare(InterfaceContext& context);
 void draw_mask_row(InterfaceContext& context, const Comparison& comparison); // its mask
 void draw_deviation(InterfaceContext& context);                              // nothing unless colours say it
-void draw_selection(InterfaceContext& context);                              // as high for one branch, several and none
+// Returns how far down the section wants to reach, from the upper end of what scrolls, in pixels.
+float draw_selection(InterfaceContext& context); // as high for one branch, several and none
 void draw_branch_list(InterfaceContext& context);
-void draw_branch_window(InterfaceContext& context); // the list in a window of its own
+[[nodiscard]] float least_branch_list_height(const BranchList& list); // with its title, in pixels
+void draw_branch_window(InterfaceContext& context);                   // the list in a window of its own
 void draw_overview(InterfaceContext& context);
 void draw_plan(InterfaceContext& context);
 void draw_fly(InterfaceContext& context);
@@ -340,7 +345,10 @@ void draw_rename(InterfaceContext& context);
 void draw_radius(InterfaceContext& context);
 void draw_status_bar(InterfaceContext& context);
 void draw_tooltip(InterfaceContext& context);
-void draw_branch_tooltip(const InterfaceContext& context, int id); // at the pointer, wherever that is
+// Where a card of this size, in pixels, hides neither the pointer's surroundings nor tools, scale bar, cube, panel and
+// status line: right below the pointer, or on another side of it.
+[[nodiscard]] glm::vec2 card_corner(const Layout& layout, glm::vec2 pointer, glm::vec2 size, float scale);
+void draw_branch_tooltip(InterfaceContext& context, int id); // at the pointer, wherever that is
 void draw_help(InterfaceContext& context);
 void draw_command_palette(InterfaceContext& context);
 void draw_context_menu(InterfaceContext& context);
@@ -350,6 +358,7 @@ void draw_export_page(InterfaceContext& context, OpenDialog& dialog);
 void draw_error_dialog(InterfaceContext& context);
 void draw_recovery_dialog(InterfaceContext& context);
 void draw_unsaved_dialog(InterfaceContext& context);
+void draw_quit_dialog(InterfaceContext& context);
 void draw_volume_dialog(InterfaceContext& context);
 void draw_written(InterfaceContext& context);
 

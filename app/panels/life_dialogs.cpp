@@ -150,4 +150,28 @@ void draw_unsaved_dialog(InterfaceContext& context) {
     widgets::end_dialog();
 }
 
+void draw_quit_dialog(InterfaceContext& context) {
+    QuitDialog& dialog = context.interface.quit;
+    if (!dialog.open() || !context.interface.errors.empty()) return;
+    // It may end while it is asked about.
+    const bool done = context.commands.writing().empty();
+    if (!widgets::begin_dialog("quit", 460.0F, 0.0F)) return;
+    const float scale = theme::scale(), width = 110.0F * scale;
+    widgets::heading("A file is still being written");
+    ImGui::Dummy({0.0F, 2.0F * scale});
+    widgets::quiet_wrapped((dialog.activity + ". Without it the file is not there, or stays as it was.").c_str());
+    ImGui::Dummy({0.0F, 6.0F * scale});
+    widgets::align_right(2.0F * width + ImGui::GetStyle().ItemSpacing.x);
+    const bool quit = ImGui::Button("Quit anyway", {width, 0.0F});
+    ImGui::SameLine();
+    const bool wait = widgets::button("Wait", {width, 0.0F}, theme::kAccentDim) ||
+                      (!ImGui::IsWindowAppearing() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false));
+    if (quit || wait || done) {
+        const auto next = std::exchange(dialog.next, nullptr);
+        ImGui::CloseCurrentPopup();
+        if (!wait) next();
+    }
+    widgets::end_dialog();
+}
+
 } // namespace ramus::app

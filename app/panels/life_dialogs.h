@@ -30,6 +30,13 @@ struct UnsavedDialog {
     [[nodiscard]] bool open() const { return next != nullptr; }
 };
 
+// A file is still being written when somebody wants to quit.
+struct QuitDialog {
+    std::string activity;       // "Exporting liver.stl"
+    std::function<void()> next; // empty: the dialog is closed
+    [[nodiscard]] bool open() const { return next != nullptr; }
+};
+
 // "just now", "3 minutes ago", "26 hours ago", "5 days ago".
 [[nodiscard]] std::string ago_text(std::chrono::system_clock::duration since);
 

@@ -5,8 +5,10 @@
 #include "app/session/numbers.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <imgui.h>
+#include <string_view>
 #include <utility>
 
 namespace ramus::app {
@@ -21,11 +23,7 @@ void draw_entry(InterfaceContext& context, const Command& command) {
     const std::string label = label_of(command, document);
     if (ImGui::MenuItem(label.c_str(), command.keys.empty() ? nullptr : command.keys.front().c_str(), checked, enabled))
         context.perform(command);
-    // Beside the menu: over it, it would hide the next entries.
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetNextWindowPos({ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + 4.0F * theme::scale(),
-                                 ImGui::GetItemRectMin().y - 4.0F * theme::scale()});
-    widgets::tooltip(document.lengths().worded(command.help).c_str());
+    widgets::tooltip(document.lengths().worded(command.help).c_str(), nullptr, widgets::TooltipAt::kMenu);
 }
 
 // The last steps, newest first, down to what was there before them; the present one is marked.
@@ -77,6 +75,42 @@ void step_from_menu_to_menu(Interface& interface, const std::vector<std::string>
     ImGui::OpenPopup(menus[static_cast<std::size_t>(((at + step) % count + count) % count)].c_str());
 }
 
+// Menus end above the window's lower edge and scroll where they have more: one that is longer would be moved up over
+// the button that opened it, and releasing the mouse button would choose an entry.
+bool begin_menu(const std::string& name, float top, const InterfaceContext& context) {
+    const float room = static_cast<float>(context.layout.window.y) - top - 8.0F * theme::scale();
+    ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {FLT_MAX, std::max(room, 80.0F * theme::scale())});
+    return ImGui::BeginMenu(name.c_str());
+}
+
+// Entries of a submenu stand together, where the first of them is.
+void draw_entries(InterfaceContext& context, const std::string& menu) {
+    const std::vector<Command>& table = command_table();
+    std::string_view previous;
+    std::vector<std::string_view> submenus;
+    for (const Command& command : table) {
+        if (command.menu != menu) continue;
+        if (!command.submenu.empty()) {
+            if (std::ranges::find(submenus, command.submenu) != submenus.end()) continue;
+            submenus.emplace_back(command.submenu);
+            // The size of a submenu is the menu's room: ImGui moves it up next to its entry, never over it.
+            if (begin_menu(command.submenu, static_cast<float>(context.layout.bar_height), context)) {
+                for (const Command& entry : table)
+                    if (entry.menu == menu && entry.submenu == command.submenu) draw_entry(context, entry);
+                ImGui::EndMenu();
+            }
+            continue;
+        }
+        const bool new_switch =
+            previous != command.name && (command.name.starts_with("lasso-") || command.name == "colour-map");
+        if (command.name == "quit" || command.name == "join" || new_switch) ImGui::Separator();
+        previous = command.name;
+        draw_entry(context, command);
+        if (command.name == "open") draw_recent(context);
+        if (command.name == "redo") draw_history(context);
+    }
+}
+
 void draw_menus(InterfaceContext& context) {
     std::vector<std::string> menus;
     for (const Command& command : command_table())
@@ -91,24 +125,11 @@ void draw_menus(InterfaceContext& context) {
     for (const std::string& menu : menus) {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8.0F * theme::scale(), 8.0F * theme::scale()});
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {12.0F * theme::scale(), 8.0F * theme::scale()});
-        if (ImGui::BeginMenu(menu.c_str())) {
+        if (begin_menu(menu, static_cast<float>(context.layout.bar_height), context)) {
             context.interface.menu_open = !close;
             if (!close) context.interface.open_menu = menu;
             if (close) ImGui::CloseCurrentPopup();
-            std::string_view previous;
-            for (const Command& command : command_table()) {
-                if (command.menu != menu) continue;
-                const bool new_switch =
-                    previous != command.name &&
-                    (command.name.starts_with("lasso-") || command.name == "colour-map" || command.name == "depth-cue");
-                if (command.name == "quit" || command.name == "fit" || command.name == "overview" ||
-                    command.name == "join" || command.name == "panel" || new_switch)
-                    ImGui::Separator();
-                previous = command.name;
-                draw_entry(context, command);
-                if (command.name == "open") draw_recent(context);
-                if (command.name == "redo") draw_history(context);
-            }
+            draw_entries(context, menu);
             ImGui::EndMenu();
         }
         ImGui::PopStyleVar(2);

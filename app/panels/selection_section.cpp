@@ -84,19 +84,24 @@ void draw_facts_of_selection(const Document& document, const TreeFacts& facts) {
 
 } // namespace
 
-void draw_selection(InterfaceContext& context) {
+float draw_selection(InterfaceContext& context) {
     widgets::section("Selection");
     const Document& document = context.workspace.document;
     ImGui::BeginDisabled(document.marks().selection.empty());
     draw_actions(context);
     ImGui::EndDisabled();
     ImGui::Dummy({0.0F, 2.0F * theme::scale()});
-    const bool systems = document.tree()->systems.size() > 1;
-    const float lines = static_cast<float>(systems ? kMostFacts : kMostFacts - 1);
-    ImGui::BeginChild("selection", {0.0F, lines * ImGui::GetTextLineHeightWithSpacing()}, false,
+    // Room for the facts of one branch, so that nothing moves with the selection; less where there is no such room.
+    const std::size_t selected = document.marks().selection.size();
+    const int most = document.tree()->systems.size() > 1 ? kMostFacts : kMostFacts - 1;
+    const float line = ImGui::GetTextLineHeightWithSpacing(), room = ImGui::GetContentRegionAvail().y;
+    const float wanted = static_cast<float>(most) * line, needed = selected == 1 ? wanted : 3.0F * line;
+    const float end = ImGui::GetCursorPosY() + wanted + ImGui::GetStyle().ItemSpacing.y;
+    ImGui::BeginChild("selection", {0.0F, std::max(needed, std::min(wanted, room))}, false,
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     draw_facts_of_selection(document, *context.workspace.facts());
     ImGui::EndChild();
+    return end;
 }
 
 } // namespace ramus::app

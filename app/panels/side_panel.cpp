@@ -191,13 +191,25 @@ void draw_branches(InterfaceContext& context) {
         draw_branch_list(context);
 }
 
+// What stands above the table scrolls where the panel is too low for all of it: the table keeps its rows.
+void draw_explore(InterfaceContext& context) {
+    float& height = context.interface.explore_height;
+    const float room = ImGui::GetContentRegionAvail().y - least_branch_list_height(context.interface.list);
+    const float least = 3.0F * ImGui::GetFrameHeightWithSpacing();
+    ImGui::BeginChild("above the table", {0.0F, std::max(std::min(height, room), least)});
+    draw_systems(context);
+    height = draw_selection(context);
+    ImGui::EndChild();
+    draw_branches(context);
+}
+
 // The edge towards the picture can be dragged.
 void draw_edge(InterfaceContext& context, float width) {
     const float scale = theme::scale();
     const ImVec2 at = ImGui::GetWindowPos();
     const ImVec2 cursor = ImGui::GetCursorPos();
     ImGui::SetCursorScreenPos(at);
-    ImGui::InvisibleButton("##edge", {6.0F * scale, ImGui::GetWindowHeight()});
+    ImGui::InvisibleButton("##edge", {6.0F * scale, ImGui::GetWindowHeight() - ImGui::GetStyle().WindowPadding.y});
     const bool held = ImGui::IsItemActive();
     if (held || ImGui::IsItemHovered()) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
@@ -223,9 +235,7 @@ void draw_side_panel(InterfaceContext& context) {
         draw_pages(context);
         switch (context.interface.page) {
         case PanelPage::kExplore:
-            draw_systems(context);
-            draw_selection(context);
-            draw_branches(context);
+            draw_explore(context);
             break;
         case PanelPage::kSurface:
             draw_deviation(context); // what colours say, before what they are of

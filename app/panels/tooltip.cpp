@@ -6,11 +6,59 @@
 #include "app/session/numbers.h"
 #include "app/session/systems.h"
 
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
 #include <imgui.h>
+#include <utility>
 
 namespace ramus::app {
 
-void draw_branch_tooltip(const InterfaceContext& context, int id) {
+namespace {
+
+struct Rect {
+    glm::vec2 from, to;
+};
+
+float overlap(const Rect& a, const Rect& b) {
+    const glm::vec2 size = glm::max(glm::min(a.to, b.to) - glm::max(a.from, b.from), 0.0F);
+    return size.x * size.y;
+}
+
+// What the card must leave free: the tools, the scale bar and the cube, at the picture's edges.
+std::array<Rect, 3> kept_free(const Layout& layout, float scale) {
+    const glm::vec2 from(layout.view_at), to = from + glm::vec2(layout.view_size);
+    return {Rect{from, {to.x, from.y + 54.0F * scale}},
+            Rect{{from.x, to.y - 70.0F * scale}, {from.x + 170.0F * scale, to.y}},
+            Rect{{to.x - 110.0F * scale, to.y - 110.0F * scale}, to}};
+}
+
+} // namespace
+
+glm::vec2 card_corner(const Layout& layout, glm::vec2 pointer, glm::vec2 size, float scale) {
+    const float gap = 16.0F * scale;
+    const glm::vec2 from(0.0F, static_cast<float>(layout.bar_height));
+    const glm::vec2 to(static_cast<float>(layout.window.x - layout.panel_width),
+                       static_cast<float>(layout.window.y - layout.status_height));
+    glm::vec2 best(0.0F);
+    float least = FLT_MAX;
+    // Anywhere, or above the scale bar and the cube.
+    for (const float bottom : {to.y, to.y - 110.0F * scale})
+        for (const auto& [right, below] : {std::pair{true, true}, {false, true}, {true, false}, {false, false}}) {
+            const glm::vec2 wanted(right ? pointer.x + gap : pointer.x - gap - size.x,
+                                   below ? pointer.y + gap : pointer.y - gap - size.y);
+            const glm::vec2 corner = glm::max(glm::min(wanted, glm::vec2(to.x, bottom) - size), from);
+            const Rect card{corner, corner + size};
+            float hidden = overlap(card, {pointer - gap, pointer + gap});
+            for (const Rect& rect : kept_free(layout, scale)) hidden += overlap(card, rect);
+            if (hidden < least) least = hidden, best = corner;
+        }
+    return best;
+}
+
+void draw_branch_tooltip(InterfaceContext& context, int id) {
     const Document& document = context.workspace.document;
     if (id < 0 || id >= document.branch_count() || !context.workspace.facts()) return;
     const auto index = static_cast<std::size_t>(id);
@@ -19,6 +67,9 @@ void draw_branch_tooltip(const InterfaceContext& context, int id) {
     const float scale = theme::scale();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12.0F * scale, 9.0F * scale});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {16.0F * scale, 3.0F * scale});
+    const ImVec2 mouse = ImGui::GetMousePos();
+    const glm::vec2 corner = card_corner(context.layout, {mouse.x, mouse.y}, context.interface.card_size, scale);
+    ImGui::SetNextWindowPos({std::round(corner.x), std::round(corner.y)});
     ImGui::BeginTooltip();
     const std::string label = label_of(document.dependency(), document.marks(), id);
     const std::string number = "Branch " + std::to_string(id);
@@ -59,6 +110,8 @@ void draw_branch_tooltip(const InterfaceContext& context, int id) {
         }
         ImGui::EndTable();
     }
+    const ImVec2 size = ImGui::GetWindowSize();
+    context.interface.card_size = {size.x, size.y};
     ImGui::EndTooltip();
     ImGui::PopStyleVar(2);
 }

@@ -177,9 +177,26 @@ void quiet_right(const std::string& text) {
     quiet(text.c_str());
 }
 
-void tooltip(const char* text, const char* key) {
+namespace {
+
+// Next to the item, toward the middle of the window: it hides neither the item nor what the pointer goes to next.
+void place_tooltip(TooltipAt at) {
+    const ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax(), window = ImGui::GetIO().DisplaySize;
+    const float gap = 4.0F * theme::scale();
+    const bool left = least.x + most.x > window.x, above = least.y + most.y > window.y;
+    if (at == TooltipAt::kItem)
+        ImGui::SetNextWindowPos({left ? most.x : least.x, above ? least.y - gap : most.y + gap}, ImGuiCond_Always,
+                                {left ? 1.0F : 0.0F, above ? 1.0F : 0.0F});
+    else
+        ImGui::SetNextWindowPos({ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + gap, least.y - gap});
+}
+
+} // namespace
+
+void tooltip(const char* text, const char* key, TooltipAt at) {
     note_item(text);
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    place_tooltip(at);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10.0F * theme::scale(), 7.0F * theme::scale()});
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F); // also of what is disabled
     ImGui::BeginTooltip();

@@ -4,6 +4,7 @@
 #include "app/panels/theme.h"
 
 #include <array>
+#include <cstdint>
 #include <glm/vec4.hpp>
 #include <imgui.h>
 #include <initializer_list>
@@ -52,7 +53,9 @@ struct ListEntry {
                                    const std::vector<ListEntry>& entries, std::size_t chosen);
 // Puts the cursor so that `width` ends at the right edge.
 void align_right(float width);
-void tooltip(const char* text, const char* key = nullptr);
+// Where a tooltip stands: next to its item, or next to the menu that the item is an entry of.
+enum class TooltipAt : std::uint8_t { kItem, kMenu };
+void tooltip(const char* text, const char* key = nullptr, TooltipAt at = TooltipAt::kItem);
 
 // Where the controls of a frame are, in pixels of the window, by the words that explain them: x, y, width, height. For
 // scripts that drive the window from outside.

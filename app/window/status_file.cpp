@@ -68,6 +68,7 @@ void add_dialogs(nlohmann::json& status, const Interface& interface) {
     const bool exporting = interface.open_dialog.open && interface.open_dialog.purpose == FilePurpose::kExport;
     status["export"] = exporting ? std::string(choice.kind().key) + " " + choice.format().extension : "";
     status["unsaved_dialog"] = interface.unsaved.open();
+    status["quit_dialog"] = interface.quit.open();
     status["volume_dialog"] = {{"open", interface.volume.open()}, {"read", interface.volume.facts != nullptr}};
     status["recovery_dialog"] = interface.recovery.open;
     status["recoveries"] = interface.recovery.entries.size();

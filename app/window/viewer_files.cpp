@@ -103,7 +103,12 @@ void ViewerFiles::ask_for_export(std::string_view kind) {
 }
 
 void ViewerFiles::quit() {
-    when_saved([this] { closing_ = true; });
+    const auto save_and_close = [this] { when_saved([this] { closing_ = true; }); };
+    const std::string writing = state_.script_runs ? std::string() : state_.commands.writing();
+    if (writing.empty()) return save_and_close();
+    state_.interface.help_open = state_.interface.open_dialog.open = false;
+    state_.interface.quit = {writing, save_and_close};
+    state_.redraw();
 }
 
 void ViewerFiles::dropped(const std::filesystem::path& path) {

@@ -346,6 +346,13 @@ void ViewerInput::key(int number, bool down, const std::optional<KeyPress>& pres
 void ViewerInput::press_key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers) {
     // ImGui leads from menu to menu only once one of their entries has the keyboard.
     Interface& interface = state_.interface;
+    // Arrows lead through menus that were opened by a click, too: the pointer, which still lies on the menu's name,
+    // would open it again.
+    if (down && press && !interface.open_menu.empty() && !interface.menu_by_keys &&
+        (press->key == "Left" || press->key == "Right")) {
+        interface.menu_by_keys = true;
+        input_.leave();
+    }
     if (down && press && interface.steps_menus()) {
         if (press->key == "Left" || press->key == "Right") {
             interface.menu_step += press->key == "Left" ? -1 : 1;
