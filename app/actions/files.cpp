@@ -7,6 +7,7 @@
 #include "core/base/child_program.h"
 
 #include <algorithm>
+#include <span>
 
 namespace ramus::app::actions {
 
@@ -135,6 +136,28 @@ bool theme_is_light(const ActionContext& context, const Command& command) {
     return !command.scripted() && context.window != nullptr && context.window->light_theme();
 }
 
+// Transparent is for pictures in files.
+std::span<const GroundRow> grounds_of_windows() { return std::span(kGrounds).first(3); }
+
+Result<void> background(ActionContext& context, Arguments arguments) {
+    if (context.window == nullptr) return fail("background needs a window", {}, "pictures in files take --background");
+    const auto grounds = grounds_of_windows();
+    const auto row = arguments.size() == 1 ? std::ranges::find(grounds, arguments[0], &GroundRow::key) : grounds.end();
+    if (row == grounds.end()) return fail("background takes dark, grey or white");
+    context.window->set_ground(row->ground);
+    return {};
+}
+
+Command background_entry(const GroundRow& row) {
+    return Command("background", "dark|grey|white", "Puts this background behind the tree in the window.", background)
+        .in_menu("View", row.label)
+        .in_submenu("Background")
+        .giving({std::string(row.key)})
+        .in_use_when([&row](const ActionContext& context, const Command&) {
+            return context.window != nullptr && context.window->ground() == row.ground;
+        });
+}
+
 Result<void> quit(ActionContext& context, Arguments) {
     if (context.files == nullptr) return fail("quit needs a window");
     context.files->quit();
@@ -199,7 +222,7 @@ std::vector<Command> file_commands() {
 }
 
 std::vector<Command> window_commands() {
-    return {
+    std::vector<Command> commands{
         Command("panel", "[explore|surface|plan]",
                 "Shows or hides the side panel, or shows a page of it: the tree and the selection, how the surface is "
                 "made and shown, or the plan.",
@@ -249,7 +272,11 @@ std::vector<Command> window_commands() {
         Command("menu", "", "Opens the menus; arrows, Enter and Escape lead through them.", menu).on_keys({"F10"}),
         Command("palette", "", "Finds commands by words: type what you want to do.", palette)
             .in_menu("Help", "Find a command...", {"Ctrl+K", "Ctrl+P"}),
+        Command("background", "dark|grey|white", "Puts a dark, grey or white background behind the tree in the window.",
+                background),
     };
+    for (const GroundRow& row : grounds_of_windows()) commands.push_back(background_entry(row));
+    return commands;
 }
 
 } // namespace ramus::app::actions

@@ -4,6 +4,7 @@
 
 #include "app/picture/figure_options.h"
 #include "app/picture/fly_along.h"
+#include "app/picture/ground.h"
 #include "core/base/error.h"
 #include "core/base/job.h"
 #include "core/io/trees/imported_tree.h"
@@ -125,6 +126,8 @@ public:
     [[nodiscard]] virtual double ui_scale() const = 0;      // pixels per point
     virtual void set_light_theme(bool light) = 0;           // else the dark one
     [[nodiscard]] virtual bool light_theme() const = 0;
+    virtual void set_ground(Ground ground) = 0; // behind the tree
+    [[nodiscard]] virtual Ground ground() const = 0;
 };
 
 class Clipboard {

@@ -29,7 +29,7 @@ void add_figure_flags(CLI::App& command, FigureOptions& flags) {
     add_option_taking<std::string>(
         command, "--background", "GROUND",
         [&flags](const std::string& key) { flags.ground = std::ranges::find(kGrounds, key, &GroundRow::key)->ground; },
-        "What is behind the tree: dark (default), white or transparent")
+        "What is behind the tree: dark (default), grey, white or transparent")
         ->check(CLI::IsMember(grounds).description(""))
         ->excludes(command.get_option("--transparent"));
     add_option(command, "--text-size", "X", flags.text_size,

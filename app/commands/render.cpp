@@ -285,7 +285,7 @@ Result<int> run_render(const RenderFlags& flags) {
     RAMUS_TRY(has_camera, open_document(flags, document));
     Viewing viewing;
     viewing.size = flags.interface ? layout_of(flags.size, 1.0F, true).view_size : flags.size;
-    viewing.transparent = flags.transparent;
+    if (flags.transparent) viewing.ground = Ground::kTransparent;
     viewing.notes = flags.notes;
     PictureStage stage(document, flags.common, viewing);
     if (auto made = of_file(stage.make_surface(), document.session().tree.path.string()); !made)

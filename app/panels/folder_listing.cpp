@@ -1,5 +1,6 @@
 #include "app/panels/folder_listing.h"
 
+#include "app/session/numbers.h"
 #include "core/io/text_numbers.h"
 
 #include <algorithm>
@@ -10,6 +11,16 @@
 namespace ramus::app {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+std::string changed_text(const fs::directory_entry& entry) {
+    std::error_code error;
+    const fs::file_time_type written = entry.last_write_time(error);
+    return error ? std::string() : local_time_text(std::chrono::file_clock::to_sys(written));
+}
+
+} // namespace
 
 FolderListing::Content FolderListing::content_of(const fs::path& folder, const Job& job) {
     Content content;
@@ -22,11 +33,12 @@ FolderListing::Content FolderListing::content_of(const fs::path& folder, const J
     for (; !error && each != fs::directory_iterator(); each.increment(error)) {
         if (job.cancelled()) return {};
         std::error_code ignored;
-        Entry entry{each->path().filename().string(), {}, each->is_directory(ignored), 0};
+        Entry entry{each->path().filename().string(), {}, each->is_directory(ignored), 0, {}};
         if (entry.name.starts_with(".")) continue;
         entry.lower_case = io::lower_case(entry.name);
         if (!entry.folder) entry.bytes = each->file_size(ignored);
         if (ignored) entry.bytes = 0; // gone meanwhile, or no plain file
+        entry.changed = changed_text(*each);
         content.entries.push_back(std::move(entry));
     }
     std::ranges::sort(content.entries,

@@ -19,6 +19,7 @@ public:
         std::string name, lower_case; // the second to compare with
         bool folder = false;
         std::uintmax_t bytes = 0;
+        std::string changed; // "2026-11-28 17:04", local time; empty: not known
     };
     struct Content {
         std::vector<Entry> entries; // folders first, then files, by name

@@ -245,6 +245,8 @@ fs::path draw_entry(OpenDialog& dialog, std::size_t n) {
     if (entry.folder) ImGui::PopStyleColor();
     ImGui::PopID();
     ImGui::TableNextColumn();
+    widgets::quiet(entry.changed.c_str());
+    ImGui::TableNextColumn();
     if (!entry.folder) widgets::quiet_right(size_text(entry.bytes));
     return chosen;
 }
@@ -253,8 +255,9 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
     fs::path chosen;
     ImGui::BeginChild("entries", {0.0F, height});
     if (dialog.rows.empty()) draw_why_empty(dialog);
-    if (!dialog.rows.empty() && ImGui::BeginTable("files", 2, ImGuiTableFlags_SizingFixedFit)) {
+    if (!dialog.rows.empty() && ImGui::BeginTable("files", 3, ImGuiTableFlags_SizingFixedFit)) {
         ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
+        ImGui::TableSetupColumn("changed", ImGuiTableColumnFlags_WidthFixed);
         ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, 76.0F * theme::scale());
         ImGuiListClipper clipper; // there may be thousands
         clipper.Begin(static_cast<int>(dialog.rows.size()));
@@ -323,7 +326,16 @@ fs::path draw_path_row(OpenDialog& dialog) {
         chosen = dialog.typed.data();
     ImGui::SameLine();
     ImGui::SetNextItemWidth(filter_width);
-    if (ImGui::IsWindowAppearing() && !dialog.saves()) ImGui::SetKeyboardFocusHere();
+    // What is typed while no field has the keyboard filters, from the first letter on.
+    bool filters = ImGui::IsWindowAppearing() && !dialog.saves();
+    if (!dialog.saves() && !ImGui::IsAnyItemActive())
+        for (const ImWchar letter : ImGui::GetIO().InputQueueCharacters) {
+            const std::size_t length = std::string_view(dialog.filter.data()).size();
+            if (letter <= ' ' || letter > '~' || length + 1 >= dialog.filter.size()) continue;
+            dialog.filter[length] = static_cast<char>(letter), dialog.filter[length + 1] = '\0';
+            filters = true;
+        }
+    if (filters) ImGui::SetKeyboardFocusHere();
     if (!ImGui::InputTextWithHint("##filter", "Filter", dialog.filter.data(), dialog.filter.size(),
                                   ImGuiInputTextFlags_EnterReturnsTrue))
         return chosen;

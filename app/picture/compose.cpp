@@ -122,10 +122,10 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     frame.states = session.marks.states;
     frame.selected = session.marks.selection;
     frame.hovered = viewing.hovered;
-    frame.background.transparent = viewing.transparent;
     frame.quality = viewing.quality;
     for (const DepthCue& cue : depth_cues())
         frame.appearance.*cue.strength = session.marks.depth_cues.has(cue) ? 1.0F : 0.0F;
+    put_on(frame, viewing.ground);
     show_glass(frame.appearance, viewing.glass ? *viewing.glass : session.marks.glass);
     show_context(frame, assets, viewing.context ? *viewing.context : session.marks.context);
     const bool alone = !assets.tree && std::ranges::any_of(frame.context, &render::ContextMesh::shown);

@@ -2,6 +2,7 @@
 // alone. The window and `ramus render` call the same one, which is why their pictures are the same.
 #pragma once
 
+#include "app/picture/ground.h"
 #include "app/session/session.h"
 #include "render/scene/frame.h"
 
@@ -17,7 +18,7 @@ struct Viewing {
     glm::ivec2 size{1280, 960}; // pixels
     float pixel_ratio = 1.0F;
     int hovered = render::kNoBranch; // what depends on it glows with it
-    bool transparent = false;
+    Ground ground = Ground::kDark;
     std::optional<mesh::Method> method{}; // of the surface that is shown, where it is not the session's
     render::Quality quality = render::Quality::kFull;
     std::optional<GlassLook> glass{};                  // instead of the session's, while it is being tried

@@ -46,7 +46,7 @@ Result<void> read_one(const std::string& word, const std::string& value, FigureR
     }
     if (word == "--background") {
         const auto* const row = std::ranges::find(kGrounds, value, &GroundRow::key);
-        if (row == kGrounds.end()) return fail("--background takes dark, white or transparent");
+        if (row == kGrounds.end()) return fail("--background takes dark, grey, white or transparent");
         options.ground = row->ground;
         return {};
     }

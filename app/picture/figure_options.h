@@ -2,6 +2,7 @@
 // them in the command `export`.
 #pragma once
 
+#include "app/picture/ground.h"
 #include "core/base/error.h"
 
 #include <array>
@@ -15,16 +16,6 @@
 #include <vector>
 
 namespace ramus::app {
-
-enum class Ground : std::uint8_t { kDark, kWhite, kTransparent };
-struct GroundRow {
-    Ground ground;
-    std::string_view key;
-    const char* label;
-};
-inline constexpr std::array<GroundRow, 3> kGrounds{{{Ground::kDark, "dark", "Dark"},
-                                                    {Ground::kWhite, "white", "White"},
-                                                    {Ground::kTransparent, "transparent", "Transparent"}}};
 
 // What may lie over the tree.
 struct OverlayRow {
@@ -72,7 +63,7 @@ struct FigureRequest {
 [[nodiscard]] Result<void> read_figure_words(std::span<const std::string> words, FigureRequest& request);
 [[nodiscard]] std::vector<std::string> figure_words(const FigureRequest& request);
 inline constexpr const char* kFigureUsage =
-    "[--size WxH] [--background dark|white|transparent] [--caption TEXT] [--overlays LIST] [--supersample N] "
+    "[--size WxH] [--background dark|grey|white|transparent] [--caption TEXT] [--overlays LIST] [--supersample N] "
     "[--text-size X]; of a turntable [--pictures N] [--rate N] [--as-near]";
 
 } // namespace ramus::app

@@ -17,18 +17,6 @@ namespace ramus::app {
 
 namespace {
 
-// What is far sinks into the background; into white it would fade (tuned by eye, on airways and vessels of the brain).
-constexpr float kCueOnWhite = 0.35F;
-
-void put_on(render::Frame& frame, Ground ground) {
-    frame.background = {};
-    frame.background.transparent = ground == Ground::kTransparent;
-    if (ground != Ground::kWhite) return;
-    frame.background.top = frame.background.bottom = glm::vec3(1.0F);
-    frame.overlays.dark_ink = true;
-    frame.appearance.depth_cue *= kCueOnWhite;
-}
-
 void dress(render::Frame& frame, const FigureOptions& options) {
     const auto shows = [&](const char* name) {
         return std::ranges::find(options.overlays, name) != options.overlays.end();
@@ -302,7 +290,7 @@ Result<Turntable> write_turntable(render::SheetRenderer& renderer, const render:
     std::optional<VideoFile> video;
     if (is_video(output)) {
         if (sheet.viewports.front().frame.background.transparent)
-            return fail("a video has no transparent background", output.string(), "choose dark or white");
+            return fail("a video has no transparent background", output.string(), "choose dark, grey or white");
         RAMUS_TRY(made, VideoFile::create(output, sheet.size, options.frames_a_second));
         video.emplace(std::move(made));
     }

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <ctime>
 
 namespace ramus::app {
 
@@ -113,13 +113,7 @@ std::string html_text(std::string_view text) {
     return safe;
 }
 
-std::string now_text() {
-    const std::time_t now = std::time(nullptr);
-    std::tm local{};
-    char text[64] = "";
-    if (::localtime_r(&now, &local) != nullptr) std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &local);
-    return text;
-}
+std::string now_text() { return local_time_text(std::chrono::system_clock::now()); }
 
 std::string page_begin(const std::string& title, const std::string& what, const std::string& made) {
     const std::string name = html_text(title);

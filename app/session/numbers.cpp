@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 
 namespace ramus::app {
 
@@ -84,6 +85,14 @@ std::vector<double> round_numbers(double low, double high, bool logarithmic) {
     for (double n = std::ceil(low / step - 1e-9); n * step <= high + 1e-9 * step; n += 1.0)
         found.push_back(n * step + 0.0); // no negative zero
     return found;
+}
+
+std::string local_time_text(std::chrono::system_clock::time_point time) {
+    const std::time_t seconds = std::chrono::system_clock::to_time_t(time);
+    std::tm local{};
+    char text[64] = "";
+    if (::localtime_r(&seconds, &local) != nullptr) std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &local);
+    return text;
 }
 
 std::string counted(std::uint64_t number, const std::string& one, const std::string& many) {

@@ -4,6 +4,7 @@
 #include "core/measure/amount.h"
 #include "core/tree/vessel_tree.h"
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -38,6 +39,9 @@ public:
 private:
     tree::Claims claims_;
 };
+
+// "2026-11-28 17:04", in the machine's time zone.
+[[nodiscard]] std::string local_time_text(std::chrono::system_clock::time_point time);
 
 // "1 branch", "1,504 branches".
 [[nodiscard]] std::string counted(std::uint64_t number, const std::string& one, const std::string& many);

@@ -5,6 +5,7 @@
 #include "core/io/json_text.h"
 #include "core/io/output_file.h"
 
+#include <algorithm>
 #include <fstream>
 
 namespace ramus::app {
@@ -29,7 +30,8 @@ json to_json(const Settings& settings) {
                {"recent_files", settings.recent_files},
                {"folders", json::object()},
                {"drop_beside", settings.drop_beside},
-               {"light_theme", settings.light_theme}};
+               {"light_theme", settings.light_theme},
+               {"background", kGrounds[static_cast<std::size_t>(settings.ground)].key}};
     for (const auto& [kind, folder] : settings.folders) value["folders"][kind] = folder.string();
     if (settings.ui_scale > 0.0) value["ui_scale"] = settings.ui_scale;
     return value;
@@ -53,6 +55,13 @@ Result<Settings> settings_from_json(const json& value, const std::string& where)
             if (!value.contains(name)) continue;
             if (!value[name].is_boolean()) throw Refusal{std::string(name) + " is neither true nor false"};
             settings.*member = value[name].get<bool>();
+        }
+        if (value.contains("background")) {
+            const std::string wanted = text(value["background"], "background");
+            const auto* const row = std::ranges::find(kGrounds, wanted, &GroundRow::key);
+            if (row == kGrounds.end() || row->ground == Ground::kTransparent)
+                throw Refusal{"background is neither dark, grey nor white"};
+            settings.ground = row->ground;
         }
         if (value.contains("recent_files"))
             settings.recent_files = integer(value["recent_files"], "recent_files", 0, 100);

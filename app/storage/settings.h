@@ -3,6 +3,7 @@
 // defaults and refuses wrong types and values; names that it does not know are another version's, and ignored.
 #pragma once
 
+#include "app/picture/ground.h"
 #include "core/base/error.h"
 
 #include <filesystem>
@@ -22,6 +23,7 @@ struct Settings {
     [[nodiscard]] std::filesystem::path folder_of(const std::string& kind) const; // empty: none yet
     bool drop_beside = false; // a mask that is dropped on a tree was last shown beside it, not opened
     bool light_theme = false;
+    Ground ground = Ground::kDark; // behind the tree in the window
     bool operator==(const Settings&) const = default;
 };
 

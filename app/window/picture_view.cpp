@@ -21,6 +21,7 @@ PictureView::PictureView(ViewerState& state, render::Renderer& renderer, Drawing
 Viewing PictureView::viewing() const {
     const Interface& interface = state_.interface;
     Viewing viewing{.size = state_.layout.view_size, .pixel_ratio = state_.scale, .hovered = interface.hovered};
+    viewing.ground = interface.settings.ground;
     if (interface.listed != tree::kNoBranch) viewing.hovered = interface.listed;
     viewing.glass = interface.tried_glass;
     viewing.context = interface.tried_context;

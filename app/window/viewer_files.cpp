@@ -184,6 +184,7 @@ void ViewerFiles::update() {
     follow_dialogs();
     ask_about_arrival();
     if (const auto opened = state_.workspace.take_opened()) take(*opened);
+    remember(state_.workspace.document.file()); // a session that was saved
     while (const auto error = state_.workspace.take_error()) {
         state_.interface.errors.push_back(*error);
         // What cannot be recovered now may be thrown away, or left for later.
@@ -191,13 +192,17 @@ void ViewerFiles::update() {
     }
 }
 
+void ViewerFiles::remember(const std::filesystem::path& file) {
+    if (!state_.persons_window || file.empty() || std::exchange(remembered_, file) == file) return;
+    Interface& interface = state_.interface;
+    interface.recent_files = remember_file(file, static_cast<std::size_t>(interface.settings.recent_files));
+}
+
 void ViewerFiles::take(const Workspace::Opened& opened) {
     opened_(opened);
     Interface& interface = state_.interface;
-    if (state_.persons_window) {
-        interface.recent_files = remember_file(opened.path, static_cast<std::size_t>(interface.settings.recent_files));
-        interface.settings.folders[key_of(FilePurpose::kOpen)] = opened.path.parent_path();
-    }
+    remember(opened.path);
+    if (state_.persons_window) interface.settings.folders[key_of(FilePurpose::kOpen)] = opened.path.parent_path();
     auto& entries = interface.recovery.entries;
     const auto entry = std::ranges::find(entries, recovering_, [](const auto& each) { return each.slot.file(); });
     if (opened.recovered && entry != entries.end()) {

@@ -49,6 +49,7 @@ private:
     Result<void> open_and_wait(const std::filesystem::path& path);
     void ask_about_arrival();
     void take(const Workspace::Opened& opened);
+    void remember(const std::filesystem::path& file); // among the recent ones; nothing the second time in a row
     [[nodiscard]] Result<RecoveryDialog::Entry*> recovery(int which);
 
     ViewerState& state_;
@@ -57,6 +58,7 @@ private:
     bool asked_about_arrival_ = false;
     void take_volume_facts(const Result<VolumeFacts>& facts);
     void follow_dialogs();
+    std::filesystem::path remembered_; // last
     std::filesystem::path recovering_; // the file of the recovery that is being read; empty: none is
     std::optional<autosave::Slot> recovered_;
     std::filesystem::path volume_read_; // what the dialog is about, or was

@@ -162,6 +162,11 @@ void WindowParts::set_light_theme(bool light) {
     state_.redraw();
 }
 
+void WindowParts::set_ground(Ground ground) {
+    state_.interface.settings.ground = ground;
+    state_.redraw();
+}
+
 void WindowParts::copy_text(const std::string& text) { ImGui::SetClipboardText(text.c_str()); }
 
 Result<std::string> WindowParts::pasted_text() const {

@@ -27,6 +27,8 @@ public:
     [[nodiscard]] double ui_scale() const override { return state_.scale; }
     void set_light_theme(bool light) override;
     [[nodiscard]] bool light_theme() const override { return state_.interface.settings.light_theme; }
+    void set_ground(Ground ground) override;
+    [[nodiscard]] Ground ground() const override { return state_.interface.settings.ground; }
 
     void copy_text(const std::string& text) override;
     [[nodiscard]] Result<std::string> pasted_text() const override;

@@ -33,6 +33,8 @@ public:
     [[nodiscard]] double ui_scale() const override { return 1.0; }
     void set_light_theme(bool) override {}
     [[nodiscard]] bool light_theme() const override { return false; }
+    void set_ground(app::Ground) override {}
+    [[nodiscard]] app::Ground ground() const override { return app::Ground::kDark; }
     [[nodiscard]] bool shows(std::string_view part) const override { return parts.contains(std::string(part)); }
     int moves = 0;
     std::pair<int, double> flown{-1, -1.0};
