@@ -1,4 +1,4 @@
-"""What is selected, of glass and hidden is counted in the status bar, with the way back; what is selected behind other
+"""What is selected, defocused and hidden is counted in the status bar, with the way back; what is selected behind other
 vessels is seen through them; glass is no brighter than what is in focus; "Defocus" and then "Defocus others" leave something
 in focus; a name is its branch's alone unless it is given to what depends on it.
 
@@ -17,7 +17,7 @@ CROSSING = """\
 3 3 0 -40 -50 4 -1
 4 3 0 -40 50 4 3
 """
-HIDDEN, FOCUS, NOTHING = ("Shows the hidden branches again", "Brings the branches of glass back into focus",
+HIDDEN, FOCUS, NOTHING = ("Shows the hidden branches again", "Brings the defocused branches back into focus",
                           "Selects nothing")
 
 
