@@ -107,12 +107,14 @@ bool Interface::dismiss() {
         errors.pop_front();
     } else if (unsaved.open()) {
         unsaved.next = nullptr;
+    } else if (quit.open()) {
+        quit.next = nullptr;
     } else if (volume.open()) {
         volume = {};
     } else {
         const std::array below{&palette.open,  &recovery.open,   &open_dialog.open, &help_open,     &rename.open,
                                &radius.open,   &fly.open,        &unsaid.open,      &warnings.open, &doctor.open,
-                               &contacts.open, &validation.open, &written.open};
+                               &contacts.open, &validation.open, &welcome.open,     &written.open};
         const auto top = std::ranges::find_if(below, [](const bool* open) { return *open; });
         if (top == below.end()) return false;
         **top = false;
@@ -170,6 +172,7 @@ void draw_interface(InterfaceContext& context) {
     draw_menu_bar(context);
     draw_tool_bar(context);
     draw_side_panel(context);
+    draw_welcome(context);
     draw_doctor(context);
     draw_unsaid(context);
     draw_warnings(context);

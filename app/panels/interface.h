@@ -202,6 +202,11 @@ struct ValidationList {
 // What a person waits for, so long that it is told.
 enum class Preparing : std::uint8_t { kNothing, kFirstPicture, kPicture };
 
+// The panel of a first start.
+struct Welcome {
+    bool open = false, shown = false; // shown: in the last frame
+};
+
 struct Interface {
     bool panel_open = true;
     // A menu of the bar: it shall come; it is there; it shall go.
@@ -241,7 +246,8 @@ struct Interface {
     Rename rename;
     RadiusDialog radius;
     Fly fly;
-    // Of these five one is open at the most.
+    // Of these six one is open at the most.
+    Welcome welcome;
     Doctor doctor;
     WarningsPanel warnings;
     Unsaid unsaid;
@@ -276,7 +282,7 @@ struct Interface {
     }
     // One panel lies over the picture's left edge at a time; null: none.
     void open_left_panel(bool* panel) {
-        for (bool* each : {&doctor.open, &contacts.open, &unsaid.open, &warnings.open, &validation.open})
+        for (bool* each : {&welcome.open, &doctor.open, &contacts.open, &unsaid.open, &warnings.open, &validation.open})
             *each = each == panel;
     }
     // Whether left and right lead from menu to menu.
@@ -312,6 +318,7 @@ void draw_title(InterfaceContext& context, const char* title, std::initializer_l
 
 // The parts, one file each.
 void draw_menu_bar(InterfaceContext& context);
+void draw_welcome(InterfaceContext& context);
 void draw_tool_drawing(InterfaceContext& context);
 void draw_tool_bar(InterfaceContext& context);
 void draw_side_panel(InterfaceContext& context);

@@ -31,6 +31,7 @@ json to_json(const Settings& settings) {
                {"folders", json::object()},
                {"drop_beside", settings.drop_beside},
                {"light_theme", settings.light_theme},
+               {"welcome", settings.welcome},
                {"background", kGrounds[static_cast<std::size_t>(settings.ground)].key}};
     for (const auto& [kind, folder] : settings.folders) value["folders"][kind] = folder.string();
     if (settings.ui_scale > 0.0) value["ui_scale"] = settings.ui_scale;
@@ -51,7 +52,7 @@ Result<Settings> settings_from_json(const json& value, const std::string& where)
         }
         for (const auto& [name, member] :
              {std::pair("panel_open", &Settings::panel_open), std::pair("drop_beside", &Settings::drop_beside),
-              std::pair("light_theme", &Settings::light_theme)}) {
+              std::pair("light_theme", &Settings::light_theme), std::pair("welcome", &Settings::welcome)}) {
             if (!value.contains(name)) continue;
             if (!value[name].is_boolean()) throw Refusal{std::string(name) + " is neither true nor false"};
             settings.*member = value[name].get<bool>();

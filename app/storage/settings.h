@@ -23,6 +23,7 @@ struct Settings {
     [[nodiscard]] std::filesystem::path folder_of(const std::string& kind) const; // empty: none yet
     bool drop_beside = false; // a mask that is dropped on a tree was last shown beside it, not opened
     bool light_theme = false;
+    bool welcome = true;           // a start without a file says what ramus is
     Ground ground = Ground::kDark; // behind the tree in the window
     bool operator==(const Settings&) const = default;
 };

@@ -250,6 +250,7 @@ int run_window(const WindowOptions& options) {
     (*viewer)->resize((*window)->framebuffer_size(), (*window)->scale());
     if (options.files.size() > 1) (*viewer)->say("One tree at a time: only " + options.files.front() + " was opened");
     (*viewer)->files().use_settings(settings);
+    if (options.session.empty() && options.files.empty()) (*viewer)->files().welcome();
     if (asks) (*viewer)->files().ask_about_volume(*file);
     if (!stored.trouble.empty()) (*viewer)->say(stored.trouble);
     (*viewer)->files().offer(autosave::find_abandoned(Keeper::folder()));

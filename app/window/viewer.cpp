@@ -3,6 +3,7 @@
 #include "app/panels/theme.h"
 #include "app/picture/fit.h"
 #include "app/session/reading_options.h"
+#include "app/storage/tree_source.h"
 #include "core/io/volumes/volume_file.h"
 
 #include <algorithm>
@@ -128,8 +129,9 @@ void Viewer::begin_tree(const Workspace::Opened& opened) {
         state_.interface.unsaid.show(document.marks().reading);
         state_.interface.doctor.open = false;
     }
-    if (state_.interface.doctor.open || state_.interface.unsaid.open)
-        state_.interface.contacts.open = state_.interface.warnings.open = state_.interface.validation.open = false;
+    if (document.subject() != demo_tree().value_or(std::filesystem::path())) state_.interface.welcome.open = false;
+    for (bool* panel : {&state_.interface.doctor.open, &state_.interface.unsaid.open})
+        if (*panel) state_.interface.open_left_panel(panel);
     state_.interface.doctor.of_mask = state_.tree && io::is_volume(document.session().tree.path);
 }
 

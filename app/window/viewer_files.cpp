@@ -226,6 +226,11 @@ Settings ViewerFiles::settings() const {
     return settings;
 }
 
+void ViewerFiles::welcome() {
+    Interface& interface = state_.interface;
+    if (interface.settings.welcome) interface.open_left_panel(&interface.welcome.open);
+}
+
 void ViewerFiles::offer(std::vector<autosave::Slot> abandoned) {
     state_.interface.recovery.offer(std::move(abandoned));
     state_.redraw();

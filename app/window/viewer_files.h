@@ -39,6 +39,7 @@ public:
     // What lives longer than the window: see run_window.cpp.
     void use_settings(const Settings& settings);
     [[nodiscard]] Settings settings() const;
+    void welcome(); // unless a person has closed it before
     void offer(std::vector<autosave::Slot> abandoned);
     // What was recovered since the last call, to be taken over.
     [[nodiscard]] std::optional<autosave::Slot> take_recovered() { return std::exchange(recovered_, std::nullopt); }
