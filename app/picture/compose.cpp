@@ -170,7 +170,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     if (viewing.notes) mark_notes(frame, tree, viewing.note);
     if (assets.contacts.fits(options))
         mark_contacts(frame, *assets.contacts.list, marks.contact_marks ? ContactMarks::kAll : ContactMarks::kCurrent,
-                      viewing.contact, Lengths(tree.claims));
+                      viewing.contact, tree.branches.size(), Lengths(tree.claims));
     return frame;
 }
 

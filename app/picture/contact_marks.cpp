@@ -4,6 +4,7 @@
 #include "app/picture/place_marks.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 namespace ramus::app {
@@ -18,10 +19,23 @@ bool is_hidden(const render::Frame& frame, int branch) {
     return index < frame.states.size() && frame.states[index] == render::BranchState::kHidden;
 }
 
+// Each of the two in a colour of its own, which their being selected would hide: it is for as long as one looks at the
+// contact. Colours that vary along a branch stay.
+void tell_apart(render::Frame& frame, const tree::Contact& contact, std::size_t branches) {
+    constexpr std::array<glm::vec3, 2> kSideColours{{{0.20F, 0.70F, 0.62F}, {0.66F, 0.48F, 0.90F}}};
+    if (frame.scale.value != render::ColourScale::Value::kNone) return;
+    frame.colours.resize(branches, frame.appearance.vessel);
+    for (std::size_t side = 0; side < contact.sides.size(); ++side)
+        for (const int branch : contact.sides[side].branches) {
+            frame.colours[static_cast<std::size_t>(branch)] = kSideColours[side];
+            std::erase(frame.selected, branch);
+        }
+}
+
 } // namespace
 
 void mark_contacts(render::Frame& frame, std::span<const tree::Contact> contacts, ContactMarks which, int current,
-                   const Lengths& lengths) {
+                   std::size_t branches, const Lengths& lengths) {
     const bool numbered = contacts.size() <= kMostNumberedContacts;
     for (std::size_t n = 0; n < contacts.size(); ++n) {
         const tree::Contact& contact = contacts[n];
@@ -33,6 +47,7 @@ void mark_contacts(render::Frame& frame, std::span<const tree::Contact> contacts
                                               kBeyondVessels * std::max(first.radius, second.radius),
                                               contact.gap < 0.0 ? kOverlapColour : kGapColour, is_current));
         const std::string number = std::to_string(n + 1);
+        if (is_current) tell_apart(frame, contact, branches);
         if (is_current)
             frame.labels.push_back({contact.at(), number + ": " + gap_text(contact, lengths)});
         else if (numbered)

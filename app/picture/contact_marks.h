@@ -16,9 +16,9 @@ enum class ContactMarks { kCurrent, kAll };
 
 // Adds a ring for each contact, facing the eye and wide enough to be seen from anywhere: yellow where the tubes
 // overlap, blue where there is a gap. Few of them have their numbers, from 1. `current`: an index, drawn stronger and
-// named; -1: none. Contacts of branches that the frame hides have none. The frame has its states, camera, size and
-// pixel ratio.
+// named, its two vessels in two colours; -1: none. `branches`: of the tree. Contacts of branches that the frame hides
+// have none. The frame has its states, camera, size and pixel ratio.
 void mark_contacts(render::Frame& frame, std::span<const tree::Contact> contacts, ContactMarks which, int current,
-                   const Lengths& lengths);
+                   std::size_t branches, const Lengths& lengths);
 
 } // namespace ramus::app
