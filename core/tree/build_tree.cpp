@@ -3,12 +3,14 @@
 #include "core/base/disjoint_sets.h"
 #include "core/base/sort_unique.h"
 #include "core/base/words.h"
+#include "core/tree/branch_data.h"
 #include "core/tree/missing_radii.h"
 #include "core/tree/open_ends.h"
 #include "core/tree/suspicions.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <iterator>
 #include <numeric>
 #include <optional>
@@ -105,13 +107,17 @@ Result<std::size_t> fill_radii(std::vector<Point>& points, const std::vector<Edg
 }
 
 // The edges between the points that are left (`stands`: which stands for each), each once.
+// `left`: gets the index that each of them has in the graph.
 std::vector<Edge> distinct_edges(const Graph& graph, const std::vector<std::uint32_t>& stands, Repairs& repairs,
-                                 const SourceOf& source) {
+                                 const SourceOf& source, std::vector<std::size_t>& left) {
     std::vector<Edge> edges = graph.edges;
-    for (auto& [a, b] : edges) a = stands[a], b = stands[b];
-    std::erase_if(edges, [](const Edge& edge) { return edge.first == edge.second; });
-    std::vector<std::size_t> order(edges.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<std::size_t> order;
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        auto& [a, b] = edges[e];
+        a = stands[a], b = stands[b];
+        if (a != b) order.push_back(e);
+    }
+    left = order;
     const auto key = [&](std::size_t e) { return std::minmax(edges[e].first, edges[e].second); };
     std::ranges::stable_sort(order,
                              [&](std::size_t x, std::size_t y) { return std::pair(key(x)) < std::pair(key(y)); });
@@ -125,14 +131,33 @@ std::vector<Edge> distinct_edges(const Graph& graph, const std::vector<std::uint
                     graph.points[y.second].position);
     }
     std::vector<Edge> distinct;
-    for (std::size_t e = 0; e < edges.size(); ++e)
-        if (!twice[e]) distinct.push_back(edges[e]);
+    std::erase_if(left, [&](std::size_t e) { return bool(twice[e]); });
+    for (const std::size_t e : left) distinct.push_back(edges[e]);
     return distinct;
 }
 
 } // namespace
 
 std::string_view name_of(Repair one) { return paired(kRepairNames, one).value_or(""); }
+
+std::uint32_t Graph::add_point_between(std::uint32_t a, std::uint32_t b, double share) {
+    points.push_back(
+        {glm::mix(points[a].position, points[b].position, share), glm::mix(points[a].radius, points[b].radius, share)});
+    if (!labels.empty()) labels.push_back(labels[a]);
+    if (!point_systems.empty()) point_systems.push_back(point_systems[a]);
+    append_between(point_data, a, b, share);
+    return static_cast<std::uint32_t>(points.size() - 1);
+}
+
+void Graph::keep_points(const std::vector<std::uint32_t>& kept) {
+    const auto keep = [&](auto& values) {
+        if (values.empty()) return;
+        for (std::size_t n = 0; n < kept.size(); ++n) values[n] = values[kept[n]];
+        values.resize(kept.size());
+    };
+    keep(points), keep(labels), keep(point_systems);
+    for (DataArray& array : point_data) keep(array.values);
+}
 
 std::vector<std::uint32_t> complete_roots(const std::vector<Point>& points, const std::vector<Edge>& edges,
                                           std::vector<std::uint32_t> roots) {
@@ -169,7 +194,8 @@ Result<VesselTree> build_tree(Graph graph, Repair repair, const SourceOf& source
     Repairs repairs{repair, {}, {}};
     const std::vector<std::uint32_t> stands = merge_repeated(graph, repairs, source);
 
-    std::vector<Edge> edges = distinct_edges(graph, stands, repairs, source);
+    std::vector<std::size_t> left_edges;
+    std::vector<Edge> edges = distinct_edges(graph, stands, repairs, source, left_edges);
     std::vector<bool> connected(graph.points.size(), false);
     for (const auto& [a, b] : edges) connected[a] = connected[b] = true;
     if (edges.empty())
@@ -185,15 +211,15 @@ Result<VesselTree> build_tree(Graph graph, Repair repair, const SourceOf& source
 
     // Points that are left, renumbered in their old order.
     std::vector<std::uint32_t> renumbered(graph.points.size(), 0), kept;
-    Graph left;
     for (std::uint32_t p = 0; p < graph.points.size(); ++p) {
         if (!connected[p]) continue;
         renumbered[p] = static_cast<std::uint32_t>(kept.size());
         kept.push_back(p);
-        left.points.push_back(graph.points[p]);
-        if (!graph.labels.empty()) left.labels.push_back(graph.labels[p]);
-        if (!graph.point_systems.empty()) left.point_systems.push_back(graph.point_systems[p]);
     }
+    Graph left = graph;
+    left.keep_points(kept);
+    left.roots.clear();
+    left.edge_data = picked(graph.edge_data, left_edges);
     left.edges = std::move(edges);
     for (auto& [a, b] : left.edges) a = renumbered[a], b = renumbered[b];
     const std::size_t invented = graph.radii_are_invented ? left.points.size() : filled;
@@ -209,6 +235,8 @@ Result<VesselTree> build_tree(Graph graph, Repair repair, const SourceOf& source
                         graph.points[kept[end]].position);
     VesselTree tree =
         assemble(std::move(left.points), std::move(left.labels), left.edges, left.roots, left.point_systems);
+    tree.point_data = std::move(left.point_data);
+    tree.branch_data = branch_data_of_edges(tree, left.edges, left.edge_data);
     tree.systems = std::move(graph.systems);
     tree.notes = std::move(repairs.done);
     std::ranges::move(check_network(tree), std::back_inserter(tree.notes));

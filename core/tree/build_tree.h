@@ -60,6 +60,12 @@ struct Graph {
     std::vector<System> systems;
     std::vector<int> point_systems;  // per point, an index into `systems`; empty where there are none
     bool radii_are_invented = false; // no radius comes from the file
+    DataArrays point_data{}, edge_data{};
+
+    // Adds a point at `share` of the way from point `a` to point `b`, with the label and the system of `a`.
+    std::uint32_t add_point_between(std::uint32_t a, std::uint32_t b, double share);
+    // Leaves points out: `kept` are the others, ascending. Edges and roots keep the numbers that they had.
+    void keep_points(const std::vector<std::uint32_t>& kept);
 };
 
 // Largest coordinate and radius that make sense in mm; beyond, a file has the wrong unit or is damaged.

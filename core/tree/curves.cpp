@@ -78,6 +78,11 @@ public:
         return ends;
     }
 
+    // Of a segment: how far along it the foot of a place is, from 0 to 1.
+    [[nodiscard]] double share_along(std::size_t i, const glm::dvec3& place) const {
+        return std::clamp(glm::dot(place - points_[i].position, direction(i)) / lengths_[i], 0.0, 1.0);
+    }
+
 private:
     [[nodiscard]] Corner rounded(std::size_t i) const {
         if (!is_smooth(i)) return {};
@@ -157,6 +162,8 @@ PreparedTree along_curves(PreparedTree lines, std::span<const CurvePieces> piece
                 for (const Point& end : run.between(i, pieces[of])) {
                     points.push_back(static_cast<std::uint32_t>(tree.points.size()));
                     tree.points.push_back(end);
+                    append_between(tree.point_data, branch.points[i], branch.points[i + 1],
+                                   run.share_along(i, end.position));
                     if (!tree.labels.empty()) tree.labels.push_back(tree.labels[branch.points[i]]);
                 }
             points.push_back(branch.points[i + 1]);

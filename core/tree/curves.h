@@ -28,7 +28,7 @@ struct CurvePieces {
 
 // The tree along its curves. `pieces`: for each segment of the file's tree, as `segment_index` counts them. Pieces of a
 // segment are numbered one after the other, whatever pruning leaves of the others. New points have the label of the
-// point before them.
+// point before them, and interpolated data.
 [[nodiscard]] PreparedTree along_curves(PreparedTree lines, std::span<const CurvePieces> pieces);
 
 } // namespace ramus::tree

@@ -66,9 +66,7 @@ Kept part_between(EditGraph& graph, const VesselTree& tree, int id, double from,
         const auto point_at = [&](double mm) {
             if (mm <= before + same) return points[i - 1];
             if (mm >= before + step - same) return points[i];
-            const double t = (mm - before) / step;
-            return graph.add_point({glm::mix(a.position, b.position, t), glm::mix(a.radius, b.radius, t)},
-                                   points[i - 1]);
+            return graph.add_point_between(points[i - 1], points[i], (mm - before) / step);
         };
         if (end - begin > same) {
             const std::uint32_t start = kept.links.empty() ? point_at(begin) : kept.last;

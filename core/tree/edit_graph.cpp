@@ -1,6 +1,7 @@
 #include "core/tree/edit_graph.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/tree/branch_data.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
@@ -38,7 +39,8 @@ std::vector<std::vector<int>> sources_of(const VesselTree& tree, const std::vect
 } // namespace
 
 EditGraph::EditGraph(const VesselTree& tree)
-    : points(tree.points), labels(tree.labels), systems(tree.points.size(), 0), roots(tree.roots) {
+    : points(tree.points), labels(tree.labels), systems(tree.points.size(), 0), point_data(tree.point_data),
+      roots(tree.roots) {
     links.reserve(tree.segment_count());
     for (std::size_t id = 0; id < tree.branches.size(); ++id) {
         const Branch& branch = tree.branches[id];
@@ -48,10 +50,12 @@ EditGraph::EditGraph(const VesselTree& tree)
     }
 }
 
-std::uint32_t EditGraph::add_point(const Point& point, std::uint32_t like) {
-    points.push_back(point);
-    if (!labels.empty()) labels.push_back(labels[like]);
-    systems.push_back(systems[like]);
+std::uint32_t EditGraph::add_point_between(std::uint32_t a, std::uint32_t b, double share) {
+    points.push_back(
+        {glm::mix(points[a].position, points[b].position, share), glm::mix(points[a].radius, points[b].radius, share)});
+    if (!labels.empty()) labels.push_back(labels[a]);
+    systems.push_back(systems[a]);
+    append_between(point_data, a, b, share);
     return static_cast<std::uint32_t>(points.size() - 1);
 }
 
@@ -84,10 +88,7 @@ std::uint32_t EditGraph::point_at(const VesselTree& tree, int branch, double fra
         if (wanted - before <= kSame * length) return a;
         if (before + step - wanted <= kSame * length) return b;
         if (wanted < before + step) {
-            const double t = (wanted - before) / step;
-            const std::uint32_t middle = add_point(
-                {glm::mix(points[a].position, points[b].position, t), glm::mix(points[a].radius, points[b].radius, t)},
-                a);
+            const std::uint32_t middle = add_point_between(a, b, (wanted - before) / step);
             const auto link = std::ranges::find_if(links, [&](const EditLink& l) { return l.a == a && l.b == b; });
             link->b = middle;
             links.insert(link + 1, {middle, b, branch});
@@ -103,11 +104,13 @@ EditedTree EditGraph::assembled(const VesselTree& before) && {
     for (const EditLink& link : links) used[link.a] = used[link.b] = true;
     std::vector<std::uint32_t> renumbered(points.size(), 0);
     std::vector<Point> kept;
-    std::vector<int> kept_labels, kept_systems;
+    std::vector<std::uint32_t> from;
+    std::vector<int> kept_labels, kept_systems, link_branches;
     for (std::uint32_t p = 0; p < points.size(); ++p) {
         if (!used[p]) continue;
         renumbered[p] = static_cast<std::uint32_t>(kept.size());
         kept.push_back(points[p]);
+        from.push_back(p);
         if (!labels.empty()) kept_labels.push_back(labels[p]);
         kept_systems.push_back(systems[p]);
     }
@@ -116,6 +119,7 @@ EditedTree EditGraph::assembled(const VesselTree& before) && {
     for (EditLink& link : links) {
         link.a = renumbered[link.a], link.b = renumbered[link.b];
         edges.emplace_back(link.a, link.b);
+        link_branches.push_back(link.source);
     }
     std::vector<std::uint32_t> kept_roots;
     for (const std::uint32_t root : roots)
@@ -123,6 +127,8 @@ EditedTree EditGraph::assembled(const VesselTree& before) && {
     kept_roots = complete_roots(kept, edges, std::move(kept_roots));
     EditedTree edited{assemble(std::move(kept), std::move(kept_labels), edges, kept_roots, kept_systems), {}};
     edited.sources = sources_of(edited.tree, links);
+    edited.tree.point_data = picked(point_data, from);
+    edited.tree.branch_data = branch_data_of_edges(edited.tree, edges, picked(before.branch_data, link_branches));
     edited.tree.systems = before.systems;
     edited.tree.source = before.source;
     edited.tree.notes = before.notes;

@@ -17,15 +17,16 @@ struct EditLink {
 
 struct EditGraph {
     std::vector<Point> points;
-    std::vector<int> labels;     // per point, or empty
-    std::vector<int> systems;    // per point
+    std::vector<int> labels;  // per point, or empty
+    std::vector<int> systems; // per point
+    DataArrays point_data;
     std::vector<EditLink> links; // branches in order, along each
     std::vector<std::uint32_t> roots;
 
     explicit EditGraph(const VesselTree& tree);
 
-    // A copy of point `like` with another place and radius.
-    std::uint32_t add_point(const Point& point, std::uint32_t like);
+    // A point at `share` of the way from `a` to `b`, with the label of `a`.
+    std::uint32_t add_point_between(std::uint32_t a, std::uint32_t b, double share);
     // By point: the lowest point of the piece that it belongs to.
     [[nodiscard]] std::vector<std::uint32_t> pieces() const;
     [[nodiscard]] std::vector<int> degrees() const;

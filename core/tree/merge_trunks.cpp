@@ -147,7 +147,8 @@ std::vector<std::uint32_t> representatives(const Graph& graph, bool ends_only) {
 }
 
 // Each pair of points once, the first time.
-std::vector<Edge> drop_repeated(std::vector<Edge>& edges) {
+std::vector<Edge> drop_repeated(Graph& graph) {
+    std::vector<Edge>& edges = graph.edges;
     std::vector<std::uint32_t> order(edges.size());
     std::iota(order.begin(), order.end(), 0U);
     const auto key = [&](std::uint32_t e) {
@@ -157,8 +158,13 @@ std::vector<Edge> drop_repeated(std::vector<Edge>& edges) {
     std::vector<bool> goes(edges.size(), false);
     for (std::size_t n = 1; n < order.size(); ++n) goes[order[n]] = key(order[n]) == key(order[n - 1]);
     std::vector<Edge> kept, gone;
-    for (std::size_t e = 0; e < edges.size(); ++e) (goes[e] ? gone : kept).push_back(edges[e]);
+    std::vector<std::size_t> stays;
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        (goes[e] ? gone : kept).push_back(edges[e]);
+        if (!goes[e]) stays.push_back(e);
+    }
     edges = std::move(kept);
+    graph.edge_data = picked(graph.edge_data, stays);
     return gone;
 }
 
@@ -178,17 +184,24 @@ public:
         std::vector<std::vector<std::uint32_t>> chains = chains_of();
         if (chains.size() > kMostChains) return {};
         std::vector<Edge> kept;
+        std::map<Edge, std::uint32_t> index_of; // for data only
+        for (std::uint32_t e = 0; !graph_.edge_data.empty() && e < graph_.edges.size(); ++e)
+            index_of.emplace(graph_.edges[e], e);
+        std::vector<std::uint32_t> from;
         for (std::vector<std::uint32_t>& chain : chains) {
+            const std::vector<std::uint32_t> traced = index_of.empty() ? std::vector<std::uint32_t>() : chain;
             if (std::ranges::find(starts_, chain.front()) == starts_.end() && !arrived_at(chain.front()))
                 adopt_start(chain.front());
             for (std::uint32_t& p : chain) p = stands_[p];
             const std::size_t shared = shared_points(chain);
             for (std::size_t i = shared; i + 1 < chain.size(); ++i) {
                 kept.emplace_back(chain[i], chain[i + 1]);
+                if (!index_of.empty()) from.push_back(index_of.at({traced[i], traced[i + 1]}));
                 follows_[chain[i]].push_back(chain[i + 1]);
             }
         }
         graph_.edges = std::move(kept);
+        graph_.edge_data = picked(graph_.edge_data, from);
         for (std::uint32_t& root : graph_.roots) root = stands_[root];
         return std::move(repeated_);
     }
@@ -335,15 +348,19 @@ Joined join_coincident(Graph& graph, bool ends_only) {
         double& radius = graph.points[stands[p]].radius;
         radius = std::max(radius, graph.points[p].radius);
     }
-    const auto keep = [&](auto& values) {
-        if (values.empty()) return;
-        for (std::size_t n = 0; n < joined.first.size(); ++n) values[n] = values[joined.first[n]];
-        values.resize(joined.first.size());
-    };
-    keep(graph.points), keep(graph.labels), keep(graph.point_systems);
-    for (auto& [a, b] : graph.edges) a = renumbered[stands[a]], b = renumbered[stands[b]];
-    std::erase_if(graph.edges, [](const Edge& edge) { return edge.first == edge.second; });
-    const std::vector<Edge> gone = drop_repeated(graph.edges);
+    for (DataArray& array : graph.point_data)
+        for (std::uint32_t p = 0; p < stands.size(); ++p)
+            if (double& value = array.values[stands[p]]; !is_known(value)) value = array.values[p];
+    graph.keep_points(joined.first);
+    std::vector<Edge> edges;
+    std::vector<std::size_t> left;
+    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+        const Edge edge(renumbered[stands[graph.edges[e].first]], renumbered[stands[graph.edges[e].second]]);
+        if (edge.first != edge.second) edges.push_back(edge), left.push_back(e);
+    }
+    graph.edges = std::move(edges);
+    graph.edge_data = picked(graph.edge_data, left);
+    const std::vector<Edge> gone = drop_repeated(graph);
     joined.edges = gone.size();
     if (!gone.empty()) {
         const auto& [a, b] = gone[gone.size() / 2];

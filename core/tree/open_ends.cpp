@@ -133,18 +133,13 @@ public:
 
     // Points that others stand for are left out.
     void compact() {
-        std::vector<std::uint32_t> number(graph_.points.size(), 0);
-        std::uint32_t next = 0;
+        std::vector<std::uint32_t> number(graph_.points.size(), 0), kept;
         for (std::uint32_t p = 0; p < graph_.points.size(); ++p) {
             if (standing(p) != p) continue;
-            graph_.points[next] = graph_.points[p];
-            if (!graph_.labels.empty()) graph_.labels[next] = graph_.labels[p];
-            if (!graph_.point_systems.empty()) graph_.point_systems[next] = graph_.point_systems[p];
-            number[p] = next++;
+            number[p] = static_cast<std::uint32_t>(kept.size());
+            kept.push_back(p);
         }
-        graph_.points.resize(next);
-        if (!graph_.labels.empty()) graph_.labels.resize(next);
-        if (!graph_.point_systems.empty()) graph_.point_systems.resize(next);
+        graph_.keep_points(kept);
         for (auto& [a, b] : graph_.edges) a = number[a], b = number[b];
         for (std::uint32_t& root : graph_.roots) root = number[root];
     }
@@ -167,8 +162,10 @@ private:
         edge = changed;
         place_edge(e);
     }
-    void add_edge(const Edge& edge) {
+    // `like`: an edge that it is a part of.
+    void add_edge(const Edge& edge, std::optional<std::uint32_t> like = {}) {
         graph_.edges.push_back(edge);
+        like ? append_copy(graph_.edge_data, *like) : append_unknown(graph_.edge_data);
         place_edge(static_cast<std::uint32_t>(graph_.edges.size() - 1));
     }
 
@@ -208,7 +205,7 @@ private:
     void cut(const OpenEnd& end, bool same) {
         const Point& a = graph_.points[end.from];
         const Point& b = graph_.points[end.to];
-        const Point middle{glm::mix(a.position, b.position, end.share), glm::mix(a.radius, b.radius, end.share)};
+        const double radius = glm::mix(a.radius, b.radius, end.share);
         // The segment may have been cut before: then the part that the place is on.
         std::vector<Cut>& cuts = cuts_[{end.from, end.to}];
         const auto next = std::ranges::upper_bound(cuts, end.share, {}, &Cut::share);
@@ -217,16 +214,15 @@ private:
         const std::uint32_t point = same ? end.point : static_cast<std::uint32_t>(graph_.points.size());
         cuts.insert(next, {end.share, point});
         if (!same) {
-            graph_.points.push_back(middle);
+            graph_.add_point_between(end.from, end.to, end.share);
             edges_at_.emplace_back();
-            if (!graph_.labels.empty()) graph_.labels.push_back(graph_.labels[end.from]);
-            if (!graph_.point_systems.empty()) graph_.point_systems.push_back(graph_.point_systems[end.from]);
             add_edge({end.point, point});
         } else {
-            graph_.points[point].radius = std::max(graph_.points[point].radius, middle.radius);
+            graph_.points[point].radius = std::max(graph_.points[point].radius, radius);
         }
-        change_edge(place_of_.at(either_way({before, behind})), {before, point});
-        add_edge({point, behind});
+        const std::uint32_t own = place_of_.at(either_way({before, behind}));
+        change_edge(own, {before, point});
+        add_edge({point, behind}, own);
     }
 
     // An end that is at another point goes, and what it is connected to begins there: others that were joined to it,

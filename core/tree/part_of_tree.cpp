@@ -1,5 +1,6 @@
 #include "core/tree/part_of_tree.h"
 
+#include "core/tree/branch_data.h"
 #include "core/tree/build_tree.h"
 
 #include <limits>
@@ -26,11 +27,13 @@ VesselTree part_of(const VesselTree& tree, std::span<const std::uint8_t> kept) {
                 now[point] = 0, system_of[point] = tree.branches[b].system;
     // Points stay in their order, and so do branches.
     std::vector<Point> points;
-    std::vector<int> labels, point_systems;
+    std::vector<std::size_t> from;
+    std::vector<int> labels, point_systems, edge_branches;
     for (std::size_t p = 0; p < tree.points.size(); ++p) {
         if (now[p] == kGone) continue;
         now[p] = static_cast<std::uint32_t>(points.size());
         points.push_back(tree.points[p]);
+        from.push_back(p);
         if (!tree.labels.empty()) labels.push_back(tree.labels[p]);
         if (!tree.systems.empty()) point_systems.push_back(system_of[p]);
     }
@@ -43,10 +46,13 @@ VesselTree part_of(const VesselTree& tree, std::span<const std::uint8_t> kept) {
         const Branch& branch = tree.branches[b];
         for (std::size_t i = 1; i < branch.points.size(); ++i)
             edges.emplace_back(now[branch.points[i - 1]], now[branch.points[i]]);
+        edge_branches.resize(edges.size(), static_cast<int>(b));
         // A root of its own, unless the piece has been reached from another by then.
         if (!is_kept(branch.parent)) roots.push_back(now[branch.points.front()]);
     }
     VesselTree part = assemble(std::move(points), std::move(labels), edges, roots, point_systems);
+    part.point_data = picked(tree.point_data, from);
+    part.branch_data = branch_data_of_edges(part, edges, picked(tree.branch_data, edge_branches));
     part.systems = tree.systems;
     part.source = tree.source;
     part.notes = tree.notes;

@@ -1,5 +1,6 @@
 #include "core/tree/prepare.h"
 
+#include "core/tree/branch_data.h"
 #include "core/tree/build_tree.h"
 
 #include <algorithm>
@@ -83,9 +84,11 @@ PreparedTree prune(const VesselTree& source, double ratio) {
     for (const Branch& branch : tree.branches)
         for (const std::uint32_t p : branch.points) used[p] = true;
     VesselTree compact;
+    std::vector<std::uint32_t> kept;
     for (std::uint32_t p = 0; p < tree.points.size(); ++p) {
         if (!used[p]) continue;
         renumbered[p] = static_cast<std::uint32_t>(compact.points.size());
+        kept.push_back(p);
         compact.points.push_back(tree.points[p]);
         if (!tree.labels.empty()) compact.labels.push_back(tree.labels[p]);
     }
@@ -93,6 +96,8 @@ PreparedTree prune(const VesselTree& source, double ratio) {
     for (Branch& branch : compact.branches)
         for (std::uint32_t& p : branch.points) p = renumbered[p];
     for (const std::uint32_t root : tree.roots) compact.roots.push_back(renumbered[root]);
+    compact.point_data = picked(source.point_data, kept);
+    compact.branch_data = branch_data(compact, result.segment_source, source.branch_data);
     compact.loop_count = source.loop_count;
     compact.source = source.source;
     compact.systems = source.systems;

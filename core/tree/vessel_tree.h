@@ -8,6 +8,8 @@
 // a spanning tree from the roots, and `loop_count` says how many branches close a loop.
 #pragma once
 
+#include "core/tree/data_array.h"
+
 #include <array>
 #include <cstdint>
 #include <glm/mat3x3.hpp>
@@ -93,13 +95,14 @@ struct VesselTree {
     std::vector<Point> points;
     std::vector<int> labels; // per point, as the file labels them (SWC type code); empty when it does not
     std::vector<Branch> branches;
-    std::vector<std::uint32_t> roots; // point index of the root of each component, in file order
-    int loop_count = 0;               // independent cycles (edges - nodes + components)
-    std::vector<System> systems;      // empty: all branches are of one system without a name
-    std::string source;               // name of the file it came from first; empty when that is not known
-    std::vector<Note> notes;          // what reading assumed, repaired and suspects
-    Claims claims;                    // who says that all this is in mm and RAS
-    std::optional<Voxels> voxels;     // none: points are no voxels, or nothing is known of them
+    DataArrays point_data, branch_data; // what else the file gives of points and of branches
+    std::vector<std::uint32_t> roots;   // point index of the root of each component, in file order
+    int loop_count = 0;                 // independent cycles (edges - nodes + components)
+    std::vector<System> systems;        // empty: all branches are of one system without a name
+    std::string source;                 // name of the file it came from first; empty when that is not known
+    std::vector<Note> notes;            // what reading assumed, repaired and suspects
+    Claims claims;                      // who says that all this is in mm and RAS
+    std::optional<Voxels> voxels;       // none: points are no voxels, or nothing is known of them
 
     [[nodiscard]] std::size_t segment_count() const;
     bool operator==(const VesselTree&) const = default;
