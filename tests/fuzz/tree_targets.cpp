@@ -1,6 +1,7 @@
 // The readers of trees, by the table of formats: the tree that they make of the bytes, and the same tree through
 // ramus's own format.
 #include "core/io/inflate.h"
+#include "core/io/trees/branch_table.h"
 #include "core/io/trees/tree_file.h"
 #include "core/io/vtk/vtk_blocks.h"
 #include "tests/fuzz/target.h"
@@ -32,7 +33,8 @@ void check_own_format(const tree::VesselTree& tree) {
     const auto read = io::read_tree(path);
     must(read.has_value(), "ramus does not read what it wrote: " + (read ? "" : read.error().message()));
     must(read->points == tree.points && read->roots == tree.roots && read->loop_count == tree.loop_count &&
-             read->branches == tree.branches && read->labels == tree.labels,
+             read->branches == tree.branches && read->labels == tree.labels && read->point_data == tree.point_data &&
+             read->branch_data == tree.branch_data,
          "a tree is another one after ramus's own format");
 }
 
@@ -51,6 +53,16 @@ void read_pair(std::string_view bytes) {
     if (!tree) return check_error(tree.error(), file.substr(0, file.rfind('/')));
     check_tree(*tree);
     check_own_format(*tree);
+}
+
+// A table of further data for a tree of some branches.
+void read_branch_table(std::string_view bytes) {
+    constexpr std::size_t kBranches = 12;
+    const auto table = io::parse_branch_table(bytes, "table.csv", kBranches);
+    if (!table) return check_error(table.error(), "table.csv");
+    must(!table->arrays.empty() && table->rows > 0, "a table without numbers was taken");
+    for (const tree::DataArray& array : table->arrays)
+        must(array.values.size() == kBranches, "an array has no value for each branch");
 }
 
 void inflate_bytes(std::string_view bytes) {
@@ -76,7 +88,8 @@ void unpack_block(std::string_view bytes) {
 } // namespace
 
 std::vector<Target> tree_targets() {
-    std::vector<Target> targets{{"gz", inflate_bytes}, {"vtk-blocks", unpack_block}};
+    std::vector<Target> targets{
+        {"gz", inflate_bytes}, {"vtk-blocks", unpack_block}, {"branch-table", read_branch_table}};
     for (const io::TreeFormat& format : io::tree_formats()) {
         if (!io::is_read(format)) continue;
         const std::string extension(format.extensions.front());

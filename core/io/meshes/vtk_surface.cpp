@@ -29,8 +29,11 @@ Result<PolygonSoup> vtk_soup(VtkDataset data, const std::string& name) {
 }
 
 VtkInput surface_input(std::string_view text, const std::string& name, bool faces) {
-    return {
-        .text = text, .name = name, .needs = [](std::string_view array) { return array == kVtkSpace; }, .faces = faces};
+    return {.text = text,
+            .name = name,
+            .needs = [](std::string_view array) { return array == kVtkSpace; },
+            .faces = faces,
+            .most_arrays = 0};
 }
 
 } // namespace

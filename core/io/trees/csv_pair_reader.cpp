@@ -67,11 +67,10 @@ Result<CsvTable> other_table(const TreeInput& input, bool nodes) {
 }
 
 // Gives `take` the cells of each row that `columns` name.
-template <class Row, class Take>
-Result<void> for_each_row(std::string_view text, const std::string& name,
-                          const std::array<std::size_t, std::tuple_size_v<Row>>& columns, const Take& take) {
+template <class Row, class Columns, class Take>
+Result<void> for_each_row(std::string_view text, const std::string& name, const Columns& columns, const Take& take) {
     CsvRows rows(text, name);
-    std::vector<std::string_view> cells;
+    std::vector<std::string_view> cells, data(columns.data.at.size());
     std::size_t width = 0;
     for (bool first = true;; first = false) {
         RAMUS_TRY(more, rows.next(cells));
@@ -86,9 +85,10 @@ Result<void> for_each_row(std::string_view text, const std::string& name,
                             counted(width, "column"),
                         rows.place(), "the file is incomplete or damaged; get it again");
         Row row{};
-        for (std::size_t c = 0; c < columns.size(); ++c)
-            if (columns[c] < cells.size()) row[c] = cells[columns[c]];
-        if (auto good = take(row, rows.line()); !good) return good;
+        for (std::size_t c = 0; c < columns.at.size(); ++c)
+            if (columns.at[c] < cells.size()) row[c] = cells[columns.at[c]];
+        for (std::size_t d = 0; d < data.size(); ++d) data[d] = cells[columns.data.at[d]];
+        if (auto good = take(row, rows.line(), data); !good) return good;
     }
 }
 
@@ -146,17 +146,17 @@ Result<ImportedTree> parse_csv_pair(const TreeInput& input) {
     NodeGraph graph(input);
     const NodeColumns nodes = node_columns(is_nodes ? columns : other.columns, input.options);
     if (auto good = graph.begin_nodes(nodes, node_file); !good) return tl::unexpected(good.error());
-    if (auto good =
-            for_each_row<NodeRow>(node_text, node_file, nodes.at,
-                                  [&](const NodeRow& row, std::size_t line) { return graph.add_node(row, line); });
-        !good)
+    const auto add_node = [&](const NodeRow& row, std::size_t line, std::span<const std::string_view> data) {
+        return graph.add_node(row, line, data);
+    };
+    if (auto good = for_each_row<NodeRow>(node_text, node_file, nodes, add_node); !good)
         return tl::unexpected(good.error());
     const EdgeColumns edges = edge_columns(is_nodes ? other.columns : columns, input.options);
     if (auto good = graph.begin_edges(edges, edge_file); !good) return tl::unexpected(good.error());
-    if (auto good =
-            for_each_row<EdgeRow>(edge_text, edge_file, edges.at,
-                                  [&](const EdgeRow& row, std::size_t line) { return graph.add_edge(row, line); });
-        !good)
+    const auto add_edge = [&](const EdgeRow& row, std::size_t line, std::span<const std::string_view> data) {
+        return graph.add_edge(row, line, data);
+    };
+    if (auto good = for_each_row<EdgeRow>(edge_text, edge_file, edges, add_edge); !good)
         return tl::unexpected(good.error());
     return graph.finish();
 }

@@ -25,6 +25,17 @@ void write_cells(OutputFile& output, std::initializer_list<double> values) {
     }
 }
 
+// Names of a row, and its values, each behind a separator. What is not known stays empty.
+void write_names(OutputFile& output, const tree::DataArrays& arrays) {
+    for (const tree::DataArray& array : arrays) output.write(";" + csv_text(name_in_file(array.name, kTakenByNodes)));
+}
+void write_data_cells(OutputFile& output, const tree::DataArrays& arrays, std::size_t row) {
+    for (const tree::DataArray& array : arrays) {
+        output.write(";");
+        if (tree::is_known(array.values[row])) output.write_number(array.values[row]);
+    }
+}
+
 void write_nodes(OutputFile& output, const tree::VesselTree& tree) {
     std::vector<int> system(tree.points.size(), 0), degree(tree.points.size(), 0);
     for (const tree::Branch& branch : tree.branches)
@@ -37,6 +48,7 @@ void write_nodes(OutputFile& output, const tree::VesselTree& tree) {
     output.write("id;pos_x;pos_y;pos_z;degree;radius;" + std::string(kRootColumn));
     if (!tree.labels.empty()) output.write(";" + std::string(kLabelColumn));
     if (!tree.systems.empty()) output.write(";" + std::string(kSystemColumn) + ";" + std::string(kColourColumn));
+    write_names(output, tree.point_data);
     output.write("\n");
     for (std::size_t p = 0; p < tree.points.size(); ++p) {
         const tree::Point& at = tree.points[p];
@@ -50,12 +62,15 @@ void write_nodes(OutputFile& output, const tree::VesselTree& tree) {
             const tree::System& of = tree.systems[static_cast<std::size_t>(system[p])];
             output.write(";" + csv_text(of.name) + ";" + colour_text(of.colour));
         }
+        write_data_cells(output, tree.point_data, p);
         output.write("\n");
     }
 }
 
 void write_edges(OutputFile& output, const tree::VesselTree& tree) {
-    output.write("id;node1id;node2id;length;avgRadiusAvg;branch\n");
+    output.write("id;node1id;node2id;length;avgRadiusAvg;branch");
+    write_names(output, tree.branch_data);
+    output.write("\n");
     std::size_t id = 0;
     for (std::size_t b = 0; b < tree.branches.size(); ++b) {
         const std::vector<std::uint32_t>& points = tree.branches[b].points;
@@ -63,7 +78,9 @@ void write_edges(OutputFile& output, const tree::VesselTree& tree) {
             const tree::Point &from = tree.points[points[i - 1]], &to = tree.points[points[i]];
             output.write(std::to_string(id) + ";" + std::to_string(points[i - 1]) + ";" + std::to_string(points[i]));
             write_cells(output, {glm::distance(from.position, to.position), 0.5 * (from.radius + to.radius)});
-            output.write(";" + std::to_string(b) + "\n");
+            output.write(";" + std::to_string(b));
+            write_data_cells(output, tree.branch_data, b);
+            output.write("\n");
         }
     }
 }

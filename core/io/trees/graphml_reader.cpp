@@ -35,12 +35,13 @@ std::vector<std::string> names_of(const std::vector<GraphmlKey>& keys) {
 // Puts the data of an element into the cells that they are for, however many more an element has.
 template <class Row> class GraphmlRows {
 public:
-    GraphmlRows(const std::vector<GraphmlKey>& keys, const std::array<std::size_t, std::tuple_size_v<Row>>& columns) {
-        for (std::size_t cell = 0; cell < columns.size(); ++cell)
-            if (columns[cell] < keys.size()) {
-                cells_.emplace_back(keys[columns[cell]].id, cell);
-                empty_[cell] = keys[columns[cell]].fallback;
+    template <class Columns> GraphmlRows(const std::vector<GraphmlKey>& keys, const Columns& columns) {
+        for (std::size_t cell = 0; cell < columns.at.size(); ++cell)
+            if (columns.at[cell] < keys.size()) {
+                cells_.emplace_back(keys[columns.at[cell]].id, cell);
+                empty_[cell] = keys[columns.at[cell]].fallback;
             }
+        for (const std::size_t key : columns.data.at) data_.push_back(&keys[key]);
     }
     [[nodiscard]] Row row(const pugi::xml_node& element) const {
         Row row = empty_;
@@ -51,8 +52,18 @@ public:
         }
         return row;
     }
+    [[nodiscard]] std::vector<std::string_view> data(const pugi::xml_node& element) const {
+        std::vector<std::string_view> cells;
+        for (const GraphmlKey* key : data_) {
+            cells.push_back(key->fallback);
+            for (const pugi::xml_node& datum : element.children("data"))
+                if (key->id == datum.attribute("key").value()) cells.back() = datum.child_value();
+        }
+        return cells;
+    }
 
 private:
+    std::vector<const GraphmlKey*> data_;
     std::vector<std::pair<std::string, std::size_t>> cells_;
     Row empty_{};
 };
@@ -72,11 +83,11 @@ Result<void> add_graphml_nodes(const XmlInput& xml, const pugi::xml_node& of, co
     std::size_t& id = columns.at[static_cast<std::size_t>(NodeCell::kId)];
     id = keys.size(); // no datum: it is an attribute
     if (auto good = graph.begin_nodes(columns, input.name); !good) return good;
-    const GraphmlRows<NodeRow> rows(keys, columns.at);
+    const GraphmlRows<NodeRow> rows(keys, columns);
     for (const pugi::xml_node& node : of.children("node")) {
         NodeRow row = rows.row(node);
         row[static_cast<std::size_t>(NodeCell::kId)] = node.attribute("id").value();
-        if (auto good = graph.add_node(row, xml.line(node)); !good) return good;
+        if (auto good = graph.add_node(row, xml.line(node), rows.data(node)); !good) return good;
     }
     return {};
 }
@@ -89,12 +100,12 @@ Result<void> add_graphml_edges(const XmlInput& xml, const pugi::xml_node& of, co
                 &to = columns.at[static_cast<std::size_t>(EdgeCell::kTo)];
     from = to = keys.size();
     if (auto good = graph.begin_edges(columns, input.name); !good) return good;
-    const GraphmlRows<EdgeRow> rows(keys, columns.at);
+    const GraphmlRows<EdgeRow> rows(keys, columns);
     for (const pugi::xml_node& edge : of.children("edge")) {
         EdgeRow row = rows.row(edge);
         row[static_cast<std::size_t>(EdgeCell::kFrom)] = edge.attribute("source").value();
         row[static_cast<std::size_t>(EdgeCell::kTo)] = edge.attribute("target").value();
-        if (auto good = graph.add_edge(row, xml.line(edge)); !good) return good;
+        if (auto good = graph.add_edge(row, xml.line(edge), rows.data(edge)); !good) return good;
     }
     return {};
 }

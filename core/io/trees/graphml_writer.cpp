@@ -9,7 +9,7 @@ namespace ramus::io {
 
 namespace {
 
-// As the text of an element; what no XML may hold becomes a blank.
+// As the text of an element or an attribute; what no XML may hold becomes a blank.
 std::string xml_text(std::string_view text) {
     std::string safe;
     for (const char c : text) {
@@ -19,6 +19,8 @@ std::string xml_text(std::string_view text) {
             safe += "&gt;";
         else if (c == '&')
             safe += "&amp;";
+        else if (c == '"')
+            safe += "&quot;";
         else
             safe += (c >= '\0' && c < ' ') || c == '\x7f' ? ' ' : c;
     }
@@ -46,6 +48,8 @@ public:
             for (const std::string_view name : {kSystemColumn, kColourColumn}) key("node", "v_", name, "string");
         for (const std::string_view name : {"radius_avg", "length"}) key("edge", "e_", name, "double");
         key("edge", "e_", "branch", "int");
+        for (const tree::DataArray& array : tree_.point_data) key("node", "v_", data_name(array), "double");
+        for (const tree::DataArray& array : tree_.branch_data) key("edge", "e_", data_name(array), "double");
         output_.write("<graph id=\"tree\" edgedefault=\"directed\">\n");
         text("g_", kGraphmlUnits, std::string(tree_.claims.unit_word()));
         text("g_", kGraphmlSpace, std::string(tree_.claims.axes_word()));
@@ -71,6 +75,7 @@ public:
                 text("v_", kSystemColumn, of.name);
                 text("v_", kColourColumn, colour_text(of.colour));
             }
+            data("v_", tree_.point_data, p);
             output_.write("</node>\n");
         }
     }
@@ -85,6 +90,7 @@ public:
                 number("e_", "radius_avg", 0.5 * (from.radius + to.radius));
                 number("e_", "length", glm::distance(from.position, to.position));
                 number("e_", "branch", b);
+                data("e_", tree_.branch_data, b);
                 output_.write("</edge>\n");
             }
         }
@@ -92,6 +98,14 @@ public:
     }
 
 private:
+    static std::string data_name(const tree::DataArray& array) {
+        return xml_text(name_in_file(array.name, kTakenByNodes));
+    }
+    // What is not known has no element.
+    void data(std::string_view prefix, const tree::DataArrays& arrays, std::size_t of) {
+        for (const tree::DataArray& array : arrays)
+            if (tree::is_known(array.values[of])) number(prefix, data_name(array), array.values[of]);
+    }
     void key(std::string_view of, std::string_view prefix, std::string_view name, std::string_view type) {
         for (const std::string_view part :
              {std::string_view("<key id=\""), prefix, name, std::string_view("\" for=\""), of,

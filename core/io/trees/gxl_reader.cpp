@@ -28,6 +28,18 @@ std::string_view gxl_end(const pugi::xml_node& edge, const char* name) {
     return attribute ? attribute.value() : edge.child_value(name);
 }
 
+// The attributes of edges that are no radius, as columns of data.
+std::vector<std::string> gxl_data_names(const pugi::xml_node& file, std::string_view radius) {
+    std::vector<std::string> names;
+    for (const pugi::xml_node& edge : file.children("edge"))
+        for (const pugi::xml_node& attribute : edge.children("attr")) {
+            const std::string name(trimmed(attribute.attribute("name").value()));
+            if (name.empty() || name == radius || names.size() == tree::kMostArrays) continue;
+            if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+        }
+    return names;
+}
+
 Result<void> add_gxl_node(const pugi::xml_node& node, const XmlInput& xml, NodeGraph& graph) {
     NodeRow row{};
     row[static_cast<std::size_t>(NodeCell::kId)] = node.attribute("id").value();
@@ -62,13 +74,15 @@ Result<ImportedTree> parse_gxl(const TreeInput& input) {
         if (auto good = add_gxl_node(node, xml, graph); !good) return tl::unexpected(good.error());
     const auto asked = input.options.columns.find("radius");
     const std::string radius = asked != input.options.columns.end() ? asked->second : "radius";
-    if (auto good = graph.begin_edges(edge_columns({"from", "to", "radius"}, {}), input.name); !good)
-        return tl::unexpected(good.error());
-    for (const pugi::xml_node& edge : file.children("edge"))
-        if (auto good = graph.add_edge(
-                {gxl_end(edge, "from"), gxl_end(edge, "to"), gxl_value(gxl_attribute(edge, radius))}, xml.line(edge));
-            !good)
-            return tl::unexpected(good.error());
+    EdgeColumns columns = edge_columns({"from", "to", "radius"}, {});
+    columns.data.names = gxl_data_names(file, radius);
+    if (auto good = graph.begin_edges(columns, input.name); !good) return tl::unexpected(good.error());
+    std::vector<std::string_view> data(columns.data.names.size());
+    for (const pugi::xml_node& edge : file.children("edge")) {
+        for (std::size_t d = 0; d < data.size(); ++d) data[d] = gxl_value(gxl_attribute(edge, columns.data.names[d]));
+        const EdgeRow row{gxl_end(edge, "from"), gxl_end(edge, "to"), gxl_value(gxl_attribute(edge, radius))};
+        if (auto good = graph.add_edge(row, xml.line(edge), data); !good) return tl::unexpected(good.error());
+    }
     graph.take_roots_from_directions();
     return graph.finish();
 }

@@ -2,6 +2,7 @@
 
 #include "core/base/grouped.h"
 #include "core/io/text_numbers.h"
+#include "core/io/trees/tree_data.h"
 #include "core/tree/merge_trunks.h"
 #include "core/tree/suspicions.h"
 #include "core/tree/voxels.h"
@@ -226,11 +227,8 @@ void keep_parallel_vessels(ImportedTree& imported) {
     for (std::size_t e = 0; e < count; ++e) {
         const auto [a, b] = graph.edges[e];
         if (a == b || !again[e]) continue;
-        const tree::Point &from = graph.points[a], &to = graph.points[b];
-        const auto middle = static_cast<std::uint32_t>(graph.points.size());
-        graph.points.push_back({0.5 * (from.position + to.position), 0.5 * (from.radius + to.radius)});
-        if (!graph.labels.empty()) graph.labels.push_back(graph.labels[a]);
-        if (!graph.point_systems.empty()) graph.point_systems.push_back(graph.point_systems[a]);
+        const std::uint32_t middle = graph.add_point_between(a, b, 0.5);
+        append_copy(graph.edge_data, e);
         if (e < imported.edge_radii.size()) imported.edge_radii.push_back(imported.edge_radii[e]);
         graph.edges[e].second = middle;
         graph.edges.emplace_back(middle, b);
@@ -325,6 +323,7 @@ Result<void> join(ImportedTree& imported, tree::Repair repair) {
 
 Result<tree::VesselTree> tree_of(ImportedTree imported, const ReadOptions& options) {
     if (auto good = check_lengths(imported); !good) return tl::unexpected(good.error());
+    if (auto settled = settle_data(imported); !settled) return tl::unexpected(settled.error());
     mark_unmeasured(imported);
     keep_parallel_vessels(imported);
     if (auto moved = move_radii_to_points(imported); !moved) return tl::unexpected(moved.error());
@@ -339,6 +338,8 @@ Result<tree::VesselTree> tree_of(ImportedTree imported, const ReadOptions& optio
         imported.pieces_are_meant ? tree::without(options.repair, tree::Repair::kOpenEnds) : options.repair;
     auto tree = tree::build_tree(std::move(imported.graph), repair, imported.place_of);
     if (!tree) return tree;
+    for (tree::DataArrays* arrays : {&tree->point_data, &tree->branch_data}) // of points and edges that were left out
+        std::erase_if(*arrays, [](const tree::DataArray& array) { return range_of(array).known == 0; });
     if (tree->source.empty()) tree->source = std::move(imported.source);
     // What is known already, from a file that keeps notes, is not told twice.
     std::set<std::string> known;

@@ -43,6 +43,8 @@ struct ReadOptions {
     std::optional<Orientation> orientation;     // where the file's axes lead
     std::optional<double> radius_mm;            // of all points of a file that gives no radius
     std::map<std::string, std::string> columns; // of tables: what is read (x, y, z, radius, from, to) by its column
+    std::string data_checksum;                  // its SHA-256 (core/io/checksum.h); empty: any
+    std::string data;                           // a table of further data of branches (branch_table.h); empty: none
     MaskReading mask;
     bool operator==(const ReadOptions&) const = default;
 };
@@ -62,11 +64,12 @@ struct ImportedTree {
     RadiusIs radius_is = RadiusIs::kRadius;
     std::string radius_name; // "thickness": what the file calls it, where that leaves open which of both it is
     Joining joining = Joining::kByIndex;
-    bool edges_are_vessels = false;  // also where several connect the same two points: none of them repeats another
-    bool pieces_are_meant = false;   // what the file leaves apart is apart: open ends are not joined
-    bool may_repeat_trunks = false;  // polylines may each begin at the root, as VMTK's centerlines do
-    std::string unit_hint;           // what speaks for another unit than mm, where the file states none; may be empty
-    std::optional<glm::dmat3> voxel; // of the mask that the tree was made of: its edges, in the file's own numbers
+    bool edges_are_vessels = false;    // also where several connect the same two points: none of them repeats another
+    bool pieces_are_meant = false;     // what the file leaves apart is apart: open ends are not joined
+    bool may_repeat_trunks = false;    // polylines may each begin at the root, as VMTK's centerlines do
+    std::string unit_hint;             // what speaks for another unit than mm, where the file states none; may be empty
+    std::optional<glm::dmat3> voxel;   // of the mask that the tree was made of: its edges, in the file's own numbers
+    std::vector<std::string> left_out; // names of arrays that are no single numbers: texts, vectors
     std::vector<tree::Note> notes;
     std::string source;                                 // the file that the tree came from first, where it says so
     std::function<std::string(std::uint32_t)> place_of; // of a point of `graph`, for messages: "liver.swc:41"

@@ -53,6 +53,18 @@ std::size_t radius_column(const std::vector<std::string>& names, const ReadOptio
     return chosen->index;
 }
 
+// The columns that mean nothing else. A second column of widths, the least or the largest, is data.
+template <class Columns> DataAt data_columns(const std::vector<std::string>& names, const Columns& columns) {
+    DataAt data;
+    for (std::size_t c = 0; c < names.size() && data.at.size() < tree::kMostArrays; ++c) {
+        if (std::ranges::find(columns.at, c) != columns.at.end() || names[c].empty()) continue;
+        if (std::ranges::find(kComputedColumns, lower_case(names[c])) != std::end(kComputedColumns)) continue;
+        data.at.push_back(c);
+        data.names.push_back(names[c]);
+    }
+    return data;
+}
+
 bool is_yes(std::string_view cell) {
     const std::string word = lower_case(cell);
     return word == "1" || word == "true" || word == "yes";
@@ -80,6 +92,7 @@ NodeColumns node_columns(const std::vector<std::string>& names, const ReadOption
                   radius_column(names, options, columns.width),      column_called(names, {}, {}, {&kLabelColumn, 1}),
                   column_called(names, {}, {}, {&kSystemColumn, 1}), column_called(names, {}, {}, {&kColourColumn, 1}),
                   column_called(names, {}, {}, {&kRootColumn, 1})};
+    columns.data = data_columns(names, columns);
     return columns;
 }
 
@@ -87,6 +100,7 @@ EdgeColumns edge_columns(const std::vector<std::string>& names, const ReadOption
     EdgeColumns columns;
     columns.at = {column_called(names, options, "from", kFromNames), column_called(names, options, "to", kToNames),
                   radius_column(names, options, columns.width)};
+    columns.data = data_columns(names, columns);
     return columns;
 }
 
@@ -109,6 +123,7 @@ std::string NodeGraph::place(std::size_t line) const { return file_ + ":" + std:
 Result<void> NodeGraph::begin_nodes(const NodeColumns& columns, const std::string& file) {
     node_file_ = file_ = file;
     nodes_ = columns;
+    node_data_ = DataColumns(columns.data.names);
     if (!has_nodes(columns))
         return fail("no columns give the positions of nodes", file, "they are called pos_x, pos_y, pos_z, or X, Y, Z");
     return {};
@@ -117,6 +132,7 @@ Result<void> NodeGraph::begin_nodes(const NodeColumns& columns, const std::strin
 Result<void> NodeGraph::begin_edges(const EdgeColumns& columns, const std::string& file) {
     file_ = file;
     edges_ = columns;
+    edge_data_ = DataColumns(columns.data.names);
     if (!has_edges(columns))
         return fail("no columns name the two nodes of an edge", file, "they are called node1id and node2id");
     return {};
@@ -130,7 +146,7 @@ Result<double> NodeGraph::number(std::string_view cell, std::string_view what, s
                 cell.find(',') != std::string_view::npos ? "write numbers with a decimal point" : "correct the file");
 }
 
-Result<void> NodeGraph::add_node(const NodeRow& row, std::size_t line) {
+Result<void> NodeGraph::add_node(const NodeRow& row, std::size_t line, std::span<const std::string_view> data) {
     tree::Graph& graph = imported_.graph;
     const auto index = static_cast<std::uint32_t>(graph.points.size());
     tree::Point point;
@@ -151,6 +167,7 @@ Result<void> NodeGraph::add_node(const NodeRow& row, std::size_t line) {
     if (!by_id_.emplace(id, index).second)
         return fail("the node " + shown(id) + " is there twice", place(line), "give each node an id of its own");
     graph.points.push_back(point);
+    node_data_.add_row(data);
     lines_.push_back(line);
     return add_marks(row, line);
 }
@@ -186,7 +203,7 @@ Result<std::uint32_t> NodeGraph::node_called(std::string_view id, std::size_t li
                 "the file is incomplete, or its nodes are another network's");
 }
 
-Result<void> NodeGraph::add_edge(const EdgeRow& row, std::size_t line) {
+Result<void> NodeGraph::add_edge(const EdgeRow& row, std::size_t line, std::span<const std::string_view> data) {
     RAMUS_TRY(from, node_called(row[cell(EdgeCell::kFrom)], line));
     RAMUS_TRY(to, node_called(row[cell(EdgeCell::kTo)], line));
     if (from == to) {
@@ -202,6 +219,7 @@ Result<void> NodeGraph::add_edge(const EdgeRow& row, std::size_t line) {
         edge_radii_.push_back(radius);
     }
     imported_.graph.edges.emplace_back(from, to);
+    edge_data_.add_row(data);
     return {};
 }
 
@@ -264,6 +282,8 @@ Result<ImportedTree> NodeGraph::finish() {
     if (graph.edges.empty()) return fail("there are no edges between different nodes", file_, "choose another file");
     if (auto good = choose_radii(); !good) return tl::unexpected(good.error());
     if (!all_labelled_) graph.labels.clear();
+    graph.point_data = node_data_.arrays(imported_.left_out);
+    graph.edge_data = edge_data_.arrays(imported_.left_out);
     keep_systems();
     suspect_voxels();
     if (rings_ > 0)

@@ -4,6 +4,7 @@
 // everywhere.
 #pragma once
 
+#include "core/io/trees/tree_data.h"
 #include "core/io/trees/tree_file.h"
 #include "core/io/trees/width_names.h"
 
@@ -11,6 +12,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -27,13 +29,20 @@ using EdgeRow = std::array<std::string_view, 3>;
 
 // By cell, the column that it stands in.
 inline constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
+// All others but what is computed of the geometry (kComputedColumns) are data.
+struct DataAt {
+    std::vector<std::size_t> at;
+    std::vector<std::string> names;
+};
 struct NodeColumns {
     std::array<std::size_t, std::tuple_size_v<NodeRow>> at{};
     ChosenWidth width;
+    DataAt data;
 };
 struct EdgeColumns {
     std::array<std::size_t, std::tuple_size_v<EdgeRow>> at{};
     ChosenWidth width;
+    DataAt data;
 };
 [[nodiscard]] NodeColumns node_columns(const std::vector<std::string>& names, const ReadOptions& options);
 [[nodiscard]] EdgeColumns edge_columns(const std::vector<std::string>& names, const ReadOptions& options);
@@ -45,6 +54,12 @@ struct EdgeColumns {
 // The columns that are written, by which files of this program are known again.
 inline constexpr std::string_view kSystemColumn = "system", kColourColumn = "system_colour", kRootColumn = "root",
                                   kLabelColumn = "label";
+inline constexpr std::string_view kComputedColumns[] = {"id", "degree", "length", "branch"};
+// What arrays of data may not be called in these files, since it has a meaning; in small letters.
+inline constexpr std::string_view kTakenByNodes[] = {
+    "id",     "x",          "y",      "z",      "pos_x",  "pos_y",         "pos_z",       "degree",  "radius",
+    "root",   "label",      "system", "branch", "length", "system_colour", "source",      "node1id", "node2id",
+    "target", "radius_avg", "from",   "to",     "units",  "space",         "avgradiusavg"};
 [[nodiscard]] std::string colour_text(const std::array<std::uint8_t, 3>& colour); // "#d64541"
 
 // Takes all nodes, then all edges. A row that is wrong is refused with its file and line.
@@ -54,9 +69,12 @@ public:
 
     [[nodiscard]] Result<void> begin_nodes(const NodeColumns& columns, const std::string& file);
     [[nodiscard]] Result<void> begin_edges(const EdgeColumns& columns, const std::string& file);
-    // A node without an id is called by its number, from 0; one without z lies in the plane.
-    [[nodiscard]] Result<void> add_node(const NodeRow& row, std::size_t line);
-    [[nodiscard]] Result<void> add_edge(const EdgeRow& row, std::size_t line);
+    // A node without an id is called by its number, from 0; one without z lies in the plane. `data`: the cells of the
+    // columns of data.
+    [[nodiscard]] Result<void> add_node(const NodeRow& row, std::size_t line,
+                                        std::span<const std::string_view> data = {});
+    [[nodiscard]] Result<void> add_edge(const EdgeRow& row, std::size_t line,
+                                        std::span<const std::string_view> data = {});
 
     // Flow runs from the first node of an edge to its second: nodes that no edge leads to are roots, whatever they are
     // called, if no other node has two edges that lead to it.
@@ -83,6 +101,7 @@ private:
     std::unordered_map<std::string, int> system_by_name_;
     std::vector<std::size_t> lines_; // by node
     std::vector<double> edge_radii_;
+    DataColumns node_data_, edge_data_;
     std::size_t rings_ = 0; // edges from a node to itself
     bool all_labelled_ = true, whole_positions_ = true;
 };

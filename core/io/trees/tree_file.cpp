@@ -6,6 +6,7 @@
 #include "core/io/recognise.h"
 #include "core/io/text_numbers.h"
 #include "core/io/trees/amira.h"
+#include "core/io/trees/branch_table.h"
 #include "core/io/trees/csv_pair.h"
 #include "core/io/trees/graphml.h"
 #include "core/io/trees/gxl.h"
@@ -102,6 +103,7 @@ std::vector<TreeFormat> formats_of_curves_and_graphs() {
          [](const auto& tree, const auto& file, const auto& comments) {
              return write_markups(tree, file, comments, Orientation::lps());
          },
+         false,
          write_markups},
     };
 }
@@ -114,14 +116,16 @@ std::vector<TreeFormat> formats_of_nodes_and_edges() {
           .certainty = Certainty::kLikeness,
           .help = "A table of nodes and one of edges beside it, as VesselVio and VesselGraph write them."},
          parse_csv_pair,
-         write_csv_pair},
+         write_csv_pair,
+         true},
         {{.name = "GraphML",
           .extensions = {".graphml"},
           .has_signature = is_graphml,
           .certainty = Certainty::kHeader,
           .help = "Nodes with positions and edges with radii, as VesselVio writes them."},
          parse_graphml,
-         write_graphml},
+         write_graphml,
+         true},
         {{.name = "GXL",
           .extensions = {".gxl", ".xml"},
           .has_signature = is_gxl,
@@ -150,7 +154,8 @@ const std::vector<TreeFormat>& tree_formats() {
           .states_orientation = true,
           .help = "Points, branches, labels and repairs of any network, without loss."},
          parse_tree_json,
-         write_tree_json},
+         write_tree_json,
+         true},
         {{.name = "VTK PolyData",
           .extensions = {".vtp"},
           .has_signature = is_vtk_poly_data,
@@ -160,6 +165,7 @@ const std::vector<TreeFormat>& tree_formats() {
          [](const auto& tree, const auto& file, const auto& comments) {
              return write_vtp(tree, file, comments, Orientation::ras());
          },
+         true,
          write_vtp},
         {{.name = "VTK unstructured grid",
           .extensions = {".vtu"},
@@ -201,6 +207,8 @@ bool names_tree(const std::filesystem::path& path) {
 Result<tree::VesselTree> read_tree(const std::filesystem::path& path, const ReadOptions& options) {
     auto tree = read_any(path, options);
     if (tree && tree->source.empty()) tree->source = path.filename().string();
+    if (tree)
+        if (auto good = join_branch_table(*tree, options); !good) return tl::unexpected(good.error());
     return tree;
 }
 
@@ -224,6 +232,20 @@ Result<void> check_tree_output(const std::filesystem::path& file, const std::opt
         return fail("files of this format cannot say that their axes are " + axes->letters(), file.string(),
                     "use .vtp or .mrk.json, or RAS");
     return check_output(file);
+}
+
+std::string data_left_out(const tree::VesselTree& tree, const std::filesystem::path& file) {
+    const TreeFormat* format = written_format(file);
+    if (format == nullptr || format->writes_data) return {};
+    std::string names;
+    for (const tree::DataArrays* arrays : {&tree.point_data, &tree.branch_data})
+        for (const tree::DataArray& array : *arrays) names += (names.empty() ? "" : ", ") + array.name;
+    if (names.empty()) return {};
+    std::vector<std::string_view> others;
+    for (const TreeFormat& other : tree_formats())
+        if (other.writes_data) others.push_back(other.extensions.front());
+    return file.filename().string() + " has no place for the tree's data, left out: " + names + "; " + listed(others) +
+           " keep them";
 }
 
 Result<void> write_tree(const tree::VesselTree& tree, const std::filesystem::path& file,

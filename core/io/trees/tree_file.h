@@ -29,6 +29,7 @@ struct TreeFormat : FileFormat {
     // `comments` stand at the head of formats that can hold them; null: it is not written.
     Result<void> (*write)(const tree::VesselTree&, const std::filesystem::path&,
                           const std::vector<std::string>& comments) = nullptr;
+    bool writes_data = false; // arrays of points and branches (core/tree/data_array.h)
     // The same in these axes, which the file states; null: it has no word for them that programs look for.
     Result<void> (*write_in)(const tree::VesselTree&, const std::filesystem::path&,
                              const std::vector<std::string>& comments, const Orientation& axes) = nullptr;
@@ -57,6 +58,9 @@ struct TreeFormat : FileFormat {
 // can a file be made there?
 [[nodiscard]] Result<void> check_tree_output(const std::filesystem::path& file,
                                              const std::optional<Orientation>& axes = {});
+
+// What of the tree's data a file of this name has no place for, in a sentence; empty: nothing.
+[[nodiscard]] std::string data_left_out(const tree::VesselTree& tree, const std::filesystem::path& file);
 
 // In the format of the extension. `comments` stand at the head of formats that can hold them. `axes` (none: as usual
 // for the format, RAS but for 3D Slicer's curves): fails where the format cannot state them, and where nobody has said

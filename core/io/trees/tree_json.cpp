@@ -62,7 +62,9 @@ public:
             graph.points.push_back({{values[0], values[1], values[2]}, values[3]});
         }
         read_labels(graph);
+        graph.point_data = data("point_data", points.size(), "points");
         const json& branches = array("branches");
+        std::vector<std::size_t> edge_branches;
         for (std::size_t b = 0; b < branches.size(); ++b) {
             const std::string place = element("branches", b);
             const json& row = branches[b];
@@ -70,7 +72,9 @@ public:
             for (std::size_t i = 1; i < row.size(); ++i)
                 graph.edges.emplace_back(index(row[i - 1], place, i - 1, points.size()),
                                          index(row[i], place, i, points.size()));
+            edge_branches.resize(graph.edges.size(), b);
         }
+        graph.edge_data = picked(data("branch_data", branches.size(), "branches"), edge_branches);
         read_systems(graph);
         const json& roots = array("roots");
         for (std::size_t r = 0; r < roots.size(); ++r)
@@ -171,6 +175,30 @@ private:
             refuse(element(list, i), "is not the index of one of the " + std::to_string(count) + " points");
         return value.get<std::uint32_t>();
     }
+    [[nodiscard]] tree::DataArrays data(const std::string& key, std::size_t count, const char* things) const {
+        tree::DataArrays arrays;
+        if (!document_.contains(key)) return arrays;
+        const json& members = member(key);
+        if (!members.is_object()) refuse(key, "is not an object");
+        if (members.size() > tree::kMostArrays)
+            refuse(key, "has more than " + std::to_string(tree::kMostArrays) + " arrays");
+        for (const auto& [name, list] : members.items()) {
+            const std::string place = key + "." + name;
+            if (!list.is_array()) refuse(place, "is not a list");
+            if (list.size() != count)
+                refuse(place,
+                       "has " + std::to_string(list.size()) + " values for " + std::to_string(count) + " " + things);
+            tree::DataArray one{name, {}};
+            one.values.reserve(count);
+            for (std::size_t i = 0; i < count; ++i) {
+                if (!list[i].is_number() && !list[i].is_null())
+                    refuse(element(place, i), "is neither a number nor null");
+                one.values.push_back(list[i].is_null() ? tree::kUnknownValue : list[i].get<double>());
+            }
+            arrays.push_back(std::move(one));
+        }
+        return arrays;
+    }
     void read_systems(tree::Graph& graph) const {
         if (!document_.contains("systems")) return;
         const json& systems = array("systems");
@@ -264,6 +292,25 @@ void write_voxel(const glm::dmat3& edges_mm, BufferedFile& file) {
     file.write("],\n");
 }
 
+void write_data(const char* key, const tree::DataArrays& arrays, BufferedFile& file) {
+    if (arrays.empty()) return;
+    file.write("\"" + std::string(key) + "\": ");
+    bool first = true;
+    for (const tree::DataArray& array : arrays) {
+        file.write((first ? "{" : ",\n") + quoted(array.name) + ": [");
+        first = false;
+        for (std::size_t i = 0; i < array.values.size(); ++i) {
+            if (i > 0) file.write(", ");
+            if (tree::is_known(array.values[i]))
+                file.write_number(array.values[i]);
+            else
+                file.write("null");
+        }
+        file.write("]");
+    }
+    file.write("},\n");
+}
+
 void write_systems(const tree::VesselTree& tree, BufferedFile& file) {
     file.write("\"systems\": ");
     write_lines(tree.systems, file, [&](const tree::System& system) {
@@ -325,6 +372,8 @@ Result<void> write_tree_json(const tree::VesselTree& tree, const std::filesystem
     file.write("\"branches\": ");
     write_lines(tree.branches, file, [&](const tree::Branch& branch) { write_list(branch.points, file); });
     file.write("\n],\n");
+    write_data("point_data", tree.point_data, file);
+    write_data("branch_data", tree.branch_data, file);
     if (!tree.systems.empty()) write_systems(tree, file);
     file.write("\"roots\": ");
     write_list(tree.roots, file);

@@ -7,6 +7,9 @@
 //    "branches": [[0, 1, 2], ...],       indices into points, from the root outward
 //    "systems": [{"name": "portal vein", "colour": [61, 108, 176]}, ...], "branch_systems": [0, ...], left out when
 //                                        the tree has none
+//    "point_data": {"pressure": [80.5, null, ...]}, "branch_data": {"flow": [...]}, one number for each point or
+//    branch,
+//                                        null: unknown; left out when the tree has none
 //    "roots": [0, ...],
 //    "notes": [{"kind": "repaired", "topic": "zero-radii", "text": "...", "at": [x, y, z]}, ...]}
 //

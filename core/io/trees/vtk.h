@@ -15,9 +15,9 @@ namespace ramus::io {
 // One polyline a branch, from the root outward, which share the points at their nodes. Arrays as VMTK names them:
 // MaximumInscribedSphereRadius of points; of cells GroupIds (the branch), CenterlineIds (the way from a root to a leaf
 // that it belongs to; of several the first), TractIds (its place on that way) and Blanking (0: no branch is the inside
-// of a bifurcation). Beside them labels of points, systems with their names, the roots, and
-// the axes, RAS or LPS, as Slicer looks for them. Numbers are binary in base64, as they are in memory, so that nothing
-// is lost.
+// of a bifurcation). Beside them labels of points, systems with their names, the roots, the tree's own data, and the
+// axes, RAS or LPS, as Slicer looks for them. Data of one of VMTK's names stands there instead of what this program
+// computes. Numbers are binary in base64, as they are in memory, so that nothing is lost.
 [[nodiscard]] Result<void> write_vtp(const tree::VesselTree& tree, const std::filesystem::path& file,
                                      const std::vector<std::string>& comments, const Orientation& axes);
 

@@ -105,6 +105,28 @@ void set_widths(const VtkDataset& data, const WidthArray& widths, ImportedTree& 
         for (std::size_t i = line.begin + 1; i < line.end; ++i) imported.edge_radii.push_back(values[line.cell]);
 }
 
+// Arrays that mean nothing else. Of a file that this program wrote, those that it says are the tree's own.
+void keep_data(const VtkDataset& data, const VtkArray* widths, ImportedTree& imported) {
+    const bool own = data.find(VtkOf::kWhole, kVtkMark) != nullptr;
+    const VtkArray* listed = data.find(VtkOf::kWhole, kVtkData);
+    const auto is_data = [&](const VtkArray& array) {
+        if (&array == widths || !has_values(array)) return false;
+        return !own || (listed != nullptr && std::ranges::find(listed->texts, array.name) != listed->texts.end());
+    };
+    std::vector<std::size_t> edge_cells;
+    for (const VtkLine& line : data.lines)
+        for (std::size_t i = line.begin + 1; i < line.end; ++i) edge_cells.push_back(line.cell);
+    for (const VtkArray& array : data.arrays) {
+        if (!is_data(array)) continue;
+        if (array.of == VtkOf::kPoints)
+            imported.graph.point_data.push_back({array.name, array.values});
+        else
+            imported.graph.edge_data.push_back(
+                std::move(tree::picked({{array.name, array.values}}, edge_cells).front()));
+    }
+    if (!own) imported.left_out = data.left_out;
+}
+
 // What only files that this program wrote have.
 Result<void> read_own_arrays(const VtkDataset& data, const std::string& name, ImportedTree& imported) {
     const VtkArray* marks = data.find(VtkOf::kWhole, kVtkMark);
@@ -162,6 +184,7 @@ static Result<ImportedTree> tree_of_vtk(const VtkDataset& data, const TreeInput&
         for (std::size_t i = line.begin + 1; i < line.end; ++i)
             imported.graph.edges.emplace_back(data.line_points[i - 1], data.line_points[i]);
     if (widths.array != nullptr) set_widths(data, widths, imported);
+    keep_data(data, widths.array, imported);
     imported.joining = Joining::kAtAnyPoint;
     imported.may_repeat_trunks = has_any(data, kCenterlineNames) && begins_several_times(imported.graph);
     imported.unit_hint = hint_of_arrays(data);
@@ -180,9 +203,10 @@ static VtkInput vtk_input(const TreeInput& input) {
     const auto needs = [column](std::string_view name) {
         return (!column.empty() && name == column) || width_by_word(name).has_value() || name == kVtkMark ||
                name == kVtkRoots || name == kVtkSystemNames || name == kVtkSystemIds || name == kVtkSystemColours ||
-               name == kVtkLabels || name == kVtkSpace;
+               name == kVtkLabels || name == kVtkSpace || name == kVtkData;
     };
-    return {.text = input.text, .name = input.name, .needs = needs, .faces = false};
+    return {
+        .text = input.text, .name = input.name, .needs = needs, .faces = false, .most_arrays = 2 * tree::kMostArrays};
 }
 
 Result<ImportedTree> parse_vtk_xml(const TreeInput& input) {

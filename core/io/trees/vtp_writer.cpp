@@ -1,5 +1,6 @@
 #include "core/io/binary_numbers.h"
 #include "core/io/output_file.h"
+#include "core/io/trees/tree_data.h"
 #include "core/io/trees/vtk.h"
 
 #include <algorithm>
@@ -57,8 +58,11 @@ public:
 
 private:
     void open(std::string_view element, std::string_view type, std::string_view name) {
+        std::string escaped;
+        for (const char c : name)
+            escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
         output_.write(std::string("<").append(element).append(" type=\"").append(type).append("\" Name=\""));
-        output_.write(std::string(name).append("\""));
+        output_.write(escaped.append("\""));
     }
 
     OutputFile& output_;
@@ -89,13 +93,24 @@ template <class Value> std::vector<std::int32_t> by_branch(const tree::VesselTre
     return values;
 }
 
+// What arrays of data may not be called, since it has a meaning; in small letters.
+constexpr std::string_view kVtkTaken[] = {"maximuminscribedsphereradius", "label", "systemid"};
+
+void write_data_arrays(VtpWriter& vtp, const tree::DataArrays& arrays) {
+    for (const tree::DataArray& array : arrays) vtp.array("Float64", name_in_file(array.name, kVtkTaken), array.values);
+}
+
 void write_fields(VtpWriter& vtp, const tree::VesselTree& tree, const Orientation& axes) {
     const std::string said = axes_word(axes, tree.claims);
     vtp.texts(kVtkMark, {std::string(tree.claims.unit_word()), said});
     if (tree.claims.has_sides()) vtp.texts(kVtkSpace, {said});
     vtp.array("Int64", kVtkRoots, std::vector<std::int64_t>(tree.roots.begin(), tree.roots.end()));
-    if (tree.systems.empty()) return;
     std::vector<std::string> names;
+    for (const tree::DataArrays* arrays : {&tree.point_data, &tree.branch_data})
+        for (const tree::DataArray& array : *arrays) names.push_back(name_in_file(array.name, kVtkTaken));
+    if (!names.empty()) vtp.texts(kVtkData, names);
+    if (tree.systems.empty()) return;
+    names.clear();
     std::vector<std::uint8_t> colours;
     for (const tree::System& system : tree.systems) {
         names.push_back(system.name);
@@ -112,20 +127,25 @@ void write_points(VtpWriter& vtp, const tree::VesselTree& tree) {
         vtp.array("Float64", "MaximumInscribedSphereRadius", radii);
         if (!tree.labels.empty())
             vtp.array("Int32", kVtkLabels, std::vector<std::int32_t>(tree.labels.begin(), tree.labels.end()));
+        write_data_arrays(vtp, tree.point_data);
     });
 }
 
 void write_cell_data(VtpWriter& vtp, const tree::VesselTree& tree) {
     vtp.element("CellData", [&] {
+        const auto computed = [&](std::string_view name, const std::vector<std::int32_t>& values) {
+            if (array_named(tree.branch_data, std::string(name)) == nullptr) vtp.array("Int32", name, values);
+        };
         std::vector<std::int32_t> groups(tree.branches.size());
         std::iota(groups.begin(), groups.end(), 0);
-        vtp.array("Int32", kVtkBranchIds, groups);
-        vtp.array("Int32", "CenterlineIds", centerline_ids(tree));
-        vtp.array("Int32", "TractIds", by_branch(tree, [](const tree::Branch& branch) { return branch.generation; }));
-        vtp.array("Int32", "Blanking", std::vector<std::int32_t>(tree.branches.size(), 0));
+        computed(kVtkBranchIds, groups);
+        computed("CenterlineIds", centerline_ids(tree));
+        computed("TractIds", by_branch(tree, [](const tree::Branch& branch) { return branch.generation; }));
+        computed("Blanking", std::vector<std::int32_t>(tree.branches.size(), 0));
         if (!tree.systems.empty())
             vtp.array("Int32", kVtkSystemIds,
                       by_branch(tree, [](const tree::Branch& branch) { return branch.system; }));
+        write_data_arrays(vtp, tree.branch_data);
     });
 }
 

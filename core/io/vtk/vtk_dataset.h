@@ -27,6 +27,7 @@ inline constexpr std::string_view kVtkSystemColours = "SystemColours";
 inline constexpr std::string_view kVtkSystemIds = "SystemId"; // of cells
 inline constexpr std::string_view kVtkBranchIds = "GroupIds"; // of cells, as VMTK names them
 inline constexpr std::string_view kVtkLabels = "Label";       // of points
+inline constexpr std::string_view kVtkData = "RamusData";     // names of the arrays that are data of the tree
 
 [[nodiscard]] bool is_vtk_poly_data(std::string_view head);
 [[nodiscard]] bool is_vtk_unstructured_grid(std::string_view head);
@@ -54,7 +55,8 @@ struct VtkDataset {
     std::vector<std::vector<std::uint32_t>>
         faces; // where they are wanted: the corners of each, strips cut into triangles
     std::size_t cells = 0, vertex_cells = 0, surface_cells = 0, volume_cells = 0;
-    std::vector<VtkArray> arrays; // as many values as there are points or cells, times components
+    std::vector<std::string> left_out; // names of arrays that are no single numbers
+    std::vector<VtkArray> arrays;      // as many values as there are points or cells, times components
 
     [[nodiscard]] const VtkArray* find(VtkOf of, std::string_view name) const; // in capitals or not
     [[nodiscard]] std::optional<Orientation> space() const;                    // what kVtkSpace says
@@ -87,9 +89,12 @@ private:
 
 struct VtkInput {
     std::string_view text;
-    const std::string& name;                     // of the file, for messages
-    std::function<bool(std::string_view)> needs; // whether an array of this name is of use; others may be skipped
-    bool faces = false;                          // whether faces are wanted
+    const std::string& name; // of the file, for messages
+    // Whether an array of this name may have a meaning of its own; others are data, which may be left out.
+    std::function<bool(std::string_view)> needs;
+    bool faces = false;          // whether faces are wanted
+    std::size_t most_arrays = 0; // so many are read, of those that are but data
+    [[nodiscard]] bool has_room(const VtkDataset& data) const { return data.arrays.size() < most_arrays; }
 };
 
 // Fail with place and remedy on files that are damaged, or hold other data than points and cells.

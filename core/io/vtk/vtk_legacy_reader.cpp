@@ -2,6 +2,7 @@
 #include "core/io/binary_numbers.h"
 #include "core/io/text_numbers.h"
 #include "core/io/vtk/vtk_dataset.h"
+#include "core/tree/data_array.h"
 
 #include <algorithm>
 #include <limits>
@@ -178,8 +179,12 @@ private:
         } else {
             const auto number = legacy_type(type);
             if (!number) return fail("the type " + shown(type) + " is unknown", words_.place(), "the file is damaged");
-            if (of == VtkOf::kWhole || components != 1 || !input_.needs(name)) {
+            const bool is_needed = input_.needs(name);
+            if (of == VtkOf::kWhole || components != 1 || (!is_needed && !input_.has_room(data_))) {
                 if (auto good = skip(count, *number); !good) return good;
+                if (of != VtkOf::kWhole && input_.has_room(data_)) data_.left_out.push_back(name);
+            } else if (!is_needed) {
+                if (auto good = read_data(array, count, *number); !good) return good;
             } else {
                 RAMUS_TRY(values, numbers(count, *number, "a value of " + name));
                 array.values = std::move(values);
@@ -204,6 +209,26 @@ private:
             values.push_back(value);
         }
         return values;
+    }
+
+    // An array that no tree needs, for which none is refused.
+    Result<void> read_data(VtkArray& array, std::size_t count, NumberType type) {
+        if (binary_) {
+            RAMUS_TRY(values, numbers(count, type, {}));
+            array.values = std::move(values);
+        }
+        for (std::size_t i = 0; !binary_ && i < count; ++i) {
+            const std::string_view word = words_.next();
+            if (word.empty())
+                return fail("the file ends before an array of it does", words_.place(),
+                            "the file is incomplete; get it again");
+            array.values.push_back(to_real(word).value_or(tree::kUnknownValue));
+        }
+        if (array.of == VtkOf::kPoints && count != data_.points.size()) {
+            array.values.clear();
+            data_.left_out.push_back(array.name);
+        }
+        return {};
     }
 
     Result<std::vector<std::int64_t>> whole_numbers(std::size_t count, NumberType type, const std::string& what) {
@@ -353,11 +378,15 @@ private:
                         words_.place(), "the file is incomplete or damaged; get it again");
         if (auto good = add(cells_, [&](std::size_t c) { return vtk_cell(static_cast<int>(types_[c] & 0xFF)); }); !good)
             return good;
-        for (const VtkArray& array : data_.arrays)
-            if (array.of == VtkOf::kCells && !array.values.empty() && array.values.size() != data_.cells)
+        for (VtkArray& array : data_.arrays) {
+            if (array.of != VtkOf::kCells || array.values.empty() || array.values.size() == data_.cells) continue;
+            if (input_.needs(array.name))
                 return fail("the array " + shown(array.name) + " has " + counted(array.values.size(), "value") +
                                 " for " + counted(data_.cells, "cell"),
                             input_.name, "the file is damaged; get it again");
+            array.values.clear();
+            data_.left_out.push_back(array.name);
+        }
         return {};
     }
 

@@ -147,16 +147,30 @@ private:
     }
 
     Result<void> read_arrays(const pugi::xml_node& arrays, VtkOf of, std::size_t things) {
-        for (const pugi::xml_node& array : arrays.children("DataArray")) {
+        for (const pugi::xml_node& array : arrays.children()) {
             const std::string name = array.attribute("Name").value();
+            if (std::string_view(array.name()) != "DataArray") {
+                if (std::string_view(array.name()) == "Array") leave_out(name);
+                continue;
+            }
+            const bool is_needed = input_.needs(name);
             const auto [at, is_new] = known_.try_emplace({of, name}, data_.arrays.size());
             if (is_new) {
+                if (!is_needed && !input_.has_room(data_)) continue;
                 const std::size_t components = array.attribute("NumberOfComponents").as_uint(1);
                 data_.arrays.push_back({name, of, std::max<std::size_t>(components, 1), {}, {}});
             }
             VtkArray& known = data_.arrays[at->second];
-            if (known.components != 1 || !input_.needs(name)) continue;
-            RAMUS_TRY(values, xml_.numbers(array));
+            if (known.components != 1) {
+                leave_out(name);
+                continue;
+            }
+            auto read = xml_.numbers(array);
+            if (!is_needed && (!read || read->size() != things)) { // of no use, and no reason to refuse the tree
+                leave_out(name);
+                continue;
+            }
+            RAMUS_TRY(values, std::move(read));
             if (values.size() != things)
                 return fail("the array " + shown(name) + " has " + counted(values.size(), "value") + " for " +
                                 counted(things, of == VtkOf::kPoints ? "point" : "cell"),
@@ -164,6 +178,11 @@ private:
             known.values.insert(known.values.end(), values.begin(), values.end());
         }
         return {};
+    }
+
+    void leave_out(const std::string& name) {
+        if (std::ranges::find(data_.left_out, name) == data_.left_out.end() && input_.has_room(data_))
+            data_.left_out.push_back(name);
     }
 
     Result<void> read_fields(const pugi::xml_node& fields) {
