@@ -78,7 +78,8 @@ void write_edges(OutputFile& output, const tree::VesselTree& tree) {
             const tree::Point &from = tree.points[points[i - 1]], &to = tree.points[points[i]];
             output.write(std::to_string(id) + ";" + std::to_string(points[i - 1]) + ";" + std::to_string(points[i]));
             write_cells(output, {glm::distance(from.position, to.position), 0.5 * (from.radius + to.radius)});
-            output.write(";" + std::to_string(b));
+            output.write(";");
+            output.write(std::to_string(b));
             write_data_cells(output, tree.branch_data, b);
             output.write("\n");
         }
