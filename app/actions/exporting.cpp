@@ -96,7 +96,8 @@ Result<Outcome> export_tree(ActionContext& context, const Export& wanted) {
                 comments.push_back("repaired: " + sentence);
             if (auto written = io::write_tree(part, wanted.file, comments); !written)
                 return tl::unexpected(written.error());
-            return has_written(wanted.file, saved_text("Tree", wanted));
+            const std::string lost = io::data_left_out(part, wanted.file);
+            return has_written(wanted.file, saved_text("Tree", wanted) + (lost.empty() ? "" : "; " + lost));
         },
         true};
 }

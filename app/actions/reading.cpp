@@ -21,7 +21,7 @@ namespace {
 constexpr const char *kOrientationKey = "orientation", *kUnitsKey = "units";
 
 constexpr const char* kReadAsUsage =
-    "read-as units cm, radius-is diameter, orientation LPS, repair none; of a mask labels together, "
+    "read-as units cm, radius-is diameter, orientation LPS, repair none, data FILE; of a mask labels together, "
     "fill-holes on, bulge-size 1, islands 10, root X,Y,Z; auto takes it back";
 
 // The options as they are, with what the words change. `of_mask`: what is read is one.
@@ -103,6 +103,14 @@ template <const char* const& kKey> Result<Outcome> say_or_ask(ActionContext& con
     return read_as(context, words);
 }
 
+// Short for read-as.
+Result<Outcome> data(ActionContext& context, Arguments arguments) {
+    if (arguments.size() != 1)
+        return fail("data takes one file", {}, "a table (CSV) of further numbers of branches, or auto for none");
+    const std::vector<std::string> words{"data", arguments[0]};
+    return read_as(context, words);
+}
+
 Result<void> doctor(ActionContext& context, Arguments) { return toggle_part(context, "doctor"); }
 
 // The radius where `at` is, of the point next to it.
@@ -151,8 +159,16 @@ std::vector<Command> reading_commands() {
                 say_or_ask<kUnitsKey>)
             .when(has_scene),
         Command(
+            "data", "FILE|auto",
+            "Joins a table (CSV) of further numbers of branches to the tree, by the ids of its column branch or its "
+            "first; auto takes it away.",
+            data)
+            .when(has_tree),
+        Command(
             "read-as", "OPTION VALUE...|usual",
-            "Reads the file again: units UNIT, radius-is radius|diameter, orientation XYZ, repair LIST; of a mask "
+            "Reads the file again: units UNIT, radius-is radius|diameter, orientation XYZ, repair LIST, data FILE; of "
+            "a "
+            "mask "
             "labels apart|together|N[+M...],..., isovalue X, fill-holes on|off, bulge-size X, islands MM, root X,Y,Z; "
             "auto leaves it to the file.",
             read_as)

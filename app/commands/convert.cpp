@@ -8,6 +8,7 @@
 #include "core/tree/part_of_tree.h"
 
 #include <algorithm>
+#include <iostream>
 #include <memory>
 #include <optional>
 
@@ -42,6 +43,8 @@ Result<int> run_convert(const ConvertFlags& flags) {
     for (const tree::Edit& edit : marks.edits) comments.push_back("edited: " + sentence(edit));
     if (auto written = io::write_tree(tree, flags.output, comments, flags.axes); !written)
         return tl::unexpected(written.error());
+    if (const std::string lost = io::data_left_out(tree, flags.output); !lost.empty())
+        std::cerr << "ramus: " << lost << '\n';
     return kDone;
 }
 

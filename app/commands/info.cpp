@@ -13,6 +13,7 @@
 #include "core/io/json_text.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/measure/tree_measure.h"
+#include "core/tree/branch_data.h"
 #include "core/volume/label_counts.h"
 
 #include <algorithm>
@@ -148,6 +149,32 @@ ordered_json quantity_json(const QuantityRow& row, const tree::VesselTree& tree,
     return row.whole ? ordered_json(static_cast<int>(value)) : ordered_json(value);
 }
 
+ordered_json known_number(double value) { return tree::is_known(value) ? ordered_json(value) : ordered_json(); }
+
+// Data of the tree's file: of points their mean along the branch.
+ordered_json mean_values(const tree::VesselTree& tree, int id) {
+    ordered_json values = ordered_json::object();
+    for (const tree::DataArray& array : tree.point_data) values[array.name] = known_number(mean_of(tree, array, id));
+    for (const tree::DataArray& array : tree.branch_data)
+        values[array.name] = known_number(array.values[static_cast<std::size_t>(id)]);
+    return values;
+}
+
+ordered_json data_json(const tree::VesselTree& tree) {
+    ordered_json list = ordered_json::array();
+    for (const auto& [of, arrays] : {std::pair("points", &tree.point_data), std::pair("branches", &tree.branch_data)})
+        for (const tree::DataArray& array : *arrays) {
+            const tree::DataRange range = range_of(array);
+            list.push_back({{"name", array.name},
+                            {"of", of},
+                            {"min", known_number(range.least)},
+                            {"max", known_number(range.largest)},
+                            {"known", range.known},
+                            {"unknown", range.unknown}});
+        }
+    return list;
+}
+
 ordered_json branch_list(const tree::VesselTree& tree, const TreeFacts& facts) {
     ordered_json list = ordered_json::array();
     for (std::size_t id = 0; id < tree.branches.size(); ++id) {
@@ -159,6 +186,7 @@ ordered_json branch_list(const tree::VesselTree& tree, const TreeFacts& facts) {
         if (!tree.systems.empty()) entry["system"] = system_name(tree.systems, branch.system);
         for (const QuantityRow* row : rows_with(&QuantityRow::info))
             entry[std::string(row->info.json)] = quantity_json(*row, tree, facts, static_cast<int>(id));
+        if (ordered_json data = mean_values(tree, static_cast<int>(id)); !data.empty()) entry["data"] = std::move(data);
         entry["first"] = list_of(tree.points[branch.points.front()].position);
         entry["last"] = list_of(tree.points[branch.points.back()].position);
         list.push_back(std::move(entry));
@@ -223,6 +251,7 @@ void print_json(const InfoFlags& flags, const tree::VesselTree& tree, const meas
                            {"notes", notes_json(tree)},
                            {"systems", names_of(tree.systems)},
                            {"smoothing", smoothing_json(smoothing_of(tree, flags.surface.surface.smooth_passes))}};
+    report["data"] = data_json(tree);
     if (!tree.systems.empty()) report["system_list"] = system_list(tree);
     if (flags.branches) report["branch_list"] = branch_list(tree, facts_of(tree));
     if (contacts) report["contacts"] = contacts_json(*contacts);
@@ -252,6 +281,9 @@ void print_branches(const tree::VesselTree& tree) {
         cell(std::max(row->info.width, static_cast<int>(heading(row).size()) + 2), heading(row));
         if (row->least != nullptr) cell(kRange, "min"), cell(kRange, "max");
     }
+    const auto data_width = [](const std::string& name) { return std::max(10, static_cast<int>(name.size()) + 2); };
+    for (const tree::DataArrays* arrays : {&tree.point_data, &tree.branch_data})
+        for (const tree::DataArray& array : *arrays) cell(data_width(array.name), array.name);
     std::cout << '\n';
     for (int id = 0; id < static_cast<int>(tree.branches.size()); ++id) {
         const int parent = tree.branches[static_cast<std::size_t>(id)].parent;
@@ -268,6 +300,8 @@ void print_branches(const tree::VesselTree& tree) {
             cell(kRange, rounded(row->least(facts, id)));
             cell(kRange, rounded(row->largest(facts, id)));
         }
+        for (const auto& [name, value] : mean_values(tree, id).items())
+            cell(data_width(name), value.is_null() ? "-" : rounded(value.get<double>()));
         std::cout << '\n';
     }
 }
@@ -281,6 +315,18 @@ void print_systems(const tree::VesselTree& tree) {
                   << counted(static_cast<std::uint64_t>(facts[i].branches), "branch", "branches") << ", "
                   << Lengths(tree.claims).text(facts[i].length_mm) + ", " << colour_text(tree.systems[i].colour)
                   << '\n';
+}
+
+void print_data(const tree::VesselTree& tree) {
+    if (tree.point_data.empty() && tree.branch_data.empty()) return;
+    line("data", std::to_string(tree.point_data.size() + tree.branch_data.size()));
+    for (const auto& [of, arrays] : {std::pair("points", &tree.point_data), std::pair("branches", &tree.branch_data)})
+        for (const tree::DataArray& array : *arrays) {
+            const tree::DataRange range = range_of(array);
+            std::cout << "  " << array.name << ", of " << of << ": "
+                      << (range.known > 0 ? rounded(range.least) + " to " + rounded(range.largest) : "nothing known")
+                      << (range.unknown > 0 ? ", " + grouped(range.unknown) + " not known" : "") << '\n';
+        }
 }
 
 std::string claim_text(tree::SaidBy who, const std::string& known, const std::string& open) {
@@ -315,6 +361,7 @@ void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const meas
         line(heading, found.empty() ? "none" : grouped(found.size()) + " (" + topics_of(groups, kind) + ")");
         for (const std::string& sentence : found) std::cout << "  " << sentence << '\n';
     }
+    print_data(tree);
     print_systems(tree);
     if (contacts) print_contacts(std::cout, tree, *contacts);
     if (flags.branches) print_branches(tree);

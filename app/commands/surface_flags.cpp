@@ -106,6 +106,15 @@ void add_reading_flags(CLI::App& command, SurfaceFlags& flags) {
             repair_names())
         ->check(expecting(" is not usual, all, none, or a list of " + repair_names(), repairs_in));
     add_meaning_flags(command, flags.read);
+    add_option_taking<std::string>(
+        command, "--data", "FILE",
+        [&flags](const std::string& file) {
+            if (auto known = with(flags.read, "data", file)) flags.read = std::move(*known);
+        },
+        "Join this table (CSV) to the tree: ids of branches in its column branch or its first, further columns of "
+        "numbers become data of the branches")
+        ->check(expecting(" cannot be read as a table of data",
+                          [](const std::string& file) { return with(io::ReadOptions(), "data", file).has_value(); }));
     command.add_flag("--verbose", flags.verbose, "Say on standard error what is going on");
 }
 

@@ -32,7 +32,7 @@ void note_inputs(const ValidateFlags& flags) {
 Facts settings_of(const ValidateFlags& flags) {
     Facts facts = surface_facts(flags.surface.surface);
     if (!flags.meshes.empty()) facts.front().second = "given; the rest is how the tree is taken";
-    const nlohmann::json reading = session_json::reading_json(flags.surface.read);
+    const nlohmann::json reading = session_json::reading_json(flags.surface.read, {});
     facts.emplace_back("Reading", reading.empty() ? "as usual" : reading.dump());
     if (!flags.masks.empty()) {
         std::string labels;

@@ -1,6 +1,7 @@
 #include "app/session/reading_json.h"
 
 #include "app/session/json_values.h"
+#include "app/session/marks_json.h"
 #include "app/session/mask_reading.h"
 #include "app/session/reading_options.h"
 
@@ -26,7 +27,7 @@ void read_mask(const json& value, io::MaskReading& mask) {
 
 } // namespace
 
-json reading_json(const io::ReadOptions& reading) {
+json reading_json(const io::ReadOptions& reading, const std::filesystem::path& folder) {
     json value = json::object();
     if (reading.unit) value["units"] = spelled(*reading.unit);
     if (reading.radius_is) value["radius_is"] = spelled(*reading.radius_is);
@@ -34,6 +35,10 @@ json reading_json(const io::ReadOptions& reading) {
     if (reading.orientation) value["orientation"] = reading.orientation->letters();
     if (reading.repair != tree::Repair::kUsual) value["repair"] = spelled(reading.repair);
     if (!reading.columns.empty()) value["columns"] = reading.columns;
+    if (!reading.data.empty()) {
+        value["data"] = written_path(reading.data, folder).string();
+        value["data_checksum"] = reading.data_checksum;
+    }
     const io::MaskReading& mask = reading.mask;
     if (mask.labels) value["labels"] = spelled(*mask.labels);
     if (mask.isovalue) value["isovalue"] = *mask.isovalue;
@@ -44,10 +49,10 @@ json reading_json(const io::ReadOptions& reading) {
     return value;
 }
 
-io::ReadOptions reading_in(const json& value) {
+io::ReadOptions reading_in(const json& value, const std::filesystem::path& folder) {
     expect_only(value, "reading",
                 {"units", "radius_is", "radius_mm", "orientation", "axes", "repair", "columns", "labels", "isovalue",
-                 "fill_holes", "bulge_size", "islands", "root"});
+                 "fill_holes", "bulge_size", "islands", "root", "data", "data_checksum"});
     io::ReadOptions reading;
     for (const auto& [name, key] :
          {std::pair("units", "units"), std::pair("radius_is", "radius-is"), std::pair("axes", "axes"),
@@ -61,6 +66,8 @@ io::ReadOptions reading_in(const json& value) {
         if (!value["columns"].is_object()) throw Refusal{"columns is not an object"};
         for (const auto& [what, name] : value["columns"].items()) reading.columns[what] = text(name, "column " + what);
     }
+    if (value.contains("data")) reading.data = (folder / text(value["data"], "data")).lexically_normal().string();
+    if (value.contains("data_checksum")) reading.data_checksum = text(value["data_checksum"], "data_checksum");
     if (value.contains("radius_mm"))
         reading.radius_mm = number(value["radius_mm"], "radius_mm", kLeastRadius, tree::kMaximumRadius);
     read_mask(value, reading.mask);

@@ -3,11 +3,13 @@
 
 #include "core/io/trees/imported_tree.h"
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 namespace ramus::app::session_json {
 
-[[nodiscard]] nlohmann::json reading_json(const io::ReadOptions& reading); // only what is not as usual
-[[nodiscard]] io::ReadOptions reading_in(const nlohmann::json& value);     // throws Refusal
+// `folder`: where the file that it stands in lies. Only what is not as usual; reading throws Refusal.
+[[nodiscard]] nlohmann::json reading_json(const io::ReadOptions& reading, const std::filesystem::path& folder);
+[[nodiscard]] io::ReadOptions reading_in(const nlohmann::json& value, const std::filesystem::path& folder);
 
 } // namespace ramus::app::session_json

@@ -3,10 +3,12 @@
 #include "app/session/mask_reading.h"
 #include "app/session/numbers.h"
 #include "core/base/words.h"
+#include "core/io/checksum.h"
 #include "core/tree/suspicions.h"
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <iterator>
 
 namespace ramus::app {
@@ -16,7 +18,8 @@ namespace {
 using tree::Note;
 using tree::Repair;
 
-constexpr std::array kTopics{std::pair{"units", "Unit of length"},
+constexpr std::array kTopics{std::pair{"data", "Data of the file"},
+                             std::pair{"units", "Unit of length"},
                              std::pair{"axes", "Orientation"},
                              std::pair{"radius-is", "Radius or diameter"},
                              std::pair{"radius", "Radii of whole vessels"},
@@ -106,13 +109,21 @@ Result<io::ReadOptions> with(io::ReadOptions options, std::string_view key, cons
         const auto repair = reset ? std::optional(Repair::kUsual) : repairs_in(value);
         if (!repair) return refused("repair takes usual, all, none, or some of " + repair_names());
         options.repair = *repair;
+    } else if (key == "data") {
+        options.data = options.data_checksum = {};
+        if (reset) return options;
+        const std::filesystem::path table = std::filesystem::absolute(value).lexically_normal();
+        RAMUS_TRY(checksum, io::sha256_of(table));
+        options.data = table.string();
+        options.data_checksum = std::move(checksum);
     } else if (is_mask_option(key)) {
         RAMUS_TRY(mask, with(options.mask, key, value));
         options.mask = std::move(mask);
     } else {
-        return fail(std::string(key) + " is no option of reading", {},
-                    "units, radius-is, radius, orientation, repair; of masks labels, isovalue, fill-holes, bulge-size, "
-                    "islands, root");
+        return fail(
+            std::string(key) + " is no option of reading", {},
+            "units, radius-is, radius, orientation, repair, data; of masks labels, isovalue, fill-holes, bulge-size, "
+            "islands, root");
     }
     return options;
 }
@@ -123,6 +134,7 @@ io::ReadOptions over(const io::ReadOptions& said, io::ReadOptions session) {
     if (said.radius_is) session.radius_is = said.radius_is;
     if (said.radius_mm) session.radius_mm = said.radius_mm;
     if (said.orientation) session.orientation = said.orientation;
+    if (!said.data.empty()) session.data = said.data, session.data_checksum = said.data_checksum;
     for (const auto& [what, name] : said.columns) session.columns[what] = name;
     session.mask = over(said.mask, std::move(session.mask));
     return session;

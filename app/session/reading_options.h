@@ -20,9 +20,9 @@ namespace ramus::app {
 
 inline constexpr double kLeastRadius = 1e-6; // mm, that all points of a tree can be given
 
-// `options` with one of them changed. Keys: units, radius-is, radius, orientation (axes is its older name), repair, and
-// those of masks (mask_reading.h); "auto" leaves the answer to the file, or to what is usual. Fails with what the key
-// takes.
+// `options` with one of them changed. Keys: units, radius-is, radius, orientation (axes is its older name), repair,
+// data (a file, which must be there) and those of masks (mask_reading.h); "auto" leaves the answer to the file, or to
+// what is usual. Fails with what the key takes.
 [[nodiscard]] Result<io::ReadOptions> with(io::ReadOptions options, std::string_view key, const std::string& value);
 
 // What a session asks for, but for what somebody says now: repairs that are the usual ones say nothing.

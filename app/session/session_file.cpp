@@ -67,7 +67,7 @@ json to_json(const Session& session, const fs::path& folder) {
         value["comparison"] = comparison_json(session.marks.comparison, folder);
     if (session.marks.deviation != DeviationChoice{})
         value["deviation"] = deviation_json(session.marks.deviation, folder);
-    if (session.marks.reading != io::ReadOptions{}) value["reading"] = reading_json(session.marks.reading);
+    if (session.marks.reading != io::ReadOptions{}) value["reading"] = reading_json(session.marks.reading, folder);
     return value;
 }
 
@@ -113,7 +113,7 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
         if (value.contains("comparison")) session.marks.comparison = comparison_in(value["comparison"], folder);
         if (value.contains("deviation")) session.marks.deviation = deviation_in(value["deviation"], folder);
         if (value.contains("options")) read_options(value["options"], session.marks);
-        if (value.contains("reading")) session.marks.reading = reading_in(value["reading"]);
+        if (value.contains("reading")) session.marks.reading = reading_in(value["reading"], folder);
         if (const auto few = check_counts(session.marks); !few) throw Refusal{few.error().what};
         if (value["tree"].is_null() && session.marks.context.empty()) throw Refusal{"it shows nothing"};
         if (value.contains("camera")) {
@@ -134,6 +134,7 @@ void note_named_files(const Session& session) {
     io::note_input(session.tree.path);
     for (const std::string& mesh : session.marks.lesion_meshes) io::note_input(mesh);
     for (const ContextItem& item : session.marks.context) io::note_input(item.file);
+    io::note_input(session.marks.reading.data);
     io::note_input(session.marks.comparison.mask);
     io::note_input(session.marks.deviation.file);
 }

@@ -2,6 +2,7 @@
 
 #include "app/session/numbers.h"
 #include "app/session/of_file.h"
+#include "core/io/trees/branch_table.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/io/volumes/volume_unit.h"
 
@@ -80,6 +81,7 @@ Result<tree::VesselTree> tree_of_mask(const fs::path& path, const io::ReadOption
     tree->claims = claims;
     tree->source = path.filename().string();
     tree->notes.insert(tree->notes.begin(), notes.begin(), notes.end());
+    if (auto good = io::join_branch_table(*tree, options); !good) return tl::unexpected(good.error());
     return tree;
 }
 
