@@ -300,7 +300,8 @@ void print_branches(const tree::VesselTree& tree) {
             cell(kRange, rounded(row->least(facts, id)));
             cell(kRange, rounded(row->largest(facts, id)));
         }
-        for (const auto& [name, value] : mean_values(tree, id).items())
+        const ordered_json means = mean_values(tree, id);
+        for (const auto& [name, value] : means.items())
             cell(data_width(name), value.is_null() ? "-" : rounded(value.get<double>()));
         std::cout << '\n';
     }
