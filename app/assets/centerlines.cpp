@@ -3,7 +3,9 @@
 #include "app/session/branch_facts.h"
 #include "core/field/kernels/gaussian.h"
 #include "render/scene/bounds.h"
+#include "render/scene/uniform_blocks.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <vector>
 
@@ -29,6 +31,8 @@ std::vector<Extent> extents_of(const tree::VesselTree& tree) {
     return extents;
 }
 
+constexpr double kMostOfList = 1e14; // beyond, shaders would take a value for one that is not known
+
 render::Centerlines make_centerlines(const tree::VesselTree& tree, const mesh::SurfaceOptions& options) {
     const mesh::PreparedTree prepared = mesh::prepare_tree(tree, options);
     const auto& points = prepared.tree.points;
@@ -45,6 +49,7 @@ render::Centerlines make_centerlines(const tree::VesselTree& tree, const mesh::S
         }
 
     render::Centerlines lines;
+    lines.lists.resize(prepared.tree.point_data.size());
     lines.smooth_radii = prepared.centerline == tree::Centerline::kSmooth;
     lines.origin = box.empty() ? glm::dvec3(0.0) : box.centre();
     lines.runs.resize(tree.branches.size());
@@ -63,6 +68,12 @@ render::Centerlines make_centerlines(const tree::VesselTree& tree, const mesh::S
             lines.points.emplace_back(glm::vec3(point.position - lines.origin),
                                       static_cast<float>(extents[id].begin + share * extents[id].length));
             lines.details.push_back({static_cast<float>(2.0 * point.radius), static_cast<std::int32_t>(id)});
+            for (std::size_t list = 0; list < lines.lists.size(); ++list) {
+                const double value = prepared.tree.point_data[list].values[run[i]];
+                lines.lists[list].push_back(tree::is_known(value)
+                                                ? static_cast<float>(std::clamp(value, -kMostOfList, kMostOfList))
+                                                : render::kNotKnown);
+            }
         }
     }
     return lines;

@@ -41,13 +41,18 @@ namespace ramus::app {
 
 namespace {
 
+// What colours say and how; what is empty is as the session has it.
+struct ColourFlags {
+    std::string by, map, range, logarithm, legend;
+};
+
 struct RenderFlags {
     SurfaceFlags common;
     std::filesystem::path file, output, reference;
     std::string camera, session, commands;
-    std::optional<ColourBy> colour_by; // none: as the session has it
-    std::vector<std::string> context;  // files
-    std::string mesh_axes;             // of meshes that do not state them; empty: not given
+    ColourFlags colours;
+    std::vector<std::string> context; // files
+    std::string mesh_axes;            // of meshes that do not state them; empty: not given
     glm::ivec2 size{1600, 1200};
     render::View view = render::View::kAnterior;
     bool view_given = false, orthographic = false, transparent = false, interface = false, json = false, notes = false;
@@ -109,11 +114,26 @@ Result<int> judge(const render::Image& image, const RenderFlags& flags, nlohmann
     return kBeyondTolerance;
 }
 
+Result<void> apply(const ColourFlags& flags, const tree::VesselTree& tree, Marks& marks) {
+    if (!flags.by.empty()) {
+        RAMUS_TRY(by, colouring_of_tree(flags.by, tree));
+        marks.colour_by = by;
+    }
+    marks.colour_map = colour_map_named(flags.map).value_or(marks.colour_map);
+    ColourLook& look = marks.colour_look;
+    if (!flags.range.empty()) look.range = colour_range_in(flags.range); // none: "auto"
+    if (flags.logarithm == "auto") look.logarithmic.reset();
+    if (flags.logarithm == "on" || flags.logarithm == "off") look.logarithmic = flags.logarithm == "on";
+    if (!flags.legend.empty()) look.legend = flags.legend == "on";
+    return check(look);
+}
+
 // Opens what was asked for; true when it has a camera.
 Result<bool> open_document(const RenderFlags& flags, Document& document) {
     RAMUS_TRY(opened, open_session(flags.file.string(), flags.session, flags.common, Alone::kAllowed));
     apply(flags.comparison, opened.session.marks);
-    if (flags.colour_by) opened.session.marks.colour_by = *flags.colour_by;
+    if (auto good = apply(flags.colours, opened.tree ? *opened.tree : tree::VesselTree(), opened.session.marks); !good)
+        return tl::unexpected(good.error());
     document.open(std::move(opened.tree), std::move(opened.session), nullptr, {}, std::move(opened.base));
     return opened.has_camera;
 }
@@ -371,15 +391,31 @@ void add_backend_flags(CLI::App& command, RenderFlags& flags) {
         ->check(CLI::Range(0, 63).description(""));
 }
 
-// --colour-by QUANTITY, of those that the command of this name takes.
-void add_colour_flag(CLI::App& command, std::optional<ColourBy>& colour_by) {
-    std::vector<std::string> keys;
-    for (const ColouringRow& row : colourings()) keys.emplace_back(row.key);
-    add_option_taking<std::string>(
-        command, "--colour-by", "QUANTITY", [&colour_by](const std::string& key) { colour_by = colouring_named(key); },
-        "What colours say: " + io::listed(std::vector<std::string_view>(keys.begin(), keys.end())) +
-            " (default: the session's; system where a tree has several, else nothing)")
-        ->check(CLI::IsMember(keys).description(""));
+// --colour-by QUANTITY, of those that the command of this name takes, and how: --colour-map, --colour-range,
+// --colour-log, --legend.
+void add_colour_flags(CLI::App& command, ColourFlags& colours) {
+    std::vector<std::string_view> keys;
+    for (const ColouringRow& row : colourings()) keys.push_back(row.key);
+    add_option(command, "--colour-by", "QUANTITY", colours.by,
+               "What colours say: " + io::listed(keys) +
+                   "; or data of the tree's file, by name or as file:NAME (default: the session's; system where a tree "
+                   "has several, else nothing)");
+    std::vector<std::string> maps;
+    for (const ColourMap map : kColourMaps) maps.emplace_back(name_of(map));
+    add_option(command, "--colour-map", "NAME", colours.map,
+               "Colours of quantities: " + io::listed(std::vector<std::string_view>(maps.begin(), maps.end())))
+        ->check(CLI::IsMember(maps).description(""));
+    add_option(command, "--colour-range", "MIN,MAX", colours.range,
+               "Values that the colours of a quantity begin and end at; auto: the least and the largest")
+        ->check(expecting(" is not MIN,MAX, two numbers that ascend, or auto",
+                          [](const std::string& text) { return text == "auto" || colour_range_in(text).has_value(); }));
+    add_option(command, "--colour-log", "on|off", colours.logarithm,
+               "Whether the colours of a quantity follow its logarithm; auto: as is usual for it")
+        ->expected(0, 1)
+        ->default_str("on")
+        ->check(CLI::IsMember({"on", "off", "auto"}).description(""));
+    add_option(command, "--legend", "on|off", colours.legend, "Whether the legend of the colours is shown")
+        ->check(CLI::IsMember({"on", "off"}).description(""));
 }
 
 // What cannot be combined; wrong usage.
@@ -415,7 +451,7 @@ void register_render(CLI::App& app, Action& chosen) {
                "Show the surface of this mask or mesh beside the tree (" + context_extensions() + "); may be repeated")
         ->allow_extra_args(false);
     add_mesh_orientation_flag(*command, flags->mesh_axes, "meshes of --context and --deviation-from");
-    add_colour_flag(*command, flags->colour_by);
+    add_colour_flags(*command, flags->colours);
     command->add_flag("--ui", flags->interface, "The whole window, with the panels around the picture");
     command->add_flag("--notes", flags->notes,
                       "Mark the places that reading the tree repaired or finds strange (`ramus info` lists them)");

@@ -327,7 +327,8 @@ void draw_systems(InterfaceContext& context); // nothing where there are none
 void draw_context(InterfaceContext& context);
 void draw_compare(InterfaceContext& context);
 void draw_mask_row(InterfaceContext& context, const Comparison& comparison); // its mask
-void draw_deviation(InterfaceContext& context);                              // nothing unless colours say it
+void draw_colours(InterfaceContext& context);   // nothing unless they say a quantity, or data could be said
+void draw_deviation(InterfaceContext& context); // nothing unless colours say it
 // Returns how far down the section wants to reach, from the upper end of what scrolls, in pixels.
 float draw_selection(InterfaceContext& context); // as high for one branch, several and none
 void draw_branch_list(InterfaceContext& context);

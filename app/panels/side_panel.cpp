@@ -238,6 +238,7 @@ void draw_side_panel(InterfaceContext& context) {
             draw_explore(context);
             break;
         case PanelPage::kSurface:
+            draw_colours(context);
             draw_deviation(context); // what colours say, before what they are of
             draw_surface(context);
             draw_glass(context);

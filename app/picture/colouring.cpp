@@ -4,9 +4,11 @@
 #include "app/session/labels.h"
 #include "app/session/numbers.h"
 #include "app/session/systems.h"
+#include "core/tree/branch_data.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <glm/common.hpp>
 
 namespace ramus::app {
@@ -43,75 +45,163 @@ double mean_diameter(const tree::VesselTree& tree, const tree::Branch& branch) {
     return branch.points.empty() ? 0.0 : sum / static_cast<double>(branch.points.size());
 }
 
-// Whole numbers: each its swatch while they are few.
-void colour_by_count(Colouring& colouring, const std::vector<double>& values, ColourMap map, const std::string& title) {
-    const auto [least, most] = std::ranges::minmax(values);
-    const auto share = [least = least, most = most](double v) {
-        return most > least ? (v - least) / (most - least) : 0.5;
-    };
-    for (const double v : values) colouring.branches.push_back(colour_at(map, share(v)));
+// From values to colours, as a person asked for it.
+struct ValueScale {
+    ColourMap map = ColourMap::kViridis;
+    double low = 0.0, high = 1.0;
+    bool logarithmic = false;
+
+    [[nodiscard]] double share(double value) const {
+        if (!(high > low)) return 0.5;
+        if (!logarithmic) return std::clamp((value - low) / (high - low), 0.0, 1.0);
+        return value > low ? std::min(std::log(value / low) / std::log(high / low), 1.0) : 0.0;
+    }
+    [[nodiscard]] glm::vec3 colour(double value) const {
+        return tree::is_known(value) ? colour_at(map, share(value)) : kUnknownColour;
+    }
+};
+
+// The least and the largest of some values, and the least above 0; those that are not known do not count.
+struct ValueRange {
+    double least = HUGE_VAL, largest = -HUGE_VAL, least_positive = HUGE_VAL;
+    std::size_t known = 0, unknown = 0;
+    bool whole = true;
+
+    void add(double value) {
+        ++(tree::is_known(value) ? known : unknown);
+        if (!tree::is_known(value)) return;
+        least = std::min(least, value), largest = std::max(largest, value);
+        if (value > 0.0) least_positive = std::min(least_positive, value);
+        whole &= value == std::floor(value);
+    }
+};
+ValueRange range_of(const std::vector<double>& values) {
+    ValueRange range;
+    for (const double value : values) range.add(value);
+    return range;
+}
+
+// A logarithm of values of 0 and below begins at the least above; where there is none, the scale is linear.
+ValueScale scale_for(const ValueRange& values, const Marks& marks, bool usually_logarithmic) {
+    const ColourLook& look = marks.colour_look;
+    ValueScale scale{marks.colour_map, values.least, values.largest, look.logarithmic.value_or(usually_logarithmic)};
+    if (look.range) scale.low = (*look.range)[0], scale.high = (*look.range)[1];
+    if (!look.range && scale.logarithmic && !(scale.low > 0.0) && look.logarithmic) scale.low = values.least_positive;
+    scale.logarithmic &= scale.low > 0.0 && std::isfinite(scale.low);
+    if (!std::isfinite(scale.low)) scale.low = values.least;
+    return scale;
+}
+
+Legend legend_of(const std::string& title, const ValueScale& scale, const ValueRange& values) {
+    Legend legend = bar_legend(title, scale.map, scale.low, scale.high, scale.logarithmic);
+    constexpr double kRounding = 1e-6; // of the range
+    const double slack = kRounding * (scale.high - scale.low);
+    const auto end = [](bool beyond, double value) { return beyond ? std::optional(value) : std::nullopt; };
+    mark_ends(legend, end(values.least < scale.low - slack, scale.low),
+              end(values.largest > scale.high + slack, scale.high));
+    if (values.unknown > 0) legend.swatches.push_back({kUnknownColour, "not known"});
+    return legend;
+}
+
+render::ColourScale shader_scale(render::ColourScale::Value value, const ValueScale& scale) {
+    return {
+        value, static_cast<float>(scale.low), static_cast<float>(scale.high), scale.logarithmic, 0, ramp_of(scale.map)};
+}
+
+// Whole numbers: each its swatch while they are few and nobody has asked for a scale.
+bool colour_by_count(Colouring& colouring, const std::vector<double>& values, const ValueRange& range,
+                     const Marks& marks, const std::string& title) {
     constexpr int kFew = 9;
-    if (most - least >= kFew) {
-        colouring.legend = bar_legend(title, map, least, most, false);
-        return;
-    }
+    const ColourLook& look = marks.colour_look;
+    if (!range.whole || range.largest - range.least >= kFew || look.range || look.logarithmic) return false;
+    const ValueScale scale{marks.colour_map, range.least, range.largest, false};
+    for (const double v : values) colouring.branches.push_back(scale.colour(v));
     colouring.legend.title = title;
-    for (int v = static_cast<int>(most); v >= static_cast<int>(least); --v)
-        colouring.legend.swatches.push_back({colour_at(map, share(v)), std::to_string(v)});
+    for (int v = static_cast<int>(range.largest); v >= static_cast<int>(range.least); --v)
+        colouring.legend.swatches.push_back({scale.colour(v), std::to_string(v)});
+    if (range.unknown > 0) colouring.legend.swatches.push_back({kUnknownColour, "not known"});
+    return true;
 }
 
-void colour_by_measure(Colouring& colouring, const std::vector<double>& values, ColourMap map, const std::string& title,
-                       bool logarithmic) {
-    const auto [low, high] = std::ranges::minmax(values);
-    const bool by_ratio = logarithmic && low > 0.0;
-    for (const double v : values)
-        colouring.branches.push_back(colour_at(map, !(high > low) ? 0.5
-                                                    : by_ratio    ? std::log(v / low) / std::log(high / low)
-                                                                  : (v - low) / (high - low)));
-    colouring.legend = bar_legend(title, map, low, high, by_ratio);
+void colour_by_measure(Colouring& colouring, const std::vector<double>& values, const ValueRange& range,
+                       const Marks& marks, const std::string& title, bool logarithmic) {
+    const ValueScale scale = scale_for(range, marks, logarithmic);
+    for (const double v : values) colouring.branches.push_back(scale.colour(v));
+    colouring.legend = legend_of(title, scale, range);
 }
 
-void colour_by_diameter(Colouring& colouring, const tree::VesselTree& tree, ColourMap map, const std::string& title) {
-    double low = 1e300, high = 0.0;
+void colour_by_diameter(Colouring& colouring, const tree::VesselTree& tree, const Marks& marks,
+                        const std::string& title) {
+    ValueRange range;
     for (const tree::Branch& branch : tree.branches)
-        for (const auto point : branch.points) {
-            low = std::min(low, 2.0 * tree.points[point].radius);
-            high = std::max(high, 2.0 * tree.points[point].radius);
-        }
-    if (!(high > 0.0)) return;
-    for (const tree::Branch& branch : tree.branches) {
-        const double share = high > low ? std::log(mean_diameter(tree, branch) / low) / std::log(high / low) : 0.5;
-        colouring.branches.push_back(colour_at(map, share));
-    }
-    colouring.legend = bar_legend(title, map, low, high, true);
-    colouring.scale = {render::ColourScale::Value::kDiameter, static_cast<float>(low), static_cast<float>(high), true,
-                       ramp_of(map)};
+        for (const auto point : branch.points) range.add(2.0 * tree.points[point].radius);
+    if (range.known == 0) return;
+    const ValueScale scale = scale_for(range, marks, true);
+    for (const tree::Branch& branch : tree.branches)
+        colouring.branches.push_back(scale.colour(mean_diameter(tree, branch)));
+    colouring.legend = legend_of(title, scale, range);
+    colouring.scale = shader_scale(render::ColourScale::Value::kDiameter, scale);
 }
 
-void colour_by_root_distance(Colouring& colouring, const TreeFacts& facts, ColourMap map, const std::string& title) {
-    double farthest = 0.0;
+void colour_by_root_distance(Colouring& colouring, const TreeFacts& facts, const Marks& marks,
+                             const std::string& title) {
+    ValueRange range;
+    for (const BranchFacts& branch : facts.branches) {
+        range.add(branch.root_distance_mm);
+        range.add(branch.root_distance_mm + branch.length_mm);
+    }
+    if (!(range.largest > 0.0)) return;
+    range.add(0.0);
+    const ValueScale scale = scale_for(range, marks, false);
     for (const BranchFacts& branch : facts.branches)
-        farthest = std::max(farthest, branch.root_distance_mm + branch.length_mm);
-    if (!(farthest > 0.0)) return;
-    for (const BranchFacts& branch : facts.branches)
-        colouring.branches.push_back(colour_at(map, (branch.root_distance_mm + 0.5 * branch.length_mm) / farthest));
-    colouring.legend = bar_legend(title, map, 0.0, farthest, false);
-    colouring.scale = {render::ColourScale::Value::kRootDistance, 0.0F, static_cast<float>(farthest), false,
-                       ramp_of(map)};
+        colouring.branches.push_back(scale.colour(branch.root_distance_mm + 0.5 * branch.length_mm));
+    colouring.legend = legend_of(title, scale, range);
+    colouring.scale = shader_scale(render::ColourScale::Value::kRootDistance, scale);
 }
 
 // What the shaders know along a branch has colours of its own; every other quantity one colour for each branch.
 void colour_by_quantity(Colouring& colouring, const QuantityRow& row, const tree::VesselTree& tree,
-                        const TreeFacts& facts, ColourMap map) {
+                        const TreeFacts& facts, const Marks& marks) {
     const std::string title = std::string(row.label) +
                               (row.unit.empty() ? "" : Lengths(tree.claims).worded(" (" + std::string(row.unit) + ")"));
-    if (row.quantity == Quantity::kDiameter) return colour_by_diameter(colouring, tree, map, title);
-    if (row.quantity == Quantity::kRootDistance) return colour_by_root_distance(colouring, facts, map, title);
+    if (row.quantity == Quantity::kDiameter) return colour_by_diameter(colouring, tree, marks, title);
+    if (row.quantity == Quantity::kRootDistance) return colour_by_root_distance(colouring, facts, marks, title);
     if (tree.branches.empty()) return;
     std::vector<double> values;
     for (int id = 0; id < static_cast<int>(tree.branches.size()); ++id) values.push_back(row.value(tree, facts, id));
-    if (row.whole) return colour_by_count(colouring, values, map, title);
-    colour_by_measure(colouring, values, map, title, row.colours.logarithmic);
+    const ValueRange range = range_of(values);
+    if (row.whole && colour_by_count(colouring, values, range, marks, title)) return;
+    colour_by_measure(colouring, values, range, marks, title, row.colours.logarithmic);
+}
+
+// Of an array of the tree's file: those of points vary along the branches, those of branches have one colour for each.
+void colour_by_data(Colouring& colouring, const tree::VesselTree& tree, const Marks& marks) {
+    const std::string &name = marks.colour_by.data, title = latin1(name);
+    if (const tree::DataArray* array = array_named(tree.branch_data, name)) {
+        const ValueRange range = range_of(array->values);
+        if (range.known > 0) {
+            if (!colour_by_count(colouring, array->values, range, marks, title))
+                colour_by_measure(colouring, array->values, range, marks, title, false);
+            return;
+        }
+    }
+    const tree::DataArray* array = array_named(tree.point_data, name);
+    ValueRange range;
+    for (const tree::Branch& branch : tree.branches)
+        for (const auto point : branch.points) range.add(array != nullptr ? array->values[point] : tree::kUnknownValue);
+    if (range.known == 0) {
+        colouring.branches.assign(tree.branches.size(), kUnknownColour);
+        colouring.legend.title = title;
+        colouring.legend.swatches.push_back({kUnknownColour, "not known"});
+        return;
+    }
+    const ValueScale scale = scale_for(range, marks, false);
+    for (int id = 0; id < static_cast<int>(tree.branches.size()); ++id)
+        colouring.branches.push_back(scale.colour(mean_of(tree, *array, id)));
+    colouring.legend = legend_of(title, scale, range);
+    colouring.scale = shader_scale(render::ColourScale::Value::kOfLines, scale);
+    colouring.scale.list = static_cast<std::uint32_t>(array - tree.point_data.data());
+    colouring.some_unknown = range.unknown > 0;
 }
 
 void colour_by_lesion(Colouring& colouring, const Marks& marks, const Plan* plan, const tree::VesselTree& tree) {
@@ -192,8 +282,29 @@ Legend bar_legend(const std::string& title, ColourMap map, double low, double hi
     };
     std::vector<double> numbers = high > low ? round_numbers(low, high, logarithmic) : std::vector<double>{low};
     if (numbers.size() < 2 && high > low) numbers = {low, high};
-    for (const double v : numbers) legend.ticks.push_back({at(v), rounded(v)});
+    const auto text = [](double v) {
+        constexpr double kLong = 1e7;
+        if (std::abs(v) < kLong) return rounded(v);
+        std::array<char, 32> digits{};
+        std::snprintf(digits.data(), digits.size(), "%.4g", v);
+        return std::string(digits.data());
+    };
+    for (const double v : numbers) legend.ticks.push_back({at(v), text(v)});
+    // A short range far from 0 needs more digits.
+    const auto same = [](const Legend::Tick& a, const Legend::Tick& b) { return a.text == b.text; };
+    if (std::ranges::adjacent_find(legend.ticks, same) != legend.ticks.end())
+        for (std::size_t n = 0; n < numbers.size(); ++n) legend.ticks[n].text = exact_text(numbers[n]);
     return legend;
+}
+
+void mark_ends(Legend& legend, const std::optional<double>& low, const std::optional<double>& high) {
+    constexpr double kApart = 0.08; // of the bar: closer, one text would lie on the other
+    const auto put = [&](double at, const std::string& text) {
+        std::erase_if(legend.ticks, [&](const Legend::Tick& tick) { return std::abs(tick.at - at) < kApart; });
+        legend.ticks.push_back({at, text});
+    };
+    if (low) put(0.0, "< " + rounded(*low));
+    if (high) put(1.0, "> " + rounded(*high));
 }
 
 glm::vec3 margin_colour(std::size_t index, std::size_t count) {
@@ -234,7 +345,10 @@ Colouring colouring_of(const tree::VesselTree& tree, const TreeFacts& facts, con
         explain_states(colouring, marks, tree.branches.size());
         break;
     case ColourBy::kQuantity:
-        colour_by_quantity(colouring, row_of(marks.colour_by.quantity), tree, facts, marks.colour_map);
+        colour_by_quantity(colouring, row_of(marks.colour_by.quantity), tree, facts, marks);
+        break;
+    case ColourBy::kData:
+        colour_by_data(colouring, tree, marks);
         break;
     case ColourBy::kLesion:
         colour_by_lesion(colouring, marks, plan, tree);
@@ -258,6 +372,7 @@ Colouring colouring_of(const tree::VesselTree& tree, const TreeFacts& facts, con
         plan != nullptr && std::ranges::any_of(plan->cuts.spans, [](const auto& s) { return s.any(); });
     if (any_lost && !colouring.legend.title.empty())
         colouring.legend.swatches.push_back({render::Appearance{}.lost, "lost", true});
+    if (!marks.colour_look.legend) colouring.legend = {};
     return colouring;
 }
 

@@ -6,6 +6,7 @@
 #include "app/session/session.h"
 #include "render/scene/scene.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Colouring {
     std::vector<glm::vec3> branches; // sRGB by branch id, of the branch as a whole; empty: all have the vessels' colour
     render::ColourScale scale;       // finer than `branches`, for the picture
     render::Margins margins;         // the same
+    bool some_unknown = false;       // of `scale`: places without a value, which have kUnknownColour
     render::Legend legend;           // without a title when there is nothing to explain
 };
 
@@ -25,6 +27,8 @@ struct Colouring {
 // A bar from `low` to `high`, ticks at round numbers.
 [[nodiscard]] render::Legend bar_legend(const std::string& title, ColourMap map, double low, double high,
                                         bool logarithmic);
+// Its ends, where values lie beyond them, say so: "< 5", "> 90".
+void mark_ends(render::Legend& legend, const std::optional<double>& low, const std::optional<double>& high);
 
 // The colour of a margin around lesions, the innermost first; beyond all of them.
 [[nodiscard]] glm::vec3 margin_colour(std::size_t index, std::size_t count);

@@ -142,6 +142,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     const Marks& marks = session.marks;
     const Plan* plan = assets.plan.get();
     Colouring colouring = colouring_of(tree, *assets.facts, marks, plan);
+    if (colouring.some_unknown) colouring.branches.assign(tree.branches.size(), kUnknownColour);
     frame.colours = std::move(colouring.branches);
     frame.scale = std::move(colouring.scale);
     frame.margins = std::move(colouring.margins);

@@ -54,7 +54,11 @@ void show_deviation(render::Frame& frame, const Marks& marks, const SurfaceDevia
                             false);
         constexpr double kRounding = 1e-3;
         mark_end(legend, end, deviation->most_mm > (1.0 + kRounding) * end * mm);
-        frame.scale = {render::ColourScale::Value::kSurface, 0.0F, static_cast<float>(end * mm), false,
+        frame.scale = {render::ColourScale::Value::kSurface,
+                       0.0F,
+                       static_cast<float>(end * mm),
+                       false,
+                       0,
                        ramp_of(marks.colour_map)};
     }
     legend.subtitle = latin1("from " + noun_of(choice, marks.comparison));

@@ -1,8 +1,10 @@
 #include "app/session/colour_by.h"
 
+#include "app/session/numbers.h"
 #include "core/base/words.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 
 namespace ramus::app {
@@ -55,6 +57,41 @@ constexpr Stations kMagma{{{0.001462F, 0.000466F, 0.013866F},
                            {0.986700F, 0.535582F, 0.382210F},
                            {0.996571F, 0.783977F, 0.547233F},
                            {0.987053F, 0.991438F, 0.749504F}}};
+constexpr Stations kPlasma{{{0.050383F, 0.029803F, 0.527975F},
+                            {0.299855F, 0.009561F, 0.631624F},
+                            {0.494877F, 0.011990F, 0.657865F},
+                            {0.665129F, 0.138566F, 0.585582F},
+                            {0.798216F, 0.280197F, 0.469538F},
+                            {0.898984F, 0.420392F, 0.363047F},
+                            {0.973416F, 0.585761F, 0.251540F},
+                            {0.989587F, 0.803205F, 0.146529F},
+                            {0.940015F, 0.975158F, 0.131326F}}};
+constexpr Stations kCoolwarm{{{0.229806F, 0.298718F, 0.753683F},
+                              {0.383013F, 0.509419F, 0.917388F},
+                              {0.552953F, 0.688929F, 0.995376F},
+                              {0.722193F, 0.813953F, 0.976575F},
+                              {0.865395F, 0.865410F, 0.865396F},
+                              {0.958853F, 0.769768F, 0.678008F},
+                              {0.958003F, 0.602842F, 0.481776F},
+                              {0.869187F, 0.378313F, 0.300267F},
+                              {0.705673F, 0.015556F, 0.150233F}}};
+constexpr Stations kGrey{{glm::vec3(0.0F), glm::vec3(0.125F), glm::vec3(0.25F), glm::vec3(0.375F), glm::vec3(0.5F),
+                          glm::vec3(0.625F), glm::vec3(0.75F), glm::vec3(0.875F), glm::vec3(1.0F)}};
+
+// By ColourMap: stations, and how much of the dark end is left out.
+struct MapRow {
+    std::string_view name;
+    const Stations& stations;
+    double darkest;
+};
+constexpr std::array<MapRow, kColourMaps.size()> kMaps{{{"viridis", kViridis, 0.12},
+                                                        {"cividis", kCividis, 0.12},
+                                                        {"magma", kMagma, 0.28},
+                                                        {"plasma", kPlasma, 0.10},
+                                                        {"coolwarm", kCoolwarm, 0.0},
+                                                        {"grey", kGrey, 0.16}}};
+
+constexpr std::string_view kOfFile = "file:";
 
 } // namespace
 
@@ -63,20 +100,36 @@ const std::vector<ColouringRow>& colourings() {
     return rows;
 }
 
-std::string_view name_of(ColourBy by) {
+std::string name_of(const ColourBy& by) {
+    if (by.kind == ColourBy::kData) return std::string(kOfFile) + by.data;
     const auto row = std::ranges::find(colourings(), by, &ColouringRow::by);
-    return row == colourings().end() ? std::string_view() : row->key;
+    return row == colourings().end() ? std::string() : std::string(row->key);
+}
+
+Result<ColourBy> colouring_of_tree(std::string_view key, const tree::VesselTree& tree) {
+    const auto is_there = [&](const std::string& name) {
+        return array_named(tree.point_data, name) != nullptr || array_named(tree.branch_data, name) != nullptr;
+    };
+    const auto known = colouring_named(key);
+    if (known && (known->kind != ColourBy::kData || is_there(known->data))) return *known;
+    if (!known && is_there(std::string(key))) return ColourBy::array(std::string(key));
+    std::string names;
+    for (const tree::DataArrays* arrays : {&tree.point_data, &tree.branch_data})
+        for (const tree::DataArray& array : *arrays) names += ", " + array.name;
+    return fail(
+        "colours cannot say \"" + std::string(key) + "\"", {},
+        "one of " + joined(colourings(), ", ", &ColouringRow::key) +
+            (names.empty() ? "; the tree's file has no data" : "; data of the tree's file: " + names.substr(2)));
 }
 
 std::optional<ColourBy> colouring_named(std::string_view key) {
+    if (key.starts_with(kOfFile) && key.size() > kOfFile.size())
+        return ColourBy::array(std::string(key.substr(kOfFile.size())));
     const auto row = std::ranges::find(colourings(), key, &ColouringRow::key);
     return row == colourings().end() ? std::nullopt : std::optional(row->by);
 }
 
-std::string_view name_of(ColourMap map) {
-    constexpr std::array<std::string_view, 3> kNames{"viridis", "cividis", "magma"};
-    return kNames[static_cast<std::size_t>(map)];
-}
+std::string_view name_of(ColourMap map) { return kMaps[static_cast<std::size_t>(map)].name; }
 
 std::optional<ColourMap> colour_map_named(std::string_view name) {
     const auto found = std::ranges::find(kColourMaps, name, [](ColourMap map) { return name_of(map); });
@@ -84,8 +137,7 @@ std::optional<ColourMap> colour_map_named(std::string_view name) {
 }
 
 glm::vec3 colour_at(ColourMap map, double t) {
-    const Stations& stations = map == ColourMap::kViridis ? kViridis : map == ColourMap::kCividis ? kCividis : kMagma;
-    const double darkest = map == ColourMap::kMagma ? 0.28 : 0.12;
+    const auto& [name, stations, darkest] = kMaps[static_cast<std::size_t>(map)];
     const double at = (darkest + (1.0 - darkest) * std::clamp(t, 0.0, 1.0)) * (stations.size() - 1);
     const auto below = std::min(static_cast<std::size_t>(at), stations.size() - 2);
     return glm::mix(stations[below], stations[below + 1], static_cast<float>(at - static_cast<double>(below)));
@@ -96,6 +148,22 @@ std::vector<glm::vec3> ramp_of(ColourMap map, std::size_t steps) {
     for (std::size_t i = 0; i < steps; ++i)
         ramp.push_back(colour_at(map, static_cast<double>(i) / static_cast<double>(steps - 1)));
     return ramp;
+}
+
+std::optional<std::array<double, 2>> colour_range_in(std::string_view text) {
+    const std::vector<std::string_view> parts = parts_of(text);
+    if (parts.size() != 2) return {};
+    const auto low = parsed<double>(parts[0]), high = parsed<double>(parts[1]);
+    constexpr double kMost = 1e14; // of what shaders tell from what is not known
+    if (!low || !high || !(std::abs(*low) <= kMost) || !(std::abs(*high) <= kMost) || !(*low < *high)) return {};
+    return std::array{*low, *high};
+}
+
+Result<void> check(const ColourLook& look) {
+    if (look.range && look.logarithmic.value_or(false) && !((*look.range)[0] > 0.0))
+        return fail("a logarithmic scale of colours cannot begin at " + exact_text((*look.range)[0]), {},
+                    "begin the range above 0, or switch the logarithm off");
+    return {};
 }
 
 std::string colour_text(const std::array<std::uint8_t, 3>& colour) {

@@ -29,6 +29,9 @@ json options_json(const Marks& marks) {
     json value{{"method", std::string(name_of(options.method))},
                {"colour_by", std::string(name_of(marks.colour_by))},
                {"colour_map", std::string(name_of(marks.colour_map))}};
+    if (marks.colour_look.range) value["colour_range"] = *marks.colour_look.range;
+    if (marks.colour_look.logarithmic) value["colour_log"] = *marks.colour_look.logarithmic;
+    if (!marks.colour_look.legend) value["legend"] = false;
     for (const SurfaceOption& option : surface_options()) {
         const double set = option.value(options);
         if (!option.of_session || (option.only_when_set && set == 0.0)) continue;
@@ -76,9 +79,23 @@ static void read_depth_cues(const json& list, Marks& marks) {
     }
 }
 
+static void read_colour_look(const json& value, ColourLook& look) {
+    constexpr double kMost = 1e14;
+    if (value.contains("colour_range")) {
+        const json& range = list_in(value, "colour_range");
+        if (range.size() != 2) throw Refusal{"colour_range is not [low, high]"};
+        look.range = {number(range[0], "colour_range", -kMost, kMost), number(range[1], "colour_range", -kMost, kMost)};
+        if (!((*look.range)[0] < (*look.range)[1])) throw Refusal{"colour_range does not ascend"};
+    }
+    if (value.contains("colour_log")) look.logarithmic = truth(value["colour_log"], "colour_log");
+    if (value.contains("legend")) look.legend = truth(value["legend"], "legend");
+    if (auto good = check(look); !good) throw Refusal{good.error().message()};
+}
+
 void read_options(const json& value, Marks& marks) {
     std::vector<std::string_view> known = {"method",        "colour_by",  "colour_map", "bands",         "reconstruct",
-                                           "glass_opacity", "glass_grey", "skeleton",   "contact_marks", "depth_cues"};
+                                           "glass_opacity", "glass_grey", "skeleton",   "contact_marks", "depth_cues",
+                                           "colour_range",  "colour_log", "legend"};
     for (const SurfaceOption& option : surface_options())
         if (option.of_session) known.push_back(option.key);
     expect_only(value, "options", known);
@@ -110,6 +127,7 @@ void read_options(const json& value, Marks& marks) {
         marks.colour_by = word(value["colour_by"], "colour_by", "colour_by", colouring_named);
     if (value.contains("colour_map"))
         marks.colour_map = word(value["colour_map"], "colour_map", "colour_map", colour_map_named);
+    read_colour_look(value, marks.colour_look);
 }
 
 void read_states(const json& value, Marks& marks) {

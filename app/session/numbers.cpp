@@ -70,9 +70,14 @@ std::string seconds_text(double seconds) {
 std::vector<double> round_numbers(double low, double high, bool logarithmic) {
     std::vector<double> found;
     if (logarithmic) {
-        for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= std::log10(high); ++decade)
+        // Over many decades the powers of ten alone, at last some of them.
+        const double decades = std::log10(high / low);
+        const int stride = std::max(1, static_cast<int>(std::ceil(decades / 10.0)));
+        for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= std::log10(high); decade += stride)
             for (const double step : {1.0, 2.0, 5.0})
-                if (const double v = step * std::pow(10.0, decade); v >= low * 0.999 && v <= high * 1.001)
+                if (step > 1.0 && decades > 3.5)
+                    break;
+                else if (const double v = step * std::pow(10.0, decade); v >= low * 0.999 && v <= high * 1.001)
                     found.push_back(v);
         return found;
     }

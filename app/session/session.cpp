@@ -77,8 +77,8 @@ bool of_branching(const Measurement& measurement) {
 
 namespace {
 
-constexpr std::tuple kLooks{&Marks::selection,  &Marks::colour_by, &Marks::colour_map,   &Marks::glass,
-                            &Marks::depth_cues, &Marks::skeleton,  &Marks::contact_marks};
+constexpr std::tuple kLooks{&Marks::selection, &Marks::colour_by,  &Marks::colour_map, &Marks::colour_look,
+                            &Marks::glass,     &Marks::depth_cues, &Marks::skeleton,   &Marks::contact_marks};
 
 void for_looks(const auto& call) {
     std::apply([&](auto... member) { (call(member), ...); }, kLooks);

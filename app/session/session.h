@@ -95,6 +95,7 @@ struct Marks {
     std::vector<tree::System> systems; // all, renamed or recoloured; empty: as the tree has them (systems.h)
     ColourBy colour_by;
     ColourMap colour_map = ColourMap::kViridis;
+    ColourLook colour_look;
     Planning planning;
     GlassLook glass;
     DepthCues depth_cues;

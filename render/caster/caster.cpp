@@ -76,8 +76,10 @@ bool Caster::draws(const Frame& frame) {
     if (frame.only_mesh) return false;
     // A point of a vessel has one value: its diameter cannot go with where it is cut.
     const bool whole = std::ranges::all_of(frame.lost, &LostPart::whole);
-    if (frame.scale.value == ColourScale::Value::kSurface) return false; // cones have no vertices
-    return whole || frame.scale.value != ColourScale::Value::kDiameter;
+    // Cones have no vertices, and know of lines what their shape needs.
+    using Value = ColourScale::Value;
+    if (frame.scale.value == Value::kSurface || frame.scale.value == Value::kOfLines) return false;
+    return whole || frame.scale.value != Value::kDiameter;
 }
 
 void Caster::resize(const View& view) {

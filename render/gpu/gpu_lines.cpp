@@ -19,11 +19,23 @@ void GpuLines::follow(const std::shared_ptr<const Centerlines>& lines) {
     shown_ = lines && !lines->points.empty() ? lines : nullptr;
     bounds_ = shown_ ? bounds_of(*shown_) : Box{};
     thinned_ = {};
+    list_ = {};
     levels_ = {};
     if (!shown_) return;
     balls_ = line_balls(*shown_);
     extent_mm_ = shown_->extent_mm();
     whole_.send(*shown_);
+}
+
+void GpuLines::bind_list(std::uint32_t list) {
+    if (!shown_ || list >= shown_->lists.size()) return;
+    if (list_.buffer == 0 || list_sent_ != list) {
+        std::vector<Centerlines::Detail> numbers = shown_->details;
+        for (std::size_t p = 0; p < numbers.size(); ++p) numbers[p].diameter_mm = shown_->lists[list][p];
+        list_ = make_buffer_texture(GL_RG32UI, numbers);
+        list_sent_ = list;
+    }
+    glBindTextureUnit(kUnitLineDetails, list_.texture);
 }
 
 const GpuLines::Copy& GpuLines::thinned() {

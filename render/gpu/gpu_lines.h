@@ -41,6 +41,8 @@ public:
         BufferTexture run_table_; // RG32UI: first point, count
     };
     [[nodiscard]] const Copy& whole() const { return whole_; }
+    // Binds one of the lines' lists of numbers in place of diameters: after whole().bind(), for what colours by it.
+    void bind_list(std::uint32_t list);
     [[nodiscard]] const Copy& thinned(); // for what moves; made and sent when it is asked for first
 
     // Stretches of lines that are drawn together.
@@ -79,6 +81,8 @@ private:
     std::vector<LineBall> balls_;
     double extent_mm_ = 0.0;
     Copy whole_, thinned_;
+    BufferTexture list_;                       // RG32UI: bits of a number, branch
+    std::uint32_t list_sent_ = 0;              // the list in it, where there is one
     std::array<Copy, kLineLevels - 1> levels_; // made and sent when they are first needed
 };
 

@@ -26,6 +26,8 @@ struct Centerlines {
 
     std::vector<glm::vec4> points; // mm relative to origin; w: mm from the root along the tree
     std::vector<Detail> details;   // of the same points
+    // Numbers of the same points that colours may show, kNotKnown where there is none. thinned() leaves them out.
+    std::vector<std::vector<float>> lists;
     std::vector<Run> runs;     // by branch id, from the parent's end outward; a branch without a position has no point
     glm::dvec3 origin{0.0};    // mm
     bool smooth_radii = false; // whether radii go on beyond the ends of segments (core/field/skeleton.h)

@@ -59,7 +59,8 @@ glm::mat4 eye_to_grid(const DistanceGrid& grid, const glm::dmat4& from_eye) {
 bool has_values(const Frame& frame, const Centerlines* lines) {
     using Value = ColourScale::Value;
     if (frame.scale.value == Value::kNone || frame.scale.ramp.empty()) return false;
-    return frame.scale.value == Value::kSurface ? frame.mesh && frame.mesh->has_values() : lines != nullptr;
+    if (frame.scale.value == Value::kSurface) return frame.mesh && frame.mesh->has_values();
+    return lines != nullptr && (frame.scale.value != Value::kOfLines || frame.scale.list < lines->lists.size());
 }
 
 // The shaders know values by the numbers of their enumerators.
@@ -69,7 +70,9 @@ static_assert(static_cast<int>(ColourScale::Value::kDiameter) == 1 &&
 glm::vec4 scale_of(const ColourScale& scale) {
     const bool log = scale.logarithmic;
     const float low = log ? std::log(scale.low) : scale.low, high = log ? std::log(scale.high) : scale.high;
-    return {low, high > low ? 1.0F / (high - low) : 0.0F, log ? 1.0F : 0.0F, static_cast<float>(scale.value)};
+    // Numbers of the lines stand in the place of their diameters (GpuLines::bind_list).
+    const auto value = scale.value == ColourScale::Value::kOfLines ? ColourScale::Value::kDiameter : scale.value;
+    return {low, high > low ? 1.0F / (high - low) : 0.0F, log ? 1.0F : 0.0F, static_cast<float>(value)};
 }
 
 } // namespace

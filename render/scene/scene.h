@@ -14,14 +14,15 @@
 
 namespace ramus::render {
 
-// Colours that follow a value from point to point: one along the branches, which needs Frame::centerlines, or the
-// surface's own (PagedMesh::with_values()). Values beyond an end have its colour; where none is known, and on a surface
-// without values, Frame::colours are seen.
+// Colours that follow a value from point to point: one along the branches, which needs Frame::centerlines (the
+// diameter, the way from the root, or one of their lists of numbers), or the surface's own (PagedMesh::with_values()).
+// Values beyond an end have its colour; where none is known, and on a surface without values, Frame::colours are seen.
 struct ColourScale {
-    enum class Value : std::uint8_t { kNone, kDiameter, kRootDistance, kSurface };
+    enum class Value : std::uint8_t { kNone, kDiameter, kRootDistance, kSurface, kOfLines };
     Value value = Value::kNone;
     float low = 0.0F, high = 1.0F; // mm; of a surface's values, their unit
     bool logarithmic = false;
+    std::uint32_t list = 0;      // of kOfLines: which of Centerlines::lists
     std::vector<glm::vec3> ramp; // even steps from low to high
     bool operator==(const ColourScale&) const = default;
 };

@@ -69,7 +69,7 @@ void SceneTables::let_go() {
 
 SceneTables::Needs SceneTables::send(const Subject& subject) {
     const Frame& frame = subject.frame;
-    const GpuLines& lines = subject.scene.lines();
+    GpuLines& lines = subject.scene.lines();
     LookData data = look_data_of(frame, lines.shown(), eye_matrix(frame.camera));
     const bool scale = data.block.scale.w > 0.0F;
     const Needs needs{data.block.counts.z > 0.0F, scale, scale && frame.scale.value == ColourScale::Value::kSurface,
@@ -86,6 +86,7 @@ SceneTables::Needs SceneTables::send(const Subject& subject) {
     }
     if (lines.shown() != nullptr) lines.whole().bind();
     if (needs.scale) {
+        if (frame.scale.value == ColourScale::Value::kOfLines) lines.bind_list(frame.scale.list);
         ramp_ = ramp_texture(frame.scale.ramp);
         glBindTextureUnit(kUnitRamp, ramp_);
     }

@@ -103,7 +103,7 @@ const std::array<Case, 13> kCases{{
              values[vertex] = f.mesh->position(vertex).x;
          }
          f.mesh = std::make_shared<const PagedMesh>(f.mesh->with_values(values));
-         f.scale = {ColourScale::Value::kSurface, -20.0F, 20.0F, false, {{0.1F, 0.1F, 0.5F}, {0.95F, 0.9F, 0.2F}}};
+         f.scale = {ColourScale::Value::kSurface, -20.0F, 20.0F, false, 0, {{0.1F, 0.1F, 0.5F}, {0.95F, 0.9F, 0.2F}}};
          f.states[3] = BranchState::kDefocused;
      }},
     {"lesions with margins",

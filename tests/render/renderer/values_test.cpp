@@ -32,7 +32,7 @@ std::shared_ptr<const PagedMesh> valued(const PagedMesh& mesh, const std::functi
 // A scale from 0 to 2 mm over a neutral colour.
 void show_values(Frame& frame, const std::function<float(glm::vec3)>& value) {
     frame.mesh = valued(*frame.mesh, value);
-    frame.scale = {ColourScale::Value::kSurface, 0.0F, 2.0F, false, {kLow, kHigh}};
+    frame.scale = {ColourScale::Value::kSurface, 0.0F, 2.0F, false, 0, {kLow, kHigh}};
     frame.colours.assign(4, kNeutral);
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("where no value is known the branches' own colour is seen, up to the v
 
 TEST_CASE("a surface without values is never coloured by a scale of them") {
     SmallTree scene;
-    scene.frame.scale = {ColourScale::Value::kSurface, 0.0F, 2.0F, false, {kLow, kHigh}};
+    scene.frame.scale = {ColourScale::Value::kSurface, 0.0F, 2.0F, false, 0, {kLow, kHigh}};
     scene.frame.colours.assign(4, kNeutral);
     CHECK(scene.draw() == in_one_colour(scene, kNeutral));
 }
