@@ -2,12 +2,12 @@
 #include "app/commands/deviation_report.h"
 #include "app/commands/inputs.h"
 #include "app/commands/picture_flags.h"
+#include "app/commands/printed_report.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
 #include "app/commands/surface_input.h"
 #include "app/session/numbers.h"
 #include "core/base/stopwatch.h"
-#include "core/io/json_text.h"
 #include "core/measure/deviation/deviation.h"
 
 #include <algorithm>
@@ -113,7 +113,7 @@ Result<int> run_compare(const CompareFlags& flags) {
         json["a"] = input_json(flags.files[0], inputs[0], sizes[0]);
         json["b"] = input_json(flags.files[1], inputs[1], sizes[1]);
         json["seconds"] = found.seconds;
-        std::cout << io::printed_json(json) << '\n';
+        std::cout << printed_report(std::move(json)) << '\n';
         return kDone;
     }
     const Lengths lengths(claims);

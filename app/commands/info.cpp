@@ -3,6 +3,7 @@
 #include "app/commands/command.h"
 #include "app/commands/info_contacts.h"
 #include "app/commands/inputs.h"
+#include "app/commands/printed_report.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
 #include "app/session/numbers.h"
@@ -10,8 +11,8 @@
 #include "app/session/smoothing_text.h"
 #include "app/session/systems.h"
 #include "core/base/error.h"
-#include "core/io/json_text.h"
 #include "core/io/volumes/volume_file.h"
+#include "core/io/volumes/volume_unit.h"
 #include "core/measure/tree_measure.h"
 #include "core/tree/branch_data.h"
 #include "core/volume/label_counts.h"
@@ -57,11 +58,9 @@ void line(const std::string& name, const std::string& value) {
     std::cout << std::left << std::setw(14) << name << std::right << value << '\n';
 }
 
-void print(const ordered_json& report) { std::cout << io::printed_json(report) << '\n'; }
-
 ordered_json list_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-void print_json(const volume::Volume& volume, const Figures& figures) {
+void print_json(const volume::Volume& volume, const Figures& figures, const tree::Claims& claims) {
     const glm::dmat4& m = volume.to_patient;
     ordered_json rows = ordered_json::array();
     for (int row = 0; row < 3; ++row) rows.push_back({m[0][row], m[1][row], m[2][row], m[3][row]});
@@ -87,7 +86,7 @@ void print_json(const volume::Volume& volume, const Figures& figures) {
                             {"volume_ml", static_cast<double>(*figures.inside) * figures.voxel_ml}};
     report["notes"] = volume.notes;
     report["suspicions"] = volume.suspicions;
-    print(report);
+    std::cout << printed_report(std::move(report), claims) << '\n';
 }
 
 void print_text(const std::string& file, const volume::Volume& volume, const Figures& figures) {
@@ -123,7 +122,7 @@ Result<int> run_volume_info(const std::string& file, const SurfaceFlags& flags, 
     RAMUS_TRY(volume, load_volume(file, flags));
     const Figures figures = figures_of(volume);
     if (json)
-        print_json(volume, figures);
+        print_json(volume, figures, io::claims_of(volume, flags.read.unit));
     else
         print_text(file, volume, figures);
     return kDone;
@@ -255,7 +254,7 @@ void print_json(const InfoFlags& flags, const tree::VesselTree& tree, const meas
     if (!tree.systems.empty()) report["system_list"] = system_list(tree);
     if (flags.branches) report["branch_list"] = branch_list(tree, facts_of(tree));
     if (contacts) report["contacts"] = contacts_json(*contacts);
-    print(report);
+    std::cout << printed_report(std::move(report)) << '\n';
 }
 
 // Of its column; 0 where there are none.

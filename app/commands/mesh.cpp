@@ -1,6 +1,7 @@
 // ramus mesh FILE -o MESH: the surface of a vessel tree or of a mask as a file.
 #include "app/assets/assets.h"
 #include "app/commands/inputs.h"
+#include "app/commands/printed_report.h"
 #include "app/commands/printing.h"
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
@@ -12,7 +13,6 @@
 #include "app/session/of_file.h"
 #include "app/session/surface_options.h"
 #include "core/base/stopwatch.h"
-#include "core/io/json_text.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/output_file.h"
 #include "core/io/volumes/volume_file.h"
@@ -200,7 +200,7 @@ void report(const MeshFlags& flags, const WrittenSurface& written, const io::Mes
         figures.update({{"load_s", load_s}, {"mesh_s", written.mesh_s}, {"write_s", written.write_s}});
         if (!written.lost_pieces.empty()) figures["lost_pieces"] = written.lost_pieces;
         if (flags.printing.wanted) figures["printing"] = printing_json(flags.printing, written.thicknesses, claims);
-        std::cout << io::printed_json(figures) << '\n';
+        std::cout << printed_report(std::move(figures)) << '\n';
     } else {
         std::cout << flags.output << ": " << counted(written.triangles, "triangle", "triangles") << ", "
                   << counted(written.vertices, "vertex", "vertices") << ", "

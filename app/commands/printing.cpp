@@ -1,5 +1,6 @@
 #include "app/commands/printing.h"
 
+#include "app/commands/command.h"
 #include "app/session/numbers.h"
 
 #include <cmath>

@@ -6,6 +6,7 @@
 #include "app/commands/inputs.h"
 #include "app/commands/picture_flags.h"
 #include "app/commands/picture_stage.h"
+#include "app/commands/printed_report.h"
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
@@ -22,7 +23,6 @@
 #include "core/base/stopwatch.h"
 #include "core/io/file_format.h"
 #include "core/io/input_file.h"
-#include "core/io/json_text.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/output_file.h"
 #include "render/gl/gl_context.h"
@@ -179,7 +179,9 @@ nlohmann::json description_of(render::Backend backend) {
 // null: the picture has none.
 nlohmann::json description_of(const std::optional<render::ScaleBar>& bar) {
     if (!bar) return nullptr;
-    return {{bar->unit_known ? "mm" : "units", bar->length_mm},
+    return {{bar->unit_known ? "mm" : "units", bar->length_mm}, // as scripts know it
+            {"length", bar->length_mm},
+            {"unit", bar->unit_known ? "mm" : tree::kNotSaid},
             {"pixels", bar->pixels},
             {"at", render::name_of_place(bar->at)},
             {"percent", bar->percent}};
@@ -232,7 +234,7 @@ Result<int> run_turntable(const RenderFlags& flags, render::SheetRenderer& sheet
                           {"scale_bar", description_of(table.scale_bar)},
                           {"gl", description_of(flags.backend)}};
     for (const auto& file : table.files) report["pictures"].push_back(file.string());
-    if (flags.json) std::cout << io::printed_json(report) << '\n';
+    if (flags.json) std::cout << printed_report(report) << '\n';
     return kDone;
 }
 
@@ -356,7 +358,7 @@ Result<int> run_render(const RenderFlags& flags) {
             return tl::unexpected(ran.error());
         if (!flags.json) std::cout << benchmark_sentence(report) << '\n';
     }
-    if (flags.json) std::cout << io::printed_json(report) << '\n';
+    if (flags.json) std::cout << printed_report(report) << '\n';
     return *status;
 }
 

@@ -2,6 +2,7 @@
 #include "core/volume/skeletonize/skeletonize.h"
 
 #include "app/commands/inputs.h"
+#include "app/commands/printed_report.h"
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "app/session/comparison.h"
@@ -9,7 +10,6 @@
 #include "app/session/of_file.h"
 #include "app/storage/tree_source.h"
 #include "core/base/stopwatch.h"
-#include "core/io/json_text.h"
 #include "core/io/run_inputs.h"
 #include "core/io/trees/tree_file.h"
 #include "core/io/volumes/volume_file.h"
@@ -77,7 +77,7 @@ void report_json(const tree::VesselTree& tree, const volume::SkeletonizeFigures&
         {"load_s", seconds.load},
         {"skeleton_s", seconds.skeleton},
         {"write_s", seconds.write}};
-    std::cout << io::printed_json(report) << '\n';
+    std::cout << printed_report(report) << '\n';
 }
 
 void report_text(const SkeletonizeFlags& flags, const tree::VesselTree& tree, const Seconds& seconds) {

@@ -3,6 +3,7 @@
 // the same eye in the same light; and sheets on which raters say what they think of such pictures without captions.
 #include "app/commands/inputs.h"
 #include "app/commands/picture_flags.h"
+#include "app/commands/printed_report.h"
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
@@ -13,7 +14,6 @@
 #include "app/session/numbers.h"
 #include "app/session/of_file.h"
 #include "app/workspace/compared_surfaces.h"
-#include "core/io/json_text.h"
 #include "core/io/output_file.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/tree/part_of_tree.h"
@@ -290,7 +290,7 @@ Result<int> run_study(const StudyFlags& flags) {
     report["key"] = (flags.folder / "key.json").string();
     for (const auto& file : sheet_files) report["sheets"].push_back(file.string());
     if (flags.json)
-        std::cout << io::printed_json(report) << '\n';
+        std::cout << printed_report(std::move(report), tree.claims) << '\n';
     else
         std::cout << flags.folder.string() << ": " << counted(painter.files().size(), "picture", "pictures") << ", "
                   << counted(sheet_files.size(), "rating sheet", "rating sheets") << '\n';

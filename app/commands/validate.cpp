@@ -1,6 +1,7 @@
 // `ramus validate TREE...`: the paper's validation (section VII) of the surfaces of trees, made here or by another
 // program, each on its own and on average over all.
 #include "app/commands/picture_flags.h"
+#include "app/commands/printed_report.h"
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/validate_data_set.h"
@@ -9,7 +10,6 @@
 #include "app/commands/validate_text.h"
 #include "app/session/numbers.h"
 #include "app/session/of_file.h"
-#include "core/io/json_text.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/volume_file.h"
 
@@ -62,7 +62,7 @@ Result<int> run_validate(const ValidateFlags& flags) {
         sets.push_back(std::move(set));
         if (whole.cancelled()) return fail(kNothingWritten);
     }
-    const std::string json = io::printed_json(validation_json(sets)) + "\n";
+    const std::string json = printed_report(validation_json(sets)) + "\n";
     if (whole.cancelled()) return fail(kNothingWritten);
     if (report)
         if (auto written = report->write(flags, sets, json); !written) return tl::unexpected(written.error());

@@ -1,8 +1,8 @@
 #include "app/commands/validate_kernels.h"
 
+#include "app/commands/printed_report.h"
 #include "app/commands/progress.h"
 #include "app/session/numbers.h"
-#include "core/io/json_text.h"
 #include "core/validate/kernels.h"
 
 #include <algorithm>
@@ -118,7 +118,7 @@ Result<void> print_kernels(const std::string& name, const tree::VesselTree& tree
     if (json) {
         ordered_json all{{"tree", name}};
         all.update(kernels_json(compared));
-        std::cout << io::printed_json(all) << '\n';
+        std::cout << printed_report(std::move(all), tree.claims) << '\n';
     } else {
         print_text(compared);
     }

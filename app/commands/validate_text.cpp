@@ -242,9 +242,8 @@ std::string cell_words(const Cell& cell) {
 }
 
 // Columns under their headings; numbers to the right.
-void print_table(const Table& all, const Lengths& lengths) {
-    Table table = for_people(all);
-    use_unit(table, lengths);
+void print_table(const Table& all) {
+    const Table table = in_words(for_people(all));
     std::cout << '\n' << table.title << '\n';
     std::vector<std::size_t> widths;
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
@@ -270,8 +269,19 @@ ordered_json validation_json(std::span<const ValidatedDataSet> sets) {
     ordered_json json;
     json["data_sets"] = ordered_json::array();
     for (const ValidatedDataSet& set : sets) json["data_sets"].push_back(data_set_json(set, true));
-    json["averages"] = summary_json(summary_of(sets, Of::kMean));
-    json["standard_deviations"] = summary_json(summary_of(sets, Of::kDeviation));
+    const std::vector<UnitGroup> groups = by_unit(sets);
+    const auto add_summaries = [](ordered_json& into, const UnitGroup& group) {
+        into["averages"] = summary_json(summary_of(group.sets, Of::kMean));
+        into["standard_deviations"] = summary_json(summary_of(group.sets, Of::kDeviation));
+    };
+    if (groups.size() == 1) {
+        json["units"] = groups.front().unit;
+        add_summaries(json, groups.front());
+        return json;
+    }
+    // Nothing is the average of lengths in different units.
+    json["units"] = json["averages"] = json["standard_deviations"] = nullptr;
+    for (const UnitGroup& group : groups) add_summaries(json["by_unit"][group.unit], group);
     return json;
 }
 
@@ -283,12 +293,12 @@ void print_validation(std::span<const ValidatedDataSet> sets) {
         std::cout << set.tree << '\n';
         print_questions(found, Lengths(set.claims));
     }
-    print_table(questions_table(sets), lengths_of(sets));
-    print_table(fidelity_table(sets), lengths_of(sets));
+    print_table(questions_table(sets));
+    print_table(fidelity_table(sets));
     for (const Table& table : {shape_table(sets), volumes_table(sets)})
-        if (!table.rows.empty()) print_table(table, lengths_of(sets));
+        if (!table.rows.empty()) print_table(table);
     for (const Held how : {Held::kToCones, Held::kToMask, Held::kFromMask})
-        if (const Table table = distance_table(sets, how); !table.rows.empty()) print_table(table, lengths_of(sets));
+        if (const Table table = distance_table(sets, how); !table.rows.empty()) print_table(table);
 }
 
 } // namespace ramus::app

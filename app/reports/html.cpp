@@ -142,7 +142,8 @@ std::string even_pictures_html(const std::vector<ReportPicture>& pictures) {
     return pictures.empty() ? "" : "<div class=\"pictures even\">\n" + figures_html(pictures) + "</div>\n";
 }
 
-std::string table_html(const Table& table, const TableLook& look) {
+std::string table_html(const Table& all, const TableLook& look) {
+    const Table table = in_words(all);
     const std::string heading = look.is_part ? "h3>" : "h2>";
     std::string text = "<" + heading + html_text(table.title) + "</" + heading + "\n";
     if (!look.note.empty()) text += "<p class=\"quiet\">" + html_text(look.note) + "</p>\n";

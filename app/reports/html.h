@@ -45,6 +45,6 @@ struct TableLook {
     std::string all_rows_in{"the same report as .csv"}; // where those are that the page has no room for
 };
 // Heading, note and rows. Of long tables the first rows.
-[[nodiscard]] std::string table_html(const Table& table, const TableLook& look = {});
+[[nodiscard]] std::string table_html(const Table& all, const TableLook& look = {});
 
 } // namespace ramus::app

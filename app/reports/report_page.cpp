@@ -68,11 +68,11 @@ std::string lesions_html(const Document& document, const Plan& plan) {
         "Lesions",
         {{"lesion", "Lesion"}, {"shape", "Shape"}, {"x", "x, mm"}, {"y", "y, mm"}, {"z", "z, mm"}, {"r", "Radius, mm"}},
         {}};
-    use_unit(table, document.lengths());
     int number = 0;
     for (const auto& [x, y, z, r] : marks.lesions) table.rows.push_back({++number, "sphere", x, y, z, r});
     for (const std::string& mesh : marks.lesion_meshes)
         table.rows.push_back({++number, std::filesystem::path(mesh).filename().string(), "", "", "", ""});
+    add_unit(table, document.lengths());
     std::string note;
     for (const std::string& trouble : plan.troubles) note += trouble + ". ";
     return table_html(table, {.note = note});

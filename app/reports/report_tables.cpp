@@ -74,11 +74,31 @@ void add(std::vector<Cell>& row, const measure::Amount& amount) {
 
 } // namespace
 
-void use_unit(Table& table, const Lengths& lengths) {
-    for (Column& column : table.columns) {
-        column.name = lengths.column(column.name);
-        column.heading = lengths.worded(column.heading);
+Column unit_column() { return {"unit", ""}; }
+
+void add_unit(Table& table, const Lengths& lengths) {
+    table.columns.push_back(unit_column());
+    for (std::vector<Cell>& row : table.rows) row.emplace_back(lengths.word());
+}
+
+Table in_words(Table table) {
+    const auto unit = std::ranges::find_if(table.columns, [](const Column& column) { return column.heading.empty(); });
+    if (unit == table.columns.end()) return table;
+    const auto at = unit - table.columns.begin();
+    const auto unit_of = [&](const std::vector<Cell>& row) { return row[static_cast<std::size_t>(at)].text; };
+    const bool known = !table.rows.empty() && unit_of(table.rows.front()) != tree::kNotSaid;
+    const bool mixed =
+        std::ranges::any_of(table.rows, [&](const auto& row) { return unit_of(row) != unit_of(table.rows.front()); });
+    const tree::Claims claims{.unit = known ? tree::SaidBy::kFile : tree::SaidBy::kNobody};
+    for (Column& column : table.columns)
+        column.heading = mixed ? column.heading.substr(0, column.heading.find(", mm")) : claims.worded(column.heading);
+    if (mixed) {
+        unit->heading = "Unit";
+        return table;
     }
+    table.columns.erase(unit);
+    for (std::vector<Cell>& row : table.rows) row.erase(row.begin() + at);
+    return table;
 }
 
 Table selection_table(const Document& document, const Assets& assets) {
@@ -97,7 +117,7 @@ Table branches_table(const Document& document, const Assets& assets, std::span<c
     for (auto row = behind; row != quantities.end(); ++row) add_columns(table.columns, **row);
     const Plan& plan = *assets.plan;
     const bool lesions = !plan.lesion_distances_mm.empty();
-    if (lesions) table.columns.push_back({"lesion_distance_mm", "To lesion, mm"});
+    if (lesions) table.columns.push_back({"lesion_distance", "To lesion, mm"});
     const Names names(document);
     for (const int id : branches) {
         std::vector<Cell> cells{id, names.of(id)};
@@ -108,7 +128,7 @@ Table branches_table(const Document& document, const Assets& assets, std::span<c
         table.rows.push_back(std::move(cells));
     }
     add_systems(table, document, 0, 2);
-    use_unit(table, document.lengths());
+    add_unit(table, document.lengths());
     return table;
 }
 
@@ -118,11 +138,11 @@ Table cuts_table(const Document& document, const Assets& assets) {
                  {"branch", "Branch"},
                  {"name", "Name"},
                  {"fraction", "At"},
-                 {"diameter_mm", "Diameter, mm"},
+                 {"diameter", "Diameter, mm"},
                  {"over_limit", "Over " + digits(document.marks().planning.reconstruct_mm) + " mm"},
                  {"lost_branches", "Lost branches"},
-                 {"lost_length_mm", "Lost length, mm"},
-                 {"lost_volume_mm3", "Lost volume, mm\xC2\xB3"},
+                 {"lost_length", "Lost length, mm"},
+                 {"lost_volume", "Lost volume, mm\xC2\xB3"},
                  {"lost_leaves", "Lost leaves"}},
                 {}};
     const Plan& plan = *assets.plan;
@@ -141,18 +161,18 @@ Table cuts_table(const Document& document, const Assets& assets) {
         table.rows.push_back(std::move(row));
     }
     add_systems(table, document, 1, 3);
-    use_unit(table, document.lengths());
+    add_unit(table, document.lengths());
     return table;
 }
 
 Table bands_table(const Document& document, const Assets& assets) {
     Table table{"Margins around lesions",
-                {{"from_mm", "From, mm"},
-                 {"to_mm", "to, mm"},
+                {{"from", "From, mm"},
+                 {"to", "to, mm"},
                  {"branch", "Branch"},
                  {"name", "Name"},
-                 {"mean_diameter_mm", "Diameter, mm"},
-                 {"lesion_distance_mm", "To lesion, mm"}},
+                 {"mean_diameter", "Diameter, mm"},
+                 {"lesion_distance", "To lesion, mm"}},
                 {}};
     add_dependents(table.columns);
     const Names names(document);
@@ -165,7 +185,7 @@ Table bands_table(const Document& document, const Assets& assets) {
             table.rows.push_back(std::move(row));
         }
     add_systems(table, document, 2, 4);
-    use_unit(table, document.lengths());
+    add_unit(table, document.lengths());
     return table;
 }
 
@@ -175,19 +195,19 @@ Table systems_table(const Document& document, const Assets& /*assets*/) {
                  {"colour", "Colour"},
                  {"branches", "Branches"},
                  {"visible_branches", "visible"},
-                 {"length_mm", "Length, mm"},
-                 {"volume_mm3", "Volume, mm\xC2\xB3"}},
+                 {"length", "Length, mm"},
+                 {"volume", "Volume, mm\xC2\xB3"}},
                 {}};
-    use_unit(table, document.lengths());
     const Systems& systems = systems_of(*document.tree(), document.marks());
     const std::vector<SystemFacts> facts = system_facts(*document.tree(), *document.facts(), document.marks());
     for (std::size_t i = 0; i < facts.size(); ++i)
         table.rows.push_back({system_name(systems, static_cast<int>(i)), colour_text(systems[i].colour),
                               facts[i].branches, facts[i].visible, facts[i].length_mm, facts[i].volume_mm3});
+    add_unit(table, document.lengths());
     return table;
 }
 
-Table measurements_table(const Document& /*document*/, const Assets& assets) {
+Table measurements_table(const Document& document, const Assets& assets) {
     Table table{"Measurements",
                 {{"measurement", "No."},
                  {"kind", "Kind"},
@@ -206,7 +226,9 @@ Table measurements_table(const Document& /*document*/, const Assets& assets) {
         std::string details;
         for (const auto& [name, detail] : found->details)
             details += (details.empty() ? "" : "; ") + name + " " + detail;
-        table.rows.push_back({static_cast<int>(i + 1), found->kind, found->what, found->value, found->unit, details});
+        const Lengths lengths = document.lengths();
+        const std::string unit = found->unit == lengths.unit() ? lengths.word() : found->unit;
+        table.rows.push_back({static_cast<int>(i + 1), found->kind, found->what, found->value, unit, details});
     }
     return table;
 }
@@ -218,23 +240,24 @@ Table contacts_table(const Document& document, const Assets& assets) {
                  {"name", "Name"},
                  {"other_branch", "Other branch"},
                  {"other_name", "Name"},
-                 {"gap_mm", "Gap, mm"},
-                 {"narrowed_mm", "Narrowed, mm"},
-                 {"other_narrowed_mm", "the other, mm"},
+                 {"gap", "Gap, mm"},
+                 {"narrowed", "Narrowed, mm"},
+                 {"other_narrowed", "the other, mm"},
                  {"x", "x, mm"},
                  {"y", "y, mm"},
                  {"z", "z, mm"}},
                 {}};
-    use_unit(table, document.lengths());
-    if (!assets.contacts.fits(document.marks().options)) return table;
+    static const std::vector<tree::Contact> none;
+    const bool found = assets.contacts.fits(document.marks().options);
     const Names names(document);
-    for (const tree::Contact& contact : *assets.contacts.list) {
+    for (const tree::Contact& contact : found ? *assets.contacts.list : none) {
         const auto& [first, second] = contact.sides;
         const glm::dvec3 at = contact.at();
         table.rows.push_back({static_cast<int>(table.rows.size() + 1), first.branch, names.of(first.branch),
                               second.branch, names.of(second.branch), contact.gap, first.narrowed, second.narrowed,
                               at.x, at.y, at.z});
     }
+    add_unit(table, document.lengths());
     return table;
 }
 
@@ -244,23 +267,24 @@ Table validation_table(const Document& document, const Assets& assets) {
                  {"kind", "What"},
                  {"branch", "Branch"},
                  {"other_branch", "Other branch"},
-                 {"value_mm", "Value, mm"},
-                 {"expected_mm", "Expected, mm"},
+                 {"value", "Value, mm"},
+                 {"expected", "Expected, mm"},
                  {"text", "In words"},
                  {"x", "x, mm"},
                  {"y", "y, mm"},
                  {"z", "z, mm"}},
                 {}};
-    use_unit(table, document.lengths());
-    if (!assets.validation.fits(validation_of(document.tree(), document.marks()))) return table;
+    static const std::vector<Finding> none;
+    const bool fits = assets.validation.fits(validation_of(document.tree(), document.marks()));
     const auto cell_of = [](const std::vector<int>& branches, std::size_t index) {
         return index < branches.size() ? Cell(branches[index]) : Cell("");
     };
-    for (const Finding& finding : *assets.validation.findings)
+    for (const Finding& finding : fits ? *assets.validation.findings : none)
         table.rows.push_back({static_cast<int>(table.rows.size() + 1), std::string(name_of(finding.kind)),
                               cell_of(finding.branches, 0), cell_of(finding.branches, 1), finding.value_mm,
                               finding.expected_mm > 0.0 ? Cell(finding.expected_mm) : Cell(""),
                               text_of(finding, document.lengths()), finding.at.x, finding.at.y, finding.at.z});
+    add_unit(table, document.lengths());
     return table;
 }
 

@@ -16,8 +16,8 @@ namespace ramus::app {
 struct Assets; // app/assets/assets.h
 
 struct Column {
-    std::string name;    // in CSV, with the unit: "length_mm"
-    std::string heading; // for people: "Length, mm"
+    std::string name;    // in CSV, without a unit: "length"
+    std::string heading; // for people, with the unit: "Length, mm"
     int digits = 3;      // that people read, of numbers that are not whole
 };
 
@@ -52,8 +52,14 @@ struct Table {
 // A row for each finding of the validation, as its panel lists them; none where nobody looked.
 [[nodiscard]] Table validation_table(const Document& document, const Assets& assets);
 
-// Names and headings of columns that say mm say so of what is in mm only.
-void use_unit(Table& table, const Lengths& lengths);
+// The column `unit`: what the lengths of a row are in, "mm" or "unknown"; areas and volumes are in squares and cubes of
+// it. The names of the other columns never depend on it. add_unit() gives it to all rows alike.
+[[nodiscard]] Column unit_column();
+void add_unit(Table& table, const Lengths& lengths);
+
+// As people read it: the unit stands in the headings. Rows of different units keep their column, and headings name
+// none.
+[[nodiscard]] Table in_words(Table table);
 
 // RFC 4180: comma, CRLF, a heading line; quotes around and doubled quotes inside where a field needs them. UTF-8.
 // A name that spreadsheets would take for a formula has an apostrophe in front, which tells them that it is text.

@@ -56,13 +56,6 @@ std::string Lengths::volume(double volume) const {
     return volume < 999.5 || !known() ? digits(volume) + " " + unit() + "\xC2\xB3" : digits(volume / 1000.0) + " ml";
 }
 
-std::string Lengths::column(std::string_view name) const {
-    std::string column(name);
-    const std::size_t at = column.rfind("_mm");
-    if (!known() && at != std::string::npos) column.replace(at, 3, "_units");
-    return column;
-}
-
 std::string seconds_text(double seconds) {
     return seconds < 0.9995 ? digits(1000.0 * seconds, 2) + " ms" : digits(seconds) + " s";
 }

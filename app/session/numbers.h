@@ -33,8 +33,8 @@ public:
     [[nodiscard]] std::string range(double least, double most) const; // "1.4 – 12.3 mm"
     // A text that says mm where it is known: "Ø mm", "Margins 5, 10, 20 mm"; else the same about units.
     [[nodiscard]] std::string worded(std::string_view text) const { return claims_.worded(text); }
-    // The name of a column or of a member of JSON: "length_mm", "length_units".
-    [[nodiscard]] std::string column(std::string_view name) const;
+    // As tables and JSON say it: "mm", or "unknown".
+    [[nodiscard]] std::string word() const { return std::string(claims_.unit_word()); }
 
 private:
     tree::Claims claims_;

@@ -53,7 +53,7 @@ struct QuantityRow {
     } list{};
     struct ReportColumn {
         Order order = 0;
-        std::string_view name, heading; // with the unit; "length_mm", "Length, mm"
+        std::string_view name, heading; // "length", "Length, mm"
     } report{};
     struct InfoColumn { // of `ramus info --branches`
         Order order = 0;

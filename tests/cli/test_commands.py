@@ -90,9 +90,9 @@ class Planning(CommandLineTest):
         self.assertEqual([row["over_limit"] for row in rows], ["yes", "no", ""])
         self.assertEqual(rows[1]["name"], 'upper, "left"')
         side = math.sqrt(9 + 25)
-        self.assertAlmostEqual(float(rows[0]["lost_length_mm"]), 5 + 2 * side, places=5)
-        self.assertAlmostEqual(float(rows[1]["lost_length_mm"]), side / 2, places=5)
-        self.assertEqual(rows[2]["lost_length_mm"], rows[0]["lost_length_mm"])  # nothing twice
+        self.assertAlmostEqual(float(rows[0]["lost_length"]), 5 + 2 * side, places=5)
+        self.assertAlmostEqual(float(rows[1]["lost_length"]), side / 2, places=5)
+        self.assertEqual(rows[2]["lost_length"], rows[0]["lost_length"])  # nothing twice
         self.assertEqual(json.loads((self.folder / "s.json").read_text())["cuts"], [[0, 0.5], [1, 0.5]])
 
     def test_lesions_as_spheres_and_meshes_have_margins(self):
@@ -103,9 +103,9 @@ class Planning(CommandLineTest):
         self.plan("lesion-mesh tumour.obj\nbands 8 10 12\nreport mesh.csv bands\nselect-within 11.05\n"
                   "lesion-clear\nlesion 0,0,-5,1\nreport sphere.csv bands\nsave s.json\n")
         near = {row["branch"]: row for row in self.rows("mesh.csv")}
-        self.assertAlmostEqual(float(near["0"]["lesion_distance_mm"]), 12 - 1, places=1)
-        self.assertEqual((near["0"]["from_mm"], near["0"]["to_mm"]), ("10", "12"))
-        self.assertAlmostEqual(float(self.rows("sphere.csv")[0]["lesion_distance_mm"]), 5 - 1 - 1, places=5)
+        self.assertAlmostEqual(float(near["0"]["lesion_distance"]), 12 - 1, places=1)
+        self.assertEqual((near["0"]["from"], near["0"]["to"]), ("10", "12"))
+        self.assertAlmostEqual(float(self.rows("sphere.csv")[0]["lesion_distance"]), 5 - 1 - 1, places=5)
         self.assertIn(0, json.loads((self.folder / "s.json").read_text())["selection"])
 
     def test_selections_filters_and_measurements_say_what_they_found(self):
@@ -153,8 +153,8 @@ class Info(CommandLineTest):
     def test_figures_of_a_fork(self):
         tree = self.write("tree.swc", GOOD)
         info = self.json("info", tree, "--json")
-        self.assertEqual(list(info), ["branches", "segments", "roots", "loops", "length_mm", "volume_mm3", "radius_mm",
-                                      "units", "units_said_by", "orientation", "orientation_said_by", "generations",
+        self.assertEqual(list(info), ["branches", "segments", "roots", "loops", "length_mm", "length", "volume_mm3",
+                                      "volume", "radius_mm", "radius", "units", "unit", "units_said_by", "orientation", "orientation_said_by", "generations",
                                       "dependency_known", "repairs", "assumptions", "suspicions", "notes", "systems",
                                       "smoothing"])
         self.assertEqual((info["branches"], info["segments"], info["roots"], info["loops"]), (3, 4, 1, 0))

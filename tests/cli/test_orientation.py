@@ -85,14 +85,34 @@ class Files(CommandLineTest):
         report = self.json("mesh", "bare.swc", "-o", "bare.stl", "--json")
         self.assertEqual((report["units"], report["orientation"]), ("unknown", "unknown"))
 
-    def test_tables_have_the_unit_in_their_headings(self):
+    def test_columns_have_the_same_names_whatever_the_unit(self):
         self.write("bare.swc", GOOD)
-        self.write("c.txt", "select 0 1\nreport t.csv\nread-as units cm\nreport u.csv\n")
+        self.write("c.txt", "select 0 1\nreport t.csv\nread-as units cm\nreport u.csv\nmeasure distance 0,0,0 0,3,4\n"
+                            "report m.csv measurements\n")
         self.expect_done("render", "bare.swc", "--commands", "c.txt")
-        rows = [next(csv.reader(io.StringIO((self.folder / name).read_text()))) for name in ("t.csv", "u.csv")]
-        self.assertIn("length_units", rows[0])
-        self.assertFalse([name for name in rows[0] if "mm" in name])
-        self.assertIn("length_mm", rows[1])
+        said, mm = (list(csv.DictReader(io.StringIO((self.folder / name).read_text()))) for name in ("t.csv", "u.csv"))
+        self.assertEqual(list(said[0]), list(mm[0]))
+        self.assertFalse([name for name in mm[0] if "mm" in name or "unit" in name and name != "unit"])
+        self.assertEqual([row["unit"] for row in said + mm], ["unknown"] * 2 + ["mm"] * 2)
+        for name in ("length", "volume", "mean_diameter"):
+            self.assertAlmostEqual(float(mm[0][name]), float(said[0][name]) * {"volume": 1000}.get(name, 10), places=4)
+
+    def test_json_has_names_without_a_unit_too(self):
+        self.write("bare.swc", GOOD)
+        for options, unit in (((), "unknown"), (("--units", "cm"), "mm")):
+            info = self.json("info", "bare.swc", "--branches", "--json", *options)
+            self.assertEqual((info["unit"], info["units"]), (unit, unit))
+            for name, known in (("length", "length_mm"), ("volume", "volume_mm3"), ("radius", "radius_mm")):
+                self.assertEqual(info[name], info[known])
+            for branch in info["branch_list"]:
+                self.assertEqual((branch["length"], branch["diameter"]), (branch["length_mm"], branch["diameter_mm"]))
+            found = self.json("validate", "bare.swc", "--json", *options)
+            self.assertEqual(found["unit"], unit)
+            self.assertEqual(found["fidelity"]["axis_offset"], found["fidelity"]["axis_offset_mm"])
+            found = self.json("compare", "bare.swc", "bare.swc", "--json", *options)
+            self.assertEqual((found["unit"], found["area"]), (unit, found["area_mm2"]))
+            bar = self.json("render", "bare.swc", "-o", "p.png", "--json", "--size", "400x300", *options)["scale_bar"]
+            self.assertEqual((bar["unit"], bar["length"]), (unit, bar["mm" if unit == "mm" else "units"]))
 
 
 class Sessions(CommandLineTest):

@@ -224,19 +224,19 @@ class Validate(CommandLineTest):
         tube = math.pi * 1.5 ** 2 * (18 + 2 * 0.277 * 1.5)
         self.assertAlmostEqual(found["volumes"]["surface_mm3"] / tube, 0.99, delta=0.015)
         # What scripts know of one tree.
-        self.assertEqual(list(found), ["tree", "units", "surface", "distances", "volumes", "fidelity", "radius_error",
+        self.assertEqual(list(found), ["tree", "units", "unit", "surface", "distances", "volumes", "fidelity", "radius_error",
                                        "questions", "shape"])
         self.assertIsNone(found["distances"]["to_cones"]["above_percent"])
         self.assertNotIn("threshold_mm", found["distances"]["to_cones"])
         text = (report / "radii.csv").read_text()
-        self.assertTrue(text.startswith("branch,along_mm,x,y,z,input_radius_mm"))
+        self.assertTrue(text.startswith("branch,along,x,y,z,input_radius,"))
         rows = rows_of(report / "radii.csv")
         self.assertGreater(len(rows), 20)
         middle = next(row for row in rows if row["alone"] == "yes")
         # A tube of radius 1.5; its mask has 3 x 3 voxels across, cut at half of their height.
-        for name in ("input_radius_mm", "surface_radius_mm", "cones_radius_mm"):
+        for name in ("input_radius", "surface_radius", "cones_radius"):
             self.assertAlmostEqual(float(middle[name]), 1.5, delta=0.03)
-        self.assertAlmostEqual(float(middle["mask_radius_mm"]), 1.6, delta=0.2)
+        self.assertAlmostEqual(float(middle["mask_radius"]), 1.6, delta=0.2)
         page = Page((report / "index.html").read_text())
         # From three sides, and coloured by how far it is from cones and from the mask.
         self.assertEqual(len(page.pictures), 5)
@@ -295,7 +295,7 @@ class Validate(CommandLineTest):
     def test_several_trees(self):
         self.write("line.swc", swc((0, 0, 0, 2, -1), (0, 0, 30, 2, 1)))
         found = self.json("validate", "fork.swc", "line.swc", "fork.swc", "--json")
-        self.assertEqual(list(found), ["data_sets", "averages", "standard_deviations"])
+        self.assertEqual(list(found), ["data_sets", "units", "unit", "averages", "standard_deviations"])
         sets, averages = found["data_sets"], found["averages"]
         self.assertEqual([one["tree"] for one in sets], ["fork.swc", "line.swc", "fork.swc"])
         self.assertEqual(averages["data_sets"], 3)
@@ -318,6 +318,31 @@ class Validate(CommandLineTest):
         text = self.expect_done("validate", "fork.swc", "line.swc").stdout
         for words in ("Surface to truncated cones", "average", "Mean, units"):  # nobody says that they are mm
             self.assertIn(words, text)
+
+    def test_averages_never_mix_units(self):
+        self.write("mm.swc", "# id type x y z radius parent (mm, RAS)\n" + fork(True))
+        self.write("other.swc", fork(False))
+        names = ("mm.swc", "fork.swc", "other.swc")
+        found = self.json("validate", *names, "--json", "--report", "out")
+        self.assertEqual([one["unit"] for one in found["data_sets"]], ["mm", "unknown", "unknown"])
+        for name in ("unit", "units", "averages", "standard_deviations"):
+            self.assertIsNone(found[name])
+        means = [one["distances"]["to_cones"]["mean"] for one in found["data_sets"]]
+        averages = {unit: group["averages"] for unit, group in found["by_unit"].items()}
+        self.assertEqual({unit: one["data_sets"] for unit, one in averages.items()}, {"mm": 1, "unknown": 2})
+        self.assertAlmostEqual(averages["mm"]["distances"]["to_cones"]["mean"], means[0])
+        self.assertAlmostEqual(averages["unknown"]["distances"]["to_cones"]["mean"], (means[1] + means[2]) / 2)
+        for table in ("distances.csv", "fidelity.csv"):
+            rows = rows_of(self.folder / "out" / table)
+            self.assertEqual([row["unit"] for row in rows], ["mm", "unknown", "unknown", "mm", "mm", "unknown", "unknown"])
+            self.assertEqual(rows[3]["tree"], "average, mm")
+        self.assertEqual({row["unit"] for row in rows_of(self.folder / "out" / "radii.csv")}, {"mm", "unknown"})
+        self.assertIn("average, unknown", Page((self.folder / "out" / "index.html").read_text()).cells)
+        self.assertIn("average, unknown", self.expect_done("validate", *names).stdout)
+        same = self.json("validate", "fork.swc", "other.swc", "--json")
+        self.assertEqual(same["unit"], "unknown")
+        self.assertEqual(same["averages"]["data_sets"], 2)
+        self.assertNotIn("by_unit", same)
 
     def test_masks_and_surfaces_of_several_trees(self):
         size = (9, 9, 14)
@@ -405,7 +430,7 @@ class Validate(CommandLineTest):
         found = json.loads((report / "validation.json").read_text())
         distances = rows_of(report / "distances.csv")
         self.assertEqual([row["tree"] for row in distances], [name, "less.swc", "average", "standard deviation"])
-        self.assertAlmostEqual(float(distances[2]["mean_mm"]), found["averages"]["distances"]["to_cones"]["mean"],
+        self.assertAlmostEqual(float(distances[2]["mean"]), found["averages"]["distances"]["to_cones"]["mean"],
                                delta=1e-6)
         places = rows_of(report / "places.csv")
         self.assertEqual([(row["data_set"], row["question"]) for row in places], [("1", "lost"), ("2", "false")])

@@ -158,8 +158,8 @@ def stenoses():
                 ramus("validate", tree, "--smooth", 0, "--detail", 32, "--radii", radii, "--report", OUT / "stenosis")
                 with open(OUT / "stenosis" / "radii.csv", encoding="ascii", newline="") as file:
                     alone = [line for line in csv.DictReader(file) if line["alone"] == "yes"]
-                narrowest = min(float(line["surface_radius_mm"]) for line in alone)
-                errors = [100.0 * (float(line["surface_radius_mm"]) / float(line["input_radius_mm"]) - 1.0) for line in alone]
+                narrowest = min(float(line["surface_radius"]) for line in alone)
+                errors = [100.0 * (float(line["surface_radius"]) / float(line["input_radius"]) - 1.0) for line in alone]
                 row.append(f"{100.0 * (narrowest / (2.0 * (1.0 - share)) - 1.0):+.2f} ({min(errors):+.1f} to {max(errors):+.1f})")
             rows.append(row)
     return table(("stenosis", *(f"over {n} diameter{'s' if n > 1 else ''}, %" for n in (1, 2, 3, 5))), rows)

@@ -23,7 +23,7 @@ def read_obj(path):
 def read_places(path):
     """(branch, at, radius of the surface, alone) along the branches of radii.csv."""
     with open(path, encoding="ascii", newline="") as file:
-        return [(int(line["branch"]), tuple(float(line[k]) for k in "xyz"), float(line["surface_radius_mm"]),
+        return [(int(line["branch"]), tuple(float(line[k]) for k in "xyz"), float(line["surface_radius"]),
                  line["alone"] == "yes") for line in csv.DictReader(file)]
 
 

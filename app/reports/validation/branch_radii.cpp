@@ -20,8 +20,7 @@ RadiusCurves curves_of(const ValidatedDataSet& set, const validate::BranchError&
 
 void write_radii(io::BufferedFile& file, std::span<const ValidatedDataSet> sets, bool numbered) {
     file.write(numbered ? "data_set,branch" : "branch");
-    file.write(",along_mm,x,y,z,input_radius_mm,surface_radius_mm,flat_radius_mm,alone,"
-               "cones_radius_mm,mask_radius_mm\r\n");
+    file.write(",along,x,y,z,input_radius,surface_radius,flat_radius,alone,cones_radius,mask_radius,unit\r\n");
     for (std::size_t n = 0; n < sets.size(); ++n) {
         const ValidatedDataSet& set = sets[n];
         for (std::size_t i = 0; i < set.validation.radii.size(); ++i) {
@@ -41,6 +40,8 @@ void write_radii(io::BufferedFile& file, std::span<const ValidatedDataSet> sets,
                 file.write(",");
                 if (!radii.empty()) file.write_number(radii[i]);
             }
+            file.write(",");
+            file.write(set.claims.unit_word());
             file.write("\r\n");
         }
     }

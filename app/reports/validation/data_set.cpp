@@ -38,6 +38,17 @@ Lengths lengths_of(std::span<const ValidatedDataSet> sets) {
     return {};
 }
 
+std::vector<UnitGroup> by_unit(std::span<const ValidatedDataSet> sets) {
+    std::vector<UnitGroup> groups;
+    for (const bool known : {true, false}) {
+        std::vector<const ValidatedDataSet*> members;
+        for (const ValidatedDataSet& set : sets)
+            if (set.claims.has_unit() == known) members.push_back(&set);
+        if (!members.empty()) groups.push_back({std::string(members.front()->claims.unit_word()), members});
+    }
+    return groups;
+}
+
 DistanceFigures figures_of(const measure::DeviationStatistics& statistics) {
     DistanceFigures figures{statistics.mean, statistics.sigma,      statistics.rms,           statistics.min,
                             statistics.max,  statistics.box.median, statistics.percentile_95, {}};
@@ -61,29 +72,30 @@ double outside_percent(const validate::Fidelity& fidelity) {
            static_cast<double>(std::max<std::size_t>(fidelity.points, 1));
 }
 
-ValidationSummary summary_of(std::span<const ValidatedDataSet> sets, Of what) {
+ValidationSummary summary_of(std::span<const ValidatedDataSet* const> sets, Of what) {
     ValidationSummary all;
     all.data_sets = sets.size();
     std::vector<DistanceFigures> cones, masks, from_masks;
-    for (const ValidatedDataSet& set : sets) {
-        cones.push_back(figures_of(set.to_cones.statistics));
-        if (set.to_mask) masks.push_back(figures_of(set.to_mask->statistics));
-        if (set.from_mask) from_masks.push_back(figures_of(set.from_mask->statistics));
+    for (const ValidatedDataSet* set : sets) {
+        cones.push_back(figures_of(set->to_cones.statistics));
+        if (set->to_mask) masks.push_back(figures_of(set->to_mask->statistics));
+        if (set->from_mask) from_masks.push_back(figures_of(set->from_mask->statistics));
     }
     all.to_cones = summary_of(cones, what);
     if (masks.size() == sets.size()) all.to_mask = summary_of(masks, what);
     if (from_masks.size() == sets.size()) all.from_mask = summary_of(from_masks, what);
     const auto volumes = [&](const auto& value) {
-        return summary_where(sets, what, [&](const ValidatedDataSet& set) -> std::optional<double> {
-            return set.volumes ? value(*set.volumes) : std::nullopt;
+        return summary_where(sets, what, [&](const ValidatedDataSet* set) -> std::optional<double> {
+            return set->volumes ? value(*set->volumes) : std::nullopt;
         });
     };
     all.surface_mm3 = volumes([](const Volumes& one) { return one.surface_mm3; });
     all.mask_mm3 = volumes([](const Volumes& one) { return std::optional(one.mask_mm3); });
     all.dice = volumes([](const Volumes& one) { return std::optional(one.dice); });
     const auto alone = [&](const auto& value) { // of those that have places away from joints and others
-        return summary_where(sets, what, [&](const ValidatedDataSet& set) {
-            return set.validation.radius_error.places > 0 ? std::optional<double>(value(set.validation)) : std::nullopt;
+        return summary_where(sets, what, [&](const ValidatedDataSet* set) {
+            return set->validation.radius_error.places > 0 ? std::optional<double>(value(set->validation))
+                                                           : std::nullopt;
         });
     };
     all.radius_median = alone([](const auto& found) { return found.radius_error.median; });
@@ -91,12 +103,12 @@ ValidationSummary summary_of(std::span<const ValidatedDataSet> sets, Of what) {
     all.offset_median = alone([](const auto& found) { return found.fidelity.offset_median_mm; });
     all.offset_p95 = alone([](const auto& found) { return found.fidelity.offset_p95_mm; });
     all.offset_max = alone([](const auto& found) { return found.fidelity.offset_max_mm; });
-    all.points_outside_percent = *summary_where(sets, what, [](const ValidatedDataSet& set) {
-        return std::optional(outside_percent(set.validation.fidelity));
+    all.points_outside_percent = *summary_where(sets, what, [](const ValidatedDataSet* set) {
+        return std::optional(outside_percent(set->validation.fidelity));
     });
     const auto count = [&](const auto& list_of) {
-        return *summary_where(sets, what, [&](const ValidatedDataSet& set) {
-            return std::optional(static_cast<double>(list_of(set.validation).size()));
+        return *summary_where(sets, what, [&](const ValidatedDataSet* set) {
+            return std::optional(static_cast<double>(list_of(set->validation).size()));
         });
     };
     all.lost = count([](const auto& found) -> const auto& { return found.lost; });

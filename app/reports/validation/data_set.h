@@ -64,6 +64,13 @@ struct ValidatedDataSet {
 // How people are told of all of them: in mm where all trees say so.
 [[nodiscard]] Lengths lengths_of(std::span<const ValidatedDataSet> sets);
 
+// Data sets whose lengths are in one unit. Those of different units are never averaged together.
+struct UnitGroup {
+    std::string unit;                          // "mm" or "unknown"
+    std::vector<const ValidatedDataSet*> sets; // not empty
+};
+[[nodiscard]] std::vector<UnitGroup> by_unit(std::span<const ValidatedDataSet> sets); // mm first
+
 // The figures of the paper's Table I, with the 95th percentile.
 struct DistanceFigures {
     double mean = 0.0, sigma = 0.0, rms = 0.0, min = 0.0, max = 0.0, median = 0.0, percentile_95 = 0.0;
@@ -90,7 +97,8 @@ struct ValidationSummary {
     std::optional<double> offset_median, offset_p95, offset_max; // of the same data sets; mm
     double lost = 0.0, false_parts = 0.0, merged = 0.0, constrictions = 0.0, widths = 0.0, positions = 0.0;
 };
-[[nodiscard]] ValidationSummary summary_of(std::span<const ValidatedDataSet> sets, Of what); // not empty
+// Of a group, or of a part of one that has what is looked for. Not empty.
+[[nodiscard]] ValidationSummary summary_of(std::span<const ValidatedDataSet* const> sets, Of what);
 
 [[nodiscard]] double outside_percent(const validate::Fidelity& fidelity);
 

@@ -5,6 +5,7 @@
 #include "app/reports/validation/validation_tables.h"
 #include "app/session/numbers.h"
 
+#include <algorithm>
 #include <array>
 
 namespace ramus::app {
@@ -18,12 +19,16 @@ const Stroke& stroke_of(Held how) { return how == Held::kToCones ? kConesStroke 
 
 // A table as the page says it: of lengths in the unit that they have.
 Table said(Table table, const Lengths& lengths) {
-    use_unit(table, lengths);
+    add_unit(table, lengths);
     return table;
 }
 
-// The rows of tables that are of all data sets together.
-std::size_t sums_of(std::span<const ValidatedDataSet> sets) { return sets.size() > 1 ? 2 : 0; }
+// A table whose last rows, those without a number, are of all data sets together.
+std::string table_of_sets(const Table& table, bool is_part) {
+    const auto is_sum = [](const std::vector<Cell>& row) { return !row.front().number; };
+    return table_html(for_people(table), {.sums = static_cast<std::size_t>(std::ranges::count_if(table.rows, is_sum)),
+                                          .is_part = is_part});
+}
 
 std::string figure_html(const Svg& plot) { return "<figure>" + plot.drawing() + "</figure>\n"; }
 
@@ -38,8 +43,7 @@ std::string summary_html(std::span<const ValidatedDataSet> sets) {
     std::string plots;
     for (const Held how : kAllHeld) {
         if (how != Held::kToCones && !has_mask(sets)) continue;
-        text +=
-            table_html(said(for_people(distance_table(sets, how)), lengths), {.sums = sums_of(sets), .is_part = true});
+        text += table_of_sets(distance_table(sets, how), true);
         plots += figure_html(boxes_of(sets, how));
         if (several) continue;
         const SurfaceDistances& distances = *distances_of(sets.front(), how);
@@ -131,11 +135,9 @@ std::string validation_page(std::span<const ValidatedDataSet> sets, const Facts&
         page_begin(several ? "Validation of " + counted(sets.size(), "data set", "data sets") : name_of(sets.front()),
                    several ? "Surfaces held against their trees" : "Surface held against its tree", made);
     if (!several) page += pictures_html(sets.front().pictures);
-    page += table_html(questions_table(sets), {.sums = sums_of(sets)});
-    page +=
-        table_html(said(for_people(fidelity_table(sets)), lengths_of(sets)), {.sums = sums_of(sets), .is_part = true});
-    if (const Table volumes = volumes_table(sets); !volumes.rows.empty())
-        page += table_html(said(for_people(volumes), lengths_of(sets)), {.sums = sums_of(sets), .is_part = true});
+    page += table_of_sets(questions_table(sets), false);
+    page += table_of_sets(fidelity_table(sets), true);
+    if (const Table volumes = volumes_table(sets); !volumes.rows.empty()) page += table_of_sets(volumes, true);
     if (const Table shapes = shape_table(sets); !shapes.rows.empty()) page += table_html(shapes, {.is_part = true});
     page += summary_html(sets);
     for (std::size_t i = 0; i < sets.size(); ++i) page += data_set_html(sets[i], i + 1, several);
@@ -146,9 +148,11 @@ std::string validation_page(std::span<const ValidatedDataSet> sets, const Facts&
 
 Svg boxes_of(std::span<const ValidatedDataSet> sets, Held how) {
     std::vector<BoxRow> rows;
+    const bool mixed = by_unit(sets).size() > 1;
     for (const ValidatedDataSet& set : sets)
         if (const SurfaceDistances* distances = distances_of(set, how))
-            rows.push_back({name_of(set), &distances->statistics, set.half_voxel_mm});
+            rows.push_back({name_of(set) + (mixed ? ", " + std::string(set.claims.unit_word()) : ""),
+                            &distances->statistics, set.half_voxel_mm});
     return box_plots(title_of(how), rows, stroke_of(how), kHalfVoxel, lengths_of(sets).unit());
 }
 

@@ -45,7 +45,7 @@ template <class List> Table radii_table(const std::string& title, const List& li
     Table table{title, {{"place", "Place"}, {"branch", "Branch"}}, {}};
     add_place_columns(table);
     table.columns.insert(table.columns.end(),
-                         {{"expected_radius_mm", "Radius should be, mm"}, {"radius_mm", "Radius is, mm"}});
+                         {{"expected_radius", "Radius should be, mm"}, {"radius", "Radius is, mm"}});
     for (std::size_t i = 0; i < list.size(); ++i) {
         std::vector<Cell> row{place_code(letter, i), id_of(list[i].branch)};
         add_place(row, list[i].at);
@@ -56,6 +56,24 @@ template <class List> Table radii_table(const std::string& title, const List& li
 }
 
 constexpr std::array kSummaries{std::pair{Of::kMean, "average"}, std::pair{Of::kDeviation, "standard deviation"}};
+
+// The last rows of a table of several data sets: an average and a standard deviation for each unit among them. `cells`
+// gives the figures of a group, behind number and name; none: the group has no such figures.
+template <class Cells> void add_summaries(Table& table, std::span<const ValidatedDataSet> sets, const Cells& cells) {
+    if (sets.size() < 2) return;
+    const std::vector<UnitGroup> groups = by_unit(sets);
+    for (const UnitGroup& group : groups)
+        for (const auto& [what, name] : kSummaries) {
+            const std::optional<std::vector<Cell>> figures = cells(group.sets, what);
+            if (!figures) continue;
+            std::vector<Cell> row{"", groups.size() > 1 ? std::string(name) + ", " + group.unit : name};
+            row.insert(row.end(), figures->begin(), figures->end());
+            row.emplace_back(group.unit);
+            table.rows.push_back(std::move(row));
+        }
+}
+
+std::string unit_of(const ValidatedDataSet& set) { return std::string(set.claims.unit_word()); }
 
 } // namespace
 
@@ -84,34 +102,37 @@ Table distance_table(std::span<const ValidatedDataSet> sets, Held how) {
                 {{"data_set", "No."},
                  {"tree", "Tree"},
                  {"vertices", "Vertices"},
-                 {"mean_mm", "Mean, mm"},
-                 {"sigma_mm", "Sigma, mm"},
-                 {"rms_mm", "RMS, mm"},
-                 {"min_mm", "Min, mm"},
-                 {"max_mm", "Max, mm"},
-                 {"median_mm", "Median, mm"},
-                 {"percentile_95_mm", "95th percentile, mm"},
+                 {"mean", "Mean, mm"},
+                 {"sigma", "Sigma, mm"},
+                 {"rms", "RMS, mm"},
+                 {"min", "Min, mm"},
+                 {"max", "Max, mm"},
+                 {"median", "Median, mm"},
+                 {"percentile_95", "95th percentile, mm"},
                  {"above_percent", "Above half a voxel, %"},
-                 {"half_voxel_mm", "Half a voxel, mm"}},
+                 {"half_voxel", "Half a voxel, mm"}},
                 {}};
-    std::vector<DistanceFigures> all;
+    table.columns.push_back(unit_column());
     for (std::size_t i = 0; i < sets.size(); ++i) {
         const SurfaceDistances* distances = distances_of(sets[i], how);
         if (distances == nullptr) continue;
-        all.push_back(figures_of(distances->statistics));
         std::vector<Cell> row{count_of(i + 1), name_of(sets[i]), static_cast<double>(distances->statistics.count)};
-        add_figures(row, all.back());
+        add_figures(row, figures_of(distances->statistics));
         row.emplace_back(or_nothing(sets[i].half_voxel_mm));
+        row.emplace_back(unit_of(sets[i]));
         table.rows.push_back(std::move(row));
     }
-    if (sets.size() > 1 && !all.empty()) {
-        for (const auto& [what, name] : kSummaries) {
-            std::vector<Cell> row{"", name, ""};
-            add_figures(row, summary_of(all, what));
-            fill(table, row);
-            table.rows.push_back(std::move(row));
-        }
-    }
+    add_summaries(table, sets, [&](const auto& group, Of what) -> std::optional<std::vector<Cell>> {
+        std::vector<DistanceFigures> all;
+        for (const ValidatedDataSet* set : group)
+            if (const SurfaceDistances* distances = distances_of(*set, how))
+                all.push_back(figures_of(distances->statistics));
+        if (all.empty()) return std::nullopt;
+        std::vector<Cell> cells{""};
+        add_figures(cells, summary_of(all, what));
+        cells.emplace_back("");
+        return cells;
+    });
     return table;
 }
 
@@ -133,9 +154,11 @@ Table questions_table(std::span<const ValidatedDataSet> sets) {
                               count_of(found.constrictions.size()), count_of(found.widths.size()),
                               count_of(found.positions.size())});
     }
+    std::vector<const ValidatedDataSet*> counted; // whatever their units are
+    for (const ValidatedDataSet& set : sets) counted.push_back(&set);
     if (sets.size() > 1)
         for (const auto& [what, name] : kSummaries) {
-            const ValidationSummary all = summary_of(sets, what);
+            const ValidationSummary all = summary_of(counted, what);
             table.rows.push_back(
                 {"", name, all.lost, all.false_parts, all.merged, all.constrictions, all.widths, all.positions});
         }
@@ -147,9 +170,9 @@ Table fidelity_table(std::span<const ValidatedDataSet> sets) {
                 {{"data_set", "No."},
                  {"tree", "Tree"},
                  {"points_outside_percent", "Points outside, %"},
-                 {"axis_offset_median_mm", "Axis off, median, mm"},
-                 {"axis_offset_95_mm", "95th percentile, mm"},
-                 {"axis_offset_max_mm", "Largest, mm"},
+                 {"axis_offset_median", "Axis off, median, mm"},
+                 {"axis_offset_95", "95th percentile, mm"},
+                 {"axis_offset_max", "Largest, mm"},
                  {"radius_error_median_percent", "Radius error, median %"},
                  {"radius_error_95_percent", "95th percentile %"}},
                 {}};
@@ -162,15 +185,15 @@ Table fidelity_table(std::span<const ValidatedDataSet> sets) {
                                    100.0 * error.median, 100.0 * error.p95});
         while (row.size() < table.columns.size()) row.emplace_back(kNothing);
         table.rows.push_back(std::move(row));
+        table.rows.back().emplace_back(unit_of(sets[i]));
     }
+    table.columns.push_back(unit_column());
     const auto percent = [](std::optional<double> share) { return share ? 100.0 * *share : kNothing; };
-    if (sets.size() > 1)
-        for (const auto& [what, name] : kSummaries) {
-            const ValidationSummary all = summary_of(sets, what);
-            table.rows.push_back({"", name, all.points_outside_percent, or_nothing(all.offset_median),
-                                  or_nothing(all.offset_p95), or_nothing(all.offset_max), percent(all.radius_median),
-                                  percent(all.radius_p95)});
-        }
+    add_summaries(table, sets, [&](const auto& group, Of what) -> std::optional<std::vector<Cell>> {
+        const ValidationSummary all = summary_of(group, what);
+        return {{all.points_outside_percent, or_nothing(all.offset_median), or_nothing(all.offset_p95),
+                 or_nothing(all.offset_max), percent(all.radius_median), percent(all.radius_p95)}};
+    });
     return table;
 }
 
@@ -178,20 +201,20 @@ Table volumes_table(std::span<const ValidatedDataSet> sets) {
     Table table{"Volumes",
                 {{"data_set", "No."},
                  {"tree", "Tree"},
-                 {"surface_mm3", "Surface, mm\u00b3"},
-                 {"mask_mm3", "Mask, mm\u00b3"},
-                 {"dice", "Dice"}},
+                 {"surface_volume", "Surface, mm\u00b3"},
+                 {"mask_volume", "Mask, mm\u00b3"},
+                 {"dice", "Dice"},
+                 unit_column()},
                 {}};
     for (std::size_t i = 0; i < sets.size(); ++i)
         if (const auto& volumes = sets[i].volumes)
             table.rows.push_back({count_of(i + 1), name_of(sets[i]), or_nothing(volumes->surface_mm3),
-                                  volumes->mask_mm3, volumes->dice});
-    if (sets.size() > 1 && !table.rows.empty())
-        for (const auto& [what, name] : kSummaries) {
-            const ValidationSummary all = summary_of(sets, what);
-            table.rows.push_back(
-                {"", name, or_nothing(all.surface_mm3), or_nothing(all.mask_mm3), or_nothing(all.dice)});
-        }
+                                  volumes->mask_mm3, volumes->dice, unit_of(sets[i])});
+    add_summaries(table, sets, [&](const auto& group, Of what) -> std::optional<std::vector<Cell>> {
+        const ValidationSummary all = summary_of(group, what);
+        if (!all.mask_mm3) return std::nullopt;
+        return {{or_nothing(all.surface_mm3), or_nothing(all.mask_mm3), or_nothing(all.dice)}};
+    });
     return table;
 }
 
@@ -223,7 +246,7 @@ std::string text_of(const validate::Shape& shape) {
 }
 
 Table lost_table(const validate::Validation& found) {
-    Table table{"Lost branches", {{"place", "Place"}, {"branch", "Branch"}, {"length_mm", "Length, mm"}}, {}};
+    Table table{"Lost branches", {{"place", "Place"}, {"branch", "Branch"}, {"length", "Length, mm"}}, {}};
     add_place_columns(table);
     for (std::size_t i = 0; i < found.lost.size(); ++i) {
         std::vector<Cell> row{place_code(kLostLetter, i), id_of(found.lost[i].branch), found.lost[i].length_mm};
@@ -234,7 +257,7 @@ Table lost_table(const validate::Validation& found) {
 }
 
 Table false_table(const validate::Validation& found) {
-    Table table{"False branches", {{"place", "Place"}, {"length_mm", "Length, mm"}}, {}};
+    Table table{"False branches", {{"place", "Place"}, {"length", "Length, mm"}}, {}};
     add_place_columns(table);
     for (std::size_t i = 0; i < found.false_parts.size(); ++i) {
         std::vector<Cell> row{place_code(kFalseLetter, i), found.false_parts[i].length_mm};
@@ -246,7 +269,7 @@ Table false_table(const validate::Validation& found) {
 
 Table merged_table(const validate::Validation& found) {
     Table table{"Merged branches",
-                {{"place", "Place"}, {"branch", "Branch"}, {"other_branch", "Other branch"}, {"gap_mm", "Gap, mm"}},
+                {{"place", "Place"}, {"branch", "Branch"}, {"other_branch", "Other branch"}, {"gap", "Gap, mm"}},
                 {}};
     add_place_columns(table);
     for (std::size_t i = 0; i < found.merged.size(); ++i) {
@@ -264,7 +287,7 @@ Table constrictions_table(const validate::Validation& found) {
 
 Table widths_table(const validate::Validation& found) {
     Table table = radii_table("Changed widths", found.widths, kWidthLetter);
-    table.columns.insert(table.columns.begin() + 2, {"length_mm", "Length, mm"});
+    table.columns.insert(table.columns.begin() + 2, {"length", "Length, mm"});
     for (std::size_t i = 0; i < table.rows.size(); ++i)
         table.rows[i].insert(table.rows[i].begin() + 2, found.widths[i].length_mm);
     return table;
@@ -272,7 +295,7 @@ Table widths_table(const validate::Validation& found) {
 
 Table positions_table(const validate::Validation& found) {
     Table table{"Moved branches",
-                {{"place", "Place"}, {"branch", "Branch"}, {"length_mm", "Length, mm"}, {"offset_mm", "Off, mm"}},
+                {{"place", "Place"}, {"branch", "Branch"}, {"length", "Length, mm"}, {"offset", "Off, mm"}},
                 {}};
     add_place_columns(table);
     for (std::size_t i = 0; i < found.positions.size(); ++i) {
@@ -286,7 +309,7 @@ Table positions_table(const validate::Validation& found) {
 
 Table farthest_table(const ValidatedDataSet& set, Held how) {
     Table table{"Farthest: " + title_of(how),
-                {{"place", "Place"}, {"branch", "Nearest branch"}, {"distance_mm", "Distance, mm"}},
+                {{"place", "Place"}, {"branch", "Nearest branch"}, {"distance", "Distance, mm"}},
                 {}};
     add_place_columns(table);
     const SurfaceDistances* distances = distances_of(set, how);
@@ -305,12 +328,12 @@ Table worst_branches_table(const ValidatedDataSet& set, std::size_t most) {
     Table table{"Branches whose radius is most off",
                 {{"branch", "Branch"},
                  {"error_percent", "Error, %"},
-                 {"along_mm", "At, mm"},
-                 {"input_radius_mm", "Read, mm"},
-                 {"surface_radius_mm", "Surface, mm"},
-                 {"cones_radius_mm", "Cones, mm"}},
+                 {"along", "At, mm"},
+                 {"input_radius", "Read, mm"},
+                 {"surface_radius", "Surface, mm"},
+                 {"cones_radius", "Cones, mm"}},
                 {}};
-    if (!set.mask_radii_mm.empty()) table.columns.push_back({"mask_radius_mm", "Mask, mm"});
+    if (!set.mask_radii_mm.empty()) table.columns.push_back({"mask_radius", "Mask, mm"});
     add_place_columns(table);
     for (const validate::BranchError& branch : validate::worst_branches(set.validation, most)) {
         const validate::RadiusPlace& place = set.validation.radii[branch.worst];
@@ -363,11 +386,12 @@ Table all_places_table(std::span<const ValidatedDataSet> sets) {
                {"x", "x, mm"},
                {"y", "y, mm"},
                {"z", "z, mm"},
-               {"length_mm", "Length, mm"},
-               {"gap_mm", "Gap, mm"},
-               {"offset_mm", "Off, mm"},
-               {"expected_radius_mm", "Radius should be, mm"},
-               {"radius_mm", "Radius is, mm"}},
+               {"length", "Length, mm"},
+               {"gap", "Gap, mm"},
+               {"offset", "Off, mm"},
+               {"expected_radius", "Radius should be, mm"},
+               {"radius", "Radius is, mm"},
+               unit_column()},
               {}};
     for (std::size_t n = 0; n < sets.size(); ++n) {
         const validate::Validation& found = sets[n].validation;
@@ -382,6 +406,7 @@ Table all_places_table(std::span<const ValidatedDataSet> sets) {
                 for (std::size_t c = 0; c < part.columns.size(); ++c)
                     for (std::size_t to = 2; to < all.columns.size(); ++to)
                         if (all.columns[to].name == part.columns[c].name) row[to] = from[c];
+                row.back() = unit_of(sets[n]);
                 all.rows.push_back(std::move(row));
             }
     }

@@ -21,7 +21,10 @@ enum class Held { kToCones, kToMask, kFromMask };
 inline constexpr char kLostLetter = 'L', kFalseLetter = 'F', kMergedLetter = 'M', kConstrictionLetter = 'C',
                       kWidthLetter = 'W', kPositionLetter = 'P', kFarLetter = 'D';
 
-// A row for each data set, and one for all on average where there are several. No rows: none has a mask.
+// The tables of data sets have the column `unit`, and averages for each unit (data_set.h); those of one data set have
+// it when add_unit() was called.
+
+// A row for each data set, and for several an average and a standard deviation. No rows: none has a mask.
 [[nodiscard]] Table distance_table(std::span<const ValidatedDataSet> sets, Held how);
 // How many places answer each question; a row for each data set.
 [[nodiscard]] Table questions_table(std::span<const ValidatedDataSet> sets);

@@ -110,8 +110,8 @@ TEST_CASE("a report lists contacts") {
     ContactStage stage;
     stage.good("name 3 upper\nreport " + (folder.path() / "c.csv").string() + " contacts");
     const std::string text = folder.text("c.csv");
-    CHECK(text.starts_with("contact,branch,name,other_branch,other_name,gap_mm,narrowed_mm,other_narrowed_mm,x,y,z\r\n"
-                           "1,2,,3,upper,-0.2,0.1,0.1,30,0,0.9\r\n"));
+    CHECK(text.starts_with("contact,branch,name,other_branch,other_name,gap,narrowed,other_narrowed,x,y,z,unit\r\n"
+                           "1,2,,3,upper,-0.2,0.1,0.1,30,0,0.9,mm\r\n"));
 }
 
 TEST_CASE("a window's contacts are found in the background, and follow smoothing, edits and undo") {

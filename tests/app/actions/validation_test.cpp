@@ -58,7 +58,7 @@ TEST_CASE("vessels that the surface merges are found, gone to and reported") {
     const Table table = validation_table(stage.document, stage.assets);
     REQUIRE(table.rows.size() == stage.assets.validation.findings->size());
     CHECK(table.rows[0][1].text == "merged");
-    CHECK(csv_of(table).starts_with("finding,kind,branch,other_branch,value_units"));
+    CHECK(csv_of(table).starts_with("finding,kind,branch,other_branch,value,expected,text,x,y,z,unit\r\n"));
     stage.good("report " + (folder.path() / "v.csv").string() + " validation");
     for (const char* wrong : {"finding", "finding 0", "finding 99", "finding x", "finding 1 2"})
         CHECK(stage.bad(wrong).find("which finding?") != std::string::npos);

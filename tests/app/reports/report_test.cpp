@@ -84,7 +84,7 @@ TEST_CASE("reports as CSV hold the tables, with names that need care") {
     auto rows = parsed(stage.folder.text("s.csv"));
     REQUIRE(rows.size() == 3);
     CHECK(rows[0][0] == "branch");
-    CHECK(rows[0][2] == "mean_diameter_mm");
+    CHECK(rows[0][2] == "mean_diameter");
     CHECK(rows[1][0] == "0");
     CHECK(rows[1][2] == "6");
     CHECK(rows[1][10] == "2"); // depend on it
@@ -103,8 +103,11 @@ TEST_CASE("reports as CSV hold the tables, with names that need care") {
                " selection");
     rows = parsed(stage.folder.text("b.csv"));
     REQUIRE(rows.size() == 4);
-    CHECK(rows[0][5] == "lesion_distance_mm");
-    CHECK(parsed(stage.folder.text("s2.csv"))[0].back() == "lesion_distance_mm");
+    CHECK(rows[0][5] == "lesion_distance");
+    const auto wide = parsed(stage.folder.text("s2.csv"));
+    CHECK(wide[0][wide[0].size() - 2] == "lesion_distance");
+    CHECK(wide[0].back() == "unit");
+    CHECK(wide[1].back() == "mm");
     stage.good("measure path 1 2\nreport " + stage.file("m.csv") + " measurements");
     rows = parsed(stage.folder.text("m.csv"));
     CHECK(rows[1][3] == "7");

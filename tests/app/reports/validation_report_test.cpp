@@ -63,7 +63,7 @@ TEST_CASE("averages count places per data set, and leave out radii that are not 
     sets[0].validation.lost.resize(3);
     sets[1].validation.merged.resize(1);
     sets[0].validation.radius_error = {10, 0.02, 0.08, 0.0, 0.0};
-    const ValidationSummary averages = summary_of(sets, Of::kMean);
+    const ValidationSummary averages = summary_of(by_unit(sets).front().sets, Of::kMean);
     CHECK(averages.data_sets == 2);
     CHECK(averages.to_cones.mean == doctest::Approx(3.0));
     CHECK_FALSE(averages.to_mask);
@@ -71,11 +71,39 @@ TEST_CASE("averages count places per data set, and leave out radii that are not 
     CHECK(averages.merged == doctest::Approx(0.5));
     CHECK(averages.radius_median.value() == doctest::Approx(0.02)); // b has no place for it
     sets[0].validation.radius_error = {};
-    CHECK_FALSE(summary_of(sets, Of::kMean).radius_median);
+    CHECK_FALSE(summary_of(by_unit(sets).front().sets, Of::kMean).radius_median);
     sets[0].to_mask = {distances({5.0}, 1.0), {}};
-    CHECK_FALSE(summary_of(sets, Of::kMean).to_mask); // not all have a mask
+    CHECK_FALSE(summary_of(by_unit(sets).front().sets, Of::kMean).to_mask); // not all have a mask
     sets[1].to_mask = {distances({7.0}, 1.0), {}};
-    CHECK(summary_of(sets, Of::kMean).to_mask.value().mean == doctest::Approx(6.0));
+    CHECK(summary_of(by_unit(sets).front().sets, Of::kMean).to_mask.value().mean == doctest::Approx(6.0));
+}
+
+TEST_CASE("lengths in mm and in an unknown unit are never averaged together") {
+    std::vector<ValidatedDataSet> sets{data_set("a.swc", {1.0, 3.0}), data_set("b.swc", {400.0}),
+                                       data_set("c.swc", {4.0})};
+    sets[1].claims.unit = tree::SaidBy::kNobody;
+    const std::vector<UnitGroup> groups = by_unit(sets);
+    REQUIRE(groups.size() == 2);
+    CHECK(groups[0].unit == "mm");
+    CHECK(summary_of(groups[0].sets, Of::kMean).to_cones.mean == doctest::Approx(3.0));
+    CHECK(groups[1].unit == "unknown");
+    CHECK(summary_of(groups[1].sets, Of::kMean).to_cones.mean == doctest::Approx(400.0));
+
+    const Table table = distance_table(sets, Held::kToCones);
+    REQUIRE(table.rows.size() == 3 + 2 * 2);
+    CHECK(table.columns[3].name == "mean");
+    CHECK(table.columns.back().name == "unit");
+    CHECK(table.rows[1].back().text == "unknown");
+    CHECK(table.rows[3][1].text == "average, mm");
+    CHECK(table.rows[3][3].number.value() == doctest::Approx(3.0));
+    CHECK(table.rows[5][1].text == "average, unknown");
+    CHECK(table.rows[5][3].number.value() == doctest::Approx(400.0));
+    const Table words = in_words(table);
+    CHECK(words.columns[3].heading == "Mean"); // of two units
+    CHECK(words.columns.back().heading == "Unit");
+    const Table one = in_words(distance_table(std::span(sets).subspan(1, 1), Held::kToCones));
+    CHECK(one.columns[3].heading == "Mean, units");
+    CHECK(one.columns.back().heading != "Unit");
 }
 
 TEST_CASE("the table of distances ends with average and standard deviation where there are several data sets") {
