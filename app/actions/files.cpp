@@ -1,13 +1,15 @@
 // Trees, sessions and pictures; the window itself.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
-#include "app/session/mask_reading.h"
+#include "app/session/reading_options.h"
 #include "app/session/session_file.h"
 #include "app/storage/settings.h"
 #include "core/base/child_program.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
+#include <string_view>
 
 namespace ramus::app::actions {
 
@@ -15,19 +17,20 @@ namespace {
 
 Result<void> open(ActionContext& context, Arguments arguments) {
     const bool as_tree = arguments.size() > 1 && arguments[1] == "--tree";
-    const bool option = arguments.size() == 4 && (arguments[2] == "--labels" || arguments[2] == "--isovalue");
+    constexpr std::array<std::string_view, 3> kReading{"--labels", "--isovalue", "--radius"};
+    const bool option = arguments.size() == 4 && std::ranges::find(kReading, arguments[2]) != kReading.end();
     if (arguments.size() > 1 && !(as_tree && (arguments.size() == 2 || option)))
         return fail("open takes one file", {}, "put quotes around a name with blanks");
     if (!arguments.empty() && arguments[0].empty()) return fail("the name of a file is empty");
     if (arguments.empty()) return ask_for_file(context, FilePurpose::kOpen, fail("open needs a FILE here"));
     if (context.files == nullptr) return fail("a file cannot be opened from here", {}, "open it in a window");
     if (as_tree) {
-        io::MaskReading mask;
+        io::ReadOptions how;
         if (option) {
-            RAMUS_TRY(said, with(mask, arguments[2].substr(2), arguments[3]));
-            mask = std::move(said);
+            RAMUS_TRY(said, with(how, arguments[2].substr(2), arguments[3]));
+            how = std::move(said);
         }
-        return context.files->open_as_tree(arguments[0], mask);
+        return context.files->open_as_tree(arguments[0], how);
     }
     return context.files->open(arguments[0]);
 }
@@ -190,7 +193,7 @@ Result<void> palette(ActionContext& context, Arguments) { return toggle_part(con
 std::vector<Command> file_commands() {
     return {
         Command(
-            "open", "[FILE [--tree [--labels LIST|--isovalue X]]]",
+            "open", "[FILE [--tree [--labels LIST|--isovalue X|--radius MM]]]",
             "Opens a tree, a session, a mask or a scan; without FILE, asks for one. A window asks what becomes of a "
             "mask or a scan, unless it is said.",
             open)

@@ -84,8 +84,8 @@ class FileHost {
 public:
     virtual ~FileHost() = default;
     virtual Result<void> open(const std::filesystem::path& path) = 0; // of a mask asks what becomes of it
-    // A mask or a scan, read like that, and nobody is asked what becomes of it.
-    virtual Result<void> open_as_tree(const std::filesystem::path& path, const io::MaskReading& /*how*/) {
+    // Read like that; of a mask or a scan nobody is asked what becomes of it.
+    virtual Result<void> open_as_tree(const std::filesystem::path& path, const io::ReadOptions& /*how*/) {
         return open(path);
     }
     // What of a mask or a scan is to be context: asks somebody, where asks().

@@ -7,6 +7,7 @@
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
 #include "app/session/reading_options.h"
+#include "core/tree/suspicions.h"
 
 #include <algorithm>
 #include <array>
@@ -114,6 +115,26 @@ void draw_unit(InterfaceContext& context, const tree::VesselTree& tree, const io
     if (doctor.voxels) draw_voxel_row(context);
 }
 
+// A radius for points whose file gives none. Those that it has stay, so the row is there only where some are missing.
+void draw_missing_radius(InterfaceContext& context, const tree::VesselTree& tree, const io::ReadOptions& options) {
+    const auto about_missing = [](const Note& note) {
+        return note.topic == tree::kInventedRadii || note.topic == name_of(tree::Repair::kUnmeasuredRadii);
+    };
+    if (!options.radius_mm && std::ranges::none_of(tree.notes, about_missing)) return;
+    Doctor& doctor = context.interface.doctor;
+    widgets::begin_row("Radius",
+                       "The radius in mm of points whose radius the file does not give; Enter takes it, and an "
+                       "empty field takes it back");
+    const std::string now = options.radius_mm ? exact_text(*options.radius_mm) + " mm" : "Interpolated; mm to set it";
+    const bool entered = ImGui::InputTextWithHint("##radius", now.c_str(), doctor.radius.data(), doctor.radius.size(),
+                                                  ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::PopID();
+    if (!entered) return;
+    const std::string typed = doctor.radius.data();
+    context.perform("read-as", {"radius", typed.empty() ? "auto" : typed});
+    doctor.radius = {};
+}
+
 // What a tree's file leaves open beside the unit.
 void draw_assumptions(InterfaceContext& context, const tree::VesselTree& tree, const io::ReadOptions& options) {
     const std::string axes_by_itself = tree.claims.has_sides() ? "As the file says" : "Not known";
@@ -128,6 +149,7 @@ void draw_assumptions(InterfaceContext& context, const tree::VesselTree& tree, c
                                  {"radius", "Radii"},
                                  {"diameter", "Diameters"}}))
         context.perform("read-as", {"radius-is", *width});
+    draw_missing_radius(context, tree, options);
     constexpr const char* kOther = "other";
     const std::string now = options.orientation ? options.orientation->letters() : "auto";
     std::vector<std::pair<std::string, std::string>> entries{

@@ -1,4 +1,5 @@
 // What went wrong with a file: what, where, and what to do. What was open stays open.
+#include "app/panels/choice_row.h"
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -18,6 +19,23 @@ std::string sentence(std::string text) {
     return text;
 }
 
+// A file without radii opens with one that is typed here; true: it is on its way.
+bool draw_radius_field(InterfaceContext& context, const Error& error) {
+    const std::string file = context.workspace.asked_for().string();
+    if (file.empty() || !error.where.starts_with(file) || error.hint.find("--radius MM") == std::string::npos)
+        return false;
+    auto& typed = context.interface.doctor.radius;
+    ImGui::Dummy({0.0F, 4.0F * theme::scale()});
+    widgets::begin_row("Radius", "The radius of all points, in mm; Enter opens the file with it");
+    const bool entered = ImGui::InputTextWithHint("##radius", "mm; Enter opens the file with it", typed.data(),
+                                                  typed.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::PopID();
+    if (!entered || typed[0] == '\0') return false;
+    context.perform("open", {file, "--tree", "--radius", typed.data()});
+    typed = {};
+    return true;
+}
+
 } // namespace
 
 void draw_error_dialog(InterfaceContext& context) {
@@ -30,6 +48,7 @@ void draw_error_dialog(InterfaceContext& context) {
     ImGui::TextWrapped("%s", sentence(error.what).c_str());
     if (!error.hint.empty()) ImGui::TextWrapped("%s", sentence(error.hint).c_str());
     if (!error.where.empty()) widgets::quiet_wrapped(error.where.c_str());
+    const bool opens = draw_radius_field(context, errors.front());
     ImGui::Dummy({0.0F, 6.0F * theme::scale()});
     const float width = 90.0F * theme::scale();
     const float other = 150.0F * theme::scale();
@@ -39,10 +58,11 @@ void draw_error_dialog(InterfaceContext& context) {
         another = ImGui::Button("Open another...", {other, 0.0F});
         ImGui::SameLine();
     }
+    const bool typing = context.interface.doctor.radius[0] != '\0';
     const bool closed = widgets::button("Close", {width, 0.0F}, theme::kAccentDim) ||
-                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
-    if (closed || another) {
-        errors.pop_front();
+                        (!typing && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false));
+    if (closed || another || opens) {
+        if (!errors.empty()) errors.pop_front();
         ImGui::CloseCurrentPopup();
         if (another) context.perform("open", {});
     }

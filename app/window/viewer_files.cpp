@@ -1,7 +1,7 @@
 #include "app/window/viewer_files.h"
 
 #include "app/picture/video_file.h"
-#include "app/session/mask_reading.h"
+#include "app/session/reading_options.h"
 #include "app/storage/recent_files.h"
 #include "app/storage/tree_source.h"
 #include "app/storage/user_folders.h"
@@ -41,12 +41,11 @@ Result<void> ViewerFiles::open(const std::filesystem::path& path) {
         ask_about_volume(path);
         return {};
     }
-    return open_as_tree(path, io::MaskReading());
+    return open_as_tree(path, io::ReadOptions());
 }
 
-Result<void> ViewerFiles::open_as_tree(const std::filesystem::path& path, const io::MaskReading& how) {
-    io::ReadOptions reading = state_.workspace.reading;
-    reading.mask = over(how, reading.mask);
+Result<void> ViewerFiles::open_as_tree(const std::filesystem::path& path, const io::ReadOptions& how) {
+    const io::ReadOptions reading = over(how, state_.workspace.reading);
     if (state_.script_runs) return open_and_wait(path);
     // What is shown without a tree stays around the one that comes in.
     const bool stays = !state_.workspace.document.tree() && !is_session_file(path);

@@ -21,7 +21,7 @@ public:
     }
 
     Result<void> open(const std::filesystem::path& path) override;
-    Result<void> open_as_tree(const std::filesystem::path& path, const io::MaskReading& how) override;
+    Result<void> open_as_tree(const std::filesystem::path& path, const io::ReadOptions& how) override;
     void ask_about_context(const std::filesystem::path& file) override;
     void ask_for_file(FilePurpose purpose) override;
     void ask_for_export(std::string_view kind) override;

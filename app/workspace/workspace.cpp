@@ -14,6 +14,7 @@ Workspace::Workspace(const std::function<void()>& wake)
 
 void Workspace::open(const std::filesystem::path& path) {
     io::note_input(path, io::InputKind::kSession); // until a tree is read from it
+    asked_for_ = std::filesystem::absolute(path).lexically_normal();
     // What is shown without a tree waits for one; what is shown beside a tree belongs to that.
     Marks like = document.marks();
     if (document.tree()) like.context.clear();

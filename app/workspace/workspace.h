@@ -35,6 +35,8 @@ public:
     explicit Workspace(const std::function<void()>& wake);
 
     void open(const std::filesystem::path& path);
+    // The file that was opened last, whether it could be or not; in full.
+    [[nodiscard]] const std::filesystem::path& asked_for() const { return asked_for_; }
     void recover(const autosave::Snapshot& snapshot);
     // What was loaded elsewhere, at once.
     void adopt(LoadedTree loaded, const std::filesystem::path& path);
@@ -150,6 +152,7 @@ private:
     }
 
     std::shared_ptr<const tree::VesselTree> tree_shown_; // that the surfaces are of
+    std::filesystem::path asked_for_;
     std::optional<mesh::SurfaceOptions> tried_;
     std::optional<Opened> opened_;
     std::deque<Error> errors_;

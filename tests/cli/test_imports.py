@@ -136,8 +136,27 @@ class Radii(Imports):
         self.assertEqual(self.radii(measured, "--radius", "1.5"), [3, 2, 1])
         self.assertTrue(any("is not used" in note for note in
                             self.json("info", measured, "--json", "--radius", "1.5")["assumptions"]))
+        some = self.write("some.swc", swc(chain([3, -1, "nan", 1])))
+        self.assertEqual(self.radii(some, "--radius", "0.5"), [3, 0.5, 0.5, 1])
+        notes = self.json("info", some, "--json", "--radius", "0.5")
+        self.assertTrue(any("2 radii that were not measured are taken as 0.5" in note for note in notes["assumptions"]))
+        self.assertTrue(any("2 of 4 radii are invented" in note for note in notes["suspicions"]))
         for wrong in ("0", "-1", "nan", "inf", "wide", "auto", "1e30"):
             self.expect_failure("info", path, "--radius", wrong, says=["--radius", "not a number of mm"], status=2)
+
+    def test_named_columns_without_a_radius(self):
+        points = [(n, 2, 0, 0, 5 * n, n - 1 if n > 1 else -1) for n in range(1, 5)]
+        for separator in (" ", ",", "\t"):
+            for names, rows in ((("id", "type", "x", "y", "z", "parent"), points),
+                                (("parent_id", "z", "y", "x", "node_id"), [(p[5], p[4], p[3], p[2], p[0]) for p in points])):
+                text = "".join(separator.join(map(str, row)) + "\n" for row in (names, *rows))
+                for name in ("six.swc", "six"):
+                    path = self.write(name, text)
+                    self.expect_failure("info", path, says=["no point has a positive radius", "--radius MM"])
+                    self.assertEqual(self.radii(path, "--radius", "0.7"), [0.7] * 4)
+                self.expect_done("mesh", path, "-o", "a.stl", "--radius", "0.7")
+        self.expect_failure("info", self.write("bare.swc", "".join(" ".join(map(str, p)) + "\n" for p in points)),
+                            "--radius", "0.7", says=["bare.swc:1", "expected 7 columns, found 6"])
 
     def test_formats_that_name_no_radius(self):
         files = {

@@ -141,5 +141,39 @@ def doctor(program, screen, folder):
         window.end()
 
 
+RADIUS = "The radius of all points, in mm; Enter opens the file with it"
+MISSING = ("The radius in mm of points whose radius the file does not give; Enter takes it, and an empty field takes it "
+           "back")
+
+
+def without_radii(program, screen, folder):
+    """A file without radii opens with one that is typed into the message; the doctor has a row to change it."""
+    tree = folder / "bare.swc"
+    tree.write_text("id type x y z parent\n1 2 0 0 0 -1\n2 2 0 0 30 1\n3 2 9 0 45 2\n4 2 -9 0 45 2\n")
+    window = Window(program, screen, folder, [tree, "--size", "1200x800"])
+    try:
+        status = window.wait("the message", lambda s: s["error"])
+        check("no point has a positive radius" in status["error"], "a file without radii says what it lacks")
+        click(window, RADIUS)
+        window.wait("the field", lambda s: s["typing"])
+        window.xdotool("type", "2.5")
+        window.xdotool("key", "Return")
+        status = window.wait("the tree", lambda s: s["surface_ready"] and not s["error"])
+        check(near(thickest(status), 2.5) and status["reading"] == {"radius_mm": 2.5}, "it opens with the radius that was typed")
+        if status["unsaid"]:
+            click(window, "Leave open")
+        status = window.wait("the doctor", lambda s: not s["unsaid"] and s["doctor"]["open"])
+        check(status["doctor"]["open"], "the doctor comes by itself: nobody measured the radii")
+        click(window, MISSING)
+        window.wait("the row's field", lambda s: s["typing"])
+        window.xdotool("type", "4")
+        window.xdotool("key", "Return")
+        status = window.wait("another radius", lambda s: near(thickest(s), 4) and s["surface_ready"])
+        check(status["undo"] == "read as radius 4", "the row takes another radius, as one step of undo")
+        check(window.quit() == 0, "Ctrl+Q closes the window")
+    finally:
+        window.end()
+
+
 if __name__ == "__main__":
-    sys.exit(run_journeys(doctor, size=(1300, 900)))
+    sys.exit(run_journeys(doctor, without_radii, size=(1300, 900)))

@@ -118,17 +118,26 @@ void mark_unmeasured(ImportedTree& imported) {
     for (double& radius : imported.edge_radii) mark(radius);
 }
 
-// In the file's numbers.
+// In the file's numbers. Radii that the file has stay.
 void apply_radius(ImportedTree& imported, const ReadOptions& options) {
     if (!options.radius_mm) return;
     const std::string mm = short_number(*options.radius_mm) + " mm";
-    const auto has_radius = [](const tree::Point& p) { return p.radius > 0.0; };
-    if (std::ranges::any_of(imported.graph.points, has_radius)) {
+    std::vector<tree::Point>& points = imported.graph.points;
+    const bool has_radii = std::ranges::any_of(points, [](const tree::Point& p) { return p.radius > 0.0; });
+    const LengthUnit unit = options.unit.value_or(imported.unit.value_or(LengthUnit{}));
+    std::size_t given = 0;
+    for (tree::Point& p : points)
+        if (!has_radii || p.radius == tree::kNotMeasured) p.radius = *options.radius_mm / radius_factor(unit), ++given;
+    if (has_radii && given == 0) {
         imported.assume("radius", "the file has radii: that of " + mm + ", which was asked for, is not used");
         return;
     }
-    const LengthUnit unit = options.unit.value_or(imported.unit.value_or(LengthUnit{}));
-    for (tree::Point& p : imported.graph.points) p.radius = *options.radius_mm / radius_factor(unit);
+    if (has_radii) {
+        imported.assume("radius",
+                        std::to_string(given) + " radii that were not measured are taken as " + mm + ", as asked for");
+        if (auto invented = tree::check_invented(given, points.size())) imported.notes.push_back(std::move(*invented));
+        return;
+    }
     imported.graph.radii_are_invented = true;
     imported.radius_name.clear();
     imported.assume("radius", "the file has no radii: every point has a radius of " + mm + " as asked for");

@@ -41,7 +41,7 @@ struct ReadOptions {
     std::optional<LengthUnit> unit;
     std::optional<RadiusIs> radius_is;
     std::optional<Orientation> orientation;     // where the file's axes lead
-    std::optional<double> radius_mm;            // of all points of a file that gives no radius
+    std::optional<double> radius_mm;            // of points whose radius the file does not give
     std::map<std::string, std::string> columns; // of tables: what is read (x, y, z, radius, from, to) by its column
     std::string data_checksum;                  // its SHA-256 (core/io/checksum.h); empty: any
     std::string data;                           // a table of further data of branches (branch_table.h); empty: none

@@ -53,7 +53,7 @@ constexpr std::pair<std::string_view, SwcValue> kSwcColumnNames[] = {{"id", kSwc
                                                                      {"parent_id", kSwcParent},
                                                                      {"parent_node_id", kSwcParent}};
 
-// None: these are not the names of all that a point needs.
+// None: these are not the names of all that a point needs. A file that names no radius has none, and each is 0.
 std::optional<SwcColumns> swc_columns_named(const std::vector<std::string_view>& fields) {
     constexpr std::size_t kMissing = 0xFFFFFFFFU;
     SwcColumns columns{{}, fields.size(), true};
@@ -63,7 +63,7 @@ std::optional<SwcColumns> swc_columns_named(const std::vector<std::string_view>&
         std::erase(name, '"');
         if (const auto value = paired(kSwcColumnNames, std::string_view(name))) columns.at[*value] = column;
     }
-    for (const std::size_t value : {kSwcId, kSwcX, kSwcY, kSwcZ, kSwcRadius, kSwcParent})
+    for (const std::size_t value : {kSwcId, kSwcX, kSwcY, kSwcZ, kSwcParent})
         if (columns.at[value] == kMissing) return std::nullopt;
     return columns;
 }
