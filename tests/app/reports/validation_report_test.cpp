@@ -110,10 +110,10 @@ TEST_CASE("the table of distances ends with average and standard deviation where
     const std::vector<ValidatedDataSet> sets{data_set("a.swc", {1.0, 3.0}), data_set("b.swc", {4.0})};
     const Table table = distance_table(sets, Held::kToCones);
     REQUIRE(table.rows.size() == 4);
-    CHECK(number(table, 0, "mean_mm") == doctest::Approx(2.0));
-    CHECK(number(table, 2, "mean_mm") == doctest::Approx(3.0));
+    CHECK(number(table, 0, "mean") == doctest::Approx(2.0));
+    CHECK(number(table, 2, "mean") == doctest::Approx(3.0));
     CHECK(table.rows[2][1].text == "average");
-    CHECK(number(table, 3, "mean_mm") == doctest::Approx(std::sqrt(2.0))); // of 2 and 4, a sample
+    CHECK(number(table, 3, "mean") == doctest::Approx(std::sqrt(2.0))); // of 2 and 4, a sample
     CHECK(table.rows[3][1].text == "standard deviation");
     CHECK(distance_table(std::span(sets).first(1), Held::kToCones).rows.size() == 1);
     CHECK(distance_table(sets, Held::kToMask).rows.empty());
@@ -149,12 +149,12 @@ TEST_CASE("every place of every question is a row of one table") {
     const Table table = all_places_table(sets);
     REQUIRE(table.rows.size() == 5);
     CHECK(csv_of(table) ==
-          "data_set,question,branch,other_branch,x,y,z,length_mm,gap_mm,offset_mm,expected_radius_mm,radius_mm\r\n"
-          "2,lost,7,,1,2,3,4.5,,,,\r\n"
-          "2,merged,3,9,0,0,1,,-0.5,,,\r\n"
-          "2,constriction,5,,0,0,0,,,,0.8,1.2\r\n"
-          "2,width,6,,0,0,0,9,,,1,1.5\r\n"
-          "2,position,8,,0,0,0,7,,0.5,,\r\n");
+          "data_set,question,branch,other_branch,x,y,z,length,gap,offset,expected_radius,radius,unit\r\n"
+          "2,lost,7,,1,2,3,4.5,,,,,mm\r\n"
+          "2,merged,3,9,0,0,1,,-0.5,,,,mm\r\n"
+          "2,constriction,5,,0,0,0,,,,0.8,1.2,mm\r\n"
+          "2,width,6,,0,0,0,9,,,1,1.5,mm\r\n"
+          "2,position,8,,0,0,0,7,,0.5,,,mm\r\n");
 }
 
 TEST_CASE("the page needs nothing beside it, and names are text in it") {
