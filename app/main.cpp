@@ -8,6 +8,7 @@
 #include "app/commands/surface_flags.h"
 #include "app/window/run_window.h"
 #include "core/base/printable.h"
+#include "core/io/standard_input.h"
 
 #include <algorithm>
 #include <csignal>
@@ -103,6 +104,10 @@ int run(int argc, char** argv) {
         return app.exit(error) == 0 ? kDone : kWrongUsage;
     }
     if (!chosen) {
+        if (std::ranges::find(window.files, "-") != window.files.end()) {
+            complain("the window opens files, not standard input; ramus render and the other commands take -");
+            return kWrongUsage;
+        }
         if (!window.files.empty() && meant_as_command(window.files.front())) {
             complain(unknown_command(app, window.files.front()));
             return kWrongUsage;
@@ -113,8 +118,14 @@ int run(int argc, char** argv) {
     }
 
     handle_interrupts(); // not before: the window closes in its own way
+    if (reads_standard_input())
+        if (const auto settled = io::settle_standard_input(); !settled) return complain(settled.error().message());
     const Result<int> status = chosen();
-    if (!status) return complain(status.error().message());
+    if (!status) {
+        Error error = status.error();
+        if (error.where == io::kStandardInputPath) error.where = io::input_name(error.where);
+        return complain(error.message());
+    }
     // A full disk behind a redirection shows here at the latest.
     if (!std::cout.flush() || std::fflush(stdout) != 0) return complain("standard output cannot be written");
     return *status;

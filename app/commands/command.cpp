@@ -1,11 +1,27 @@
 #include "app/commands/command.h"
 
 #include "core/base/words.h"
+#include "core/io/standard_input.h"
 #include "core/io/text_numbers.h"
 
 #include <algorithm>
 
 namespace ramus::app {
+
+namespace {
+
+int standard_input_words = 0; // of this command line
+
+} // namespace
+
+std::string input_word(const std::string& word) {
+    if (word != "-" && !io::is_standard_input(word)) return word;
+    if (++standard_input_words > 1)
+        throw CLI::ValidationError(word, "standard input can be one input only; name a file for the other one");
+    return io::kStandardInputPath;
+}
+
+bool reads_standard_input() { return standard_input_words > 0; }
 
 std::optional<std::uint64_t> memory_size(std::string_view word) {
     constexpr std::string_view kPrefixes = "kmgt";

@@ -52,6 +52,10 @@ template <class Value> CLI::Option* finite(CLI::Option* option) {
     return option;
 }
 
+// What a word of an option of inputs means: a path. Throws CLI::ValidationError when standard input is meant twice.
+[[nodiscard]] std::string input_word(const std::string& word);
+[[nodiscard]] bool reads_standard_input(); // a word meant it
+
 // An option with a value; `type` stands for it in the help. Numbers are finite.
 template <class Value>
 CLI::Option* add_option(CLI::App& command, const std::string& name, const std::string& type, Value& value,
@@ -64,6 +68,13 @@ template <class Value, class Take>
 CLI::Option* add_option_taking(CLI::App& command, const std::string& name, const std::string& type, const Take& take,
                                const std::string& help) {
     return finite<Value>(command.add_option_function<Value>(name, take, help)->type_name(type));
+}
+
+// An option whose words name what is read; "-" is standard input. One of all options of a command line may be that.
+template <class Value>
+CLI::Option* add_input(CLI::App& command, const std::string& name, const std::string& type, Value& value,
+                       const std::string& help) {
+    return add_option(command, name, type, value, help)->transform(std::function<std::string(std::string)>(input_word));
 }
 
 // The bytes that 800M, 4G or 123456 are, in powers of 1024; none: it is no such size, or more than any machine has.

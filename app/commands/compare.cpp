@@ -8,6 +8,7 @@
 #include "app/commands/surface_input.h"
 #include "app/session/numbers.h"
 #include "core/base/stopwatch.h"
+#include "core/io/standard_input.h"
 #include "core/measure/deviation/deviation.h"
 
 #include <algorithm>
@@ -55,8 +56,9 @@ Deviations deviations(const std::array<SurfaceInput, 2>& inputs, const CompareFl
 
 nlohmann::ordered_json input_json(const std::string& file, const SurfaceInput& input,
                                   const measure::SurfaceSize& size) {
-    nlohmann::ordered_json json = {
-        {"file", file}, {"vertices", input.mesh.positions.size()}, {"triangles", input.mesh.triangles.size()}};
+    nlohmann::ordered_json json = {{"file", io::input_name(file)},
+                                   {"vertices", input.mesh.positions.size()},
+                                   {"triangles", input.mesh.triangles.size()}};
     json.update(size_json(size));
     return json;
 }
@@ -118,7 +120,8 @@ Result<int> run_compare(const CompareFlags& flags) {
     }
     const Lengths lengths(claims);
     for (std::size_t i = 0; i < 2; ++i)
-        std::cout << flags.files[i] << ": " << counted(inputs[i].mesh.positions.size(), "vertex", "vertices") << ", "
+        std::cout << io::input_name(flags.files[i]) << ": "
+                  << counted(inputs[i].mesh.positions.size(), "vertex", "vertices") << ", "
                   << counted(inputs[i].mesh.triangles.size(), "triangle", "triangles") << ", area "
                   << lengths.area(sizes[i].area_mm2) + ", "
                   << (sizes[i].volume_mm3 ? "volume " + lengths.volume(*sizes[i].volume_mm3) : "not closed") << '\n';
@@ -135,8 +138,8 @@ void register_compare(CLI::App& app, Action& chosen) {
     const auto flags = std::make_shared<CompareFlags>();
     CLI::App* command = add_command(
         app, "compare", "How far the vertices of one surface are from another surface, and the other way round");
-    add_option(*command, "A", "", flags->files[0], "Surface: " + surface_input_kinds())->required();
-    add_option(*command, "B", "", flags->files[1], "The surface that it is compared with, likewise")->required();
+    add_input(*command, "A", "", flags->files[0], "Surface: " + surface_input_kinds())->required();
+    add_input(*command, "B", "", flags->files[1], "The surface that it is compared with, likewise")->required();
     add_option(*command, "--threshold", "MM", flags->threshold_mm,
                "Say how many of the distances are above this (default, with a mask: half the diagonal of its voxels)")
         ->check(expecting(" is not a number of mm from 0 on", [](const std::string& text) {

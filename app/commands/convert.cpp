@@ -1,5 +1,6 @@
 // ramus convert FILE -o FILE: a vessel tree in another format, with the edits of a session.
 #include "app/commands/inputs.h"
+#include "app/commands/output_target.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
 #include "app/session/systems.h"
@@ -19,7 +20,7 @@ namespace {
 struct ConvertFlags {
     SurfaceFlags surface;
     std::string file, session;
-    std::string output;
+    std::string output, format;
     std::optional<io::Orientation> axes;
 };
 
@@ -54,20 +55,24 @@ void register_convert(CLI::App& app, Action& chosen) {
     CLI::App* command =
         add_command(app, "convert", "Write a vessel tree in another format: " + io::writable_tree_extensions());
     const auto flags = std::make_shared<ConvertFlags>();
-    add_option(*command, "FILE", "", flags->file, "Vessel tree to read; without it, that of the session");
+    add_input(*command, "FILE", "", flags->file, "Vessel tree to read; without it, that of the session");
     add_option(*command, "--session", "SESSION", flags->session,
                "Make the edits of this session: joined, cut and deleted branches, roots, radii; its systems' names and "
                "colours");
     add_option(*command, "-o,--output", "FILE", flags->output,
                "Vessel tree to write: " + io::writable_tree_extensions())
         ->required();
+    add_format_flag(*command, flags->format, streamed_tree_extensions());
     flags->surface.command = command;
     add_source_flags(*command, flags->surface);
     add_system_flag(*command, flags->surface);
     add_axes_flag(*command, flags->axes,
                   "Of .vtp and .mrk.json: axes of the coordinates in the file, which states them (default RAS, of "
                   ".mrk.json LPS)");
-    command->callback([flags, &chosen] { chosen = [flags] { return run_convert(*flags); }; });
+    command->callback([flags, command, &chosen] {
+        check_output_flags(*command, flags->output, flags->format);
+        chosen = [flags] { return with_output(*flags, run_convert); };
+    });
 }
 
 } // namespace ramus::app

@@ -1,6 +1,7 @@
 // ramus grow: a synthetic organ tree, written as a tree file.
 #include "core/tree/grow/grow.h"
 
+#include "app/commands/output_target.h"
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "core/base/stopwatch.h"
@@ -19,6 +20,7 @@ namespace {
 struct Flags {
     tree::GrowOptions grow;
     std::filesystem::path output;
+    std::string format;
     bool verbose = false;
 };
 
@@ -72,6 +74,7 @@ void register_grow(CLI::App& app, Action& chosen) {
     tree::GrowOptions& options = flags->grow;
     add_option(*command, "-o,--output", "TREE", flags->output, "Tree file to write: " + io::writable_tree_extensions())
         ->required();
+    add_format_flag(*command, flags->format, streamed_tree_extensions());
     add_option(*command, "--branches", "N", options.branches,
                "Branches of the tree, exactly: 1, or 3 and more (default 1504)");
     add_option(*command, "--seed", "S", options.seed, "Another number, another organ and tree (default 1)");
@@ -83,9 +86,10 @@ void register_grow(CLI::App& app, Action& chosen) {
     add_option(*command, "--tortuosity", "X", options.tortuosity,
                "0: straight between forks, 1: gently winding (default 1)");
     command->add_flag("--verbose", flags->verbose, "Say on standard error what has grown");
-    command->callback([flags, &chosen] {
+    command->callback([flags, command, &chosen] {
+        check_output_flags(*command, flags->output, flags->format);
         if (const auto wrong = tree::wrong_with(flags->grow)) throw CLI::ValidationError(wrong->message());
-        chosen = [flags] { return grow(*flags); };
+        chosen = [flags] { return with_output(*flags, grow); };
     });
 }
 

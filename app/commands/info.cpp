@@ -2,6 +2,7 @@
 #include "app/assets/contacts.h"
 #include "app/commands/command.h"
 #include "app/commands/info_contacts.h"
+#include "app/commands/info_table.h"
 #include "app/commands/inputs.h"
 #include "app/commands/printed_report.h"
 #include "app/commands/subcommands.h"
@@ -10,7 +11,10 @@
 #include "app/session/quantity.h"
 #include "app/session/smoothing_text.h"
 #include "app/session/systems.h"
+#include "app/storage/tree_source.h"
 #include "core/base/error.h"
+#include "core/base/printable.h"
+#include "core/io/standard_input.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/io/volumes/volume_unit.h"
 #include "core/measure/tree_measure.h"
@@ -21,6 +25,7 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -60,7 +65,7 @@ void line(const std::string& name, const std::string& value) {
 
 ordered_json list_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-void print_json(const volume::Volume& volume, const Figures& figures, const tree::Claims& claims) {
+ordered_json volume_json(const volume::Volume& volume, const Figures& figures) {
     const glm::dmat4& m = volume.to_patient;
     ordered_json rows = ordered_json::array();
     for (int row = 0; row < 3; ++row) rows.push_back({m[0][row], m[1][row], m[2][row], m[3][row]});
@@ -86,7 +91,7 @@ void print_json(const volume::Volume& volume, const Figures& figures, const tree
                             {"volume_ml", static_cast<double>(*figures.inside) * figures.voxel_ml}};
     report["notes"] = volume.notes;
     report["suspicions"] = volume.suspicions;
-    std::cout << printed_report(std::move(report), claims) << '\n';
+    return report;
 }
 
 void print_text(const std::string& file, const volume::Volume& volume, const Figures& figures) {
@@ -116,24 +121,59 @@ void print_text(const std::string& file, const volume::Volume& volume, const Fig
     for (const std::string& suspicion : volume.suspicions) line("suspicion", suspicion);
 }
 
-// Prints size, spacing, orientation, type and labels with their volumes of a mask or scan; as one JSON object if
-// `json`.
-Result<int> run_volume_info(const std::string& file, const SurfaceFlags& flags, bool json) {
-    RAMUS_TRY(volume, load_volume(file, flags));
-    const Figures figures = figures_of(volume);
-    if (json)
-        print_json(volume, figures, io::claims_of(volume, flags.read.unit));
-    else
-        print_text(file, volume, figures);
-    return kDone;
-}
-
 struct InfoFlags {
     SurfaceFlags surface;
-    std::string file;
-    bool json = false;
+    std::vector<std::string> files;
+    bool json = false, csv = false;
     bool branches = false, contacts = false;
 };
+
+// How the findings of files come out, one file after the other: as text, as JSON, or as rows of one table.
+class InfoPrinter {
+public:
+    explicit InfoPrinter(const InfoFlags& flags) : flags_(flags) {}
+    [[nodiscard]] bool several() const { return flags_.files.size() > 1; }
+
+    void print_json(const std::string& file, const ordered_json& report, const tree::Claims& claims) {
+        ordered_json named;
+        if (several()) named["file"] = io::input_name(file);
+        named.update(report);
+        std::cout << (several() ? printed_++ > 0 ? ",\n" : "{\"files\": [\n" : "")
+                  << printed_report(std::move(named), claims) << (several() ? "" : "\n");
+    }
+    // Before the text of a file.
+    void begin_text() { std::cout << (printed_++ > 0 ? "\n" : ""); }
+    void print_row(const Table& table) {
+        std::string text = csv_of(table);
+        std::erase(text, '\r');                                 // of lines on standard output
+        if (printed_++ > 0) text.erase(0, text.find('\n') + 1); // the names of the columns
+        std::cout << text << std::flush;
+    }
+    void end() const {
+        if (flags_.json && several()) std::cout << (printed_ > 0 ? "\n]}\n" : "{\"files\": []}\n");
+    }
+
+private:
+    const InfoFlags& flags_;
+    std::size_t printed_ = 0;
+};
+
+// Size, spacing, orientation, type and labels with their volumes of a mask or scan.
+Result<void> tell_volume(const std::string& file, const InfoFlags& flags, InfoPrinter& printer) {
+    RAMUS_TRY(volume, load_volume(file, flags.surface));
+    if (flags.csv) {
+        printer.print_row(info_row(file));
+        return {};
+    }
+    const Figures figures = figures_of(volume);
+    if (flags.json) {
+        printer.print_json(file, volume_json(volume, figures), io::claims_of(volume, flags.surface.read.unit));
+    } else {
+        printer.begin_text();
+        print_text(io::input_name(file), volume, figures);
+    }
+    return {};
+}
 
 // Those of the tree as its surface sees it; null where they are not asked for.
 using SharedContacts = std::shared_ptr<const std::vector<tree::Contact>>;
@@ -229,8 +269,8 @@ std::string topics_of(const std::vector<tree::NoteGroup>& groups, tree::Note::Ki
     return list;
 }
 
-void print_json(const InfoFlags& flags, const tree::VesselTree& tree, const measure::TreeStatistics& statistics,
-                const SharedContacts& contacts) {
+ordered_json tree_json(const InfoFlags& flags, const tree::VesselTree& tree, const measure::TreeStatistics& statistics,
+                       const SharedContacts& contacts) {
     ordered_json report = {{"branches", tree.branches.size()},
                            {"segments", tree.segment_count()},
                            {"roots", tree.roots.size()},
@@ -254,7 +294,7 @@ void print_json(const InfoFlags& flags, const tree::VesselTree& tree, const meas
     if (!tree.systems.empty()) report["system_list"] = system_list(tree);
     if (flags.branches) report["branch_list"] = branch_list(tree, facts_of(tree));
     if (contacts) report["contacts"] = contacts_json(*contacts);
-    std::cout << printed_report(std::move(report)) << '\n';
+    return report;
 }
 
 // Of its column; 0 where there are none.
@@ -334,9 +374,9 @@ std::string claim_text(tree::SaidBy who, const std::string& known, const std::st
                                         : known + (who == tree::SaidBy::kFile ? ", says the file" : ", as asked for");
 }
 
-void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const measure::TreeStatistics& statistics,
-                const SharedContacts& contacts) {
-    std::cout << flags.file << '\n';
+void print_text(const std::string& file, const InfoFlags& flags, const tree::VesselTree& tree,
+                const measure::TreeStatistics& statistics, const SharedContacts& contacts) {
+    std::cout << file << '\n';
     line("branches", grouped(tree.branches.size()) + " (" +
                          counted(static_cast<std::uint64_t>(statistics.leaves), "leaf", "leaves") + ")");
     line("segments", grouped(tree.segment_count()));
@@ -367,22 +407,57 @@ void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const meas
     if (flags.branches) print_branches(tree);
 }
 
-Result<int> run_info(const InfoFlags& flags) {
-    if (io::is_volume(flags.file)) {
+Result<void> tell(const std::string& file, const InfoFlags& flags, InfoPrinter& printer) {
+    if (io::is_volume(file)) {
         if (flags.branches || flags.contacts)
-            return fail("a volume has no branches", flags.file,
+            return fail("a volume has no branches", io::input_name(file),
                         std::string("leave out ") + (flags.branches ? "--branches" : "--contacts") +
                             ", or name a vessel tree");
-        return run_volume_info(flags.file, flags.surface, flags.json);
+        return tell_volume(file, flags, printer);
     }
-    RAMUS_TRY(tree, io::read_tree(flags.file, flags.surface.read));
+    if (is_session_file(file))
+        return fail("this is a session, where a vessel tree or a mask is needed", file,
+                    "name its tree's file; ramus render --session draws it");
+    RAMUS_TRY(tree, io::read_tree(file, flags.surface.read));
     const measure::TreeStatistics statistics = measure::tree_statistics(tree);
+    if (flags.csv) {
+        printer.print_row(info_row(file, tree, statistics));
+        return {};
+    }
     const SharedContacts contacts = flags.contacts ? contacts_of(tree, flags.surface.surface).list : nullptr;
-    if (flags.json)
-        print_json(flags, tree, statistics, contacts);
-    else
-        print_text(flags, tree, statistics, contacts);
-    return kDone;
+    if (flags.json) {
+        printer.print_json(file, tree_json(flags, tree, statistics, contacts), tree.claims);
+    } else {
+        printer.begin_text();
+        print_text(io::input_name(file), flags, tree, statistics, contacts);
+    }
+    return {};
+}
+
+// A file that fails does not keep the others from coming. One file is in memory at a time.
+Result<int> run_info(const InfoFlags& flags) {
+    InfoPrinter printer(flags);
+    bool failed = false;
+    for (const std::string& file : flags.files) {
+        Result<void> told;
+        try {
+            told = tell(file, flags, printer);
+        } catch (const std::bad_alloc&) {
+            told = fail("not enough memory for this file", io::input_name(file));
+        }
+        if (told) continue;
+        if (!printer.several() && !flags.csv) return tl::unexpected(told.error());
+        failed = true;
+        std::cout << std::flush; // in the order of the files where both go to one place
+        std::cerr << "ramus: " << printable(told.error().message()) << '\n';
+        if (flags.csv) {
+            printer.print_row(info_row(file, told.error()));
+        } else if (flags.json) {
+            printer.print_json(file, {{"error", told.error().message()}}, {});
+        }
+    }
+    printer.end();
+    return failed ? kFailed : kDone;
 }
 
 } // namespace
@@ -390,12 +465,16 @@ Result<int> run_info(const InfoFlags& flags) {
 void register_info(CLI::App& app, Action& chosen) {
     CLI::App* command = add_command(app, "info", "Say what a vessel tree or a segmentation mask consists of");
     const auto flags = std::make_shared<InfoFlags>();
-    add_option(*command, "FILE", "", flags->file, "Vessel tree, or mask (" + io::readable_volume_extensions() + ")")
+    add_input(*command, "FILE", "", flags->files,
+              "Vessel trees, or masks (" + io::readable_volume_extensions() + "); - is standard input")
         ->required();
-    command->add_flag("--json", flags->json, "Print one JSON object");
-    command->add_flag("--branches", flags->branches, "List every branch too");
+    CLI::Option* json =
+        command->add_flag("--json", flags->json, "Print one JSON object; of several files {\"files\": [...]}");
+    CLI::Option* csv = command->add_flag("--csv", flags->csv, "Print a table, a row for each file")->excludes(json);
+    csv->excludes(command->add_flag("--branches", flags->branches, "List every branch too"));
     CLI::Option* contacts = command->add_flag("--contacts", flags->contacts,
                                               "List where vessels press on each other without being connected there");
+    csv->excludes(contacts);
     add_preparing_flags(*command, flags->surface, contacts);
     add_reading_flags(*command, flags->surface);
     command->callback([flags, &chosen] { chosen = [flags] { return run_info(*flags); }; });

@@ -6,6 +6,7 @@
 #include "app/session/systems.h"
 #include "app/session/tree_edits.h"
 #include "app/storage/tree_source.h"
+#include "core/io/standard_input.h"
 #include "core/io/volumes/volume_file.h"
 
 #include <cstdio>
@@ -38,7 +39,7 @@ Result<tree::VesselTree> load_tree(const std::string& file, const SurfaceFlags& 
         else if (note.kind == tree::Note::Kind::kAssumed)
             say(flags, "assumed: " + note.text);
     }
-    say(flags, file + ": " + counted(tree->points.size(), "point", "points") + ", " +
+    say(flags, io::input_name(file) + ": " + counted(tree->points.size(), "point", "points") + ", " +
                    counted(tree->segment_count(), "segment", "segments") + ", " +
                    counted(tree->branches.size(), "branch", "branches"));
     return tree;
@@ -53,14 +54,15 @@ Result<volume::Volume> load_volume(const std::string& file, const SurfaceFlags& 
         return io::read_volume(file, {static_cast<double>(flags.surface.memory_bytes), flags.read.unit}, job);
     });
     if (!read) return read;
-    say(flags, file + ": " + read->type + ", " + std::to_string(read->size.x) + " x " + std::to_string(read->size.y) +
-                   " x " + std::to_string(read->size.z) + " voxels");
-    for (const std::string& note : read->notes) say(flags, file + ": " + note);
+    say(flags, io::input_name(file) + ": " + read->type + ", " + std::to_string(read->size.x) + " x " +
+                   std::to_string(read->size.y) + " x " + std::to_string(read->size.z) + " voxels");
+    for (const std::string& note : read->notes) say(flags, io::input_name(file) + ": " + note);
     return read;
 }
 
 void warn_about(const std::string& file, const volume::Volume& volume) {
-    for (const std::string& suspicion : volume.suspicions) std::cerr << "ramus: " << file << ": " << suspicion << '\n';
+    for (const std::string& suspicion : volume.suspicions)
+        std::cerr << "ramus: " << io::input_name(file) << ": " << suspicion << '\n';
 }
 
 Result<std::vector<std::uint8_t>> branches_of(const tree::VesselTree& tree, const Marks& marks,

@@ -1,6 +1,7 @@
 // ramus mesh FILE -o MESH: the surface of a vessel tree or of a mask as a file.
 #include "app/assets/assets.h"
 #include "app/commands/inputs.h"
+#include "app/commands/output_target.h"
 #include "app/commands/printed_report.h"
 #include "app/commands/printing.h"
 #include "app/commands/progress.h"
@@ -87,7 +88,7 @@ Result<WrittenSurface> mesh_of_mask(const std::string& file, const MaskFlags& ma
 struct MeshFlags {
     SurfaceFlags surface;
     MaskFlags mask;
-    std::string file, session, output;
+    std::string file, session, output, format;
     std::optional<io::PartsBy> parts; // none: what is usual
     std::optional<io::Orientation> axes;
     PrintingFlags printing;
@@ -111,7 +112,7 @@ void warn_of_lost(const MeshFlags& flags, const WrittenSurface& written) {
     std::string named;
     for (std::size_t i = 0; i < std::min(count, kNamed); ++i)
         named += (i == 0 ? "" : ", ") + std::to_string(written.lost_pieces[i].front());
-    std::cerr << "ramus: " << flags.output << ": " << counted(count, "piece", "pieces") << " of the tree "
+    std::cerr << "ramus: " << output_name(flags.output) << ": " << counted(count, "piece", "pieces") << " of the tree "
               << (count == 1 ? "is" : "are") << " not on the surface (branch " << named
               << (count > kNamed ? ", ..." : "")
               << "): far shorter than thick, thinner than cells, or inside of other vessels\n";
@@ -149,20 +150,20 @@ void warn_of_shape(const MeshFlags& flags, const WrittenSurface& written, mesh::
     std::string what = difference_text(written.shape.pieces, written.tree_shape->pieces, "piece", "pieces");
     const std::string loops = difference_text(written.shape.loops, written.tree_shape->loops, "loop", "loops");
     if (!what.empty() && !loops.empty()) what += " and ";
-    std::cerr << "ramus: " << flags.output << ": the surface has " << what << loops << " than the tree"
+    std::cerr << "ramus: " << output_name(flags.output) << ": the surface has " << what << loops << " than the tree"
               << places_text(written.matched) << "; " << remedy_of_shape(blend) << '\n';
 }
 
 // What is left, and what nobody looked for.
 void warn_of_intersections(const MeshFlags& flags, const WrittenSurface& written) {
     if (written.untangled && written.untangled->left > 0)
-        std::cerr << "ramus: " << flags.output << ": "
+        std::cerr << "ramus: " << output_name(flags.output) << ": "
                   << counted(written.untangled->left, "pair of triangles goes", "pairs of triangles go")
                   << " through each other" << places_text("near", written.untangled->places)
                   << "; another --detail may have none\n";
     if (written.untangled && !written.untangled->looked_at_all)
         std::cerr
-            << "ramus: " << flags.output
+            << "ramus: " << output_name(flags.output)
             << ": triangles that go through each other were not counted: too many may do so, as with cells larger "
                "than vessels; lower --cell, or raise --detail\n";
 }
@@ -202,7 +203,7 @@ void report(const MeshFlags& flags, const WrittenSurface& written, const io::Mes
         if (flags.printing.wanted) figures["printing"] = printing_json(flags.printing, written.thicknesses, claims);
         std::cout << printed_report(std::move(figures)) << '\n';
     } else {
-        std::cout << flags.output << ": " << counted(written.triangles, "triangle", "triangles") << ", "
+        std::cout << output_name(flags.output) << ": " << counted(written.triangles, "triangle", "triangles") << ", "
                   << counted(written.vertices, "vertex", "vertices") << ", "
                   << counted(static_cast<std::uint64_t>(written.shape.pieces), "component", "components")
                   << (written.tree_shape && written.shape.loops > 0
@@ -241,7 +242,7 @@ Result<int> run_mesh(const MeshFlags& flags) {
     SurfaceTarget target{flags.output, {}, flags.printing.wanted, flags.surface.surface.threads};
     if (flags.mask.iso) {
         double load_s = 0.0;
-        target.names.name = std::filesystem::path(flags.file).stem().stem().string();
+        target.names.name = std::filesystem::path(io::input_name(flags.file)).stem().stem().string();
         target.names.axes = flags.axes.value_or(io::Orientation::ras());
         MaskFlags mask = flags.mask;
         mask.selection.isovalue = flags.surface.read.mask.isovalue;
@@ -297,11 +298,12 @@ void register_mesh(CLI::App& app, Action& chosen) {
                                     "Write the surface of a vessel tree, or of a segmentation mask, as " +
                                         io::writable_mesh_extensions());
     const auto flags = std::make_shared<MeshFlags>();
-    add_option(*command, "FILE", "", flags->file,
-               "Vessel tree, may be left out with --session; with --method iso a mask (" +
-                   io::readable_volume_extensions() + ")");
+    add_input(*command, "FILE", "", flags->file,
+              "Vessel tree, may be left out with --session; with --method iso a mask (" +
+                  io::readable_volume_extensions() + ")");
     add_option(*command, "-o,--output", "MESH", flags->output, "Mesh to write: " + io::writable_mesh_extensions())
         ->required();
+    add_format_flag(*command, flags->format, io::writable_extensions(io::mesh_formats()));
     add_method_flag(*command, true, [flags](mesh::Method method) {
         flags->mask.iso = !mesh::row_of(method).of_tree;
         if (!flags->mask.iso) flags->surface.surface.method = method;
@@ -318,7 +320,8 @@ void register_mesh(CLI::App& app, Action& chosen) {
     command->callback([flags, command, &chosen] {
         check_mask_flags(*command, flags->mask);
         if (flags->file.empty() && flags->session.empty()) throw CLI::RequiredError("FILE or --session");
-        chosen = [flags] { return run_mesh(*flags); };
+        check_output_flags(*command, flags->output, flags->format);
+        chosen = [flags] { return with_output(*flags, run_mesh); };
     });
 }
 

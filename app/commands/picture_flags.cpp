@@ -74,9 +74,9 @@ void add_comparison_flags(CLI::App& command, ComparisonFlags& flags) {
         },
         "With --compare: which surfaces, in this order (default cs,cones); iso is the isosurface of --mask, tree and "
         "paper are the convolution surface under either --blend");
-    CLI::Option* mask = add_option(command, "--mask", "MASK", flags.mask,
-                                   "Segmentation mask of the same vessels (" + io::readable_volume_extensions() +
-                                       "; default: the tree's own voxels)");
+    CLI::Option* mask = add_input(command, "--mask", "MASK", flags.mask,
+                                  "Segmentation mask of the same vessels (" + io::readable_volume_extensions() +
+                                      "; default: the tree's own voxels)");
     add_mask_units_flag(command, flags.mask_units, "--mask and of those beside the tree");
     add_label_flag(command, flags.labels, "These labels of the mask alone, as 1 or 1,2 (default: all)")->needs(mask);
     const auto is_share = [](const std::string& text) {

@@ -4,6 +4,7 @@
 #include "app/assets/half_turn.h"
 #include "app/commands/figure_flags.h"
 #include "app/commands/inputs.h"
+#include "app/commands/output_target.h"
 #include "app/commands/picture_flags.h"
 #include "app/commands/picture_stage.h"
 #include "app/commands/printed_report.h"
@@ -428,6 +429,8 @@ void check_flags(const CLI::App& command, const RenderFlags& flags) {
     if (flags.figure.turntable > 0 && flags.output.empty()) throw CLI::RequiredError("-o");
     if (flags.figure.turntable > 0 && (flags.interface || !flags.reference.empty() || flags.benchmark > 0))
         throw CLI::ValidationError("--turntable", "cannot be combined with --ui, --reference or --benchmark");
+    if (flags.figure.turntable > 0 && is_standard_output(flags.output))
+        throw CLI::ValidationError("--turntable", "makes several pictures, or a video, and standard output takes one");
     check_comparison_flags(command, flags.comparison);
     if (flags.figure.sheet && flags.interface) throw CLI::ValidationError("--sheet", "cannot be combined with --ui");
     const bool other_result = flags.benchmark > 0 || !flags.commands.empty();
@@ -440,7 +443,7 @@ void check_flags(const CLI::App& command, const RenderFlags& flags) {
 void register_render(CLI::App& app, Action& chosen) {
     auto flags = std::make_shared<RenderFlags>();
     CLI::App* command = add_command(app, "render", "Make the window's picture without a window");
-    add_option(*command, "FILE", "", flags->file, "Vessel tree; may be left out with --session");
+    add_input(*command, "FILE", "", flags->file, "Vessel tree; may be left out with --session");
     add_option(*command, "-o,--output", "PNG", flags->output, "PNG to write");
     add_size_flag(*command, flags->size);
     CLI::Option* view = add_view_flag(*command, flags->view);
@@ -449,8 +452,8 @@ void register_render(CLI::App& app, Action& chosen) {
                "Draw this session: its tree, states, camera and surface options");
     add_option(*command, "--commands", "FILE", flags->commands,
                "Run these commands first, one a line (`select 12`, `hide`, ...)");
-    add_option(*command, "--context", "FILE", flags->context,
-               "Show the surface of this mask or mesh beside the tree (" + context_extensions() + "); may be repeated")
+    add_input(*command, "--context", "FILE", flags->context,
+              "Show the surface of this mask or mesh beside the tree (" + context_extensions() + "); may be repeated")
         ->allow_extra_args(false);
     add_mesh_orientation_flag(*command, flags->mesh_axes, "meshes of --context and --deviation-from");
     add_colour_flags(*command, flags->colours);
@@ -475,7 +478,8 @@ void register_render(CLI::App& app, Action& chosen) {
     command->callback([flags, command, view, &chosen] {
         flags->view_given = view->count() > 0;
         check_flags(*command, *flags);
-        chosen = [flags] { return run_render(*flags); };
+        check_output_flags(*command, flags->output, {});
+        chosen = [flags] { return with_output(*flags, run_render); };
     });
 }
 

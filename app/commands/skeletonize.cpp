@@ -2,6 +2,7 @@
 #include "core/volume/skeletonize/skeletonize.h"
 
 #include "app/commands/inputs.h"
+#include "app/commands/output_target.h"
 #include "app/commands/printed_report.h"
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
@@ -11,6 +12,7 @@
 #include "app/storage/tree_source.h"
 #include "core/base/stopwatch.h"
 #include "core/io/run_inputs.h"
+#include "core/io/standard_input.h"
 #include "core/io/trees/tree_file.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/io/volumes/volume_unit.h"
@@ -33,7 +35,7 @@ namespace {
 struct SkeletonizeFlags {
     SurfaceFlags reading; // of which only memory, --verbose and what is of masks are asked for
     volume::LabelGroups labels;
-    std::string file, output;
+    std::string file, output, format;
     bool json = false;
 };
 
@@ -83,7 +85,7 @@ void report_json(const tree::VesselTree& tree, const volume::SkeletonizeFigures&
 void report_text(const SkeletonizeFlags& flags, const tree::VesselTree& tree, const Seconds& seconds) {
     for (const tree::Note& note : tree.notes)
         if (note.kind == tree::Note::Kind::kRepaired) std::cerr << "ramus: " << note.text << '\n';
-    std::cout << flags.output << ": " << counted(tree.branches.size(), "branch", "branches") << ", "
+    std::cout << output_name(flags.output) << ": " << counted(tree.branches.size(), "branch", "branches") << ", "
               << counted(static_cast<std::uint64_t>(tree.loop_count), "loop", "loops") << ", "
               << counted(tree.roots.size(), "piece", "pieces");
     if (!tree.systems.empty()) std::cout << ", " << counted(tree.systems.size(), "system", "systems");
@@ -93,8 +95,6 @@ void report_text(const SkeletonizeFlags& flags, const tree::VesselTree& tree, co
 Result<int> run_skeletonize(const SkeletonizeFlags& flags) {
     io::note_input(flags.file);
     if (auto possible = io::check_tree_output(flags.output); !possible) return tl::unexpected(possible.error());
-    if (!io::is_volume(flags.file))
-        return fail("this is no mask", flags.file, "a mask is " + io::readable_volume_extensions());
     Stopwatch watch;
     Seconds seconds;
     RAMUS_TRY(mask, load_volume(flags.file, flags.reading));
@@ -117,7 +117,7 @@ Result<int> run_skeletonize(const SkeletonizeFlags& flags) {
     seconds.skeleton = watch.lap();
     tree.claims = claims;
     if (isovalue) tree.notes.push_back(threshold_note(*isovalue));
-    tree.source = std::filesystem::path(flags.file).filename().string();
+    tree.source = std::filesystem::path(io::input_name(flags.file)).filename().string();
     if (auto written =
             io::write_tree(tree, flags.output, {"written by ramus " RAMUS_VERSION, "source: " + tree.source});
         !written)
@@ -149,15 +149,19 @@ void register_skeletonize(CLI::App& app, Action& chosen) {
         "The tree has the pieces of the mask, and its tunnels as loops. Radii are those of circles with the "
         "area of the mask's cross-sections.");
     const auto flags = std::make_shared<SkeletonizeFlags>();
-    add_option(*command, "MASK", "", flags->file,
-               "Segmentation mask, or with --isovalue a scan (" + io::readable_volume_extensions() + ")")
+    add_input(*command, "MASK", "", flags->file,
+              "Segmentation mask, or with --isovalue a scan (" + io::readable_volume_extensions() + ")")
         ->required();
     add_option(*command, "-o,--output", "TREE", flags->output, "Tree file to write: " + io::writable_tree_extensions())
         ->required();
+    add_format_flag(*command, flags->format, streamed_tree_extensions());
     add_mask_options(*command, *flags);
     command->add_flag("--json", flags->json, "Print the figures as one JSON object");
     command->add_flag("--verbose", flags->reading.verbose, "Say on standard error what is going on");
-    command->callback([flags, &chosen] { chosen = [flags] { return run_skeletonize(*flags); }; });
+    command->callback([flags, command, &chosen] {
+        check_output_flags(*command, flags->output, flags->format);
+        chosen = [flags] { return with_output(*flags, run_skeletonize); };
+    });
 }
 
 } // namespace ramus::app

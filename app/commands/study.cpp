@@ -304,11 +304,11 @@ void register_study(CLI::App& app, Action& chosen) {
     CLI::App* command =
         add_command(app, "study",
                     "Pictures to compare surfaces by (isosurface, cones, convolution surface), and sheets for raters");
-    add_option(*command, "FILE", "", flags->file, "Vessel tree")->required();
+    add_input(*command, "FILE", "", flags->file, "Vessel tree")->required();
     add_option(*command, "-o,--output", "FOLDER", flags->folder, "Folder for the pictures; it is made if need be")
         ->required();
-    CLI::Option* mask = add_option(*command, "--mask", "MASK", flags->mask,
-                                   "Segmentation mask of the same vessels (" + io::readable_volume_extensions() + ")");
+    CLI::Option* mask = add_input(*command, "--mask", "MASK", flags->mask,
+                                  "Segmentation mask of the same vessels (" + io::readable_volume_extensions() + ")");
     add_mask_units_flag(*command, flags->mask_units, "--mask")->needs(mask);
     add_label_flag(*command, flags->labels, "Labels of the mask that are these vessels (default: all)")->needs(mask);
     add_option(*command, "--voxel", "MM", flags->voxel_mm,

@@ -80,17 +80,17 @@ void register_validate(CLI::App& app, Action& chosen) {
     CLI::App* command = add_command(
         app, "validate",
         "Hold surfaces against their trees: branches that are lost, false or merged, constrictions, radii, distances");
-    add_option(*command, "TREE", "", flags->trees,
-               "Vessel trees; several are validated one by one and averaged, when all their files can be read")
+    add_input(*command, "TREE", "", flags->trees,
+              "Vessel trees; several are validated one by one and averaged, when all their files can be read")
         ->required();
-    add_option(*command, "--surface", "MESH", flags->meshes,
-               "The surface, from any program (" + io::readable_mesh_extensions() +
-                   "); without it, that of ramus. Of several trees once for each, in the same order")
+    add_input(*command, "--surface", "MESH", flags->meshes,
+              "The surface, from any program (" + io::readable_mesh_extensions() +
+                  "); without it, that of ramus. Of several trees once for each, in the same order")
         ->allow_extra_args(false);
     add_mesh_orientation_flag(*command, flags->mesh_axes, "--surface")->needs(command->get_option("--surface"));
-    CLI::Option* mask = add_option(*command, "--mask", "MASK", flags->masks,
-                                   "Segmentation mask of the same vessels (" + io::readable_volume_extensions() +
-                                       "): distances to its isosurface. Of several trees once for each, likewise")
+    CLI::Option* mask = add_input(*command, "--mask", "MASK", flags->masks,
+                                  "Segmentation mask of the same vessels (" + io::readable_volume_extensions() +
+                                      "): distances to its isosurface. Of several trees once for each, likewise")
                             ->allow_extra_args(false);
     add_mask_units_flag(*command, flags->labels.units, "--mask")->needs(mask);
     add_label_flag(*command, flags->labels.labels, "Labels of the mask that are these vessels (default: all)")

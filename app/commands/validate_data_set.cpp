@@ -8,6 +8,7 @@
 #include "core/field/kernel.h"
 #include "core/io/checksum.h"
 #include "core/io/meshes/mesh_file.h"
+#include "core/io/standard_input.h"
 #include "core/measure/deviation/deviation.h"
 #include "core/mesh/close_mesh.h"
 #include "core/validate/free_ends.h"
@@ -125,7 +126,7 @@ Result<std::vector<InputFile>> checksums_of(const ValidatedDataSet& set) {
             if (std::filesystem::is_directory(path, error)) read = {path};
             for (const std::filesystem::path& file : read) {
                 RAMUS_TRY(sum, io::sha256_of(file));
-                files.push_back({role, file.string(), std::move(sum)});
+                files.push_back({role, io::input_name(file), std::move(sum)});
             }
         }
         return files;
@@ -138,7 +139,8 @@ void warn_if_elsewhere(const ValidatedDataSet& set, bool apart) {
     for (const validate::RadiusPlace& place : set.validation.radii) radii.push_back(place.input_mm);
     const double distance = set.to_mask->statistics.box.median;
     if (!apart && (radii.empty() || distance <= measure::quantile(radii, 0.5))) return;
-    std::cerr << "ramus: " << set.mask << ": the mask does not lie where the vessels do: half of the surface is "
+    std::cerr << "ramus: " << io::input_name(set.mask)
+              << ": the mask does not lie where the vessels do: half of the surface is "
               << Lengths(set.claims).text(distance)
               << " or more from it; check that it is the tree's, and its unit (--mask-units)\n";
 }

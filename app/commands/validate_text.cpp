@@ -4,6 +4,7 @@
 #include "app/commands/listing.h"
 #include "app/reports/validation/validation_tables.h"
 #include "app/session/numbers.h"
+#include "core/io/standard_input.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,10 +87,10 @@ ordered_json shape_json(const std::optional<validate::Shape>& shape) {
 
 ordered_json data_set_json(const ValidatedDataSet& set, bool one_of_several) {
     ordered_json json;
-    json["tree"] = set.tree;
+    json["tree"] = io::input_name(set.tree);
     json["units"] = set.claims.unit_word();
-    if (one_of_several) json["mask"] = set.mask.empty() ? ordered_json() : ordered_json(set.mask);
-    json["surface"] = set.surface.empty() ? "made of the tree" : set.surface;
+    if (one_of_several) json["mask"] = set.mask.empty() ? ordered_json() : ordered_json(io::input_name(set.mask));
+    json["surface"] = set.surface.empty() ? "made of the tree" : io::input_name(set.surface);
     ordered_json& cones = json["distances"]["to_cones"];
     cones = deviation_json(set.to_cones.statistics);
     if (!one_of_several)
@@ -290,7 +291,7 @@ void print_validation(std::span<const ValidatedDataSet> sets) {
     for (const ValidatedDataSet& set : sets) {
         const validate::Validation& found = set.validation;
         if (found.nothing_found()) continue; // the table says so
-        std::cout << set.tree << '\n';
+        std::cout << io::input_name(set.tree) << '\n';
         print_questions(found, Lengths(set.claims));
     }
     print_table(questions_table(sets));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/io/standard_input.h"
 
 #include <string>
 
@@ -9,7 +10,7 @@ namespace ramus::app {
 
 // The same, and an error that does not say where names `file`.
 template <class T> [[nodiscard]] Result<T> of_file(Result<T> result, const std::string& file) {
-    if (!result && result.error().where.empty()) result.error().where = file;
+    if (!result && result.error().where.empty()) result.error().where = io::input_name(file);
     return result;
 }
 

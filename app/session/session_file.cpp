@@ -10,6 +10,7 @@
 #include "core/io/input_file.h"
 #include "core/io/json_text.h"
 #include "core/io/output_file.h"
+#include "core/io/standard_input.h"
 
 #include <algorithm>
 #include <array>
@@ -155,6 +156,9 @@ Result<SavedSession> read_session(const fs::path& path) {
 }
 
 Result<void> write_session(const Session& session, const fs::path& path) {
+    if (io::is_standard_input(session.tree.path))
+        return fail("the tree came through standard input, and a session needs a file that it can open again",
+                    path.string(), "write the tree to a file, and open that");
     const auto text = json_text(to_json(session, fs::absolute(path).parent_path()), path.string());
     return text ? io::write_file(path, *text, io::InputKind::kSession) : tl::unexpected(text.error());
 }

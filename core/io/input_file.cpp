@@ -1,5 +1,7 @@
 #include "core/io/input_file.h"
 
+#include "core/io/standard_input.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -19,9 +21,11 @@ tl::unexpected<Error> cannot_open(const std::string& name, int number) {
 } // namespace
 
 Result<void> check_input(const std::filesystem::path& path) {
-    const std::string name = path.string();
+    const std::string name = input_name(path);
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
+    if (path == "-" && status.type() == std::filesystem::file_type::not_found)
+        return fail("standard input is only for trees, masks and meshes", name, "name a file here");
     if (status.type() == std::filesystem::file_type::not_found) return fail("no such file", name, "check the path");
     if (std::filesystem::is_directory(status))
         return fail("this is a directory, not a file", name, "name a file in it");
@@ -34,7 +38,7 @@ Result<void> check_input(const std::filesystem::path& path) {
 }
 
 Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t limit, InputKind kind) {
-    const std::string name = path.string();
+    const std::string name = input_name(path);
     if (auto possible = check_input(path); !possible) return tl::unexpected(possible.error());
     errno = 0;
     std::ifstream file(path, std::ios::binary);

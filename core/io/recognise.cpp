@@ -6,6 +6,8 @@
 #include "core/io/volumes/volume_file.h"
 
 #include <algorithm>
+#include <memory>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -59,16 +61,20 @@ Recognised folder_at(const std::filesystem::path& path) {
     return {};
 }
 
-// Empty: it cannot be read.
+// The first bytes, uncompressed. Empty: they cannot be read.
+std::string head_from(std::unique_ptr<ByteStage> stage) {
+    std::string head(kHeadBytes, '\0');
+    head.resize(stage->read(head.data(), head.size()).value_or(0));
+    if (!head.starts_with("\x1f\x8b")) return head;
+    stage = inflate_stage(std::move(head), std::move(stage));
+    head.assign(kHeadBytes, '\0');
+    head.resize(stage->read(head.data(), head.size()).value_or(0));
+    return head;
+}
+
 std::string head_of(const std::filesystem::path& path) {
     auto stage = file_stage(path);
-    std::string head(kHeadBytes, '\0');
-    if (stage) head.resize((*stage)->read(head.data(), head.size()).value_or(0));
-    if (!stage || !head.starts_with("\x1f\x8b")) return stage ? head : std::string();
-    stage = inflate_stage(std::move(head), std::move(*stage));
-    head.assign(kHeadBytes, '\0');
-    head.resize((*stage)->read(head.data(), head.size()).value_or(0));
-    return head;
+    return stage ? head_from(std::move(*stage)) : std::string();
 }
 
 } // namespace
@@ -80,6 +86,8 @@ Recognised recognised(std::string_view head, const std::filesystem::path& name) 
     if (const Recognised found = by_name(name)) return found;
     return by_content(head, Certainty::kLikeness);
 }
+
+Recognised recognised_alone(std::string_view bytes) { return recognised(head_from(memory_stage(bytes)), {}); }
 
 Recognised recognised(const std::filesystem::path& path) {
     std::error_code error;

@@ -30,6 +30,9 @@ struct Recognised {
 // Of a file called `name` that begins with `head`, uncompressed.
 [[nodiscard]] Recognised recognised(std::string_view head, const std::filesystem::path& name);
 
+// Of what has no name and begins with `bytes`, compressed by gzip or not.
+[[nodiscard]] Recognised recognised_alone(std::string_view bytes);
+
 // Of the file or folder at `path`, compressed by gzip or not. Pipes can be read but once: they, and what cannot be
 // read, are recognised by their names.
 [[nodiscard]] Recognised recognised(const std::filesystem::path& path);

@@ -1,5 +1,7 @@
 #include "app/reports/validation/data_set.h"
 
+#include "core/io/standard_input.h"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -28,7 +30,7 @@ template <class List, class Value> std::optional<double> summary_where(const Lis
 } // namespace
 
 std::string name_of(const ValidatedDataSet& set) {
-    const std::string name = std::filesystem::path(set.tree).filename().string();
+    const std::string name = std::filesystem::path(io::input_name(set.tree)).filename().string();
     return name.empty() ? set.tree : name;
 }
 

@@ -11,6 +11,7 @@
 #include "core/io/meshes/vtp_surface.h"
 #include "core/io/output_file.h"
 #include "core/io/recognise.h"
+#include "core/io/standard_input.h"
 #include "core/io/vtk/vtk_dataset.h"
 #include "core/mesh/close_mesh.h"
 #include "core/tree/build_tree.h"
@@ -166,7 +167,7 @@ Result<const MeshFormat*> mesh_format(const std::filesystem::path& file) {
 }
 
 Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const MeshReading& reading) {
-    const std::string name = path.string();
+    const std::string name = input_name(path);
     RAMUS_TRY(text, uncompressed(path, kMostMeshBytes));
     const Recognised found = recognised(text, path);
     if (found.mesh == nullptr)

@@ -45,7 +45,7 @@ Result<CsvTable> other_table(const TreeInput& input, bool nodes) {
     if (input.path.empty())
         return fail("this is a table of " + std::string(nodes ? "nodes" : "edges") + ", the one of " + what +
                         " stands in another file",
-                    input.name, "open it where both lie");
+                    input.name, "name its file, where both lie");
     const std::vector<fs::path> names = partner_names(input.path, nodes);
     const auto found = std::ranges::find_if(names, [](const fs::path& path) {
         std::error_code error;

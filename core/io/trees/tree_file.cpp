@@ -4,6 +4,7 @@
 #include "core/io/input_file.h"
 #include "core/io/output_file.h"
 #include "core/io/recognise.h"
+#include "core/io/standard_input.h"
 #include "core/io/text_numbers.h"
 #include "core/io/trees/amira.h"
 #include "core/io/trees/branch_table.h"
@@ -30,10 +31,12 @@ tl::unexpected<Error> no_tree(const Recognised& found, const std::filesystem::pa
         return fail("this is a volume, where a vessel tree is needed", path.string(),
                     "ramus mesh --method iso makes the surface of a mask");
     if (found.mesh != nullptr)
-        return fail("this is a surface mesh, not a tree", path.string(),
+        return fail("this is a surface mesh, not a tree", input_name(path),
                     "a tree needs centerlines; as a surface, --context of ramus render shows it");
-    return fail("files of type '" + path.extension().string() + "' cannot be read", path.string(),
-                "use " + readable_tree_extensions());
+    const std::string type = path.extension().string();
+    return fail(type.empty() ? "its first bytes do not tell what it is, nor does its name"
+                             : "files of type '" + type + "' cannot be read",
+                input_name(path), "use " + readable_tree_extensions());
 }
 
 Result<tree::VesselTree> parse(const TreeFormat& format, const TreeInput& input) {
@@ -44,7 +47,7 @@ Result<tree::VesselTree> parse(const TreeFormat& format, const TreeInput& input)
 }
 
 Result<tree::VesselTree> read_any(const std::filesystem::path& path, const ReadOptions& options) {
-    const std::string name = path.string();
+    const std::string name = input_name(path);
     // Before gigabytes are read for nothing.
     if (const Recognised begins = recognised(path); begins && begins.tree == nullptr) {
         std::error_code error;
@@ -52,14 +55,19 @@ Result<tree::VesselTree> read_any(const std::filesystem::path& path, const ReadO
         if (auto possible = check_input(path); !possible && !is_folder) return tl::unexpected(possible.error());
         return no_tree(begins, path);
     }
+    if (std::error_code error; std::filesystem::is_directory(path, error))
+        return fail("this folder holds no DICOM image, and other folders are not read", name, "name a file in it");
     // What is wrong with the file itself comes before what is wrong with its name.
     RAMUS_TRY(text, read_file(path));
+    if (text.empty()) return fail("the file is empty", name, "choose another file");
     if (is_gzip(text)) { // whatever the name says
         RAMUS_TRY(plain, inflated(text, inflation_limit(text.size()), name));
         text = std::move(plain);
     }
     const Recognised found = recognised(text, path);
-    return found.tree != nullptr ? parse(*found.tree, {text, name, options, path}) : no_tree(found, path);
+    return found.tree != nullptr
+               ? parse(*found.tree, {text, name, options, is_standard_input(path) ? std::filesystem::path() : path})
+               : no_tree(found, path);
 }
 
 const TreeFormat* written_format(const std::filesystem::path& file) {
@@ -206,7 +214,7 @@ bool names_tree(const std::filesystem::path& path) {
 
 Result<tree::VesselTree> read_tree(const std::filesystem::path& path, const ReadOptions& options) {
     auto tree = read_any(path, options);
-    if (tree && tree->source.empty()) tree->source = path.filename().string();
+    if (tree && tree->source.empty()) tree->source = std::filesystem::path(input_name(path)).filename().string();
     if (tree)
         if (auto good = join_branch_table(*tree, options); !good) return tl::unexpected(good.error());
     return tree;

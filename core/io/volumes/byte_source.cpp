@@ -3,6 +3,7 @@
 #include "core/io/file_format.h"
 #include "core/io/input_file.h"
 #include "core/io/run_inputs.h"
+#include "core/io/standard_input.h"
 #include "core/io/volumes/byte_stage.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ Result<ByteSource> ByteSource::open(const std::filesystem::path& path, Unpack un
     if (auto possible = check_input(path); !possible) return tl::unexpected(possible.error());
     auto state = std::make_unique<State>();
     auto stage = file_stage(path);
-    if (!stage) return fail(stage.error().what, path.string(), stage.error().hint);
+    if (!stage) return fail(stage.error().what, input_name(path), stage.error().hint);
     state->stage = std::move(*stage);
     note_input(path);
     // Of pipes and devices nothing is known.
@@ -50,8 +51,8 @@ Result<ByteSource> ByteSource::open(const std::filesystem::path& path, Unpack un
     const double bytes = std::filesystem::is_regular_file(path, error)
                              ? static_cast<double>(std::filesystem::file_size(path, error))
                              : std::numeric_limits<double>::infinity();
-    ByteSource source(std::move(state), path.string());
-    source.path_ = path;
+    ByteSource source(std::move(state), input_name(path));
+    if (!is_standard_input(path)) source.path_ = path;
     if (auto begun = source.begin(bytes, unpack); !begun) return tl::unexpected(begun.error());
     return source;
 }

@@ -27,7 +27,7 @@ public:
     ~ByteSource();
 
     [[nodiscard]] const std::string& name() const { return name_; }
-    // Empty: of memory.
+    // Empty: of memory or standard input, with no files beside it.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     // Whether all of the file is compressed.
     [[nodiscard]] bool is_gzip() const { return gzip_; }

@@ -71,7 +71,8 @@ Result<ByteSource> open_values(const ByteSource& source, const std::string& name
     if (name.find('%') != std::string::npos || lower_case(name).starts_with("list"))
         return fail("its values are in several files", source.name(), "write it as one file");
     if (source.path().empty())
-        return fail("its values are in another file, " + name, source.name(), "write header and values as one file");
+        return fail("its values are in another file, " + name, source.name(),
+                    "name the header's file, or write header and values as one");
     const std::filesystem::path folder = std::filesystem::absolute(source.path()).parent_path().lexically_normal();
     const std::filesystem::path path = (folder / name).lexically_normal(); // an absolute name stays as it is
     std::error_code error;

@@ -1,6 +1,7 @@
 #include "core/io/volumes/volume_file.h"
 
 #include "core/io/recognise.h"
+#include "core/io/standard_input.h"
 #include "core/io/volumes/dicom/dicom_reader.h"
 #include "core/io/volumes/meta_image_reader.h"
 #include "core/io/volumes/nifti_reader.h"
@@ -16,8 +17,11 @@ namespace {
 
 Result<volume::Volume> read_any(const std::filesystem::path& path, const ReadVolumeOptions& options, Job& job) {
     std::error_code error;
-    if (std::filesystem::is_directory(path, error))
+    if (std::filesystem::is_directory(path, error)) {
         if (const VolumeFormat* format = recognised(path).volume) return format->read_folder(path, options, job);
+        return fail("this folder holds no DICOM image, and other folders are not read", path.string(),
+                    "name a file in it");
+    }
     RAMUS_TRY(source, ByteSource::open(path));
     const std::string extensions = readable_volume_extensions();
     const Recognised found = recognised(source.head(), path);
@@ -93,11 +97,11 @@ bool is_volume(const std::filesystem::path& path) { return recognised(path).volu
 Result<volume::Volume> read_volume(const std::filesystem::path& path, const ReadVolumeOptions& options, Job& job) {
     try {
         RAMUS_TRY(volume, read_any(path, options, job));
-        if (auto applied = apply_unit(volume, options.unit, path.string()); !applied)
+        if (auto applied = apply_unit(volume, options.unit, input_name(path)); !applied)
             return tl::unexpected(applied.error());
         return volume;
     } catch (const std::bad_alloc&) {
-        return fail("not enough memory for this volume", path.string(), "crop it, or free some memory");
+        return fail("not enough memory for this volume", input_name(path), "crop it, or free some memory");
     }
 }
 

@@ -1,0 +1,113 @@
+#include "core/io/standard_input.h"
+
+#include "core/io/recognise.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace ramus::io {
+
+namespace {
+
+constexpr const char* kName = "standard input";
+
+// A file without a name, for reading and writing; -1 with errno.
+int open_without_name(const std::filesystem::path& folder) {
+#ifdef O_TMPFILE
+    if (const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600); descriptor >= 0)
+        return descriptor;
+#endif
+    std::string name = (folder / "ramus-XXXXXX").string();
+    const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+    if (descriptor >= 0) ::unlink(name.c_str());
+    return descriptor;
+}
+
+// As many bytes as there are, up to `bytes`; -1 with errno.
+ssize_t read_full(char* into, std::size_t bytes) {
+    std::size_t done = 0;
+    while (done < bytes) {
+        const ssize_t got = ::read(STDIN_FILENO, into + done, bytes - done);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return -1;
+        if (got == 0) break;
+        done += static_cast<std::size_t>(got);
+    }
+    return static_cast<ssize_t>(done);
+}
+
+bool write_full(int descriptor, const char* bytes, std::size_t count) {
+    while (count > 0) {
+        const ssize_t put = ::write(descriptor, bytes, count);
+        if (put < 0 && errno == EINTR) continue;
+        if (put <= 0) return false;
+        bytes += put;
+        count -= static_cast<std::size_t>(put);
+    }
+    return true;
+}
+
+Result<void> copy_to(int file, const std::string& folder) {
+    std::vector<char> buffer(std::size_t{1} << 18);
+    for (std::uint64_t done = 0;;) {
+        const ssize_t got = read_full(buffer.data(), buffer.size());
+        if (got < 0)
+            return fail(std::string("cannot be read: ") + std::strerror(errno), kName, "name a file, or use a pipe");
+        const auto count = static_cast<std::size_t>(got);
+        if (done == 0 && count == 0) return fail("nothing came", kName, "check the program before the pipe");
+        // Nobody waits for gigabytes that nobody can read.
+        if (done == 0 && !recognised_alone(std::string_view(buffer.data(), count)))
+            return fail("its first bytes do not tell what it is", kName,
+                        "through a pipe come trees, masks and meshes that are recognised by their content; write it "
+                        "to a file with its extension, and name that");
+        done += count;
+        if (done > kMostStandardInput)
+            return fail("there is more than " + std::to_string(kMostStandardInput >> 30) + " GiB", kName,
+                        "write it to a file, and name that");
+        if (!write_full(file, buffer.data(), count))
+            return fail(std::string("has no room in ") + folder + ": " + std::strerror(errno), kName,
+                        "set TMPDIR to a folder with room, or write it to a file, and name that");
+        if (count < buffer.size()) return {};
+    }
+}
+
+} // namespace
+
+bool is_standard_input(const std::filesystem::path& path) {
+    for (const char* name : {kStandardInputPath, "/dev/fd/0", "/proc/self/fd/0"})
+        if (path == name) return true;
+    return false;
+}
+
+std::string input_name(const std::filesystem::path& path) { return is_standard_input(path) ? kName : path.string(); }
+
+Result<void> settle_standard_input() {
+    struct stat status {};
+    if (::fstat(STDIN_FILENO, &status) != 0) return fail("is closed", kName, "name a file, or use a pipe");
+    if (S_ISDIR(status.st_mode)) return fail("is a folder", kName, "name the folder instead of -");
+    // Whoever opens /dev/stdin begins at its first byte.
+    if (S_ISREG(status.st_mode) && ::lseek(STDIN_FILENO, 0, SEEK_CUR) == 0) return {};
+    if (::isatty(STDIN_FILENO) != 0)
+        std::fputs("ramus: waiting for standard input; Ctrl-D ends it, Ctrl-C stops\n", stderr);
+    std::error_code error;
+    const std::filesystem::path above = std::filesystem::temp_directory_path(error);
+    const std::string folder = error ? "/tmp" : above.string();
+    const int file = open_without_name(folder);
+    if (file < 0)
+        return fail(std::string("cannot be kept in ") + folder + ": " + std::strerror(errno), kName,
+                    "set TMPDIR to a folder that can be written to");
+    auto copied = copy_to(file, folder);
+    if (copied && ::dup2(file, STDIN_FILENO) < 0) copied = fail(std::strerror(errno), kName);
+    ::close(file);
+    return copied;
+}
+
+} // namespace ramus::io
