@@ -6,6 +6,7 @@
 #include "app/session/colour_by.h"
 #include "app/session/numbers.h"
 #include "core/base/words.h"
+#include "core/io/input_file.h"
 #include "core/io/trees/imported_tree.h"
 #include "core/io/volumes/volume_file.h"
 #include "render/scene/bounds.h"
@@ -99,6 +100,8 @@ Result<ContextItem> new_item(const Document& document, Arguments arguments) {
     const auto& context = document.marks().context;
     auto item = item_in(arguments, context);
     if (!item) return item;
+    if (auto possible = io::check_input(item->file); !possible && !std::filesystem::is_directory(item->file))
+        return tl::unexpected(possible.error());
     if (!can_be_context(item->file))
         return fail("this is neither a mask nor a mesh", item->file, "context is " + context_extensions());
     const auto same = [&](const ContextItem& other) {

@@ -24,7 +24,7 @@ Result<void> take_file(Marks& marks, const std::string& name, const std::string&
     const std::filesystem::path path = std::filesystem::absolute(name).lexically_normal();
     std::error_code error;
     if (!std::filesystem::exists(path, error))
-        return fail("the surface cannot be read", path.string(), std::string("give ") + kWanted);
+        return fail("no such file", path.string(), std::string("give ") + kWanted);
     if (io::may_be_mesh(path)) {
         marks.deviation.from = From::kFile;
         marks.deviation.file = path.string();

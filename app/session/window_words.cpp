@@ -13,6 +13,11 @@ using Words = std::pair<std::string_view, std::string_view>;
 
 // The longer of two that begin alike comes first.
 constexpr auto kWindowWords = std::to_array<Words>({
+    {"say which of them are vessels (--labels N,M; ramus skeletonize: --label N,M), or take all that is at least X "
+     "with --isovalue X",
+     "File, Open asks which of them are vessels, or for a threshold"},
+    {"take all that is at least X with --isovalue X", "take all above a threshold (File, Open asks for it)"},
+    {"give it to --session of ramus render, mesh or convert, or name its tree's file", "open its tree's file"},
     {"repair with --repair or edit the file", "choose more repairs (Shift+D) or edit the file"},
     {"allow it with --repair usual or --repair ", "allow all repairs when the file is read (Shift+D), such as "},
     {"allow it with --repair all or --repair ", "allow all repairs when the file is read (Shift+D), such as "},
@@ -30,7 +35,7 @@ constexpr auto kWindowWords = std::to_array<Words>({
     {"use a file that `ramus convert` wrote", "use a file that File, Export wrote"},
     {"or write it anew with `ramus convert`", "or write it anew with the program that made it"},
     {"as a surface, --context of ramus render shows it", "as a surface, File, Add context shows it"},
-    {", or give all points the same radius with --radius MM", ""},
+    {", or give all points the same radius with --radius MM", ", or give all points the same radius"},
     {"leave out --orientation, or ", ""},
     {"say which one it is with --units", "say which one it is: View, What the file does not say"},
     {"say which they are with --units", "say which they are: View, What the file does not say"},

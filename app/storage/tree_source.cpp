@@ -79,7 +79,7 @@ Result<tree::VesselTree> tree_of_mask(const fs::path& path, const io::ReadOption
     auto tree = of_file(volume::skeletonize(std::move(mask), systems, how, job), path.string());
     if (!tree) return tree;
     tree->claims = claims;
-    tree->source = path.filename().string();
+    tree->source = fs::path(io::input_name(path)).filename().string();
     tree->notes.insert(tree->notes.begin(), notes.begin(), notes.end());
     if (auto good = io::join_branch_table(*tree, options); !good) return tl::unexpected(good.error());
     return tree;
@@ -107,7 +107,10 @@ volume::SkeletonizeOptions skeletonize_options(const io::MaskReading& mask, doub
 
 Result<tree::VesselTree> read_tree_or_mask(const fs::path& path, const io::ReadOptions& options, double memory_bytes,
                                            Job& job) {
-    if (!is_session_file(path) && io::is_volume(path)) return tree_of_mask(path, options, memory_bytes, job);
+    if (is_session_file(path))
+        return fail("this is a session, where a vessel tree or a mask is needed", path.string(),
+                    "give it to --session of ramus render, mesh or convert, or name its tree's file");
+    if (io::is_volume(path)) return tree_of_mask(path, options, memory_bytes, job);
     return io::read_tree(path, options);
 }
 

@@ -55,9 +55,9 @@ class BadTrees(CommandLineTest):
         for command in (["info"], ["mesh", "-o", "out.ply"], ["convert", "-o", "out.json"]):
             with self.subTest(command=command[0]):
                 self.expect_failure(*command, "missing.swc", says=["missing.swc", "no such file", "check the path"])
-                self.expect_failure(*command, self.folder, says=[str(self.folder), "directory", "name a file in it"])
+                self.expect_failure(*command, self.folder, says=[str(self.folder), "folder", "name a file in it"])
         (self.folder / "folder.swc").mkdir()
-        self.expect_failure("info", "folder.swc", says=["folder.swc", "directory"])
+        self.expect_failure("info", "folder.swc", says=["folder.swc", "folder"])
 
     def test_unknown_extension(self):
         self.expect_done("info", self.write("tree.xyz", GOOD))  # its content tells

@@ -206,7 +206,7 @@ class Kinds(CommandLineTest):
         for command in (["info", "ball"], ["convert", "ball", "-o", "a.swc"], ["render", "ball", "-o", "a.png"]):
             with self.subTest(command):
                 self.expect_failure(*command, says=["this is a surface mesh, not a tree"])
-        self.expect_failure("skeletonize", "ball", "-o", "a.swc", says=["this is no mask"])
+        self.expect_failure("skeletonize", "ball", "-o", "a.swc", says=["where a segmentation mask is needed"])
         self.expect_done("compare", "ball", "tree.swc")
         self.expect_done("render", "tree.swc", "--context", "ball", "-o", "a.png", "--size", "80x60")
 

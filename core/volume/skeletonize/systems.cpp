@@ -41,18 +41,21 @@ Result<void> check_groups(const std::vector<std::vector<std::int32_t>>& groups, 
 Result<std::vector<SystemMask>> systems_of(const Volume& volume, const LabelGroups& groups) {
     const bool chosen = groups && !groups->empty();
     if (!holds_whole_numbers(volume)) {
-        if (chosen) return fail("a volume of fractions has no labels", {}, "leave out --label");
+        if (chosen) return fail("a volume of fractions has no labels", {}, "leave out --label or --labels");
         if (!looks_like_a_mask(volume))
             return fail("this looks like a scan, not like a mask of vessels", {},
-                        "segment the vessels first; the mask is what becomes a tree");
+                        "segment the vessels first, or take all that is at least X with --isovalue X");
         return std::vector<SystemMask>(1);
     }
     const std::vector<LabelCount> counts = label_counts(volume);
     if (counts.empty()) return fail("nothing is inside: every voxel is 0");
     if (!chosen && counts.size() > kMostSystems)
-        return fail("it has " + std::to_string(counts.size()) +
-                        " different values, and looks like a scan, not like a mask of vessels",
-                    {}, "say which are vessels: --label N,M");
+        return fail(
+            "it has " + std::to_string(counts.size()) +
+                " different values, and looks like a scan, not like a mask of vessels",
+            {},
+            "say which of them are vessels (--labels N,M; ramus skeletonize: --label N,M), or take all that is at "
+            "least X with --isovalue X");
     if (!groups) return std::vector<SystemMask>(1);
     std::vector<std::vector<std::int32_t>> labels = *groups;
     if (auto good = check_groups(labels, counts); !good) return tl::unexpected(good.error());
