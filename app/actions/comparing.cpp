@@ -91,7 +91,7 @@ Result<void> compare_mask(ActionContext& context, Arguments arguments) {
         const auto labels = label_list(arguments[1]);
         if (!labels)
             return fail("\"" + arguments[1] + "\" is not a list of labels", {},
-                        "whole numbers other than 0 with commas between");
+                        "names and whole numbers other than 0, with commas between");
         next.comparison.labels = *labels;
     }
     context.document.change(std::move(next));

@@ -4,11 +4,13 @@
 #include "app/assets/assets.h"
 #include "app/assets/half_turn.h"
 #include "app/session/colour_by.h"
+#include "app/session/comparison.h"
 #include "app/session/numbers.h"
 #include "core/base/words.h"
 #include "core/io/input_file.h"
 #include "core/io/trees/imported_tree.h"
 #include "core/io/volumes/volume_file.h"
+#include "core/volume/label_counts.h"
 #include "render/scene/bounds.h"
 
 #include <algorithm>
@@ -21,8 +23,8 @@ namespace ramus::app::actions {
 namespace {
 
 constexpr const char* kUsage =
-    "context FILE [--label N] [--isovalue X] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact] [--units UNIT] "
-    "[--mesh-orientation LPS|RAS]";
+    "context FILE [--label LABEL,...|all] [--isovalue X] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact] "
+    "[--units UNIT] [--mesh-orientation LPS|RAS]";
 
 // Quiet, and well apart from vessels: an organ's brown, bone, and others that nothing in a body has.
 constexpr std::array<std::array<std::uint8_t, 3>, 6> kColours{
@@ -34,9 +36,17 @@ std::array<std::uint8_t, 3> next_colour(const std::vector<ContextItem>& context)
     return kColours[context.size() % kColours.size()];
 }
 
-Result<ContextItem> item_in(Arguments arguments, const std::vector<ContextItem>& context) {
+// What the words ask for.
+struct AskedContext {
     ContextItem item;
-    item.colour = next_colour(context);
+    std::vector<volume::LabelChoice> labels; // an item for each; none: one of all that is inside
+    bool each_label = false;                 // these are all that the mask has
+    bool coloured = false;                   // by the words; else as the file has it, or unlike the others
+};
+
+Result<AskedContext> asked_in(Arguments arguments) {
+    AskedContext asked;
+    ContextItem& item = asked.item;
     std::optional<double> opacity;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string& word = arguments[i];
@@ -48,8 +58,10 @@ Result<ContextItem> item_in(Arguments arguments, const std::vector<ContextItem>&
                    word == "--units" || word == "--mesh-orientation") {
             const std::string value = i + 1 < arguments.size() ? arguments[++i] : std::string();
             if (word == "--label") {
-                item.label = parsed<int>(value).value_or(0);
-                if (item.label == 0) return fail("--label takes a whole number other than 0", {}, kUsage);
+                asked.each_label = value == "all";
+                const auto labels = asked.each_label ? std::vector<volume::LabelChoice>() : label_list(value);
+                if (!labels) return fail("--label takes names and whole numbers other than 0", {}, kUsage);
+                asked.labels = *labels;
             } else if (word == "--isovalue") {
                 item.isovalue = parsed<double>(value);
                 if (!item.isovalue || !std::isfinite(*item.isovalue))
@@ -65,6 +77,7 @@ Result<ContextItem> item_in(Arguments arguments, const std::vector<ContextItem>&
                 if (!colour)
                     return fail("--colour takes a colour: RRGGBB", {}, "c98268, say; with a # only between quotes");
                 item.colour = *colour;
+                asked.coloured = true;
             } else {
                 opacity = number_in(value, 0.0, 1.0);
                 if (!opacity) return fail("--opacity takes a number from 0 to 1", {}, kUsage);
@@ -76,10 +89,17 @@ Result<ContextItem> item_in(Arguments arguments, const std::vector<ContextItem>&
         }
     }
     if (item.file.empty()) return fail("context takes a file", {}, kUsage);
-    if (item.isovalue && item.label != 0)
+    if (item.isovalue && (asked.each_label || !asked.labels.empty()))
         return fail("context takes a label of a mask or an isovalue of a scan, not both", {}, kUsage);
     item.opacity = opacity.value_or(item.wireframe ? 1.0 : item.opacity);
-    return item;
+    return asked;
+}
+
+std::vector<ContextItem> items_of(const AskedContext& asked) {
+    if (asked.labels.empty()) return {asked.item};
+    std::vector<ContextItem> items(asked.labels.size(), asked.item);
+    for (std::size_t i = 0; i < items.size(); ++i) items[i].label = asked.labels[i];
+    return items;
 }
 
 // Something that lies far from the tree is of another patient, or in other coordinates.
@@ -95,20 +115,38 @@ std::string distance_text(const ContextShape& shape, const std::string& read_in,
                       : std::string();
 }
 
-// What the words ask for, in a colour that the document does not have yet.
-Result<ContextItem> new_item(const Document& document, Arguments arguments) {
-    const auto& context = document.marks().context;
-    auto item = item_in(arguments, context);
-    if (!item) return item;
-    if (auto possible = io::check_input(item->file); !possible && !std::filesystem::is_directory(item->file))
-        return tl::unexpected(possible.error());
-    if (!can_be_context(item->file))
-        return fail("this is neither a mask nor a mesh", item->file, "context is " + context_extensions());
+Result<void> check_new(const ContextItem& item, const std::vector<ContextItem>& context) {
     const auto same = [&](const ContextItem& other) {
-        return source_of(other) == source_of(*item) && other.wireframe == item->wireframe;
+        return source_of(other) == source_of(item) && other.wireframe == item.wireframe;
     };
-    if (std::ranges::any_of(context, same)) return fail("this is shown already", item->file);
-    return item;
+    if (std::ranges::any_of(context, same)) return fail("this is shown already", item.file);
+    return {};
+}
+
+Result<AskedContext> asked_of(const Document& document, Arguments arguments) {
+    RAMUS_TRY(asked, asked_in(arguments));
+    if (auto possible = io::check_input(asked.item.file); !possible && !std::filesystem::is_directory(asked.item.file))
+        return tl::unexpected(possible.error());
+    if (!can_be_context(asked.item.file))
+        return fail("this is neither a mask nor a mesh", asked.item.file, "context is " + context_extensions());
+    if (asked.each_label) return asked; // which these are the file says
+    for (const ContextItem& item : items_of(asked))
+        if (auto is_new = check_new(item, document.marks().context); !is_new) return tl::unexpected(is_new.error());
+    return asked;
+}
+
+// All that a mask has.
+Result<std::vector<volume::LabelChoice>> labels_in(const ContextItem& item, Job& job) {
+    constexpr std::size_t kMost = 64;
+    if (!io::is_volume(item.file))
+        return fail("a mesh has no labels", item.file, "masks have them: " + io::readable_volume_extensions());
+    RAMUS_TRY(volume, io::read_volume(item.file, {0.0, io::length_unit(item.units)}, job));
+    std::vector<volume::LabelChoice> labels;
+    for (const volume::LabelCount& count : volume::label_counts(volume)) labels.emplace_back(count.label);
+    if (labels.empty() || labels.size() > kMost)
+        return fail(labels.empty() ? "no voxel has a label" : "it has more than " + std::to_string(kMost) + " labels",
+                    item.file, "name those that are meant, as 1,2");
+    return labels;
 }
 
 render::Camera at_all(const ActionContext& context) {
@@ -117,17 +155,28 @@ render::Camera at_all(const ActionContext& context) {
     return render::camera_for(visible, render::View::kAnterior, size);
 }
 
-Result<void> add_context(ActionContext& context, Arguments arguments, const ContextShape& shape) {
-    const mesh::TriangleMesh& mesh = *shape.mesh;
-    RAMUS_TRY(item, new_item(context.document, arguments));
-    context.say(std::filesystem::path(item.file).filename().string() + ": " +
-                counted(mesh.triangles.size(), "triangle", "triangles") +
-                distance_text(shape, item.axes, context.document.tree().get()) +
-                (shape.suspicion.empty() ? "" : "; " + shape.suspicion));
+// The surfaces of all labels are there.
+Result<void> add_context(ActionContext& context, const AskedContext& asked) {
+    std::vector<ContextItem> list = context.document.marks().context;
+    std::string said = std::filesystem::path(asked.item.file).filename().string() + ": ";
+    for (ContextItem item : items_of(asked)) {
+        if (auto is_new = check_new(item, list); !is_new) return is_new;
+        const auto shape = context.assets.context_shape(source_of(item));
+        if (!shape) return fail("the surface is not there any more", item.file, "ask for it again");
+        const volume::LabelName label = shape->label.value_or(volume::LabelName{});
+        if (!asked.coloured) item.colour = label.colour.value_or(next_colour(list));
+        said += (list.size() > context.document.marks().context.size() ? "; " : "") +
+                (label.name.empty() ? "" : label.name + ", ") +
+                counted(shape->mesh->triangles.size(), "triangle", "triangles") +
+                distance_text(*shape, item.axes, context.document.tree().get()) +
+                (shape->suspicion.empty() ? "" : "; " + shape->suspicion);
+        list.push_back(std::move(item));
+    }
+    context.say(said);
     // Without a tree all is looked at, until somebody looks otherwise.
     const bool looks_at_all = !has_tree(context.document) &&
                               (!has_scene(context.document) || context.document.session().camera == at_all(context));
-    auto added = edit(context, [&](Marks& marks) { marks.context.push_back(item); });
+    auto added = edit(context, [&](Marks& marks) { marks.context = list; });
     if (added && looks_at_all) context.document.set_camera(at_all(context));
     return added;
 }
@@ -143,22 +192,28 @@ Result<Outcome> context(ActionContext& context, Arguments arguments) {
     if (arguments.empty())
         return outcome_of(
             ask_for_file(context, FilePurpose::kContext, fail("context needs a FILE here", {}, context_extensions())));
-    RAMUS_TRY(item, new_item(context.document, arguments));
+    RAMUS_TRY(wanted, asked_of(context.document, arguments));
     // What is not to be had without a word, a scan's surface, somebody has to say.
     const bool asks =
-        arguments.size() == 1 && context.files != nullptr && context.files->asks() && io::is_volume(item.file);
-    return Pending{"Reading " + std::filesystem::path(item.file).filename().string(),
-                   [source = source_of(item), words = std::vector(arguments.begin(), arguments.end()),
-                    assets = context.assets, asks](Job& job) mutable -> Result<Continuation> {
-                       if (auto shape = load_context_shape(assets, source, job); !shape) {
-                           if (asks && !job.cancelled()) return ask_about(source.file);
-                           return tl::unexpected(shape.error());
-                       }
-                       return [words, source, read = assets.context_shapes.at(source)](ActionContext& then) {
-                           then.assets.put(source, read);
-                           return add_context(then, words, **read.value);
-                       };
-                   }};
+        arguments.size() == 1 && context.files != nullptr && context.files->asks() && io::is_volume(wanted.item.file);
+    return Pending{
+        "Reading " + std::filesystem::path(wanted.item.file).filename().string(),
+        [asked = std::move(wanted), assets = context.assets, asks](Job& job) mutable -> Result<Continuation> {
+            if (asked.each_label) {
+                RAMUS_TRY(labels, labels_in(asked.item, job));
+                asked.labels = std::move(labels);
+            }
+            for (const ContextItem& item : items_of(asked)) {
+                auto shape = load_context_shape(assets, source_of(item), job);
+                if (!shape && asks && !job.cancelled()) return ask_about(item.file);
+                if (!shape) return tl::unexpected(shape.error());
+            }
+            return [asked, read = assets](ActionContext& then) {
+                for (const ContextItem& item : items_of(asked))
+                    then.assets.put(source_of(item), read.context_shapes.at(source_of(item)));
+                return add_context(then, asked);
+            };
+        }};
 }
 
 // The N-th of the list, changed as `change` says; that fails on what is no such value.
@@ -271,8 +326,8 @@ std::vector<Command> context_commands() {
     return {
         Command(
             "context",
-            "[FILE [--label N] [--isovalue X] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact] [--units UNIT] "
-            "[--mesh-orientation LPS|RAS]]",
+            "[FILE [--label LABEL,...|all] [--isovalue X] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact] "
+            "[--units UNIT] [--mesh-orientation LPS|RAS]]",
             "Shows the surface of a mask, of a scan at an isovalue, or of a mesh beside the tree, or alone where there "
             "is none; without FILE, asks for one. A mask's steps between voxels are smoothed, by half a voxel at most, "
             "unless its exact steps are asked for. A mesh that does not state its axes is in RAS unless you say LPS.",

@@ -19,7 +19,7 @@ struct DeviationOf {
     DeviationChoice::From from = DeviationChoice::From::kCones;
     std::string file, units;                     // a mesh, or a mask and the unit of its lengths
     std::string axes;                            // of a mesh that does not state them
-    std::vector<std::int32_t> labels;            // in the mask
+    std::vector<volume::LabelChoice> labels;     // in the mask
     std::optional<mesh::SurfaceOptions> options; // of cones
     std::vector<int> hidden;                     // likewise: branch ids, ascending
     bool operator==(const DeviationOf&) const = default;

@@ -27,7 +27,7 @@ void scale(mesh::TriangleMesh& mesh, const glm::dvec3& mm) {
 Result<mesh::TriangleMesh> read_surface(const ContextSource& source, ContextShape& shape, Job& job) {
     const auto unit = io::length_unit(source.units);
     if (!io::is_volume(source.file)) {
-        if (source.label != 0 || source.isovalue)
+        if (!source.label.none() || source.isovalue)
             return fail("a mesh has neither labels nor values", source.file,
                         "masks and scans have them: " + io::readable_volume_extensions());
         RAMUS_TRY(read, io::read_mesh_file(source.file, {io::Holes::kAllowed, io::slicer_space(source.axes)}));
@@ -42,7 +42,12 @@ Result<mesh::TriangleMesh> read_surface(const ContextSource& source, ContextShap
     shape.claims = io::claims_of(*volume, unit);
     volume::Selection selection;
     selection.isovalue = source.isovalue;
-    if (source.label != 0) selection.labels = {source.label};
+    if (!source.label.none()) {
+        selection.labels = {source.label};
+        const auto numbers = of_file(volume::label_numbers(*volume, selection.labels), source.file);
+        if (!numbers) return tl::unexpected(numbers.error());
+        if (const volume::LabelName* name = volume::name_of_label(*volume, numbers->front())) shape.label = *name;
+    }
     volume::IsosurfaceOptions options;
     if (!source.exact) options.steps = volume::VoxelSteps::kSmoothed;
     auto surface = of_file(volume::isosurface(std::move(*volume), selection, options, job), source.file);

@@ -7,6 +7,7 @@
 #include "core/measure/mesh_distance.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/tree/vessel_tree.h"
+#include "core/volume/volume.h"
 #include "render/scene/bounds.h"
 
 #include <compare>
@@ -66,7 +67,7 @@ struct LesionMesh {
 // The surfaces that sessions show beside the tree, read from meshes and masks.
 struct ContextSource {
     std::string file;
-    int label = 0;
+    volume::LabelChoice label;                              // of a mask; none: all
     bool exact = false;                                     // of a mask: with the steps of its voxels
     std::string units = {};                                 // of the file's lengths; empty: as it says itself
     std::optional<double> isovalue{};                       // of a scan
@@ -83,6 +84,7 @@ struct ContextShape {
     std::shared_ptr<const mesh::TriangleMesh> preview; // fewer triangles; null: the mesh has few
     std::string suspicion;                             // of a mask: that its unit is likely another; may be empty
     render::Box box;                                   // around it
+    std::optional<volume::LabelName> label;            // what the file says of the label that was chosen
     tree::Claims claims;                               // who says its unit and its sides
 };
 

@@ -39,8 +39,8 @@ inline constexpr std::size_t kFindingKinds = 7;
 struct ValidationOf {
     std::shared_ptr<const tree::VesselTree> tree;
     mesh::SurfaceOptions options;
-    std::string mask, mask_units;     // of the comparison, for the curve of its radii; empty: there is none
-    std::vector<std::int32_t> labels; // in the mask
+    std::string mask, mask_units;            // of the comparison, for the curve of its radii; empty: there is none
+    std::vector<volume::LabelChoice> labels; // in the mask
     bool operator==(const ValidationOf&) const = default;
 };
 [[nodiscard]] ValidationOf validation_of(std::shared_ptr<const tree::VesselTree> tree, const Marks& marks);

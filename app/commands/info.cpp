@@ -22,6 +22,7 @@
 #include "core/volume/label_counts.h"
 
 #include <algorithm>
+#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -40,6 +41,7 @@ using nlohmann::ordered_json;
 struct Figures {
     double voxel_ml = 0.0;
     std::vector<volume::LabelCount> labels;
+    std::vector<volume::SharedCount> shared;
     std::optional<std::uint64_t> inside; // of fractions from 0 to 1
 };
 
@@ -48,15 +50,17 @@ constexpr std::size_t kMostLabels = 256;
 constexpr double kHalf = 0.5;
 
 Figures figures_of(const volume::Volume& volume) {
-    Figures figures{volume::voxel_volume_mm3(volume.to_patient) / 1e3, label_counts(volume), std::nullopt};
+    Figures figures{.voxel_ml = volume::voxel_volume_mm3(volume.to_patient) / 1e3,
+                    .labels = listed_counts(volume),
+                    .shared = shared_counts(volume),
+                    .inside = std::nullopt};
     if (!holds_whole_numbers(volume) && looks_like_a_mask(volume)) figures.inside = count_from(volume, kHalf);
     return figures;
 }
 
-// Empty: the file names none.
-std::string name_of_label(const volume::Volume& volume, std::int32_t label) {
-    const auto found = std::ranges::find(volume.label_names, label, &volume::LabelName::label);
-    return found == volume.label_names.end() ? std::string() : found->name;
+// Grey values of a scan, as far as anybody can tell.
+bool are_greys(const volume::Volume& volume, const Figures& figures) {
+    return figures.labels.size() > kMostLabels && !volume.segmentation;
 }
 
 void line(const std::string& name, const std::string& value) {
@@ -70,11 +74,13 @@ ordered_json volume_json(const volume::Volume& volume, const Figures& figures) {
     ordered_json rows = ordered_json::array();
     for (int row = 0; row < 3; ++row) rows.push_back({m[0][row], m[1][row], m[2][row], m[3][row]});
     ordered_json labels = ordered_json::array();
-    if (figures.labels.size() <= kMostLabels)
+    if (!are_greys(volume, figures))
         for (const auto& [label, voxels] : figures.labels) {
             labels.push_back(
                 {{"label", label}, {"voxels", voxels}, {"volume_ml", static_cast<double>(voxels) * figures.voxel_ml}});
-            if (const std::string name = name_of_label(volume, label); !name.empty()) labels.back()["name"] = name;
+            const volume::LabelName* named = volume::name_of_label(volume, label);
+            if (named != nullptr && !named->name.empty()) labels.back()["name"] = named->name;
+            if (named != nullptr && named->colour) labels.back()["colour"] = colour_text(*named->colour);
         }
     ordered_json report = {{"size", {volume.size.x, volume.size.y, volume.size.z}},
                            {"spacing_mm", list_of(volume::spacing_mm(m))},
@@ -84,7 +90,10 @@ ordered_json volume_json(const volume::Volume& volume, const Figures& figures) {
                            {"type", volume.type},
                            {"values", {{"min", volume.minimum}, {"max", volume.maximum}}},
                            {"labels", labels}};
-    if (figures.labels.size() > kMostLabels) report["different_values"] = figures.labels.size();
+    if (volume.segmentation) report["overlaps"] = ordered_json::array();
+    for (const auto& [both, voxels] : figures.shared)
+        report["overlaps"].push_back({{"labels", both}, {"voxels", voxels}});
+    if (are_greys(volume, figures)) report["different_values"] = figures.labels.size();
     if (figures.inside)
         report["inside"] = {{"isovalue", kHalf},
                             {"voxels", *figures.inside},
@@ -92,6 +101,17 @@ ordered_json volume_json(const volume::Volume& volume, const Figures& figures) {
     report["notes"] = volume.notes;
     report["suspicions"] = volume.suspicions;
     return report;
+}
+
+// Those that share the most voxels first.
+void print_shared(std::vector<volume::SharedCount> shared) {
+    constexpr std::size_t kMost = 20;
+    std::ranges::stable_sort(shared, std::greater<>(), &volume::SharedCount::voxels);
+    for (std::size_t i = 0; i < std::min(kMost, shared.size()); ++i)
+        line("overlap", "labels " + std::to_string(shared[i].labels[0]) + " and " +
+                            std::to_string(shared[i].labels[1]) + " share " +
+                            counted(shared[i].voxels, "voxel", "voxels"));
+    if (shared.size() > kMost) line("overlap", grouped(shared.size() - kMost) + " more pairs (--json lists them all)");
 }
 
 void print_text(const std::string& file, const volume::Volume& volume, const Figures& figures) {
@@ -110,13 +130,16 @@ void print_text(const std::string& file, const volume::Volume& volume, const Fig
     line("type", volume.type);
     line("values", rounded(volume.minimum) + " to " + rounded(volume.maximum));
     if (figures.inside) line("from 0.5", amount(*figures.inside));
-    if (figures.labels.size() > kMostLabels)
+    if (are_greys(volume, figures))
         line("labels", "none: " + grouped(figures.labels.size()) + " different values");
     else
         for (const auto& [label, voxels] : figures.labels) {
-            const std::string name = name_of_label(volume, label);
-            line("label " + std::to_string(label), amount(voxels) + (name.empty() ? "" : ", " + name));
+            const volume::LabelName* named = volume::name_of_label(volume, label);
+            line("label " + std::to_string(label),
+                 amount(voxels) + (named == nullptr || named->name.empty() ? "" : ", " + named->name) +
+                     (named == nullptr || !named->colour ? "" : ", " + colour_text(*named->colour)));
         }
+    print_shared(figures.shared);
     for (const std::string& note : volume.notes) line("note", note);
     for (const std::string& suspicion : volume.suspicions) line("suspicion", suspicion);
 }

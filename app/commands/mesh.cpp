@@ -44,10 +44,11 @@ struct MaskFlags {
 // --label; --isovalue, which is one of reading, too.
 void add_mask_flags(CLI::App& command, MaskFlags& flags) {
     CLI::Option* label = add_option_taking<std::string>(
-                             command, "--label", "N[,N...]",
+                             command, "--label", "LABEL[,LABEL...]",
                              [&flags](const std::string& list) { flags.selection.labels = *label_list(list); },
-                             "With iso: these labels of the mask alone, as 1 or 1,2 (default: all)")
-                             ->check(expecting(" is not a list of whole numbers other than 0", label_list));
+                             "With iso: these labels of the mask alone, by number or name, as 1 or 1,portal_vein "
+                             "(default: all)")
+                             ->check(expecting(" is not a list of whole numbers other than 0 and names", label_list));
     command.get_option("--isovalue")->excludes(label);
 }
 

@@ -43,12 +43,13 @@ CLI::Option* add_view_flag(CLI::App& command, render::View& view) {
         ->transform(CLI::CheckedTransformer(views).description(""));
 }
 
-CLI::Option* add_label_flag(CLI::App& command, std::vector<std::int32_t>& labels, const std::string& help) {
+CLI::Option* add_label_flag(CLI::App& command, std::vector<volume::LabelChoice>& labels, const std::string& help) {
     return add_option_taking<std::string>(
-        command, "--label", "N[,N...]",
+        command, "--label", "LABEL[,LABEL...]",
         [&labels](const std::string& list) {
             const auto found = label_list(list);
-            if (!found) throw CLI::ValidationError("--label", list + " is not a list of whole numbers other than 0");
+            if (!found)
+                throw CLI::ValidationError("--label", list + " is not a list of whole numbers other than 0 and names");
             labels = *found;
         },
         help);
@@ -78,7 +79,9 @@ void add_comparison_flags(CLI::App& command, ComparisonFlags& flags) {
                                   "Segmentation mask of the same vessels (" + io::readable_volume_extensions() +
                                       "; default: the tree's own voxels)");
     add_mask_units_flag(command, flags.mask_units, "--mask and of those beside the tree");
-    add_label_flag(command, flags.labels, "These labels of the mask alone, as 1 or 1,2 (default: all)")->needs(mask);
+    add_label_flag(command, flags.labels,
+                   "These labels of the mask alone, by number or name, as 1 or 1,portal_vein (default: all)")
+        ->needs(mask);
     const auto is_share = [](const std::string& text) {
         double value = 0.0; // what is no number is told of where it is read
         const bool is = !CLI::detail::lexical_cast(text, value) || (value >= 0.0 && value <= 1.0);

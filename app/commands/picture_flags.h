@@ -23,7 +23,7 @@ CLI::Option* add_graphics_memory_flag(CLI::App& command, std::size_t& bytes);
 CLI::Option* add_view_flag(CLI::App& command, render::View& view);
 
 // --label N[,N...], of a mask.
-CLI::Option* add_label_flag(CLI::App& command, std::vector<std::int32_t>& labels, const std::string& help);
+CLI::Option* add_label_flag(CLI::App& command, std::vector<volume::LabelChoice>& labels, const std::string& help);
 
 // Surfaces of the same vessels in one picture: the options of `ramus render` that say which, and how.
 struct ComparisonFlags {
@@ -31,7 +31,7 @@ struct ComparisonFlags {
     std::optional<std::vector<Compared>> surfaces;
     std::string mask;       // empty: the session's, or the tree's own voxels
     std::string mask_units; // empty: as the file says
-    std::vector<std::int32_t> labels;
+    std::vector<volume::LabelChoice> labels;
     std::optional<double> share; // of the second surface, where two are blended
     std::optional<double> wipe;  // where the line between two is, of the picture's width
     bool skeleton = false, contacts = false;

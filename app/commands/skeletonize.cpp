@@ -44,8 +44,8 @@ struct Seconds {
 };
 
 // "1+3,2": the labels of each system; "all": none named. None: it is neither.
-std::optional<std::vector<std::vector<std::int32_t>>> label_lists(const std::string& text) {
-    if (text == "all") return std::vector<std::vector<std::int32_t>>();
+std::optional<std::vector<std::vector<volume::LabelChoice>>> label_lists(const std::string& text) {
+    if (text == "all") return std::vector<std::vector<volume::LabelChoice>>();
     return label_groups(text);
 }
 
@@ -130,10 +130,12 @@ Result<int> run_skeletonize(const SkeletonizeFlags& flags) {
 void add_mask_options(CLI::App& command, SkeletonizeFlags& flags) {
     CLI::Option* label =
         add_option_taking<std::string>(
-            command, "--label", "N[,M...]|all", [&flags](const std::string& list) { flags.labels = label_lists(list); },
-            "Labels that are vessels, each a system of its own that is joined with no other; 1+3 makes one of two "
+            command, "--label", "LABEL[,LABEL...]|all",
+            [&flags](const std::string& list) { flags.labels = label_lists(list); },
+            "Labels that are vessels, by number or name, each a system of its own that is joined with no other; 1+3 "
+            "makes one of two "
             "(default: all that is inside is one)")
-            ->check(expecting(" is neither all nor a list of whole numbers other than 0", label_lists));
+            ->check(expecting(" is neither all nor a list of whole numbers other than 0 and names", label_lists));
     add_mask_reading_flags(command, flags.reading.read.mask);
     command.get_option("--isovalue")->excludes(label);
     add_units_flag(command, flags.reading.read);

@@ -46,7 +46,7 @@ struct StudyFlags {
     SurfaceFlags common;
     std::string file, mask, mask_units;
     std::filesystem::path folder;
-    std::vector<std::int32_t> labels; // of the mask; empty: all
+    std::vector<volume::LabelChoice> labels; // of the mask; empty: all
     glm::ivec2 size{1200, 900};
     render::View view = render::View::kAnterior;
     double voxel_mm = 0.0; // 0: a sensible one

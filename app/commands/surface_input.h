@@ -30,8 +30,8 @@ struct MaskVoxels {
 
 // What is said of masks beside their file.
 struct MaskInput {
-    std::vector<std::int32_t> labels; // empty: all
-    std::string units;                // of lengths; empty: as the file says
+    std::vector<volume::LabelChoice> labels; // empty: all
+    std::string units;                       // of lengths; empty: as the file says
 };
 
 // How a mask is read: as `flags` say, in the unit of `mask` where that has one.

@@ -7,6 +7,7 @@
 #include "app/reports/validation/validation_page.h"
 #include "app/reports/validation/validation_tables.h"
 #include "app/session/reading_json.h"
+#include "core/base/words.h"
 #include "core/io/checksum.h"
 #include "core/io/output_file.h"
 #include "core/io/run_inputs.h"
@@ -35,9 +36,7 @@ Facts settings_of(const ValidateFlags& flags) {
     const nlohmann::json reading = session_json::reading_json(flags.surface.read, {});
     facts.emplace_back("Reading", reading.empty() ? "as usual" : reading.dump());
     if (!flags.masks.empty()) {
-        std::string labels;
-        for (const std::int32_t label : flags.labels.labels)
-            labels += (labels.empty() ? "" : ", ") + std::to_string(label);
+        const std::string labels = joined(flags.labels.labels, ", ", [](const auto& label) { return spelled(label); });
         facts.emplace_back("Labels of masks", labels.empty() ? "all" : labels);
         facts.emplace_back("Unit of masks", flags.labels.units.empty() ? "as they say" : flags.labels.units);
     }

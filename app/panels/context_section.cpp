@@ -27,6 +27,13 @@ void draw_net(ImDrawList& list, const ImVec2& at, float unit, ImU32 colour) {
 
 using Trial = Editing::Context;
 
+// As the file names it, where that is known.
+std::string label_text(const volume::LabelChoice& label, const ContextShape* shape) {
+    if (label.none()) return {};
+    if (shape != nullptr && shape->label && !shape->label->name.empty()) return "  " + shape->label->name;
+    return label.name.empty() ? "  label " + std::to_string(label.number) : "  " + label.name;
+}
+
 void draw_swatch(InterfaceContext& context, const ContextItem& item, int number, Trial& trial) {
     auto colour = trial.of == number ? trial.item.colour : item.colour;
     if (widgets::colour_swatch(colour)) {
@@ -71,7 +78,7 @@ void draw_row(InterfaceContext& context, const ContextItem& item, int number, Tr
     ImGui::SameLine();
     draw_swatch(context, item, number, trial);
     std::string name = std::filesystem::path(item.file).filename().string();
-    if (item.label != 0) name += "  label " + std::to_string(item.label);
+    name += label_text(item.label, assets.context_shape(source).get());
     if (item.isovalue) name += "  from " + rounded(*item.isovalue);
     const float available = ImGui::GetContentRegionAvail().x - 2.0F * side - 8.0F * theme::scale();
     ImGui::AlignTextToFramePadding();

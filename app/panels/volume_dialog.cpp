@@ -58,7 +58,11 @@ std::vector<std::string> VolumeDialog::tree_words() const {
 std::vector<std::vector<std::string>> VolumeDialog::context_words() const {
     if (scan) return {{"--isovalue", isovalue_text()}};
     const std::vector<std::int32_t> some = chosen();
-    if (!facts || (some.size() == facts->labels.size() && facts->all_at_once)) return {{}};
+    // Labels that the file names are things of their own, unless they are very many.
+    constexpr std::size_t kMostNamed = 16;
+    const bool named = facts && some.size() > 1 && some.size() <= kMostNamed &&
+                       std::ranges::any_of(facts->labels, [](const LabelFacts& label) { return !label.name.empty(); });
+    if (!facts || (some.size() == facts->labels.size() && facts->all_at_once && !named)) return {{}};
     std::vector<std::vector<std::string>> words;
     for (const std::int32_t label : some) words.push_back({"--label", std::to_string(label)});
     return words;

@@ -47,7 +47,7 @@ std::string title_of(Compared kind, const Comparison& comparison) {
         title += (i > 0                          ? ", "
                   : comparison.labels.size() > 1 ? ", labels "
                                                  : ", label ") +
-                 std::to_string(comparison.labels[i]);
+                 volume::spelled(comparison.labels[i]);
     return title;
 }
 
@@ -62,22 +62,52 @@ std::optional<std::vector<Compared>> surface_list(std::string_view text) {
     return kinds;
 }
 
-std::optional<std::vector<std::int32_t>> label_list(std::string_view text) {
-    std::vector<std::int32_t> labels;
-    for (const std::string_view part : parts_of(text)) {
-        labels.push_back(parsed<std::int32_t>(part).value_or(0));
-        if (labels.back() == 0) return std::nullopt;
+namespace {
+
+// Parts between these separators; none within double quotes.
+std::vector<std::string_view> label_words(std::string_view text, char separator) {
+    std::vector<std::string_view> words;
+    bool quoted = false;
+    std::size_t from = 0;
+    for (std::size_t at = 0; at <= text.size(); ++at) {
+        if (at < text.size() && text[at] == '"') quoted = !quoted;
+        if (at < text.size() && (quoted || text[at] != separator)) continue;
+        words.push_back(text.substr(from, at - from));
+        from = at + 1;
+    }
+    return words;
+}
+
+std::optional<volume::LabelChoice> label_choice(std::string_view word) {
+    while (word.starts_with(' ')) word.remove_prefix(1);
+    while (word.ends_with(' ')) word.remove_suffix(1);
+    if (word.size() > 2 && word.starts_with('"') && word.ends_with('"'))
+        return volume::LabelChoice(std::string(word.substr(1, word.size() - 2)));
+    if (word.empty() || word.find('"') != std::string_view::npos) return std::nullopt;
+    const auto number = parsed<std::int32_t>(word);
+    if (!number) return volume::LabelChoice(std::string(word));
+    return *number == 0 ? std::nullopt : std::optional(volume::LabelChoice(*number));
+}
+
+std::optional<std::vector<volume::LabelChoice>> label_choices(std::string_view text, char separator) {
+    std::vector<volume::LabelChoice> labels;
+    for (const std::string_view word : label_words(text, separator)) {
+        auto choice = label_choice(word);
+        if (!choice) return std::nullopt;
+        labels.push_back(std::move(*choice));
     }
     sort_unique(labels);
     return labels;
 }
 
-std::optional<std::vector<std::vector<std::int32_t>>> label_groups(std::string_view text) {
-    std::vector<std::vector<std::int32_t>> groups;
-    for (const std::string_view part : parts_of(text)) {
-        std::string list(part);
-        std::ranges::replace(list, '+', ',');
-        auto labels = label_list(list);
+} // namespace
+
+std::optional<std::vector<volume::LabelChoice>> label_list(std::string_view text) { return label_choices(text, ','); }
+
+std::optional<std::vector<std::vector<volume::LabelChoice>>> label_groups(std::string_view text) {
+    std::vector<std::vector<volume::LabelChoice>> groups;
+    for (const std::string_view part : label_words(text, ',')) {
+        auto labels = label_choices(part, '+');
         if (!labels) return std::nullopt;
         groups.push_back(std::move(*labels));
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/mesh/surface.h"
+#include "core/volume/label_choice.h"
 
 #include <array>
 #include <cstdint>
@@ -61,11 +62,11 @@ struct Comparison {
     Mode mode = Mode::kOff;
     // Two or three, none twice.
     std::vector<Compared> surfaces{Compared::kConvolutionSurface, Compared::kTruncatedCones};
-    std::string mask;                 // of the isosurface: a file, absolute; empty: the tree's own voxels
-    std::string mask_units;           // of its lengths, "cm"; empty: as its file says
-    std::vector<std::int32_t> labels; // in the mask, ascending; empty: whatever is inside
-    double blend = 0.5;               // 0: the first surface alone; 1: the second
-    double wipe = 0.5;                // where the line is, of the picture's width
+    std::string mask;                        // of the isosurface: a file, absolute; empty: the tree's own voxels
+    std::string mask_units;                  // of its lengths, "cm"; empty: as its file says
+    std::vector<volume::LabelChoice> labels; // in the mask, ascending; empty: whatever is inside
+    double blend = 0.5;                      // 0: the first surface alone; 1: the second
+    double wipe = 0.5;                       // where the line is, of the picture's width
     bool operator==(const Comparison&) const = default;
 };
 inline constexpr std::array kComparisonModes{Comparison::Mode::kOff, Comparison::Mode::kSideBySide,
@@ -82,9 +83,10 @@ inline constexpr std::array kComparisonModes{Comparison::Mode::kOff, Comparison:
 
 // "cs,iso": two or three, none twice.
 [[nodiscard]] std::optional<std::vector<Compared>> surface_list(std::string_view text);
-// "1,2": whole numbers other than 0, made ascending, without repeats.
-[[nodiscard]] std::optional<std::vector<std::int32_t>> label_list(std::string_view text);
-// "1+3,2": the labels of each of several groups, as label_list() has them.
-[[nodiscard]] std::optional<std::vector<std::vector<std::int32_t>>> label_groups(std::string_view text);
+// "1,portal vein": whole numbers other than 0, and names, made ascending, without repeats. What stands between double
+// quotes is a name, commas and digits included.
+[[nodiscard]] std::optional<std::vector<volume::LabelChoice>> label_list(std::string_view text);
+// "1+3,portal vein": the labels of each of several groups, as label_list() has them; a name with + needs quotes.
+[[nodiscard]] std::optional<std::vector<std::vector<volume::LabelChoice>>> label_groups(std::string_view text);
 
 } // namespace ramus::app

@@ -3,9 +3,11 @@
 #include "app/session/colour_by.h"
 #include "app/session/json_values.h"
 #include "app/session/surface_options.h"
+#include "core/base/sort_unique.h"
 #include "core/base/words.h"
 #include "core/io/trees/imported_tree.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -245,6 +247,17 @@ std::string mesh_axes_in(const json& value) {
     return axes;
 }
 
+// A number, or a name.
+static json label_json(const volume::LabelChoice& label) {
+    return label.name.empty() ? json(label.number) : json(label.name);
+}
+
+static volume::LabelChoice label_in(const json& value) {
+    if (value.is_string() && !value.get<std::string>().empty()) return volume::LabelChoice(value.get<std::string>());
+    if (value.is_string()) throw Refusal{"a label has an empty name"};
+    return integer(value, "label", std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+}
+
 json comparison_json(const Comparison& comparison, const fs::path& folder) {
     json surfaces = json::array();
     for (const Compared kind : comparison.surfaces) surfaces.push_back(std::string(name_of(kind)));
@@ -252,7 +265,7 @@ json comparison_json(const Comparison& comparison, const fs::path& folder) {
     if (comparison.wipe != Comparison{}.wipe) value["wipe"] = comparison.wipe;
     if (!comparison.mask.empty()) value["mask"] = written_path(comparison.mask, folder).string();
     if (!comparison.mask_units.empty()) value["mask_units"] = comparison.mask_units;
-    if (!comparison.labels.empty()) value["labels"] = comparison.labels;
+    for (const volume::LabelChoice& label : comparison.labels) value["labels"].push_back(label_json(label));
     return value;
 }
 
@@ -270,12 +283,10 @@ Comparison comparison_in(const json& value, const fs::path& folder) {
     if (value.contains("mask"))
         comparison.mask = (folder / text(value["mask"], "path of the mask")).lexically_normal().string();
     if (value.contains("mask_units")) comparison.mask_units = units_in(value["mask_units"]);
-    const std::string labels = joined(list_in(value, "labels"), ",", [](const json& label) { return label.dump(); });
-    if (!labels.empty()) {
-        const auto found = label_list(labels);
-        if (!found) throw Refusal{"labels is not a list of whole numbers other than 0"};
-        comparison.labels = *found;
-    }
+    for (const json& label : list_in(value, "labels")) comparison.labels.push_back(label_in(label));
+    if (std::ranges::any_of(comparison.labels, &volume::LabelChoice::none))
+        throw Refusal{"labels is not a list of names and whole numbers other than 0"};
+    sort_unique(comparison.labels);
     if (value.contains("blend")) comparison.blend = number(value["blend"], "blend", 0.0, 1.0);
     if (value.contains("wipe")) comparison.wipe = number(value["wipe"], "wipe", 0.0, 1.0);
     return comparison;
@@ -335,7 +346,7 @@ json context_json(const ContextItem& item, const fs::path& folder) {
                {"opacity", item.opacity},
                {"wireframe", item.wireframe},
                {"visible", item.visible}};
-    if (item.label != 0) value["label"] = item.label;
+    if (!item.label.none()) value["label"] = label_json(item.label);
     if (item.isovalue) value["isovalue"] = *item.isovalue;
     if (item.exact) value["exact"] = true;
     if (!item.units.empty()) value["units"] = item.units;
@@ -349,8 +360,7 @@ ContextItem context_item(const json& value, const fs::path& folder) {
     ContextItem item;
     if (!value.contains("path")) throw Refusal{"a context mesh has no path"};
     item.file = (folder / text(value["path"], "path of a context mesh")).lexically_normal().string();
-    if (value.contains("label"))
-        item.label = integer(value["label"], "label", std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+    if (value.contains("label")) item.label = label_in(value["label"]);
     if (value.contains("isovalue")) item.isovalue = number(value["isovalue"], "isovalue", -HUGE_VAL, HUGE_VAL);
     if (value.contains("opacity")) item.opacity = number(value["opacity"], "opacity", 0.0, 1.0);
     if (value.contains("wireframe")) item.wireframe = truth(value["wireframe"], "wireframe");

@@ -75,14 +75,10 @@ io::MaskReading over(const io::MaskReading& said, io::MaskReading session) {
     return session;
 }
 
-std::string spelled(const std::vector<std::vector<std::int32_t>>& labels) {
-    if (labels.empty()) return "together";
-    std::string text;
-    for (const std::vector<std::int32_t>& group : labels) {
-        if (!text.empty()) text += ',';
-        for (std::size_t i = 0; i < group.size(); ++i) text.append(i > 0 ? "+" : "").append(std::to_string(group[i]));
-    }
-    return text;
+std::string spelled(const std::vector<std::vector<volume::LabelChoice>>& labels) {
+    const auto word = [](const volume::LabelChoice& label) { return volume::spelled(label); };
+    return labels.empty() ? "together"
+                          : joined(labels, ",", [&](const auto& group) { return joined(group, "+", word); });
 }
 
 std::string exact_place(const glm::dvec3& place) {

@@ -19,8 +19,8 @@ namespace ramus::app {
 // What a session asks for, but for what somebody says now.
 [[nodiscard]] io::MaskReading over(const io::MaskReading& said, io::MaskReading session);
 
-// "together", "1+3,2": as with() reads them.
-[[nodiscard]] std::string spelled(const std::vector<std::vector<std::int32_t>>& labels);
+// "together", "1+3,portal vein": as with() reads them.
+[[nodiscard]] std::string spelled(const std::vector<std::vector<volume::LabelChoice>>& labels);
 [[nodiscard]] std::string exact_place(const glm::dvec3& place); // "1.5,-20,3": as with() reads it
 
 } // namespace ramus::app

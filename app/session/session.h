@@ -68,7 +68,7 @@ struct GlassLook {
 // A surface that is shown beside the tree, in the same coordinates: an organ, a bone, another surface of the vessels.
 struct ContextItem {
     std::string file;                                  // absolute: a mask or a mesh (STL, PLY, OBJ)
-    int label = 0;                                     // of a mask: this one alone; 0: everything that is not zero
+    volume::LabelChoice label;                         // of a mask: this one alone; none: everything that is not zero
     std::array<std::uint8_t, 3> colour{201, 130, 104}; // sRGB
     double opacity = 0.25;                             // where it faces the eye; 1: solid
     bool wireframe = false, visible = true;

@@ -19,12 +19,12 @@ namespace ramus::app {
 // Everything that it depends on beside its tree.
 struct ComparedRequest {
     Compared kind = Compared::kConvolutionSurface;
-    SurfaceRequest surface;           // of an isosurface threads and memory alone
-    std::string mask;                 // of an isosurface; empty: a mask of the tree's own voxels
-    std::string units;                // of its lengths; empty: as its file says
-    std::vector<std::int32_t> labels; // in it; empty: all
-    double voxel_mm = 0.0;            // without a mask; 0: a sensible size
-    bool wire = false;                // for lines: triangles large enough to be told apart
+    SurfaceRequest surface;                  // of an isosurface threads and memory alone
+    std::string mask;                        // of an isosurface; empty: a mask of the tree's own voxels
+    std::string units;                       // of its lengths; empty: as its file says
+    std::vector<volume::LabelChoice> labels; // in it; empty: all
+    double voxel_mm = 0.0;                   // without a mask; 0: a sensible size
+    bool wire = false;                       // for lines: triangles large enough to be told apart
     bool operator==(const ComparedRequest&) const = default;
     // Whether a surface of the one takes the place of one of the other.
     [[nodiscard]] bool same_place(const ComparedRequest& other) const {

@@ -19,9 +19,11 @@ std::vector<LabelFacts> labels_of(const volume::Volume& volume, const std::vecto
     const double voxel = volume::voxel_volume_mm3(volume.to_patient);
     std::vector<LabelFacts> labels;
     for (const auto& [label, voxels] : counts) {
-        const auto named = std::ranges::find(volume.label_names, label, &volume::LabelName::label);
-        labels.push_back({label, named == volume.label_names.end() ? std::string() : named->name, voxels,
-                          static_cast<double>(voxels) * voxel});
+        const volume::LabelName* named = volume::name_of_label(volume, label);
+        labels.push_back({.label = label,
+                          .name = named == nullptr ? std::string() : named->name,
+                          .voxels = voxels,
+                          .volume_mm3 = static_cast<double>(voxels) * voxel});
     }
     return labels;
 }
@@ -44,12 +46,12 @@ Result<VolumeFacts> read_volume_facts(const std::filesystem::path& path, const i
     facts.all_at_once = volume::looks_like_a_mask(volume);
     const std::vector<volume::LabelCount> counts = volume::label_counts(volume);
     facts.mask = volume::holds_whole_numbers(volume)
-                     ? counts.size() <= kSurelyLabels ||
+                     ? volume.segmentation || counts.size() <= kSurelyLabels ||
                            (counts.size() <= kMostLabels && !volume.label_names.empty()) ||
                            (counts.size() <= kRatherLabels && facts.all_at_once)
                      : facts.all_at_once;
-    if (counts.size() <= kMostLabels) facts.labels = labels_of(volume, counts);
-    if (facts.mask && counts.size() <= kSurelyLabels) return facts;
+    if (volume.segmentation || counts.size() <= kMostLabels) facts.labels = labels_of(volume, counts);
+    if (facts.mask && (volume.segmentation || counts.size() <= kSurelyLabels)) return facts;
     auto curve = volume::threshold_curve(volume, JobRange(job, 0.0F, 1.0F));
     if (job.cancelled()) return fail("cancelled");
     if (curve) facts.curve = std::make_shared<const volume::ThresholdCurve>(std::move(*curve));

@@ -135,12 +135,31 @@ bool holds(const VoxelRuns& runs, VoxelRuns::Value label) {
     return found;
 }
 
+tl::unexpected<Error> not_there(const Volume& volume, std::int32_t label) {
+    const LabelName* name = name_of_label(volume, label);
+    if (volume.segmentation && name != nullptr)
+        return fail("segment " + std::to_string(label) + ", \"" + name->name + "\", has no voxels", {},
+                    "choose another one; ramus info lists the labels");
+    return fail("label " + std::to_string(label) + " is not there", {}, "ramus info lists the labels");
+}
+
 template <class T, class Values>
 Result<BitMask> fill_labels(const Volume& volume, const Values& values, std::vector<std::int32_t> labels,
                             const JobRange& job) {
-    for (const std::int32_t label : labels)
-        if (!std::in_range<T>(label) || !holds(values, static_cast<T>(label)))
-            return fail("label " + std::to_string(label) + " is not there", {}, "ramus info lists the labels");
+    // A label is there by itself, or together with others.
+    const auto is_there = [&](std::int32_t value) {
+        return std::in_range<T>(value) && holds(values, static_cast<T>(value));
+    };
+    const std::vector<std::int32_t> wanted = labels;
+    for (const std::int32_t label : wanted) {
+        bool there = is_there(label);
+        for (const Overlap& overlap : volume.overlaps)
+            if (std::ranges::binary_search(overlap.labels, label)) {
+                labels.push_back(overlap.value);
+                there = there || is_there(overlap.value);
+            }
+        if (!there) return not_there(volume, label);
+    }
     if constexpr (sizeof(T) <= 2) {
         const auto table = table_of<T>(labels);
         return fill(
@@ -167,7 +186,10 @@ Result<BitMask> inside(const Volume& volume, const Selection& selection, const J
         return fail("its values, from " + std::to_string(volume.minimum) + " to " + std::to_string(volume.maximum) +
                         ", are not those of a mask",
                     {}, "choose an --isovalue, or a --label");
+    if (selection.isovalue && !volume.overlaps.empty())
+        return fail("its values are segments that overlap, not those of a scan", {}, "choose labels");
     const auto isovalue = isovalue_of(volume, selection);
+    RAMUS_TRY(labels, label_numbers(volume, selection.labels));
     return std::visit(
         [&]<class Values>(const Values& values) -> Result<BitMask> {
             using T = std::decay_t<decltype(values[0])>;
@@ -176,7 +198,7 @@ Result<BitMask> inside(const Volume& volume, const Selection& selection, const J
                 return fill(
                     volume, values, [value](T v) { return static_cast<double>(v) >= value; }, job);
             }
-            if constexpr (std::is_integral_v<T>) return fill_labels<T>(volume, values, selection.labels, job);
+            if constexpr (std::is_integral_v<T>) return fill_labels<T>(volume, values, labels, job);
             return fail("its values are fractions, not labels", {}, "choose an --isovalue");
         },
         volume.voxels);

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/job.h"
 #include "core/base/large_array.h"
+#include "core/volume/label_choice.h"
 #include "core/volume/volume.h"
 
 #include <cstdint>
@@ -47,12 +48,13 @@ private:
 // What of a volume is inside: some labels, or what is at least an isovalue. Neither: every voxel that is not 0 when
 // values are whole numbers, 0.5 and more when they are fractions from 0 to 1.
 struct Selection {
-    std::vector<std::int32_t> labels;
+    std::vector<LabelChoice> labels;
     std::optional<double> isovalue;
 };
 
-// Fails when labels are asked of values that are not whole numbers, when one of them is not there, when nothing or no
-// default is a sensible choice, when nothing is inside, and when `job` is cancelled (what == "cancelled").
+// Voxels of several labels are inside each of them. Fails when labels are asked of values that are not whole numbers,
+// when one of them is not there, when an isovalue is asked of labels that overlap, when nothing or no default is a
+// sensible choice, when nothing is inside, and when `job` is cancelled (what == "cancelled").
 [[nodiscard]] Result<BitMask> inside(const Volume& volume, const Selection& selection, const JobRange& job);
 
 // The isovalue of a surface of `selection`; none for labels, whose surface runs midway between voxels.

@@ -2,6 +2,7 @@
 
 #include "core/volume/end_of_run.h"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <oneapi/tbb/blocked_range.h>
@@ -70,12 +71,58 @@ template <class T> std::uint64_t count_above(const RunsOf<T>& runs, double isova
     return sum;
 }
 
+Counts count_values(const Volume& volume) {
+    return std::visit([](const auto& values) { return count_labels(values); }, volume.voxels);
+}
+
+std::vector<LabelCount> list_of(const Counts& counts) {
+    std::vector<LabelCount> list;
+    for (const auto& [label, voxels] : counts) list.push_back({label, voxels});
+    return list;
+}
+
 } // namespace
 
 std::vector<LabelCount> label_counts(const Volume& volume) {
-    const Counts counts = std::visit([](const auto& values) { return count_labels(values); }, volume.voxels);
-    std::vector<LabelCount> list;
-    for (const auto& [label, voxels] : counts) list.push_back({label, voxels});
+    Counts counts = count_values(volume);
+    for (const Overlap& overlap : volume.overlaps) {
+        const auto found = counts.find(overlap.value);
+        if (found == counts.end()) continue;
+        const std::uint64_t voxels = found->second;
+        counts.erase(found);
+        for (const std::int32_t label : overlap.labels) counts[label] += voxels;
+    }
+    return list_of(counts);
+}
+
+std::vector<std::int32_t> kept_values(const Volume& volume) {
+    std::vector<std::int32_t> values;
+    for (const auto& [value, voxels] : count_values(volume)) values.push_back(value);
+    return values;
+}
+
+std::vector<LabelCount> listed_counts(const Volume& volume) {
+    std::vector<LabelCount> list = label_counts(volume);
+    if (!volume.segmentation) return list;
+    for (const LabelName& each : volume.label_names)
+        if (std::ranges::find(list, each.label, &LabelCount::label) == list.end()) list.push_back({each.label, 0});
+    std::ranges::sort(list, {}, &LabelCount::label);
+    return list;
+}
+
+std::vector<SharedCount> shared_counts(const Volume& volume) {
+    if (volume.overlaps.empty()) return {};
+    const Counts counts = count_values(volume);
+    std::map<std::array<std::int32_t, 2>, std::uint64_t> pairs;
+    for (const Overlap& overlap : volume.overlaps) {
+        const auto found = counts.find(overlap.value);
+        if (found == counts.end()) continue;
+        for (std::size_t a = 0; a < overlap.labels.size(); ++a)
+            for (std::size_t b = a + 1; b < overlap.labels.size(); ++b)
+                pairs[{overlap.labels[a], overlap.labels[b]}] += found->second;
+    }
+    std::vector<SharedCount> list;
+    for (const auto& [labels, voxels] : pairs) list.push_back({labels, voxels});
     return list;
 }
 

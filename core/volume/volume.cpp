@@ -29,11 +29,19 @@ double value_at(const Volume& volume, const glm::ivec3& voxel) {
                     static_cast<std::size_t>(volume.size.x) *
                         (static_cast<std::size_t>(voxel.y) +
                          static_cast<std::size_t>(volume.size.y) * static_cast<std::size_t>(voxel.z));
-    return std::visit([&](const auto& values) { return static_cast<double>(values[at]); }, volume.voxels);
+    const double value = std::visit([&](const auto& values) { return static_cast<double>(values[at]); }, volume.voxels);
+    const auto overlap = std::ranges::find(volume.overlaps, value, &Overlap::value);
+    return overlap == volume.overlaps.end() ? value : overlap->labels.back();
+}
+
+const LabelName* name_of_label(const Volume& volume, std::int32_t label) {
+    const auto found = std::ranges::find(volume.label_names, label, &LabelName::label);
+    return found == volume.label_names.end() ? nullptr : &*found;
 }
 
 bool looks_like_a_mask(const Volume& volume) {
-    return volume.minimum >= 0.0 && volume.maximum <= (holds_whole_numbers(volume) ? 255.0 : 1.0);
+    return volume.segmentation ||
+           (volume.minimum >= 0.0 && volume.maximum <= (holds_whole_numbers(volume) ? 255.0 : 1.0));
 }
 
 glm::dvec3 spacing_mm(const glm::dmat4& to_patient) {

@@ -141,7 +141,7 @@ class Refusals(CommandLineTest):
     def test_options_that_have_no_meaning(self):
         self.write("mask.nii", nifti(SIZE, BARS))
         self.write("tree.swc", GOOD)
-        for options in (["--width", "3"], ["--detail", "8"], ["--smooth", "0"], ["--label", "0"], ["--label", "x"],
+        for options in (["--width", "3"], ["--detail", "8"], ["--smooth", "0"], ["--label", "0"],
                         ["--label", "1,,2"], ["--label", ""], ["--isovalue", "nan"], ["--label", "1", "--isovalue", "1"],
                         ["--session", "none.json"]):
             with self.subTest(options):

@@ -152,6 +152,12 @@ TEST_CASE("the labels that are chosen are those that commands get") {
     facts.all_at_once = false;
     dialog.take(facts);
     CHECK(dialog.context_words().size() == 3);
+    // Those that the file names are things of their own, all of them, too.
+    facts.all_at_once = true;
+    facts.labels[1].name = "portal vein";
+    dialog.take(facts);
+    CHECK(dialog.context_words() == std::vector<Words>{{"--label", "1"}, {"--label", "2"}, {"--label", "5"}});
+    CHECK(dialog.tree_words().empty());
 }
 
 TEST_CASE("a scan begins at Otsu's threshold, and commands get the one that is chosen") {

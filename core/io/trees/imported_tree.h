@@ -8,6 +8,7 @@
 #include "core/io/length_unit.h"
 #include "core/io/orientation.h"
 #include "core/tree/build_tree.h"
+#include "core/volume/label_choice.h"
 
 #include <functional>
 #include <glm/mat3x3.hpp>
@@ -26,7 +27,7 @@ enum class RadiusIs : std::uint8_t { kRadius, kDiameter };
 // How a segmentation mask becomes a tree; what is none is as usual.
 struct MaskReading {
     // Those of each system; empty: all of them together are one. None: each is a system of its own.
-    std::optional<std::vector<std::vector<std::int32_t>>> labels;
+    std::optional<std::vector<std::vector<volume::LabelChoice>>> labels;
     // As in volume::SkeletonizeOptions.
     std::optional<double> bulge_size, islands_mm;
     std::optional<bool> fill_holes;

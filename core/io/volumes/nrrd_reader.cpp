@@ -4,11 +4,11 @@
 #include "core/io/input_file.h"
 #include "core/io/volumes/header_text.h"
 #include "core/io/volumes/nrrd_space.h"
+#include "core/io/volumes/slicer_segments.h"
 #include "core/io/volumes/voxel_numbers.h"
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -118,35 +118,20 @@ Result<std::uint64_t> nrrd_begin(const HeaderText& header, NrrdEncoding encoding
     return left > bytes ? *there - static_cast<std::uint64_t>(bytes) : std::uint64_t{0};
 }
 
-// What 3D Slicer calls the labels of a segmentation: the fields Segment0_Name, Segment0_LabelValue and so on.
-std::vector<volume::LabelName> segment_names(const HeaderText& header) {
-    std::vector<volume::LabelName> names;
-    for (int n = 0;; ++n) {
-        const std::string of = ":segment" + std::to_string(n) + "_";
-        const auto name = header.fields.find(of + "name");
-        if (name == header.fields.end()) break;
-        // Older files leave the number out: labels count from 1.
-        const auto value = header.fields.find(of + "labelvalue");
-        const auto label = value == header.fields.end() ? std::nullopt : whole_numbers_in(value->second);
-        const std::int64_t number = label && label->size() == 1 ? label->front() : n + 1;
-        if (number > 0 && number <= std::numeric_limits<std::int32_t>::max())
-            names.push_back({static_cast<std::int32_t>(number), name->second});
-    }
-    std::ranges::stable_sort(names, {}, &volume::LabelName::label);
-    return names;
-}
-
 } // namespace
 
 Result<volume::Volume> read_nrrd(ByteSource& source, const ReadVolumeOptions& options, Job& job) {
     RAMUS_TRY(header, nrrd_header(source));
     std::vector<std::string> notes;
-    RAMUS_TRY(space, nrrd_space(header, notes));
+    const std::vector<SlicerSegment> segments = slicer_segments(header);
+    RAMUS_TRY(space, nrrd_space(header, segments.empty() ? ListAxis::kRefused : ListAxis::kLayers, notes));
     RAMUS_TRY(type, nrrd_type(header));
+    if (space.layers > 1 && (type == VoxelType::kFloat32 || type == VoxelType::kFloat64))
+        return header.refused("type", "is not one of labels, which the layers of a segmentation are");
     RAMUS_TRY(encoding, nrrd_encoding(header));
     RAMUS_TRY(order, nrrd_byte_order(header, encoding, type, notes));
-    const double bytes =
-        static_cast<double>(bytes_of(type)) * double(space.size.x) * double(space.size.y) * double(space.size.z);
+    const double bytes = static_cast<double>(bytes_of(type) * space.layers) * double(space.size.x) *
+                         double(space.size.y) * double(space.size.z);
     std::optional<ByteSource> values;
     if (const std::string* file = header.find({"datafile"})) {
         RAMUS_TRY(opened, open_values(source, *file));
@@ -154,13 +139,18 @@ Result<volume::Volume> read_nrrd(ByteSource& source, const ReadVolumeOptions& op
     }
     ByteSource& from = values ? *values : source;
     RAMUS_TRY(offset, nrrd_begin(header, encoding, bytes, from));
-    auto volume = read_voxels(from, offset, {space.size, type, order, {}}, memory_left(options.memory_bytes), job);
+    std::optional<SegmentLayers> layers;
+    if (space.layers > 1) layers.emplace(space.layers, segments, notes);
+    const VoxelLayout layout{space.size, type, order, {}, layers ? &*layers : nullptr};
+    auto volume = read_voxels(from, offset, layout, memory_left(options.memory_bytes), job);
     if (!volume) return volume;
     volume->to_patient = space.to_patient;
     volume->type = "NRRD, " + std::string(name_of(type));
     volume->unit_mm = space.unit_mm;
     volume->notes = std::move(notes);
-    volume->label_names = segment_names(header);
+    volume->label_names = layers ? layers->names() : names_of(segments);
+    volume->segmentation = !segments.empty();
+    if (layers) std::move(*layers).finish(*volume);
     return volume;
 }
 

@@ -87,9 +87,18 @@ Result<std::vector<NrrdAxis>> nrrd_axes(const HeaderText& header) {
     return axes;
 }
 
-Result<void> check_other_axes(const std::vector<NrrdAxis>& axes, const std::string& name) {
+// Layers along the first axis; 1: it is none of layers.
+std::size_t layers_of(const std::vector<NrrdAxis>& axes, ListAxis list) {
+    constexpr std::int64_t kMostLayers = 4096;
+    const NrrdAxis& first = axes.front();
+    const bool is_list = !first.of_space && (first.kind == "list" || first.kind == "vector");
+    const bool is_taken = list == ListAxis::kLayers && is_list && first.extent > 1 && first.extent <= kMostLayers;
+    return is_taken ? static_cast<std::size_t>(first.extent) : 1;
+}
+
+Result<void> check_other_axes(const std::vector<NrrdAxis>& axes, std::size_t layers, const std::string& name) {
     bool before_space = true;
-    for (std::size_t n = 0; n < axes.size(); ++n) {
+    for (std::size_t n = layers > 1 ? 1 : 0; n < axes.size(); ++n) {
         const NrrdAxis& axis = axes[n];
         before_space = before_space && !axis.of_space;
         if (axis.of_space || axis.extent == 1) continue;
@@ -167,9 +176,10 @@ Result<glm::dvec3> take_spacings(const HeaderText& header, std::vector<NrrdAxis>
 
 } // namespace
 
-Result<NrrdSpace> nrrd_space(const HeaderText& header, std::vector<std::string>& notes) {
+Result<NrrdSpace> nrrd_space(const HeaderText& header, ListAxis list, std::vector<std::string>& notes) {
     RAMUS_TRY(axes, nrrd_axes(header));
-    if (auto alone = check_other_axes(axes, header.file); !alone) return tl::unexpected(alone.error());
+    const std::size_t layers = layers_of(axes, list);
+    if (auto alone = check_other_axes(axes, layers, header.file); !alone) return tl::unexpected(alone.error());
     std::vector<std::size_t> of_space;
     std::vector<std::int64_t> extents;
     for (std::size_t n = 0; n < axes.size(); ++n)
@@ -192,7 +202,7 @@ Result<NrrdSpace> nrrd_space(const HeaderText& header, std::vector<std::string>&
     std::array<glm::dvec3, 3> steps{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
     for (std::size_t n = 0; n < of_space.size() && n < 3; ++n) steps[n] = mm * *axes[of_space[n]].direction;
     if (of_space.size() == 2) steps[2] = slice_axis(steps[0], steps[1]);
-    NrrdSpace space{size, unit_mm};
+    NrrdSpace space{.size = size, .layers = layers, .unit_mm = unit_mm};
     for (int column = 0; column < 3; ++column)
         space.to_patient[column] = glm::dvec4(signs * steps[static_cast<std::size_t>(column)], 0.0);
     space.to_patient[3] = glm::dvec4(mm * signs * origin, 1.0);

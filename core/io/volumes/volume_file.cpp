@@ -1,5 +1,6 @@
 #include "core/io/volumes/volume_file.h"
 
+#include "core/base/printable.h"
 #include "core/io/recognise.h"
 #include "core/io/standard_input.h"
 #include "core/io/volumes/dicom/dicom_reader.h"
@@ -97,6 +98,7 @@ bool is_volume(const std::filesystem::path& path) { return recognised(path).volu
 Result<volume::Volume> read_volume(const std::filesystem::path& path, const ReadVolumeOptions& options, Job& job) {
     try {
         RAMUS_TRY(volume, read_any(path, options, job));
+        for (volume::LabelName& each : volume.label_names) each.name = printable(each.name);
         if (auto applied = apply_unit(volume, options.unit, input_name(path)); !applied)
             return tl::unexpected(applied.error());
         return volume;

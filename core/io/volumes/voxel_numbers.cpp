@@ -1,6 +1,7 @@
 #include "core/io/volumes/voxel_numbers.h"
 
 #include "core/base/memory.h"
+#include "core/io/volumes/slicer_segments.h"
 #include "core/tree/build_tree.h"
 
 #include <algorithm>
@@ -16,11 +17,18 @@ namespace {
 struct Reading {
     ByteSource& source;
     const VoxelLayout& layout;
-    std::size_t voxels;
+    std::size_t voxels; // numbers, of layers several for each voxel
     Job& job;
 
     void report(std::size_t done) const { job.report(static_cast<float>(done) / static_cast<float>(voxels)); }
 };
+
+template <class Raw>
+Result<void> keep(const Reading& reading, const Raw* raw, std::size_t count, volume::VoxelStore& store) {
+    if (reading.layout.layers == nullptr) return store.append(raw, count, reading.layout.scaling);
+    RAMUS_TRY(values, reading.layout.layers->merged({raw, raw + count}, reading.source.name()));
+    return values.empty() ? Result<void>{} : store.append(values.data(), values.size(), {});
+}
 
 template <class Raw> void swap_bytes(std::vector<Raw>& raw, std::size_t count) {
     for (std::size_t n = 0; n < count; ++n) {
@@ -39,7 +47,7 @@ template <class Raw> Result<void> read_binary(const Reading& reading, volume::Vo
         const std::size_t count = std::min(raw.size(), reading.voxels - done);
         if (auto got = reading.source.read(raw.data(), count * sizeof(Raw)); !got) return got;
         if (reading.layout.encoding == Encoding::kSwapped && sizeof(Raw) > 1) swap_bytes(raw, count);
-        if (auto kept = store.append(raw.data(), count, reading.layout.scaling); !kept) return kept;
+        if (auto kept = keep(reading, raw.data(), count, store); !kept) return kept;
         done += count;
         reading.report(done);
     }
@@ -89,7 +97,7 @@ template <class Raw> Result<void> read_text(const Reading& reading, volume::Voxe
         auto used = parse_numbers(text, is_all, raw, reading.voxels - done);
         if (!used) return fail(used.error().what, reading.source.name(), used.error().hint);
         text.erase(0, *used);
-        if (auto kept = store.append(raw.data(), raw.size(), reading.layout.scaling); !kept) return kept;
+        if (auto kept = keep(reading, raw.data(), raw.size(), store); !kept) return kept;
         done += raw.size();
         reading.report(done);
         if (is_all && done < reading.voxels)
@@ -121,10 +129,13 @@ const NumberRow& row_of(VoxelType type) { return kNumbers[static_cast<std::size_
 
 double count_of(const glm::ivec3& size) { return double(size.x) * double(size.y) * double(size.z); }
 
+std::size_t layers_of(const VoxelLayout& layout) { return layout.layers == nullptr ? 1 : layout.layers->count(); }
+
 // Text takes a digit and a blank for each number; the last needs no blank.
 double bytes_in_file(const VoxelLayout& layout) {
-    return layout.encoding == Encoding::kText ? 2.0 * count_of(layout.size) - 1.0
-                                              : static_cast<double>(bytes_of(layout.type)) * count_of(layout.size);
+    const double numbers = static_cast<double>(layers_of(layout)) * count_of(layout.size);
+    return layout.encoding == Encoding::kText ? 2.0 * numbers - 1.0
+                                              : static_cast<double>(bytes_of(layout.type)) * numbers;
 }
 
 } // namespace
@@ -173,7 +184,7 @@ Result<volume::Volume> read_voxels(ByteSource& source, std::uint64_t offset, con
     if (auto skipped = source.skip(offset); !skipped) return tl::unexpected(skipped.error());
     const NumberRow& type = row_of(layout.type);
     const auto voxels = static_cast<std::size_t>(layout.size.x) * static_cast<std::size_t>(layout.size.y) *
-                        static_cast<std::size_t>(layout.size.z);
+                        static_cast<std::size_t>(layout.size.z) * layers_of(layout);
     const auto read = layout.encoding == Encoding::kText ? type.text : type.binary;
     if (auto all = read({source, layout, voxels, job}, store); !all) return tl::unexpected(all.error());
     if (auto sound = source.check_end(); !sound) return tl::unexpected(sound.error());

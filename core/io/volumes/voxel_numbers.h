@@ -23,12 +23,16 @@ enum class VoxelType { kUint8, kInt8, kUint16, kInt16, kUint32, kInt32, kUint64,
 
 enum class Encoding { kBinary, kSwapped, kText }; // binary in this machine's byte order, in the other; blanks between
 
+class SegmentLayers;
+
 // What a header says of its voxels.
 struct VoxelLayout {
     glm::ivec3 size{1};
     VoxelType type = VoxelType::kUint8;
     Encoding encoding = Encoding::kBinary;
     volume::Scaling scaling;
+    // Of a segmentation whose voxels have a number in each of several layers: what these mean. Not of fractions.
+    SegmentLayers* layers = nullptr;
 };
 
 // The extents of the axes, of which those beyond the third must be 1. Fails naming the axis, counted from 1.

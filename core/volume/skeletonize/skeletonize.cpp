@@ -203,7 +203,7 @@ Result<tree::VesselTree> skeletonize(Volume&& volume, std::span<const SystemMask
         }
         if (systems.size() > 1 || !systems[0].name.empty())
             for (std::size_t s = 0; s < systems.size(); ++s)
-                masks.graph.systems.push_back({systems[s].name, colour_of_system(s)});
+                masks.graph.systems.push_back({systems[s].name, systems[s].colour.value_or(colour_of_system(s))});
         else
             masks.graph.point_systems.clear();
         return tree_of(std::move(masks), volume.to_patient, options, figures);

@@ -15,9 +15,9 @@ constexpr std::size_t kMostSystems = 64;
 std::string name_of(const Volume& volume, const std::vector<std::int32_t>& labels) {
     std::string name;
     for (const std::int32_t label : labels) {
-        const auto named = std::ranges::find(volume.label_names, label, &LabelName::label);
+        const LabelName* named = name_of_label(volume, label);
         if (!name.empty()) name += " + ";
-        name += named != volume.label_names.end() ? named->name : "label " + std::to_string(label);
+        name += named != nullptr && !named->name.empty() ? named->name : "label " + std::to_string(label);
     }
     return name;
 }
@@ -49,7 +49,7 @@ Result<std::vector<SystemMask>> systems_of(const Volume& volume, const LabelGrou
     }
     const std::vector<LabelCount> counts = label_counts(volume);
     if (counts.empty()) return fail("nothing is inside: every voxel is 0");
-    if (!chosen && counts.size() > kMostSystems)
+    if (!chosen && counts.size() > kMostSystems && !volume.segmentation)
         return fail(
             "it has " + std::to_string(counts.size()) +
                 " different values, and looks like a scan, not like a mask of vessels",
@@ -57,14 +57,22 @@ Result<std::vector<SystemMask>> systems_of(const Volume& volume, const LabelGrou
             "say which of them are vessels (--labels N,M; ramus skeletonize: --label N,M), or take all that is at "
             "least X with --isovalue X");
     if (!groups) return std::vector<SystemMask>(1);
-    std::vector<std::vector<std::int32_t>> labels = *groups;
+    std::vector<std::vector<std::int32_t>> labels;
+    for (const std::vector<LabelChoice>& group : *groups) {
+        RAMUS_TRY(numbers, label_numbers(volume, group));
+        std::ranges::sort(numbers); // whatever the order of their names
+        labels.push_back(std::move(numbers));
+    }
     if (auto good = check_groups(labels, counts); !good) return tl::unexpected(good.error());
     if (labels.empty())
         for (const LabelCount& count : counts) labels.push_back({count.label});
     std::vector<SystemMask> systems;
-    for (std::vector<std::int32_t>& group : labels) {
-        std::string name = name_of(volume, group);
-        systems.push_back({std::move(group), std::move(name)});
+    for (const std::vector<std::int32_t>& group : labels) {
+        const LabelName* first = name_of_label(volume, group.front());
+        systems.push_back({.labels = {group.begin(), group.end()},
+                           .name = name_of(volume, group),
+                           .isovalue = std::nullopt,
+                           .colour = first == nullptr ? std::nullopt : first->colour});
     }
     // A lone label that nobody named needs no name.
     if (systems.size() == 1 && volume.label_names.empty()) systems[0].name.clear();

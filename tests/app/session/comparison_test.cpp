@@ -111,7 +111,7 @@ TEST_CASE("commands compare, are undone, and refuse what makes no sense") {
     CHECK(stage.marks().comparison.blend == 0.25);
     stage.good("compare-mask \"" + mask.string() + "\" 3,1,3");
     CHECK(stage.marks().comparison.mask == mask.string());
-    CHECK(stage.marks().comparison.labels == std::vector<std::int32_t>{1, 3});
+    CHECK(stage.marks().comparison.labels == std::vector<volume::LabelChoice>{1, 3});
     CHECK(title_of(Compared::kIsosurface, stage.marks().comparison) == "Isosurface of mask of it.nii, labels 1, 3");
     stage.good("skeleton");
     CHECK(stage.marks().skeleton);
@@ -280,7 +280,7 @@ TEST_CASE("the surfaces that a comparison needs") {
     REQUIRE(requests.size() == 1); // its own is there
     CHECK(requests[0].kind == Compared::kIsosurface);
     CHECK(requests[0].mask == "mask.nii");
-    CHECK(requests[0].labels == std::vector<std::int32_t>{3});
+    CHECK(requests[0].labels == std::vector<volume::LabelChoice>{3});
     // Hiding and smoothing are nothing to a mask.
     set_state(marks, std::vector<int>{1}, render::BranchState::kHidden);
     marks.options.smooth_passes = 4;

@@ -64,7 +64,7 @@ TEST_CASE("how a mask becomes a tree is said, taken back, refused with what it t
             CHECK(refused.error().hint.find(key) != std::string::npos);
         }
     }
-    CHECK(reading.mask.labels == std::vector<std::vector<std::int32_t>>{{1, 3}, {2}});
+    CHECK(reading.mask.labels == std::vector<std::vector<volume::LabelChoice>>{{1, 3}, {2}});
     CHECK(reading.mask.root == glm::dvec3(-1.5, 0.1, 300.0));
     CHECK(with({}, "labels", "together")->mask.labels->empty());
     CHECK(with(reading, "labels", "apart") == *with(reading, "labels", "auto"));
@@ -75,7 +75,7 @@ TEST_CASE("how a mask becomes a tree is said, taken back, refused with what it t
     const TemporaryFolder folder;
     Session session;
     session.tree.path = folder.path() / "m.nii";
-    for (const char* labels : {"auto", "together", "1+3,2"}) {
+    for (const char* labels : {"auto", "together", "1+3,2", "portal vein,\"7\"+2"}) {
         session.marks.reading = *with(reading, "labels", labels);
         REQUIRE(write_session(session, folder.path() / "s.json"));
         const auto again = read_session(folder.path() / "s.json");
@@ -83,7 +83,7 @@ TEST_CASE("how a mask becomes a tree is said, taken back, refused with what it t
         CHECK(again->session.marks.reading == session.marks.reading);
     }
     for (const char* wrong :
-         {R"({"root": [1, 2]})", R"({"islands": -1})", R"({"fill_holes": 1})", R"({"labels": "x"})"}) {
+         {R"({"root": [1, 2]})", R"({"islands": -1})", R"({"fill_holes": 1})", R"({"labels": "x,"})"}) {
         nlohmann::json value = to_json(session, "/");
         value["reading"] = nlohmann::json::parse(wrong);
         CHECK_FALSE_MESSAGE(session_from_json(value, "/", "s.json"), wrong);

@@ -3,6 +3,7 @@
 #include "core/io/trees/tree_file.h"
 #include "core/io/volumes/dicom/dicom_reader.h"
 #include "core/io/volumes/volume_file.h"
+#include "core/volume/label_counts.h"
 #include "tests/support/dicom_file.h"
 #include "tests/support/nifti_file.h"
 #include "tests/support/volume_files.h"
@@ -243,7 +244,9 @@ TEST_CASE("segmentations with empty slices, overlaps, and damage") {
     const volume::Volume overlap = read("a.dcm", both.file());
     CHECK(overlap.size.z == 1);
     CHECK(volume::value_at(overlap, {3, 3, 0}) == 2);
-    CHECK(test::holds(overlap.notes.at(1), "overlap at 168 voxels"));
+    const std::size_t voxels = 168; // of a slice
+    CHECK(volume::label_counts(overlap) == std::vector<volume::LabelCount>{{1, voxels}, {2, voxels}});
+    CHECK(volume::shared_counts(overlap) == std::vector<volume::SharedCount>{{{1, 2}, voxels}});
     // A frame a kilometre away claims more slices than there can be.
     const glm::dvec3 far = whole.lps({0, 0, 400'000});
     frames[1].items(0x00209113, {DicomElements().decimals(0x00200032, {far.x, far.y, far.z})});

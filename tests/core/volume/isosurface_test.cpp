@@ -203,7 +203,7 @@ TEST_CASE("label sets are inside, all other labels outside") {
     const auto volume = sampled<std::uint8_t>({12, 6, 6}, glm::dmat4(1.0), [](const glm::dvec3& v) {
         return v.y < 1 || v.y > 4 || v.z < 1 || v.z > 4 ? 0 : 1 + static_cast<int>(v.x) / 4;
     });
-    const auto of = [&](std::vector<std::int32_t> labels) { return surface(volume, {std::move(labels), {}}); };
+    const auto of = [&](std::vector<volume::LabelChoice> labels) { return surface(volume, {std::move(labels), {}}); };
     const auto extent_x = [](const mesh::TriangleMesh& mesh) {
         const auto [least, most] = std::ranges::minmax_element(
             mesh.positions, [](const glm::vec3& a, const glm::vec3& b) { return a.x < b.x; });

@@ -10,12 +10,12 @@ namespace ramus::io {
 namespace {
 
 // PS3.6, by number.
-constexpr std::array<std::uint32_t, 37> kWanted = {
+constexpr std::array<std::uint32_t, 38> kWanted = {
     0x00080008, 0x00080016, 0x00080018, 0x00080060, 0x0008103e, 0x00180050, 0x00180088, 0x0020000d,
     0x0020000e, 0x00200011, 0x00200032, 0x00200037, 0x00209113, 0x00209116, 0x00280002, 0x00280004,
     0x00280008, 0x00280010, 0x00280011, 0x00280030, 0x00280100, 0x00280101, 0x00280102, 0x00280103,
     0x00281052, 0x00281053, 0x00289110, 0x00289145, 0x00620001, 0x00620002, 0x00620004, 0x00620005,
-    0x0062000a, 0x0062000b, 0x0062000e, 0x52009229, 0x52009230};
+    0x0062000a, 0x0062000b, 0x0062000d, 0x0062000e, 0x52009229, 0x52009230};
 static_assert(std::ranges::is_sorted(kWanted));
 
 } // namespace
@@ -52,10 +52,11 @@ std::vector<double> DicomSet::decimals(std::uint32_t tag) const {
     return numbers_in(numbers).value_or(std::vector<double>());
 }
 
-std::optional<int> DicomSet::number(std::uint32_t tag) const {
+std::optional<int> DicomSet::number(std::uint32_t tag, std::size_t place) const {
     const std::string_view value = value_of(tag);
-    if (value.size() < 2) return std::nullopt;
-    const auto first = static_cast<std::uint8_t>(value[0]), second = static_cast<std::uint8_t>(value[1]);
+    if (value.size() < 2 * place + 2) return std::nullopt;
+    const auto first = static_cast<std::uint8_t>(value[2 * place]),
+               second = static_cast<std::uint8_t>(value[2 * place + 1]);
     return big_endian_ ? first * 256 + second : second * 256 + first;
 }
 

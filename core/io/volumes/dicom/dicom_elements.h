@@ -2,6 +2,7 @@
 // is not there or makes no sense is empty.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,7 +24,8 @@ public:
 
     [[nodiscard]] std::string text(std::uint32_t tag) const; // without padding
     [[nodiscard]] std::vector<double> decimals(std::uint32_t tag) const;
-    [[nodiscard]] std::optional<int> number(std::uint32_t tag) const; // of two bytes, unsigned
+    // Of two bytes, unsigned; `place`: which one of several.
+    [[nodiscard]] std::optional<int> number(std::uint32_t tag, std::size_t place = 0) const;
     [[nodiscard]] const std::vector<DicomSet>& items(std::uint32_t tag) const;
 
 private:

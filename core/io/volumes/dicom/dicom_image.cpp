@@ -1,8 +1,12 @@
 #include "core/io/volumes/dicom/dicom_image.h"
 
 #include "core/io/volumes/dicom/dicom_elements.h"
+#include "core/io/volumes/dicom/dicom_lab.h"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace ramus::io {
@@ -80,6 +84,14 @@ Result<void> take_frames(const DicomSet& set, DicomImage& image) {
     return {};
 }
 
+// Recommended Display CIELab Value.
+std::optional<std::array<std::uint8_t, 3>> colour_of(const DicomSet& segment) {
+    constexpr std::uint32_t kLab = 0x0062000d;
+    const auto lightness = segment.number(kLab, 0), a = segment.number(kLab, 1), b = segment.number(kLab, 2);
+    if (!lightness || !a || !b) return std::nullopt;
+    return srgb_of_dicom_lab({*lightness, *a, *b});
+}
+
 Result<void> take_segments(const DicomSet& set, DicomImage& image) {
     if (image.sop_class != kSegmentation && image.sop_class != kLabelMap) return {};
     const std::string kind = set.text(0x00620001);
@@ -92,8 +104,9 @@ Result<void> take_segments(const DicomSet& set, DicomImage& image) {
     image.most_fraction = set.number(0x0062000e).value_or(255);
     const auto& segments = set.items(0x00620002);
     for (const DicomSet& segment : segments)
-        if (const auto label = segment.number(0x00620004))
-            image.segment_names.push_back({*label, segment.text(0x00620005)});
+        if (const auto label = segment.number(0x00620004); label && *label != 0)
+            image.segment_names.push_back(
+                {.label = *label, .name = segment.text(0x00620005), .colour = colour_of(segment)});
     return {};
 }
 

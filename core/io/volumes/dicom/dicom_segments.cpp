@@ -4,6 +4,7 @@
 #include "core/io/volumes/dicom/dicom_pixels.h"
 #include "core/io/volumes/dicom/dicom_stack.h"
 #include "core/io/volumes/voxel_numbers.h"
+#include "core/volume/overlap_table.h"
 #include "core/volume/voxel_store.h"
 
 #include <algorithm>
@@ -20,10 +21,19 @@ constexpr double kOneSlice = 1e-3; // mm
 constexpr double kOffSlice = 0.25; // of a step, as of series
 constexpr double kMostSlices = 65535;
 
+// Every label is below this number.
+std::int32_t above_labels(const DicomImage& image) {
+    if (image.segments == SegmentKind::kLabels) return 65536; // its pixels have 16 bits
+    std::int32_t most = 0;
+    for (const DicomFrame& frame : image.frames) most = std::max(most, frame.segment);
+    return most + 1;
+}
+
 class Segments {
 public:
     Segments(const DicomImage& image, double memory_bytes, const JobRange& job)
-        : image_(image), memory_bytes_(memory_bytes), job_(job), labels_(pixels_of_frame()) {}
+        : image_(image), memory_bytes_(memory_bytes), job_(job), overlaps_(above_labels(image)),
+          labels_(pixels_of_frame()) {}
 
     Result<volume::Volume> run() {
         if (auto placed = place_frames(); !placed) return tl::unexpected(placed.error());
@@ -39,6 +49,7 @@ public:
         volume::Volume volume;
         std::move(store).finish(volume);
         describe(volume);
+        std::move(overlaps_).finish(volume);
         return volume;
     }
 
@@ -112,7 +123,7 @@ private:
         auto next = order_.begin();
         for (int slice = 0; slice < slices_; ++slice) {
             if (job_.cancelled()) return fail("cancelled");
-            std::ranges::fill(labels_, std::uint16_t{0});
+            std::ranges::fill(labels_, 0);
             for (; next != order_.end() && next->first == slice; ++next)
                 if (auto put = put_frame(next->second, decoded ? &*decoded : nullptr); !put) return put;
             if (auto kept = store.append(labels_.data(), labels_.size(), {}); !kept) return kept;
@@ -121,9 +132,15 @@ private:
         return {};
     }
 
-    void put_label(std::size_t pixel, int label) {
-        if (labels_[pixel] != 0 && labels_[pixel] != label) ++overlapping_;
-        labels_[pixel] = static_cast<std::uint16_t>(label);
+    [[nodiscard]] Result<void> put_label(std::size_t pixel, int label) {
+        if (labels_[pixel] == 0) {
+            labels_[pixel] = label;
+            return {};
+        }
+        auto both = overlaps_.with(labels_[pixel], label);
+        if (!both) return fail(both.error().what, image_.file.name, both.error().hint);
+        labels_[pixel] = *both;
+        return {};
     }
 
     Result<void> put_frame(std::size_t n, const std::string* decoded) {
@@ -141,11 +158,10 @@ private:
         for (std::size_t pixel = 0; pixel < labels_.size(); ++pixel) {
             int value = static_cast<std::uint8_t>(pixels[pixel * width + (swapped ? width - 1 : 0)]);
             if (width == 2) value += 256 * static_cast<std::uint8_t>(pixels[pixel * 2 + (swapped ? 0 : 1)]);
-            if (image_.segments == SegmentKind::kLabels) {
-                if (value != 0) put_label(pixel, value);
-            } else if (2 * value >= (image_.segments == SegmentKind::kFractional ? image_.most_fraction : 1)) {
-                put_label(pixel, label);
-            }
+            const bool labels = image_.segments == SegmentKind::kLabels;
+            const int least = image_.segments == SegmentKind::kFractional ? image_.most_fraction : 1;
+            if (labels ? value == 0 : 2 * value < least) continue;
+            if (auto put = put_label(pixel, labels ? value : label); !put) return put;
         }
         return {};
     }
@@ -156,7 +172,8 @@ private:
         RAMUS_TRY(bytes, read_pixel_bytes(image_, begin / 8, (end + 7) / 8 - begin / 8));
         for (std::size_t pixel = 0; pixel < labels_.size(); ++pixel) {
             const std::uint64_t bit = begin % 8 + pixel;
-            if ((static_cast<std::uint8_t>(bytes[bit / 8]) >> (bit % 8) & 1) != 0) put_label(pixel, label);
+            if ((static_cast<std::uint8_t>(bytes[bit / 8]) >> (bit % 8) & 1) == 0) continue;
+            if (auto put = put_label(pixel, label); !put) return put;
         }
         return {};
     }
@@ -170,11 +187,9 @@ private:
         volume.type = std::string("DICOM SEG, ") + kind;
         volume.label_names = image_.segment_names;
         std::ranges::stable_sort(volume.label_names, {}, &volume::LabelName::label);
+        volume.segmentation = true;
         if (image_.segments == SegmentKind::kFractional)
             notes_.emplace_back("its segments are fractions: those from one half on count");
-        if (overlapping_ > 0)
-            notes_.push_back("segments overlap at " + std::to_string(overlapping_) +
-                             " voxels: these have the highest of their numbers");
         volume.notes = std::move(notes_);
     }
 
@@ -184,8 +199,8 @@ private:
     std::vector<std::pair<int, std::size_t>> order_; // slice, frame
     int slices_ = 0;
     glm::dmat4 to_patient_{1.0};
-    std::vector<std::uint16_t> labels_; // of a slice
-    std::uint64_t overlapping_ = 0;
+    volume::OverlapTable overlaps_;
+    std::vector<std::int32_t> labels_; // of a slice
     std::vector<std::string> notes_;
 };
 
@@ -194,7 +209,7 @@ private:
 Result<volume::Volume> read_segments(const DicomImage& image, const ReadVolumeOptions& options, const JobRange& job) {
     const double memory = memory_left(options.memory_bytes);
     // A slice of labels is held beside the volume.
-    if (2.0 * image.rows * image.columns > memory)
+    if (4.0 * image.rows * image.columns > memory)
         return fail("its slices are larger than the memory that is left", image.file.name, "allow more with --memory");
     return Segments(image, memory, job).run();
 }

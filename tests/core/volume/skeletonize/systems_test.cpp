@@ -31,7 +31,7 @@ volume::Volume two_tubes() {
     return volume;
 }
 
-using Groups = std::vector<std::vector<std::int32_t>>;
+using Groups = volume::LabelGroups::value_type;
 
 tree::VesselTree tree_of(const volume::LabelGroups& groups, std::vector<volume::LabelName> names = {}) {
     volume::Volume volume = two_tubes();
