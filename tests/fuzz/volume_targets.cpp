@@ -1,8 +1,11 @@
 // The readers of volumes, by the table of formats, and headers whose values stand in another file.
 #include "core/base/memory.h"
+#include "core/io/volumes/label_names.h"
 #include "core/io/volumes/volume_file.h"
+#include "core/volume/label_counts.h"
 #include "tests/fuzz/target.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/mat4x4.hpp>
 
@@ -22,6 +25,12 @@ void check_volume(const volume::Volume& volume) {
         must(value >= static_cast<float>(volume.minimum) && value <= static_cast<float>(volume.maximum),
              "a value is out of range");
     }
+    const auto counts = volume::label_counts(volume);
+    for (const volume::Overlap& overlap : volume.overlaps) {
+        must(overlap.labels.size() > 1 && overlap.labels.back() < overlap.value, "an overlap is none");
+        for (const std::int32_t label : overlap.labels)
+            must(std::ranges::count(counts, label, &volume::LabelCount::label) == 1, "a label of an overlap is lost");
+    }
 }
 
 void read_from(const io::VolumeFormat& format, Result<io::ByteSource> source, const std::string& name) {
@@ -35,10 +44,18 @@ void read_from(const io::VolumeFormat& format, Result<io::ByteSource> source, co
          "an error does not say enough: " + volume.error().message());
 }
 
+void read_names(std::string_view bytes) {
+    const auto table = io::label_table_names(bytes);
+    const auto described = io::described_names(bytes);
+    for (const auto& names : {table, described.value_or(table)})
+        for (std::size_t n = 0; n < names.size(); ++n)
+            must(names[n].label != 0 && (n == 0 || names[n - 1].label < names[n].label), "labels are not in order");
+}
+
 } // namespace
 
 std::vector<Target> volume_targets() {
-    std::vector<Target> targets;
+    std::vector<Target> targets{{"labels", read_names}};
     for (const io::VolumeFormat& format : io::volume_formats()) {
         if (!io::is_read(format)) continue;
         const std::string extension(format.extensions.front());

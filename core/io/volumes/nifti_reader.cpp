@@ -1,6 +1,7 @@
 #include "core/io/volumes/nifti_reader.h"
 
 #include "core/base/memory.h"
+#include "core/io/volumes/nifti_extensions.h"
 #include "core/io/volumes/voxel_numbers.h"
 
 #include <algorithm>
@@ -190,6 +191,26 @@ Result<VoxelType> type_of(const Header& header, const std::string& name) {
     }
 }
 
+// What stands between the header and the voxels, and how many bytes of the file were read for that.
+struct Extensions {
+    std::vector<volume::LabelName> names;
+    std::vector<std::string> notes;
+    std::uint64_t used = 0;
+};
+
+Result<Extensions> extensions_of(const Header& header, ByteSource& source) {
+    Extensions found;
+    const std::uint64_t begin = header.version == 2 ? sizeof(nifti_2_header) : sizeof(nifti_1_header);
+    const auto offset = static_cast<std::uint64_t>(header.offset);
+    if (offset <= begin || static_cast<double>(offset) > source.most_bytes()) return found;
+    if (auto skipped = source.skip(begin); !skipped) return tl::unexpected(skipped.error());
+    std::string bytes(std::min<std::uint64_t>(offset - begin, kMostExtensionBytes), '\0');
+    if (auto read = source.read(bytes.data(), bytes.size()); !read) return tl::unexpected(read.error());
+    found.used = begin + bytes.size();
+    found.names = extension_names(bytes, header.swapped, found.notes);
+    return found;
+}
+
 } // namespace
 
 int nifti_version(std::string_view head) {
@@ -208,9 +229,12 @@ Result<volume::Volume> read_nifti(ByteSource& source, const ReadVolumeOptions& o
     RAMUS_TRY(affine, affine_of(header, size, name));
     RAMUS_TRY(scaling, scaling_of(header, name));
     const VoxelLayout layout{size, type, header.swapped ? Encoding::kSwapped : Encoding::kBinary, scaling};
-    auto volume =
-        read_voxels(source, static_cast<std::uint64_t>(header.offset), layout, memory_left(options.memory_bytes), job);
+    RAMUS_TRY(extensions, extensions_of(header, source));
+    auto volume = read_voxels(source, static_cast<std::uint64_t>(header.offset) - extensions.used, layout,
+                              memory_left(options.memory_bytes), job);
     if (!volume) return volume;
+    volume->label_names = std::move(extensions.names);
+    volume->notes = std::move(extensions.notes);
     volume->to_patient = affine;
     volume->type = "NIfTI-" + std::to_string(header.version) + ", " + std::string(name_of(type));
     volume->unit_mm = unit_of(header);

@@ -4,6 +4,7 @@
 #include "core/io/recognise.h"
 #include "core/io/standard_input.h"
 #include "core/io/volumes/dicom/dicom_reader.h"
+#include "core/io/volumes/label_names.h"
 #include "core/io/volumes/meta_image_reader.h"
 #include "core/io/volumes/nifti_reader.h"
 #include "core/io/volumes/nrrd_reader.h"
@@ -98,6 +99,7 @@ bool is_volume(const std::filesystem::path& path) { return recognised(path).volu
 Result<volume::Volume> read_volume(const std::filesystem::path& path, const ReadVolumeOptions& options, Job& job) {
     try {
         RAMUS_TRY(volume, read_any(path, options, job));
+        take_described_names(path, volume);
         for (volume::LabelName& each : volume.label_names) each.name = printable(each.name);
         if (auto applied = apply_unit(volume, options.unit, input_name(path)); !applied)
             return tl::unexpected(applied.error());
