@@ -6,21 +6,19 @@
 #include "app/commands/printed_report.h"
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
-#include "app/session/comparison.h"
+#include "app/session/mask_reading.h"
 #include "app/session/numbers.h"
-#include "app/session/of_file.h"
-#include "app/storage/tree_source.h"
+#include "core/base/printable.h"
 #include "core/base/stopwatch.h"
 #include "core/io/run_inputs.h"
 #include "core/io/standard_input.h"
+#include "core/io/trees/mask_tree.h"
 #include "core/io/trees/tree_file.h"
 #include "core/io/volumes/volume_file.h"
-#include "core/io/volumes/volume_unit.h"
 #include "core/measure/tree_measure.h"
-#include "core/volume/label_counts.h"
+#include "core/tree/note_summary.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -34,7 +32,6 @@ namespace {
 
 struct SkeletonizeFlags {
     SurfaceFlags reading; // of which only memory, --verbose and what is of masks are asked for
-    volume::LabelGroups labels;
     std::string file, output, format;
     bool json = false;
 };
@@ -43,10 +40,20 @@ struct Seconds {
     double load = 0.0, skeleton = 0.0, write = 0.0;
 };
 
-// "1+3,2": the labels of each system; "all": none named. None: it is neither.
-std::optional<std::vector<std::vector<volume::LabelChoice>>> label_lists(const std::string& text) {
-    if (text == "all") return std::vector<std::vector<volume::LabelChoice>>();
-    return label_groups(text);
+// "all" is what other commands call apart. None: the text is no list of labels.
+std::optional<io::MaskReading> reading_of(const std::string& label) {
+    auto reading = with(io::MaskReading(), "labels", label == "all" ? "apart" : label);
+    return reading && label != "auto" ? std::optional(std::move(*reading)) : std::nullopt;
+}
+
+nlohmann::ordered_json note_json(const tree::NoteSummary& note) {
+    nlohmann::ordered_json json_note = {{"kind", tree::name_of(note.kind)},
+                                        {"topic", note.topic},
+                                        {"text", printable(note.text)},
+                                        {"count", note.count},
+                                        {"at", nlohmann::ordered_json::array()}};
+    for (const glm::dvec3& at : note.places) json_note["at"].push_back({at.x, at.y, at.z});
+    return json_note;
 }
 
 void report_json(const tree::VesselTree& tree, const volume::SkeletonizeFigures& figures, const Seconds& seconds) {
@@ -57,7 +64,7 @@ void report_json(const tree::VesselTree& tree, const volume::SkeletonizeFigures&
             {{"name", tree.systems[s].name},
              {"branches", std::ranges::count(tree.branches, static_cast<int>(s), &tree::Branch::system)}});
     nlohmann::ordered_json notes = nlohmann::ordered_json::array();
-    for (const tree::Note& note : tree.notes) notes.push_back(note.text);
+    for (const tree::NoteSummary& note : tree::summed_up(tree)) notes.push_back(note_json(note));
     const nlohmann::ordered_json report = {
         {"branches", tree.branches.size()},
         {"leaves", statistics.leaves},
@@ -83,8 +90,13 @@ void report_json(const tree::VesselTree& tree, const volume::SkeletonizeFigures&
 }
 
 void report_text(const SkeletonizeFlags& flags, const tree::VesselTree& tree, const Seconds& seconds) {
-    for (const tree::Note& note : tree.notes)
-        if (note.kind == tree::Note::Kind::kRepaired) std::cerr << "ramus: " << note.text << '\n';
+    for (const tree::NoteSummary& note : tree::summed_up(tree)) {
+        const std::string line = printable(with_places(note));
+        if (note.kind == tree::Note::Kind::kAssumed)
+            say(flags.reading, "assumed: " + line);
+        else
+            std::cerr << "ramus: " << line << '\n';
+    }
     std::cout << output_name(flags.output) << ": " << counted(tree.branches.size(), "branch", "branches") << ", "
               << counted(static_cast<std::uint64_t>(tree.loop_count), "loop", "loops") << ", "
               << counted(tree.roots.size(), "piece", "pieces");
@@ -98,26 +110,14 @@ Result<int> run_skeletonize(const SkeletonizeFlags& flags) {
     Stopwatch watch;
     Seconds seconds;
     RAMUS_TRY(mask, load_volume(flags.file, flags.reading));
-    warn_about(flags.file, mask);
     seconds.load = watch.lap();
-    const auto isovalue = flags.reading.read.mask.isovalue;
-    auto systems = isovalue ? std::vector<volume::SystemMask>{{.labels = {}, .isovalue = isovalue}}
-                            : volume::systems_of(mask, flags.labels);
-    if (!systems) return fail(systems.error().what, flags.file, systems.error().hint);
-    if (!flags.labels && !isovalue && volume::label_counts(mask).size() > 1)
-        say(flags.reading, flags.file + ": all labels are taken together; --label all makes each a system");
     volume::SkeletonizeFigures figures;
-    const auto options =
-        skeletonize_options(flags.reading.read.mask, static_cast<double>(flags.reading.surface.memory_bytes));
-    const tree::Claims claims = io::claims_of(mask, flags.reading.read.unit);
     const auto make = [&](Job& job) {
-        return of_file(volume::skeletonize(std::move(mask), *systems, options, job, &figures), flags.file);
+        return io::tree_of_mask(std::move(mask), flags.file, flags.reading.read,
+                                static_cast<double>(flags.reading.surface.memory_bytes), job, &figures);
     };
     RAMUS_TRY(tree, with_progress("skeleton", make, kNothingWritten));
     seconds.skeleton = watch.lap();
-    tree.claims = claims;
-    if (isovalue) tree.notes.push_back(threshold_note(*isovalue));
-    tree.source = std::filesystem::path(io::input_name(flags.file)).filename().string();
     if (auto written =
             io::write_tree(tree, flags.output, {"written by ramus " RAMUS_VERSION, "source: " + tree.source});
         !written)
@@ -130,12 +130,11 @@ Result<int> run_skeletonize(const SkeletonizeFlags& flags) {
 void add_mask_options(CLI::App& command, SkeletonizeFlags& flags) {
     CLI::Option* label =
         add_option_taking<std::string>(
-            command, "--label", "LABEL[,LABEL...]|all",
-            [&flags](const std::string& list) { flags.labels = label_lists(list); },
-            "Labels that are vessels, by number or name, each a system of its own that is joined with no other; 1+3 "
-            "makes one of two "
-            "(default: all that is inside is one)")
-            ->check(expecting(" is neither all nor a list of whole numbers other than 0 and names", label_lists));
+            command, "--label,--labels", "apart|together|LABEL[+LABEL...],...",
+            [&flags](const std::string& text) { flags.reading.read.mask.labels = reading_of(text)->labels; },
+            "Labels that are vessels: apart (default, each a system of its own that is joined with no other; so does "
+            "all), together, or those of each system, by number or name")
+            ->check(expecting(" is not apart, together, all, or labels other than 0 and names as 1+3,2", reading_of));
     add_mask_reading_flags(command, flags.reading.read.mask);
     command.get_option("--isovalue")->excludes(label);
     add_units_flag(command, flags.reading.read);

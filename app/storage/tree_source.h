@@ -4,7 +4,6 @@
 #include "core/base/error.h"
 #include "core/base/job.h"
 #include "core/io/trees/tree_file.h"
-#include "core/volume/skeletonize/skeletonize.h"
 
 #include <filesystem>
 #include <optional>
@@ -14,15 +13,9 @@ namespace ramus::app {
 // Whether the file says that it is a session, not a tree. False when it cannot be read: reading it then says why.
 [[nodiscard]] bool is_session_file(const std::filesystem::path& path);
 
-// What people say of a mask, over what is usual.
-[[nodiscard]] volume::SkeletonizeOptions skeletonize_options(const io::MaskReading& mask, double memory_bytes);
-
-// Said of a tree that a threshold has made of a scan.
-[[nodiscard]] tree::Note threshold_note(double isovalue);
-
-// The tree in a file; of a segmentation mask the one that ramus::volume::skeletonize() makes of it as `options` say,
-// each label a system of its own where they say nothing. `memory_bytes`: most that the process shall take for that; 0 =
-// half of the machine's. Fails like io::read_tree(), io::read_volume() and skeletonize().
+// The tree in a file; of a segmentation mask the one that io::tree_of_mask() makes of it. `memory_bytes`: most that the
+// process shall take for that; 0 = half of the machine's. Fails like io::read_tree(), io::read_volume() and
+// io::tree_of_mask().
 [[nodiscard]] Result<tree::VesselTree> read_tree_or_mask(const std::filesystem::path& path,
                                                          const io::ReadOptions& options, double memory_bytes, Job& job);
 
