@@ -1,11 +1,16 @@
 #include "core/volume/bit_mask.h"
 
+#include "core/volume/sparse_mask.h"
+
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace ramus::volume {
 
@@ -63,13 +68,18 @@ void fill_row(const T* values, std::size_t count, std::span<std::uint64_t> row, 
     }
 }
 
+// The bits of a slice, rows as in BitMask.
+struct SliceBits {
+    std::size_t columns, rows, row_words;
+    std::span<std::uint64_t> words;
+    [[nodiscard]] std::span<std::uint64_t> row(std::size_t j) const { return words.subspan(j * row_words, row_words); }
+};
+
 template <class T, class Inside>
-void fill_slice(const SparseArray<T>& values, int k, BitMask& mask, const Inside& is_inside) {
-    const auto columns = static_cast<std::size_t>(mask.size().x);
-    const auto rows = static_cast<std::size_t>(mask.size().y);
-    for (int j = 0; j < mask.size().y; ++j) {
-        const std::size_t first = columns * (static_cast<std::size_t>(j) + rows * static_cast<std::size_t>(k));
-        fill_row(values.data() + first, columns, mask.row(j, k), is_inside);
+void fill_slice(const SparseArray<T>& values, int k, const SliceBits& slice, const Inside& is_inside) {
+    for (std::size_t j = 0; j < slice.rows; ++j) {
+        const std::size_t first = slice.columns * (j + slice.rows * static_cast<std::size_t>(k));
+        fill_row(values.data() + first, slice.columns, slice.row(j), is_inside);
     }
 }
 
@@ -87,34 +97,93 @@ void set_voxels(std::span<std::uint64_t> row, std::size_t begin, std::size_t end
     row[last] |= upto;
 }
 
-template <class T, class Inside> void fill_slice(const RunsOf<T>& runs, int k, BitMask& mask, const Inside& is_inside) {
-    const auto columns = static_cast<std::size_t>(mask.size().x);
-    const std::size_t slice = columns * static_cast<std::size_t>(mask.size().y);
-    const std::size_t first = slice * static_cast<std::size_t>(k);
-    runs.for_runs(first, first + slice, [&](std::size_t begin, std::size_t end, T value) {
+template <class T, class Inside>
+void fill_slice(const RunsOf<T>& runs, int k, const SliceBits& slice, const Inside& is_inside) {
+    const std::size_t columns = slice.columns, voxels = columns * slice.rows;
+    const std::size_t first = voxels * static_cast<std::size_t>(k);
+    runs.for_runs(first, first + voxels, [&](std::size_t begin, std::size_t end, T value) {
         if (!is_inside(value)) return;
         for (std::size_t at = begin - first; at < end - first;) {
             const std::size_t column = at % columns, count = std::min(columns - column, end - first - at);
-            set_voxels(mask.row(static_cast<int>(at / columns), k), column, column + count);
+            set_voxels(slice.row(at / columns), column, column + count);
             at += count;
         }
     });
 }
 
-template <class Values, class Inside>
-Result<BitMask> fill(const Volume& volume, const Values& values, const Inside& is_inside, const JobRange& job) {
-    BitMask mask(volume.size);
+// All slices of a mask that has all its words.
+class AllWords {
+public:
+    explicit AllWords(const glm::ivec3& size) : mask_(size) {}
+    template <class Fill> void fill(const Fill& fill_slice_k) {
+        tbb::parallel_for(0, mask_.size().z, [&](int k) {
+            const auto first = mask_.row(0, k);
+            fill_slice_k(k, std::span(first.data(), first.size() * static_cast<std::size_t>(mask_.size().y)));
+        });
+    }
+    BitMask finish() && { return std::move(mask_); }
+
+private:
+    BitMask mask_;
+};
+
+// The words that hold voxels, of some slices at a time.
+class FilledWords {
+public:
+    explicit FilledWords(const glm::ivec3& size) : size_(size), builder_(size) {}
+    template <class Fill> void fill(const Fill& fill_slice_k) {
+        struct Filled {
+            std::size_t word;
+            std::uint64_t bits;
+        };
+        constexpr int kAtOnce = 32;
+        const std::size_t slice_words =
+            (static_cast<std::size_t>(size_.x) + 2 + 63) / 64 * static_cast<std::size_t>(size_.y);
+        tbb::enumerable_thread_specific<std::vector<std::uint64_t>> scratch;
+        std::array<std::vector<Filled>, kAtOnce> found;
+        for (int first = 0; first < size_.z; first += kAtOnce) {
+            const int end = std::min(first + kAtOnce, size_.z);
+            tbb::parallel_for(first, end, [&](int k) {
+                std::vector<std::uint64_t>& words = scratch.local();
+                words.assign(slice_words, 0);
+                fill_slice_k(k, std::span(words));
+                std::vector<Filled>& filled = found[static_cast<std::size_t>(k - first)];
+                filled.clear();
+                for (std::size_t w = 0; w < words.size(); ++w)
+                    if (words[w] != 0) filled.push_back({slice_words * static_cast<std::size_t>(k) + w, words[w]});
+            });
+            for (int k = first; k < end; ++k)
+                for (const Filled& filled : found[static_cast<std::size_t>(k - first)])
+                    builder_.add(filled.word, filled.bits);
+        }
+    }
+    SparseMask finish() && { return std::move(builder_).finish(); }
+
+private:
+    glm::ivec3 size_;
+    SparseMask::Builder builder_;
+};
+
+// Kept: AllWords or FilledWords.
+template <class Kept, class Values, class Inside>
+auto fill(const Volume& volume, const Values& values, const Inside& is_inside, const JobRange& job)
+    -> Result<decltype(std::declval<Kept>().finish())> {
+    Kept kept(volume.size);
+    const SliceBits shape{static_cast<std::size_t>(volume.size.x),
+                          static_cast<std::size_t>(volume.size.y),
+                          (static_cast<std::size_t>(volume.size.x) + 2 + 63) / 64,
+                          {}};
     std::atomic<int> done{0};
     std::atomic<bool> any{false};
-    tbb::parallel_for(0, volume.size.z, [&](int k) {
+    kept.fill([&](int k, std::span<std::uint64_t> words) {
         if (job.cancelled()) return;
-        fill_slice(values, k, mask, is_inside);
-        if (std::ranges::any_of(mask.slice(k), [](std::uint64_t word) { return word != 0; })) any = true;
+        fill_slice(values, k, SliceBits{shape.columns, shape.rows, shape.row_words, words}, is_inside);
+        if (std::ranges::any_of(words, [](std::uint64_t word) { return word != 0; })) any = true;
         job.report(static_cast<float>(++done) / static_cast<float>(volume.size.z));
     });
     if (job.cancelled()) return fail("cancelled");
     if (!any) return fail("nothing is inside", {}, "choose another label or isovalue");
-    return mask;
+    return std::move(kept).finish();
 }
 
 // For each value of a type of at most two bytes, by its bits: whether it is one of the labels.
@@ -143,9 +212,9 @@ tl::unexpected<Error> not_there(const Volume& volume, std::int32_t label) {
     return fail("label " + std::to_string(label) + " is not there", {}, "ramus info lists the labels");
 }
 
-template <class T, class Values>
-Result<BitMask> fill_labels(const Volume& volume, const Values& values, std::vector<std::int32_t> labels,
-                            const JobRange& job) {
+template <class T, class Kept, class Values>
+auto fill_labels(const Volume& volume, const Values& values, std::vector<std::int32_t> labels, const JobRange& job)
+    -> Result<decltype(std::declval<Kept>().finish())> {
     // A label is there by itself, or together with others.
     const auto is_there = [&](std::int32_t value) {
         return std::in_range<T>(value) && holds(values, static_cast<T>(value));
@@ -162,11 +231,11 @@ Result<BitMask> fill_labels(const Volume& volume, const Values& values, std::vec
     }
     if constexpr (sizeof(T) <= 2) {
         const auto table = table_of<T>(labels);
-        return fill(
+        return fill<Kept>(
             volume, values, [&](T v) { return table[static_cast<std::make_unsigned_t<T>>(v)] != 0; }, job);
     } else {
         std::ranges::sort(labels);
-        return fill(
+        return fill<Kept>(
             volume, values, [&](T v) { return labels.empty() ? v != 0 : std::ranges::binary_search(labels, v); }, job);
     }
 }
@@ -179,7 +248,12 @@ std::optional<double> isovalue_of(const Volume& volume, const Selection& selecti
     return std::nullopt;
 }
 
-Result<BitMask> inside(const Volume& volume, const Selection& selection, const JobRange& job) {
+namespace {
+
+template <class Kept>
+auto kept_inside(const Volume& volume, const Selection& selection, const JobRange& job)
+    -> Result<decltype(std::declval<Kept>().finish())> {
+    using Mask = Result<decltype(std::declval<Kept>().finish())>;
     if (!selection.labels.empty() && !holds_whole_numbers(volume))
         return fail("its values are fractions, not labels", {}, "choose an --isovalue");
     if (selection.labels.empty() && !selection.isovalue && !looks_like_a_mask(volume))
@@ -191,17 +265,27 @@ Result<BitMask> inside(const Volume& volume, const Selection& selection, const J
     const auto isovalue = isovalue_of(volume, selection);
     RAMUS_TRY(labels, label_numbers(volume, selection.labels));
     return std::visit(
-        [&]<class Values>(const Values& values) -> Result<BitMask> {
+        [&]<class Values>(const Values& values) -> Mask {
             using T = std::decay_t<decltype(values[0])>;
             if (isovalue) {
                 const double value = *isovalue;
-                return fill(
+                return fill<Kept>(
                     volume, values, [value](T v) { return static_cast<double>(v) >= value; }, job);
             }
-            if constexpr (std::is_integral_v<T>) return fill_labels<T>(volume, values, labels, job);
+            if constexpr (std::is_integral_v<T>) return fill_labels<T, Kept>(volume, values, labels, job);
             return fail("its values are fractions, not labels", {}, "choose an --isovalue");
         },
         volume.voxels);
+}
+
+} // namespace
+
+Result<BitMask> inside(const Volume& volume, const Selection& selection, const JobRange& job) {
+    return kept_inside<AllWords>(volume, selection, job);
+}
+
+Result<SparseMask> inside_sparsely(const Volume& volume, const Selection& selection, const JobRange& job) {
+    return kept_inside<FilledWords>(volume, selection, job);
 }
 
 } // namespace ramus::volume

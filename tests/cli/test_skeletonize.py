@@ -1,15 +1,19 @@
 """ramus skeletonize: from a mask to a tree file."""
 
 import json
+import os
+import random
+import resource
 import struct
+import subprocess
 import unittest
 
 from nifti import nifti as grey_nifti
-from ramus import CommandLineTest
+from ramus import RAMUS, SANITIZER_MEMORY, CommandLineTest
 
 
 def nifti(size, label_at):
-    """The bytes of a NIfTI-1 file with voxels of 1 mm and `label_at(i, j, k)`."""
+    """The bytes of a NIfTI-1 file with voxels of 1 mm and `label_at(i, j, k)`; None: its header alone."""
     header = bytearray(352)
     struct.pack_into("<i", header, 0, 348)
     struct.pack_into("<8h", header, 40, 3, *size, 1, 1, 1, 1)
@@ -21,7 +25,7 @@ def nifti(size, label_at):
     struct.pack_into("<2h", header, 252, 0, 1)
     struct.pack_into("<12f", header, 280, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)
     header[344:348] = b"n+1\0"
-    return bytes(header) + bytes(
+    return bytes(header) + bytes() if label_at is None else bytes(header) + bytes(
         label_at(i, j, k) for k in range(size[2]) for j in range(size[1]) for i in range(size[0]))
 
 
@@ -37,13 +41,13 @@ class Skeletonize(CommandLineTest):
         (self.folder / "mask.nii").write_bytes(nifti((50, 22, 18), two_tubes))
 
     def test_labels_together_and_apart(self):
-        report = json.loads(self.expect_done("skeletonize", "mask.nii", "-o", "one.json", "--json").stdout)
+        report = self.json("skeletonize", "mask.nii", "-o", "one.json", "--label", "together", "--json")
         self.assertEqual((report["roots"], report["loops"], report["systems"]), (1, 0, []))
         self.assertEqual(report["mask"]["pieces"], 1)
-        report = json.loads(
-            self.expect_done("skeletonize", "mask.nii", "-o", "two.json", "--label", "all", "--json").stdout)
-        self.assertEqual(report["roots"], 2)
-        self.assertEqual([system["name"] for system in report["systems"]], ["label 1", "label 2"])
+        for words in ((), ("--label", "all"), ("--labels", "apart")):
+            report = self.json("skeletonize", "mask.nii", "-o", "two.json", *words, "--json")
+            self.assertEqual(report["roots"], 2)
+            self.assertEqual([system["name"] for system in report["systems"]], ["label 1", "label 2"])
         self.expect_done("skeletonize", "mask.nii", "-o", "third.swc", "--label", "2")
         info = json.loads(self.expect_done("info", "third.swc", "--json").stdout)
         self.assertEqual((info["branches"], info["loops"]), (1, 0))
@@ -53,6 +57,30 @@ class Skeletonize(CommandLineTest):
         self.expect_done("skeletonize", "mask.nii", "-o", "cm.json", "--label", "1", "--units", "cm")
         radius = [json.loads((self.folder / name).read_text())["points"][0][3] for name in ("mm.json", "cm.json")]
         self.assertAlmostEqual(radius[1], 10 * radius[0], places=6)
+
+    def test_every_command_makes_the_same_tree_of_a_mask(self):
+        """Labels apart, the mask's unit and axes, and its notes; in every format that can say so."""
+        session = "read-as labels auto\nsave s.ramus.json\n"
+        (self.folder / "commands.txt").write_text(session)
+        for name, units in (("mask.nii", 2), ("none.nii", 0)):
+            mask = bytearray((self.folder / "mask.nii").read_bytes())
+            mask[123] = units
+            (self.folder / name).write_bytes(mask)
+            report = self.json("skeletonize", name, "-o", "made.json", "--json")
+            self.expect_done("convert", name, "-o", "converted.json")
+            self.assertEqual((self.folder / "made.json").read_bytes(), (self.folder / "converted.json").read_bytes())
+            self.expect_done("render", name, "--commands", "commands.txt", "--size", "64x48")
+            self.expect_done("convert", "--session", "s.ramus.json", "-o", "session.json")
+            self.assertEqual((self.folder / "made.json").read_bytes(), (self.folder / "session.json").read_bytes())
+            topics = [note["topic"] for note in json.loads((self.folder / "made.json").read_text())["notes"]]
+            self.assertIn("labels", topics)
+            self.assertEqual("mask" in topics, units == 0)
+            self.assertEqual([note["topic"] for note in report["notes"] if note["topic"] == "mask"], ["mask"] * (units == 0))
+            said = ("mm" if units else "unknown", "RAS")
+            for tree in ("made.json", "made.swc", "made.graphml", "made.mrk.json"):
+                self.expect_done("skeletonize", name, "-o", tree)
+                info = self.json("info", tree, "--json")
+                self.assertEqual((info["units"], info["orientation"]), said, tree)
 
     def test_a_mask_is_read_wherever_a_tree_is(self):
         self.expect_done("mesh", "mask.nii", "-o", "surface.stl")
@@ -64,7 +92,7 @@ class Skeletonize(CommandLineTest):
         (self.folder / "scan.nii").write_bytes(grey_nifti((50, 22, 18), values, kind="h"))
         report = json.loads(self.expect_done("skeletonize", "scan.nii", "-o", "bright.json", "--isovalue", "200", "--json").stdout)
         self.assertEqual((report["roots"], report["branches"]), (1, 1))
-        self.assertTrue(any("no segmentation" in note for note in report["notes"]), report["notes"])
+        self.assertTrue(any("no segmentation" in note["text"] for note in report["notes"]), report["notes"])
         self.expect_done("convert", "scan.nii", "--isovalue", "200", "-o", "again.json")
         self.assertEqual(self.json("info", "again.json", "--json")["length_mm"],
                          self.json("info", "bright.json", "--json")["length_mm"])
@@ -122,6 +150,55 @@ class Skeletonize(CommandLineTest):
         self.assertEqual(self.json("info", "tree.json", "--json")["systems"], [])
         self.expect_done("convert", "--session", "s.ramus.json", "--labels", "apart", "-o", "tree.json")
         self.assertEqual(self.json("info", "tree.json", "--json")["systems"], ["label 1", "label 2"])
+
+    def test_notes_of_noise_are_summed_up(self):
+        random.seed(51)
+        (self.folder / "noise.nii").write_bytes(nifti((64, 64, 64), lambda i, j, k: int(random.random() < 0.03)))
+        result = self.expect_done("skeletonize", "noise.nii", "-o", "noise.json")
+        self.assertLess(result.stderr.count("\n"), 12)
+        pieces = next(line for line in result.stderr.splitlines() if "connected with nothing else" in line)
+        self.assertRegex(pieces, r", and 99 more like it \(the first at .*;.*;.*;.*;.*\)")
+        self.assertRegex(result.stderr, r"the first 100 of \d+ such places \(pieces\) are listed")
+        report = self.json("skeletonize", "noise.nii", "-o", "noise.json", "--json")
+        notes = {(note["kind"], note["topic"]): note for note in report["notes"] if note["at"]}
+        self.assertEqual((notes["suspect", "pieces"]["count"], len(notes["suspect", "pieces"]["at"])), (100, 5))
+        self.assertLess(len(report["notes"]), 20)
+        total = next(note["text"] for note in report["notes"] if "such places (pieces)" in note["text"])
+        self.assertEqual(int(total.split()[4]), report["roots"] - 1)
+
+    def test_noise_takes_no_quadratic_time(self):
+        """Eight times the voxels take eight times as long, not 64 times."""
+        seconds = []
+        for side in (48, 96):
+            random.seed(51)
+            voxels = bytes(random.random() < 0.2 for _ in range(side**3))
+            (self.folder / "noise.nii").write_bytes(nifti((side,) * 3, None) + voxels)
+            before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+            self.expect_done("skeletonize", "noise.nii", "-o", "noise.json")
+            seconds.append(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before)
+        self.assertLess(seconds[1], 20 * seconds[0])
+
+    def test_a_sparse_mask_takes_the_memory_of_its_voxels(self):
+        """One bit for each voxel of this volume would take 134 MB, four times."""
+        side = 1024
+        head = nifti((side,) * 3, None)
+        with open(self.folder / "large.nii", "wb") as file:
+            file.write(head)
+            file.truncate(len(head) + side**3)
+            for n in range(200):  # a thread across the volume, aslant
+                for row in range(5 * n, 5 * n + 5):
+                    for across in range(9):
+                        file.seek(len(head) + 1 + n * 5 + side * (row + 2 + across % 3 + side * (row + across // 3)))
+                        file.write(b"\1" * 7)
+        report = self.json("skeletonize", "large.nii", "-o", "tree.json", "--memory", "200M", "--json")
+        self.assertEqual((report["roots"], report["loops"], report["branches"]), (1, 0, 1))
+        self.assertGreater(report["length_mm"], 1400)
+        process = subprocess.Popen([RAMUS, "skeletonize", "large.nii", "-o", "tree.json"], cwd=self.folder, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        _, process.returncode, usage = os.wait4(process.pid, 0)
+        self.assertEqual(process.returncode, 0)
+        self.assertLess(usage.ru_maxrss * 1024, (150 << 20) + SANITIZER_MEMORY)
+        self.expect_failure("skeletonize", "large.nii", "-o", "tree.json", "--memory", "10M", says=("--memory",))
 
     def test_what_is_wrong_is_said(self):
         self.expect_failure("skeletonize", "mask.nii", "-o", "t.json", "--label", "7", says=("label 7 is not there",))

@@ -42,14 +42,14 @@ SmallMask small_mask(std::string_view bytes) {
 // what lies in it, is none any more.
 volume::Topology counted_topology(const volume::BitMask& mask) {
     constexpr int kMost = 600;
-    volume::BitMask filled = mask;
+    volume::SparseMask filled(mask);
     volume::fill_cavities(filled);
     if (mask.size().x * mask.size().y * mask.size().z > kMost) {
         volume::Topology counted = volume::topology_of(filled);
         counted.cavities = volume::topology_of(mask).cavities;
         return counted;
     }
-    const test::VoxelTopology counted = test::voxel_topology(filled);
+    const test::VoxelTopology counted = test::voxel_topology(test::bits_of(filled));
     must(counted.cavities == 0, "a cavity was not filled");
     const long tunnels = counted.pieces - counted.euler;
     must(tunnels >= 0, "there are less than no tunnels");
@@ -69,9 +69,9 @@ void skeletonize_bytes(std::string_view bytes) {
         return must(!tree.error().hint.empty(), "an error has no remedy: " + tree.error().message());
     }
     check_tree(*tree);
-    volume::BitMask kept = mask;
+    volume::SparseMask kept(mask);
     if (options.islands_mm > 0.0) volume::drop_islands(kept, spacing, options.islands_mm);
-    const volume::Topology topology = counted_topology(kept);
+    const volume::Topology topology = counted_topology(test::bits_of(kept));
     must(figures.cavities_filled == topology.cavities && figures.pieces == topology.pieces &&
              figures.tunnels == topology.tunnels,
          "the topology of a mask is counted otherwise");

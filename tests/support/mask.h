@@ -2,11 +2,23 @@
 #pragma once
 
 #include "core/volume/bit_mask.h"
+#include "core/volume/sparse_mask.h"
 
 #include <glm/mat4x4.hpp>
 #include <random>
 
 namespace ramus::test {
+
+// The same voxels.
+inline volume::BitMask bits_of(const volume::SparseMask& mask) {
+    volume::BitMask bits(mask.size());
+    mask.for_words([&](std::size_t w, std::uint64_t word) {
+        const auto height = static_cast<std::size_t>(mask.size().y);
+        const std::size_t row = w / mask.row_words();
+        bits.row(static_cast<int>(row % height), static_cast<int>(row / height))[w % mask.row_words()] = word;
+    });
+    return bits;
+}
 
 // What `is_inside(voxel)` says of every voxel.
 template <class Rule> volume::BitMask mask_of(const glm::ivec3& size, const Rule& is_inside) {

@@ -32,18 +32,21 @@ void sweep(const std::vector<float>& across, float step, std::vector<float>& lea
 struct Line {
     std::vector<float> across, least;
     std::vector<std::uint32_t> numbers;
+    std::vector<std::uint64_t> row, before; // words
 };
 
 // All runs along y or z: those that begin in each row, where the voxel before them is outside.
 void sweep_all(const VoxelSet& set, LargeArray<float>& squared, int axis) {
-    const BitMask& bits = set.bits();
+    const SparseMask& bits = set.bits();
     const VoxelSet::Address stride = axis == 1 ? set.row_bits() : set.slice_bits();
     const auto step = static_cast<float>(set.spacing()[axis]);
     tbb::enumerable_thread_specific<Line> lines;
     tbb::parallel_for(1, bits.size().z - 1, [&](int k) {
         Line& line = lines.local();
         for (int j = 1; j + 1 < bits.size().y; ++j) {
-            const auto row = bits.row(j, k), before = axis == 1 ? bits.row(j - 1, k) : bits.row(j, k - 1);
+            if (bits.is_empty_row(j, k)) continue;
+            const auto row = bits.row(j, k, line.row);
+            const auto before = axis == 1 ? bits.row(j - 1, k, line.before) : bits.row(j, k - 1, line.before);
             for (std::size_t w = 0; w < row.size(); ++w)
                 for (std::uint64_t begins = row[w] & ~before[w]; begins != 0; begins &= begins - 1) {
                     line.across.clear(), line.numbers.clear();
@@ -65,25 +68,26 @@ void sweep_all(const VoxelSet& set, LargeArray<float>& squared, int axis) {
 LargeArray<float> distances_to_outside(const VoxelSet& set) {
     LargeArray<float> squared;
     squared.resize(set.count());
-    const BitMask& bits = set.bits();
+    const SparseMask& bits = set.bits();
     const auto step = static_cast<float>(set.spacing().x);
+    tbb::enumerable_thread_specific<Line> lines;
     tbb::parallel_for(1, bits.size().z - 1, [&](int k) {
         for (int j = 1; j + 1 < bits.size().y; ++j) {
-            VoxelSet::Address at = set.address({0, j, k});
-            const VoxelSet::Address end = at + static_cast<VoxelSet::Address>(bits.size().x);
-            const auto row = bits.row(j, k);
-            if (std::ranges::all_of(row, [](std::uint64_t word) { return word == 0; })) continue;
-            for (; at < end; ++at) {
-                if (!set.test(at)) continue;
-                const std::uint32_t first = set.number(at);
-                std::uint32_t count = 1;
-                while (set.test(at + count)) ++count;
-                for (std::uint32_t n = 0; n < count; ++n) {
-                    const float away = static_cast<float>(std::min(n + 1, count - n)) * step;
-                    squared[first + n] = away * away;
+            if (bits.is_empty_row(j, k)) continue;
+            const auto row = bits.row(j, k, lines.local().row);
+            for (std::size_t w = 0; w < row.size(); ++w)
+                for (std::uint64_t begins = row[w] & ~(row[w] << 1 | (w > 0 ? row[w - 1] >> 63 : 0)); begins != 0;
+                     begins &= begins - 1) {
+                    const VoxelSet::Address at =
+                        set.address({-1, j, k}) + w * 64 + static_cast<VoxelSet::Address>(std::countr_zero(begins));
+                    const std::uint32_t first = set.number(at);
+                    std::uint32_t count = 1;
+                    while (set.test(at + count)) ++count;
+                    for (std::uint32_t n = 0; n < count; ++n) {
+                        const float away = static_cast<float>(std::min(n + 1, count - n)) * step;
+                        squared[first + n] = away * away;
+                    }
                 }
-                at += count;
-            }
         }
     });
     sweep_all(set, squared, 1);

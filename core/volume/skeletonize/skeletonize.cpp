@@ -3,7 +3,7 @@
 #include "core/base/bounded.h"
 #include "core/base/memory.h"
 #include "core/tree/build_tree.h"
-#include "core/volume/bit_mask.h"
+#include "core/tree/note_summary.h"
 #include "core/volume/skeletonize/centerline.h"
 #include "core/volume/skeletonize/cut_ends.h"
 #include "core/volume/skeletonize/distance_transform.h"
@@ -12,6 +12,7 @@
 #include "core/volume/skeletonize/tips.h"
 #include "core/volume/skeletonize/topology.h"
 #include "core/volume/skeletonize/voxel_graph.h"
+#include "core/volume/sparse_mask.h"
 
 #include <algorithm>
 #include <array>
@@ -48,16 +49,32 @@ std::array<std::uint8_t, 3> colour_of_system(std::size_t system) {
     return colour;
 }
 
-// What the arrays by number of a voxel and those of the box take, at most at one time.
-constexpr double kBytesPerVoxel = 48.0, kBytesPerBoxWord = 8.0 * 3 + 4.0;
+// What the arrays by number of a voxel, those of the words of bits, and those of the volume's rows take, at most at one
+// time.
+constexpr double kBytesPerVoxel = 48.0, kBytesPerWord = 8.0 * 4 + 4.0, kBytesPerRow = 24.0;
 
-Result<void> check_memory(const BitMask& mask, std::uint64_t voxels, const SkeletonizeOptions& options) {
-    const double words = static_cast<double>(mask.row_words()) * mask.size().y * mask.size().z;
-    const double bytes = kBytesPerVoxel * static_cast<double>(voxels) + kBytesPerBoxWord * words;
+Result<void> check_memory(const SparseMask& mask, std::uint64_t voxels, const SkeletonizeOptions& options) {
+    const double rows = static_cast<double>(mask.size().y) * mask.size().z;
+    const double bytes = kBytesPerVoxel * static_cast<double>(voxels) +
+                         kBytesPerWord * static_cast<double>(mask.places()) + kBytesPerRow * rows;
     const double left = memory_left(options.memory_bytes);
     if (bytes > left)
         return fail(takes_too_much("the skeleton of " + std::to_string(voxels) + " voxels", bytes, left), {},
                     "crop the volume, or raise --memory");
+    return {};
+}
+
+// Measured on masks of noise: what a piece or a loop takes in the tree, with its notes.
+constexpr double kBytesPerPiece = 1400.0;
+
+Result<void> check_memory(const Topology& topology, const SkeletonizeOptions& options) {
+    const double bytes = kBytesPerPiece * static_cast<double>(topology.pieces + topology.tunnels);
+    const double left = memory_left(options.memory_bytes);
+    if (bytes > left)
+        return fail(takes_too_much("a tree of " + std::to_string(topology.pieces) + " pieces and " +
+                                       std::to_string(topology.tunnels) + " loops",
+                                   bytes, left),
+                    {}, "leave out small pieces with --islands MM, or raise --memory");
     return {};
 }
 
@@ -72,12 +89,12 @@ void close_loops_of(VoxelGraph& graph, const glm::dmat4& to_patient, std::vector
 }
 
 // Points and edges of one mask, in mm, RAS. Empty: cancelled.
-tree::Graph graph_of_mask(BitMask mask, const glm::dmat4& to_patient, const SkeletonizeOptions& options,
+tree::Graph graph_of_mask(SparseMask mask, const glm::dmat4& to_patient, const SkeletonizeOptions& options,
                           std::vector<Note>& notes, const JobRange& job) {
     const glm::dvec3 spacing = spacing_mm(to_patient);
     const glm::ivec3 size = mask.size();
     const VoxelSet set(mask, spacing);
-    mask = BitMask(glm::ivec3(0)); // the set has its own
+    mask = SparseMask(glm::ivec3(0)); // the set has its own
     job.report(0.1F);
     // Ways along the vessels are found by one thread; distances are measured by the others meanwhile.
     LargeArray<float> distances;
@@ -133,7 +150,7 @@ struct Masks {
     std::vector<Note> notes;
 };
 
-Result<void> add_mask(Masks& masks, BitMask mask, int system, const glm::dmat4& to_patient,
+Result<void> add_mask(Masks& masks, SparseMask mask, int system, const glm::dmat4& to_patient,
                       const SkeletonizeOptions& options, const JobRange& job) {
     if (auto fits = check_memory(mask, mask.count(), options); !fits) return fits;
     SkeletonizeFigures& figures = masks.figures;
@@ -141,6 +158,7 @@ Result<void> add_mask(Masks& masks, BitMask mask, int system, const glm::dmat4& 
         figures.islands_dropped += drop_islands(mask, spacing_mm(to_patient), options.islands_mm);
     figures.cavities_filled += fill_cavities(mask);
     const Topology topology = topology_of(mask);
+    if (auto fits = check_memory(topology, options); !fits) return fits;
     figures.pieces += topology.pieces, figures.tunnels += topology.tunnels;
     figures.voxels += mask.count();
     if (topology.pieces == 0)
@@ -169,6 +187,7 @@ Result<tree::VesselTree> tree_of(Masks masks, const glm::dmat4& to_patient, cons
     tell(masks.figures.cavities_filled, "fill-holes", "cavity was filled", "cavities were filled");
     tell(masks.figures.islands_dropped, "islands", "island was left out", "islands were left out");
     tree->notes.insert(tree->notes.begin(), notes.begin(), notes.end());
+    tree::drop_repeated(tree->notes);
     return tree;
 }
 
@@ -180,7 +199,9 @@ Result<tree::VesselTree> skeletonize(BitMask mask, const glm::dmat4& to_patient,
                                      Job& job, SkeletonizeFigures* figures) {
     return bounded(0, at_memory_end, [&]() -> Result<tree::VesselTree> {
         Masks masks;
-        if (auto added = add_mask(masks, std::move(mask), 0, to_patient, options, JobRange(job, 0.0F, 1.0F)); !added)
+        SparseMask sparse(mask);
+        mask = BitMask(glm::ivec3(0));
+        if (auto added = add_mask(masks, std::move(sparse), 0, to_patient, options, JobRange(job, 0.0F, 1.0F)); !added)
             return tl::unexpected(added.error());
         masks.graph.point_systems.clear();
         return tree_of(std::move(masks), to_patient, options, figures);
@@ -194,7 +215,7 @@ Result<tree::VesselTree> skeletonize(Volume&& volume, std::span<const SystemMask
         const auto share = 1.0F / static_cast<float>(systems.size());
         for (std::size_t s = 0; s < systems.size(); ++s) {
             const JobRange part(job, share * static_cast<float>(s), share * static_cast<float>(s + 1));
-            RAMUS_TRY(mask, inside(volume, {systems[s].labels, systems[s].isovalue}, part.part(0.0F, 0.2F)));
+            RAMUS_TRY(mask, inside_sparsely(volume, {systems[s].labels, systems[s].isovalue}, part.part(0.0F, 0.2F)));
             if (s + 1 == systems.size()) volume.voxels = {};
             if (auto added = add_mask(masks, std::move(mask), static_cast<int>(s), volume.to_patient, options,
                                       part.part(0.2F, 1.0F));

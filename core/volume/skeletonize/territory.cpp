@@ -31,7 +31,7 @@ std::vector<Place> places_of(const VoxelGraph& graph, LargeArray<std::uint32_t>&
 }
 
 // What stands in the skeleton but on no line takes the place of its neighbours.
-void spread_along(const BitMask& skeleton, const VoxelSet& set, LargeArray<std::uint32_t>& place_of) {
+void spread_along(const SparseMask& skeleton, const VoxelSet& set, LargeArray<std::uint32_t>& place_of) {
     std::vector<Address> open;
     const auto for_neighbours = [&](Address at, const auto& call) {
         for (Neighbourhood left = neighbourhood(skeleton, at) & kNeighbours; left != 0; left &= left - 1)

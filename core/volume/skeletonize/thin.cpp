@@ -52,27 +52,23 @@ private:
     }
 
     void queue_border() {
-        const BitMask& bits = set_.bits();
-        for (int k = 1; k + 1 < bits.size().z; ++k)
-            for (int j = 1; j + 1 < bits.size().y; ++j) {
-                const auto row = bits.row(j, k);
-                for (std::size_t w = 0; w < row.size(); ++w) {
-                    if (row[w] == 0) continue;
-                    const std::uint64_t before = row[w] << 1 | (w > 0 ? row[w - 1] >> 63 : 0);
-                    const std::uint64_t behind = row[w] >> 1 | (w + 1 < row.size() ? row[w + 1] << 63 : 0);
-                    const std::uint64_t inner = before & behind & bits.row(j - 1, k)[w] & bits.row(j + 1, k)[w] &
-                                                bits.row(j, k - 1)[w] & bits.row(j, k + 1)[w];
-                    for (std::uint64_t left = row[w] & ~inner; left != 0; left &= left - 1)
-                        queue(set_.address({-1, j, k}) + w * 64 + static_cast<Address>(std::countr_zero(left)));
-                }
-            }
+        const SparseMask& bits = set_.bits();
+        const std::size_t row = bits.row_words(), slice = row * static_cast<std::size_t>(bits.size().y);
+        bits.for_words([&](std::size_t w, std::uint64_t word) { // none of the border's
+            const std::uint64_t before = word << 1 | bits.word(w - 1) >> 63;
+            const std::uint64_t behind = word >> 1 | bits.word(w + 1) << 63;
+            const std::uint64_t inner =
+                before & behind & bits.word(w - row) & bits.word(w + row) & bits.word(w - slice) & bits.word(w + slice);
+            for (std::uint64_t left = word & ~inner; left != 0; left &= left - 1)
+                queue(static_cast<Address>(w) * 64 + static_cast<Address>(std::countr_zero(left)));
+        });
     }
 
     void visit(Address at) {
         flags_[set_.number(at)] &= static_cast<std::uint8_t>(~kQueued);
         const Neighbourhood around = neighbourhood(left_, at);
         if (!is_simple(around)) return; // it is looked at again when a neighbour goes
-        clear_bit(left_, at);
+        left_.clear_bit(at);
         const float here = distances_[set_.number(at)];
         float steepest = -std::numeric_limits<float>::infinity();
         int uphill = kCentreBit;
@@ -88,7 +84,7 @@ private:
 
     const VoxelSet& set_;
     const LargeArray<float>& distances_;
-    BitMask left_;
+    SparseMask left_;
     LargeArray<std::uint8_t> flags_, uphill_; // by number of the voxel
     std::vector<std::vector<Address>> queue_;
     std::size_t level_ = 0;

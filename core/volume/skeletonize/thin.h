@@ -12,7 +12,7 @@
 namespace ramus::volume {
 
 struct Thinned {
-    BitMask skeleton; // of the size of the set's box
+    SparseMask skeleton; // of the size of the set's box
     // By number of the voxel: which of its neighbours, as a bit of a neighbourhood, stood the steepest way up when it
     // was taken out; kCentreBit: it stayed. Every way of such steps ends in the skeleton, and no way leaves the vessel
     // that its voxel is part of: vessels that touch part where the mask is thinnest between them.

@@ -20,7 +20,7 @@ constexpr float kFar = std::numeric_limits<float>::infinity();
 class Ways {
 public:
     // `open`: the set, from which a piece is gone once it is spread through.
-    Ways(const VoxelSet& set, BitMask& open, const JobRange& job)
+    Ways(const VoxelSet& set, SparseMask& open, const JobRange& job)
         : set_(set), open_(open), job_(job), lengths_(set.count(), kFar) {
         for (int bit = 0; bit < 27; ++bit) {
             if (bit == kCentreBit) continue;
@@ -46,7 +46,7 @@ public:
                 const float here = length(at);
                 if (static_cast<std::size_t>(here / width_) != b) continue; // reached on a shorter way meanwhile
                 reached.push_back(at);
-                clear_bit(open_, at);
+                open_.clear_bit(at);
                 relax(at, here);
             }
             std::vector<Address>().swap(buckets_[b]);
@@ -78,7 +78,7 @@ private:
     }
 
     const VoxelSet& set_;
-    BitMask& open_;
+    SparseMask& open_;
     const JobRange& job_;
     LargeArray<float> lengths_;
     std::array<float, 27> lengths_mm_{};
@@ -102,7 +102,7 @@ public:
           summit_of_(set.count()) {}
 
     // `order`: the voxels of a piece, the nearest to its start first. `done`: a mask without them; they are put there.
-    void find(const std::vector<Address>& order, BitMask& done, std::vector<Address>& tips) {
+    void find(const std::vector<Address>& order, SparseMask& done, std::vector<Address>& tips) {
         summits_.clear(), joined_.clear();
         for (auto next = order.rbegin(); next != order.rend(); ++next) {
             const Address at = *next;
@@ -123,7 +123,7 @@ public:
             }
             summits_[own].thickness = std::max(summits_[own].thickness, distances_[number]);
             summit_of_[number] = own;
-            set_bit(done, at);
+            done.set_bit(at);
         }
         if (!order.empty()) tips.push_back(summits_[find_root(0)].farthest);
     }
@@ -159,19 +159,19 @@ namespace {
 
 // The voxel of the piece of `first` most steps away, through corners too; the piece is cleared from `open`.
 // Whole words of neighbours at a time.
-Address farthest_from(Address first, const VoxelSet& set, BitMask& open) {
+Address farthest_from(Address first, const VoxelSet& set, SparseMask& open) {
     struct Word {
         std::size_t at;
         std::uint64_t bits;
     };
-    std::uint64_t* const left = open.row(0, 0).data();
     std::vector<Word> front{{first / 64, std::uint64_t{1} << first % 64}}, next;
-    left[first / 64] &= ~front[0].bits;
+    open.clear_bit(first);
     const auto take = [&](std::size_t at, std::uint64_t near) {
         if (near == 0) return;
-        const std::uint64_t reached = left[at] & near;
+        const std::size_t place = open.place(at);
+        const std::uint64_t reached = place == SparseMask::kNone ? 0 : open.at_place(place) & near;
         if (reached == 0) return;
-        left[at] &= ~reached;
+        open.clear_bits(place, reached);
         next.push_back({at, reached});
     };
     const auto row = static_cast<std::int64_t>(set.row_bits() / 64),
@@ -216,10 +216,10 @@ Address middle_of_end(Address tip, const VoxelSet& set, const LargeArray<float>&
 std::vector<Address> find_tips(const VoxelSet& set, const std::function<const LargeArray<float>&()>& distances,
                                double bulge_size, const JobRange& job) {
     std::vector<Address> tips, reached;
-    BitMask ahead = set.bits();
+    SparseMask ahead = set.bits();
     Ways ways(set, ahead, job);
     std::optional<Summits> summits;
-    BitMask open = set.bits();
+    SparseMask open = set.bits();
     std::uint64_t done = 0;
     set.for_each([&](Address first) {
         if (ways.length(first) < kFar || job.cancelled()) return;

@@ -5,9 +5,11 @@
 #include "core/volume/skeletonize/voxel_set.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
+#include <utility>
 #include <vector>
 
 namespace ramus::volume {
@@ -24,12 +26,13 @@ class Runs {
 public:
     enum class Of : std::uint8_t { kInside, kOutside };
 
-    Runs(const BitMask& mask, Of of) : size_(mask.size()) {
+    Runs(const SparseMask& mask, Of of) : size_(mask.size()) {
+        std::vector<std::uint64_t> scratch;
         first_.reserve(static_cast<std::size_t>(size_.y) * static_cast<std::size_t>(size_.z) + 1);
         for (int k = 0; k < size_.z; ++k)
             for (int j = 0; j < size_.y; ++j) {
                 first_.push_back(runs_.size());
-                add_row(mask.row(j, k), of);
+                add_row(mask.row(j, k, scratch), of);
             }
         first_.push_back(runs_.size());
         sets_.add(runs_.size());
@@ -42,12 +45,20 @@ public:
             }
     }
 
-    // call(run, j, k, representative of its piece)
-    template <class Call> void for_each(const Call& call) {
+    // call(j, k, for_runs), where for_runs(call_of_run) has call_of_run(run, representative of its piece).
+    template <class Call> void for_rows(const Call& call) {
         for (int k = 0; k < size_.z; ++k)
             for (int j = 0; j < size_.y; ++j)
-                for (std::size_t r = first_of(j, k); r < first_[row(j, k) + 1]; ++r)
-                    call(runs_[r], j, k, sets_.find(static_cast<std::uint32_t>(r)));
+                call(j, k, [&](const auto& call_of_run) {
+                    for (std::size_t r = first_of(j, k); r < first_[row(j, k) + 1]; ++r)
+                        call_of_run(runs_[r], sets_.find(static_cast<std::uint32_t>(r)));
+                });
+    }
+    // call(run, j, k, representative of its piece)
+    template <class Call> void for_each(const Call& call) {
+        for_rows([&](int j, int k, const auto& for_runs) {
+            for_runs([&](const Run& run, std::uint32_t piece) { call(run, j, k, piece); });
+        });
     }
     [[nodiscard]] std::size_t count() const { return runs_.size(); }
 
@@ -105,22 +116,23 @@ std::vector<bool> open_pieces(Runs& outside, std::size_t count, const glm::ivec3
 }
 
 // Vertices minus edges plus faces minus cubes of the union of closed unit cubes, counted in words of 64.
-std::int64_t euler_number(const BitMask& mask) {
+std::int64_t euler_number(const SparseMask& mask) {
     const glm::ivec3 size = mask.size();
     const std::size_t words = mask.row_words();
     const std::vector<std::uint64_t> none(words, 0);
-    const auto row = [&](int j, int k) -> std::span<const std::uint64_t> {
-        return j < 0 || k < 0 || j >= size.y || k >= size.z ? std::span<const std::uint64_t>(none) : mask.row(j, k);
+    const auto is_empty = [&](int j, int k) {
+        return j < 0 || k < 0 || j >= size.y || k >= size.z || mask.is_empty_row(j, k);
+    };
+    std::array<std::vector<std::uint64_t>, 4> scratch;
+    const auto row = [&](int j, int k, std::size_t n) -> std::span<const std::uint64_t> {
+        return is_empty(j, k) ? std::span<const std::uint64_t>(none) : mask.row(j, k, scratch[n]);
     };
     std::int64_t number = 0;
     // Cells whose upper corner in y and z is that of voxel (j, k): each voxel, pair and four of rows once.
     for (int k = 0; k <= size.z; ++k)
         for (int j = 0; j <= size.y; ++j) {
-            const auto a = row(j, k), b = row(j - 1, k), c = row(j, k - 1), d = row(j - 1, k - 1);
-            const auto empty = [](auto words_of) {
-                return std::ranges::all_of(words_of, [](auto w) { return w == 0; });
-            };
-            if (empty(a) && empty(b) && empty(c) && empty(d)) continue;
+            if (is_empty(j, k) && is_empty(j - 1, k) && is_empty(j, k - 1) && is_empty(j - 1, k - 1)) continue;
+            const auto a = row(j, k, 0), b = row(j - 1, k, 1), c = row(j, k - 1, 2), d = row(j - 1, k - 1, 3);
             const auto upto = [&](std::size_t w, auto... rows) { return (std::uint64_t{0} | ... | rows[w]); };
             const auto count = [&](auto... rows) {
                 std::int64_t crossing = 0, within = 0; // cells at right angles to x, and along it
@@ -152,34 +164,48 @@ std::uint64_t count_pieces(Runs& runs, std::vector<bool> counted) {
     return pieces;
 }
 
-std::uint64_t count_cavities(const BitMask& mask) {
+std::uint64_t count_cavities(const SparseMask& mask) {
     Runs outside(mask, Runs::Of::kOutside);
     return count_pieces(outside, open_pieces(outside, outside.count(), mask.size()));
 }
 
 } // namespace
 
-Topology topology_of(const BitMask& mask) {
+Topology topology_of(const SparseMask& mask) {
     Topology found;
-    Runs inside(mask, Runs::Of::kInside);
-    found.pieces = count_pieces(inside, std::vector<bool>(inside.count(), false));
+    {
+        Runs inside(mask, Runs::Of::kInside);
+        found.pieces = count_pieces(inside, std::vector<bool>(inside.count(), false));
+    }
     found.cavities = count_cavities(mask);
     const std::int64_t number = euler_number(mask); // pieces - tunnels + cavities
     found.tunnels = static_cast<std::uint64_t>(static_cast<std::int64_t>(found.pieces + found.cavities) - number);
     return found;
 }
 
-std::uint64_t fill_cavities(BitMask& mask) {
+std::uint64_t fill_cavities(SparseMask& mask) {
     Runs outside(mask, Runs::Of::kOutside);
     const std::vector<bool> open = open_pieces(outside, outside.count(), mask.size());
-    outside.for_each([&](const Run& run, int j, int k, std::uint32_t piece) {
-        if (open[piece]) return;
-        for (int i = run.begin; i < run.end; ++i) mask.set({i, j, k});
+    const std::uint64_t cavities = count_pieces(outside, open);
+    if (cavities == 0) return 0;
+    BitMask filled(glm::ivec3(mask.size().x, 1, 1)); // a row
+    std::vector<std::uint64_t> scratch;
+    SparseMask::Builder builder(mask.size());
+    outside.for_rows([&](int j, int k, const auto& for_runs) {
+        for_runs([&](const Run& run, std::uint32_t piece) {
+            if (open[piece]) return;
+            for (int i = run.begin; i < run.end; ++i) filled.set({i, 0, 0});
+        });
+        const auto row = mask.row(j, k, scratch);
+        const auto words = filled.row(0, 0);
+        for (std::size_t w = 0; w < words.size(); ++w)
+            builder.add(mask.first_of(j, k) + w, row[w] | std::exchange(words[w], 0));
     });
-    return count_pieces(outside, open);
+    mask = std::move(builder).finish();
+    return cavities;
 }
 
-std::uint64_t drop_islands(BitMask& mask, const glm::dvec3& spacing, double extent_mm) {
+std::uint64_t drop_islands(SparseMask& mask, const glm::dvec3& spacing, double extent_mm) {
     Runs inside(mask, Runs::Of::kInside);
     using Box = Bounds<glm::ivec3>;
     std::vector<Box> boxes(inside.count());
@@ -194,7 +220,8 @@ std::uint64_t drop_islands(BitMask& mask, const glm::dvec3& spacing, double exte
         if (box.most.x >= 0 && small(box)) ++dropped;
     inside.for_each([&](const Run& run, int j, int k, std::uint32_t piece) {
         if (small(boxes[piece]))
-            for (int i = run.begin; i < run.end; ++i) mask.clear({i, j, k});
+            for (int i = run.begin; i < run.end; ++i)
+                mask.clear_bit(64 * mask.first_of(j, k) + static_cast<std::uint64_t>(i) + 1);
     });
     return dropped;
 }

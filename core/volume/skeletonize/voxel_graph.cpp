@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
-#include <set>
 #include <utility>
 
 namespace ramus::volume {
@@ -14,18 +13,43 @@ namespace {
 
 using Address = VoxelSet::Address;
 
+// The cells of a closed cube by where they lie, as bits of a neighbourhood: itself, 6 faces, 12 edges, 8 corners. Of
+// each: the neighbours before the cube whose cubes hold it, too, and the sign of its dimension.
+constexpr auto kFirstOf = [] {
+    std::array<Neighbourhood, 27> before{};
+    for (int cell = 0; cell < 27; ++cell)
+        for (int other = 0; other < kCentreBit; ++other) {
+            bool holds = true;
+            for (const int power : {1, 3, 9}) {
+                const int at = other / power % 3;
+                holds &= at == 1 || at == cell / power % 3;
+            }
+            if (holds) before[static_cast<std::size_t>(cell)] |= Neighbourhood{1} << other;
+        }
+    return before;
+}();
+constexpr auto kSigns = [] {
+    std::array<int, 27> signs{};
+    for (int cell = 0; cell < 27; ++cell) {
+        const int dimension = (cell % 3 == 1 ? 1 : 0) + (cell / 3 % 3 == 1 ? 1 : 0) + (cell / 9 == 1 ? 1 : 0);
+        signs[static_cast<std::size_t>(cell)] = dimension % 2 == 0 ? 1 : -1;
+    }
+    return signs;
+}();
+
 enum class Kind : std::uint8_t { kEnd, kLine, kKnot };
 
 class GraphBuilder {
 public:
-    GraphBuilder(const BitMask& skeleton, const VoxelSet& set, const LargeArray<float>& distances)
-        : voxels_(skeleton, set.spacing()) {
+    GraphBuilder(const SparseMask& skeleton, const VoxelSet& set, const LargeArray<float>& distances)
+        : voxels_(skeleton, set.spacing()), knots_(voxels_.bits()) {
         addresses_.reserve(voxels_.count());
         voxels_.for_each([&](Address at) { addresses_.push_back(at); });
         kinds_.reserve(addresses_.size());
         middles_.reserve(addresses_.size());
         for (const Address at : addresses_) {
             kinds_.push_back(kind_of(at));
+            if (kinds_.back() != Kind::kKnot) knots_.clear_bit(at);
             const glm::ivec3 inner = voxels_.voxel(at); // in the box of `set`
             const std::uint32_t number = set.number(set.address(inner));
             middles_.push_back(
@@ -112,20 +136,15 @@ private:
         for (const std::uint32_t v : knot) node_of_[v] = node;
     }
 
-    // 1 - (vertices - edges + faces - cubes) of the union of the closed cubes.
+    // 1 - (vertices - edges + faces - cubes) of the union of the closed cubes. Knots do not touch each other.
     [[nodiscard]] int rings_in(const std::vector<std::uint32_t>& knot) const {
         if (knot.size() < 4) return 0;
-        std::set<std::array<int, 3>> cells; // by twice the coordinates of their middles
-        for (const std::uint32_t v : knot) {
-            const glm::ivec3 at = voxels_.inner(addresses_[v]);
-            for (int bit = 0; bit < 27; ++bit)
-                cells.insert({2 * at.x + bit % 3 - 1, 2 * at.y + bit / 3 % 3 - 1, 2 * at.z + bit / 9 - 1});
-        }
         int number = 0;
-        for (const auto& cell : cells) {
-            int dimension = 0;
-            for (const int c : cell) dimension += c % 2 == 0 ? 1 : 0; // middles of voxels are even
-            number += dimension % 2 == 0 ? 1 : -1;
+        for (const std::uint32_t v : knot) { // each cell is counted at the first of its voxels
+            const Neighbourhood mates = neighbourhood(knots_, addresses_[v]);
+            for (int cell = 0; cell < 27; ++cell)
+                if ((mates & kFirstOf[static_cast<std::size_t>(cell)]) == 0)
+                    number += kSigns[static_cast<std::size_t>(cell)];
         }
         return 1 - number;
     }
@@ -150,10 +169,14 @@ private:
                 links.push_back({in_triangle, glm::distance(middles_[v].position, middles_[other].position), v, other});
             });
         std::ranges::stable_sort(links, {}, [](const Link& link) { return std::pair(link.in_triangle, link.length); });
-        DisjointSets joined(kinds_.size());
+        // By place in the knot, whose voxels ascend: a set of all voxels for each knot would take quadratic time.
+        DisjointSets joined(knot.size());
+        const auto place = [&](std::uint32_t v) {
+            return static_cast<std::uint32_t>(std::ranges::lower_bound(knot, v) - knot.begin());
+        };
         std::vector<Link> further;
         for (const Link& link : links) {
-            if (joined.join(link.a, link.b))
+            if (joined.join(place(link.a), place(link.b)))
                 graph_.lines.push_back({node_of_[link.a], node_of_[link.b], {}});
             else
                 further.push_back(link);
@@ -230,6 +253,7 @@ private:
     }
 
     VoxelSet voxels_;
+    SparseMask knots_; // those of the voxels that are of a knot
     std::vector<Address> addresses_;
     std::vector<Kind> kinds_;
     std::vector<MidPoint> middles_;
@@ -248,7 +272,7 @@ std::vector<int> VoxelGraph::degrees() const {
     return degrees;
 }
 
-VoxelGraph graph_of(const BitMask& skeleton, const VoxelSet& set, const LargeArray<float>& distances) {
+VoxelGraph graph_of(const SparseMask& skeleton, const VoxelSet& set, const LargeArray<float>& distances) {
     return GraphBuilder(skeleton, set, distances).build();
 }
 

@@ -30,7 +30,7 @@ struct VoxelGraph {
 };
 
 // `skeleton`: a mask of the size of the box of `set`, of which `distances` are.
-[[nodiscard]] VoxelGraph graph_of(const BitMask& skeleton, const VoxelSet& set, const LargeArray<float>& distances);
+[[nodiscard]] VoxelGraph graph_of(const SparseMask& skeleton, const VoxelSet& set, const LargeArray<float>& distances);
 
 [[nodiscard]] double length_mm(const VoxelGraph& graph, const VoxelGraph::Line& line);
 

@@ -1,8 +1,10 @@
 #include "core/volume/skeletonize/voxel_set.h"
 
-#include <algorithm>
+#include <bit>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <utility>
 
 namespace ramus::volume {
 
@@ -13,57 +15,46 @@ struct Box {
 };
 
 // Of the bits that are set; empty: least > most.
-Box box_of(const BitMask& mask) {
+Box box_of(const SparseMask& mask) {
     Box box{mask.size(), glm::ivec3(-1)};
-    for (int k = 0; k < mask.size().z; ++k)
-        for (int j = 0; j < mask.size().y; ++j) {
-            const auto row = mask.row(j, k);
-            const auto is_set = [](std::uint64_t word) { return word != 0; };
-            const auto first = std::ranges::find_if(row, is_set);
-            if (first == row.end()) continue;
-            auto last = row.end() - 1;
-            while (*last == 0) --last;
-            const int from = static_cast<int>(first - row.begin()) * 64 + std::countr_zero(*first) - 1;
-            const int to = static_cast<int>(last - row.begin()) * 64 + 63 - std::countl_zero(*last) - 1;
-            box.least = glm::min(box.least, glm::ivec3(from, j, k));
-            box.most = glm::max(box.most, glm::ivec3(to, j, k));
-        }
+    const auto height = static_cast<std::size_t>(mask.size().y);
+    mask.for_words([&](std::size_t w, std::uint64_t word) {
+        const std::size_t row = w / mask.row_words();
+        const int first = static_cast<int>(w % mask.row_words()) * 64 - 1;
+        const glm::ivec2 jk(static_cast<int>(row % height), static_cast<int>(row / height));
+        box.least = glm::min(box.least, glm::ivec3(first + std::countr_zero(word), jk));
+        box.most = glm::max(box.most, glm::ivec3(first + 63 - std::countl_zero(word), jk));
+    });
     return box;
 }
 
 // Of the box with a border of outside in y and z; rows have theirs in x.
 glm::ivec3 bordered(const Box& box) { return glm::max(box.most - box.least + 1, glm::ivec3(0)) + glm::ivec3(0, 2, 2); }
 
-void copy_row(std::span<const std::uint64_t> from, std::size_t skipped, std::span<std::uint64_t> to) {
-    const std::size_t words = skipped / 64, shift = skipped % 64;
-    for (std::size_t w = 0; w < to.size(); ++w) {
-        const std::size_t at = w + words;
-        if (at >= from.size()) break;
-        to[w] = from[at] >> shift;
-        if (shift != 0 && at + 1 < from.size()) to[w] |= from[at + 1] << (64 - shift);
-    }
-}
-
 } // namespace
 
-VoxelSet::VoxelSet(const BitMask& mask, const glm::dvec3& spacing) : spacing_(spacing), bits_(glm::ivec3(0)) {
+VoxelSet::VoxelSet(const SparseMask& mask, const glm::dvec3& spacing) : spacing_(spacing), bits_(glm::ivec3(0)) {
     const Box box = box_of(mask);
-    bits_ = BitMask(bordered(box));
+    const glm::ivec3 size = bordered(box);
     origin_ = box.least - glm::ivec3(0, 1, 1);
-    for (int k = box.least.z; k <= box.most.z; ++k)
-        for (int j = box.least.y; j <= box.most.y; ++j)
-            copy_row(mask.row(j, k), static_cast<std::size_t>(box.least.x), bits_.row(j - origin_.y, k - origin_.z));
-    renumber();
-}
-
-void VoxelSet::renumber() {
-    const std::size_t words =
-        bits_.row_words() * static_cast<std::size_t>(bits_.size().y) * static_cast<std::size_t>(bits_.size().z);
-    ranks_.resize(words);
-    count_ = 0;
-    for (std::size_t w = 0; w < words; ++w) {
-        ranks_[w] = count_;
-        count_ += count_bits(this->words()[w]);
+    SparseMask::Builder builder(size);
+    const SparseMask shape(glm::ivec3(size.x, size.y, 0));
+    const auto height = static_cast<std::size_t>(mask.size().y);
+    const std::size_t skipped = static_cast<std::size_t>(box.least.x) / 64,
+                      shift = static_cast<std::size_t>(box.least.x) % 64;
+    mask.for_words([&](std::size_t w, std::uint64_t word) {
+        const std::size_t row = w / mask.row_words(), column = w % mask.row_words();
+        const std::size_t to =
+            shape.first_of(static_cast<int>(row % height) - origin_.y, static_cast<int>(row / height) - origin_.z) +
+            column - skipped;
+        if (shift != 0) builder.add(to - 1, word << (64 - shift));
+        builder.add(to, word >> shift);
+    });
+    bits_ = std::move(builder).finish();
+    ranks_.resize(bits_.places());
+    for (std::size_t place = 0; place < ranks_.size(); ++place) {
+        ranks_[place] = count_;
+        count_ += count_bits(bits_.at_place(place));
     }
 }
 

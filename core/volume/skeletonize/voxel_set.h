@@ -1,11 +1,12 @@
 // VoxelSet: the voxels of a mask as a set that can be walked: one bit each in a box cropped to them with a border of
 // outside all around, a number from 0 for each (the rank of its bit), and the bits of its 26 neighbours in one word.
-// What an algorithm keeps for each voxel is an array by number, so that memory follows the vessels, not the box.
+// What an algorithm keeps for each voxel is an array by number, and bits are those of a SparseMask, so that memory
+// follows the vessels, not the box.
 #pragma once
 
 #include "core/base/count_bits.h"
 #include "core/base/large_array.h"
-#include "core/volume/bit_mask.h"
+#include "core/volume/sparse_mask.h"
 
 #include <array>
 #include <bit>
@@ -25,14 +26,11 @@ public:
     using Address = std::uint64_t; // of a bit, of all of the box
 
     // Cropped to what is set. `spacing`: of the mask's voxels along its axes, mm.
-    VoxelSet(const BitMask& mask, const glm::dvec3& spacing);
+    VoxelSet(const SparseMask& mask, const glm::dvec3& spacing);
 
     [[nodiscard]] std::uint32_t count() const { return count_; }
     [[nodiscard]] const glm::dvec3& spacing() const { return spacing_; }
-    [[nodiscard]] const BitMask& bits() const { return bits_; }
-    [[nodiscard]] BitMask& bits() { return bits_; }
-    // After bits were set or cleared: the voxels are numbered anew.
-    void renumber();
+    [[nodiscard]] const SparseMask& bits() const { return bits_; }
 
     [[nodiscard]] Address address(const glm::ivec3& inner) const {
         return row_bits() * (static_cast<Address>(inner.y) +
@@ -48,10 +46,15 @@ public:
     [[nodiscard]] glm::ivec3 voxel(Address at) const { return inner(at) + origin_; }
     [[nodiscard]] const glm::ivec3& origin() const { return origin_; }
 
-    [[nodiscard]] bool test(Address at) const { return (words()[at / 64] >> (at % 64) & 1U) != 0; }
+    [[nodiscard]] bool test(Address at) const { return (bits_.word(at / 64) >> (at % 64) & 1U) != 0; }
     [[nodiscard]] std::uint32_t number(Address at) const { // of a voxel of the set
-        const std::uint64_t below = words()[at / 64] & ((std::uint64_t{1} << (at % 64)) - 1);
-        return ranks_[at / 64] + count_bits(below);
+        const std::size_t place = bits_.place(at / 64);
+        const std::uint64_t below = bits_.at_place(place) & ((std::uint64_t{1} << (at % 64)) - 1);
+        return ranks_[place] + count_bits(below);
+    }
+    // Of the first voxel of the set at `at` or up to two bits behind it; there is one.
+    [[nodiscard]] std::uint32_t number_from(Address at) const {
+        return number(bits_.place(at / 64) == SparseMask::kNone ? (at / 64 + 1) * 64 : at);
     }
     [[nodiscard]] Address row_bits() const { return bits_.row_words() * 64; }
     [[nodiscard]] Address slice_bits() const { return row_bits() * static_cast<Address>(bits_.size().y); }
@@ -66,37 +69,25 @@ public:
     // Calls `call(address, number, bit)` for every neighbour of a voxel that is in the set.
     template <class Call> void for_neighbours(Address at, const Call& call) const { for_neighbours(at, bits_, call); }
     // Of those that are in `part` too, a part of the set.
-    template <class Call> void for_neighbours(Address at, const BitMask& part, const Call& call) const;
+    template <class Call> void for_neighbours(Address at, const SparseMask& part, const Call& call) const;
 
     template <class Call> void for_each(const Call& call) const { // in order of addresses
-        const std::size_t count =
-            bits_.row_words() * static_cast<std::size_t>(bits_.size().y) * static_cast<std::size_t>(bits_.size().z);
-        for (std::size_t w = 0; w < count; ++w)
-            for (std::uint64_t left = words()[w]; left != 0; left &= left - 1)
+        bits_.for_words([&](std::size_t w, std::uint64_t word) {
+            for (std::uint64_t left = word; left != 0; left &= left - 1)
                 call(static_cast<Address>(w) * 64 + static_cast<Address>(std::countr_zero(left)));
+        });
     }
 
 private:
-    [[nodiscard]] const std::uint64_t* words() const { return bits_.slice(0).data(); }
-
     glm::ivec3 origin_{0};
     glm::dvec3 spacing_;
-    BitMask bits_;
-    LargeArray<std::uint32_t> ranks_; // voxels before each word
+    SparseMask bits_;
+    LargeArray<std::uint32_t> ranks_; // voxels before each word that is kept
     std::uint32_t count_ = 0;
 };
 
-// One bit of any mask of the same size.
-inline void set_bit(BitMask& mask, VoxelSet::Address at) {
-    mask.row(0, 0).data()[at / 64] |= std::uint64_t{1} << (at % 64);
-}
-inline void clear_bit(BitMask& mask, VoxelSet::Address at) {
-    mask.row(0, 0).data()[at / 64] &= ~(std::uint64_t{1} << (at % 64));
-}
-
 // The bits around a voxel of the box (not of its border) in any mask of the same size.
-[[nodiscard]] inline Neighbourhood neighbourhood(const BitMask& mask, VoxelSet::Address at) {
-    const std::uint64_t* words = mask.slice(0).data();
+[[nodiscard]] inline Neighbourhood neighbourhood(const SparseMask& mask, VoxelSet::Address at) {
     const auto row_bits = static_cast<std::int64_t>(mask.row_words() * 64);
     const std::int64_t slice_bits = row_bits * mask.size().y;
     Neighbourhood found = 0;
@@ -105,21 +96,21 @@ inline void clear_bit(BitMask& mask, VoxelSet::Address at) {
             const auto first = static_cast<std::uint64_t>(static_cast<std::int64_t>(at) - 1 + (y - 1) * row_bits +
                                                           (z - 1) * slice_bits);
             const std::uint64_t shift = first % 64;
-            std::uint64_t bits = words[first / 64] >> shift;
-            if (shift > 61) bits |= words[first / 64 + 1] << (64 - shift);
+            std::uint64_t bits = mask.word(first / 64) >> shift;
+            if (shift > 61) bits |= mask.word(first / 64 + 1) << (64 - shift);
             found |= static_cast<Neighbourhood>(bits & 7U) << (3 * y + 9 * z);
         }
     return found;
 }
 
-template <class Call> void VoxelSet::for_neighbours(Address at, const BitMask& part, const Call& call) const {
+template <class Call> void VoxelSet::for_neighbours(Address at, const SparseMask& part, const Call& call) const {
     const Neighbourhood all = neighbourhood(bits_, at);
     const Neighbourhood wanted = &part == &bits_ ? all : neighbourhood(part, at);
     for (int row = 0; row < 9; ++row) {
         std::uint32_t left = wanted >> (3 * row) & 7U;
         if (left == 0) continue;
         const auto first = static_cast<Address>(static_cast<std::int64_t>(at) + step(3 * row));
-        const std::uint32_t number_of_first = number(first);
+        const std::uint32_t number_of_first = number_from(first);
         const std::uint32_t there = all >> (3 * row) & 7U;
         const std::array<std::uint32_t, 3> before{0, there & 1U, (there & 1U) + (there >> 1U & 1U)};
         for (; left != 0; left &= left - 1) { // voxels of a row have numbers in a row

@@ -205,7 +205,9 @@ TEST_CASE("whatever the mask is, the tree has its pieces and its tunnels") {
         std::bernoulli_distribution set(0.1 + 0.5 * static_cast<double>(seed % 10) / 10.0);
         BitMask mask = test::mask_of({9, 8, 10}, [&](const glm::ivec3&) { return set(random); });
         if (mask.count() == 0) continue;
-        volume::fill_cavities(mask);
+        volume::SparseMask filled(mask);
+        volume::fill_cavities(filled);
+        mask = test::bits_of(filled);
         Job job;
         const auto surface = volume::mask_surface(mask, glm::dmat4(1.0), {}, job);
         REQUIRE(surface);
@@ -230,4 +232,42 @@ TEST_CASE("a mask that is cancelled, empty, or too large for the memory is refus
     const auto cancelled = volume::skeletonize(mask, glm::dmat4(1.0), {}, job);
     REQUIRE_FALSE(cancelled);
     CHECK(cancelled.error().what == "cancelled");
+}
+
+TEST_CASE("few voxels in a large volume have the tree that they have in a small one") {
+    // The volume has more words than are kept for voxels so few; words begin at the same voxels in both.
+    constexpr glm::ivec3 kSize(40, 30, 35), kLarge(800), kOffset(320, 411, 377);
+    std::mt19937 random(3);
+    std::bernoulli_distribution set(0.3);
+    const BitMask small = test::mask_of(kSize, [&](const glm::ivec3& v) { return v.x == 0 ? v.y == 7 : set(random); });
+    BitMask large(kLarge);
+    for (int k = 0; k < kSize.z; ++k)
+        for (int j = 0; j < kSize.y; ++j)
+            for (int i = 0; i < kSize.x; ++i)
+                if (small.test({i, j, k})) large.set(kOffset + glm::ivec3(i, j, k));
+    large.set({0, 0, 0}), large.set({799, 799, 799}); // pieces of their own, the first one and the last one
+    const volume::SparseMask sparse(large);
+    CHECK(sparse.places() < 20'000);
+    CHECK(sparse.count() == small.count() + 2);
+    CHECK(test::bits_of(sparse).count() == large.count());
+    const glm::dvec3 spacing(0.5, 0.75, 1.0);
+    const tree::VesselTree alone = tree_of(small, spacing), within = tree_of(large, spacing);
+    CHECK(within.loop_count == alone.loop_count);
+    REQUIRE(within.roots.size() == alone.roots.size() + 2);
+    std::vector<tree::Point> points;
+    for (const tree::Branch& branch : within.branches)
+        for (const std::uint32_t p : branch.points) {
+            const tree::Point& point = within.points[p];
+            const glm::dvec3 at = point.position / spacing;
+            if (at.x > 100.0 && at.x < 700.0)
+                points.push_back({point.position - spacing * glm::dvec3(kOffset), point.radius});
+        }
+    std::size_t n = 0;
+    for (const tree::Branch& branch : alone.branches)
+        for (const std::uint32_t p : branch.points) {
+            REQUIRE(n < points.size());
+            CHECK(glm::distance(points[n].position, alone.points[p].position) < 1e-9);
+            CHECK(points[n++].radius == doctest::Approx(alone.points[p].radius).epsilon(1e-12));
+        }
+    CHECK(n == points.size());
 }
