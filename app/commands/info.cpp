@@ -2,7 +2,9 @@
 #include "app/assets/contacts.h"
 #include "app/commands/command.h"
 #include "app/commands/info_contacts.h"
+#include "app/commands/info_parts.h"
 #include "app/commands/info_table.h"
+#include "app/commands/info_volume.h"
 #include "app/commands/inputs.h"
 #include "app/commands/printed_report.h"
 #include "app/commands/subcommands.h"
@@ -19,10 +21,8 @@
 #include "core/io/volumes/volume_unit.h"
 #include "core/measure/tree_measure.h"
 #include "core/tree/branch_data.h"
-#include "core/volume/label_counts.h"
 
 #include <algorithm>
-#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -37,112 +37,6 @@ namespace ramus::app {
 namespace {
 
 using nlohmann::ordered_json;
-
-struct Figures {
-    double voxel_ml = 0.0;
-    std::vector<volume::LabelCount> labels;
-    std::vector<volume::SharedCount> shared;
-    std::optional<std::uint64_t> inside; // of fractions from 0 to 1
-};
-
-// More are no labels of a mask, but the grey values of a scan.
-constexpr std::size_t kMostLabels = 256;
-constexpr double kHalf = 0.5;
-
-Figures figures_of(const volume::Volume& volume) {
-    Figures figures{.voxel_ml = volume::voxel_volume_mm3(volume.to_patient) / 1e3,
-                    .labels = listed_counts(volume),
-                    .shared = shared_counts(volume),
-                    .inside = std::nullopt};
-    if (!holds_whole_numbers(volume) && looks_like_a_mask(volume)) figures.inside = count_from(volume, kHalf);
-    return figures;
-}
-
-// Grey values of a scan, as far as anybody can tell.
-bool are_greys(const volume::Volume& volume, const Figures& figures) {
-    return figures.labels.size() > kMostLabels && !volume.segmentation;
-}
-
-void line(const std::string& name, const std::string& value) {
-    std::cout << std::left << std::setw(14) << name << std::right << value << '\n';
-}
-
-ordered_json list_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-
-ordered_json volume_json(const volume::Volume& volume, const Figures& figures) {
-    const glm::dmat4& m = volume.to_patient;
-    ordered_json rows = ordered_json::array();
-    for (int row = 0; row < 3; ++row) rows.push_back({m[0][row], m[1][row], m[2][row], m[3][row]});
-    ordered_json labels = ordered_json::array();
-    if (!are_greys(volume, figures))
-        for (const auto& [label, voxels] : figures.labels) {
-            labels.push_back(
-                {{"label", label}, {"voxels", voxels}, {"volume_ml", static_cast<double>(voxels) * figures.voxel_ml}});
-            const volume::LabelName* named = volume::name_of_label(volume, label);
-            if (named != nullptr && !named->name.empty()) labels.back()["name"] = named->name;
-            if (named != nullptr && named->colour) labels.back()["colour"] = colour_text(*named->colour);
-        }
-    ordered_json report = {{"size", {volume.size.x, volume.size.y, volume.size.z}},
-                           {"spacing_mm", list_of(volume::spacing_mm(m))},
-                           {"origin_mm", list_of(glm::dvec3(m[3]))},
-                           {"orientation", volume::orientation(m)},
-                           {"to_patient", rows},
-                           {"type", volume.type},
-                           {"values", {{"min", volume.minimum}, {"max", volume.maximum}}},
-                           {"labels", labels}};
-    if (volume.segmentation) report["overlaps"] = ordered_json::array();
-    for (const auto& [both, voxels] : figures.shared)
-        report["overlaps"].push_back({{"labels", both}, {"voxels", voxels}});
-    if (are_greys(volume, figures)) report["different_values"] = figures.labels.size();
-    if (figures.inside)
-        report["inside"] = {{"isovalue", kHalf},
-                            {"voxels", *figures.inside},
-                            {"volume_ml", static_cast<double>(*figures.inside) * figures.voxel_ml}};
-    report["notes"] = volume.notes;
-    report["suspicions"] = volume.suspicions;
-    return report;
-}
-
-// Those that share the most voxels first.
-void print_shared(std::vector<volume::SharedCount> shared) {
-    constexpr std::size_t kMost = 20;
-    std::ranges::stable_sort(shared, std::greater<>(), &volume::SharedCount::voxels);
-    for (std::size_t i = 0; i < std::min(kMost, shared.size()); ++i)
-        line("overlap", "labels " + std::to_string(shared[i].labels[0]) + " and " +
-                            std::to_string(shared[i].labels[1]) + " share " +
-                            counted(shared[i].voxels, "voxel", "voxels"));
-    if (shared.size() > kMost) line("overlap", grouped(shared.size() - kMost) + " more pairs (--json lists them all)");
-}
-
-void print_text(const std::string& file, const volume::Volume& volume, const Figures& figures) {
-    const auto amount = [&](std::uint64_t voxels) {
-        return counted(voxels, "voxel", "voxels") + ", " + rounded(static_cast<double>(voxels) * figures.voxel_ml) +
-               " ml";
-    };
-    const glm::dvec3 spacing = volume::spacing_mm(volume.to_patient);
-    std::cout << file << '\n';
-    line("size", std::to_string(volume.size.x) + " x " + std::to_string(volume.size.y) + " x " +
-                     std::to_string(volume.size.z) + " voxels");
-    line("spacing", rounded(spacing.x) + " x " + rounded(spacing.y) + " x " + rounded(spacing.z) + " mm");
-    const glm::dvec3 origin = glm::dvec3(volume.to_patient[3]) + 0.0; // no negative zeros
-    line("origin", rounded(origin.x) + ", " + rounded(origin.y) + ", " + rounded(origin.z) + " mm (RAS)");
-    line("orientation", volume::orientation(volume.to_patient) + " (where its axes lead)");
-    line("type", volume.type);
-    line("values", rounded(volume.minimum) + " to " + rounded(volume.maximum));
-    if (figures.inside) line("from 0.5", amount(*figures.inside));
-    if (are_greys(volume, figures))
-        line("labels", "none: " + grouped(figures.labels.size()) + " different values");
-    else
-        for (const auto& [label, voxels] : figures.labels) {
-            const volume::LabelName* named = volume::name_of_label(volume, label);
-            line("label " + std::to_string(label),
-                 amount(voxels) + (named == nullptr || named->name.empty() ? "" : ", " + named->name) +
-                     (named == nullptr || !named->colour ? "" : ", " + colour_text(*named->colour)));
-        }
-    print_shared(figures.shared);
-    for (const std::string& note : volume.notes) line("note", note);
-    for (const std::string& suspicion : volume.suspicions) line("suspicion", suspicion);
-}
 
 struct InfoFlags {
     SurfaceFlags surface;
@@ -188,12 +82,11 @@ Result<void> tell_volume(const std::string& file, const InfoFlags& flags, InfoPr
         printer.print_row(info_row(file));
         return {};
     }
-    const Figures figures = figures_of(volume);
     if (flags.json) {
-        printer.print_json(file, volume_json(volume, figures), io::claims_of(volume, flags.surface.read.unit));
+        printer.print_json(file, volume_json(volume), io::claims_of(volume, flags.surface.read.unit));
     } else {
         printer.begin_text();
-        print_text(io::input_name(file), volume, figures);
+        print_volume(io::input_name(file), volume);
     }
     return {};
 }
@@ -372,7 +265,7 @@ void print_branches(const tree::VesselTree& tree) {
 void print_systems(const tree::VesselTree& tree) {
     if (tree.systems.empty()) return;
     const std::vector<SystemFacts> facts = system_facts(tree, facts_of(tree), {});
-    line("systems", std::to_string(facts.size()));
+    print_fact("systems", std::to_string(facts.size()));
     for (std::size_t i = 0; i < facts.size(); ++i)
         std::cout << "  " << system_name(tree.systems, static_cast<int>(i)) << ": "
                   << counted(static_cast<std::uint64_t>(facts[i].branches), "branch", "branches") << ", "
@@ -382,7 +275,7 @@ void print_systems(const tree::VesselTree& tree) {
 
 void print_data(const tree::VesselTree& tree) {
     if (tree.point_data.empty() && tree.branch_data.empty()) return;
-    line("data", std::to_string(tree.point_data.size() + tree.branch_data.size()));
+    print_fact("data", std::to_string(tree.point_data.size() + tree.branch_data.size()));
     for (const auto& [of, arrays] : {std::pair("points", &tree.point_data), std::pair("branches", &tree.branch_data)})
         for (const tree::DataArray& array : *arrays) {
             const tree::DataRange range = range_of(array);
@@ -400,28 +293,28 @@ std::string claim_text(tree::SaidBy who, const std::string& known, const std::st
 void print_text(const std::string& file, const InfoFlags& flags, const tree::VesselTree& tree,
                 const measure::TreeStatistics& statistics, const SharedContacts& contacts) {
     std::cout << file << '\n';
-    line("branches", grouped(tree.branches.size()) + " (" +
-                         counted(static_cast<std::uint64_t>(statistics.leaves), "leaf", "leaves") + ")");
-    line("segments", grouped(tree.segment_count()));
-    line("roots", grouped(tree.roots.size()));
-    line("loops", grouped(static_cast<std::uint64_t>(tree.loop_count)));
-    line("generations", std::to_string(statistics.generations) + " (Strahler order " +
-                            std::to_string(statistics.highest_strahler) + ")");
+    print_fact("branches", grouped(tree.branches.size()) + " (" +
+                               counted(static_cast<std::uint64_t>(statistics.leaves), "leaf", "leaves") + ")");
+    print_fact("segments", grouped(tree.segment_count()));
+    print_fact("roots", grouped(tree.roots.size()));
+    print_fact("loops", grouped(static_cast<std::uint64_t>(tree.loop_count)));
+    print_fact("generations", std::to_string(statistics.generations) + " (Strahler order " +
+                                  std::to_string(statistics.highest_strahler) + ")");
     const Lengths lengths(tree.claims);
-    line("length", lengths.text(statistics.length_mm));
-    line("volume", lengths.volume(statistics.volume_mm3));
-    line("radius", lengths.text(statistics.radius_mm.min) + " to " + lengths.text(statistics.radius_mm.max) +
-                       ", mean " + lengths.text(statistics.radius_mm.mean));
-    if (nothing_depends(facts_of(tree))) line("dependency", kNothingDepends);
-    line("smoothing", smoothing_text(smoothing_of(tree, flags.surface.surface.smooth_passes), lengths));
-    line("unit", claim_text(tree.claims.unit, "mm", "not known"));
-    line("orientation", claim_text(tree.claims.orientation, "RAS", "not known"));
+    print_fact("length", lengths.text(statistics.length_mm));
+    print_fact("volume", lengths.volume(statistics.volume_mm3));
+    print_fact("radius", lengths.text(statistics.radius_mm.min) + " to " + lengths.text(statistics.radius_mm.max) +
+                             ", mean " + lengths.text(statistics.radius_mm.mean));
+    if (nothing_depends(facts_of(tree))) print_fact("dependency", kNothingDepends);
+    print_fact("smoothing", smoothing_text(smoothing_of(tree, flags.surface.surface.smooth_passes), lengths));
+    print_fact("unit", claim_text(tree.claims.unit, "mm", "not known"));
+    print_fact("orientation", claim_text(tree.claims.orientation, "RAS", "not known"));
     const std::vector<tree::NoteGroup> groups = note_groups(tree);
     for (const auto& [kind, heading] :
          {std::pair(tree::Note::Kind::kRepaired, "repairs"), std::pair(tree::Note::Kind::kAssumed, "assumptions"),
           std::pair(tree::Note::Kind::kSuspect, "suspicions")}) {
         const std::vector<std::string> found = sentences(tree, kind);
-        line(heading, found.empty() ? "none" : grouped(found.size()) + " (" + topics_of(groups, kind) + ")");
+        print_fact(heading, found.empty() ? "none" : grouped(found.size()) + " (" + topics_of(groups, kind) + ")");
         for (const std::string& sentence : found) std::cout << "  " << sentence << '\n';
     }
     print_data(tree);

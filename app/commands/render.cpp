@@ -2,6 +2,7 @@
 #include "app/actions/script.h"
 #include "app/assets/assets.h"
 #include "app/assets/half_turn.h"
+#include "app/commands/colour_flags.h"
 #include "app/commands/figure_flags.h"
 #include "app/commands/inputs.h"
 #include "app/commands/output_target.h"
@@ -41,11 +42,6 @@
 namespace ramus::app {
 
 namespace {
-
-// What colours say and how; what is empty is as the session has it.
-struct ColourFlags {
-    std::string by, map, range, logarithm, legend;
-};
 
 struct RenderFlags {
     SurfaceFlags common;
@@ -113,20 +109,6 @@ Result<int> judge(const render::Image& image, const RenderFlags& flags, nlohmann
     std::cerr << "ramus: " << flags.reference.string() << ": " << finding << "; the picture is "
               << flags.output.string() << ", the difference " << beside.string() << '\n';
     return kBeyondTolerance;
-}
-
-Result<void> apply(const ColourFlags& flags, const tree::VesselTree& tree, Marks& marks) {
-    if (!flags.by.empty()) {
-        RAMUS_TRY(by, colouring_of_tree(flags.by, tree));
-        marks.colour_by = by;
-    }
-    marks.colour_map = colour_map_named(flags.map).value_or(marks.colour_map);
-    ColourLook& look = marks.colour_look;
-    if (!flags.range.empty()) look.range = colour_range_in(flags.range); // none: "auto"
-    if (flags.logarithm == "auto") look.logarithmic.reset();
-    if (flags.logarithm == "on" || flags.logarithm == "off") look.logarithmic = flags.logarithm == "on";
-    if (!flags.legend.empty()) look.legend = flags.legend == "on";
-    return check(look);
 }
 
 // Opens what was asked for; true when it has a camera.
@@ -392,33 +374,6 @@ void add_backend_flags(CLI::App& command, RenderFlags& flags) {
     add_option(command, "--device", "N", flags.device,
                "With --backend egl: this one of its devices, from 0; --verbose lists them")
         ->check(CLI::Range(0, 63).description(""));
-}
-
-// --colour-by QUANTITY, of those that the command of this name takes, and how: --colour-map, --colour-range,
-// --colour-log, --legend.
-void add_colour_flags(CLI::App& command, ColourFlags& colours) {
-    std::vector<std::string_view> keys;
-    for (const ColouringRow& row : colourings()) keys.push_back(row.key);
-    add_option(command, "--colour-by", "QUANTITY", colours.by,
-               "What colours say: " + io::listed(keys) +
-                   "; or data of the tree's file, by name or as file:NAME (default: the session's; system where a tree "
-                   "has several, else nothing)");
-    std::vector<std::string> maps;
-    for (const ColourMap map : kColourMaps) maps.emplace_back(name_of(map));
-    add_option(command, "--colour-map", "NAME", colours.map,
-               "Colours of quantities: " + io::listed(std::vector<std::string_view>(maps.begin(), maps.end())))
-        ->check(CLI::IsMember(maps).description(""));
-    add_option(command, "--colour-range", "MIN,MAX", colours.range,
-               "Values that the colours of a quantity begin and end at; auto: the least and the largest")
-        ->check(expecting(" is not MIN,MAX, two numbers that ascend, or auto",
-                          [](const std::string& text) { return text == "auto" || colour_range_in(text).has_value(); }));
-    add_option(command, "--colour-log", "on|off", colours.logarithm,
-               "Whether the colours of a quantity follow its logarithm; auto: as is usual for it")
-        ->expected(0, 1)
-        ->default_str("on")
-        ->check(CLI::IsMember({"on", "off", "auto"}).description(""));
-    add_option(command, "--legend", "on|off", colours.legend, "Whether the legend of the colours is shown")
-        ->check(CLI::IsMember({"on", "off"}).description(""));
 }
 
 // What cannot be combined; wrong usage.
