@@ -201,7 +201,28 @@ template <class Raw> std::size_t VoxelStore::put_runs(const Raw* raw, std::size_
     return put + put_runs_in(std::get<FractionRuns>(voxels_), raw + put, count - put, scaling);
 }
 
+template <class Raw>
+std::vector<double> VoxelStore::without_nan(const Raw* raw, std::size_t count, const Scaling& scaling) {
+    std::vector<double> values(count);
+    for (std::size_t n = 0; n < count; ++n) {
+        const auto value = static_cast<double>(raw[n]);
+        if (!std::isnan(value)) {
+            values[n] = scaling.none() ? value : scaling.slope * value + scaling.intercept;
+            continue;
+        }
+        ++nan_count_;
+        if (nan_.empty() || nan_.back().end != used_ + n) nan_.push_back({used_ + n, used_ + n});
+        ++nan_.back().end;
+    }
+    return values;
+}
+
 template <class Raw> Result<void> VoxelStore::append(const Raw* raw, std::size_t count, const Scaling& scaling) {
+    if constexpr (std::is_floating_point_v<Raw>)
+        if (std::any_of(raw, raw + count, [](Raw value) { return std::isnan(value); })) {
+            const std::vector<double> values = without_nan(raw, count, scaling);
+            return append(values.data(), count, Scaling{});
+        }
     const std::size_t kept = put_runs(raw, count, scaling);
     if (auto fits = check_memory(bytes_of_runs().value_or(0.0)); !fits) return fits;
     raw += kept, count -= kept;
@@ -223,7 +244,30 @@ template Result<void> VoxelStore::append(const std::int64_t*, std::size_t, const
 template Result<void> VoxelStore::append(const float*, std::size_t, const Scaling&);
 template Result<void> VoxelStore::append(const double*, std::size_t, const Scaling&);
 
+// Where 0 is not the least value it could be inside, as of a scan.
+Result<void> VoxelStore::settle_nan() {
+    if (nan_count_ > 0 && nan_count_ == total_) return fail("all its values are NaN", name_, "choose another file");
+    if (nan_.empty() || least_ >= 0.0) return {};
+    const Kind kind = smallest_kind();
+    if (bytes_of_runs()) {
+        if (auto fits = check_memory(bytes_to_be(kind)); !fits) return fits;
+        move_to(kind);
+    }
+    std::visit(
+        [&]<class Kept>(Kept& kept) {
+            if constexpr (!kIsRuns<Kept>)
+                for (const Stretch& stretch : nan_)
+                    std::fill(kept.data() + stretch.begin, kept.data() + stretch.end,
+                              static_cast<typename Kept::value_type>(least_));
+        },
+        voxels_);
+    return {};
+}
+
 void VoxelStore::finish(Volume& volume) && {
+    if (nan_count_ > 0)
+        volume.notes.push_back(std::to_string(nan_count_) + (nan_count_ == 1 ? " voxel is" : " voxels are") +
+                               " NaN: taken as outside");
     // Of few values even a few runs may be too many.
     if (bytes_of_runs() && !are_runs_worth_it(0.0) && bytes_to_be(smallest_kind()) <= memory_bytes_)
         move_to(smallest_kind());

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ramus::volume {
 
@@ -22,10 +23,13 @@ public:
     // Room for `size` values, which takes no memory until they come. `memory_bytes`: most that they may take.
     VoxelStore(const glm::ivec3& size, double memory_bytes, std::string name);
 
-    // The next values. Fails on what is not finite or cannot be kept, naming the voxel.
+    // The next values. NaN is outside: it becomes 0, or the least value where that is less. Fails on what is infinite
+    // or cannot be kept, naming the voxel.
     template <class Raw> [[nodiscard]] Result<void> append(const Raw* raw, std::size_t count, const Scaling& scaling);
 
-    // All of them, with their range.
+    // After the last one, of a file that can hold NaN. Fails where all are NaN, and where it takes too much memory.
+    [[nodiscard]] Result<void> settle_nan();
+    // All of them, with their range, and a note of how many were NaN.
     void finish(Volume& volume) &&;
 
 private:
@@ -49,6 +53,9 @@ private:
     [[nodiscard]] Result<void> check_memory(double bytes) const;
     void move_to(Kind kind);
     template <class To> void move_to_array();
+    // The values with 0 for NaN, scaled.
+    template <class Raw>
+    [[nodiscard]] std::vector<double> without_nan(const Raw* raw, std::size_t count, const Scaling& scaling);
     [[nodiscard]] std::string voxel_name(std::size_t at) const;
 
     glm::ivec3 size_;
@@ -58,6 +65,11 @@ private:
     Voxels voxels_;
     double least_ = 0.0, most_ = 0.0;
     bool whole_ = true;
+    struct Stretch {
+        std::size_t begin, end;
+    };
+    std::vector<Stretch> nan_; // ascending
+    std::size_t nan_count_ = 0;
 };
 
 } // namespace ramus::volume

@@ -160,7 +160,8 @@ class Refusals(CommandLineTest):
             "a claim": (bytes(huge), ["32767 x 32767 x 32767", "more than the file can hold"]),
             "a compressed claim": (compressed(bytes(huge)), ["more than the file can hold"]),
             "nothing inside": (nifti(SIZE, [0] * len(BARS)), ["nothing is inside"]),
-            "NaN": (nifti((2, 1, 1), [0.5, float("nan")], "f"), ["voxel (1, 0, 0)", "not finite"]),
+            "infinity": (nifti((2, 1, 1), [0.5, float("inf")], "f"), ["voxel (1, 0, 0)", "not finite"]),
+            "NaN": (nifti((2, 1, 1), [float("nan")] * 2, "f"), ["all its values are NaN"]),
             "flat": (nifti(SIZE, BARS, rows=((1, 0, 0, 0), (1, 0, 0, 0), (0, 0, 1, 0))), ["one plane", "sform"]),
         }
         for name, (content, says) in cases.items():

@@ -32,6 +32,7 @@ public:
     Result<AmiraFile> read() {
         const std::string_view first = text_.substr(0, text_.find('\n'));
         file_.binary = first.find("BINARY") != std::string_view::npos;
+        if (first.find("HyperSurface") != std::string_view::npos) return no_graph("a surface of triangles (HxSurface)");
         if (first.find("LITTLE-ENDIAN") != std::string_view::npos) file_.order = std::endian::little;
         for (std::string_view word = next(); !word.empty(); word = next()) {
             if (word == "@" && begins_line(at_ - 1)) {
@@ -40,11 +41,31 @@ public:
             }
             if (auto good = read_statement(word); !good) return tl::unexpected(good.error());
         }
+        if (!file_.counts.contains("EDGE"))
+            for (const auto& [defined, what] : kAmiraKinds)
+                if (file_.counts.contains(std::string(defined))) return no_graph(std::string(what));
         if (auto good = find_data(); !good) return tl::unexpected(good.error());
         return std::move(file_);
     }
 
 private:
+    // What else files of this format hold, by what they define.
+    static constexpr std::pair<std::string_view, std::string_view> kAmiraKinds[] = {
+        {"Lattice", "a lattice of voxels (labels or grey values)"},
+        {"Tetrahedra", "a tetrahedral grid (HxTetraGrid)"},
+        {"Hexahedra", "a hexahedral grid (HxHexaGrid)"},
+        {"Triangles", "a surface of triangles"},
+        {"Lines", "a set of lines (HxLineSet)"},
+        {"Markers", "a set of landmarks"},
+        {"Points", "a cluster of points"},
+        {"Nodes", "a grid of nodes"}};
+    [[nodiscard]] tl::unexpected<Error> no_graph(const std::string& what) const {
+        return fail("this Amira file holds " + what + ", not a tree", name_,
+                    what.starts_with("a lattice")
+                        ? "save the labels as NIfTI or NRRD, or trace them and save the HxSpatialGraph"
+                        : "a tree needs a HxSpatialGraph");
+    }
+
     [[nodiscard]] std::string place() const { return name_ + ":" + std::to_string(line_at(text_, at_)); }
 
     [[nodiscard]] bool begins_line(std::size_t at) const {
@@ -179,7 +200,8 @@ private:
                 return fail("found " + shown(text_.substr(at_, 12)) + " where an array should begin", place(),
                             kAmiraIncomplete);
             const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-            const auto mark = to_whole(trimmed(text_.substr(at_ + 1, end - at_ - 1)));
+            const std::string_view line = text_.substr(at_ + 1, end - at_ - 1);
+            const auto mark = to_whole(trimmed(line.substr(0, line.find('#')))); // a comment may follow
             const auto array =
                 std::ranges::find_if(file_.arrays, [&](const AmiraArray& a) { return mark && a.mark == *mark; });
             if (array == file_.arrays.end())

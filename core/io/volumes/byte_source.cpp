@@ -66,6 +66,14 @@ Result<ByteSource> ByteSource::of_memory(std::string_view bytes, std::string nam
     return source;
 }
 
+Result<ByteSource> ByteSource::of_stage(std::unique_ptr<ByteStage> stage, std::string name, double most_bytes) {
+    auto state = std::make_unique<State>();
+    state->stage = std::move(stage);
+    ByteSource source(std::move(state), std::move(name));
+    if (auto begun = source.begin(most_bytes, Unpack::kNothing); !begun) return tl::unexpected(begun.error());
+    return source;
+}
+
 Result<void> ByteSource::begin(double file_bytes, Unpack unpack) {
     most_bytes_ = file_bytes;
     exact_ = std::isfinite(file_bytes);

@@ -15,6 +15,8 @@
 
 namespace ramus::io {
 
+class ByteStage;
+
 enum class Unpack { kGzip, kNothing }; // gzip is seen and undone, or bytes come as they are
 
 class ByteSource {
@@ -22,6 +24,9 @@ public:
     [[nodiscard]] static Result<ByteSource> open(const std::filesystem::path& path, Unpack unpack = Unpack::kGzip);
     // Bytes that outlive the source, as if they were a file of that name; it has no path, and so no files beside it.
     [[nodiscard]] static Result<ByteSource> of_memory(std::string_view bytes, std::string name);
+    // What a stage gives, `most_bytes` at the most.
+    [[nodiscard]] static Result<ByteSource> of_stage(std::unique_ptr<ByteStage> stage, std::string name,
+                                                     double most_bytes);
     ByteSource(ByteSource&&) noexcept;
     ByteSource& operator=(ByteSource&&) noexcept;
     ~ByteSource();

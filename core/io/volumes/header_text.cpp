@@ -67,9 +67,7 @@ Encoding binary_encoding(bool big_endian) {
     return big_endian == (std::endian::native == std::endian::big) ? Encoding::kBinary : Encoding::kSwapped;
 }
 
-Result<ByteSource> open_values(const ByteSource& source, const std::string& name) {
-    if (name.find('%') != std::string::npos || lower_case(name).starts_with("list"))
-        return fail("its values are in several files", source.name(), "write it as one file");
+Result<std::filesystem::path> values_path(const ByteSource& source, const std::string& name) {
     if (source.path().empty())
         return fail("its values are in another file, " + name, source.name(),
                     "name the header's file, or write header and values as one");
@@ -87,6 +85,11 @@ Result<ByteSource> open_values(const ByteSource& source, const std::string& name
     if (*path.lexically_relative(folder).begin() == "..")
         return fail("its values are said to be in " + path.string() + ", outside of the header's folder", source.name(),
                     "put that file beside the header, and its name alone into it");
+    return path;
+}
+
+Result<ByteSource> open_values(const ByteSource& source, const std::string& name) {
+    RAMUS_TRY(path, values_path(source, name));
     return ByteSource::open(path, Unpack::kNothing);
 }
 

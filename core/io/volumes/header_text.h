@@ -8,6 +8,7 @@
 #include "core/io/volumes/voxel_numbers.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -38,7 +39,9 @@ struct HeaderText {
 // kBinary or kSwapped.
 [[nodiscard]] Encoding binary_encoding(bool big_endian);
 
-// A file that the header in `source` names, relative to it, as it is. Fails if it is none, or several.
+// Where a file lies that the header in `source` names: a regular file in its folder or below, or an error.
+[[nodiscard]] Result<std::filesystem::path> values_path(const ByteSource& source, const std::string& name);
+// The bytes of that file, as they are.
 [[nodiscard]] Result<ByteSource> open_values(const ByteSource& source, const std::string& name);
 
 // Most that a header may take; those of segmentations tell much of every segment.

@@ -3,6 +3,7 @@
 #include "core/base/memory.h"
 #include "core/io/length_unit.h"
 #include "core/io/volumes/header_text.h"
+#include "core/io/volumes/value_files.h"
 #include "core/io/volumes/voxel_numbers.h"
 
 #include <algorithm>
@@ -210,14 +211,26 @@ Result<volume::Volume> read_meta_image(ByteSource& source, const ReadVolumeOptio
     std::vector<std::string> notes;
     RAMUS_TRY(affine, meta_affine(header, size, extents.size(), notes));
     const std::string& file = header.fields["ElementDataFile"];
+    const double bytes = static_cast<double>(bytes_of(type)) * double(size.x) * double(size.y) * double(size.z);
     std::optional<ByteSource> values;
+    bool listed = false;
     if (lower_case(file) != "local") {
-        RAMUS_TRY(opened, open_values(source, file));
-        values = std::move(opened);
+        RAMUS_TRY(names, listed_files(source, file));
+        if (!names.empty() && (header.find({"HeaderSize"}) != nullptr || meta_encoding(header) == Encoding::kText))
+            return fail("its values are in several files, with headers or as text", header.file,
+                        "write it as one file");
+        auto opened = names.empty() ? open_values(source, file)
+                                    : open_listed_values(source, names, bytes, is_true(header, {"CompressedData"}));
+        if (!opened) return tl::unexpected(opened.error());
+        listed = !names.empty();
+        values = std::move(*opened);
     }
     ByteSource& from = values ? *values : source;
-    const double bytes = static_cast<double>(bytes_of(type)) * double(size.x) * double(size.y) * double(size.z);
-    RAMUS_TRY(offset, meta_begin(header, values.has_value(), bytes, from));
+    std::uint64_t offset = 0;
+    if (!listed) {
+        RAMUS_TRY(begin, meta_begin(header, values.has_value(), bytes, from));
+        offset = begin;
+    }
     RAMUS_TRY(scaling, meta_scaling(header));
     const VoxelLayout layout{size, type, meta_encoding(header), scaling};
     auto volume = read_voxels(from, offset, layout, memory_left(options.memory_bytes), job);
@@ -225,7 +238,7 @@ Result<volume::Volume> read_meta_image(ByteSource& source, const ReadVolumeOptio
     volume->to_patient = affine;
     volume->type = "MetaImage, " + std::string(name_of(type));
     volume->unit_mm = meta_unit(header);
-    volume->notes = std::move(notes);
+    volume->notes.insert(volume->notes.begin(), notes.begin(), notes.end());
     return volume;
 }
 

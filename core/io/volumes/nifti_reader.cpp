@@ -1,6 +1,7 @@
 #include "core/io/volumes/nifti_reader.h"
 
 #include "core/base/memory.h"
+#include "core/io/text_numbers.h"
 #include "core/io/volumes/nifti_extensions.h"
 #include "core/io/volumes/voxel_numbers.h"
 
@@ -8,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <glm/geometric.hpp>
 #include <nifti/nifti2_io.h>
 #include <string>
 
@@ -94,19 +96,17 @@ Result<glm::dvec3> voxel_size(const Header& header, const std::string& name) {
     return spacing;
 }
 
-Result<glm::dmat4> matrix_of(const Header& header, const std::string& name) {
+glm::dmat4 sform_of(const Header& header) {
     glm::dmat4 matrix(1.0);
-    if (header.sform > 0) {
-        for (int row = 0; row < 3; ++row)
-            for (int column = 0; column < 4; ++column)
-                matrix[column][row] = header.rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
-        return matrix;
-    }
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 4; ++column)
+            matrix[column][row] = header.rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+    return matrix;
+}
+
+Result<glm::dmat4> qform_of(const Header& header, const std::string& name) {
+    glm::dmat4 matrix(1.0);
     RAMUS_TRY(spacing, voxel_size(header, name));
-    if (header.qform <= 0) {
-        for (int axis = 0; axis < 3; ++axis) matrix[axis][axis] = spacing[axis];
-        return matrix;
-    }
     const auto& [b, c, d] = header.quaternion;
     constexpr double kRounding = 1e-3; // of single precision, generously
     if (!(b * b + c * c + d * d <= 1.0 + kRounding))
@@ -116,6 +116,15 @@ Result<glm::dmat4> matrix_of(const Header& header, const std::string& name) {
                                 spacing.z, header.pixdim[0] < 0.0 ? -1.0 : 1.0);
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 4; ++column) matrix[column][row] = rows.m[row][column];
+    return matrix;
+}
+
+Result<glm::dmat4> matrix_of(const Header& header, const std::string& name) {
+    if (header.sform > 0) return sform_of(header);
+    if (header.qform > 0) return qform_of(header, name);
+    RAMUS_TRY(spacing, voxel_size(header, name));
+    glm::dmat4 matrix(1.0);
+    for (int axis = 0; axis < 3; ++axis) matrix[axis][axis] = spacing[axis];
     return matrix;
 }
 
@@ -145,6 +154,24 @@ Result<glm::dmat4> affine_of(const Header& header, const glm::ivec3& size, const
         check_affine(*matrix, size, form, "correct where its voxels lie (sform or qform) and write it again", name);
     if (!sound) return tl::unexpected(sound.error());
     return matrix;
+}
+
+// A note where both forms are there and place a corner of the volume more than a tenth of a voxel apart.
+std::optional<std::string> forms_differ(const Header& header, const glm::ivec3& size, const std::string& name) {
+    if (header.sform <= 0 || header.qform <= 0) return std::nullopt;
+    const auto qform = qform_of(header, name);
+    if (!qform) return std::nullopt; // nor is it used
+    const glm::dmat4 sform = sform_of(header);
+    double most = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec4 at(glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2) * glm::dvec3(size - 1), 1.0);
+        most = std::max(most, glm::length(glm::dvec3(sform * at - *qform * at)));
+    }
+    const glm::dvec3 step = volume::spacing_mm(sform);
+    constexpr double kOfVoxel = 0.1;
+    if (!(most > kOfVoxel * std::min({step.x, step.y, step.z}))) return std::nullopt;
+    return "the sform and the qform of the file differ, by up to " +
+           short_number(unit_of(header).value_or(1.0) * most) + " mm within the volume: the sform was taken";
 }
 
 Result<volume::Scaling> scaling_of(const Header& header, const std::string& name) {
@@ -240,6 +267,7 @@ Result<volume::Volume> read_nifti(ByteSource& source, const ReadVolumeOptions& o
     volume->unit_mm = unit_of(header);
     if (header.sform <= 0 && header.qform <= 0)
         volume->notes.push_back(std::string(volume::kLeavesSidesOpen) + ": axes taken as right, anterior, superior");
+    if (auto note = forms_differ(header, size, name)) volume->notes.push_back(std::move(*note));
     return volume;
 }
 

@@ -5,6 +5,7 @@
 #include "core/io/volumes/header_text.h"
 #include "core/io/volumes/nrrd_space.h"
 #include "core/io/volumes/slicer_segments.h"
+#include "core/io/volumes/value_files.h"
 #include "core/io/volumes/voxel_numbers.h"
 
 #include <algorithm>
@@ -66,6 +67,8 @@ Result<HeaderText> nrrd_header(ByteSource& source) {
         std::string key = (own ? ":" : "") + lower_case(line.substr(0, colon));
         std::erase(key, ' ');
         header.fields[key] = trimmed(std::string_view(line).substr(colon + (own ? 2 : 1)));
+        // Names of files are all that follows.
+        if (key == "datafile" && lower_case(header.fields[key]).starts_with("list")) break;
     }
     return header;
 }
@@ -133,12 +136,24 @@ Result<volume::Volume> read_nrrd(ByteSource& source, const ReadVolumeOptions& op
     const double bytes = static_cast<double>(bytes_of(type) * space.layers) * double(space.size.x) *
                          double(space.size.y) * double(space.size.z);
     std::optional<ByteSource> values;
+    bool listed = false;
     if (const std::string* file = header.find({"datafile"})) {
-        RAMUS_TRY(opened, open_values(source, *file));
-        values = std::move(opened);
+        RAMUS_TRY(names, listed_files(source, *file));
+        if (!names.empty() && (header.find({"lineskip", "byteskip"}) != nullptr || encoding == NrrdEncoding::kText))
+            return fail("its values are in several files, with headers or as text", header.file,
+                        "write it as one file");
+        auto opened = names.empty() ? open_values(source, *file)
+                                    : open_listed_values(source, names, bytes, encoding == NrrdEncoding::kGzip);
+        if (!opened) return tl::unexpected(opened.error());
+        listed = !names.empty();
+        values = std::move(*opened);
     }
     ByteSource& from = values ? *values : source;
-    RAMUS_TRY(offset, nrrd_begin(header, encoding, bytes, from));
+    std::uint64_t offset = 0;
+    if (!listed) {
+        RAMUS_TRY(begin, nrrd_begin(header, encoding, bytes, from));
+        offset = begin;
+    }
     std::optional<SegmentLayers> layers;
     if (space.layers > 1) layers.emplace(space.layers, segments, notes);
     const VoxelLayout layout{space.size, type, order, {}, layers ? &*layers : nullptr};
@@ -147,7 +162,7 @@ Result<volume::Volume> read_nrrd(ByteSource& source, const ReadVolumeOptions& op
     volume->to_patient = space.to_patient;
     volume->type = "NRRD, " + std::string(name_of(type));
     volume->unit_mm = space.unit_mm;
-    volume->notes = std::move(notes);
+    volume->notes.insert(volume->notes.begin(), notes.begin(), notes.end());
     volume->label_names = layers ? layers->names() : names_of(segments);
     volume->segmentation = !segments.empty();
     if (layers) std::move(*layers).finish(*volume);

@@ -188,6 +188,7 @@ Result<volume::Volume> read_voxels(ByteSource& source, std::uint64_t offset, con
     const auto read = layout.encoding == Encoding::kText ? type.text : type.binary;
     if (auto all = read({source, layout, voxels, job}, store); !all) return tl::unexpected(all.error());
     if (auto sound = source.check_end(); !sound) return tl::unexpected(sound.error());
+    if (auto settled = store.settle_nan(); !settled) return tl::unexpected(settled.error());
     volume::Volume volume;
     std::move(store).finish(volume);
     return volume;

@@ -157,7 +157,7 @@ TEST_CASE("MetaImage values in another file, behind a header of its own") {
     file.file = ".";
     CHECK(holds(files.refusal(file.bytes()), "no regular file"));
     file.file = "LIST";
-    CHECK(holds(files.refusal(file.bytes()), "several files"));
+    CHECK(holds(files.refusal(file.bytes()), "lists no file"));
     file.file = "slice%03d.raw 1 4 1";
     CHECK(holds(files.refusal(file.bytes()), "several files"));
 }

@@ -236,7 +236,7 @@ TEST_CASE("what cannot be read is refused with a word") {
     CHECK(holds(files.refusal(labels.bytes()), "3000000000"));
     NiftiFile field = labels;
     field.type = static_cast<int>(NiftiType::kFloat32);
-    field.put(std::vector<float>{1.0F, std::numeric_limits<float>::quiet_NaN()});
+    field.put(std::vector<float>{1.0F, std::numeric_limits<float>::infinity()});
     CHECK(holds(files.refusal(field.bytes()), "voxel (1, 0, 0) is not finite"));
     field.put(std::vector<float>{-std::numeric_limits<float>::infinity(), 1.0F});
     CHECK(holds(files.refusal(field.bytes()), "voxel (0, 0, 0) is not finite"));
