@@ -156,7 +156,7 @@ class Info(CommandLineTest):
         self.assertEqual(list(info), ["branches", "segments", "roots", "loops", "length_mm", "length", "volume_mm3",
                                       "volume", "radius_mm", "radius", "units", "unit", "units_said_by", "orientation", "orientation_said_by", "generations",
                                       "dependency_known", "repairs", "assumptions", "suspicions", "notes", "systems",
-                                      "smoothing"])
+                                      "smoothing", "data"])
         self.assertEqual((info["branches"], info["segments"], info["roots"], info["loops"]), (3, 4, 1, 0))
         self.assertEqual((info["generations"], info["repairs"]), (2, []))
         side = math.hypot(3, 5)
