@@ -130,7 +130,8 @@ struct Editing {
         std::string field; // its id; empty: none
         std::array<char, 64> typed{};
     } numbers;
-    std::string thin; // diameter below which vessels are thin, as it was typed; empty: the usual one
+    std::string thin;           // diameter below which vessels are thin, as it was typed; empty: the usual one
+    std::string colours_before; // what colours said before they said distances to lesions; empty: the usual
 };
 
 // What the import doctor's panel remembers.

@@ -4,6 +4,7 @@
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
+#include "app/session/systems.h"
 #include "app/session/usual_sizes.h"
 #include "app/tools/spelling.h"
 #include "core/base/words.h"
@@ -155,9 +156,14 @@ void draw_band(InterfaceContext& context, const measure::Band& band) {
         ImGui::PushFont(theme::small_font());
         const float row_height = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
         const float rows = static_cast<float>(std::min<std::size_t>(band.rows.size(), 8) + 1);
-        if (!band.rows.empty() && ImGui::BeginTable("rows", 4, kFlags, {0.0F, rows * row_height + 2.0F})) {
+        const tree::VesselTree& tree = *context.workspace.document.tree();
+        const bool systems = tree.systems.size() > 1;
+        if (!band.rows.empty() &&
+            ImGui::BeginTable("rows", systems ? 5 : 4, kFlags, {0.0F, rows * row_height + 2.0F})) {
             ImGui::TableSetupScrollFreeze(0, 1);
-            for (const char* name : {"Branch", "\xC3\x98 mm", "Away mm", "Deps"})
+            ImGui::TableSetupColumn("Branch");
+            if (systems) ImGui::TableSetupColumn("System");
+            for (const char* name : {"\xC3\x98 mm", "Away mm", "Deps"})
                 ImGui::TableSetupColumn(context.workspace.document.lengths().worded(name).c_str());
             ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
             ImGui::TableHeadersRow();
@@ -173,6 +179,10 @@ void draw_band(InterfaceContext& context, const measure::Band& band) {
                     go_to(context, row.branch);
                 if (ImGui::IsItemHovered()) context.interface.listed = row.branch;
                 ImGui::PopID();
+                if (systems) {
+                    ImGui::TableNextColumn();
+                    ImGui::TextUnformatted(system_of(tree, context.workspace.document.marks(), row.branch).c_str());
+                }
                 for (const std::string& text : {digits(row.mean_diameter_mm), digits(row.distance_mm, 2),
                                                 grouped(static_cast<std::uint64_t>(row.dependents.branches))}) {
                     ImGui::TableNextColumn();
@@ -198,8 +208,14 @@ void draw_margins(InterfaceContext& context) {
         context.perform("bands", words);
     widgets::tooltip("Distances from the lesion to the vessel's wall that divide the list; Enter takes them");
     bool coloured = marks.colour_by == ColourBy::kLesion;
-    if (ImGui::Checkbox("Colour vessels by distance", &coloured))
-        context.perform("colour-by", {coloured ? "lesion" : "nothing"});
+    if (ImGui::Checkbox("Colour vessels by distance", &coloured)) {
+        // Off again, colours say what they said before.
+        std::string& before = context.interface.editing.colours_before;
+        const std::string usual = document.tree()->systems.size() > 1 ? "system" : "nothing";
+        if (coloured) before = name_of(marks.colour_by);
+        context.perform("colour-by", {coloured ? "lesion" : before.empty() ? usual : before});
+        if (!coloured) before.clear();
+    }
     widgets::tooltip("Distances to lesions as colours");
     const auto plan = context.workspace.current_assets().plan;
     for (const measure::Band& band : plan->bands) draw_band(context, band);

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/common.hpp>
+#include <map>
+#include <set>
 
 namespace ramus::app {
 
@@ -247,10 +249,15 @@ void colour_by_system(Colouring& colouring, const tree::VesselTree& tree, const 
     const glm::vec3 plain = render::Appearance{}.vessel;
     colouring.legend.title = systems.empty() ? "No systems" : "Systems";
     if (systems.empty()) colouring.legend.swatches.push_back({plain, "all branches"});
+    std::set<int> shown; // a system that is hidden as a whole is not explained
+    for (std::size_t id = 0; id < tree.branches.size(); ++id)
+        if (state_of(marks, static_cast<int>(id)) != render::BranchState::kHidden)
+            shown.insert(tree.branches[id].system);
     std::vector<glm::vec3> colours;
     for (int system = 0; system < static_cast<int>(systems.size()); ++system) {
         colours.push_back(shown_colour(systems, system));
-        colouring.legend.swatches.push_back({colours.back(), latin1(system_name(systems, system))});
+        if (shown.contains(system))
+            colouring.legend.swatches.push_back({colours.back(), latin1(system_name(systems, system))});
     }
     for (const tree::Branch& branch : tree.branches) {
         const auto system = static_cast<std::size_t>(branch.system);

@@ -26,6 +26,10 @@ template <class Value> bool is_whole(Value value) {
 constexpr double kRunsShare = 0.5, kRunsSlack = 1 << 18;
 constexpr std::array<double, 5> kBytesOfKind = {1, 2, 2, 4, 4};
 
+// Types of files that hold numbers of more than 32 bits.
+template <class Raw>
+constexpr bool kMayBeLarge = std::is_integral_v<Raw> && (sizeof(Raw) > 4 || std::is_same_v<Raw, std::uint32_t>);
+
 template <class Kept> constexpr bool kIsRuns = false;
 template <class T> constexpr bool kIsRuns<RunsOf<T>> = true;
 
@@ -217,10 +221,32 @@ std::vector<double> VoxelStore::without_nan(const Raw* raw, std::size_t count, c
     return values;
 }
 
+template <class Raw> Result<std::vector<std::int32_t>> VoxelStore::in_32_bits(const Raw* raw, std::size_t count) {
+    using Wide = std::conditional_t<std::is_signed_v<Raw>, std::int64_t, std::uint64_t>;
+    std::vector<std::int32_t> values(count);
+    for (std::size_t n = 0; n < count; ++n) {
+        if (n > 0 && raw[n] == raw[n - 1]) {
+            values[n] = values[n - 1];
+            continue;
+        }
+        const auto number = large_.number_of(static_cast<Wide>(raw[n]));
+        if (!number)
+            return fail("its whole numbers, such as " + std::to_string(raw[n]) + ", cannot all be kept exactly", name_,
+                        "number the labels anew, below 2147483648");
+        values[n] = *number;
+    }
+    return values;
+}
+
 template <class Raw> Result<void> VoxelStore::append(const Raw* raw, std::size_t count, const Scaling& scaling) {
     if constexpr (std::is_floating_point_v<Raw>)
         if (std::any_of(raw, raw + count, [](Raw value) { return std::isnan(value); })) {
             const std::vector<double> values = without_nan(raw, count, scaling);
+            return append(values.data(), count, Scaling{});
+        }
+    if constexpr (kMayBeLarge<Raw>)
+        if (scaling.none()) {
+            RAMUS_TRY(values, in_32_bits(raw, count));
             return append(values.data(), count, Scaling{});
         }
     const std::size_t kept = put_runs(raw, count, scaling);
@@ -268,6 +294,11 @@ void VoxelStore::finish(Volume& volume) && {
     if (nan_count_ > 0)
         volume.notes.push_back(std::to_string(nan_count_) + (nan_count_ == 1 ? " voxel is" : " voxels are") +
                                " NaN: taken as outside");
+    if (large_.count() > 0) {
+        volume.notes.push_back(std::to_string(large_.count()) + (large_.count() == 1 ? " label has" : " labels have") +
+                               " more than 32 bits: numbered anew, with the file's numbers as names");
+        volume.label_names = std::move(large_).names();
+    }
     // Of few values even a few runs may be too many.
     if (bytes_of_runs() && !are_runs_worth_it(0.0) && bytes_to_be(smallest_kind()) <= memory_bytes_)
         move_to(smallest_kind());

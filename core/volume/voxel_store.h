@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/volume/large_labels.h"
 #include "core/volume/volume.h"
 
 #include <optional>
@@ -47,6 +48,7 @@ private:
     [[nodiscard]] std::optional<double> bytes_of_runs() const; // none: values are in an array
     [[nodiscard]] bool are_runs_worth_it(double slack_bytes) const;
     template <class Value> [[nodiscard]] Result<void> put(const Value* values, std::size_t count);
+    template <class Raw> [[nodiscard]] Result<std::vector<std::int32_t>> in_32_bits(const Raw* raw, std::size_t count);
     [[nodiscard]] Result<void> make_room_for(const Range& range, bool exact);
     [[nodiscard]] Kind smallest_kind() const;
     [[nodiscard]] double bytes_to_be(Kind kind) const;
@@ -70,6 +72,7 @@ private:
     };
     std::vector<Stretch> nan_; // ascending
     std::size_t nan_count_ = 0;
+    LargeLabels large_; // of whole numbers that may have more than 32 bits
 };
 
 } // namespace ramus::volume

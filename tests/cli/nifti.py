@@ -4,7 +4,7 @@ import gzip
 import struct
 
 UNITS_MM = 2
-CODES = {"B": 2, "h": 4, "i": 8, "f": 16, "d": 64, "b": 256, "H": 512}
+CODES = {"B": 2, "h": 4, "i": 8, "f": 16, "d": 64, "b": 256, "H": 512, "I": 768}
 
 
 def nifti(size, values, kind="B", rows=((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0)), order="<", units=UNITS_MM):

@@ -54,6 +54,37 @@ class MaskReaders(CommandLineTest):
         self.assertIn("the sform and the qform of the file differ, by up to 5 mm within the volume: the sform was taken",
                       self.json("info", "apart.nii", "--json")["notes"])
 
+    def test_large_labels(self):
+        def pair(first, second):  # two tubes side by side
+            return values(lambda i, j, k: first if tube(i + 3, j, k) else second if tube(i - 3, j, k) and i > 6 else 0)
+
+        for kind, labels in (("i", (70000, 2 ** 31 - 1)), ("I", (1, 70000))):
+            self.write("mask.nii", nifti(SIZE, pair(*labels), kind))
+            found = self.json("info", "mask.nii", "--json")["labels"]
+            self.assertEqual([label["label"] for label in found], sorted(labels))
+            self.json("skeletonize", "mask.nii", "-o", "tree.json", "--label", f"{labels[0]},{labels[1]}", "--json")
+            self.expect_done("mesh", "mask.nii", "-o", "a.stl", "--method", "iso", "--label", str(labels[1]))
+        # Of 18 digits, as those of neurons: chosen by the file's number.
+        neurons = (720575940621039145, 720575940627218563)
+        for name, header, code in (("i", "int64", "q"), ("u", "uint64", "Q")):
+            raw = struct.pack(f"<{len(values())}{code}", *pair(*neurons))
+            self.write(name + ".nrrd", (NRRD.replace("uint8", header) + "encoding: raw\nendian: little\n\n").encode() + raw)
+            info = self.json("info", name + ".nrrd", "--json")
+            self.assertEqual([label["name"] for label in info["labels"]], [str(n) for n in neurons])
+            self.assertTrue(any("more than 32 bits" in note for note in info["notes"]))
+            self.expect_done("mesh", name + ".nrrd", "-o", "a.stl", "--method", "iso", "--label", str(neurons[1]))
+            self.json("skeletonize", name + ".nrrd", "-o", "tree.json", "--json")
+            systems = self.json("info", "tree.json", "--json")["systems"]
+            self.assertEqual(systems, [str(n) for n in neurons])
+        many = [2 ** 40 + n for n in range(len(values()))]
+        raw = struct.pack(f"<{len(many)}q", *many)
+        self.write("one.nrrd", (NRRD.replace("uint8", "int64") + "encoding: raw\nendian: little\n\n").encode() + raw)
+        self.expect_done("info", "one.nrrd")
+        mixed = [2 ** 40, 1] + [0] * (len(many) - 2)  # the large one gets the number of the small one
+        raw = struct.pack(f"<{len(many)}q", *mixed)
+        self.write("mixed.nrrd", (NRRD.replace("uint8", "int64") + "encoding: raw\nendian: little\n\n").encode() + raw)
+        self.expect_failure("info", "mixed.nrrd", says=("mixed.nrrd", "number the labels anew"))
+
     def slices(self, name="s{:03}.raw", first=1):
         raw = bytes(values())
         each = len(raw) // SIZE[2]

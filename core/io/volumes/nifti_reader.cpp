@@ -260,8 +260,8 @@ Result<volume::Volume> read_nifti(ByteSource& source, const ReadVolumeOptions& o
     auto volume = read_voxels(source, static_cast<std::uint64_t>(header.offset) - extensions.used, layout,
                               memory_left(options.memory_bytes), job);
     if (!volume) return volume;
-    volume->label_names = std::move(extensions.names);
-    volume->notes = std::move(extensions.notes);
+    if (!extensions.names.empty()) volume->label_names = std::move(extensions.names);
+    volume->notes.insert(volume->notes.begin(), extensions.notes.begin(), extensions.notes.end());
     volume->to_patient = affine;
     volume->type = "NIfTI-" + std::to_string(header.version) + ", " + std::string(name_of(type));
     volume->unit_mm = unit_of(header);

@@ -163,7 +163,7 @@ Result<volume::Volume> read_nrrd(ByteSource& source, const ReadVolumeOptions& op
     volume->type = "NRRD, " + std::string(name_of(type));
     volume->unit_mm = space.unit_mm;
     volume->notes.insert(volume->notes.begin(), notes.begin(), notes.end());
-    volume->label_names = layers ? layers->names() : names_of(segments);
+    if (!segments.empty()) volume->label_names = layers ? layers->names() : names_of(segments);
     volume->segmentation = !segments.empty();
     if (layers) std::move(*layers).finish(*volume);
     return volume;

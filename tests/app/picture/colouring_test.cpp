@@ -7,6 +7,7 @@
 #include "tests/support/built_tree.h"
 #include "tests/support/command_stage.h"
 #include "tests/support/grown_tree.h"
+#include "tests/support/two_systems.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -286,4 +287,18 @@ TEST_CASE("depth cues are switched by a command, undone, and shown") {
     CHECK(stage.frame().appearance.halos == 1.0F);
     for (const char* wrong : {"depth-cue", "depth-cue mist", "depth-cue fog maybe", "depth-cue fog on off"})
         CHECK_FALSE(stage.run(wrong));
+}
+
+TEST_CASE("a system that is hidden as a whole leaves the legend") {
+    const tree::VesselTree tree = test::two_systems();
+    const TreeFacts facts = facts_of(tree);
+    Marks marks;
+    marks.colour_by = ColourBy::kSystem;
+    const auto swatches = [&] { return colouring_of(tree, facts, marks, nullptr).legend.swatches; };
+    CHECK(swatches().size() == 2);
+    set_state(marks, std::vector{3}, render::BranchState::kHidden);
+    REQUIRE(swatches().size() == 1);
+    CHECK(swatches()[0].text == "portal vein");
+    set_state(marks, std::vector{0, 1}, render::BranchState::kHidden); // a part of the other one
+    CHECK(swatches().size() == 1);
 }
