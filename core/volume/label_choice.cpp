@@ -24,7 +24,8 @@ std::string names_there(const Volume& volume) {
     for (std::size_t i = 0; i < std::min(kMost, volume.label_names.size()); ++i)
         list += (i == 0 ? "" : ", ") + volume.label_names[i].name + " (" + std::to_string(volume.label_names[i].label) +
                 ")";
-    return "the names there are: " + list + (volume.label_names.size() > kMost ? ", ... (ramus info lists the labels)" : "");
+    return "the names there are: " + list +
+           (volume.label_names.size() > kMost ? ", ... (ramus info lists the labels)" : "");
 }
 
 Result<std::int32_t> number_of(const Volume& volume, const std::string& name) {

@@ -215,7 +215,8 @@ TEST_CASE("a lesion's outline has its radius, it is picked as a lesion, and what
 
 TEST_CASE("colours follow the diameter from point to point") {
     Scene scene(5.0F, 3.0F); // 10 mm wide at x = -20, 6 mm at x = 20: 8 mm at 0
-    scene.frame.scale = {ColourScale::Value::kDiameter, 6.0F, 10.0F, false, 0, {{0.1F, 0.2F, 0.9F}, {0.9F, 0.2F, 0.1F}}};
+    scene.frame.scale = {ColourScale::Value::kDiameter,           6.0F, 10.0F, false, 0,
+                         {{0.1F, 0.2F, 0.9F}, {0.9F, 0.2F, 0.1F}}};
     const Image image = scene.draw();
     int turn = 0, x = scene.at(19.0, 0.0).x;
     const int step = scene.at(-19.0, 0.0).x > x ? 1 : -1;
@@ -225,8 +226,8 @@ TEST_CASE("colours follow the diameter from point to point") {
             break;
         }
     CHECK(std::abs(turn - scene.at(0.0, 0.0).x) * kPixelMm < 2.5); // the light is a little warm
-    scene.frame.scale = {
-        ColourScale::Value::kRootDistance, 100.0F, 140.0F, false, 0, {{0.9F, 0.2F, 0.1F}, {0.1F, 0.2F, 0.9F}}};
+    scene.frame.scale = {ColourScale::Value::kRootDistance,       100.0F, 140.0F, false, 0,
+                         {{0.9F, 0.2F, 0.1F}, {0.1F, 0.2F, 0.9F}}};
     const Image distance = scene.draw();
     CHECK(scene.colour(distance, -15.0, 0.0)[0] > scene.colour(distance, -15.0, 0.0)[2] + 40);
     CHECK(scene.colour(distance, 15.0, 0.0)[2] > scene.colour(distance, 15.0, 0.0)[0] + 40);
