@@ -13,11 +13,12 @@ using Words = std::pair<std::string_view, std::string_view>;
 
 // The longer of two that begin alike comes first.
 constexpr auto kWindowWords = std::to_array<Words>({
-    {"say which of them are vessels (--labels N,M; ramus skeletonize: --label N,M), or take all that is at least X "
-     "with --isovalue X",
+    {"say which of them are vessels with --labels N,M, or take all that is at least X with --isovalue X",
      "File, Open asks which of them are vessels, or for a threshold"},
     {"take all that is at least X with --isovalue X", "take all above a threshold (File, Open asks for it)"},
     {"give it to --session of ramus render, mesh or convert, or name its tree's file", "open its tree's file"},
+    {"as ramus info --branches lists them", "as the table of branches has them"},
+    {"those of ramus info --branches", "those of the table of branches"},
     {"repair with --repair or edit the file", "choose more repairs (Shift+D) or edit the file"},
     {"allow it with --repair usual or --repair ", "allow all repairs when the file is read (Shift+D), such as "},
     {"allow it with --repair all or --repair ", "allow all repairs when the file is read (Shift+D), such as "},

@@ -9,7 +9,7 @@ import unittest
 
 from nifti import nifti, voxels
 from ramus import RAMUS, TUBE, CommandLineTest
-from validated import Page, fork, line, rows_of, swc
+from validated import CROSSING, TEXT_FILES, Page, fork, line, rows_of, swc
 
 
 class Validate(CommandLineTest):

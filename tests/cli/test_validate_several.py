@@ -8,7 +8,7 @@ import xml.etree.ElementTree
 
 from nifti import nifti, voxels
 from ramus import CommandLineTest
-from validated import Page, fork, rows_of, swc
+from validated import TEXT_FILES, Page, fork, rows_of, swc
 
 
 class ValidateSeveral(CommandLineTest):

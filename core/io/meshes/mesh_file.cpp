@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <system_error>
+#include <utility>
 
 namespace ramus::io {
 
@@ -67,10 +68,8 @@ Result<void> write_vtp_whole(const mesh::TriangleMesh& mesh, const MeshNames& na
     return {};
 }
 
-} // namespace
-
-const std::vector<MeshFormat>& mesh_formats() {
-    static const std::vector<MeshFormat> table = {
+std::vector<MeshFormat> formats_of_triangles() {
+    return {
         {{.name = "PLY",
           .extensions = {".ply"},
           .has_signature = is_ply,
@@ -96,6 +95,12 @@ const std::vector<MeshFormat>& mesh_formats() {
          obj_header,
          write_obj_faces,
          {write_obj_positions, write_obj_normals}},
+    };
+}
+
+// Those that hold more than triangles.
+std::vector<MeshFormat> formats_of_scenes() {
+    return {
         {{.name = "VTP surface",
           .extensions = {".vtp"},
           .has_signature = is_vtk_poly_data,
@@ -129,6 +134,16 @@ const std::vector<MeshFormat>& mesh_formats() {
          true,
          1000.0},
     };
+}
+
+} // namespace
+
+const std::vector<MeshFormat>& mesh_formats() {
+    static const std::vector<MeshFormat> table = [] {
+        std::vector<MeshFormat> all = formats_of_triangles();
+        for (MeshFormat& format : formats_of_scenes()) all.push_back(std::move(format));
+        return all;
+    }();
     return table;
 }
 

@@ -41,8 +41,8 @@ std::optional<Colour> colour_in_words(const std::array<std::string_view, 3>& wor
 std::vector<LabelName> in_order(std::vector<LabelName> names) {
     std::erase_if(names, [](const LabelName& name) { return name.label == 0; });
     std::ranges::stable_sort(names, {}, &LabelName::label);
-    const auto twice = std::ranges::unique(names, {}, &LabelName::label);
-    names.erase(twice.begin(), twice.end());
+    const auto same = [](const LabelName& a, const LabelName& b) { return a.label == b.label; };
+    names.erase(std::unique(names.begin(), names.end(), same), names.end());
     return names;
 }
 

@@ -53,9 +53,7 @@ Result<std::vector<SystemMask>> systems_of(const Volume& volume, const LabelGrou
         return fail(
             "it has " + std::to_string(counts.size()) +
                 " different values, and looks like a scan, not like a mask of vessels",
-            {},
-            "say which of them are vessels (--labels N,M; ramus skeletonize: --label N,M), or take all that is at "
-            "least X with --isovalue X");
+            {}, "say which of them are vessels with --labels N,M, or take all that is at least X with --isovalue X");
     if (!groups) return std::vector<SystemMask>(1);
     std::vector<std::vector<std::int32_t>> labels;
     for (const std::vector<LabelChoice>& group : *groups) {

@@ -153,7 +153,7 @@ TEST_CASE("commands say from what and up to where, are undone, and refuse what m
     for (const char* wrong : {"deviation-scale", "deviation-scale 0", "deviation-scale -1", "deviation-scale 1 cm",
                               "deviation-scale 1 mm mm", "deviation-scale auto voxels", "deviation-scale nan"})
         CHECK_FALSE(stage.bad(wrong).empty());
-    CHECK(stage.bad("deviation-from nowhere.ply").find("cannot be read") != std::string::npos);
+    CHECK(stage.bad("deviation-from nowhere.ply").find("no such file") != std::string::npos);
     CHECK(stage.bad("deviation-from").find("cones, iso or a file") != std::string::npos);
     CHECK(stage.bad("deviation-from cones iso").find("one surface") != std::string::npos);
     CHECK(stage.bad("deviation-from " + stage.folder.write("a.txt", "?").string()).find("neither") !=

@@ -232,8 +232,8 @@ TEST_CASE("what cannot be read is refused with a word") {
     NiftiFile labels = two_by_three_by_four();
     labels.type = static_cast<int>(NiftiType::kUint32);
     labels.dim = {1, 2, 1, 1, 1, 1, 1, 1};
-    labels.put(std::vector<std::uint32_t>{1, 3'000'000'000U});
-    CHECK(holds(files.refusal(labels.bytes()), "3000000000"));
+    labels.put(std::vector<std::uint32_t>{3'000'000'000U, 1}); // which gets the number of the other one
+    CHECK(holds(files.refusal(labels.bytes()), "number the labels anew"));
     NiftiFile field = labels;
     field.type = static_cast<int>(NiftiType::kFloat32);
     field.put(std::vector<float>{1.0F, std::numeric_limits<float>::infinity()});
@@ -254,7 +254,7 @@ TEST_CASE("what cannot be read is refused with a word") {
     CHECK(holds(at("a.dat", "some bytes"), "no volume that can be read"));
     CHECK(holds(at("a.img", "some bytes"), "pair"));
     CHECK(holds(at("a.swc", "1 2 0 0 0 1 -1\n"), "vessel tree"));
-    CHECK(holds(io::read_volume(files.folder.path(), {}, job).error().message(), "directory"));
+    CHECK(holds(io::read_volume(files.folder.path(), {}, job).error().message(), "no DICOM image"));
     CHECK(holds(io::read_volume(files.folder.path() / "none.nii", {}, job).error().message(), "no such file"));
 }
 
