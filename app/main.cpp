@@ -61,6 +61,21 @@ bool meant_as_command(const std::string& word) {
     return !word.empty() && word.find_first_of("./") == std::string::npos && !std::filesystem::exists(word, ignored);
 }
 
+int run_chosen(const Action& chosen) {
+    handle_interrupts(); // of commands alone: the window closes in its own way
+    if (reads_standard_input())
+        if (const auto settled = io::settle_standard_input(); !settled) return complain(settled.error().message());
+    const Result<int> status = chosen();
+    if (!status) {
+        Error error = status.error();
+        if (error.where == io::kStandardInputPath) error.where = io::input_name(error.where);
+        return complain(error.message());
+    }
+    // A full disk behind a redirection shows here at the latest.
+    if (!std::cout.flush() || std::fflush(stdout) != 0) return complain("standard output cannot be written");
+    return *status;
+}
+
 int run(int argc, char** argv) {
     CLI::App app(
         "Vessel trees as smooth, closed, faithful surfaces: to explore in a window and to picture without one.",
@@ -117,18 +132,7 @@ int run(int argc, char** argv) {
         return run_window(window);
     }
 
-    handle_interrupts(); // not before: the window closes in its own way
-    if (reads_standard_input())
-        if (const auto settled = io::settle_standard_input(); !settled) return complain(settled.error().message());
-    const Result<int> status = chosen();
-    if (!status) {
-        Error error = status.error();
-        if (error.where == io::kStandardInputPath) error.where = io::input_name(error.where);
-        return complain(error.message());
-    }
-    // A full disk behind a redirection shows here at the latest.
-    if (!std::cout.flush() || std::fflush(stdout) != 0) return complain("standard output cannot be written");
-    return *status;
+    return run_chosen(chosen);
 }
 
 } // namespace

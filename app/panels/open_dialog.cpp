@@ -58,7 +58,7 @@ void OpenDialog::rename(const std::string& text) {
 
 fs::path OpenDialog::named() const {
     if (purpose == FilePurpose::kExport) return folder / exported.named(name.data());
-    const fs::path target = folder / name.data();
+    fs::path target = folder / name.data();
     if (target.extension() == ".json") return target;
     return fs::path(target.string() + (target.extension() == ".ramus" ? ".json" : ".ramus.json"));
 }

@@ -242,7 +242,7 @@ static std::string units_in(const json& value) {
 }
 
 std::string mesh_axes_in(const json& value) {
-    const std::string axes = text(value, "axes");
+    std::string axes = text(value, "axes");
     if (!io::slicer_space(axes)) throw Refusal{"axes \"" + axes + "\" are neither LPS nor RAS"};
     return axes;
 }

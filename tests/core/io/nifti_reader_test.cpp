@@ -233,7 +233,7 @@ TEST_CASE("what cannot be read is refused with a word") {
     labels.type = static_cast<int>(NiftiType::kUint32);
     labels.dim = {1, 2, 1, 1, 1, 1, 1, 1};
     labels.put(std::vector<std::uint32_t>{3'000'000'000U, 1}); // which gets the number of the other one
-    CHECK(holds(files.refusal(labels.bytes()), "number the labels anew"));
+    CHECK(holds(files.refusal(labels.bytes()), "cannot all be kept exactly"));
     NiftiFile field = labels;
     field.type = static_cast<int>(NiftiType::kFloat32);
     field.put(std::vector<float>{1.0F, std::numeric_limits<float>::infinity()});
