@@ -229,6 +229,22 @@ Result<io::MeshNames> names_for(const MeshFlags& flags, const OpenedSession& ope
     return surface_names(tree, facts, opened.session.marks, assets.plan.get(), flags.parts.value_or(usual_parts(tree)));
 }
 
+// With --verbose.
+void tell_what_was_done(const MeshFlags& flags, const WrittenSurface& written) {
+    say(flags.surface, counted(written.evaluations, "evaluation", "evaluations") + " of the field in " +
+                           rounded(written.mesh_s) + " s" + (written.streamed ? ", on the disk" : ""));
+    const mesh::MatchedTree matched = written.matched.value_or(mesh::MatchedTree{});
+    if (matched.false_loops.cut > 0)
+        say(flags.surface, "cut " + counted(matched.false_loops.cut, "loop", "loops") + " that the tree does not have");
+    if (matched.lost_loops.opened > 0)
+        say(flags.surface, "opened " + counted(matched.lost_loops.opened, "loop", "loops") +
+                               " of the tree that the vessels' own thickness closes");
+    if (written.untangled && written.untangled->found > 0)
+        say(flags.surface, "moved vertices where " +
+                               counted(written.untangled->found, "pair of triangles", "pairs of triangles") +
+                               " went through each other");
+}
+
 Result<int> run_mesh(const MeshFlags& flags) {
     // What would fail at the end shall fail at the beginning.
     RAMUS_TRY(format, io::mesh_format(flags.output));
@@ -271,18 +287,7 @@ Result<int> run_mesh(const MeshFlags& flags) {
 
     RAMUS_TRY(written, of_file(write_surface(*opened.tree, opened.session.marks.options, hidden, target),
                                opened.session.tree.path.string()));
-    say(flags.surface, counted(written.evaluations, "evaluation", "evaluations") + " of the field in " +
-                           rounded(written.mesh_s) + " s" + (written.streamed ? ", on the disk" : ""));
-    const mesh::MatchedTree matched = written.matched.value_or(mesh::MatchedTree{});
-    if (matched.false_loops.cut > 0)
-        say(flags.surface, "cut " + counted(matched.false_loops.cut, "loop", "loops") + " that the tree does not have");
-    if (matched.lost_loops.opened > 0)
-        say(flags.surface, "opened " + counted(matched.lost_loops.opened, "loop", "loops") +
-                               " of the tree that the vessels' own thickness closes");
-    if (written.untangled && written.untangled->found > 0)
-        say(flags.surface, "moved vertices where " +
-                               counted(written.untangled->found, "pair of triangles", "pairs of triangles") +
-                               " went through each other");
+    tell_what_was_done(flags, written);
     warn_of_intersections(flags, written);
     warn_of_shape(flags, written, opened.session.marks.options.blend);
     const mesh::SurfaceOptions& options = opened.session.marks.options;
