@@ -70,7 +70,8 @@ Result<Outcome> export_figure(ActionContext& context, const Export& wanted) {
                    [work = elsewhere, file = wanted.file, sentence](Job& job) -> Result<Continuation> {
                        if (auto done = work(job); !done) return tl::unexpected(done.error());
                        return has_written(file, sentence);
-                   }};
+                   },
+                   true};
 }
 
 } // namespace ramus::app::actions

@@ -60,10 +60,12 @@ Result<std::vector<ReportPicture>> take_pictures(ActionContext& context) {
 
 // Pictures take long to draw: a window does not wait for them.
 Result<Outcome> report_page_elsewhere(const std::function<Result<void>(Job&)>& work, const fs::path& path) {
-    return Pending{"Writing " + path.filename().string(), [work, path](Job& job) -> Result<Continuation> {
+    return Pending{"Writing " + path.filename().string(),
+                   [work, path](Job& job) -> Result<Continuation> {
                        if (auto done = work(job); !done) return tl::unexpected(done.error());
                        return has_written(path, "Report saved: " + path.string());
-                   }};
+                   },
+                   true};
 }
 
 Result<void> write_page(ActionContext& context, const fs::path& path) {

@@ -397,3 +397,19 @@ TEST_CASE("a file that is asked for twice is there once") {
     CHECK_FALSE(runner.run(stage.context, std::vector<std::string>{"no-such-command"}));
     CHECK_FALSE(runner.busy());
 }
+
+TEST_CASE("it is known whether a file is being written, also one that waits its turn") {
+    const TemporaryFolder folder;
+    test::CommandStage stage(twigs());
+    Gate gate;
+    CommandRunner runner({});
+    REQUIRE(runner.run(stage.context, gate.select_slowly(3)));
+    CHECK(runner.writing().empty());
+    const std::string file = (folder.path() / "twigs.stl").string();
+    REQUIRE(runner.run(stage.context, std::vector<std::string>{"export", "surface", file}));
+    CHECK(runner.writing() == "Exporting twigs.stl");
+    gate.open = true;
+    CHECK(settle(runner, stage.context).empty());
+    CHECK(runner.writing().empty());
+    CHECK(std::filesystem::exists(file));
+}
