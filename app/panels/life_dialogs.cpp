@@ -159,7 +159,7 @@ void draw_quit_dialog(InterfaceContext& context) {
     const float scale = theme::scale(), width = 110.0F * scale;
     widgets::heading("A file is still being written");
     ImGui::Dummy({0.0F, 2.0F * scale});
-    widgets::quiet_wrapped((dialog.activity + ". Without it the file is not there, or stays as it was.").c_str());
+    widgets::quiet_wrapped((dialog.activity + " is not finished. If you quit now, it is not written.").c_str());
     ImGui::Dummy({0.0F, 6.0F * scale});
     widgets::align_right(2.0F * width + ImGui::GetStyle().ItemSpacing.x);
     const bool quit = ImGui::Button("Quit anyway", {width, 0.0F});
