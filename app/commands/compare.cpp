@@ -139,7 +139,7 @@ void register_compare(CLI::App& app, Action& chosen) {
     CLI::App* command = add_command(
         app, "compare", "How far the vertices of one surface are from another surface, and the other way round");
     add_input(*command, "A", "", flags->files[0], "Surface: " + surface_input_kinds())->required();
-    add_input(*command, "B", "", flags->files[1], "The surface that it is compared with, likewise")->required();
+    add_input(*command, "B", "", flags->files[1], "The surface that A is compared with")->required();
     add_option(*command, "--threshold", "MM", flags->threshold_mm,
                "Say how many of the distances are above this (default, with a mask: half the diagonal of its voxels)")
         ->check(expecting(" is not a number of mm from 0 on", [](const std::string& text) {

@@ -88,10 +88,11 @@ void register_validate(CLI::App& app, Action& chosen) {
                   "); without it, that of ramus. Of several trees once for each, in the same order")
         ->allow_extra_args(false);
     add_mesh_orientation_flag(*command, flags->mesh_axes, "--surface")->needs(command->get_option("--surface"));
-    CLI::Option* mask = add_input(*command, "--mask", "MASK", flags->masks,
-                                  "Segmentation mask of the same vessels (" + io::readable_volume_extensions() +
-                                      "): distances to its isosurface. Of several trees once for each, likewise")
-                            ->allow_extra_args(false);
+    CLI::Option* mask =
+        add_input(*command, "--mask", "MASK", flags->masks,
+                  "Segmentation mask of the same vessels (" + io::readable_volume_extensions() +
+                      "): distances to its isosurface. Of several trees once for each, in the same order")
+            ->allow_extra_args(false);
     add_mask_units_flag(*command, flags->labels.units, "--mask")->needs(mask);
     add_label_flag(*command, flags->labels.labels, "Labels of the mask that are these vessels (default: all)")
         ->needs(mask);

@@ -222,7 +222,7 @@ struct Interface {
     PanelPage page = PanelPage::kExplore;
     float panel_points = 296.0F;         // how wide it wants to be
     float explore_height = 0.0F;         // of what stands above the table of branches, in pixels, as drawn last
-    glm::vec2 card_size{250.0F, 150.0F}; // of the card about the branch under the pointer, likewise
+    glm::vec2 card_size{250.0F, 150.0F}; // of the card about the branch under the pointer, as drawn last
     bool help_open = false;
     std::array<char, 64> help_search{};
     Settings settings;

@@ -14,7 +14,7 @@ namespace ramus::app {
 [[nodiscard]] bool is_session_file(const std::filesystem::path& path);
 
 // The tree in a file; of a segmentation mask the one that io::tree_of_mask() makes of it. `memory_bytes`: most that the
-// process shall take for that; 0 = half of the machine's. Fails like io::read_tree(), io::read_volume() and
+// process may take for that; 0 = half of the machine's. Fails like io::read_tree(), io::read_volume() and
 // io::tree_of_mask().
 [[nodiscard]] Result<tree::VesselTree> read_tree_or_mask(const std::filesystem::path& path,
                                                          const io::ReadOptions& options, double memory_bytes, Job& job);

@@ -24,7 +24,7 @@ struct ComparedRequest {
     std::string units;                       // of its lengths; empty: as its file says
     std::vector<volume::LabelChoice> labels; // in it; empty: all
     double voxel_mm = 0.0;                   // without a mask; 0: a sensible size
-    bool wire = false;                       // for lines: triangles large enough to be told apart
+    bool wire = false;                       // for lines: triangles large enough to be seen one by one
     bool operator==(const ComparedRequest&) const = default;
     // Whether a surface of the one takes the place of one of the other.
     [[nodiscard]] bool same_place(const ComparedRequest& other) const {

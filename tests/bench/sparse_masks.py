@@ -8,7 +8,7 @@ Usage: sparse_masks.py PROGRAM [--scattered] [--noise PERCENT...] [--onto MASK] 
 import argparse
 import gzip
 import json
-import struct
+import sys
 import tempfile
 from pathlib import Path
 
@@ -16,22 +16,10 @@ import numpy
 
 from measured import measured
 
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
+from nifti import nifti  # noqa: E402
+
 SIDE, SET = 2048, 6_000_000
-
-
-def header(size):
-    head = bytearray(352)
-    struct.pack_into("<i", head, 0, 348)
-    struct.pack_into("<8h", head, 40, 3, *size, 1, 1, 1, 1)
-    struct.pack_into("<2h", head, 70, 2, 8)
-    struct.pack_into("<8f", head, 76, 1, 1, 1, 1, 1, 1, 1, 1)
-    struct.pack_into("<f", head, 108, 352)
-    head[123] = 2  # mm
-    struct.pack_into("<2h", head, 252, 0, 1)
-    for n in range(3):
-        struct.pack_into("<4f", head, 280 + 16 * n, *(float(n == axis) for axis in range(3)), 0)
-    head[344:348] = b"n+1\0"
-    return bytes(head)
 
 
 def vessels(random):
@@ -57,7 +45,7 @@ def write_sparse(file, places):
     slice_size = SIDE * SIDE
     firsts = numpy.searchsorted(places, numpy.arange(SIDE + 1, dtype=numpy.int64) * slice_size)
     with gzip.open(file, "wb", compresslevel=1) as out:
-        out.write(header((SIDE,) * 3))
+        out.write(nifti((SIDE,) * 3, ()))
         for k in range(SIDE):
             plane = numpy.zeros(slice_size, dtype=numpy.uint8)
             plane[places[firsts[k] : firsts[k + 1]] - k * slice_size] = 1
@@ -100,7 +88,7 @@ def main():
                 voxels = numpy.zeros((256,) * 3, dtype=numpy.uint8)
             voxels[random.random(voxels.shape) < percent / 100] = 1
             file = folder / f"noise_{percent:g}{'_onto' if flags.onto else ''}.nii"
-            file.write_bytes(header(voxels.shape) + voxels.tobytes(order="F"))
+            file.write_bytes(nifti(voxels.shape, ()) + voxels.tobytes(order="F"))
             bench(program, file, folder)
 
 

@@ -4,7 +4,6 @@ import json
 import os
 import random
 import resource
-import struct
 import subprocess
 import unittest
 
@@ -14,19 +13,8 @@ from ramus import RAMUS, SANITIZER_MEMORY, CommandLineTest
 
 def nifti(size, label_at):
     """The bytes of a NIfTI-1 file with voxels of 1 mm and `label_at(i, j, k)`; None: its header alone."""
-    header = bytearray(352)
-    struct.pack_into("<i", header, 0, 348)
-    struct.pack_into("<8h", header, 40, 3, *size, 1, 1, 1, 1)
-    struct.pack_into("<2h", header, 70, 2, 8)
-    struct.pack_into("<8f", header, 76, 1, 1, 1, 1, 0, 0, 0, 0)
-    struct.pack_into("<f", header, 108, 352)
-    struct.pack_into("<f", header, 112, 1)
-    header[123] = 2  # mm
-    struct.pack_into("<2h", header, 252, 0, 1)
-    struct.pack_into("<12f", header, 280, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)
-    header[344:348] = b"n+1\0"
-    return bytes(header) + bytes() if label_at is None else bytes(header) + bytes(
-        label_at(i, j, k) for k in range(size[2]) for j in range(size[1]) for i in range(size[0]))
+    places = [] if label_at is None else [(i, j, k) for k in range(size[2]) for j in range(size[1]) for i in range(size[0])]
+    return grey_nifti(size, [label_at(*place) for place in places])
 
 
 def two_tubes(i, j, k):

@@ -1,5 +1,5 @@
 // What operations on trees do with arrays of data: each is walked over with an array that repeats where its points are,
-// and one that repeats which branch it is, so that what comes out can be told from the geometry alone.
+// and one that repeats which branch it is, so that the geometry alone says what must come out.
 #include "core/tree/branch_data.h"
 #include "core/tree/curves.h"
 #include "core/tree/edit_tree.h"
