@@ -1,6 +1,7 @@
 #include "core/io/text_numbers.h"
 #include "core/io/trees/amira.h"
 #include "core/io/trees/amira_file.h"
+#include "core/io/trees/tree_data.h"
 #include "core/io/trees/width_names.h"
 
 #include <algorithm>
@@ -15,11 +16,19 @@ namespace {
 
 constexpr std::size_t kMostAmira = std::numeric_limits<std::uint32_t>::max() / 2; // points of each kind
 
+// Further numbers of points, edges or vertices.
+struct AmiraData {
+    std::string_view of;
+    std::size_t array = SparseData::kNoArray;
+    std::vector<double> values;
+};
+
 // The numbers of the arrays that a tree needs, as the file declares them.
 struct AmiraGraph {
     std::vector<double> vertices, corners, inner_counts, points; // three, two, one and three for each
     std::vector<double> widths;
     const AmiraArray* width_array = nullptr;
+    std::vector<AmiraData> data;
 };
 
 class AmiraReader {
@@ -33,7 +42,11 @@ public:
                         "a tree needs a HxSpatialGraph");
         RAMUS_TRY(graph, numbers(file));
         if (auto good = choose_widths(file, graph); !good) return tl::unexpected(good.error());
+        if (auto good = read_data(file, graph); !good) return tl::unexpected(good.error());
         if (auto good = build(graph); !good) return tl::unexpected(good.error());
+        tree::Graph& read = imported_.graph;
+        read.point_data = std::move(point_data_).arrays(read.points.size(), imported_);
+        read.edge_data = std::move(edge_data_).arrays(read.edges.size(), imported_);
         if (imported_.graph.edges.empty()) return fail("no edge connects two vertices", name_, "choose another file");
         imported_.edges_are_vessels = true;
         if (auto good = set_unit(file.unit); !good) return tl::unexpected(good.error());
@@ -89,7 +102,8 @@ private:
         if (sum != static_cast<double>(along))
             return fail("the edges do not have the " + counted(along, "point") + " that the file declares, together",
                         name_, "correct NumEdgePoints");
-        return AmiraGraph{std::move(vertices), std::move(corners), std::move(inner_counts), std::move(points), {}};
+        return AmiraGraph{
+            std::move(vertices), std::move(corners), std::move(inner_counts), std::move(points), {}, nullptr, {}};
     }
 
     // Of points first, then of edges and of vertices.
@@ -116,6 +130,33 @@ private:
         RAMUS_TRY(widths, amira_numbers(file, *graph.width_array, input_.text, name_));
         graph.widths = std::move(widths);
         return {};
+    }
+
+    // All arrays that nothing else is made of. Those of points and of vertices with the same name are one.
+    Result<void> read_data(const AmiraFile& file, AmiraGraph& graph) {
+        constexpr std::string_view kRead[] = {"VertexCoordinates", "EdgeConnectivity", "NumEdgePoints",
+                                              "EdgePointCoordinates"};
+        for (const AmiraArray& array : file.arrays) {
+            const bool of_edges = array.of == "EDGE";
+            if (!array.is_there || &array == graph.width_array ||
+                std::ranges::find(kRead, array.name) != std::end(kRead) ||
+                (!of_edges && array.of != "POINT" && array.of != "VERTEX"))
+                continue;
+            if (array.components != 1) {
+                imported_.left_out.push_back(array.name);
+                continue;
+            }
+            RAMUS_TRY(values, amira_numbers(file, array, input_.text, name_));
+            graph.data.push_back(
+                {array.of, (of_edges ? edge_data_ : point_data_).array(array.name), std::move(values)});
+        }
+        return {};
+    }
+
+    // The values at an index of the file become those of a point or an edge of the tree.
+    void take_data(const AmiraGraph& graph, std::string_view of, std::size_t from, std::size_t to) {
+        for (const AmiraData& data : graph.data)
+            if (data.of == of) (of == "EDGE" ? edge_data_ : point_data_).set(data.array, to, data.values[from]);
     }
 
     Result<void> set_unit(std::string_view unit) {
@@ -147,6 +188,7 @@ private:
         glm::dvec3 least(HUGE_VAL), most(-HUGE_VAL);
         for (std::size_t v = 0; v < vertices_; ++v) {
             points.push_back({at(graph.vertices, v), graph.width_array->of == "VERTEX" ? graph.widths[v] : 0.0});
+            take_data(graph, "VERTEX", v, v);
             least = glm::min(least, points.back().position), most = glm::max(most, points.back().position);
         }
         // As near as the numbers of text files are exact.
@@ -192,6 +234,7 @@ private:
                                                                                   : 0.0;
         std::uint32_t before = from;
         const auto connect = [&](std::uint32_t point) {
+            take_data(graph, "EDGE", edge, tree.edges.size());
             tree.edges.emplace_back(before, point);
             if (by_edge_) imported_.edge_radii.push_back(edge_width);
             before = point;
@@ -201,6 +244,7 @@ private:
             const double width = graph.width_array->of == "POINT"
                                      ? graph.widths[along[i]]
                                      : glm::mix(tree.points[from].radius, tree.points[to].radius, share);
+            take_data(graph, "POINT", along[i], tree.points.size());
             tree.points.push_back({at(graph.points, along[i]), width});
             connect(static_cast<std::uint32_t>(tree.points.size() - 1));
         }
@@ -212,15 +256,18 @@ private:
     void take_end(const AmiraGraph& graph, std::vector<std::size_t>& along, std::uint32_t vertex, std::size_t point) {
         tree::Point& joint = imported_.graph.points[vertex];
         if (graph.width_array->of == "POINT") joint.radius = std::max(joint.radius, graph.widths[point]);
-        if (near(at(graph.points, point), joint.position))
+        if (near(at(graph.points, point), joint.position)) {
             std::erase(along, point);
-        else
+            take_data(graph, "POINT", point, vertex);
+        } else {
             ++apart_;
+        }
     }
 
     const TreeInput& input_;
     const std::string& name_;
     ImportedTree imported_;
+    SparseData point_data_, edge_data_;
     std::size_t vertices_ = 0, apart_ = 0, nowhere_ = 0;
     double near_ = 0.0;
     bool by_edge_ = false;              // the radii are those of edges

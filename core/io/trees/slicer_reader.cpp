@@ -1,6 +1,7 @@
 #include "core/io/text_numbers.h"
 #include "core/io/trees/json_input.h"
 #include "core/io/trees/slicer.h"
+#include "core/io/trees/tree_data.h"
 #include "core/io/trees/width_names.h"
 
 #include <algorithm>
@@ -52,6 +53,8 @@ public:
                    std::to_string(point - firsts[curve]);
         };
         say_what_went();
+        tree::Graph& graph = imported_.graph;
+        graph.point_data = std::move(data_).arrays(graph.points.size(), imported_);
         const nlohmann::json* own = json_member(document_, "ramus");
         if (own != nullptr && json_text(*own, "orientation") == tree::kNotSaid) imported_.orientation.reset();
         if (own != nullptr && !take_own(*own))
@@ -113,6 +116,7 @@ private:
             graph.points.push_back({*position, radii[p]});
             if (point > first) graph.edges.emplace_back(point - 1, point);
         }
+        read_data(curve, first, rows->size());
         const auto last = static_cast<std::uint32_t>(graph.points.size());
         if (closed && last - first > 2) graph.edges.emplace_back(last - 1, first);
         return {};
@@ -163,6 +167,20 @@ private:
         return radii;
     }
 
+    // Other measurements of a curve whose points all have a place, as data of points.
+    void read_data(const nlohmann::json& curve, std::size_t first, std::size_t count) {
+        const nlohmann::json* measurements = json_list(curve, "measurements");
+        if (measurements == nullptr || imported_.graph.points.size() != first + count) return;
+        for (const nlohmann::json& measurement : *measurements) {
+            const std::string name = json_text(measurement, "name");
+            const nlohmann::json* values = json_list(measurement, "controlPointValues");
+            if (values == nullptr || values->size() != count || name == measurement_) continue;
+            const std::size_t array = data_.array(name);
+            for (std::size_t p = 0; p < count; ++p)
+                data_.set(array, first + p, json_real(&(*values)[p]).value_or(tree::kUnknownValue));
+        }
+    }
+
     // What this program wrote beside the curves; false, and nothing taken, where it does not fit them.
     bool take_own(const nlohmann::json& own) {
         const nlohmann::json* curves = json_list(own, "curves");
@@ -193,6 +211,7 @@ private:
             if (first == std::numeric_limits<std::uint32_t>::max()) return false;
         for (const auto& [a, b] : read.edges)
             graph.edges.emplace_back(static_cast<std::uint32_t>(stands[a]), static_cast<std::uint32_t>(stands[b]));
+        graph.point_data = tree::picked(read.point_data, first_of);
         if (!take_own_facts(own, stands, graph)) return false;
         imported_.graph = std::move(graph);
         imported_.joining = Joining::kByIndex;
@@ -247,6 +266,7 @@ private:
     std::vector<std::size_t> numbers_; // by curve: its first point, and its place among all markups
     std::size_t others_ = 0, undefined_ = 0, bare_ = 0;
     bool has_radii_ = false;
+    SparseData data_; // of points
     ImportedTree imported_;
 };
 

@@ -1,5 +1,6 @@
 #include "core/io/output_file.h"
 #include "core/io/trees/slicer.h"
+#include "core/io/trees/tree_data.h"
 
 #include <array>
 #include <nlohmann/json.hpp>
@@ -8,6 +9,7 @@ namespace ramus::io {
 
 namespace {
 
+constexpr std::string_view kTakenByMarkups[] = {"radius"};
 constexpr std::array<std::uint8_t, 3> kPlainVessel = {214, 69, 65};
 
 class MarkupsWriter {
@@ -64,10 +66,20 @@ private:
             mrk_numbers(std::array{at.x, at.y, at.z});
             output_.write(", \"positionStatus\": \"defined\"}");
         });
-        output_.write(",\n\"measurements\": [{\"name\": \"Radius\", \"enabled\": true, \"units\": \"" +
-                      std::string(unit_ ? "mm" : "") + "\", \"controlPointValues\": ");
-        mrk_list(branch.points, [&](std::uint32_t point) { output_.write_number(tree_.points[point].radius); });
-        output_.write("}],\n\"display\": {\"visibility\": true, \"pointLabelsVisibility\": false, "
+        output_.write(",\n\"measurements\": [");
+        write_measurement("Radius", unit_ ? "mm" : "", branch.points,
+                          [&](std::uint32_t point) { output_.write_number(tree_.points[point].radius); });
+        for (const tree::DataArray& array : tree_.point_data) {
+            output_.write(",\n");
+            write_measurement(name_in_file(array.name, kTakenByMarkups), "", branch.points, [&](std::uint32_t point) {
+                const double value = array.values[point];
+                if (tree::is_known(value))
+                    output_.write_number(value);
+                else
+                    output_.write("null");
+            });
+        }
+        output_.write("],\n\"display\": {\"visibility\": true, \"pointLabelsVisibility\": false, "
                       "\"propertiesLabelVisibility\": false");
         for (const char* key : {"color", "selectedColor"}) {
             output_.write(std::string(", \"") + key + "\": ");
@@ -75,6 +87,14 @@ private:
                      [&](std::uint8_t part) { output_.write_number(part / 255.0); });
         }
         output_.write("}}");
+    }
+
+    void write_measurement(const std::string& name, const std::string& unit, const std::vector<std::uint32_t>& points,
+                           const auto& value) {
+        output_.write("{\"name\": " + mrk_quoted(name) + ", \"enabled\": true, \"units\": \"" + unit +
+                      "\", \"controlPointValues\": ");
+        mrk_list(points, value);
+        output_.write("}");
     }
 
     void write_own() {

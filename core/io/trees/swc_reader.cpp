@@ -2,6 +2,7 @@
 #include "core/io/input_file.h"
 #include "core/io/text_numbers.h"
 #include "core/io/trees/swc.h"
+#include "core/io/trees/tree_data.h"
 
 #include <algorithm>
 #include <array>
@@ -31,6 +32,8 @@ struct SwcColumns {
     std::array<std::size_t, kSwcValueCount> at{kSwcId, kSwcType, kSwcX, kSwcY, kSwcZ, kSwcRadius, kSwcParent};
     std::size_t count = kSwcValueCount; // of a line
     bool named = false;
+    std::vector<std::string> data; // the names of further columns, in their order
+    std::vector<std::size_t> data_at;
 };
 
 // What pandas, navis and CATMAID call the columns, in small letters.
@@ -56,12 +59,20 @@ constexpr std::pair<std::string_view, SwcValue> kSwcColumnNames[] = {{"id", kSwc
 // None: these are not the names of all that a point needs. A file that names no radius has none, and each is 0.
 std::optional<SwcColumns> swc_columns_named(const std::vector<std::string_view>& fields) {
     constexpr std::size_t kMissing = 0xFFFFFFFFU;
-    SwcColumns columns{{}, fields.size(), true};
+    SwcColumns columns{{}, fields.size(), true, {}, {}};
     columns.at.fill(kMissing);
     for (std::size_t column = 0; column < fields.size(); ++column) {
         std::string name = lower_case(fields[column]);
         std::erase(name, '"');
-        if (const auto value = paired(kSwcColumnNames, std::string_view(name))) columns.at[*value] = column;
+        if (const auto value = paired(kSwcColumnNames, std::string_view(name))) {
+            columns.at[*value] = column;
+            continue;
+        }
+        std::string own(fields[column]);
+        std::erase(own, '"');
+        if (columns.data.size() == tree::kMostArrays) continue;
+        columns.data.push_back(own);
+        columns.data_at.push_back(column);
     }
     for (const std::size_t value : {kSwcId, kSwcX, kSwcY, kSwcZ, kSwcParent})
         if (columns.at[value] == kMissing) return std::nullopt;
@@ -82,6 +93,7 @@ public:
             std::size_t end = text_.find_first_of("\r\n", at_); // a lone CR ends a line too: old Macintosh files
             if (end == std::string_view::npos) end = text_.size();
             const std::string_view line = text_.substr(at_, end - at_);
+            if (line.starts_with('#')) comment = line.substr(1);
             content = line.substr(0, line.find('#'));
             at_ = end + (text_.substr(end).starts_with("\r\n") ? 2 : 1);
             ++number;
@@ -91,8 +103,8 @@ public:
     }
 
     std::vector<std::string_view> fields;
-    std::string_view content;
-    std::size_t number = 0; // of the line, from 1
+    std::string_view content, comment; // without its comment; the last line that is one, without its sign
+    std::size_t number = 0;            // of the line, from 1
 
 private:
     std::string_view text_;
@@ -139,26 +151,52 @@ Result<Row> row_of(const SwcLines& line, const SwcColumns& columns, const std::s
     return row;
 }
 
+// The usual columns, and further ones of the first point under the names that the comment above it gives them.
+SwcColumns usual_columns(const SwcLines& lines) {
+    SwcColumns usual;
+    std::vector<std::string_view> words;
+    split_words(lines.comment, " \t\r\f\v,;", words);
+    const auto named = words.size() == lines.fields.size() ? swc_columns_named(words) : std::nullopt;
+    for (std::size_t column = kSwcValueCount;
+         column < std::min(lines.fields.size(), kSwcValueCount + tree::kMostArrays); ++column) {
+        const bool has_name = named && named->at == usual.at && usual.data.size() < named->data.size();
+        usual.data.push_back(has_name ? named->data[usual.data.size()] : "column_" + std::to_string(column + 1));
+        usual.data_at.push_back(column);
+    }
+    return usual;
+}
+
 // The columns that the first line names, which is taken then, or the usual ones. pandas may write the number of the
 // row in front, without a name.
 SwcColumns take_columns(SwcLines& lines) {
     auto columns = swc_columns_named(lines.fields);
-    if (!columns) return {};
+    if (!columns) return usual_columns(lines);
     if (!lines.next() || lines.fields.size() != columns->count + 1) return *columns;
     for (std::size_t& at : columns->at) ++at;
+    for (std::size_t& at : columns->data_at) ++at;
     ++columns->count;
     return *columns;
 }
 
-// All points of the file, in its order.
-Result<std::vector<Row>> rows_of(std::string_view text, const std::string& name) {
+// What stands in further columns, for DataColumns: empty where a line has none.
+std::vector<std::string_view> data_of(const SwcLines& line, const SwcColumns& columns) {
+    std::vector<std::string_view> cells;
+    for (const std::size_t at : columns.data_at)
+        cells.push_back(at < line.fields.size() ? line.fields[at] : std::string_view());
+    return cells;
+}
+
+// All points of the file, in its order, and their further columns.
+Result<std::vector<Row>> rows_of(std::string_view text, const std::string& name, DataColumns& data) {
     std::vector<Row> rows;
     SwcLines lines(text);
     lines.next();
     const SwcColumns columns = take_columns(lines);
+    data = DataColumns(columns.data);
     for (; !lines.fields.empty(); lines.next()) {
         RAMUS_TRY(row, row_of(lines, columns, name + ":" + std::to_string(lines.number)));
         rows.push_back(row);
+        data.add_row(data_of(lines, columns));
     }
     if (rows.empty()) return fail("the file has no points, only comments or blank lines", name, "choose another file");
     return rows;
@@ -242,7 +280,8 @@ Result<ImportedTree> parse_swc(const TreeInput& input) {
     const std::string& name = input.name;
     if (text.empty()) return fail("the file is empty", name, "choose another file");
     if (looks_binary(text)) return fail("this is a binary file, not SWC text", name, "check the file's format");
-    RAMUS_TRY(rows, rows_of(text, name));
+    DataColumns data;
+    RAMUS_TRY(rows, rows_of(text, name, data));
     std::vector<std::size_t> lines;
     for (const Row& row : rows) lines.push_back(row.line);
     ImportedTree imported;
@@ -253,6 +292,7 @@ Result<ImportedTree> parse_swc(const TreeInput& input) {
     if (rows.size() == 1)
         return fail("the tree has a single point", imported.place_of(0), "a vessel needs two points at least");
     imported.graph = std::move(graph);
+    imported.graph.point_data = data.arrays(imported.left_out);
     if (const std::size_t at = text.find(kSwcColumns); at != std::string_view::npos)
         take_claims(text.substr(at + kSwcColumns.size()), imported);
     return imported;

@@ -76,6 +76,29 @@ tree::DataArrays DataColumns::arrays(std::vector<std::string>& left_out) const {
     return arrays;
 }
 
+std::size_t SparseData::array(std::string_view name) {
+    const auto at = std::ranges::find(arrays_, name, &tree::DataArray::name);
+    if (at != arrays_.end()) return static_cast<std::size_t>(at - arrays_.begin());
+    too_many_ |= arrays_.size() == tree::kMostArrays;
+    if (arrays_.size() == tree::kMostArrays) return kNoArray;
+    arrays_.push_back({std::string(name), {}});
+    return arrays_.size() - 1;
+}
+
+void SparseData::set(std::size_t array, std::size_t index, double value) {
+    if (array == kNoArray) return;
+    std::vector<double>& values = arrays_[array].values;
+    if (values.size() <= index) values.resize(index + 1, tree::kUnknownValue);
+    values[index] = value;
+}
+
+tree::DataArrays SparseData::arrays(std::size_t count, ImportedTree& imported) && {
+    for (tree::DataArray& array : arrays_) array.values.resize(count, tree::kUnknownValue);
+    if (too_many_)
+        imported.assume("data", "arrays beyond the first " + std::to_string(tree::kMostArrays) + " were left out");
+    return std::move(arrays_);
+}
+
 Result<void> settle_data(ImportedTree& imported) {
     tree::Graph& graph = imported.graph;
     if (auto good = check_sizes(graph.point_data, graph.points.size(), "points", imported); !good) return good;

@@ -6,6 +6,8 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,6 +29,22 @@ private:
     std::vector<std::string> names_;
     std::vector<std::vector<double>> values_;
     std::vector<std::uint8_t> is_text_;
+};
+
+// Values that come one by one, of points or edges that do not all have them.
+class SparseData {
+public:
+    static constexpr std::size_t kNoArray = std::numeric_limits<std::size_t>::max();
+    // The array with this name, a new one if there is none yet; kNoArray where there are kMostArrays already.
+    [[nodiscard]] std::size_t array(std::string_view name);
+    // `index`: of a point or an edge; nothing happens to kNoArray.
+    void set(std::size_t array, std::size_t index, double value);
+    // With `count` values each. Notes that there were too many.
+    [[nodiscard]] tree::DataArrays arrays(std::size_t count, ImportedTree& imported) &&;
+
+private:
+    tree::DataArrays arrays_;
+    bool too_many_ = false;
 };
 
 // The value of a cell; an unknown one is kUnknownValue. None: it is no number.

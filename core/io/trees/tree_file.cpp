@@ -111,7 +111,7 @@ std::vector<TreeFormat> formats_of_curves_and_graphs() {
          [](const auto& tree, const auto& file, const auto& comments) {
              return write_markups(tree, file, comments, Orientation::lps());
          },
-         false,
+         WritesData::kOfPoints,
          write_markups},
     };
 }
@@ -125,7 +125,7 @@ std::vector<TreeFormat> formats_of_nodes_and_edges() {
           .help = "A table of nodes and one of edges beside it, as VesselVio and VesselGraph write them."},
          parse_csv_pair,
          write_csv_pair,
-         true},
+         WritesData::kAll},
         {{.name = "GraphML",
           .extensions = {".graphml"},
           .has_signature = is_graphml,
@@ -133,7 +133,7 @@ std::vector<TreeFormat> formats_of_nodes_and_edges() {
           .help = "Nodes with positions and edges with radii, as VesselVio writes them."},
          parse_graphml,
          write_graphml,
-         true},
+         WritesData::kAll},
         {{.name = "GXL",
           .extensions = {".gxl", ".xml"},
           .has_signature = is_gxl,
@@ -163,7 +163,7 @@ const std::vector<TreeFormat>& tree_formats() {
           .help = "Points, branches, labels and repairs of any network, without loss."},
          parse_tree_json,
          write_tree_json,
-         true},
+         WritesData::kAll},
         {{.name = "VTK PolyData",
           .extensions = {".vtp"},
           .has_signature = is_vtk_poly_data,
@@ -173,7 +173,7 @@ const std::vector<TreeFormat>& tree_formats() {
          [](const auto& tree, const auto& file, const auto& comments) {
              return write_vtp(tree, file, comments, Orientation::ras());
          },
-         true,
+         WritesData::kAll,
          write_vtp},
         {{.name = "VTK unstructured grid",
           .extensions = {".vtu"},
@@ -244,14 +244,17 @@ Result<void> check_tree_output(const std::filesystem::path& file, const std::opt
 
 std::string data_left_out(const tree::VesselTree& tree, const std::filesystem::path& file) {
     const TreeFormat* format = written_format(file);
-    if (format == nullptr || format->writes_data) return {};
+    if (format == nullptr || format->writes_data == WritesData::kAll) return {};
     std::string names;
-    for (const tree::DataArrays* arrays : {&tree.point_data, &tree.branch_data})
-        for (const tree::DataArray& array : *arrays) names += (names.empty() ? "" : ", ") + array.name;
+    const auto add = [&](const tree::DataArrays& arrays) {
+        for (const tree::DataArray& array : arrays) names += (names.empty() ? "" : ", ") + array.name;
+    };
+    if (format->writes_data == WritesData::kNone) add(tree.point_data);
+    add(tree.branch_data);
     if (names.empty()) return {};
     std::vector<std::string_view> others;
     for (const TreeFormat& other : tree_formats())
-        if (other.writes_data) others.push_back(other.extensions.front());
+        if (other.writes_data == WritesData::kAll) others.push_back(other.extensions.front());
     return file.filename().string() + " has no place for the tree's data, left out: " + names + "; " + listed(others) +
            " keep them";
 }

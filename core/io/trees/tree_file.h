@@ -23,13 +23,16 @@ struct TreeInput {
     std::filesystem::path path; // where it lies, for formats of two files; empty: nowhere
 };
 
+// Which arrays (core/tree/data_array.h) a file has a place for.
+enum class WritesData : std::uint8_t { kNone, kOfPoints, kAll };
+
 struct TreeFormat : FileFormat {
     // What stands in the file; null: it is not read. Fails with place and remedy on whatever is wrong with it.
     Result<ImportedTree> (*parse)(const TreeInput&) = nullptr;
     // `comments` stand at the head of formats that can hold them; null: it is not written.
     Result<void> (*write)(const tree::VesselTree&, const std::filesystem::path&,
                           const std::vector<std::string>& comments) = nullptr;
-    bool writes_data = false; // arrays of points and branches (core/tree/data_array.h)
+    WritesData writes_data = WritesData::kNone;
     // The same in these axes, which the file states; null: it has no word for them that programs look for.
     Result<void> (*write_in)(const tree::VesselTree&, const std::filesystem::path&,
                              const std::vector<std::string>& comments, const Orientation& axes) = nullptr;

@@ -1,5 +1,6 @@
 #include "core/io/binary_numbers.h"
 #include "core/io/text_numbers.h"
+#include "core/io/trees/tree_data.h"
 #include "core/io/trees/tubetk.h"
 
 #include <algorithm>
@@ -17,6 +18,9 @@ namespace ramus::io {
 namespace {
 
 constexpr std::array<std::string_view, 4> kRadiusNames = {"r", "rad", "radius", "s"};
+// Columns that are no data of the vessel: normals and tangents, which follow from the points, colours, numbers.
+constexpr std::string_view kGeometryColumns[] = {"x",  "y",  "z",  "v1x", "v1y",   "v1z",  "v2x",   "v2y", "v2z",
+                                                 "tx", "ty", "tz", "red", "green", "blue", "alpha", "id"};
 constexpr std::size_t kMostLookedAt = 2'000'000'000; // points, a few seconds
 
 struct Tube {
@@ -88,6 +92,8 @@ public:
             imported_.assume("axes", "axes lead to left, posterior, superior (LPS), as in all files of ITK");
         imported_.orientation = Orientation::lps();
         make_systems();
+        tree::Graph& graph = imported_.graph;
+        graph.point_data = std::move(data_).arrays(graph.points.size(), imported_);
         imported_.joining = Joining::kAtCoincidingEnds;
         imported_.place_of = [name = input_.name, places = std::move(places_)](std::uint32_t point) {
             return name +
@@ -190,10 +196,23 @@ private:
         return found;
     }
 
+    // By column of a tube: its array, or none.
+    [[nodiscard]] std::vector<std::size_t> data_columns(const Tube& tube, std::size_t radius) {
+        std::vector<std::size_t> arrays;
+        for (std::size_t c = 0; c < tube.columns.size(); ++c) {
+            const std::string lower = lower_case(tube.columns[c]);
+            const bool is_data =
+                c != radius && std::ranges::find(kGeometryColumns, lower) == std::end(kGeometryColumns);
+            arrays.push_back(is_data ? data_.array(tube.columns[c]) : SparseData::kNoArray);
+        }
+        return arrays;
+    }
+
     Result<void> read_points(Tube& tube) {
         if (tube.compressed)
             return fail("the points are compressed", words_.place(), "write the file without compression");
         RAMUS_TRY(columns, columns_of(tube));
+        const std::vector<std::size_t> arrays = data_columns(tube, columns[3]);
         tube.first_point = static_cast<std::uint32_t>(imported_.graph.points.size());
         std::vector<double> row(tube.columns.size() + 1, 0.0); // one more, for what tubes lack
         std::string_view bytes;
@@ -214,9 +233,10 @@ private:
                     if (!value && std::ranges::find(columns, c) != columns.end())
                         return fail("the " + tube.columns[c] + " " + shown(word) + " is not a number", words_.place(),
                                     "correct the file, or NPoints if it is too large");
-                    row[c] = value.value_or(0.0);
+                    row[c] = value.value_or(tree::kUnknownValue);
                 }
             }
+            for (std::size_t c = 0; c < arrays.size(); ++c) data_.set(arrays[c], imported_.graph.points.size(), row[c]);
             add_point(tube, {row[columns[0]], row[columns[1]], row[columns[2]]}, row[columns[3]]);
         }
         if (!tube.binary && tube.count > 0 && !trimmed(words_.line()).empty())
@@ -310,6 +330,7 @@ private:
     std::vector<Tube> tubes_;
     std::vector<tree::Edge> connections_;
     std::vector<std::size_t> places_; // by point: its line, or 0
+    SparseData data_;                 // of points
     ImportedTree imported_;
 };
 

@@ -1,5 +1,6 @@
 #include "core/io/text_numbers.h"
 #include "core/io/trees/swc.h"
+#include "core/io/trees/tree_data.h"
 #include "core/io/trees/vmv.h"
 
 #include <map>
@@ -39,6 +40,8 @@ public:
         for (const std::int64_t root : roots_)
             if (const auto found = index_of_.find(root); found != index_of_.end())
                 imported_.graph.roots.push_back(found->second);
+        tree::Graph& graph = imported_.graph;
+        graph.point_data = std::move(data_).arrays(graph.points.size(), imported_);
         imported_.place_of = [name = name_, places = std::move(places_)](std::uint32_t point) {
             return name + ":" + std::to_string(places[point]);
         };
@@ -124,6 +127,12 @@ private:
             return fail("the index " + std::to_string(*index) + " is there twice", place(),
                         "give each vertex an index of its own");
         imported_.graph.points.push_back({{values[0], values[1], values[2]}, values[3]});
+        std::size_t attribute = 4; // the format gives those beyond the radius no names
+        for (std::string_view more = words.next(); !more.empty(); more = words.next()) {
+            const auto value = data_value(more);
+            if (!value) return fail("the attribute " + shown(more) + " is not a number", place(), kVmvLayout);
+            data_.set(data_.array("attribute_" + std::to_string(++attribute)), number, *value);
+        }
         places_.push_back(line_);
         return {};
     }
@@ -155,6 +164,7 @@ private:
     std::set<std::string> ended_; // blocks
     std::unordered_map<std::int64_t, std::uint32_t> index_of_;
     std::vector<std::int64_t> roots_;
+    SparseData data_;                 // of points
     std::vector<std::size_t> places_; // by point: its line
     ImportedTree imported_;
 };

@@ -1,5 +1,6 @@
 #include "core/io/text_numbers.h"
 #include "core/io/trees/json_input.h"
+#include "core/io/trees/tree_data.h"
 #include "core/io/trees/voreen.h"
 
 #include <algorithm>
@@ -62,6 +63,9 @@ public:
         if (imported_.graph.points.size() >= std::numeric_limits<std::uint32_t>::max())
             return fail("the file has more points than can be counted", name_, "split it");
         complete_radii();
+        tree::Graph& graph = imported_.graph;
+        graph.point_data = std::move(point_data_).arrays(graph.points.size(), imported_);
+        graph.edge_data = std::move(edge_data_).arrays(graph.edges.size(), imported_);
         imported_.edges_are_vessels = true;
         imported_.place_of = [name = name_, count = nodes_, firsts = firsts_](std::uint32_t point) {
             if (point < count) return name + ": nodes[" + std::to_string(point) + "]";
@@ -98,6 +102,18 @@ private:
         return id->get<std::int64_t>();
     }
 
+    // What else an object says in numbers: data of points, or of edges.
+    void read_data(const nlohmann::json& object, SparseData& data, std::size_t first, std::size_t end) const {
+        constexpr std::string_view kNoData[] = {"id", "pos", "radius", "length"}; // read, or follow from the points
+        for (const auto& [key, value] : object.items()) {
+            if (std::ranges::find(kNoData, key) != std::end(kNoData) || key == radius_name_) continue;
+            const auto number = json_real(&value);
+            if (!number) continue; // infinite, or a list
+            const std::size_t array = data.array(key);
+            for (std::size_t index = first; index < end; ++index) data.set(array, index, *number);
+        }
+    }
+
     Result<void> read_edge(const nlohmann::json& edge) {
         tree::Graph& graph = imported_.graph;
         const std::size_t number = firsts_.size();
@@ -111,6 +127,7 @@ private:
             ends[side] = found->second;
         }
         firsts_.push_back(static_cast<std::uint32_t>(graph.points.size()));
+        const std::size_t first_link = graph.edges.size();
         std::uint32_t before = ends[0];
         if (const nlohmann::json* voxels = json_list(edge, "skeletonVoxels"))
             for (const nlohmann::json& voxel : *voxels) {
@@ -118,6 +135,7 @@ private:
                 if (!position) return fail("a voxel of its skeleton has no pos of [x, y, z]", place(), kVvgRemedy);
                 const auto point = static_cast<std::uint32_t>(graph.points.size());
                 graph.points.push_back({*position, vvg_radius(json_member(voxel, radius_name_.c_str()))});
+                read_data(voxel, point_data_, point, point + std::size_t{1});
                 graph.edges.emplace_back(before, point);
                 before = point;
             }
@@ -125,6 +143,7 @@ private:
         mean_radii_.push_back(whole == nullptr ? 0.0 : vvg_radius(json_member(*whole, "avgRadiusAvg")));
         if (before != ends[1] || ends[0] != ends[1]) graph.edges.emplace_back(before, ends[1]);
         ends_.emplace_back(ends[0], ends[1]);
+        if (whole != nullptr && whole->is_object()) read_data(*whole, edge_data_, first_link, graph.edges.size());
         return {};
     }
 
@@ -187,6 +206,7 @@ private:
     const nlohmann::json& json_;
     std::string radius_name_;
     ImportedTree imported_;
+    SparseData point_data_, edge_data_;
     std::size_t nodes_ = 0;
     std::unordered_map<std::int64_t, std::uint32_t> index_of_;
     std::vector<std::uint32_t> firsts_; // by edge: its first voxel
