@@ -207,8 +207,10 @@ Result<void> check_affine(const glm::dmat4& affine, const glm::ivec3& size, cons
                             name, remedy);
     }
     const glm::dvec3 spacing = volume::spacing_mm(affine);
-    constexpr double kFlat = 1e-9; // of the volume that the axes would span at right angles
-    if (!(volume::voxel_volume_mm3(affine) > kFlat * spacing.x * spacing.y * spacing.z))
+    constexpr double kFlat = 1e-9;          // of the volume that the axes would span at right angles
+    constexpr double kLeastSpacing = 1e-12; // mm, far less than an atom
+    if (!(std::min({spacing.x, spacing.y, spacing.z}) >= kLeastSpacing) ||
+        !(volume::voxel_volume_mm3(affine) > kFlat * spacing.x * spacing.y * spacing.z))
         return fail("its " + form + " presses all voxels into one plane", name, remedy);
     return {};
 }
