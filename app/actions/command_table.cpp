@@ -47,8 +47,10 @@ std::vector<Command> make_table() {
     const auto named = [&](std::string_view name) {
         return std::ranges::find_if(table, [&](const Command& c) { return c.name == name && !c.menu.empty(); });
     };
-    const auto open = named("open"), context = named("context");
-    std::rotate(open + 1, context, context + 1);
+    for (const std::string_view name : {"data", "context"}) {
+        const auto added = named(name);
+        std::rotate(named("open") + 1, added, added + 1);
+    }
     return table;
 }
 

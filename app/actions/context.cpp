@@ -270,6 +270,19 @@ Result<void> context_style(ActionContext& context, Arguments arguments) {
                       });
 }
 
+Result<void> context_axes(ActionContext& context, Arguments arguments) {
+    return change_one(context, arguments, 1, "context-axes takes a number, and LPS or RAS",
+                      [&](auto& list, std::size_t i) -> Result<void> {
+                          if (!io::slicer_space(arguments[1]))
+                              return fail("\"" + arguments[1] + "\" are no axes of a mesh", {}, "LPS or RAS");
+                          const auto shape = context.assets.context_shape(source_of(list[i]));
+                          if (shape && shape->claims.orientation == tree::SaidBy::kFile)
+                              return fail("the file states its axes", list[i].file, "correct the file");
+                          list[i].axes = arguments[1];
+                          return {};
+                      });
+}
+
 template <bool visible> Result<void> set_visible(ActionContext& context, Arguments arguments) {
     return change_one(context, arguments, 0, visible ? "context-show takes a number" : "context-hide takes a number",
                       [](auto& list, std::size_t i) {
@@ -342,6 +355,9 @@ std::vector<Command> context_commands() {
                 context_opacity)
             .when(has_context),
         Command("context-colour", "N RRGGBB", "The colour of the N-th context mesh.", context_colour).when(has_context),
+        Command("context-axes", "N LPS|RAS",
+                "Says where the axes of the N-th context mesh lead, whose file does not state them.", context_axes)
+            .when(has_context),
         Command("context-style", "N surface|wireframe",
                 "Draws the N-th context mesh as a surface, or as the edges of its triangles.", context_style)
             .when(has_context),

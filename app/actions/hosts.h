@@ -77,7 +77,7 @@ public:
     FlyPaths flights;
 };
 
-enum class FilePurpose { kOpen, kSave, kLesionMesh, kContext, kMask, kDeviation, kExport };
+enum class FilePurpose { kOpen, kSave, kLesionMesh, kContext, kData, kMask, kDeviation, kExport };
 
 // Files that replace the document, and the dialogs that ask for files.
 class FileHost {

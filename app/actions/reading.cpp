@@ -105,6 +105,9 @@ template <const char* const& kKey> Result<Outcome> say_or_ask(ActionContext& con
 
 // Short for read-as.
 Result<Outcome> data(ActionContext& context, Arguments arguments) {
+    if (arguments.empty())
+        return outcome_of(ask_for_file(context, FilePurpose::kData,
+                                       fail("data needs a FILE here", {}, "a table (CSV) of numbers of branches")));
     if (arguments.size() != 1)
         return fail("data takes one file", {}, "a table (CSV) of further numbers of branches, or auto for none");
     const std::vector<std::string> words{"data", arguments[0]};
@@ -159,10 +162,11 @@ std::vector<Command> reading_commands() {
                 say_or_ask<kUnitsKey>)
             .when(has_scene),
         Command(
-            "data", "FILE|auto",
+            "data", "[FILE|auto]",
             "Joins a table (CSV) of further numbers of branches to the tree, by the ids of its column branch or its "
-            "first; auto takes it away.",
+            "first; auto takes it away; without a word, asks for one.",
             data)
+            .in_menu("File", "Add data of branches...")
             .when(has_tree),
         Command(
             "read-as", "OPTION VALUE...|usual",

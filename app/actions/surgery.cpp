@@ -84,6 +84,21 @@ Result<Outcome> lesion_mesh(ActionContext& context, Arguments arguments) {
                    }};
 }
 
+Result<void> lesion_axes(ActionContext& context, Arguments arguments) {
+    Marks next = context.document.marks();
+    const std::size_t spheres = next.lesions.size();
+    if (arguments.size() != 2 || !io::slicer_space(arguments[1]))
+        return fail("lesion-axes takes a number, and LPS or RAS");
+    RAMUS_TRY(index, list_index(arguments.first(1), spheres + next.lesion_meshes.size(), "lesion"));
+    if (index < spheres) return fail("lesion " + arguments[0] + " is a sphere, without axes of its own");
+    const std::string& file = next.lesion_meshes[index - spheres];
+    const auto mesh = context.assets.lesion_mesh(file);
+    if (mesh && mesh->axes == tree::SaidBy::kFile) return fail("the file states its axes", file, "correct the file");
+    next.lesion_axes[file] = arguments[1];
+    context.document.change(std::move(next));
+    return {};
+}
+
 // Spheres first, then meshes: as lists show them.
 Result<void> lesion_remove(ActionContext& context, Arguments arguments) {
     Marks next = context.document.marks();
@@ -237,6 +252,8 @@ std::vector<Command> surgery_commands() {
                 "Places a lesion with the shape of a closed mesh: " + io::readable_mesh_extensions() +
                     ", in mm; in RAS, unless the file states other axes, or you do where it states none.",
                 lesion_mesh),
+        Command("lesion-axes", "N LPS|RAS",
+                "Says where the axes of the mesh of lesion N lead, whose file does not state them.", lesion_axes),
         Command("lesion-remove", "N", "Takes lesion N of the list away; meshes are counted after spheres.",
                 lesion_remove),
         Command("lesion-clear", "", "Takes all lesions away.", lesion_clear)

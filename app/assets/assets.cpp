@@ -131,11 +131,26 @@ const Plan& refresh_plan(Assets& assets, const Document& document) {
     return *assets.plan;
 }
 
+namespace {
+
+bool is_other(const Loaded<LesionMesh>* before, const Loaded<LesionMesh>& now) {
+    return before == nullptr || before->stamp != now.stamp ||
+           (before->value && now.value && *before->value != *now.value);
+}
+
+// Of all lesions, in the axes that somebody has said last.
+bool lesions_are_read(const Assets& assets, const Marks& marks) {
+    return std::ranges::all_of(marks.lesion_meshes, [&](const std::string& file) {
+        const Loaded<LesionMesh>* loaded = found(assets.lesion_meshes, file);
+        return loaded != nullptr && (!loaded->value || (*loaded->value)->asked_axes == axes_of_lesion(marks, file));
+    });
+}
+
+} // namespace
+
 bool lesions_awaited(const Assets& assets, const Marks& marks, GridIs grid) {
     if (!assets.tree || marks.lesion_meshes.empty()) return false;
-    if (!std::ranges::all_of(marks.lesion_meshes,
-                             [&](const auto& file) { return assets.lesion_meshes.contains(file); }))
-        return true;
+    if (!lesions_are_read(assets, marks)) return true;
     const measure::Lesions lesions = loaded_lesions(assets, marks);
     if (lesions.meshes.empty()) return false;
     return !assets.lesion_distances.fits(lesions) ||
@@ -167,9 +182,7 @@ Result<std::shared_ptr<const LesionMesh>> load_lesion_mesh(Assets& assets, const
                                                            const std::string& axes) {
     const Loaded<LesionMesh>* before = found(assets.lesion_meshes, file);
     Loaded<LesionMesh> loaded = read_lesion_mesh(file, axes, before);
-    const bool is_new = before == nullptr || before->stamp != loaded.stamp ||
-                        (before->value && loaded.value && *before->value != *loaded.value);
-    if (is_new) assets.put(file, loaded);
+    if (is_other(before, loaded)) assets.put(file, loaded);
     return loaded.value;
 }
 
@@ -205,13 +218,11 @@ Result<void> complete(Assets& assets, const Document& document, Job& job) {
 }
 
 void merge(Assets& assets, const Assets& from) {
-    const auto take_changed = [&](const auto& known, const auto& offered) {
-        for (const auto& [source, loaded] : offered)
-            if (const auto* mine = found(known, source); mine == nullptr || mine->stamp != loaded.stamp)
-                assets.put(source, loaded);
-    };
-    take_changed(assets.lesion_meshes, from.lesion_meshes);
-    take_changed(assets.context_shapes, from.context_shapes);
+    for (const auto& [file, loaded] : from.lesion_meshes)
+        if (is_other(found(assets.lesion_meshes, file), loaded)) assets.put(file, loaded);
+    for (const auto& [source, loaded] : from.context_shapes)
+        if (const auto* mine = found(assets.context_shapes, source); mine == nullptr || mine->stamp != loaded.stamp)
+            assets.put(source, loaded);
     assets.lesion_grid = from.lesion_grid;
     if (assets.tree == from.tree) assets.lesion_distances = from.lesion_distances;
     assets.plan.reset();

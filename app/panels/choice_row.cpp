@@ -36,4 +36,9 @@ std::optional<std::string> choice_row(const char* label, const char* help, const
     return chosen;
 }
 
+std::optional<std::string> mesh_axes_row(const std::string& asked) {
+    return choice_row("Axes", "The file does not say where its axes lead: LPS where the mesh lies half a turn away",
+                      asked.empty() ? "RAS" : asked, {{"RAS", "RAS"}, {"LPS", "LPS, as in ITK"}});
+}
+
 } // namespace ramus::app::widgets

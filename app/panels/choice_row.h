@@ -15,4 +15,8 @@ void begin_row(const char* label, const char* help, float width = -1.0F);
 [[nodiscard]] std::optional<std::string> choice_row(const char* label, const char* help, const std::string& now,
                                                     const std::vector<std::pair<std::string, std::string>>& entries);
 
+// RAS or LPS, of a mesh whose file does not state its axes; returns the ones that were chosen. `asked`: what somebody
+// has said of them so far; empty: nothing.
+[[nodiscard]] std::optional<std::string> mesh_axes_row(const std::string& asked);
+
 } // namespace ramus::app::widgets

@@ -1,11 +1,13 @@
 // What is shown beside the tree: a row each to show or hide it, to colour it and to take it away, and how dense it is.
 #include "app/assets/shapes.h"
+#include "app/panels/choice_row.h"
 #include "app/panels/interface.h"
 #include "app/panels/row_buttons.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/colour_by.h"
 #include "app/session/numbers.h"
+#include "core/io/meshes/mesh_file.h"
 
 #include <array>
 #include <cmath>
@@ -109,6 +111,9 @@ void draw_row(InterfaceContext& context, const ContextItem& item, int number, Tr
         if (ImGui::Button("Read again")) context.workspace.context.retry();
     } else if (item.visible && !trouble) {
         draw_opacity(context, item, number, trial);
+        const auto shape = assets.context_shape(source);
+        if (shape && shape->claims.orientation != tree::SaidBy::kFile && io::names_mesh(item.file))
+            if (const auto axes = widgets::mesh_axes_row(item.axes)) context.perform("context-axes", {n, *axes});
     }
 }
 

@@ -83,6 +83,26 @@ bool begin_menu(const std::string& name, float top, const InterfaceContext& cont
     return ImGui::BeginMenu(name.c_str());
 }
 
+// What the tree's file gives, which the command table cannot know.
+void draw_data_colours(InterfaceContext& context) {
+    const Document& document = context.workspace.document;
+    const auto tree = document.tree();
+    const bool some = tree && (!tree->point_data.empty() || !tree->branch_data.empty());
+    ImGui::BeginDisabled(!some);
+    if (begin_menu("Data of the file", static_cast<float>(context.layout.bar_height), context)) {
+        for (const tree::DataArrays* arrays : {&tree->point_data, &tree->branch_data})
+            for (const tree::DataArray& array : *arrays) {
+                const std::string name = name_of(ColourBy::array(array.name));
+                ImGui::PushID(name.c_str());
+                if (ImGui::MenuItem(array.name.c_str(), nullptr, name_of(document.marks().colour_by) == name))
+                    context.perform("colour-by", {name});
+                ImGui::PopID();
+            }
+        ImGui::EndMenu();
+    }
+    ImGui::EndDisabled();
+}
+
 // Entries of a submenu stand together, where the first of them is.
 void draw_entries(InterfaceContext& context, const std::string& menu) {
     const std::vector<Command>& table = command_table();
@@ -103,6 +123,7 @@ void draw_entries(InterfaceContext& context, const std::string& menu) {
         }
         const bool new_switch =
             previous != command.name && (command.name.starts_with("lasso-") || command.name == "colour-map");
+        if (previous != command.name && command.name == "colour-map") draw_data_colours(context);
         if (command.name == "quit" || command.name == "join" || new_switch) ImGui::Separator();
         previous = command.name;
         draw_entry(context, command);

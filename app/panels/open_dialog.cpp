@@ -31,6 +31,10 @@ template <std::size_t N> static void put(const std::string& text, std::array<cha
 
 bool can_be_opened(const fs::path& path) { return io::names_tree(path) || path.extension() == ".json"; } // sessions
 bool can_be_mask(const fs::path& path) { return io::names_volume(path); }
+bool can_be_table(const fs::path& path) {
+    const std::string ending = io::lower_case(path.extension().string());
+    return ending == ".csv" || ending == ".tsv" || ending == ".txt";
+}
 bool can_be_lesion_mesh(const fs::path& path) { return io::names_mesh(path); }
 
 void OpenDialog::show(const fs::path& start, FilePurpose wanted) {
@@ -98,7 +102,7 @@ std::string tree_and_mask_extensions() {
     return io::readable_tree_extensions() + "; masks: " + io::readable_volume_extensions();
 }
 
-const std::array<Purpose, 7>& purposes() {
+const std::array<Purpose, 8>& purposes() {
     const Shown trees{"Trees", io::names_tree, io::readable_tree_extensions};
     const Shown volumes{"Masks and scans", can_be_mask, io::readable_volume_extensions};
     const Shown sessions{"Sessions", is_json, json_extension};
@@ -110,7 +114,8 @@ const std::array<Purpose, 7>& purposes() {
                        [](const fs::path& path) { return can_be_lesion_mesh(path) || can_be_mask(path); },
                        context_extensions};
     const Shown exports{"What was exported", can_be_export, [] { return std::string("such"); }};
-    static const std::array<Purpose, 7> all{
+    const Shown tables{"Tables", can_be_table, [] { return std::string(".csv, .tsv or .txt"); }};
+    static const std::array<Purpose, 8> all{
         {{FilePurpose::kOpen,
           "Open a vessel tree, a mask, a scan or a session",
           {all_opened, trees, volumes, sessions},
@@ -123,6 +128,7 @@ const std::array<Purpose, 7>& purposes() {
           {shapes, meshes, volumes},
           "context",
           true},
+         {FilePurpose::kData, "Choose a table of further numbers of branches", {tables}, "data"},
          {FilePurpose::kMask, "Choose a mask of the same vessels", {volumes}, "compare-mask", true},
          {FilePurpose::kDeviation,
           "Choose a mesh or mask to measure the deviation from",

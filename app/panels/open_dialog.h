@@ -48,6 +48,7 @@ struct OpenDialog {
 // By the ending of its name, in capitals or not.
 [[nodiscard]] bool can_be_opened(const std::filesystem::path& path); // a tree or a session
 [[nodiscard]] bool can_be_lesion_mesh(const std::filesystem::path& path);
+[[nodiscard]] bool can_be_table(const std::filesystem::path& path); // of numbers of branches
 [[nodiscard]] bool can_be_mask(const std::filesystem::path& path);
 
 } // namespace ramus::app

@@ -1,5 +1,6 @@
 // The panel's planning half: lesions and the vessels near them, cuts and what they cost, measurements. Everything shown
 // is Assets::plan; everything done goes through commands.
+#include "app/panels/choice_row.h"
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -116,6 +117,17 @@ void draw_lesion(InterfaceContext& context, std::size_t index, const std::array<
                                                   exact_text(sphere[2]) + "," + radius});
 }
 
+void draw_lesion_mesh(InterfaceContext& context, const std::string& file, const std::string& number) {
+    ImGui::PushID(file.c_str());
+    const bool removed = removable_row(std::filesystem::path(file).filename().string(), theme::kText, file.c_str()) < 0;
+    const auto mesh = context.workspace.assets.lesion_mesh(file);
+    if (mesh && mesh->axes != tree::SaidBy::kFile)
+        if (const auto axes = widgets::mesh_axes_row(axes_of_lesion(context.workspace.document.marks(), file)))
+            context.perform("lesion-axes", {number, *axes});
+    ImGui::PopID();
+    if (removed) context.perform("lesion-remove", {number});
+}
+
 void draw_lesions(InterfaceContext& context) {
     const Marks& marks = context.workspace.document.marks();
     draw_title(context, "Lesions",
@@ -130,13 +142,9 @@ void draw_lesions(InterfaceContext& context) {
     // Kept here: what a row does makes the list another.
     for (const auto lesions = marks.lesions; const auto& sphere : lesions)
         draw_lesion(context, static_cast<std::size_t>(&sphere - lesions.data()), sphere);
-    for (std::size_t i = 0; i < marks.lesion_meshes.size(); ++i) {
-        ImGui::PushID(static_cast<int>(1000 + i));
-        const std::string& path = marks.lesion_meshes[i];
-        if (removable_row(std::filesystem::path(path).filename().string(), theme::kText, path.c_str()) < 0)
-            context.perform("lesion-remove", {std::to_string(marks.lesions.size() + i + 1)});
-        ImGui::PopID();
-    }
+    std::size_t number = marks.lesions.size();
+    for (const auto meshes = marks.lesion_meshes; const std::string& file : meshes)
+        draw_lesion_mesh(context, file, std::to_string(++number));
     const auto plan = context.workspace.current_assets().plan;
     if (plan->measuring) widgets::quiet("Distances to meshes are being measured");
     for (const std::string& trouble : plan->troubles) widgets::trouble(trouble.c_str());

@@ -6,6 +6,8 @@
 #include "app/storage/tree_source.h"
 #include "app/storage/user_folders.h"
 #include "core/io/meshes/mesh_file.h"
+#include "core/io/recognise.h"
+#include "core/io/trees/csv_pair.h"
 #include "core/io/volumes/volume_file.h"
 
 #include <algorithm>
@@ -21,6 +23,15 @@ void ViewerFiles::when_saved(std::function<void()> next) {
     state_.interface.open_dialog.open = false;
     state_.interface.unsaved.next = std::move(next);
 }
+
+namespace {
+
+// A table that is no tree, of nodes or of edges, and nothing else that is known by its content.
+bool is_branch_table(const std::filesystem::path& path) {
+    return can_be_table(path) && !io::recognised(path).by_content && !io::is_csv_pair(io::head_of(path));
+}
+
+} // namespace
 
 // The next line of a script is about this file: it waits until all is there.
 Result<void> ViewerFiles::open_and_wait(const std::filesystem::path& path) {
@@ -113,7 +124,10 @@ void ViewerFiles::quit() {
 void ViewerFiles::dropped(const std::filesystem::path& path) {
     const bool is_mesh = io::is_mesh(path), planning = state_.interface.page == PanelPage::kPlan;
     Interface& interface = state_.interface;
-    if (io::is_volume(path)) {
+    const Document& document = state_.workspace.document;
+    if (document.tree() && is_branch_table(path)) {
+        state_.perform("data", {path.string()});
+    } else if (io::is_volume(path)) {
         interface.help_open = interface.open_dialog.open = false;
         ask_about_volume(path);
     } else {

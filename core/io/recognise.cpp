@@ -72,12 +72,12 @@ std::string head_from(std::unique_ptr<ByteStage> stage) {
     return head;
 }
 
+} // namespace
+
 std::string head_of(const std::filesystem::path& path) {
     auto stage = file_stage(path);
     return stage ? head_from(std::move(*stage)) : std::string();
 }
-
-} // namespace
 
 Recognised recognised(std::string_view head, const std::filesystem::path& name) {
     head = head.substr(0, kHeadBytes);

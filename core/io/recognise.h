@@ -8,6 +8,7 @@
 #include "core/io/file_format.h"
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct Recognised {
     bool by_content = false; // else by the name alone
     [[nodiscard]] explicit operator bool() const { return tree != nullptr || volume != nullptr || mesh != nullptr; }
 };
+
+// The first bytes of a file, uncompressed; empty: it cannot be read.
+[[nodiscard]] std::string head_of(const std::filesystem::path& path);
 
 // Of a file called `name` that begins with `head`, uncompressed.
 [[nodiscard]] Recognised recognised(std::string_view head, const std::filesystem::path& name);

@@ -126,6 +126,29 @@ TEST_CASE("a mesh that is dropped on the window is context, or a lesion for who 
     CHECK(stage.workspace.document.step_count() == 2);
 }
 
+TEST_CASE("a table that is dropped on a tree joins it, and colours can say its numbers") {
+    test::ViewerStage stage("1 1 0 0 -20 3 -1\n2 1 0 0 0 2.5 1\n3 1 -15 3 12 1.5 2\n4 1 14 -2 15 1.2 2\n", {700, 500});
+    const auto table = stage.folder.path() / "flow.csv", bad = stage.folder.path() / "bad.csv";
+    std::ofstream(table) << "branch,flow\n0,12\n1,8.5\n2,3.5\n";
+    std::ofstream(bad) << "branch,flow\n7,12\n";
+    app::Viewer& viewer = *stage.viewer;
+    stage.settle();
+    viewer.files().use_settings({});
+    viewer.files().dropped(table);
+    stage.settle();
+    const app::Document& document = stage.workspace.document;
+    REQUIRE(document.tree()->branch_data.size() == 1);
+    CHECK(document.tree()->branch_data[0].name == "flow");
+    CHECK(document.tree()->branch_data[0].values == std::vector<double>{12, 8.5, 3.5});
+    CHECK(document.branch_count() == 3);
+    REQUIRE(app::run_command(viewer.actions(), std::vector<std::string>{"colour-by", "flow"}));
+    viewer.files().dropped(bad);
+    stage.settle();
+    CHECK(viewer.interface().notice.trouble);
+    CHECK(viewer.interface().notice.text.find("no branch 7") != std::string::npos);
+    CHECK(document.tree()->branch_data.size() == 1);
+}
+
 using Words = std::vector<std::string>;
 
 TEST_CASE("the labels that are chosen are those that commands get") {

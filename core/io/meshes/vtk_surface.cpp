@@ -55,4 +55,20 @@ bool is_vtk_surface(std::string_view text) {
     return data && data->lines.empty();
 }
 
+std::optional<bool> vtk_surface_by_counts(std::string_view head) {
+    const std::size_t at = head.find("<Piece"), end = head.find('>', at);
+    if (end == std::string_view::npos || head.substr(0, at).find("PolyData") == std::string_view::npos)
+        return std::nullopt;
+    const auto count = [piece = head.substr(at, end - at)](std::string_view of) {
+        const std::size_t begin = piece.find(of);
+        if (begin == std::string_view::npos) return std::optional<std::int64_t>();
+        const std::string_view value = piece.substr(begin + of.size());
+        return to_whole(value.substr(0, value.find('"')));
+    };
+    const auto lines = count("NumberOfLines=\""), polygons = count("NumberOfPolys=\""),
+               strips = count("NumberOfStrips=\"");
+    if (lines && *lines > 0) return false;
+    return lines && polygons.value_or(0) + strips.value_or(0) > 0 ? std::optional(true) : std::nullopt;
+}
+
 } // namespace ramus::io

@@ -4,6 +4,9 @@
 
 #include "core/io/meshes/mesh_file.h"
 
+#include <optional>
+#include <string_view>
+
 namespace ramus::io {
 
 // Fail with place and remedy on damaged files, and on those that have no faces.
@@ -12,5 +15,9 @@ namespace ramus::io {
 
 // Whether a file that can be read has no lines: then it can be no tree.
 [[nodiscard]] bool is_vtk_surface(std::string_view text);
+
+// The same from the first bytes of PolyData in XML, which count its first piece's lines and polygons; none: they do not
+// say.
+[[nodiscard]] std::optional<bool> vtk_surface_by_counts(std::string_view head);
 
 } // namespace ramus::io

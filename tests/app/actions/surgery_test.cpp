@@ -173,6 +173,29 @@ TEST_CASE("lesions are placed, changed and removed; margins follow") {
         stage.bad(line);
 }
 
+TEST_CASE("a lesion mesh that does not state its axes can be given them later") {
+    const TemporaryFolder folder;
+    auto ball = test::icosphere(4, {-8, -12, 10}, 2.0);
+    ball.radii.resize(ball.positions.size(), 1.0F);
+    ball.branches.resize(ball.positions.size(), 0);
+    io::MeshNames nothing; // is said of it
+    nothing.claims = {tree::SaidBy::kNobody, tree::SaidBy::kNobody};
+    const std::string file = (folder.path() / "turned.stl").string();
+    REQUIRE(io::write_mesh(ball, file, nothing));
+    Stage stage;
+    stage.good("lesion-mesh \"" + file + "\"");
+    const double before = stage.plan()->lesion_distances_mm[4];
+    CHECK(before > 10.0);
+    stage.good("lesion-axes 1 LPS");
+    CHECK(stage.plan()->lesion_distances_mm[4] == doctest::Approx(4.5).epsilon(0.01));
+    stage.good("undo");
+    CHECK(stage.plan()->lesion_distances_mm[4] == doctest::Approx(before));
+    stage.good("redo\nlesion 0,0,0,1");
+    CHECK(stage.bad("lesion-axes 1 LPS").find("sphere") != std::string::npos);
+    stage.good("lesion-axes 2 RAS");
+    CHECK(stage.bad("lesion-axes 2 ASL").find("LPS or RAS") != std::string::npos);
+}
+
 TEST_CASE("a lesion may be a closed mesh") {
     const TemporaryFolder folder;
     auto ball = test::icosphere(4, {8, 12, 10}, 2.0);

@@ -110,6 +110,31 @@ TEST_CASE("context is added, changed, hidden and taken away by commands, each a 
     CHECK(stage.drawn().size() == 1);
 }
 
+TEST_CASE("a context mesh that does not state its axes can be given them later") {
+    ContextStage stage;
+    const std::string file = stage.ball("ball.ply", {5, 0, 15}), own = (stage.folder.path() / "own.ply").string();
+    stage.commands.good("context \"" + file + "\"");
+    const auto shape = [&] {
+        Job job;
+        REQUIRE(load_context(stage.commands.assets, stage.commands.marks(), job)); // as before a picture
+        return stage.commands.assets.context_shape(source_of(stage.context()[0]));
+    };
+    CHECK(shape()->box.upper.x == doctest::Approx(17.0).epsilon(0.01));
+    stage.commands.good("context-axes 1 LPS");
+    CHECK(stage.context()[0].axes == "LPS");
+    CHECK(shape()->box.upper.x == doctest::Approx(7.0).epsilon(0.01));
+    stage.commands.good("undo");
+    CHECK(shape()->box.upper.x == doctest::Approx(17.0).epsilon(0.01));
+    CHECK(stage.commands.bad("context-axes 1 XYZ").find("LPS or RAS") != std::string::npos);
+    CHECK(stage.commands.bad("context-axes 2 LPS").find("from 1 to 1") != std::string::npos);
+    auto mesh = test::icosphere(2, {0, 0, 15}, 12.0);
+    mesh.radii.resize(mesh.positions.size(), 1.0F);
+    mesh.branches.resize(mesh.positions.size(), 0);
+    REQUIRE(io::write_mesh(mesh, own, io::MeshNames()));
+    stage.commands.good("context \"" + own + "\"");
+    CHECK(stage.commands.bad("context-axes 2 LPS").find("states its axes") != std::string::npos);
+}
+
 TEST_CASE("what cannot be context is refused, and changes nothing") {
     ContextStage stage;
     const std::string good = stage.ball("good.ply");
