@@ -106,12 +106,9 @@ ordered_json quantity_json(const QuantityRow& row, const tree::VesselTree& tree,
 
 ordered_json known_number(double value) { return tree::is_known(value) ? ordered_json(value) : ordered_json(); }
 
-// Data of the tree's file: of points their mean along the branch.
 ordered_json mean_values(const tree::VesselTree& tree, int id) {
     ordered_json values = ordered_json::object();
-    for (const tree::DataArray& array : tree.point_data) values[array.name] = known_number(mean_of(tree, array, id));
-    for (const tree::DataArray& array : tree.branch_data)
-        values[array.name] = known_number(array.values[static_cast<std::size_t>(id)]);
+    for (const auto& [name, value] : tree::data_of(tree, id)) values[name] = known_number(value);
     return values;
 }
 

@@ -1,4 +1,5 @@
 // `ramus ratings FILE...`: what raters answered on the sheets of `ramus study`, as the paper's Table II.
+#include "app/commands/output_target.h"
 #include "app/commands/subcommands.h"
 #include "app/ratings/rating_results.h"
 #include "core/io/json_text.h"
@@ -20,11 +21,17 @@ struct RatingsFlags {
 };
 
 Result<int> run_ratings(const RatingsFlags& flags) {
-    if (!flags.csv.empty())
+    const bool to_stream = is_standard_output(flags.csv);
+    if (to_stream && flags.json) return fail("--csv - and --json both write to standard output", {}, "leave one out");
+    if (!flags.csv.empty() && !to_stream)
         if (auto can = io::check_output(flags.csv); !can) return tl::unexpected(can.error());
     RAMUS_TRY(ratings, read_ratings(flags.files));
     const RatingResults results =
         results_of(ratings, flags.paired_by == "rater" ? measure::PairedBy::kRater : measure::PairedBy::kAnswer);
+    if (to_stream) {
+        std::cout << csv_of(results_table(results));
+        return kDone;
+    }
     if (!flags.csv.empty())
         if (auto done = io::write_file(flags.csv, csv_of(results_table(results))); !done)
             return tl::unexpected(done.error());
@@ -43,7 +50,8 @@ void register_ratings(CLI::App& app, Action& chosen) {
         app, "ratings", "What raters think of the pictures of a study: mean, sigma, significance of differences");
     add_option(*command, "FILE", "", flags->files, "key.json of the study, and the answers that its raters saved")
         ->required();
-    add_option(*command, "--csv", "FILE", flags->csv, "Write the table as CSV, too");
+    add_option(*command, "--csv", "FILE", flags->csv,
+               "Write the table as CSV, too; - for CSV alone on standard output");
     add_option(*command, "--pair-by", "rater|answer", flags->paired_by,
                "What a pair of a test is: a rater, with the means over scenes, or each answer (default: rater)")
         ->check(CLI::IsMember({"rater", "answer"}).description(""));

@@ -29,6 +29,8 @@ constexpr std::size_t kFarthest = 8; // places that a report lists
 Result<mesh::TriangleMesh> surface_to_validate(const ValidateFlags& flags, std::size_t n,
                                                const tree::VesselTree& tree) {
     const std::string file = flags.mesh(n);
+    if (!file.empty() && !io::is_mesh(file) && io::is_volume(file))
+        return fail("this is a mask, not a surface", file, "give it to --mask, which takes its isosurface");
     RAMUS_TRY(loaded, file.empty() ? of_file(surface_of_tree(tree, flags.surface), flags.trees[n])
                                    : of_file(load_mesh(file, flags.mesh_axes), file));
     if (loaded.mesh.triangles.empty()) return fail("there is no surface in it", file.empty() ? flags.trees[n] : file);

@@ -5,6 +5,8 @@
 #include "app/session/quantity.h"
 #include "app/session/systems.h"
 #include "core/io/text_numbers.h"
+#include "core/io/trees/tree_data.h"
+#include "core/tree/branch_data.h"
 
 #include <algorithm>
 #include <charconv>
@@ -72,6 +74,19 @@ void add(std::vector<Cell>& row, const measure::Amount& amount) {
     row.insert(row.end(), {amount.branches, amount.length_mm, amount.volume_mm3, amount.leaves});
 }
 
+// Data of the tree's file, one column each, of which a page may have no room for all.
+void add_data(Table& table, const tree::VesselTree& tree, std::span<const int> branches) {
+    if (branches.empty()) return;
+    std::vector<std::string> names;
+    for (const Column& column : table.columns) names.push_back(column.name);
+    const std::vector<std::string_view> taken(names.begin(), names.end());
+    for (const auto& [name, value] : tree::data_of(tree, branches.front()))
+        table.columns.push_back({io::name_in_file(name, taken), name, 3, true});
+    for (std::size_t row = 0; row < branches.size(); ++row)
+        for (const auto& [name, value] : tree::data_of(tree, branches[row]))
+            table.rows[row].push_back(tree::is_known(value) ? Cell(value) : Cell(""));
+}
+
 } // namespace
 
 Column unit_column() { return {"unit", ""}; }
@@ -82,6 +97,12 @@ void add_unit(Table& table, const Lengths& lengths) {
 }
 
 Table in_words(Table table) {
+    for (std::size_t c = table.columns.size(); c-- > 0;) {
+        if (!table.columns[c].in_csv_alone) continue;
+        const auto at = static_cast<std::ptrdiff_t>(c);
+        table.columns.erase(table.columns.begin() + at);
+        for (std::vector<Cell>& row : table.rows) row.erase(row.begin() + at);
+    }
     const auto unit = std::ranges::find_if(table.columns, [](const Column& column) { return column.heading.empty(); });
     if (unit == table.columns.end()) return table;
     const auto at = unit - table.columns.begin();
@@ -129,6 +150,7 @@ Table branches_table(const Document& document, const Assets& assets, std::span<c
     }
     add_systems(table, document, 0, 2);
     add_unit(table, document.lengths());
+    add_data(table, *document.tree(), branches);
     return table;
 }
 

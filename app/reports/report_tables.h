@@ -19,6 +19,7 @@ struct Column {
     std::string name;    // in CSV, without a unit: "length"
     std::string heading; // for people, with the unit: "Length, mm"
     int digits = 3;      // that people read, of numbers that are not whole
+    bool in_csv_alone = false;
 };
 
 struct Cell {
@@ -57,8 +58,8 @@ struct Table {
 [[nodiscard]] Column unit_column();
 void add_unit(Table& table, const Lengths& lengths);
 
-// As people read it: the unit stands in the headings. Rows of different units keep their column, and headings name
-// none.
+// As people read it, without the columns of CSV alone: the unit stands in the headings. Rows of different units keep
+// their column, and headings name none.
 [[nodiscard]] Table in_words(Table table);
 
 // RFC 4180: comma, CRLF, a heading line; quotes around and doubled quotes inside where a field needs them. UTF-8.

@@ -80,4 +80,12 @@ DataArrays branch_data_of_edges(const VesselTree& tree, const std::vector<Edge>&
     return branch_data(tree, sources, arrays);
 }
 
+std::vector<std::pair<std::string, double>> data_of(const VesselTree& tree, int branch) {
+    std::vector<std::pair<std::string, double>> values;
+    for (const DataArray& array : tree.point_data) values.emplace_back(array.name, mean_of(tree, array, branch));
+    for (const DataArray& array : tree.branch_data)
+        values.emplace_back(array.name, array.values[static_cast<std::size_t>(branch)]);
+    return values;
+}
+
 } // namespace ramus::tree

@@ -4,6 +4,8 @@
 #include "core/tree/build_tree.h"
 
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace ramus::tree {
@@ -18,5 +20,8 @@ namespace ramus::tree {
 
 // Mean along a branch's length of an array of points, of what is known of it; kUnknownValue: nothing is.
 [[nodiscard]] double mean_of(const VesselTree& tree, const DataArray& of_points, int branch);
+
+// All data of a branch by name: of points their mean, then those of branches.
+[[nodiscard]] std::vector<std::pair<std::string, double>> data_of(const VesselTree& tree, int branch);
 
 } // namespace ramus::tree

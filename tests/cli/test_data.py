@@ -395,6 +395,17 @@ class Tables(Data):
                             says=["flow.csv", "has changed since the session was saved"])
 
 
+class Reports(Data):
+    def test_tables_of_branches_have_data(self):
+        self.write("own.json", own_json(branch_data={"flow": [12, 8.5, NAN], "branch": [7, 8, 9]}).replace("NaN", "null"))
+        self.write("report.txt", "select 0 2\nreport selection.csv selection\nreport page.html\n")
+        self.expect_done("render", "own.json", "--commands", "report.txt", "--size", "64x64", "-o", "a.png")
+        rows = list(csv.DictReader((self.folder / "selection.csv").read_text().splitlines()))
+        self.assertEqual([[row[k] for k in ("branch", "flow", "pressure", "branch_data")] for row in rows],
+                         [["0", "12", "85.25", "7"], ["2", "", "80", "9"]])
+        self.assertNotIn("pressure", (self.folder / "page.html").read_text())
+
+
 class Colours(Data):
     def picture(self, name, *options):
         self.expect_done("render", self.tree, "--size", "160x120", "-o", name, *options)

@@ -90,6 +90,9 @@ class Ratings(CommandLineTest):
         for words in ("10 raters", "Appearance", "Truncated cones", "Convolution surface", "2.00", "Wilcoxon",
                       "0.0020", "0.0156", "Holm"):
             self.assertIn(words, told)
+        streamed = self.expect_done("ratings", "key.json", *files, "--csv", "-").stdout
+        self.assertEqual(streamed.splitlines(), (self.folder / "table.csv").read_text().splitlines())
+        self.expect_failure("ratings", "key.json", *files, "--csv", "-", "--json", says=["standard output"])
         rows = list(csv.DictReader(io.StringIO((self.folder / "table.csv").read_bytes().decode(), newline="")))
         self.assertEqual([(row["criterion"], row["method"]) for row in rows],
                          [(criterion, method) for criterion in CRITERIA for method in METHODS])

@@ -32,6 +32,9 @@ class WrongFiles(CommandLineTest):
     def of_tree(self, command, file):
         return [command[0], file, *command[1:]]
 
+    def test_a_mask_where_a_surface_is_validated(self):
+        self.expect_failure("validate", "tree.swc", "--surface", "scan.nii", says=["scan.nii: this is a mask", "--mask"])
+
     def test_where_a_tree_is_wanted(self):
         for command in self.OF_TREES:
             with self.subTest(command):
