@@ -61,8 +61,7 @@ public:
     // Before the text of a file.
     void begin_text() { std::cout << (printed_++ > 0 ? "\n" : ""); }
     void print_row(const Table& table) {
-        std::string text = csv_of(table);
-        std::erase(text, '\r');                                 // of lines on standard output
+        std::string text = csv_lines(table);
         if (printed_++ > 0) text.erase(0, text.find('\n') + 1); // the names of the columns
         std::cout << text << std::flush;
     }

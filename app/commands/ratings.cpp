@@ -29,7 +29,7 @@ Result<int> run_ratings(const RatingsFlags& flags) {
     const RatingResults results =
         results_of(ratings, flags.paired_by == "rater" ? measure::PairedBy::kRater : measure::PairedBy::kAnswer);
     if (to_stream) {
-        std::cout << csv_of(results_table(results));
+        std::cout << csv_lines(results_table(results));
         return kDone;
     }
     if (!flags.csv.empty())

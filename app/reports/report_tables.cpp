@@ -353,4 +353,10 @@ std::string csv_of(const Table& table) {
     return text;
 }
 
+std::string csv_lines(const Table& table) {
+    std::string text = csv_of(table);
+    std::erase(text, '\r');
+    return text;
+}
+
 } // namespace ramus::app
