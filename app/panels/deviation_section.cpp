@@ -90,11 +90,21 @@ void draw_lines(InterfaceContext& context, const Marks& marks) {
     widgets::tooltip("The surface that distances are measured to, superimposed as lines");
 }
 
-void draw_found(const Workspace& workspace, const Marks& marks) {
+// Whether the picture's legend is still the one before: figures next to it would be taken for those of its words.
+bool legend_is_before(const Interface& interface, const Marks& marks, const SurfaceDeviation& found) {
+    render::Frame frame;
+    show_deviation(frame, marks, &found);
+    return !interface.legends.empty() &&
+           std::ranges::find(interface.legends, frame.overlays.legend) == interface.legends.end();
+}
+
+void draw_found(const InterfaceContext& context, const Marks& marks) {
+    const Workspace& workspace = context.workspace;
     const SurfaceDeviation& found = workspace.assets.deviation;
     if (!found.trouble.empty()) return widgets::trouble(window_words(found.trouble).c_str());
     if (!found.fits(deviation_of(workspace.document.tree(), marks, marks.options), workspace.shown().mesh))
         return widgets::quiet("Measuring\xE2\x80\xA6");
+    if (legend_is_before(context.interface, marks, found)) return widgets::quiet("Drawing\xE2\x80\xA6");
     const double unit = mm_per_unit(marks.deviation, found);
     const std::string name = unit == 1.0 ? " mm" : " voxel diag.";
     widgets::fact("Mean", digits(found.mean_mm / unit) + name);
@@ -111,7 +121,7 @@ void draw_deviation(InterfaceContext& context) {
     draw_from(context, marks.deviation);
     if (marks.deviation.from == From::kIsosurface) draw_mask_row(context, marks.comparison);
     draw_scale(context, marks.deviation);
-    draw_found(context.workspace, marks);
+    draw_found(context, marks);
     draw_lines(context, marks);
 }
 

@@ -21,13 +21,17 @@ constexpr float kLeastOverviewHeight = 90.0F;
 
 // What to do when there is nothing to see, or why there is not yet.
 void draw_empty_view(InterfaceContext& context) {
-    const bool prepares = context.interface.preparing == Preparing::kFirstPicture;
-    if (!prepares && (context.workspace.shown().mesh || context.workspace.document.has_scene())) return;
+    const Preparing preparing = context.interface.preparing;
+    const bool prepares = preparing == Preparing::kFirstPicture, other_case = preparing == Preparing::kOtherCase;
+    if (!prepares && !other_case && (context.workspace.shown().mesh || context.workspace.document.has_scene())) return;
     const bool waits = prepares || context.workspace.busy();
-    const char* title = prepares ? "Preparing graphics..." : waits ? "Reading..." : "No vessel tree";
-    const char* hint = prepares ? "The graphics driver translates the shaders; mostly once for a machine"
-                       : waits  ? ""
-                                : "Drop a tree, a mask or a scan here, or press Ctrl+O";
+    const char* title = prepares     ? "Preparing graphics..."
+                        : other_case ? "Drawing..."
+                        : waits      ? "Reading..."
+                                     : "No vessel tree";
+    const char* hint = prepares              ? "The graphics driver translates the shaders; mostly once for a machine"
+                       : waits || other_case ? ""
+                                             : "Drop a tree, a mask or a scan here, or press Ctrl+O";
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     const ImVec2 centre(
         static_cast<float>(context.layout.view_at.x) + 0.5F * static_cast<float>(context.layout.view_size.x),

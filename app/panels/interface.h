@@ -202,7 +202,7 @@ struct ValidationList {
 };
 
 // What a person waits for, so long that it is told.
-enum class Preparing : std::uint8_t { kNothing, kFirstPicture, kPicture };
+enum class Preparing : std::uint8_t { kNothing, kFirstPicture, kPicture, kOtherCase };
 
 // The panel of a first start.
 struct Welcome {
@@ -242,8 +242,9 @@ struct Interface {
     int hovered = tree::kNoBranch; // under the pointer in the picture
     bool nothing_in_view = false;  // of all that there is
     Preparing preparing = Preparing::kNothing;
-    bool tooltip = false;         // the pointer rests on the picture
-    int listed = tree::kNoBranch; // under the pointer in the list of branches
+    std::vector<render::Legend> legends; // of the picture that is shown, which may be of a moment ago
+    bool tooltip = false;                // the pointer rests on the picture
+    int listed = tree::kNoBranch;        // under the pointer in the list of branches
     BranchList list;
     Rename rename;
     RadiusDialog radius;

@@ -130,6 +130,8 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     show_context(frame, assets, viewing.context ? *viewing.context : session.marks.context);
     const bool alone = !assets.tree && std::ranges::any_of(frame.context, &render::ContextMesh::shown);
     frame.overlays.orientation_cube = frame.overlays.scale_bar = frame.mesh || alone; // else nothing to measure
+    // In perspective the scale is that of the middle of all that is shown.
+    if (viewing.context_awaited && !frame.camera.orthographic) frame.overlays.scale_bar = false;
     if (alone) show_alone(frame, assets, viewing.context ? *viewing.context : session.marks.context);
     if (!assets.tree) return frame;
     const tree::VesselTree& tree = *assets.tree;

@@ -25,10 +25,11 @@ struct Viewing {
     std::optional<std::vector<ContextItem>> context{}; // likewise
     std::optional<mesh::SurfaceOptions> options{};     // likewise
     std::optional<render::AxisNames> axes{};           // likewise: instead of those that are known
-    bool notes = false;   // the places that reading the tree repaired or suspects are marked
-    int note = -1;        // this one more than the others; -1: none
-    int measurement = -1; // of the session's this one is left out: a tool draws it; -1: none
-    int contact = -1;     // of the contacts this one is marked, more than the others if these are; -1: none
+    bool notes = false;           // the places that reading the tree repaired or suspects are marked
+    int note = -1;                // this one more than the others; -1: none
+    int measurement = -1;         // of the session's this one is left out: a tool draws it; -1: none
+    bool context_awaited = false; // what is visible of the session's context is not all there yet
+    int contact = -1;             // of the contacts this one is marked, more than the others if these are; -1: none
 };
 
 // Sides and a unit are shown where somebody has said them of the tree.

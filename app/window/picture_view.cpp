@@ -32,6 +32,7 @@ Viewing PictureView::viewing() const {
         viewing.axes = interface.unsaid.axes(tree->claims, state_.workspace.document.marks().reading);
     if (interface.tool)
         if (const auto moved = interface.tool->moved_measurement()) viewing.measurement = static_cast<int>(*moved);
+    viewing.context_awaited = state_.workspace.context.busy();
     viewing.contact = interface.contacts.open ? interface.contacts.current : -1;
     return viewing;
 }
@@ -84,6 +85,7 @@ bool PictureView::draw(bool dragging) {
     const bool between = watched && state_.workspace.between_trees(); // the last picture stays
     if (!drawer_.busy() && !between) {
         begun_tree_ = state_.workspace.document.tree();
+        begun_subject_ = subject_of(state_.workspace.document.session());
         drawer_.draw(sheet_, kUploadBudget, watched ? kDrawingSeconds : render::kUntilDone);
         begun_at_ = state_.now;
         take_picture(watched ? patience() : render::kUntilDone, taken);
@@ -117,9 +119,15 @@ void PictureView::take_picture(double seconds, Taken& taken) {
     taken.geometry |= made->drawn && made->drawn->geometry;
 }
 
+bool PictureView::shows_other_case() const {
+    const Document& document = state_.workspace.document;
+    return drawer_.has_picture() && document.has_scene() && shown_subject_ != subject_of(document.session());
+}
+
 void PictureView::tell_preparing() {
     const bool waits = drawer_.drawing() && state_.now >= begun_at_ + kUntilTold;
-    const Preparing tells = !waits                  ? Preparing::kNothing
+    const Preparing tells = shows_other_case()      ? Preparing::kOtherCase
+                            : !waits                ? Preparing::kNothing
                             : drawer_.has_picture() ? Preparing::kPicture
                                                     : Preparing::kFirstPicture;
     if (std::exchange(state_.interface.preparing, tells) != tells) state_.redraw();
@@ -234,7 +242,10 @@ void PictureView::take(const PictureDrawer::Made& made) {
         state_.warn(Warning{drawn.error().what, drawn.error().where, drawn.error().hint});
     if (done.geometry && done.quality == quality) pace_.drawn(frame, done.seconds);
     if (done.geometry) cast_ = done.cones > 0;
-    if (!done.of_before && (done.shaded || !done.unfinished)) shown_tree_ = begun_tree_;
+    if (!done.of_before && (done.shaded || !done.unfinished)) {
+        shown_tree_ = begun_tree_;
+        shown_subject_ = begun_subject_;
+    }
     const bool as_wanted = cast_ || !frame.surface_awaited;
     if (drawn && !done.unfinished)
         pictured_width_ = as_wanted ? frame.width : static_cast<float>(state_.workspace.shown().request.options.width);
@@ -244,6 +255,13 @@ void PictureView::take(const PictureDrawer::Made& made) {
                             {},
                             "lower the detail, or hide what is not needed; files that are exported have all of it"});
     scale_bar_ = made.scale_bar;
+    if (done.shaded || !done.unfinished) {
+        std::vector<render::Legend> legends;
+        for (const auto& viewport : made.sheet.viewports)
+            if (!viewport.frame.overlays.legend.title.empty()) legends.push_back(viewport.frame.overlays.legend);
+        if (legends != state_.interface.legends) state_.redraw();
+        state_.interface.legends = std::move(legends);
+    }
     upload_pending_ = done.pending;
     unfinished_ = done.unfinished;
     if (done.geometry && !cast_ && quality == render::Quality::kFull) full_seconds_ = done.seconds;
@@ -261,7 +279,9 @@ bool PictureView::refine(bool stirred) {
     return std::exchange(finer_, false);
 }
 
+// A picture of one case next to the panel of another would be taken for that.
 void PictureView::present(unsigned framebuffer) {
+    if (shows_other_case()) return;
     const Layout& layout = state_.layout;
     const int below = layout.window.y - layout.view_at.y - layout.view_size.y;
     drawer_.present(framebuffer, {layout.view_at.x, below}, layout.view_size);

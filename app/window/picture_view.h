@@ -103,6 +103,7 @@ private:
     [[nodiscard]] double patience() const;
     void take(const PictureDrawer::Made& made);
     void tell_preparing();
+    [[nodiscard]] bool shows_other_case() const; // the picture is still of what was open before
     void take_depths();
     void ask_depths(bool drawn);
     void tell_nothing_in_view();
@@ -117,6 +118,7 @@ private:
     double begun_at_ = 0.0; // when that was begun
     bool finer_ = false;    // what is shown, since refine() said so
     std::shared_ptr<const tree::VesselTree> begun_tree_, shown_tree_; // of that; of the one that is shown
+    std::filesystem::path begun_subject_, shown_subject_;             // in the same way
     // The picture's way to a camera that a command has set.
     struct Glide {
         render::Camera from;

@@ -71,6 +71,26 @@ TEST_CASE("a viewer that runs out of graphics memory says so, lives, and shows t
     }
 }
 
+TEST_CASE("next to the panel of a case that was just opened there is never the picture of the one before") {
+    test::ViewerStage stage("1 3 0 0 0 8 -1\n2 3 0 0 20 8 1\n", {700, 500});
+    const auto other = stage.folder.path() / "other.swc";
+    std::ofstream(other) << "1 3 0 0 0 1 -1\n2 3 30 0 0 1 1\n";
+    app::Viewer& viewer = *stage.viewer;
+    stage.settle();
+    viewer.files().use_settings({}); // a person's window: it draws while the surface is made
+    const auto before = view_of(stage.settle(), viewer.layout());
+    REQUIRE(app::run_command(viewer.actions(), std::vector<std::string>{"open", other.string()}));
+    const auto is_open = [&] { return stage.workspace.document.session().tree.path == other; };
+    for (int i = 0; i < 2000 && !(is_open() && viewer.resting()); ++i) {
+        stage.draw();
+        if (is_open()) REQUIRE(view_of(stage.target.read_premultiplied(), viewer.layout()) != before);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    REQUIRE(is_open());
+    stage.settle();
+    CHECK(viewer.interface().preparing == app::Preparing::kNothing);
+}
+
 TEST_CASE("viewports beside each other show the tree, and each is pointed at by itself") {
     ComparedStage stage;
     CHECK(stage.viewer->picture().picture_size() == stage.layout.viewport_size);

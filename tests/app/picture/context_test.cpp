@@ -110,6 +110,21 @@ TEST_CASE("context is added, changed, hidden and taken away by commands, each a 
     CHECK(stage.drawn().size() == 1);
 }
 
+TEST_CASE("while context is being read, perspective has no scale bar: it would change with what comes") {
+    ContextStage stage;
+    stage.commands.good("context \"" + stage.ball("ball.ply") + "\"");
+    Session session = stage.commands.document.session();
+    const auto has_bar = [&](bool awaited, bool orthographic) {
+        session.camera.orthographic = orthographic;
+        Assets alone;
+        alone.context_shapes = stage.commands.assets.context_shapes;
+        return compose(session, alone, nullptr, {.context_awaited = awaited}).overlays.scale_bar;
+    };
+    CHECK(has_bar(false, false));
+    CHECK_FALSE(has_bar(true, false));
+    CHECK(has_bar(true, true));
+}
+
 TEST_CASE("a context mesh that does not state its axes can be given them later") {
     ContextStage stage;
     const std::string file = stage.ball("ball.ply", {5, 0, 15}), own = (stage.folder.path() / "own.ply").string();
