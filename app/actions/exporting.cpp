@@ -44,7 +44,7 @@ Result<Continuation> write_surface_of(const SurfaceWork& work, Job& job) {
         if (auto closed = mesh::check_closed(surface.mesh, work.wanted.file.string()); !closed)
             return tl::unexpected(closed.error());
         const auto thicknesses = measure::least_thicknesses(surface.mesh, work.options.threads);
-        const std::string thin = thin_text(thicknesses, kThinnestPrintedMm);
+        const std::string thin = thin_text(thicknesses, kThinnestPrintedMm, Lengths(work.names.claims));
         sentence += "; " + (thin.empty() ? printing_text(thicknesses, Lengths(work.names.claims)) : thin);
     }
     if (job.cancelled()) return fail("cancelled");

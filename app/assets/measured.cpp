@@ -80,6 +80,9 @@ Result<Measured> path(const tree::VesselTree& tree, const Measurement& m) {
     found.label = "path " + found.value_text();
     found.label_place = middle_of(way->places);
     found.lines = {std::move(way->places)};
+    for (const int branch : way->branches)
+        for (const std::uint32_t point : tree.branches[static_cast<std::size_t>(branch)].points)
+            found.inside_mm = std::max(found.inside_mm, tree.points[point].radius);
     return found;
 }
 

@@ -19,6 +19,7 @@ struct Measured {
     std::string unit;                                           // "mm", "units" or "\u00B0"
     std::vector<std::pair<std::string, std::string>> details{}; // what belongs to it: ("cross-section", "12.6 mm2")
     std::vector<std::vector<glm::dvec3>> lines{};               // mm, RAS: what was measured, as polylines
+    double inside_mm = 0.0;                                     // radius of the vessels that the lines run in
     std::vector<glm::dvec3> ends{};                             // mm, RAS: its points or places, in their order
     std::string label{};                                        // of the picture: "path 12.3 mm"
     glm::dvec3 label_place{0.0};                                // mm, RAS

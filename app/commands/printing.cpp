@@ -48,7 +48,7 @@ void warn_about_printing(const PrintingFlags& flags, const WrittenSurface& writt
     if (!claims.has_unit())
         std::cerr << "ramus: nobody has said what one unit of the tree is, and printers take it for 1 mm; say it with "
                      "--units\n";
-    if (const std::string thin = thin_text(written.thicknesses, flags.thinnest_mm); !thin.empty())
+    if (const std::string thin = thin_text(written.thicknesses, flags.thinnest_mm, Lengths(claims)); !thin.empty())
         std::cerr << "ramus: " << thin
                   << "; print it larger, leave thin vessels out with --prune or hidden in a --session, or say with "
                      "--thinnest what your printer can do\n";

@@ -65,8 +65,14 @@ void draw_measurements(render::Frame& frame, std::span<const Result<Measured>> m
     for (std::size_t i = 0; i < measurements.size(); ++i) {
         const Result<Measured>& found = measurements[i];
         if (!found || static_cast<int>(i) == left_out) continue;
-        for (const auto& line : found->lines) frame.lines.push_back({line, kMeasureColour});
-        for (const glm::dvec3& end : found->ends) frame.lines.push_back(dot_at(frame, end, kMeasureColour));
+        // From an axis to the wall before it is seldom more than this.
+        constexpr double kRadii = 2.0;
+        for (const auto& line : found->lines)
+            frame.lines.push_back({.points = line, .colour = kMeasureColour, .inside_mm = kRadii * found->inside_mm});
+        for (const glm::dvec3& end : found->ends) {
+            frame.lines.push_back(dot_at(frame, end, kMeasureColour));
+            frame.lines.back().inside_mm = kRadii * found->inside_mm;
+        }
         frame.labels.push_back({found->label_place, found->label});
     }
 }
@@ -159,7 +165,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
         show_deviation(frame, marks, known ? &deviation : nullptr);
     }
     frame.centerlines = assets.centerlines.lines;
-    if (marks.skeleton) frame.skeleton = frame.centerlines;
+    if (marks.skeleton || frame.camera.inside) frame.skeleton = frame.centerlines;
     frame.cones = assets.centerlines.cones;
     const mesh::Method method = viewing.method.value_or(options.method);
     const DrawnWidth width = drawn_width(options, method);

@@ -26,13 +26,14 @@ std::span<const Thickness> thinner_than(std::span<const Thickness> thicknesses, 
     return thicknesses.first(static_cast<std::size_t>(end - thicknesses.begin()));
 }
 
-std::string thin_text(std::span<const Thickness> thicknesses, double least_mm) {
+std::string thin_text(std::span<const Thickness> thicknesses, double least_mm, const Lengths& lengths) {
     const auto thin = thinner_than(thicknesses, least_mm);
     if (thin.empty()) return {};
     return (thin.front().branch == tree::kNoBranch ? std::string("there are places")
                                                    : counted(thin.size(), "branch is", "branches are")) +
-           " thinner than " + digits(least_mm) + " mm, the thinnest with " + digits(thin.front().mm) + " mm (" +
-           place_text(thin.front()) + "): they may break or not be printed";
+           " thinner than " + lengths.text(least_mm) + (lengths.known() ? "" : " (which printers take for mm)") +
+           ", the thinnest with " + lengths.text(thin.front().mm) + " (" + place_text(thin.front()) +
+           "): they may break or not be printed";
 }
 
 } // namespace ramus::app

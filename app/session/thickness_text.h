@@ -23,6 +23,7 @@ inline constexpr double kThinnestPrintedMm = 0.8;
 
 // "3 branches are thinner than 0.8 mm, the thinnest with 0.62 mm (branch 12 at (1.5, -20.1, 33.4)): they may break or
 // not be printed"; empty: none is.
-[[nodiscard]] std::string thin_text(std::span<const measure::Thickness> thicknesses, double least_mm);
+[[nodiscard]] std::string thin_text(std::span<const measure::Thickness> thicknesses, double least_mm,
+                                    const Lengths& lengths);
 
 } // namespace ramus::app

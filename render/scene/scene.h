@@ -94,6 +94,7 @@ struct MarkLine {
     float width = 1.6F;
     // Of something selected: seen only where what is not selected hides it.
     bool of_selection = false;
+    double inside_mm = 0.0; // it runs inside vessels: walls that are nearer than this to the line do not hide it
     bool operator==(const MarkLine&) const = default;
 };
 

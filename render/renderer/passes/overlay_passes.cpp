@@ -59,7 +59,10 @@ void lay_out_run(const std::vector<Seen>& run, const MarkLine& line, double half
         const double squared = glm::dot(sum, sum);
         // The mitre; a sharp turn is cut off.
         const glm::dvec2 offset = squared > 0.25 ? 2.0 * sum / squared : b;
-        const double depth = flat ? run[i].depth : 1.0 / run[i].depth;
+        constexpr double kNearest = 0.01; // of the depth: nothing is before the eye
+        const double wall =
+            flat ? run[i].depth - line.inside_mm : std::max(run[i].depth - line.inside_mm, kNearest * run[i].depth);
+        const double depth = flat ? wall : 1.0 / wall;
         const auto vertex = [&](double at) {
             // A width below 0 says whose line it is.
             return MarkVertex{
