@@ -67,7 +67,8 @@ const int kUniformAlong = 24;          // ivec2: axis of the blur
 const int kUniformOrigin = 25;         // ivec2: lower left corner, pixels
 const int kUniformWindow = 26;         // vec4: of the interface: x, y, width, height
 const int kUniformLine = 27;           // vec3: pixels from the left, half its width, its height. Left of 0: there is none
-const int kUniforms = 28;
+const int kUniformInside = 28;         // int: 1 where the eye is inside a vessel
+const int kUniforms = 29;
 
 // Vertex attributes: of meshes, of marks, of the interface.
 const int kAttributePosition = 0;

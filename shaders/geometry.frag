@@ -3,6 +3,9 @@
 // centerlines; VALUE for surfaces with a value for each vertex.
 
 in vec3 normal_eye;
+#ifndef LINE
+layout(location = kUniformInside) uniform int inside;
+#endif
 #ifdef BORDER
 #include "border.glsl"
 #ifdef FLOOR
@@ -36,7 +39,8 @@ void main() {
 #ifdef LINE
     id |= kLine;
 #else
-    if (!gl_FrontFacing) normal = vec3(0.0, 0.0, 1.0); // a lid, where glass begins
+    // The wall from within, or a lid, where glass begins.
+    if (!gl_FrontFacing) normal = inside != 0 ? -normal : vec3(0.0, 0.0, 1.0);
 #endif
     surface = uvec2(id, packSnorm2x16(octahedral(normal)));
 #ifdef VALUE

@@ -22,12 +22,15 @@ Result<void> centre(ActionContext& context, Arguments arguments) {
 }
 
 Result<void> fly(ActionContext& context, Arguments arguments) {
-    if (arguments.size() != 2)
-        return fail("fly takes the id of a branch and how far", {}, "0 is the root, 1 the end of the branch");
+    const bool inside = arguments.size() == 3 && arguments[2] == "inside";
+    if (arguments.size() != 2 && !inside)
+        return fail("fly takes the id of a branch, how far, and inside to fly within the vessel", {},
+                    "0 is the root, 1 the end of the branch");
     RAMUS_TRY(id, branch_id(context.document, arguments[0]));
     const auto fraction = number_in(arguments[1], 0.0, 1.0);
     if (!fraction) return fail("\"" + arguments[1] + "\" is not a number from 0 to 1");
-    const auto path = context.picture.flights.to(context.document.tree(), id);
+    const auto path =
+        context.picture.flights.to(context.document.tree(), id, inside ? Flight::kInside : Flight::kOutside);
     context.document.set_camera(path->camera_at(*fraction, context.document.session().camera));
     context.picture.flew(id, *fraction);
     return {};
@@ -69,8 +72,11 @@ std::vector<Command> travel_commands() {
         Command("centre", "ID|X,Y,Z", "Brings the middle of a branch, or a place, into the middle of the picture.",
                 centre),
         Command("go-to", "ID|X,Y,Z", "Another name of centre.", centre),
-        Command("fly", "ID FRACTION",
-                "Puts the camera on its way along the vessels: 0 at the root, 1 at the end of the branch.", fly),
+        Command(
+            "fly", "ID FRACTION [inside]",
+            "Puts the camera on its way along the vessels: 0 at the root, 1 at the end of the branch; inside, within "
+            "them, with the centerlines ahead.",
+            fly),
         Command("fly-along", "[ID]", "Opens or closes the bar that flies the camera along the vessels to a branch.",
                 fly_along)
             .in_menu("View", "Fly along", {"J"})

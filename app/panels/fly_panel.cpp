@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdio>
 #include <imgui.h>
+#include <string>
+#include <vector>
 
 namespace ramus::app {
 
@@ -19,7 +21,9 @@ constexpr double kLongestStep = 0.5; // seconds: after a pause of the program th
 void fly_to(InterfaceContext& context, double fraction) {
     char text[32];
     std::snprintf(text, sizeof text, "%.7f", std::clamp(fraction, 0.0, 1.0));
-    context.perform("fly", {std::to_string(context.interface.fly.branch), text});
+    std::vector<std::string> words{std::to_string(context.interface.fly.branch), text};
+    if (context.interface.fly.inside) words.emplace_back("inside");
+    context.perform("fly", words);
 }
 
 void play_on(InterfaceContext& context, const FlyPath& path) {
@@ -109,6 +113,9 @@ void draw_controls(InterfaceContext& context) {
     if (play_button(fly.playing, ImGui::GetFrameHeight())) toggle_play(context);
     widgets::tooltip(fly.playing ? "Pause" : "Fly from here to the end of the branch");
     ImGui::SameLine();
+    if (ImGui::Checkbox("Inside", &fly.inside)) fly_to(context, fly.fraction);
+    widgets::tooltip("Flies within the vessel, with the centerlines ahead");
+    ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0F);
     auto fraction = static_cast<float>(fly.fraction);
     if (ImGui::SliderFloat("##fraction", &fraction, 0.0F, 1.0F, "", ImGuiSliderFlags_AlwaysClamp)) {
@@ -134,7 +141,8 @@ void draw_fly(InterfaceContext& context) {
         fly.open = fly.playing = false;
         return;
     }
-    const FlyPath& path = *context.actions.picture.flights.to(document.tree(), fly.branch);
+    const FlyPath& path = *context.actions.picture.flights.to(document.tree(), fly.branch,
+                                                              fly.inside ? Flight::kInside : Flight::kOutside);
     play_on(context, path);
     begin_bar(context.layout);
     draw_title_row(context, path);

@@ -96,6 +96,7 @@ struct RadiusDialog {
 struct Fly {
     bool open = false;
     bool playing = false;
+    bool inside = false;
     int branch = tree::kNoBranch; // flies to its end
     double fraction = 0.0;
     double last = 0.0;          // seconds of draw_interface() when it flew last

@@ -21,6 +21,9 @@ constexpr double kMostTurn = 0.017;     // radians from sample to sample
 constexpr double kTurnSmoothing = 16.0; // standard deviation, in samples
 constexpr double kElevation = 0.60;     // radians above the way ahead
 constexpr double kLookAhead = 0.18;     // of the distance
+constexpr double kDiametersAhead = 1.5; // inside
+constexpr double kOffAxis = 0.4;        // inside: of the radius, at most
+constexpr double kInsideAngle = 80.0;   // degrees
 constexpr double kSecondsPerDistance = 1.4;
 constexpr double kLeastSeconds = 4.0;
 constexpr double kMostSeconds = 40.0;
@@ -117,7 +120,7 @@ std::vector<glm::dvec3> limited(const std::vector<glm::dvec3>& given) {
 
 } // namespace
 
-FlyPath::FlyPath(const tree::VesselTree& tree, int end) : end_(end) {
+FlyPath::FlyPath(const tree::VesselTree& tree, int end, Flight flight) : end_(end), flight_(flight) {
     const Polyline way = way_to(tree, end);
     length_mm_ = way.at.back();
     const std::vector<tree::Point> points = resampled(way);
@@ -127,7 +130,9 @@ FlyPath::FlyPath(const tree::VesselTree& tree, int end) : end_(end) {
     std::vector<double> distances;
     std::vector<glm::dvec3> positions;
     for (const tree::Point& point : points) {
-        distances.push_back(std::log(std::max(kDiametersAway * 2.0 * point.radius, kLeastDistance * length_mm_)));
+        distances.push_back(std::log(inside()
+                                         ? std::max(kDiametersAhead * 2.0 * point.radius, 1e-4 * length_mm_)
+                                         : std::max(kDiametersAway * 2.0 * point.radius, kLeastDistance * length_mm_)));
         positions.push_back(point.position);
     }
     std::vector<double> widths(points.size());
@@ -139,7 +144,12 @@ FlyPath::FlyPath(const tree::VesselTree& tree, int end) : end_(end) {
     widths = smoothed(widths, std::vector<double>(widths.size(), 0.03 * kSamples), Beyond::kHold);
     distances = smoothed(distances, widths, Beyond::kHold);
     set_widths(kSmoothing);
-    const std::vector<glm::dvec3> focus = smoothed(positions, widths, Beyond::kReflect);
+    std::vector<glm::dvec3> focus = smoothed(positions, widths, Beyond::kReflect);
+    for (std::size_t i = 0; i < focus.size() && inside(); ++i) {
+        const glm::dvec3 off = focus[i] - positions[i];
+        const double most = kOffAxis * points[i].radius, length = glm::length(off);
+        if (length > most) focus[i] = positions[i] + most / length * off;
+    }
 
     // Directions of the smoothed way, smoothed once more: they are what the viewer sees turning.
     std::vector<glm::dvec3> ahead;
@@ -184,7 +194,16 @@ FlyPath::Sample FlyPath::at(double fraction) const {
 
 render::Camera FlyPath::camera_at(double fraction, const render::Camera& like) const {
     const Sample here = at(fraction);
-    render::Camera camera = like;
+    render::Camera camera = render::outside(like);
+    if (inside()) {
+        camera.position = here.focus;
+        camera.focal_point = here.focus + here.distance_mm * here.ahead;
+        camera.view_up = here.above;
+        camera.view_angle = kInsideAngle;
+        camera.orthographic = false;
+        camera.inside = true;
+        return camera;
+    }
     camera.focal_point = here.focus + kLookAhead * here.distance_mm * here.ahead;
     camera.position =
         camera.focal_point + here.distance_mm * (std::sin(kElevation) * here.above - std::cos(kElevation) * here.ahead);
@@ -209,10 +228,11 @@ double FlyPath::after(double fraction, double seconds) const {
     return (static_cast<double>(last) - 1.0 + std::clamp((then - from) / (to - from), 0.0, 1.0)) / (kSamples - 1);
 }
 
-std::shared_ptr<const FlyPath> FlyPaths::to(const std::shared_ptr<const tree::VesselTree>& tree, int end) {
-    if (tree_ != tree || !path_ || path_->end() != end) {
+std::shared_ptr<const FlyPath> FlyPaths::to(const std::shared_ptr<const tree::VesselTree>& tree, int end,
+                                            Flight flight) {
+    if (tree_ != tree || !path_ || path_->end() != end || path_->flight() != flight) {
         tree_ = tree;
-        path_ = std::make_shared<const FlyPath>(*tree, end);
+        path_ = std::make_shared<const FlyPath>(*tree, end, flight);
     }
     return path_;
 }

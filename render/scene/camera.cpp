@@ -144,7 +144,15 @@ Camera looking(const Camera& camera, View view) {
     return result;
 }
 
-Camera fitted(const Camera& camera, std::span<const glm::vec3> points, glm::ivec2 size) {
+Camera outside(Camera camera) {
+    if (!camera.inside) return camera;
+    camera.inside = false;
+    camera.view_angle = Camera().view_angle;
+    return camera;
+}
+
+Camera fitted(const Camera& from, std::span<const glm::vec3> points, glm::ivec2 size) {
+    const Camera camera = outside(from);
     Box box;
     for (const glm::vec3& point : points) box.include(glm::dvec3(point));
     const CameraAxes axes = axes_of(camera);

@@ -28,6 +28,7 @@ struct Camera {
     double view_angle = 30.0; // vertical opening angle in degrees, perspective only
     bool orthographic = false;
     double scale = 100.0; // half the height of the picture in mm, orthographic only (VTK's parallel scale)
+    bool inside = false;  // the eye is inside a vessel, whose wall it sees from within
     bool operator==(const Camera&) const = default;
 };
 
@@ -82,6 +83,9 @@ using AxisNames = std::array<std::string, 6>;
 [[nodiscard]] const AxisNames& side_letters(); // R L A P S I: of what is known to be RAS
 [[nodiscard]] const AxisNames& plain_axes();   // +x -x ...: no side of the patient is claimed
 
+// The same camera, if it is not inside a vessel; else one that is not, with the usual opening angle.
+[[nodiscard]] Camera outside(Camera camera);
+
 // The camera's direction and view-up become those of `view`; focal point, distance and the rest stay.
 [[nodiscard]] Camera looking(const Camera& camera, View view);
 // Same direction, but all of `box` is in the picture with a small margin, as large as it goes, perspective or not.
@@ -109,9 +113,9 @@ using AxisNames = std::array<std::string, 6>;
 // In between two cameras (0 = from, 1 = to), turning by the shortest way, for animated view changes.
 [[nodiscard]] Camera interpolated(const Camera& from, const Camera& to, double t);
 
-// JSON with the session file's names: position, focal_point, view_up, view_angle, orthographic, scale. Reading takes
-// what is missing from the defaults above, and refuses unknown names, wrong types, numbers that are not finite and
-// cameras that cannot be drawn. `where` names the source in messages.
+// JSON with the session file's names: position, focal_point, view_up, view_angle, orthographic, scale, and inside where
+// that is true. Reading takes what is missing from the defaults above, and refuses unknown names, wrong types, numbers
+// that are not finite and cameras that cannot be drawn. `where` names the source in messages.
 [[nodiscard]] nlohmann::json to_json(const Camera& camera);
 [[nodiscard]] Result<Camera> camera_from_json(const nlohmann::json& json, const std::string& where);
 [[nodiscard]] Result<Camera> parse_camera(std::string_view text, const std::string& where);

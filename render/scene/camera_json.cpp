@@ -50,6 +50,7 @@ template <class Of, class Call> void for_members(Of& camera, const Call& call) {
     call("view_angle", camera.view_angle);
     call("orthographic", camera.orthographic);
     call("scale", camera.scale);
+    call("inside", camera.inside);
 }
 
 } // namespace
@@ -57,6 +58,7 @@ template <class Of, class Call> void for_members(Of& camera, const Call& call) {
 nlohmann::json to_json(const Camera& camera) {
     nlohmann::json json;
     for_members(camera, [&](const char* name, const auto& member) { json[name] = value_of(member); });
+    if (!camera.inside) json.erase("inside"); // which readers before it do not know
     return json;
 }
 

@@ -91,7 +91,9 @@ InParts<std::uint64_t> SurfacePass::draw(const Subject& subject, const ViewSetup
         for (std::size_t part = 0; part < ranges.parts(); ++part) {
             draw_opaque_into(to, subject.has_values());
             use_for_vessels(borders ? programs.borders : programs.triangles, subject, view);
-            if (any_glass && !closed) glDisable(GL_CULL_FACE);
+            const bool inside = subject.frame.camera.inside;
+            glUniform1i(kUniformInside, inside ? 1 : 0);
+            if (inside || (any_glass && !closed)) glDisable(GL_CULL_FACE);
             const auto draw_part = [&] { mesh.draw_part(ranges, part); };
             borders ? draw_by_sample(programs.borders, view, to, draw_part) : draw_part();
             end_borders();

@@ -130,3 +130,42 @@ TEST_CASE("the camera keeps its projection while it flies") {
     CHECK(camera.view_angle == 40.0);
     CHECK(camera.scale == doctest::Approx(path.distance_at(0.5) * std::tan(glm::radians(20.0))));
 }
+
+TEST_CASE("a flight inside never leaves the vessels, and looks ahead") {
+    const auto made = test::grown_tree(120);
+    REQUIRE(made);
+    const tree::VesselTree& tree = *made;
+    // How far from the nearest axis, in radii there: all segments, no shortcut.
+    const auto radii_off = [&](const glm::dvec3& eye) {
+        double least = 1e300;
+        for (const tree::Branch& branch : tree.branches)
+            for (std::size_t i = 1; i < branch.points.size(); ++i) {
+                const tree::Point &a = tree.points[branch.points[i - 1]], &b = tree.points[branch.points[i]];
+                const glm::dvec3 along = b.position - a.position;
+                const double t =
+                    std::clamp(glm::dot(eye - a.position, along) / std::max(glm::dot(along, along), 1e-30), 0.0, 1.0);
+                const double away = glm::distance(eye, a.position + t * along);
+                least = std::min(least, away / (a.radius + t * (b.radius - a.radius)));
+            }
+        return least;
+    };
+    render::Camera like;
+    like.orthographic = true;
+    for (const int end : {40, 77, 119}) {
+        const FlyPath path(tree, end, Flight::kInside);
+        glm::dvec3 before(0.0);
+        for (int i = 0; i <= 200; ++i) {
+            const render::Camera camera = path.camera_at(i / 200.0, like);
+            CHECK(camera.inside);
+            CHECK_FALSE(camera.orthographic);
+            CHECK(radii_off(camera.position) < 0.75);
+            const glm::dvec3 ahead = glm::normalize(camera.focal_point - camera.position);
+            if (i > 0) CHECK(glm::dot(ahead, before) > 0.9); // of two hundred looks each is near the one before
+            before = ahead;
+        }
+    }
+    // Outside again, the usual angle is back.
+    const render::Camera out = FlyPath(tree, 40).camera_at(0.5, FlyPath(tree, 40, Flight::kInside).camera_at(0.5, {}));
+    CHECK_FALSE(out.inside);
+    CHECK(out.view_angle == render::Camera().view_angle);
+}

@@ -104,6 +104,8 @@ TEST_CASE("fly puts the camera on the way to a branch") {
          {"fly", "fly 40", "fly 40 1.5", "fly 40 -0.1", "fly 40 soon", "fly 4000 0.5", "fly 40 0.5 1"})
         CHECK_FALSE(stage.run(wrong));
     CHECK(stage.camera() == there);
+    stage.good("fly 40 0.25 inside");
+    CHECK(stage.camera() == FlyPath(*stage.document.tree(), 40, Flight::kInside).camera_at(0.25, there));
     // The path is made once for a flight, and anew for another end.
     const auto first = stage.host.flights.to(stage.document.tree(), 40);
     stage.good("fly 40 0.5");

@@ -244,12 +244,38 @@ TEST_CASE("lines lie over the picture, fainter where vessels hide them, and labe
     const int behind = brightness(scene.colour(image, 12.0, 0.0));
     CHECK(behind > brightness(scene.colour(plain, 12.0, 0.0)) + 20);
     CHECK(behind < 700);
+    // A way through a vessel is seen as well as any other line.
+    for (MarkLine& line : scene.frame.lines) line.inside_mm = 20.0;
+    CHECK(brightness(scene.colour(scene.draw(), 12.0, 0.0)) > 740);
     scene.frame.lines.clear();
     scene.frame.labels = {{{0.0, 0.0, 10.0}, "12.3 mm"}};
     const auto sprites = OverlayPainter().paint(SpriteSource(scene.frame));
     REQUIRE(sprites.size() == 1);
     CHECK(std::abs(sprites[0].corner.x - scene.at(0.0, 10.0).x) < 15);
     CHECK(scene.draw() != plain);
+}
+
+TEST_CASE("inside a vessel its wall is all around, and the centerline ahead") {
+    Scene scene;
+    scene.frame.camera = {.position = {-15, 0, 0.5}, .focal_point = {0, 0, 0}, .view_angle = 80.0};
+    const auto wall = [](const Image& image) {
+        int red = 0;
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x) {
+                const std::uint8_t* p = image.pixel(x, y);
+                red += p[0] > p[2] + 30 ? 1 : 0;
+            }
+        return red / double(image.width) / image.height;
+    };
+    const double without = wall(scene.draw());
+    scene.frame.camera.inside = true;
+    CHECK(without < 0.1);
+    CHECK(wall(scene.draw()) > 0.85); // the rest are the cube, the bar and highlights
+    // From outside nothing is different.
+    Scene other;
+    const Image outside = other.draw();
+    other.frame.camera.inside = true;
+    CHECK(other.draw() == outside);
 }
 
 TEST_CASE("a legend is as sharp as the picture, above the scale bar, and its bar has the map's colours") {
