@@ -186,6 +186,7 @@ void main() {
 #endif
 
     vec4 sum = vec4(0.0);
+    bool bare = true;
     int rounds = samples == 0 ? 0 : whole ? 1 : samples;
     for (int s = 0; s < rounds; ++s) {
         uvec2 found = texelFetch(surface_samples, pixel, s).xy;
@@ -205,10 +206,12 @@ void main() {
 #endif
         vec4 here = vec4(shade(max(found.x, 1u), normal, position, taken, own_value), 1.0);
         if (found.x == 0u) here = behind;
+        bare = bare && found.x == 0u;
 #ifdef GLASS
         if (is_line) here.rgb = line_radiance(point_of_branch(found.x, normal, position));
         vec4 before = whole ? mean_front : front[s];
         here = before + here * (1.0 - before.a);
+        bare = bare && before.a == 0.0;
 #endif
         sum += here;
     }
@@ -217,7 +220,9 @@ void main() {
 #endif
     sum /= float(rounds);
 #ifdef OUTLINE
-    sum = outlined(sum, outline(gl_FragCoord.xy));
+    float share = outline(gl_FragCoord.xy);
+    if (bare && share == 0.0) discard; // the background is there already, as it is without a selection: white stays white
+    sum = outlined(sum, share);
 #endif
     colour = encoded(sum, half_step(gl_FragCoord.xy));
 }
