@@ -52,7 +52,10 @@ void FolderListing::read(const fs::path& folder) {
     content_ = {};
     ++version_;
     reading_ = true;
-    if (!worker_) worker_ = std::make_unique<Worker>([this] { wake_(); });
+    if (!worker_)
+        worker_ = std::make_unique<Worker>([this] {
+            if (wake_) wake_(); // nobody waits in pictures of the window
+        });
     worker_->start("Listing the folder", [this, folder](Job& job, const Worker::Post& post) {
         auto read = std::make_shared<Content>(content_of(folder, job));
         post([this, read] {
