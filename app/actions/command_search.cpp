@@ -179,6 +179,25 @@ std::string nearest_known(const std::string& word) {
     return closest_word(word, known);
 }
 
+// Whether `word` is one of the words that the first argument may be: "surface" of "[explore|surface|plan]".
+bool is_choice(const std::string& arguments, std::string_view word) {
+    const std::string_view first = std::string_view(arguments).substr(0, arguments.find(' '));
+    for (std::size_t at = 0; at < first.size();) {
+        const std::size_t from = first.find_first_not_of("[]|", at);
+        if (from == std::string_view::npos) return false;
+        at = std::min(first.find_first_of("[]|", from), first.size());
+        if (first.substr(from, at - from) == word) return true;
+    }
+    return false;
+}
+
+// Whether an entry of the table gives just this to its command: "view left".
+bool is_entry(std::string_view line) {
+    return std::ranges::any_of(all_entries(), [&](const Entry& entry) {
+        return named_by(*entry.command, line, words_in(line)) == Named::kAsTyped;
+    });
+}
+
 } // namespace
 
 const Command* command_given_by(std::string_view line) {
@@ -188,7 +207,9 @@ const Command* command_given_by(std::string_view line) {
     const Command* command = find_command(line.substr(0, end));
     if (command == nullptr || command->arguments.empty()) return nullptr;
     const bool number = line[given] >= '0' && line[given] <= '9'; // "1" begins words as well: "within 10 mm"
-    return number || search_commands(line).empty() ? command : nullptr;
+    const std::string_view word = line.substr(given, line.find(' ', given) - given);
+    const bool choice = is_choice(command->arguments, word) && !is_entry(line);
+    return number || choice || search_commands(line).empty() ? command : nullptr;
 }
 
 std::vector<const Command*> search_commands(std::string_view words) {

@@ -15,8 +15,8 @@ namespace ramus::app {
 // may be a mistyping of. Left out: entries that cannot be given ("dismiss").
 [[nodiscard]] std::vector<const Command*> search_commands(std::string_view words);
 
-// The command that a line gives arguments to, as in a commands file: "select 3". Null: it is no such line, or of words
-// that entries are found by ("hide vessels").
+// The command that a line gives arguments to, as in a commands file: "select 3", "panel surface". Null: it is no such
+// line, it is an entry of its own ("view left"), or it has words that entries are found by ("hide vessels").
 [[nodiscard]] const Command* command_given_by(std::string_view line);
 
 // "Select \xE2\x80\xBA Dependents"; of a command that is in no menu its name, in words.

@@ -53,6 +53,16 @@ def by_words(window):
     window.xdotool("key", "Escape")
     window.wait("nothing selected", lambda s: s["selection"] == [])
 
+    palette(window, "panel surface")
+    window.wait("the page of the surface", lambda s: not s["palette"]["open"] and s["page"] == "surface")
+    palette(window, "panel explore")
+    shown = window.wait("the first page again", lambda s: not s["palette"]["open"] and s["page"] == "explore")
+    palette(window, "Side panel")
+    window.wait("no panel", lambda s: not s["palette"]["open"] and s["viewport"][2] > shown["viewport"][2])
+    palette(window, "Side panel")
+    window.wait("the panel", lambda s: not s["palette"]["open"] and s["viewport"][2] == shown["viewport"][2])
+    check(True, "the words of a command lead to its page, and the label of an entry to that entry")
+
     palette(window, "hide", "Escape")
     window.wait("the palette closed", lambda s: not s["palette"]["open"])
     check(not window.status()["states"]["hidden"], "Escape closes it and does nothing")

@@ -30,6 +30,9 @@ TEST_CASE("commands are found by what people call them") {
     CHECK(first_for("rename") == "rename");
     CHECK(first_for("undo") == "undo");
     CHECK(first_for("Left") == "view left");
+    for (const char* typed : {"Side panel", "side panel", "Side pan", "panel", "View side panel"})
+        CHECK_MESSAGE(first_for(typed) == "panel", typed);
+    CHECK(first_for("Explore or plan") == "panel other");
     CHECK(first_for("fly") == "fly"); // a command of that name
     CHECK(first_for("fly along") == "fly-along");
 }
@@ -88,6 +91,12 @@ TEST_CASE("a command that is typed with its arguments is known by its name") {
     CHECK(command->name == "select");
     CHECK(command_given_by("select 1") == command); // "1" begins a word of an entry
     CHECK(command_given_by("hide vessels") == nullptr);
+    // A word that its argument may be is no word to search by: "panel surface" found the entry "Side panel".
+    CHECK(command_given_by("panel surface") == find_command("panel"));
+    CHECK(command_given_by("theme light") == find_command("theme"));
+    CHECK(command_given_by("ui-scale auto") == find_command("ui-scale"));
+    for (const char* entry : {"view left", "ui-scale larger", "background white", "Side panel"})
+        CHECK_MESSAGE(command_given_by(entry) == nullptr, entry);
     for (const char* none : {"", "select", "select  ", "no-command 3", "show-all 3", " select 3"})
         CHECK(command_given_by(none) == nullptr);
 }
