@@ -48,7 +48,8 @@ Result<Outcome> export_table(ActionContext& context, const Export& wanted) {
 
 Result<Outcome> export_report(ActionContext& context, const Export& wanted) {
     if (auto fits = expect_extension(wanted, ".html", "a report"); !fits) return tl::unexpected(fits.error());
-    const std::vector<std::string> words{wanted.file.string()};
+    std::vector<std::string> words{wanted.file.string()};
+    if (!wanted.case_line.empty()) words.insert(words.end(), {"--case", wanted.case_line});
     return find_command("report")->action(context, words);
 }
 

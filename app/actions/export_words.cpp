@@ -40,7 +40,7 @@ Result<void> read_options(Export& wanted, Arguments words) {
             wanted.for_printing = true;
             continue;
         }
-        if (word != "--of" && word != "--parts" && word != "--rows")
+        if (word != "--of" && word != "--parts" && word != "--rows" && word != "--case")
             return fail("export takes what, and one file", {}, kExportUsage);
         const std::string value = i + 1 < words.size() ? words[++i] : std::string();
         const auto* const scope = std::ranges::find(kExportScopes, value, &ExportScope::key);
@@ -49,6 +49,7 @@ Result<void> read_options(Export& wanted, Arguments words) {
         if (word == "--rows" && value != "branches" && table_kind_named(value) == nullptr)
             return fail("--rows takes branches, cuts, bands, selection, measurements, systems, contacts or validation",
                         {}, kExportUsage);
+        if (word == "--case") wanted.case_line = value;
         if (word == "--of") wanted.of = scope->of;
         if (word == "--rows") wanted.table = value == "branches" ? "" : value;
         if (word == "--parts" && !(wanted.parts = parts_named(value)))
@@ -56,6 +57,8 @@ Result<void> read_options(Export& wanted, Arguments words) {
     }
     if (wanted.what != ExportWhat::kSurface && (wanted.parts || wanted.for_printing))
         return fail("only a surface has parts, or is printed", {}, kExportUsage);
+    if (wanted.what != ExportWhat::kReport && !wanted.case_line.empty())
+        return fail("only a report has a case line", {}, kExportUsage);
     if (wanted.what != ExportWhat::kTable && !wanted.table.empty())
         return fail("only a table has rows of a kind", {}, kExportUsage);
     return {};

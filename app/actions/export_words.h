@@ -18,7 +18,7 @@ inline constexpr const char* kExportUsage =
     "export surface|tree|table|picture|sheet|turntable|report FILE; of a surface, tree or table [--of "
     "visible|selected|all]; of a surface [--parts branch|system|none] [--for-printing]; of a table [--rows "
     "branches|cuts|bands|selection|measurements|systems|contacts|validation]; of pictures --size, --background and "
-    "more";
+    "more; of a report [--case TEXT]";
 
 struct Export {
     ExportWhat what{};
@@ -26,8 +26,9 @@ struct Export {
     std::filesystem::path file;
     std::optional<io::PartsBy> parts; // none: what is usual
     bool for_printing = false;
-    std::string table;    // the name of a TableKind; empty: branches
-    FigureOptions figure; // of pictures
+    std::string table;     // the name of a TableKind; empty: branches
+    std::string case_line; // of a report
+    FigureOptions figure;  // of pictures
     std::optional<glm::ivec2> size;
     [[nodiscard]] const ExportKind& kind() const { return export_kinds()[static_cast<std::size_t>(what)]; }
 };

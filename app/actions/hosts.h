@@ -66,8 +66,9 @@ public:
         return here(branch_picture());
     }
     [[nodiscard]] virtual std::optional<Coming<Result<render::Image>>> coming_picture() { return {}; }
-    // The document from another camera, with scale bar and cube, for reports.
-    virtual Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size);
+    // The document from another camera, with scale bar and cube, dressed as `options` say, for reports.
+    virtual Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size,
+                                               const FigureOptions& options);
     // A command has moved the camera at once: a window shows the way from the last one.
     virtual void camera_leapt() {}
     // What the middle of the picture shows, or what is nearest to it there; none: nobody looks, or nothing is in view.

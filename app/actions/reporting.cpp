@@ -10,6 +10,8 @@
 #include "core/io/text_numbers.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
+#include <optional>
 
 namespace ramus::app::actions {
 
@@ -34,26 +36,66 @@ Result<Outcome> write_csv(ActionContext& context, const fs::path& path, std::str
                          "Report of " + std::string(kind->name) + " saved: " + path.string());
 }
 
-Result<std::vector<ReportPicture>> take_pictures(ActionContext& context) {
-    constexpr glm::ivec2 kLarge{1200, 800}, kSmall{720, 600};
+// What follows the file.
+struct ReportWords {
+    std::string kind;               // of a table; empty: the first that there is
+    std::string case_line;          // of a page
+    std::optional<glm::ivec2> size; // of the picture that was looked at, whose shape a page keeps; none: as it is here
+};
+
+constexpr const char* kReportUsage = "report FILE.html [--case TEXT] [--size WxH], or report FILE.csv [KIND]";
+
+Result<ReportWords> report_words(Arguments words) {
+    ReportWords found;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string& word = words[i];
+        const bool option = word == "--case" || word == "--size";
+        if (option && i + 1 == words.size()) return fail(word + " takes a value", {}, kReportUsage);
+        if (word == "--case") {
+            found.case_line = words[++i];
+        } else if (word == "--size") {
+            RAMUS_TRY(size, size_in(words[++i]));
+            found.size = size;
+        } else if (word.starts_with("--") || !found.kind.empty()) {
+            return fail("report takes a file and what it is of", {}, "put quotes around a name with blanks");
+        } else {
+            found.kind = word;
+        }
+    }
+    return found;
+}
+
+// On white, for paper, with letters that are legible when the page shows the picture smaller than it is.
+Result<ReportPicture> take_picture(ActionContext& context, const char* caption, const render::Camera& camera,
+                                   glm::ivec2 size, double text_size) {
+    FigureOptions look;
+    look.ground = Ground::kWhite;
+    look.text_size = text_size;
+    RAMUS_TRY(image, context.picture.draw_picture(camera, size, look));
+    RAMUS_TRY(png, render::encode_png(image));
+    return ReportPicture{caption, std::move(png)};
+}
+
+// As it was looked at: in the shape that the picture has there, so that nothing is cut off which was seen. From the
+// front and from the left: all that is visible.
+Result<std::vector<ReportPicture>> take_pictures(ActionContext& context, glm::ivec2 shape) {
+    constexpr int kLongerSide = 1200;
+    constexpr glm::ivec2 kSmall{720, 600};
+    constexpr double kLargeText = 1.5, kSmallText = 1.7; // a page shows the pictures at 0.7 and 0.57 of their size
     const render::Camera& current = context.document.session().camera;
-    struct Wanted {
-        const char* caption;
-        render::Camera camera;
-        glm::ivec2 size;
-    };
-    std::vector<Wanted> wanted{{"As it was looked at", current, kLarge}};
+    const glm::dvec2 scaled = glm::dvec2(shape) * (double(kLongerSide) / std::max(shape.x, shape.y));
+    const glm::ivec2 large = glm::max(glm::ivec2(glm::round(scaled)), glm::ivec2(1));
+    std::vector<ReportPicture> pictures;
+    // Drawn first: this computes the surface of the document as it is now, which the other cameras are fitted to.
+    RAMUS_TRY(seen, take_picture(context, "As it was looked at", current, large, kLargeText));
+    pictures.push_back(std::move(seen));
     for (const auto& [caption, view] :
          {std::pair{"Anterior", render::View::kAnterior}, std::pair{"Left", render::View::kLeft}}) {
         const render::Camera from = render::looking({.orthographic = current.orthographic}, view);
-        if (const auto visible = visible_positions(context, from, kSmall); !visible.empty())
-            wanted.push_back({caption, render::fitted(from, visible, kSmall), kSmall});
-    }
-    std::vector<ReportPicture> pictures;
-    for (const Wanted& one : wanted) {
-        RAMUS_TRY(image, context.picture.draw_picture(one.camera, one.size));
-        RAMUS_TRY(png, render::encode_png(image));
-        pictures.push_back({one.caption, std::move(png)});
+        const auto visible = visible_positions(context, from, kSmall);
+        if (visible.empty()) continue;
+        RAMUS_TRY(picture, take_picture(context, caption, render::fitted(from, visible, kSmall), kSmall, kSmallText));
+        pictures.push_back(std::move(picture));
     }
     return pictures;
 }
@@ -68,11 +110,11 @@ Result<Outcome> report_page_elsewhere(const std::function<Result<void>(Job&)>& w
                    true};
 }
 
-Result<void> write_page(ActionContext& context, const fs::path& path) {
-    RAMUS_TRY(pictures, take_pictures(context));
-    if (auto written = io::write_file(path, report_page(context.document, context.assets, pictures, now_text()));
-        !written)
-        return written;
+Result<void> write_page(ActionContext& context, const fs::path& path, const ReportWords& words) {
+    RAMUS_TRY(pictures, take_pictures(context, words.size.value_or(context.picture.picture_size())));
+    const std::string page =
+        report_page(context.document, context.assets, pictures, {.made = now_text(), .case_line = words.case_line});
+    if (auto written = io::write_file(path, page); !written) return written;
     context.say("Report saved: " + path.string());
     return {};
 }
@@ -82,23 +124,29 @@ Result<Outcome> report(ActionContext& context, Arguments arguments) {
         context.files->ask_for_export("report");
         return Done{};
     }
-    if (arguments.size() > 2)
-        return fail("report takes a file and what it is of", {}, "put quotes around a name with blanks");
+    RAMUS_TRY(words, report_words(arguments.subspan(std::min<std::size_t>(arguments.size(), 1))));
     RAMUS_TRY(path,
               file_argument(context, arguments.first(std::min<std::size_t>(arguments.size(), 1)), "report", ".html"));
     if (!has_tree(context.document)) return fail("there is no tree to report of");
     const std::string extension = io::lower_case(path.extension().string());
     complete_lesions(context.assets, context.document);
     if (context.window == nullptr) complete_contacts(context.assets, context.document); // a window has them soon
-    if (extension == ".csv") return write_csv(context, path, arguments.size() == 2 ? arguments[1] : "");
+    const bool of_page = !words.case_line.empty() || words.size;
+    if (extension == ".csv" && of_page)
+        return fail("--case and --size are of a report as a page", path.string(), kReportUsage);
+    if (extension == ".csv") return write_csv(context, path, words.kind);
     if (extension != ".html" && extension != ".htm")
         return fail("a report is a .csv or an .html file", path.string(), "give the name one of these endings");
-    if (arguments.size() == 2)
-        return fail("a report as .html has everything", path.string(), "leave \"" + arguments[1] + "\" out");
+    if (!words.kind.empty())
+        return fail("a report as .html has everything", path.string(), "leave \"" + words.kind + "\" out");
     const fs::path full = fs::absolute(path).lexically_normal();
     if (auto possible = io::check_output(full); !possible) return tl::unexpected(possible.error());
-    RAMUS_TRY(elsewhere, context.picture.done_elsewhere({"report", full.string()}));
-    return elsewhere ? report_page_elsewhere(elsewhere, full) : outcome_of(write_page(context, path));
+    const glm::ivec2 shape = words.size.value_or(context.picture.picture_size());
+    std::vector<std::string> there{"report", full.string(), "--size",
+                                   std::to_string(shape.x) + "x" + std::to_string(shape.y)};
+    if (!words.case_line.empty()) there.insert(there.end(), {"--case", words.case_line});
+    RAMUS_TRY(elsewhere, context.picture.done_elsewhere(there));
+    return elsewhere ? report_page_elsewhere(elsewhere, full) : outcome_of(write_page(context, path, words));
 }
 
 } // namespace
@@ -106,10 +154,10 @@ Result<Outcome> report(ActionContext& context, Arguments arguments) {
 std::vector<Command> report_commands() {
     return {
         Command(
-            "report", "[FILE [KIND]]",
-            "Writes a report: .html, one page with pictures and all tables; or .csv of selection, cuts, bands or "
-            "measurements, systems, contacts, validation (once there is one), the first of them that there is unless "
-            "told. A window asks for the file.",
+            "report", "[FILE [KIND] [OPTIONS]]",
+            "Writes a report: .html, one page with pictures and all tables, and a case line at its head that is in no "
+            "other file; or .csv of selection, cuts, bands or measurements, systems, contacts, validation (once there "
+            "is one), the first of them that there is unless told. A window asks for the file.",
             report)
             .in_menu("Plan", "Report...")
             .when(has_tree),

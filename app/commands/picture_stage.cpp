@@ -117,11 +117,13 @@ Result<void> PictureStage::write_figure(const FigureRequest& request, Job& job) 
     return app::write_figure(*sheet_renderer_, compose_sized, viewing_.size, request, job);
 }
 
-Result<render::Image> PictureStage::draw_picture(const render::Camera& camera, glm::ivec2 size) {
+Result<render::Image> PictureStage::draw_picture(const render::Camera& camera, glm::ivec2 size,
+                                                 const FigureOptions& options) {
     RAMUS_TRY(requested, frame());
     requested.camera = camera;
     requested.size = size;
-    const render::Sheet sheet = render::sheet_of(std::move(requested));
+    render::Sheet sheet = render::sheet_of(std::move(requested));
+    app::dress(sheet, options);
     render::SheetRenderer alone(*renderer_); // those of other viewports keep what they have
     if (const auto drawn = alone.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());
     if (const auto finer = alone.refine(sheet); !finer) return tl::unexpected(finer.error());

@@ -121,6 +121,7 @@ std::vector<std::string> ExportChoice::words(const fs::path& file) const {
         words.insert(words.end(), {"--rows", table});
     else if (kind().of_branches)
         words.insert(words.end(), {"--of", std::string(kExportScopes[static_cast<std::size_t>(of)].key)});
+    if (what == ExportWhat::kReport && case_line[0] != '\0') words.insert(words.end(), {"--case", case_line.data()});
     if (what != ExportWhat::kSurface) return words;
     if (format().has_parts && parts) words.insert(words.end(), {"--parts", key_of(*parts)});
     if (format().for_printing && for_printing) words.emplace_back("--for-printing");
@@ -170,6 +171,19 @@ void draw_table_choice(ExportChoice& choice, const Exportable& has) {
     choice.table = names[widgets::list_row("Rows", "What the table has rows of", 190.0F, entries, chosen)];
 }
 
+// Whoever reads the page reads the line, and it is written nowhere else.
+void draw_case_line(ExportChoice& choice) {
+    ImGui::AlignTextToFramePadding();
+    widgets::quiet("Case");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1.0F);
+    ImGui::InputTextWithHint("##case", "Which case the report is of, at the head of the page", choice.case_line.data(),
+                             choice.case_line.size());
+    widgets::note_item("Case line");
+    widgets::quiet_wrapped("What you type here is stored in the file as it stands. A patient's name goes wherever the "
+                           "file goes. Sessions and settings do not keep it.");
+}
+
 void draw_format(ExportChoice& choice) {
     std::vector<widgets::ListEntry> entries;
     for (const ExportFormat& each : choice.kind().formats)
@@ -198,6 +212,7 @@ bool draw_export_choice(ExportChoice& choice, const Exportable& has) {
         }
         if (choice.kind().of_branches && choice.table.empty()) draw_scope(choice, has.selection);
         if (choice.what == ExportWhat::kSurface) draw_surface_options(choice, has.systems);
+        if (choice.what == ExportWhat::kReport) draw_case_line(choice);
     }
     if (choice.what == ExportWhat::kTurntable && !choice.figure.videos)
         widgets::quiet_wrapped("ffmpeg is not installed, which makes videos of the pictures (apt install ffmpeg).");

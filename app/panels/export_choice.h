@@ -5,6 +5,7 @@
 #include "app/panels/figure_choice.h"
 #include "core/io/meshes/mesh_names.h"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -19,7 +20,8 @@ struct ExportChoice {
     std::array<std::size_t, kExportKinds> formats{}; // by kind: an index into its formats
     std::optional<io::PartsBy> parts;                // none: what is usual for the tree
     bool for_printing = false;
-    std::string table; // the name of a TableKind; empty: branches
+    std::string table;                 // the name of a TableKind; empty: branches
+    std::array<char, 256> case_line{}; // of a report; typed anew for each
     FigureChoice figure;
 
     [[nodiscard]] bool draws() const { // a picture of some kind, which has a preview

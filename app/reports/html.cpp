@@ -20,11 +20,13 @@ h1 { font-size: 1.6em; font-weight: 600; margin: 0 0 .1em; overflow-wrap: anywhe
 h2 { font-size: 1.1em; font-weight: 600; margin: 1.8em 0 .5em; padding-top: .7em; border-top: 1px solid #d5d9de; overflow-wrap: anywhere; }
 h3 { font-size: 1em; font-weight: 600; margin: 1.3em 0 .3em; }
 p { margin: .3em 0; }
+.case { font-size: 1.15em; font-weight: 600; overflow-wrap: anywhere; }
+.swatch { display: inline-block; width: .8em; height: .8em; margin-right: .4em; border: 1px solid #5b6570; print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 .quiet, figcaption, dt, th { color: #5b6570; }
 .pictures { display: grid; grid-template-columns: 1fr 1fr; gap: .7em; margin-top: 1.3em; }
 .pictures figure:first-child { grid-column: 1 / -1; } .pictures.even figure:first-child { grid-column: auto; }
 .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(26em, 100%), 1fr)); gap: .8em 1.2em; margin: .8em 0; }
-figure { margin: 0; } img, svg { display: block; width: 100%; height: auto; } img { border-radius: 4px; }
+figure { margin: 0; } .pictures img { border: 1px solid #d5d9de; box-sizing: border-box; } img, svg { display: block; width: 100%; height: auto; } img { border-radius: 4px; }
 figcaption { font-size: .85em; margin-top: .25em; }
 dl { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(17em, 100%), 1fr)); gap: .15em 2em; margin: 0; }
 dl div { display: flex; justify-content: space-between; gap: 1em; border-bottom: 1px solid #eceef1; padding: .12em 0; }
@@ -70,6 +72,13 @@ std::string cell_text(const Cell& cell, int significant) {
     return digits(number, significant);
 }
 
+// Before the words of a colour, which a page can show: "#c98268".
+std::string swatch(const Column& column, const Cell& cell) {
+    const bool colour = column.name == "colour" && cell.text.size() == 7 && cell.text[0] == '#' &&
+                        cell.text.find_first_not_of("0123456789abcdef", 1) == std::string::npos;
+    return colour ? "<span class=\"swatch\" style=\"background:" + cell.text + "\"></span>" : "";
+}
+
 bool numeric(const Table& table, std::size_t column) {
     return !table.rows.empty() && table.rows.front()[column].number.has_value();
 }
@@ -81,7 +90,7 @@ std::string row_html(const Table& table, const std::vector<Cell>& row, const Tab
     std::string text = sum ? "<tr class=\"sum\">" : flagged ? "<tr class=\"flag\">" : "<tr>";
     for (std::size_t c = 0; c < table.columns.size(); ++c)
         text += std::string("<td") + (numeric(table, c) ? " class=\"number\">" : ">") +
-                cell_text(row[c], table.columns[c].digits) + "</td>";
+                swatch(table.columns[c], row[c]) + cell_text(row[c], table.columns[c].digits) + "</td>";
     return text + "</tr>\n";
 }
 

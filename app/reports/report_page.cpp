@@ -3,9 +3,11 @@
 #include "app/assets/assets.h"
 #include "app/reports/report_tables.h"
 #include "app/reports/surface_facts.h"
+#include "app/session/colour_by.h"
 #include "app/session/numbers.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <utility>
 
 namespace ramus::app {
@@ -78,6 +80,49 @@ std::string lesions_html(const Document& document, const Plan& plan) {
     return table_html(table, {.note = note});
 }
 
+// As the file names it, where that is known.
+std::string label_text(const ContextItem& item, const ContextShape* shape) {
+    if (item.isovalue) return "from " + rounded(*item.isovalue);
+    if (item.label.none()) return "";
+    const bool named = shape != nullptr && shape->label && !shape->label->name.empty();
+    return named ? shape->label->name : item.label.name.empty() ? std::to_string(item.label.number) : item.label.name;
+}
+
+// `asked`: what a person said, in the words of the options.
+std::string said_text(tree::SaidBy who, const std::string& asked) {
+    return who == tree::SaidBy::kFile     ? "as the file says"
+           : who == tree::SaidBy::kPerson ? (asked.empty() ? "as the user says" : asked + ", as the user says")
+                                          : "not known, taken for the tree's";
+}
+
+std::string context_html(const Document& document, const Assets& assets) {
+    Table table{"Context",
+                {{"context", "No."},
+                 {"file", "File"},
+                 {"label", "Label"},
+                 {"colour", "Colour"},
+                 {"opacity", "Opacity, %"},
+                 {"shown", "Shown"},
+                 {"unit_from", "Unit"},
+                 {"axes_from", "Axes"}},
+                {}};
+    for (const ContextItem& item : document.marks().context) {
+        const auto shape = assets.context_shape(source_of(item));
+        const auto said = [&](tree::SaidBy tree::Claims::*claim, const std::string& asked) {
+            return shape ? said_text(shape->claims.*claim, asked) : std::string("not read");
+        };
+        table.rows.push_back({static_cast<int>(table.rows.size() + 1),
+                              std::filesystem::path(item.file).filename().string(), label_text(item, shape.get()),
+                              colour_text(item.colour), 100.0 * item.opacity, item.visible ? "yes" : "no",
+                              said(&tree::Claims::unit, item.units), said(&tree::Claims::orientation, item.axes)});
+    }
+    return table.rows.empty() ? "" : table_html(table, {.note = "Surfaces that are shown next to the vessels."});
+}
+
+std::string case_html(const std::string& line) {
+    return line.empty() ? "" : "<p class=\"case\">" + html_text(line) + "</p>\n";
+}
+
 std::string cuts_note(const Document& document, const Plan& plan) {
     const measure::CutReport& report = plan.cuts;
     std::size_t rebuilt = 0;
@@ -94,9 +139,9 @@ std::string cuts_note(const Document& document, const Plan& plan) {
 } // namespace
 
 std::string report_page(const Document& document, const Assets& assets, const std::vector<ReportPicture>& pictures,
-                        const std::string& made) {
-    std::string page = page_begin(document.session().tree.path.filename().string(), "Vessel tree report", made) +
-                       pictures_html(pictures);
+                        const ReportHead& head) {
+    std::string page = page_begin(document.session().tree.path.filename().string(), "Vessel tree report", head.made) +
+                       case_html(head.case_line) + pictures_html(pictures);
     page += "<h2>Tree</h2>\n" + facts_html(worded(tree_facts(document), document.lengths()));
     if (!document.tree()->systems.empty()) page += table_html(systems_table(document, assets));
     if (const Table contacts = contacts_table(document, assets); !contacts.rows.empty())
@@ -108,11 +153,12 @@ std::string report_page(const Document& document, const Assets& assets, const st
     page += lesions_html(document, plan);
     if (!marks.cuts.empty())
         page += table_html(cuts_table(document, assets),
-                           {.note = cuts_note(document, plan), .flag_column = "must_be_reconstructed", .sums = 1});
+                           {.note = cuts_note(document, plan), .flag_column = "over_limit", .sums = 1});
     if (const Table bands = bands_table(document, assets); !plan.bands.empty())
         page += table_html(bands, {.note = bands.rows.empty() ? "No vessel lies within the margins."
                                                               : "From the lesions to the vessels' walls; the thickest "
                                                                 "first."});
+    page += context_html(document, assets);
     if (!marks.measurements.empty()) page += table_html(measurements_table(document, assets));
     if (!marks.selection.empty()) page += table_html(selection_table(document, assets));
     page += "<h2>Options</h2>\n" + facts_html(worded(option_facts(marks), document.lengths())) + page_end();

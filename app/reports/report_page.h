@@ -12,9 +12,13 @@ namespace ramus::app {
 
 struct Assets; // app/assets/assets.h
 
-// UTF-8. `made`: when, for the head of the page. The first picture is the large one. The document has
-// a tree, and the assets are up to it.
+struct ReportHead {
+    std::string made;      // when
+    std::string case_line; // what a person typed to say which case the report is of; may be empty
+};
+
+// UTF-8. The first picture is the large one. The document has a tree, and the assets are up to it.
 [[nodiscard]] std::string report_page(const Document& document, const Assets& assets,
-                                      const std::vector<ReportPicture>& pictures, const std::string& made);
+                                      const std::vector<ReportPicture>& pictures, const ReportHead& head);
 
 } // namespace ramus::app

@@ -96,6 +96,23 @@ void add_unit(Table& table, const Lengths& lengths) {
     for (std::vector<Cell>& row : table.rows) row.emplace_back(lengths.word());
 }
 
+namespace {
+
+constexpr std::string_view kCubicMm = "mm\xC2\xB3";
+
+// As Lengths::volume() says a single volume, for a whole column, so that its numbers can be compared.
+void in_millilitres(Table& table, std::size_t c) {
+    constexpr double kCubicMmInMl = 1000.0;
+    std::string& heading = table.columns[c].heading;
+    const auto large = [c](const std::vector<Cell>& row) { return row[c].number.value_or(0.0) >= kCubicMmInMl; };
+    if (!heading.ends_with(kCubicMm) || std::ranges::none_of(table.rows, large)) return;
+    heading.replace(heading.size() - kCubicMm.size(), kCubicMm.size(), "ml");
+    for (std::vector<Cell>& row : table.rows)
+        if (std::optional<double>& volume = row[c].number) *volume /= kCubicMmInMl;
+}
+
+} // namespace
+
 Table in_words(Table table) {
     for (std::size_t c = table.columns.size(); c-- > 0;) {
         if (!table.columns[c].in_csv_alone) continue;
@@ -111,6 +128,7 @@ Table in_words(Table table) {
     const bool mixed =
         std::ranges::any_of(table.rows, [&](const auto& row) { return unit_of(row) != unit_of(table.rows.front()); });
     const tree::Claims claims{.unit = known ? tree::SaidBy::kFile : tree::SaidBy::kNobody};
+    for (std::size_t c = 0; c < table.columns.size() && known && !mixed; ++c) in_millilitres(table, c);
     for (Column& column : table.columns)
         column.heading = mixed ? column.heading.substr(0, column.heading.find(", mm")) : claims.worded(column.heading);
     if (mixed) {

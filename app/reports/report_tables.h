@@ -58,8 +58,8 @@ struct Table {
 [[nodiscard]] Column unit_column();
 void add_unit(Table& table, const Lengths& lengths);
 
-// As people read it, without the columns of CSV alone: the unit stands in the headings. Rows of different units keep
-// their column, and headings name none.
+// As people read it, without the columns of CSV alone: the unit stands in the headings, and volumes of which one is a
+// millilitre or more are in ml. Rows of different units keep their column, and headings name none.
 [[nodiscard]] Table in_words(Table table);
 
 // RFC 4180: comma, CRLF, a heading line; quotes around and doubled quotes inside where a field needs them. UTF-8.

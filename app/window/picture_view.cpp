@@ -370,8 +370,10 @@ Result<std::function<Result<void>(Job&)>> PictureView::done_elsewhere(const std:
     return work_elsewhere(document.session(), words, render::is_software_rasteriser());
 }
 
-Result<render::Image> PictureView::draw_picture(const render::Camera& camera, glm::ivec2 size) {
-    const render::Sheet sheet = render::sheet_of(frame_for_keeping(camera, size));
+Result<render::Image> PictureView::draw_picture(const render::Camera& camera, glm::ivec2 size,
+                                                const FigureOptions& options) {
+    render::Sheet sheet = render::sheet_of(frame_for_keeping(camera, size));
+    app::dress(sheet, options);
     return drawer_.with([&](render::Renderer& renderer, render::SheetRenderer&) -> Result<render::Image> {
         render::SheetRenderer alone(renderer); // those of other viewports keep what they have
         if (const auto drawn = alone.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());

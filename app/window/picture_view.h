@@ -65,7 +65,8 @@ public:
     // `ramus render` does it, in a process of its own.
     [[nodiscard]] Result<std::function<Result<void>(Job&)>>
     done_elsewhere(const std::vector<std::string>& words) override;
-    Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size) override;
+    Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size,
+                                       const FigureOptions& options) override;
     void camera_leapt() override;
     [[nodiscard]] std::optional<glm::dvec3> looked_at() override {
         return aim_.in_middle(state_.workspace.document.session().camera);

@@ -106,6 +106,7 @@ std::filesystem::path ViewerFiles::in_remembered(const std::filesystem::path& fi
 void ViewerFiles::ask_for_export(std::string_view kind) {
     ExportChoice& choice = state_.interface.open_dialog.exported;
     if (const auto what = export_kind_named(kind)) choice.what = *what;
+    choice.case_line = {}; // nobody's name stays for the next report
     choice.figure.window_size = state_.layout.view_size;
     choice.figure.window_text = state_.scale;
     choice.figure.videos = can_make_videos();

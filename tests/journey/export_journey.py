@@ -115,10 +115,21 @@ def turning(window, folder):
 def reported(window, folder):
     dialog(window)
     click(window, "A page with pictures and tables of the plan.")
-    window.wait("the report's page", lambda s: s["export"] == "report .html")
+    window.wait("the report's page", lambda s: s["export"] == "report .html" and "Case line" in s["controls"])
+    click(window, "Case line")
+    window.xdotool("type", "Case 17")
+    window.shot("export-report")
+    click(window, "Write it")
+    report = folder / "small tree.html"
+    exported(window, report)
+    page = report.read_text()
+    check(page.count("<img") == 3 and '<p class="case">Case 17</p>' in page,
+          "a report is a page with three pictures and the case line that was typed")
+    dialog(window)
+    window.wait("the report's page again", lambda s: s["export"] == "report .html")
     write_as(window, "plan")
     exported(window, folder / "plan.html")
-    check((folder / "plan.html").read_text().count("<img") == 3, "a report is a page with three pictures")
+    check("Case 17" not in (folder / "plan.html").read_text(), "the next report has no case line until somebody types it")
     dialog(window)
     click(window, "Four views on one sheet, all at one scale.")
     window.wait("the sheet's page", lambda s: s["export"] == "sheet .png" and "Preview" in s["controls"])

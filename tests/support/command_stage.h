@@ -21,8 +21,11 @@ public:
         pictures.push_back(path);
         return {};
     }
-    Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 drawn) override {
+    Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 drawn,
+                                       const app::FigureOptions& options) override {
         cameras.push_back(camera);
+        sizes.push_back(drawn);
+        looks.push_back(options);
         return render::Image(drawn.x / 10, drawn.y / 10);
     }
     Result<void> write_figure(const app::FigureRequest& request, Job& /*job*/) override {
@@ -36,7 +39,9 @@ public:
     // What was asked of it.
     std::vector<std::filesystem::path> pictures;
     std::vector<app::FigureRequest> figures;
-    std::vector<render::Camera> cameras;
+    std::vector<render::Camera> cameras; // of pictures, with their sizes and looks
+    std::vector<glm::ivec2> sizes;
+    std::vector<app::FigureOptions> looks;
     int leaps = 0;
 };
 

@@ -1,6 +1,8 @@
 #include "app/panels/export_choice.h"
 
+#include <algorithm>
 #include <doctest/doctest.h>
+#include <string_view>
 
 using namespace ramus;
 using namespace ramus::app;
@@ -49,6 +51,10 @@ TEST_CASE("an export's command says what means something for its format") {
     CHECK(choice.words("/a.glb") == Words{"surface", "/a.glb", "--of", "selected"});
     choice.parts = io::PartsBy::kSystem;
     CHECK(choice.words("/a.glb") == Words{"surface", "/a.glb", "--of", "selected", "--parts", "system"});
+    choice.what = ExportWhat::kReport;
+    CHECK(choice.words("/a.html") == Words{"report", "/a.html"});
+    std::ranges::copy(std::string_view("J. D."), choice.case_line.begin());
+    CHECK(choice.words("/a.html") == Words{"report", "/a.html", "--case", "J. D."});
     choice.what = ExportWhat::kTable; // trees have that extension too
     choice.follow("a.csv");
     CHECK(choice.words("/a.csv") == Words{"table", "/a.csv", "--of", "selected"});

@@ -139,4 +139,38 @@ TEST_CASE("the page is whole by itself, and what people wrote is text in it") {
     CHECK(page.find("1 vessel that is cut is over 5.00 mm wide") != std::string::npos);
     REQUIRE(stage.host.cameras.size() == 1); // without a mesh there is but the current view
     CHECK(stage.host.cameras[0] == stage.document.session().camera);
+    CHECK(stage.host.sizes[0] == glm::ivec2(1200, 900)); // in the shape of the picture, 400 x 300
+    CHECK(stage.host.looks[0].ground == Ground::kWhite);
+    CHECK(page.find("class=\"case\"") == std::string::npos);
+}
+
+TEST_CASE("a page has the case line that was typed, as text, and the document does not") {
+    Stage stage;
+    const Marks before = stage.marks();
+    stage.good("report " + stage.file("r.html") + " --case \"A <b> & C\" --size 50x100");
+    const std::string page = stage.folder.text("r.html");
+    CHECK(page.find("<p class=\"case\">A &lt;b&gt; &amp; C</p>") != std::string::npos);
+    CHECK(page.find("A &lt;b&gt;") > page.find("<h1>")); // not in the title
+    CHECK(stage.host.sizes[0] == glm::ivec2(600, 1200));
+    CHECK(stage.marks() == before);
+    stage.bad("report " + stage.file("r.html") + " --case");
+    stage.bad("report " + stage.file("r.html") + " --size 0x0");
+    CHECK(stage.bad("report " + stage.file("r.csv") + " --case x").find("page") != std::string::npos);
+}
+
+TEST_CASE("volumes of a page are in ml once one of a column is a millilitre") {
+    const auto table = [](double volume, const char* unit) {
+        return in_words({"Volumes",
+                         {{"volume", "Lost volume, mm\xC2\xB3"}, {"length", "Length, mm"}, unit_column()},
+                         {{volume, 2000.0, unit}, {500.0, 1.0, unit}, {"", 1.0, unit}}});
+    };
+    const Table large = table(17800.0, "mm");
+    CHECK(large.columns[0].heading == "Lost volume, ml");
+    CHECK(*large.rows[0][0].number == doctest::Approx(17.8));
+    CHECK(*large.rows[1][0].number == doctest::Approx(0.5));
+    CHECK_FALSE(large.rows[2][0].number);
+    CHECK(*large.rows[0][1].number == 2000.0);
+    CHECK(table(999.0, "mm").columns[0].heading == "Lost volume, mm\xC2\xB3");
+    CHECK(*table(17800.0, "unknown").rows[0][0].number == 17800.0);
+    CHECK(table(17800.0, "unknown").columns[0].heading.find("ml") == std::string::npos);
 }
