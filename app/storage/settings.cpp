@@ -25,8 +25,7 @@ fs::path Settings::folder_of(const std::string& kind) const {
 }
 
 json to_json(const Settings& settings) {
-    json value{{"window", {settings.window.x, settings.window.y}},
-               {"panel_open", settings.panel_open},
+    json value{{"panel_open", settings.panel_open},
                {"recent_files", settings.recent_files},
                {"folders", json::object()},
                {"drop_beside", settings.drop_beside},
@@ -34,6 +33,7 @@ json to_json(const Settings& settings) {
                {"welcome", settings.welcome},
                {"background", kGrounds[static_cast<std::size_t>(settings.ground)].key}};
     for (const auto& [kind, folder] : settings.folders) value["folders"][kind] = folder.string();
+    if (settings.window.x > 0) value["window"] = {settings.window.x, settings.window.y};
     if (settings.ui_scale > 0.0) value["ui_scale"] = settings.ui_scale;
     return value;
 }

@@ -15,8 +15,8 @@
 namespace ramus::app {
 
 struct Settings {
-    double ui_scale = 0.0;        // pixels per point; 0: what the display says
-    glm::ivec2 window{1440, 900}; // points
+    double ui_scale = 0.0; // pixels per point; 0: what the display says
+    glm::ivec2 window{0};  // points; 0: what the display suggests, before there was a window
     bool panel_open = true;
     int recent_files = 10;                                // how many are remembered; 0: none
     std::map<std::string, std::filesystem::path> folders; // that files of a kind were last chosen in

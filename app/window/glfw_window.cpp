@@ -10,6 +10,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <glm/common.hpp>
 #include <imgui.h>
 #include <mutex>
 #include <utility>
@@ -78,6 +79,23 @@ void let_wake(bool can) {
     can_wake = can;
 }
 
+MonitorFacts primary_monitor() {
+    MonitorFacts facts;
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) return facts;
+    int x = 0, y = 0;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &facts.work_area.x, &facts.work_area.y);
+    float across = 1.0F, down = 1.0F;
+    glfwGetMonitorContentScale(monitor, &across, &down);
+    if (across > 0.0F) facts.content_scale = across;
+    int wide_mm = 0, high_mm = 0;
+    glfwGetMonitorPhysicalSize(monitor, &wide_mm, &high_mm);
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    if (mode != nullptr && wide_mm > 0)
+        facts.pixels_per_mm = static_cast<float>(mode->width) / static_cast<float>(wide_mm);
+    return facts;
+}
+
 } // namespace
 
 Result<std::unique_ptr<GlfwWindow>> GlfwWindow::create(glm::ivec2 size_points, float scale) {
@@ -90,18 +108,14 @@ Result<std::unique_ptr<GlfwWindow>> GlfwWindow::create(glm::ivec2 size_points, f
     if (glfwInit() != GLFW_TRUE) return fail(kNoDisplay, {}, remedy);
     glfwWindowHint(GLFW_DEPTH_BITS, 0); // the renderer has framebuffers of its own
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    glfwWindowHint(GLFW_SCALE_TO_MONITOR, scale == 0.0F ? GLFW_TRUE : GLFW_FALSE);
+    // GLFW turns its units into pixels as the system does: by the desktop's scale.
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "ramus");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "ramus");
-    const float factor = scale == 0.0F ? 1.0F : scale;
-    glm::ivec2 size(std::lround(static_cast<float>(size_points.x) * factor),
-                    std::lround(static_cast<float>(size_points.y) * factor));
-    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor(); monitor != nullptr) {
-        int x = 0, y = 0, width = 0, height = 0;
-        glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
-        if (width > 0 && height > 0) size = glm::min(size, glm::ivec2(width, height));
-    }
+    const MonitorFacts monitor = primary_monitor();
+    const glm::vec2 wanted(window_pixels(monitor, scale == 0.0F ? suggested_scale(monitor) : scale, size_points));
+    const glm::ivec2 size(glm::round(wanted / monitor.content_scale));
     GLFWwindow* handle = nullptr;
     std::string why;
     for (const render::GlVersion version : render::kWantedGl) {
@@ -124,7 +138,7 @@ Result<std::unique_ptr<GlfwWindow>> GlfwWindow::create(glm::ivec2 size_points, f
                         (why.empty() ? "" : " (" + why + ")"),
                     {}, "update the graphics driver, or " + remedy);
     }
-    std::unique_ptr<GlfwWindow> window(new GlfwWindow(handle, scale));
+    std::unique_ptr<GlfwWindow> window(new GlfwWindow(handle, scale, monitor));
     if (auto current = window->make_current(); !current) return tl::unexpected(current.error());
     glfwSwapInterval(1);
     glfwSetWindowSizeLimits(handle, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
@@ -296,7 +310,7 @@ float GlfwWindow::scale() const {
     if (fixed_scale_ > 0.0F) return fixed_scale_;
     float x = 1.0F, y = 1.0F;
     glfwGetWindowContentScale(window_, &x, &y);
-    return std::clamp(x, 0.75F, 4.0F);
+    return scale_after_move(x, suggested_scale(first_monitor_), first_monitor_.content_scale);
 }
 
 bool GlfwWindow::close_wanted() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/window/drawing_thread.h"
+#include "app/window/first_window.h"
 #include "app/window/viewer.h"
 #include "core/base/error.h"
 #include "render/gl/gl_context.h"
@@ -18,7 +19,8 @@ namespace ramus::app {
 
 class GlfwWindow final : public render::GlContext {
 public:
-    // Fails without a display (what == kNoDisplay) or without OpenGL 3.3. The context is current afterwards.
+    // Fails without a display (what == kNoDisplay) or without OpenGL 3.3. The context is current afterwards. 0 for
+    // `size_points` or `scale`: as the monitor suggests (app/window/first_window.h).
     static constexpr const char* kNoDisplay = "there is no display to open a window on";
     [[nodiscard]] static Result<std::unique_ptr<GlfwWindow>> create(glm::ivec2 size_points, float scale);
     ~GlfwWindow() override;
@@ -45,7 +47,8 @@ public:
     void wait(double seconds); // for events; infinite is allowed, 0 only looks
 
 private:
-    GlfwWindow(GLFWwindow* window, float scale) : window_(window), fixed_scale_(scale) {}
+    GlfwWindow(GLFWwindow* window, float scale, const MonitorFacts& monitor)
+        : window_(window), fixed_scale_(scale), first_monitor_(monitor) {}
     void connect();
     void resized();
     [[nodiscard]] glm::dvec2 pixels(double x, double y) const;
@@ -61,6 +64,7 @@ private:
     Told told_;
     GLFWwindow* beside_ = nullptr; // never seen: GLFW has a context with a window alone
     float fixed_scale_;            // 0: the display's
+    MonitorFacts first_monitor_;   // that the window was opened on
     Viewer* viewer_ = nullptr;
     std::string title_;
     Cursor cursor_ = Cursor::kArrow;

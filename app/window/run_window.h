@@ -19,7 +19,7 @@ struct WindowOptions {
     mesh::SurfaceOptions surface;
     io::ReadOptions read;
     float scale = 0.0F;             // pixels per point; 0: the settings', else the display's
-    glm::ivec2 size{0};             // points; 0: the settings'
+    glm::ivec2 size{0};             // points; 0: the settings', else as the monitor suggests
     std::size_t graphics_bytes = 0; // for surfaces; 0: as the renderer has it
 };
 

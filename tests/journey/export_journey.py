@@ -116,13 +116,14 @@ def reported(window, folder):
     dialog(window)
     click(window, "A page with pictures and tables of the plan.")
     window.wait("the report's page", lambda s: s["export"] == "report .html" and "Case line" in s["controls"])
+    window.wait("the field for the name", lambda s: s["typing"])
+    window.xdotool("type", "case.html")
     click(window, "Case line")
     window.xdotool("type", "Case 17")
     window.shot("export-report")
     click(window, "Write it")
-    report = folder / "small tree.html"
-    exported(window, report)
-    page = report.read_text()
+    exported(window, folder / "case.html")
+    page = (folder / "case.html").read_text()
     check(page.count("<img") == 3 and '<p class="case">Case 17</p>' in page,
           "a report is a page with three pictures and the case line that was typed")
     dialog(window)
