@@ -37,6 +37,26 @@ std::vector<NumberColumn> number_columns(const BranchList& list, const Lengths& 
     return columns;
 }
 
+// Whole words for a heading.
+std::string heading_help(int column, const Lengths& lengths) {
+    if (column == kId) return "The number of the branch";
+    if (column == kName) return "Its name, or in grey that of a branch upstream";
+    if (column == kSystem) return "The vessel system that it belongs to";
+    const QuantityRow& row = *rows_with(&QuantityRow::list)[static_cast<std::size_t>(column) - kFirstQuantity];
+    return std::string(row.label) + (row.unit.empty() ? "" : lengths.worded(", " + std::string(row.unit)));
+}
+
+// A mark as in the rows: the column is no wider than that.
+void draw_mark_heading() {
+    const float side = std::round(8.0F * theme::scale());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 from(at.x, std::round(at.y + 0.5F * (ImGui::GetTextLineHeight() - side)));
+    ImGui::Dummy({side, ImGui::GetTextLineHeight()});
+    widgets::tooltip("The colour of the branch in the picture; hidden branches are hollow");
+    ImGui::GetWindowDrawList()->AddRect(from, {from.x + side, from.y + side}, ImGui::GetColorU32(theme::kQuiet),
+                                        2.0F * theme::scale());
+}
+
 // Those that there is no room for beside `taken` are not shown.
 void leave_out(std::vector<NumberColumn>& columns, float taken, float room) {
     const float between = 2.0F * ImGui::GetStyle().CellPadding.x;
@@ -89,28 +109,22 @@ void set_up_columns(const BranchList& list, const Document& document, float room
 }
 
 // As ImGui::TableHeadersRow(), but over numbers that end at the right.
-void draw_branch_headings() {
+void draw_branch_headings(const Lengths& lengths) {
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
     for (int column = 0; column < ImGui::TableGetColumnCount(); ++column) {
         if (!ImGui::TableSetColumnIndex(column)) continue;
         const char* name = ImGui::TableGetColumnName(column);
-        if (column == kMark) continue;
-        if (column == kId || column == kName || column == kSystem) {
-            ImGui::TableHeader(name);
-            widgets::note_item(("Sort by " + std::string(name)).c_str());
+        if (column == kMark) {
+            draw_mark_heading();
             continue;
         }
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        float right = at.x + ImGui::GetContentRegionAvail().x;
         const bool sorted = specs != nullptr && specs->SpecsCount > 0 && specs->Specs[0].ColumnIndex == column;
-        if (sorted) right -= ImGui::GetFontSize(); // its arrow
-        ImGui::PushID(column);
-        ImGui::TableHeader("##header");
-        ImGui::PopID();
+        const bool text = column == kId || column == kName || column == kSystem;
+        widgets::column_heading(name, heading_help(column, lengths),
+                                text ? widgets::HeadingAt::kLeft : widgets::HeadingAt::kRight,
+                                sorted ? ImGui::GetFontSize() : 0.0F);
         widgets::note_item(("Sort by " + std::string(name)).c_str());
-        ImGui::GetWindowDrawList()->AddText({std::round(right - ImGui::CalcTextSize(name).x), at.y},
-                                            ImGui::GetColorU32(ImGuiCol_Text), name);
     }
 }
 

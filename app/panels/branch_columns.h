@@ -17,6 +17,6 @@ enum BranchColumn : ImGuiID { kMark, kId, kName, kSystem, kFirstQuantity }; // t
 // Of the table that has begun. No heading and no number is cut: where there is no room for all, some columns are left
 // out. `room`: pixels.
 void set_up_columns(const BranchList& list, const Document& document, float room);
-void draw_branch_headings();
+void draw_branch_headings(const Lengths& lengths);
 
 } // namespace ramus::app

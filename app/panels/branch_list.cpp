@@ -324,9 +324,7 @@ void draw_branch_list(InterfaceContext& context) {
                           size)) {
         ImGui::TableSetupScrollFreeze(0, 1);
         set_up_columns(list, document, width);
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
-        draw_branch_headings();
-        ImGui::PopStyleColor();
+        draw_branch_headings(document.lengths());
         ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
         if (specs != nullptr && std::exchange(specs->SpecsDirty, false)) list.made = false;
         list.sorted = specs != nullptr && specs->SpecsCount > 0 ? specs->Specs[0].ColumnIndex : static_cast<int>(kId);

@@ -86,9 +86,16 @@ void draw_row(InterfaceContext& context, const Contact& contact, std::size_t ind
 }
 
 void draw_rows(InterfaceContext& context, const std::vector<Contact>& list, float bottom) {
-    constexpr std::array<widgets::ListColumn, 5> kColumns{
-        {{"No.", 0.45F}, {"Branches", 1.05F}, {"Between", 1.4F}, {"Narrowed", 1.1F}, {"", 0.6F}}};
-    if (!widgets::begin_list({.id = "contacts", .columns = kColumns, .most_rows = 18, .bottom = bottom}, list.size()))
+    const Lengths lengths = context.workspace.document.lengths();
+    const std::string between = lengths.worded("Between mm"), narrowed = lengths.worded("Narrowed mm");
+    const std::string between_help = lengths.worded("The gap between the walls, or how far they overlap, in mm");
+    const std::string narrowed_help = lengths.worded("By how much each of the two vessels is narrowed, in mm");
+    const std::array<widgets::ListColumn, 5> columns{{{"No.", 0.4F, "The number of the contact, the closest first"},
+                                                      {"Branches", 1.0F, "The ids of the two branches"},
+                                                      {between.c_str(), 1.35F, between_help.c_str()},
+                                                      {narrowed.c_str(), 1.2F, narrowed_help.c_str()},
+                                                      {"View", 0.6F, "Looks at the place with both surfaces"}}};
+    if (!widgets::begin_list({.id = "contacts", .columns = columns, .most_rows = 18, .bottom = bottom}, list.size()))
         return;
     widgets::clipped(list.size(), [&](std::size_t n) { draw_row(context, list[n], n); });
     widgets::end_list();
@@ -128,8 +135,6 @@ void draw_contacts(InterfaceContext& context) {
         widgets::quiet_wrapped("No vessels press on each other without being connected there.");
     } else {
         widgets::quiet(summary_of(*list).c_str());
-        ImGui::SameLine();
-        widgets::quiet_right(context.workspace.document.lengths().worded("in mm"));
         draw_rows(context, *list, bottom);
     }
     ImGui::End();

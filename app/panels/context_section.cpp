@@ -51,7 +51,7 @@ void draw_opacity(InterfaceContext& context, const ContextItem& item, int number
     float shown = trial.opacity_of == number ? trial.opacity : static_cast<float>(item.opacity);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFrameHeight() + 2.0F * theme::scale());
     ImGui::SetNextItemWidth(-44.0F * theme::scale());
-    ImGui::SliderFloat("##opacity", &shown, 0.0F, 1.0F, "", ImGuiSliderFlags_AlwaysClamp);
+    ImGui::SliderFloat("##opacity", &shown, 0.0F, 1.0F, "Opacity", ImGuiSliderFlags_AlwaysClamp);
     widgets::tooltip("Opacity");
     const bool done = ImGui::IsItemDeactivatedAfterEdit();
     if (ImGui::IsItemActive()) {
@@ -130,6 +130,10 @@ void draw_context(InterfaceContext& context) {
         draw_title(context, "Context", {add});
     else
         draw_title(context, "Context", {{"Unit\xE2\x80\xA6", "What one unit of the files' numbers is", "units"}, add});
+    if (!context.workspace.document.marks().context.empty())
+        widgets::row_headings({"Surface", "Shown or hidden, its colour, its file and label"},
+                              {"Net", "As a surface or as a wireframe"},
+                              ImGui::GetFrameHeight() + 4.0F * theme::scale());
     // A copy: what a row does changes the list.
     const std::vector<ContextItem> items = context.workspace.document.marks().context;
     if (trial.of > static_cast<int>(items.size())) trial.of = -1;

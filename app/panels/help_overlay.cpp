@@ -66,6 +66,14 @@ private:
     bool any_ = false;
 };
 
+void draw_headings_of_help() {
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    ImGui::TableNextColumn();
+    widgets::column_heading("Mouse or key", "What the hand does; a dash: the menu alone");
+    ImGui::TableNextColumn();
+    widgets::column_heading("What it does", "The name in the menu, and what it does");
+}
+
 void draw_rows(HelpTable& table) {
     table.group("Mouse");
     for (const auto& [gesture, help] : kMouse) table.row(gesture, "", "", help);
@@ -108,9 +116,11 @@ void draw_help(InterfaceContext& context) {
     ImGui::Dummy({0.0F, 2.0F * theme::scale()});
     ImGui::BeginChild("rows", {0.0F, 0.0F});
     HelpTable table(interface.help_search.data());
-    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY)) {
+        ImGui::TableSetupScrollFreeze(0, 1);
         ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 220.0F * theme::scale());
         ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch);
+        draw_headings_of_help();
         draw_rows(table);
         ImGui::EndTable();
     }

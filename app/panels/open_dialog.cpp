@@ -261,10 +261,19 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
     fs::path chosen;
     ImGui::BeginChild("entries", {0.0F, height});
     if (dialog.rows.empty()) draw_why_empty(dialog);
-    if (!dialog.rows.empty() && ImGui::BeginTable("files", 3, ImGuiTableFlags_SizingFixedFit)) {
+    if (!dialog.rows.empty() &&
+        ImGui::BeginTable("files", 3, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY)) {
+        ImGui::TableSetupScrollFreeze(0, 1);
         ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
         ImGui::TableSetupColumn("changed", ImGuiTableColumnFlags_WidthFixed);
         ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, 76.0F * theme::scale());
+        ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+        ImGui::TableNextColumn();
+        widgets::column_heading("Name", "The name of the file or the folder");
+        ImGui::TableNextColumn();
+        widgets::column_heading("Changed", "When it was written last");
+        ImGui::TableNextColumn();
+        widgets::column_heading("Size", "How large the file is", widgets::HeadingAt::kRight);
         ImGuiListClipper clipper; // there may be thousands
         clipper.Begin(static_cast<int>(dialog.rows.size()));
         if (const auto marked = row_of_marked(dialog); dialog.to_marked && marked != dialog.rows.end()) {

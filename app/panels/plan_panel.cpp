@@ -25,17 +25,23 @@ std::string branch_name(const Document& document, int branch) {
     return name == document.marks().names.end() ? "Branch " + std::to_string(branch) : name->second;
 }
 
-// A line that can be clicked, with a cross at its right end. Returns 1 for the line, -1 for the cross, 0 else.
-int removable_row(const std::string& text, const ImVec4& colour, const char* help) {
+// A line that can be clicked, with a value and a cross at its right end. Returns 1 for the line, -1 for the cross, 0
+// else.
+int removable_row(const std::string& text, const ImVec4& colour, const char* help, const std::string& value = {}) {
     const float cross = ImGui::GetFrameHeight();
     const float width = ImGui::GetContentRegionAvail().x - cross;
+    const float of_value = ImGui::CalcTextSize(value.c_str()).x;
     int result = 0;
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    const std::string shown = widgets::fitted(text, width - 4.0F);
+    const std::string shown = widgets::fitted(text, width - of_value - 12.0F * theme::scale());
     ImGui::AlignTextToFramePadding();
     if (ImGui::Selectable(shown.c_str(), false, 0, {width, 0.0F})) result = 1;
-    ImGui::PopStyleColor();
     widgets::tooltip(shown == text ? help : text.c_str());
+    const ImVec2 line = ImGui::GetItemRectMin();
+    ImGui::GetWindowDrawList()->AddText({std::round(line.x + width - of_value - 4.0F * theme::scale()),
+                                         std::round(line.y + 0.5F * ImGui::GetStyle().ItemSpacing.y)},
+                                        ImGui::GetColorU32(ImGuiCol_Text), value.c_str());
+    ImGui::PopStyleColor();
     ImGui::SameLine();
     widgets::align_right(cross);
     if (widgets::button("\xC3\x97", {cross, 0.0F}, theme::kNothing, theme::kQuiet)) result = -1;
@@ -139,6 +145,8 @@ void draw_lesions(InterfaceContext& context) {
             "picture now is a lesion too.");
         return;
     }
+    widgets::row_headings({"Lesion", "Click a line to bring the lesion to the middle of the picture"},
+                          {"Diameter", "The diameter of a sphere; a mesh has its own size"}, ImGui::GetFrameHeight());
     // Kept here: what a row does makes the list another.
     for (const auto lesions = marks.lesions; const auto& sphere : lesions)
         draw_lesion(context, static_cast<std::size_t>(&sphere - lesions.data()), sphere);
@@ -148,6 +156,26 @@ void draw_lesions(InterfaceContext& context) {
     const auto plan = context.workspace.current_assets().plan;
     if (plan->measuring) widgets::quiet("Distances to meshes are being measured");
     for (const std::string& trouble : plan->troubles) widgets::trouble(trouble.c_str());
+}
+
+void set_up_band_columns(const Lengths& lengths, bool systems) {
+    constexpr std::array<std::pair<const char*, const char*>, 5> kHeadings{
+        {{"Branch", "The branch, by its name or its number"},
+         {"System", "The vessel system that it belongs to"},
+         {"\xC3\x98 mm", "Mean diameter, mm"},
+         {"Away mm", "From the lesion to the vessel's wall, mm"},
+         {"Deps", "How many branches depend on it"}}};
+    const auto left_out = [&](std::size_t n) { return n == 1 && !systems; };
+    ImGui::TableSetupScrollFreeze(0, 1);
+    for (std::size_t n = 0; n < kHeadings.size(); ++n) {
+        if (left_out(n)) continue;
+        const std::string text = lengths.worded(kHeadings[n].first); // numbers are as wide as their headings
+        ImGui::TableSetupColumn(text.c_str(), 0, n < 2 ? 60.0F * theme::scale() : ImGui::CalcTextSize(text.c_str()).x);
+    }
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (std::size_t n = 0; n < kHeadings.size(); ++n)
+        if (!left_out(n) && ImGui::TableNextColumn())
+            widgets::column_heading(lengths.worded(kHeadings[n].first).c_str(), lengths.worded(kHeadings[n].second));
 }
 
 void draw_band(InterfaceContext& context, const measure::Band& band) {
@@ -168,14 +196,7 @@ void draw_band(InterfaceContext& context, const measure::Band& band) {
         const bool systems = tree.systems.size() > 1;
         if (!band.rows.empty() &&
             ImGui::BeginTable("rows", systems ? 5 : 4, kFlags, {0.0F, rows * row_height + 2.0F})) {
-            ImGui::TableSetupScrollFreeze(0, 1);
-            ImGui::TableSetupColumn("Branch");
-            if (systems) ImGui::TableSetupColumn("System");
-            for (const char* name : {"\xC3\x98 mm", "Away mm", "Deps"})
-                ImGui::TableSetupColumn(context.workspace.document.lengths().worded(name).c_str());
-            ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
-            ImGui::TableHeadersRow();
-            ImGui::PopStyleColor();
+            set_up_band_columns(context.workspace.document.lengths(), systems);
             widgets::clipped(band.rows.size(), [&](std::size_t n) {
                 const measure::BandRow& row = band.rows[n];
                 ImGui::TableNextRow();
@@ -226,6 +247,9 @@ void draw_margins(InterfaceContext& context) {
     }
     widgets::tooltip("Distances to lesions as colours");
     const auto plan = context.workspace.current_assets().plan;
+    if (!plan->bands.empty())
+        widgets::row_headings({"Away from the lesion", "From the lesion to the vessel's wall"},
+                              {"Vessels", "How many branches lie there"});
     for (const measure::Band& band : plan->bands) draw_band(context, band);
 }
 
@@ -240,13 +264,16 @@ void draw_cuts(InterfaceContext& context) {
     widgets::tooltip("Cuts through vessels of a larger diameter are marked in the list");
     const auto plan = context.workspace.current_assets().plan; // kept here: removing a cut makes the document another
     const measure::CutReport& report = plan->cuts;
+    if (!marks.cuts.empty())
+        widgets::row_headings({"Branch that is cut", "Click a line to select the branch and to look at it"},
+                              {"Diameter", "The diameter where it is cut"}, ImGui::GetFrameHeight());
     for (std::size_t i = 0; i < std::min(marks.cuts.size(), report.cuts.size()); ++i) {
         const measure::CutFigures& figures = report.cuts[i];
         const int branch = marks.cuts[i].first;
         ImGui::PushID(static_cast<int>(i));
         const int done = removable_row(
-            branch_name(document, branch) + "   \xC3\x98 " + document.lengths().text(figures.diameter_mm),
-            figures.reconstruct ? theme::kTrouble : theme::kText, "Click to select the branch and look at it");
+            branch_name(document, branch), figures.reconstruct ? theme::kTrouble : theme::kText,
+            "Click to select the branch and look at it", "\xC3\x98 " + document.lengths().text(figures.diameter_mm));
         if (ImGui::IsItemHovered()) context.interface.listed = branch;
         if (done > 0) go_to(context, branch);
         if (figures.reconstruct)
@@ -299,14 +326,17 @@ void draw_measurements(InterfaceContext& context) {
                            {"Diameter", "Diameter at a place", "tool", {"measure-diameter"}},
                            {"Angle", "Angle between three places", "tool", {"measure-angle"}}});
     const auto measurements = context.workspace.current_assets().measurements; // kept here, as above
+    if (!measurements->found.empty())
+        widgets::row_headings({"Measurement", "What was measured; hover a line for the details"},
+                              {"Value", "What it measures, with its unit"}, ImGui::GetFrameHeight());
     for (std::size_t i = 0; i < measurements->found.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const Result<Measured>& found = measurements->found[i];
         std::string details = found ? found->what : found.error().message();
         if (found)
             for (const auto& [name, value] : found->details) details += "\n" + name + ": " + value;
-        if (removable_row(found ? found->kind + "   " + found->value_text() : "cannot be measured",
-                          found ? theme::kText : theme::kTrouble, details.c_str()) < 0)
+        if (removable_row(found ? found->kind : "cannot be measured", found ? theme::kText : theme::kTrouble,
+                          details.c_str(), found ? found->value_text() : "") < 0)
             context.perform("measure-remove", {std::to_string(i + 1)});
         ImGui::PopID();
     }

@@ -34,6 +34,28 @@ void draw_swatch(InterfaceContext& context, const glm::vec3& now, int system) {
     }
 }
 
+// The last column; the one before it ends where this one begins.
+float length_width() { return 76.0F * theme::scale(); }
+
+void right_cells(const std::string& branches, const std::string& length, const char* branches_help,
+                 const char* length_help) {
+    widgets::align_right(length_width() + ImGui::CalcTextSize(branches.c_str()).x);
+    widgets::quiet(branches.c_str());
+    if (*branches_help != '\0') widgets::tooltip(branches_help);
+    ImGui::SameLine();
+    widgets::quiet_right(length);
+    if (*length_help != '\0') widgets::tooltip(length_help);
+}
+
+void draw_headings() {
+    ImGui::PushFont(theme::small_font());
+    widgets::quiet("System");
+    widgets::tooltip("Shown or hidden, its colour, and its name");
+    ImGui::SameLine();
+    right_cells("Branches", "Length", "How many branches it has", "The length of all its vessels");
+    ImGui::PopFont();
+}
+
 void draw_row(InterfaceContext& context, const Systems& systems, const SystemFacts& facts, int system) {
     const std::string number = std::to_string(system + 1);
     const std::string name = system_name(systems, system);
@@ -43,10 +65,10 @@ void draw_row(InterfaceContext& context, const Systems& systems, const SystemFac
         context.perform(visible ? "hide-system" : "show-system", {number});
     ImGui::SameLine();
     draw_swatch(context, shown_colour(systems, system), system);
-    const std::string size = grouped(static_cast<std::uint64_t>(facts.branches)) + "  " +
-                             context.workspace.document.lengths().text(facts.length_mm);
+    const std::string branches = grouped(static_cast<std::uint64_t>(facts.branches));
+    const std::string length = context.workspace.document.lengths().text(facts.length_mm);
     const float width = ImGui::GetContentRegionAvail().x;
-    const float room = width - ImGui::CalcTextSize(size.c_str()).x - 10.0F * theme::scale();
+    const float room = width - length_width() - ImGui::CalcTextSize(branches.c_str()).x - 10.0F * theme::scale();
     ImGui::PushStyleColor(ImGuiCol_Text, visible ? theme::kText : theme::kQuiet);
     ImGui::AlignTextToFramePadding();
     const ImVec2 from = ImGui::GetCursorPos();
@@ -60,7 +82,7 @@ void draw_row(InterfaceContext& context, const Systems& systems, const SystemFac
     ImGui::TextUnformatted(widgets::fitted(name, room).c_str());
     ImGui::PopStyleColor();
     ImGui::SameLine();
-    widgets::quiet_right(size);
+    right_cells(branches, length, "", "");
     ImGui::PopStyleVar();
     if (!pressed) return;
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
@@ -75,6 +97,7 @@ void draw_systems(InterfaceContext& context) {
     const Document& document = context.workspace.document;
     if (document.tree()->systems.empty()) return;
     draw_title(context, "Systems", {{"Colour", "Colour every branch as its system", "colour-by", {"system"}}});
+    draw_headings();
     // Copies: what a row does changes the session.
     const Systems systems = systems_of(*document.tree(), document.marks());
     const std::vector<SystemFacts> facts = system_facts(*document.tree(), *context.workspace.facts(), document.marks());

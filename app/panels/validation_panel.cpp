@@ -40,6 +40,7 @@ constexpr std::array<Question, kFindingKinds> kQuestions{
      {Kind::kRadius, "Worst radii", "radius", "Where the radius is farthest off: ten branches at the most"}}};
 
 void draw_answers(const std::vector<Finding>& findings) {
+    widgets::row_headings({"Question", "What the surface is asked"}, {"Found", "How many places answer with yes"});
     for (const Question& question : kQuestions) {
         if (question.kind == Kind::kRadius) continue; // no question
         const auto count = std::ranges::count(findings, question.kind, &Finding::kind);
@@ -114,8 +115,10 @@ void draw_finding(InterfaceContext& context, const Finding& finding, std::size_t
 }
 
 void draw_findings(InterfaceContext& context, const std::vector<Finding>& list, float bottom) {
-    constexpr std::array<widgets::ListColumn, 4> kColumns{
-        {{"No.", 0.28F}, {"What", 0.62F}, {"Branches", 1.0F}, {"", 2.1F}}};
+    constexpr std::array<widgets::ListColumn, 4> kColumns{{{"No.", 0.28F, "The number of the finding"},
+                                                           {"What", 0.62F, "Which question it answers"},
+                                                           {"Branches", 1.0F, "The ids of its branches"},
+                                                           {"Found", 2.1F, "What is wrong there, with its size"}}};
     if (!widgets::begin_list({.id = "findings", .columns = kColumns, .most_rows = 12, .bottom = bottom}, list.size()))
         return;
     widgets::clipped(list.size(), [&](std::size_t n) { draw_finding(context, list[n], n); });

@@ -124,10 +124,18 @@ void draw_labels(VolumeDialog& dialog, float height) {
     const Lengths lengths(facts.claims);
     const bool several = facts.labels.size() > 1;
     ImGui::BeginChild("labels", {0.0F, height});
-    if (ImGui::BeginTable("labels", 3, ImGuiTableFlags_SizingStretchProp)) {
+    if (ImGui::BeginTable("labels", 3, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_ScrollY)) {
+        ImGui::TableSetupScrollFreeze(0, 1);
         ImGui::TableSetupColumn("label", 0, 2.0F);
         ImGui::TableSetupColumn("volume", 0, 1.0F);
         ImGui::TableSetupColumn("voxels", 0, 1.0F);
+        ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+        ImGui::TableNextColumn();
+        widgets::column_heading("Label", "The number and the name of the label");
+        ImGui::TableNextColumn();
+        widgets::column_heading("Volume", "The volume of its voxels", widgets::HeadingAt::kRight);
+        ImGui::TableNextColumn();
+        widgets::column_heading("Voxels", "How many voxels have it", widgets::HeadingAt::kRight);
         widgets::clipped(facts.labels.size(), [&](std::size_t i) {
             const LabelFacts& label = facts.labels[i];
             const std::string number = "Label " + std::to_string(label.label);

@@ -211,6 +211,30 @@ void tooltip(const char* text, const char* key, TooltipAt at) {
     ImGui::PopStyleVar(2);
 }
 
+void column_heading(const char* text, const std::string& help, HeadingAt at, float arrow) {
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float room = ImGui::GetContentRegionAvail().x - arrow;
+    ImGui::PushID(text);
+    ImGui::TableHeader("##heading");
+    ImGui::PopID();
+    tooltip(help.c_str());
+    const std::string shown = fitted(text, room);
+    const float before = at == HeadingAt::kRight ? room - ImGui::CalcTextSize(shown.c_str()).x : 0.0F;
+    ImGui::GetWindowDrawList()->AddText({std::round(from.x + std::max(0.0F, before)), from.y},
+                                        ImGui::GetColorU32(theme::kQuiet), shown.c_str());
+}
+
+void row_headings(const RowHeading& left, const RowHeading& right, float before_right) {
+    ImGui::PushFont(theme::small_font());
+    quiet(left.text);
+    tooltip(left.help);
+    ImGui::SameLine();
+    align_right(ImGui::CalcTextSize(right.text).x + before_right);
+    quiet(right.text);
+    tooltip(right.help);
+    ImGui::PopFont();
+}
+
 bool begin_list(const ListTable& table, std::size_t rows) {
     constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_ScrollY |
                                        ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX;
@@ -224,9 +248,9 @@ bool begin_list(const ListTable& table, std::size_t rows) {
     }
     ImGui::TableSetupScrollFreeze(0, 1);
     for (const ListColumn& column : table.columns) ImGui::TableSetupColumn(column.heading, 0, column.share);
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
-    ImGui::TableHeadersRow();
-    ImGui::PopStyleColor();
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (const ListColumn& column : table.columns)
+        if (ImGui::TableNextColumn()) column_heading(column.heading, column.help);
     return true;
 }
 

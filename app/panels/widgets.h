@@ -74,11 +74,23 @@ template <class Row> void clipped(std::size_t count, const Row& row, float heigh
         for (int n = clipper.DisplayStart; n < clipper.DisplayEnd; ++n) row(static_cast<std::size_t>(n));
 }
 
+// The heading of the column of a table whose cell is the current one, shortened where there is no room for it. `help`
+// has the whole words, with the unit. `arrow`: room that is left at the right, in pixels.
+enum class HeadingAt : std::uint8_t { kLeft, kRight };
+void column_heading(const char* text, const std::string& help, HeadingAt at = HeadingAt::kLeft, float arrow = 0.0F);
+// Headings over rows that are no table: `left` begins at the cursor, `right` ends so many pixels before the right edge.
+struct RowHeading {
+    const char* text;
+    const char* help;
+};
+void row_headings(const RowHeading& left, const RowHeading& right, float before_right = 0.0F);
+
 // The list of a panel over the picture, in small letters: as high as its rows, but for what is beyond `most_rows` or
 // `bottom`, to which it scrolls.
 struct ListColumn {
     const char* heading;
-    float share; // of the width
+    float share;      // of the width
+    const char* help; // the heading in whole words, with the unit
 };
 struct ListTable {
     const char* id;

@@ -47,7 +47,7 @@ std::vector<QuantityRow> quantity_table() {
          .value = fact<&BranchFacts::length_mm>,
          .filter_names = {"len", "length"},
          .filter_example = "len>=20",
-         .list = {4, "Length", true, 1},
+         .list = {4, "Len mm", true, 1},
          .report = {2, "length", "Length, mm"},
          .info = {3, "length_mm", "length mm", 11}},
         {.quantity = Quantity::kGeneration,
