@@ -87,13 +87,13 @@ void draw_row(InterfaceContext& context, const Contact& contact, std::size_t ind
 
 void draw_rows(InterfaceContext& context, const std::vector<Contact>& list, float bottom) {
     const Lengths lengths = context.workspace.document.lengths();
-    const std::string between = lengths.worded("Between mm"), narrowed = lengths.worded("Narrowed mm");
+    const std::string between = lengths.worded("Between mm"), narrowed = lengths.worded("Narrow mm");
     const std::string between_help = lengths.worded("The gap between the walls, or how far they overlap, in mm");
     const std::string narrowed_help = lengths.worded("By how much each of the two vessels is narrowed, in mm");
-    const std::array<widgets::ListColumn, 5> columns{{{"No.", 0.4F, "The number of the contact, the closest first"},
-                                                      {"Branches", 1.0F, "The ids of the two branches"},
-                                                      {between.c_str(), 1.35F, between_help.c_str()},
-                                                      {narrowed.c_str(), 1.2F, narrowed_help.c_str()},
+    const std::array<widgets::ListColumn, 5> columns{{{"No.", 0.45F, "The number of the contact, the closest first"},
+                                                      {"Branches", 1.05F, "The ids of the two branches"},
+                                                      {between.c_str(), 1.4F, between_help.c_str()},
+                                                      {narrowed.c_str(), 1.1F, narrowed_help.c_str()},
                                                       {"View", 0.6F, "Looks at the place with both surfaces"}}};
     if (!widgets::begin_list({.id = "contacts", .columns = columns, .most_rows = 18, .bottom = bottom}, list.size()))
         return;

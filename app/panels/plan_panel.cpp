@@ -167,15 +167,46 @@ void set_up_band_columns(const Lengths& lengths, bool systems) {
          {"Deps", "How many branches depend on it"}}};
     const auto left_out = [&](std::size_t n) { return n == 1 && !systems; };
     ImGui::TableSetupScrollFreeze(0, 1);
+    constexpr std::size_t kTexts = 2; // they share what the numbers leave
     for (std::size_t n = 0; n < kHeadings.size(); ++n) {
         if (left_out(n)) continue;
-        const std::string text = lengths.worded(kHeadings[n].first); // numbers are as wide as their headings
-        ImGui::TableSetupColumn(text.c_str(), 0, n < 2 ? 60.0F * theme::scale() : ImGui::CalcTextSize(text.c_str()).x);
+        const std::string text = lengths.worded(kHeadings[n].first);
+        const float width = std::max(ImGui::CalcTextSize(text.c_str()).x, ImGui::CalcTextSize("0,000").x);
+        ImGui::TableSetupColumn(text.c_str(),
+                                n < kTexts ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed,
+                                n < kTexts ? 1.0F : width);
     }
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     for (std::size_t n = 0; n < kHeadings.size(); ++n)
         if (!left_out(n) && ImGui::TableNextColumn())
-            widgets::column_heading(lengths.worded(kHeadings[n].first).c_str(), lengths.worded(kHeadings[n].second));
+            widgets::column_heading(lengths.worded(kHeadings[n].first).c_str(), lengths.worded(kHeadings[n].second),
+                                    n < kTexts ? widgets::HeadingAt::kLeft : widgets::HeadingAt::kRight);
+}
+
+void draw_band_row(InterfaceContext& context, const measure::BandRow& row, bool systems) {
+    const Document& document = context.workspace.document;
+    const auto named = document.marks().names.find(row.branch);
+    const std::string name = named == document.marks().names.end() ? std::to_string(row.branch) : named->second;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const std::string shown = widgets::fitted(name, ImGui::GetContentRegionAvail().x);
+    ImGui::PushID(row.branch);
+    const bool pressed = ImGui::Selectable(shown.c_str(), is_selected(document.marks(), row.branch),
+                                           ImGuiSelectableFlags_SpanAllColumns);
+    if (shown != name) widgets::tooltip(name.c_str());
+    if (ImGui::IsItemHovered()) context.interface.listed = row.branch;
+    ImGui::PopID();
+    if (systems) {
+        ImGui::TableNextColumn();
+        const std::string system = system_of(*document.tree(), document.marks(), row.branch);
+        ImGui::TextUnformatted(widgets::fitted(system, ImGui::GetContentRegionAvail().x).c_str());
+    }
+    for (const std::string& text : {digits(row.mean_diameter_mm), digits(row.distance_mm, 2),
+                                    grouped(static_cast<std::uint64_t>(row.dependents.branches))}) {
+        ImGui::TableNextColumn();
+        widgets::text_right(text);
+    }
+    if (pressed) go_to(context, row.branch);
 }
 
 void draw_band(InterfaceContext& context, const measure::Band& band) {
@@ -190,36 +221,18 @@ void draw_band(InterfaceContext& context, const measure::Band& band) {
         constexpr ImGuiTableFlags kFlags =
             ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
         ImGui::PushFont(theme::small_font());
+        const float indent = ImGui::GetStyle().IndentSpacing; // the columns need all the room there is
+        ImGui::Unindent(indent);
         const float row_height = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
         const float rows = static_cast<float>(std::min<std::size_t>(band.rows.size(), 8) + 1);
-        const tree::VesselTree& tree = *context.workspace.document.tree();
-        const bool systems = tree.systems.size() > 1;
+        const bool systems = context.workspace.document.tree()->systems.size() > 1;
         if (!band.rows.empty() &&
             ImGui::BeginTable("rows", systems ? 5 : 4, kFlags, {0.0F, rows * row_height + 2.0F})) {
             set_up_band_columns(context.workspace.document.lengths(), systems);
-            widgets::clipped(band.rows.size(), [&](std::size_t n) {
-                const measure::BandRow& row = band.rows[n];
-                ImGui::TableNextRow();
-                ImGui::TableNextColumn();
-                ImGui::PushID(row.branch);
-                const bool selected = is_selected(context.workspace.document.marks(), row.branch);
-                const std::string name = branch_name(context.workspace.document, row.branch);
-                if (ImGui::Selectable(name.c_str(), selected, ImGuiSelectableFlags_SpanAllColumns))
-                    go_to(context, row.branch);
-                if (ImGui::IsItemHovered()) context.interface.listed = row.branch;
-                ImGui::PopID();
-                if (systems) {
-                    ImGui::TableNextColumn();
-                    ImGui::TextUnformatted(system_of(tree, context.workspace.document.marks(), row.branch).c_str());
-                }
-                for (const std::string& text : {digits(row.mean_diameter_mm), digits(row.distance_mm, 2),
-                                                grouped(static_cast<std::uint64_t>(row.dependents.branches))}) {
-                    ImGui::TableNextColumn();
-                    ImGui::TextUnformatted(text.c_str());
-                }
-            });
+            widgets::clipped(band.rows.size(), [&](std::size_t n) { draw_band_row(context, band.rows[n], systems); });
             ImGui::EndTable();
         }
+        ImGui::Indent(indent);
         ImGui::PopFont();
         ImGui::TreePop();
     }

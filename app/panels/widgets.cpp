@@ -270,7 +270,9 @@ std::string fitted(const std::string& text, float width) {
         std::string shorter = text.substr(0, head) + "\xE2\x80\xA6" + text.substr(tail);
         if (ImGui::CalcTextSize(shorter.c_str()).x <= width) return shorter;
     }
-    return text.substr(0, 1);
+    std::size_t first = 1; // a whole character
+    while (!starts_character(first)) ++first;
+    return text.substr(0, first);
 }
 
 } // namespace ramus::app::widgets
