@@ -171,6 +171,19 @@ double MeshDistance::surface_distance(const glm::dvec3& point) const {
         [&](const Triangle& triangle, double) { return square(point - nearest_on(point, triangle)); }));
 }
 
+glm::dvec3 MeshDistance::nearest_on_surface(const glm::dvec3& point) const {
+    glm::dvec3 nearest(0.0);
+    const auto to_triangle = [&](const Triangle& triangle, double so_far) {
+        const glm::dvec3 place = nearest_on(point, triangle);
+        const double squared = square(point - place);
+        if (squared < so_far) nearest = place;
+        return squared;
+    };
+    const auto to_its_box = [&](const Box& box, double) { return to_box(point, box); };
+    (void)least(kInfinity, 0.0, to_its_box, to_triangle);
+    return nearest;
+}
+
 double MeshDistance::wall_distance(const tree::Point& a, const tree::Point& b, double best) const {
     const auto gap_to_box = [&](const Box& box, double so_far) {
         return least_gap(a, b, so_far, [&](const glm::dvec3& p) { return glm::clamp(p, box.least, box.most); });

@@ -25,6 +25,7 @@ public:
     [[nodiscard]] bool inside(const glm::dvec3& point) const;
     // Of the surface, inside too.
     [[nodiscard]] double surface_distance(const glm::dvec3& point) const;
+    [[nodiscard]] glm::dvec3 nearest_on_surface(const glm::dvec3& point) const;
     // The least of `best` and, over all places of the segment, (surface distance) - (radius there, linear between the
     // ends): negative where the vessel's wall goes through the surface. To within 1e-9 mm, but for rounding; quick
     // where `best` is near the answer.
