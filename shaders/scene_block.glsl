@@ -4,5 +4,4 @@ mat4 eye_to_grid;           // eye space to the distance grid's texture coordina
 vec4 counts;                // lesions that are spheres, parts that are lost, margins, 1 with a grid
 vec4 scale;                 // low, 1 / (high - low), 1 when logarithmic; 0: none, 1 for diameters, 2 for mm from the root,
                             // 3 for the surface's own values
-vec4 beyond;                // linear colour beyond the last margin
 vec4 margins[kMostMargins]; // linear colour, and up to where in mm

@@ -47,6 +47,15 @@ double mean_diameter(const tree::VesselTree& tree, const tree::Branch& branch) {
     return branch.points.empty() ? 0.0 : sum / static_cast<double>(branch.points.size());
 }
 
+// A system that is hidden as a whole is not explained.
+std::set<int> shown_systems(const tree::VesselTree& tree, const Marks& marks) {
+    std::set<int> shown;
+    for (std::size_t id = 0; id < tree.branches.size(); ++id)
+        if (state_of(marks, static_cast<int>(id)) != render::BranchState::kHidden)
+            shown.insert(tree.branches[id].system);
+    return shown;
+}
+
 // From values to colours, as a person asked for it.
 struct ValueScale {
     ColourMap map = ColourMap::kViridis;
@@ -206,24 +215,45 @@ void colour_by_data(Colouring& colouring, const tree::VesselTree& tree, const Ma
     colouring.some_unknown = range.unknown > 0;
 }
 
+// Systems stay what they are, so quiet that margins stand out.
+glm::vec3 beyond_margins(const glm::vec3& system) { return glm::mix(kBeyondMargins, system, kOwnBeyondMargins); }
+
+std::vector<glm::vec3> colours_beyond_margins(const tree::VesselTree& tree, const Marks& marks) {
+    std::vector<glm::vec3> colours(tree.branches.size(), kBeyondMargins);
+    const Systems& systems = systems_of(tree, marks);
+    if (systems.size() > 1)
+        for (std::size_t id = 0; id < colours.size(); ++id)
+            colours[id] = beyond_margins(shown_colour(systems, tree.branches[id].system));
+    return colours;
+}
+
+void explain_beyond(Legend& legend, const tree::VesselTree& tree, const Marks& marks, const std::string& words) {
+    const Systems& systems = systems_of(tree, marks);
+    if (systems.size() < 2) return legend.swatches.push_back({kBeyondMargins, words});
+    const std::set<int> shown = shown_systems(tree, marks);
+    for (const int system : shown)
+        legend.swatches.push_back(
+            {beyond_margins(shown_colour(systems, system)), words + ": " + latin1(system_name(systems, system))});
+}
+
 void colour_by_lesion(Colouring& colouring, const Marks& marks, const Plan* plan, const tree::VesselTree& tree) {
     const std::size_t branches = tree.branches.size();
     const auto& bands = marks.planning.bands_mm;
     const std::size_t count = std::min(bands.size(), render::Margins::kMost);
     Legend& legend = colouring.legend;
     legend.title = Lengths(tree.claims).worded("Distance to lesion (mm)");
-    colouring.branches.assign(branches, kBeyondMargins);
+    colouring.branches = colours_beyond_margins(tree, marks);
     if (plan == nullptr || (plan->lesions.empty() && !plan->measuring)) {
         legend.title = "No lesion";
         return;
     }
-    colouring.margins.beyond = kBeyondMargins;
+    colouring.beyond = colouring.branches;
     for (std::size_t i = 0; i < count; ++i) {
         const glm::vec3 colour = margin_colour(i, count);
         colouring.margins.bands.push_back({static_cast<float>(bands[i]), colour});
         legend.swatches.push_back({colour, (i == 0 ? "up to " : rounded(bands[i - 1]) + " to ") + rounded(bands[i])});
     }
-    if (count > 0) legend.swatches.push_back({kBeyondMargins, "beyond " + rounded(bands[count - 1])});
+    if (count > 0) explain_beyond(legend, tree, marks, "beyond " + rounded(bands[count - 1]));
     for (std::size_t id = 0; id < std::min(branches, plan->lesion_distances_mm.size()); ++id)
         for (std::size_t i = count; i-- > 0;)
             if (plan->lesion_distances_mm[id] <= bands[i]) colouring.branches[id] = margin_colour(i, count);
@@ -249,10 +279,7 @@ void colour_by_system(Colouring& colouring, const tree::VesselTree& tree, const 
     const glm::vec3 plain = render::Appearance{}.vessel;
     colouring.legend.title = systems.empty() ? "No systems" : "Systems";
     if (systems.empty()) colouring.legend.swatches.push_back({plain, "all branches"});
-    std::set<int> shown; // a system that is hidden as a whole is not explained
-    for (std::size_t id = 0; id < tree.branches.size(); ++id)
-        if (state_of(marks, static_cast<int>(id)) != render::BranchState::kHidden)
-            shown.insert(tree.branches[id].system);
+    const std::set<int> shown = shown_systems(tree, marks);
     std::vector<glm::vec3> colours;
     for (int system = 0; system < static_cast<int>(systems.size()); ++system) {
         colours.push_back(shown_colour(systems, system));

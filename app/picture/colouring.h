@@ -16,6 +16,7 @@ struct Colouring {
     std::vector<glm::vec3> branches; // sRGB by branch id, of the branch as a whole; empty: all have the vessels' colour
     render::ColourScale scale;       // finer than `branches`, for the picture
     render::Margins margins;         // the same
+    std::vector<glm::vec3> beyond;   // sRGB by branch id, beyond `margins`; empty: there are none
     bool some_unknown = false;       // of `scale`: places without a value, which have kUnknownColour
     render::Legend legend;           // without a title when there is nothing to explain
 };
@@ -30,9 +31,11 @@ struct Colouring {
 // Its ends, where values lie beyond them, say so: "< 5", "> 90".
 void mark_ends(render::Legend& legend, const std::optional<double>& low, const std::optional<double>& high);
 
-// The colour of a margin around lesions, the innermost first; beyond all of them.
+// The colour of a margin around lesions, the innermost first; beyond all of them. Of several systems each has so much
+// of its own colour there.
 [[nodiscard]] glm::vec3 margin_colour(std::size_t index, std::size_t count);
 inline constexpr glm::vec3 kBeyondMargins{0.56F, 0.60F, 0.66F};
+inline constexpr float kOwnBeyondMargins = 0.55F; // tuned on portal and hepatic veins: told apart, and no margin
 
 // UTF-8 as the Latin-1 that pictures are lettered in; what that does not have becomes a question mark.
 [[nodiscard]] std::string latin1(const std::string& utf8);

@@ -151,7 +151,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     const Plan* plan = assets.plan.get();
     Colouring colouring = colouring_of(tree, *assets.facts, marks, plan);
     if (colouring.some_unknown) colouring.branches.assign(tree.branches.size(), kUnknownColour);
-    frame.colours = std::move(colouring.branches);
+    frame.colours = std::move(colouring.beyond.empty() ? colouring.branches : colouring.beyond);
     frame.scale = std::move(colouring.scale);
     frame.margins = std::move(colouring.margins);
     if (frame.mesh) frame.overlays.legend = std::move(colouring.legend);

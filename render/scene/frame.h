@@ -120,7 +120,7 @@ struct Frame {
     ColourScale scale;           // instead of colours
     Lesions lesions;
     std::vector<ContextMesh> context;
-    Margins margins;            // instead of colours, scale
+    Margins margins;            // instead of colours where a band reaches, and of the scale
     std::vector<LostPart> lost; // one a branch at most; in place of every other colour
     std::vector<MarkLine> lines;
     std::vector<MarkLabel> labels;

@@ -44,7 +44,6 @@ void put_margins(const Margins& margins, SceneBlock& block) {
     const auto bands = std::min(margins.bands.size(), Margins::kMost);
     for (std::size_t i = 0; i < bands; ++i)
         block.margins[i] = linear(margins.bands[i].colour, margins.bands[i].within_mm);
-    block.beyond = linear(margins.beyond, 0.0F);
     block.counts.z = static_cast<float>(bands);
 }
 

@@ -40,7 +40,7 @@ struct DistanceGrid {
     }
 };
 
-// The colour of a point of the surface by how far it is from the lesions.
+// The colour of a point of the surface by how far it is from the lesions; beyond the last band that of its branch.
 struct Margins {
     static constexpr std::size_t kMost = 16;
     struct Band {
@@ -49,7 +49,6 @@ struct Margins {
         bool operator==(const Band&) const = default;
     };
     std::vector<Band> bands; // ascending; empty: no bands. At most kMost are shown.
-    glm::vec3 beyond{0.5F};
     bool operator==(const Margins&) const = default;
 };
 

@@ -22,10 +22,11 @@ INLINE Float distance_to_lesions(Vec3 position) {
     return nearest;
 }
 
-// Linear. Steps from band to band are as sharp as the pixels are, with a thin dark line between.
-INLINE Vec3 margin_colour(Vec3 position) {
-    Float mm = distance_to_lesions(position), per_pixel = reciprocal(pixel_size(position.z)), edge = 1.0F;
-    Vec3 colour = Vec3(beyond);
+// Linear. Steps from band to band are as sharp as the pixels are, with a thin dark line between. Beyond the last one the
+// branch has its own colour.
+INLINE Vec3 margin_colour(SurfacePoint p) {
+    Float mm = distance_to_lesions(p.position), per_pixel = reciprocal(pixel_size(p.position.z)), edge = 1.0F;
+    Vec3 colour = p.albedo;
     for (int i = int(counts.z) - 1; i >= 0; --i) {
         Float inside = (margins[i].w - mm) * per_pixel;
         colour = mix(colour, Vec3(margins[i]), clamp(inside + 0.5F, 0.0F, 1.0F));
@@ -82,7 +83,7 @@ INLINE Vec3 material_colour(SurfacePoint p) {
     if (scale.w > 0.5F && ANY(by_value)) colour = select(by_value, colour_on_scale(p), colour);
 #endif
 #ifdef MARGINS
-    if (counts.z > 0.5F && ANY(by_value)) colour = select(by_value, margin_colour(p.position), colour);
+    if (counts.z > 0.5F && ANY(by_value)) colour = select(by_value, margin_colour(p), colour);
 #endif
 #ifdef CUTS
     Mask lost = has(p.flags, kLost | kCut);

@@ -171,13 +171,41 @@ TEST_CASE("margins follow the session's bands, and a branch has the colour of th
     REQUIRE(frame.margins.bands.size() == 2);
     CHECK(frame.margins.bands[1].within_mm == 30.0F);
     CHECK(frame.lesions.spheres.size() == 1);
-    CHECK(frame.colours[0] == margin_colour(0, 2));
+    CHECK(frame.colours[0] == kBeyondMargins); // the picture has margins in its place
+    const auto branches = colouring_of(tree, *stage.document.facts(), marks, stage.assets.plan.get()).branches;
+    CHECK(branches[0] == margin_colour(0, 2));
     REQUIRE(frame.overlays.legend.swatches.size() == 3);
     CHECK(frame.overlays.legend.swatches[0].text == "up to 2");
     CHECK(frame.overlays.legend.swatches[2].text == "beyond 30");
     const auto& distances = stage.assets.plan->lesion_distances_mm;
     for (std::size_t id = 0; id < distances.size(); ++id)
-        if (distances[id] > 30.0) CHECK(frame.colours[id] == kBeyondMargins);
+        if (distances[id] > 30.0) CHECK(branches[id] == kBeyondMargins);
+}
+
+TEST_CASE("beyond the margins systems stay distinguishable, and the legend says which is which") {
+    ColouringStage stage(60);
+    tree::VesselTree tree = *stage.document.tree();
+    tree.systems = {{"portal vein", {40, 90, 230}}, {"hepatic vein", {220, 60, 60}}};
+    for (std::size_t id = 0; id < tree.branches.size(); ++id) tree.branches[id].system = id % 2 == 0 ? 0 : 1;
+    Marks marks = stage.document.marks();
+    const glm::dvec3 root = tree.points[tree.branches[0].points[0]].position;
+    marks.lesions = {{root.x, root.y, root.z, 1.0}};
+    marks.planning.bands_mm = {2.0, 5.0};
+    marks.colour_by = ColourBy::kLesion;
+    Plan plan;
+    plan.lesions.spheres = marks.lesions;
+    plan.lesion_distances_mm = measure::wall_distances(tree, plan.lesions);
+    const Colouring colouring = colouring_of(tree, *stage.document.facts(), marks, &plan);
+    REQUIRE(colouring.beyond.size() == tree.branches.size());
+    CHECK(colouring.beyond[0] == colouring.beyond[2]);
+    CHECK(glm::distance(colouring.beyond[0], colouring.beyond[1]) > 0.3F);
+    for (std::size_t margin = 0; margin < 2; ++margin)
+        for (std::size_t id = 0; id < 2; ++id)
+            CHECK(glm::distance(colouring.beyond[id], margin_colour(margin, 2)) > 0.2F);
+    REQUIRE(colouring.legend.swatches.size() == 4);
+    CHECK(colouring.legend.swatches[2].text == "beyond 5: portal vein");
+    CHECK(colouring.legend.swatches[2].colour == colouring.beyond[0]);
+    CHECK(colouring.legend.swatches[3].text == "beyond 5: hepatic vein");
 }
 
 TEST_CASE("cuts make what lies beyond lost, with a ring where they are") {
@@ -222,7 +250,7 @@ TEST_CASE("measurements are drawn with their numbers") {
     }
     CHECK(frame.labels.size() == 4); // one each
     // What the tree no longer has is left out.
-    marks.measurements = {{Measurement::Kind::kDiameter, {}, {{{100000, 0.5}}}}};
+    marks.measurements = {{.kind = Measurement::Kind::kDiameter, .places = {{{100000, 0.5}}}}};
     stage.document.change(marks);
     CHECK(stage.frame().labels.empty());
 }

@@ -265,6 +265,7 @@ const std::vector<Look> kLooks{
      [](Frame& f) {
          f.lesions.spheres = {{8.0, -6.0, 4.0, 6.0}, {-14.0, 3.0, 20.0, 4.0}};
          f.margins.bands = {{3.0F, {0.9F, 0.2F, 0.1F}}, {8.0F, {0.9F, 0.8F, 0.2F}}, {15.0F, {0.2F, 0.6F, 0.3F}}};
+         f.colours = {{0.3F, 0.4F, 0.9F}, {0.8F, 0.4F, 0.4F}, {0.3F, 0.4F, 0.9F}, {0.8F, 0.4F, 0.4F}};
      }},
     {"lesions in glass and behind it",
      [](Frame& f) {
@@ -282,6 +283,7 @@ const std::vector<Look> kLooks{
          }
          f.lesions.distances = grid;
          f.margins.bands = {{2.0F, {0.9F, 0.2F, 0.1F}}, {6.0F, {0.9F, 0.8F, 0.2F}}};
+         f.colours = {{0.8F, 0.4F, 0.4F}, {0.3F, 0.4F, 0.9F}};
      }},
     {"a lesion that is a mesh, in glass",
      [](Frame& f) {

@@ -111,6 +111,7 @@ const std::array<Case, 13> kCases{{
          f.lesions.spheres = {{5.0, 0.0, 5.0, 6.0}};
          f.lesions.meshes = {std::make_shared<const TriangleMesh>(ramus::test::icosphere(3, {-10, 5, -10}, 5.0))};
          f.margins.bands = {{5.0F, {0.9F, 0.2F, 0.2F}}, {10.0F, {0.9F, 0.8F, 0.2F}}};
+         f.colours = {{0.3F, 0.4F, 0.9F}, {0.8F, 0.4F, 0.4F}, {0.4F, 0.7F, 0.5F}};
      }},
     {"cuts, through glass as well",
      [](Frame& f) {

@@ -99,6 +99,19 @@ TEST_CASE("a lesion before, inside and behind vessels and glass is laid over and
         }
 }
 
+TEST_CASE("beyond the last margin a vessel looks as it does without margins, and within the first it does not") {
+    for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}}) {
+        BesideScene scene(newest);
+        scene.frame.colours = {{0.3F, 0.4F, 0.9F}};
+        const Image plain = scene.picture();
+        add_lesion(scene.frame, As::kSphere, {0, 500, 500}, 1.0); // out of the picture
+        scene.frame.margins.bands = {{5.0F, {0.9F, 0.2F, 0.2F}}, {10.0F, {0.9F, 0.8F, 0.2F}}};
+        CHECK(largest_difference(plain, scene.picture()) == 0);
+        scene.frame.margins.bands.back().within_mm = 1000.0F;
+        CHECK(largest_difference(plain, scene.picture()) > 50);
+    }
+}
+
 TEST_CASE("a lesion close to the eye fills the picture to its corners, whatever triangles they cut") {
     for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}})
         for (const double eye : {10.5, 12.0, 14.0, 17.0}) {

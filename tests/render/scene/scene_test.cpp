@@ -126,7 +126,7 @@ TEST_CASE("the ring of a margin lies where the distance to the lesion's surface 
     Scene scene;
     scene.frame.lesions.spheres = {{0.0, 5.0, 8.0, 2.0}};
     scene.frame.margins.bands = {{10.0F, {0.9F, 0.1F, 0.1F}}};
-    scene.frame.margins.beyond = {0.1F, 0.1F, 0.9F};
+    scene.frame.colours = {{0.1F, 0.1F, 0.9F}};
     const Image image = scene.draw();
     // On the tube's front line, at (x, 5, 0): sqrt(x^2 + 8^2) - 2 = 10.
     const double ring = std::sqrt(12.0 * 12.0 - 8.0 * 8.0);
