@@ -78,8 +78,11 @@ Loaded<LesionMesh> read_lesion_mesh(const std::filesystem::path& file, const std
     return read_if_written(file, before, "the lesion", [&]() -> Result<std::shared_ptr<const LesionMesh>> {
         RAMUS_TRY(read, io::read_mesh_file(file, {io::Holes::kRefused, io::slicer_space(axes)}));
         auto distance = std::make_shared<const measure::MeshDistance>(read.mesh);
+        auto coarse = read.mesh.triangles.size() > kPreviewFrom
+                          ? std::make_shared<const mesh::TriangleMesh>(mesh::coarse_mesh(read.mesh, kPreview))
+                          : nullptr;
         return std::make_shared<const LesionMesh>(
-            LesionMesh{std::move(read.mesh), axes, read.axes, std::move(distance)});
+            LesionMesh{std::move(read.mesh), std::move(coarse), axes, read.axes, std::move(distance)});
     });
 }
 

@@ -52,8 +52,9 @@ template <class T, class Read>
 
 // The closed meshes that sessions name as lesions, read from their files.
 struct LesionMesh {
-    mesh::TriangleMesh mesh; // positions, normals and triangles
-    std::string asked_axes;  // that it was read with
+    mesh::TriangleMesh mesh;                          // positions, normals and triangles
+    std::shared_ptr<const mesh::TriangleMesh> coarse; // fewer triangles, for outlines; null: the mesh has few
+    std::string asked_axes;                           // that it was read with
     tree::SaidBy axes = tree::SaidBy::kNobody;
     std::shared_ptr<const measure::MeshDistance> distance;
 };

@@ -6,6 +6,7 @@
 #include "app/picture/colouring.h"
 #include "app/picture/contact_marks.h"
 #include "app/picture/deviation_colours.h"
+#include "app/picture/lesion_outlines.h"
 #include "app/picture/note_marks.h"
 #include "app/picture/place_marks.h"
 #include "app/session/session.h"
@@ -175,6 +176,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     frame.bends = method == mesh::Method::kConvolutionSurface;
     show_outline(frame, session, assets);
     draw_cuts(frame, marks, plan);
+    if (plan != nullptr) outline_lesions(frame, plan->meshes);
     if (assets.measurements) draw_measurements(frame, assets.measurements->found, viewing.measurement);
     if (viewing.notes) mark_notes(frame, tree, viewing.note);
     if (assets.contacts.fits(options))
