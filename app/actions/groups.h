@@ -16,6 +16,7 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> state_commands();
 [[nodiscard]] std::vector<Command> system_commands();
 [[nodiscard]] std::vector<Command> surgery_commands();
+[[nodiscard]] std::vector<Command> lesion_vessel_commands();
 [[nodiscard]] std::vector<Command> context_commands();
 // All context is read again in this unit, or ("auto") in those that its files say.
 [[nodiscard]] Result<Outcome> read_context_in(ActionContext& context, const std::string& units);

@@ -1,6 +1,7 @@
 // Measurements: taken, told, kept and drawn until they are removed.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
+#include "app/assets/assets.h"
 #include "app/assets/measured.h"
 
 #include <algorithm>
@@ -12,7 +13,8 @@ namespace ramus::app::actions {
 
 namespace {
 
-constexpr const char* kKinds = "distance X,Y,Z X,Y,Z, path ID FRACTION ID FRACTION, diameter ID FRACTION, "
+constexpr const char* kKinds = "distance END END (X,Y,Z; lesion:N@X,Y,Z), distance lesion:N branch:ID, path ID "
+                               "FRACTION ID FRACTION, diameter ID FRACTION, "
                                "angle ID FRACTION ID FRACTION ID FRACTION, or angle ID";
 constexpr std::array<std::pair<std::string_view, Measurement::Kind>, 4> kKindNames{
     {{"distance", Measurement::Kind::kDistance},
@@ -20,13 +22,50 @@ constexpr std::array<std::pair<std::string_view, Measurement::Kind>, 4> kKindNam
      {"diameter", Measurement::Kind::kDiameter},
      {"angle", Measurement::Kind::kAngle}}};
 
-Result<Measurement> points_in(Arguments words) {
-    Measurement found;
-    for (std::size_t i = 0; i < 2; ++i) {
-        const auto point = numbers_in(words[i], 3, kFarthestMm);
-        if (!point) return fail("\"" + words[i] + "\" is not a point X,Y,Z in mm");
-        found.points[i] = {(*point)[0], (*point)[1], (*point)[2]};
+constexpr std::string_view kLesion = "lesion:", kBranch = "branch:";
+
+Result<LesionRef> lesion_in(const Document& document, std::string_view number) {
+    const std::vector<std::string> words{std::string(number)};
+    RAMUS_TRY(index, list_index(words, lesion_count(document.marks()), "lesion"));
+    return lesion_at(document.marks(), index);
+}
+
+// X,Y,Z, or lesion:N@X,Y,Z: the nearest place to that of the lesion's surface.
+Result<void> read_end(const Document& document, const LesionShapes& lesions, std::string_view word, Measurement& found,
+                      std::size_t end) {
+    std::string_view place = word;
+    if (word.starts_with(kLesion)) {
+        const std::size_t at = std::min(word.find('@'), word.size());
+        RAMUS_TRY(lesion, lesion_in(document, word.substr(kLesion.size(), at - kLesion.size())));
+        found.lesions[end] = lesion;
+        place = word.substr(std::min(at + 1, word.size()));
     }
+    const auto point = numbers_in(std::string(place), 3, kFarthestMm);
+    if (!point)
+        return fail("\"" + std::string(word) + "\" is not a point X,Y,Z in mm", {},
+                    "of a lesion lesion:N@X,Y,Z, or lesion:N and branch:ID for the shortest distance");
+    found.points[end] = {(*point)[0], (*point)[1], (*point)[2]};
+    if (const auto shape = lesions.at(found.lesions[end]))
+        found.points[end] = measure::nearest_on(*shape, found.points[end]);
+    return {};
+}
+
+Result<Measurement> ends_in(const Document& document, const LesionShapes& lesions, Arguments words) {
+    Measurement found;
+    const auto whole = std::ranges::find_if(words, [](const std::string& word) { return word.starts_with(kBranch); });
+    if (whole == words.end()) {
+        for (std::size_t i = 0; i < 2; ++i)
+            if (auto good = read_end(document, lesions, words[i], found, i); !good) return tl::unexpected(good.error());
+        return found;
+    }
+    const std::string& lesion = whole == words.begin() ? words[1] : words[0];
+    if (!lesion.starts_with(kLesion) || lesion.find('@') != std::string::npos)
+        return fail("the shortest distance to a branch is measured from a lesion", {}, "distance lesion:N branch:ID");
+    RAMUS_TRY(from, lesion_in(document, std::string_view(lesion).substr(kLesion.size())));
+    RAMUS_TRY(id, branch_id(document, whole->substr(kBranch.size())));
+    found.shortest = true;
+    found.lesions[0] = from;
+    found.places[0].branch = id;
     return found;
 }
 
@@ -46,7 +85,7 @@ Result<Measurement> places_in(const Document& document, Measurement::Kind kind, 
     return found;
 }
 
-Result<Measurement> measurement_in(const Document& document, Arguments arguments) {
+Result<Measurement> measurement_in(const Document& document, const LesionShapes& lesions, Arguments arguments) {
     const auto refused = fail("what is to be measured?", {}, kKinds);
     const auto* kind = arguments.empty() ? kKindNames.end()
                                          : std::ranges::find(kKindNames, std::string_view(arguments[0]),
@@ -55,7 +94,8 @@ Result<Measurement> measurement_in(const Document& document, Arguments arguments
     const Arguments rest = arguments.subspan(1);
     switch (kind->second) {
     case Measurement::Kind::kDistance:
-        return rest.size() == 2 ? points_in(rest) : refused;
+        if (rest.size() == 2) return ends_in(document, lesions, rest);
+        return refused;
     case Measurement::Kind::kPath:
         if (rest.size() == 2 || rest.size() == 4) return places_in(document, kind->second, rest, rest.size() == 4);
         return refused;
@@ -69,10 +109,21 @@ Result<Measurement> measurement_in(const Document& document, Arguments arguments
     return refused;
 }
 
+// Meshes are read where one is named, for a command does not come back to what it has measured.
+LesionShapes shapes_for(ActionContext& context, Arguments arguments) {
+    const Marks& marks = context.document.marks();
+    if (std::ranges::any_of(arguments, [](const std::string& word) { return word.starts_with(kLesion); }))
+        for (const std::string& file : marks.lesion_meshes)
+            if (!context.assets.lesion_mesh(file))
+                (void)load_lesion_mesh(context.assets, file, axes_of_lesion(marks, file));
+    return lesion_shapes(context.assets, marks);
+}
+
 Result<void> measure_this(ActionContext& context, Arguments arguments) {
     if (!has_tree(context.document)) return fail("there is no tree to measure");
-    RAMUS_TRY(wanted, measurement_in(context.document, arguments));
-    RAMUS_TRY(found, measured(*context.document.tree(), wanted));
+    const LesionShapes lesions = shapes_for(context, arguments);
+    RAMUS_TRY(wanted, measurement_in(context.document, lesions, arguments));
+    RAMUS_TRY(found, measured(*context.document.tree(), wanted, lesions));
     Marks next = context.document.marks();
     if (std::ranges::find(next.measurements, wanted) == next.measurements.end()) next.measurements.push_back(wanted);
     if (auto few = check_counts(next); !few) return few;
@@ -86,8 +137,9 @@ Result<void> measure_change(ActionContext& context, Arguments arguments) {
     if (arguments.size() < 2)
         return fail("measure-change takes the number of a measurement and another one", {}, kKinds);
     RAMUS_TRY(index, list_index(arguments.first(1), context.document.marks().measurements.size(), "measurement"));
-    RAMUS_TRY(wanted, measurement_in(context.document, arguments.subspan(1)));
-    RAMUS_TRY(found, measured(*context.document.tree(), wanted));
+    const LesionShapes lesions = shapes_for(context, arguments);
+    RAMUS_TRY(wanted, measurement_in(context.document, lesions, arguments.subspan(1)));
+    RAMUS_TRY(found, measured(*context.document.tree(), wanted, lesions));
     context.say(found.sentence());
     return edit(context, [&, index = index](Marks& marks) { marks.measurements[index] = wanted; });
 }
@@ -116,7 +168,10 @@ bool has_measurements(const Document& document) { return !document.marks().measu
 std::vector<Command> measure_commands() {
     return {
         Command("measure", "KIND ...",
-                "Measures, tells and keeps: distance X,Y,Z X,Y,Z (straight); path ID FRACTION ID FRACTION (the "
+                "Measures, tells and keeps: distance X,Y,Z X,Y,Z (straight; lesion:N@X,Y,Z is the nearest place of a "
+                "lesion's "
+                "surface); distance lesion:N branch:ID (the shortest from a lesion to a branch's wall); path ID "
+                "FRACTION ID FRACTION (the "
                 "shortest along the vessels; ID ID from middle to middle); diameter ID [FRACTION]; angle of three "
                 "times ID FRACTION (at the second place), or of one ID (where the branch begins, to its parent's way "
                 "on). A FRACTION is of the branch's length, from the parent's end.",

@@ -26,9 +26,9 @@ Result<Outcome> write_csv(ActionContext& context, const fs::path& path, std::str
     const auto& kinds = table_kinds();
     const TableKind* const kind = wanted.empty() ? std::ranges::find_if(kinds, there) : table_kind_named(wanted);
     if (kind == nullptr || kind == kinds.end())
-        return wanted.empty()
-                   ? fail("there is nothing to report", {}, "cut, place a lesion, select or measure first")
-                   : fail("a report is of selection, cuts, bands, measurements, systems, contacts or validation");
+        return wanted.empty() ? fail("there is nothing to report", {}, "cut, place a lesion, select or measure first")
+                              : fail("a report is of selection, cuts, bands, lesions, measurements, systems, contacts "
+                                     "or validation");
     if (!there(*kind))
         return fail("there is nothing to report of " + std::string(kind->name), {},
                     "cut, place a lesion, select or measure first");
@@ -156,7 +156,8 @@ std::vector<Command> report_commands() {
         Command(
             "report", "[FILE [KIND] [OPTIONS]]",
             "Writes a report: .html, one page with pictures and all tables, and a case line at its head that is in no "
-            "other file; or .csv of selection, cuts, bands or measurements, systems, contacts, validation (once there "
+            "other file; or .csv of selection, cuts, bands, lesions, measurements, systems, contacts, validation (once "
+            "there "
             "is one), the first of them that there is unless told. A window asks for the file.",
             report)
             .in_menu("Plan", "Report...")

@@ -33,7 +33,7 @@ Result<void> lesion_change(ActionContext& context, Arguments arguments) {
     const auto sphere = arguments.size() == 2 ? sphere_in(arguments[1]) : std::nullopt;
     if (!sphere) return fail("lesion-change takes a lesion's number and X,Y,Z,R", {}, kAskedLesion);
     RAMUS_TRY(index, list_index(arguments.first(1), context.document.marks().lesions.size(), "lesion"));
-    return edit(context, [&](Marks& marks) { marks.lesions[index] = *sphere; });
+    return edit(context, [&](Marks& marks) { change_lesion(marks, index, *sphere); });
 }
 
 Result<void> expect_new_lesion(const Document& document, const std::filesystem::path& path) {
@@ -99,25 +99,29 @@ Result<void> lesion_axes(ActionContext& context, Arguments arguments) {
     return {};
 }
 
+// What is measured from a lesion goes with it.
+void say_what_went(ActionContext& context, std::size_t measurements) {
+    if (measurements > 0)
+        context.say("Removed with " + counted(measurements, "measurement", "measurements") + " from the lesion");
+}
+
 // Spheres first, then meshes: as lists show them.
 Result<void> lesion_remove(ActionContext& context, Arguments arguments) {
     Marks next = context.document.marks();
-    const std::size_t spheres = next.lesions.size();
-    RAMUS_TRY(index, list_index(arguments, spheres + next.lesion_meshes.size(), "lesion"));
-    if (index < spheres) {
-        next.lesions.erase(next.lesions.begin() + static_cast<std::ptrdiff_t>(index));
-    } else {
-        const auto mesh = next.lesion_meshes.begin() + static_cast<std::ptrdiff_t>(index - spheres);
-        next.lesion_axes.erase(*mesh);
-        next.lesion_meshes.erase(mesh);
-    }
+    RAMUS_TRY(index, list_index(arguments, lesion_count(next), "lesion"));
+    const std::size_t gone = remove_lesion(next, lesion_at(next, index));
     context.document.change(std::move(next));
+    say_what_went(context, gone);
     return {};
 }
 
 Result<void> lesion_clear(ActionContext& context, Arguments) {
-    return edit(context,
-                [](Marks& marks) { marks.lesions.clear(), marks.lesion_meshes.clear(), marks.lesion_axes.clear(); });
+    Marks next = context.document.marks();
+    std::size_t gone = 0;
+    while (lesion_count(next) > 0) gone += remove_lesion(next, lesion_at(next, lesion_count(next) - 1));
+    context.document.change(std::move(next));
+    say_what_went(context, gone);
+    return {};
 }
 
 std::string cost_text(const measure::CutFigures& cut, double limit_mm, const Lengths& lengths) {

@@ -24,11 +24,13 @@ void refresh_centerlines(Assets& assets, const mesh::SurfaceOptions& options) {
 }
 
 void refresh_measurements(Assets& assets, const Marks& marks) {
-    if (assets.measurements && assets.measurements->of == marks.measurements) return;
-    Measurements measurements{marks.measurements, {}};
+    LesionShapes lesions = lesion_shapes(assets, marks);
+    if (assets.measurements && assets.measurements->of == marks.measurements && assets.measurements->lesions == lesions)
+        return;
+    Measurements measurements{marks.measurements, std::move(lesions), {}};
     if (assets.tree)
         for (const Measurement& measurement : marks.measurements)
-            measurements.found.push_back(measured(*assets.tree, measurement));
+            measurements.found.push_back(measured(*assets.tree, measurement, measurements.lesions));
     assets.measurements = std::make_shared<const Measurements>(std::move(measurements));
 }
 
@@ -126,8 +128,9 @@ const Plan& refresh_plan(Assets& assets, const Document& document) {
     if (assets.plan && assets.plan->of == planned(marks)) return *assets.plan;
     assets.plan = std::make_shared<const Plan>(make_plan(assets, marks));
     // Measured for spheres alone: what else changes takes them over.
-    if (const Plan& plan = *assets.plan; !plan.measuring && !assets.lesion_distances.fits(plan.lesions))
-        assets.lesion_distances = {plan.lesions, plan.lesion_distances_mm};
+    const double touch_mm = marks.planning.touch_mm;
+    if (const Plan& plan = *assets.plan; !plan.measuring && !assets.lesion_distances.fits(plan.lesions, touch_mm))
+        assets.lesion_distances = {plan.lesions, touch_mm, plan.lesion_distances_mm, plan.measured_vessels};
     return *assets.plan;
 }
 
@@ -153,7 +156,7 @@ bool lesions_awaited(const Assets& assets, const Marks& marks, GridIs grid) {
     if (!lesions_are_read(assets, marks)) return true;
     const measure::Lesions lesions = loaded_lesions(assets, marks);
     if (lesions.meshes.empty()) return false;
-    return !assets.lesion_distances.fits(lesions) ||
+    return !assets.lesion_distances.fits(lesions, marks.planning.touch_mm) ||
            (grid_needed(marks, grid) && !assets.lesion_grid.fits(lesions, widest_margin_mm(marks.planning)));
 }
 
@@ -165,9 +168,8 @@ void complete_lesions(Assets& assets, const Marks& marks, GridIs grid) {
     const double reach = widest_margin_mm(marks.planning);
     if (grid_needed(marks, grid) && !assets.lesion_grid.fits(lesions, reach))
         assets.lesion_grid = distance_grid(lesions, reach);
-    if (assets.lesion_distances.fits(lesions)) return;
-    std::vector<double> mm = measure::wall_distances(*assets.tree, lesions);
-    assets.lesion_distances = {std::move(lesions), std::move(mm)};
+    if (assets.lesion_distances.fits(lesions, marks.planning.touch_mm)) return;
+    assets.lesion_distances = measure_lesions(*assets.tree, std::move(lesions), marks.planning.touch_mm);
     assets.plan.reset();
 }
 

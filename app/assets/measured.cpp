@@ -1,5 +1,6 @@
 #include "app/assets/measured.h"
 
+#include "app/assets/assets.h"
 #include "app/assets/plan.h"
 #include "app/session/numbers.h"
 #include "core/measure/branch_point.h"
@@ -55,9 +56,54 @@ glm::dvec3 middle_of(const std::vector<glm::dvec3>& line) {
     return line.back();
 }
 
-Measured distance(const tree::VesselTree& tree, const Measurement& m) {
+Result<measure::Lesion> lesion_of(const LesionShapes& lesions, const LesionRef& lesion) {
+    const bool sphere = lesion.shape == LesionRef::Shape::kSphere;
+    const std::size_t count = sphere ? lesions.spheres.size() : lesions.meshes.size();
+    const auto found = lesions.at(lesion);
+    if (found) return *found;
+    if (lesion.index < 0 || static_cast<std::size_t>(lesion.index) >= count)
+        return fail("the lesion that this is measured from is not there", {}, "remove it, and measure again");
+    return fail(lesions.name_of(lesion) + " has not been read");
+}
+
+// From the surface of a lesion to the wall of a branch.
+Result<Measured> shortest(const tree::VesselTree& tree, const Measurement& m, const LesionShapes& lesions) {
+    RAMUS_TRY(lesion, lesion_of(lesions, m.lesions[0]));
+    const std::array branch{m.places[0].branch};
+    const measure::NearestWall nearest = measure::nearest_wall(tree, branch, lesion);
+    const Lengths lengths(tree.claims);
+    Measured found{.kind = "Shortest distance",
+                   .what = lesions.name_of(m.lesions[0]) + " to the wall of " + branch_text(branch[0]) + " at " +
+                           digits(100.0 * nearest.fraction, 3) + " %",
+                   .value = nearest.distance_mm,
+                   .unit = lengths.unit()};
+    if (nearest.overlap_mm > 0.0) found.details = {{"overlap", lengths.text(nearest.overlap_mm)}};
+    found.lines = {{nearest.on_lesion, nearest.on_wall}};
+    found.label = found.value_text();
+    found.label_place = 0.5 * (nearest.on_lesion + nearest.on_wall);
+    return found;
+}
+
+// Where a point was said to lie on a lesion it does, or what is measured is not what was asked for.
+Result<void> check_on(const LesionShapes& lesions, const LesionRef& lesion, const glm::dvec3& point) {
+    if (!lesion.any()) return {};
+    RAMUS_TRY(shape, lesion_of(lesions, lesion));
+    constexpr double kOff = 1e-3; // of its size: single precision of meshes, seven digits of a place in words
+    const double size = shape.mesh ? glm::length(shape.mesh->bounds().size()) : 2.0 * shape.sphere[3];
+    if (std::abs(measure::signed_distance(shape, point)) <= kOff * size) return {};
+    return fail("the place " + place_text(point) + " is no longer on " + lesions.name_of(lesion), {},
+                "remove it, and measure again");
+}
+
+Result<Measured> distance(const tree::VesselTree& tree, const Measurement& m, const LesionShapes& lesions) {
+    if (m.shortest) return shortest(tree, m, lesions);
+    const auto end_text = [&](std::size_t i) {
+        return (m.lesions[i].any() ? lesions.name_of(m.lesions[i]) + " at " : "") + place_text(m.points[i]);
+    };
+    for (std::size_t i = 0; i < m.points.size(); ++i)
+        if (auto on = check_on(lesions, m.lesions[i], m.points[i]); !on) return tl::unexpected(on.error());
     Measured found{.kind = "Distance",
-                   .what = place_text(m.points[0]) + " to " + place_text(m.points[1]),
+                   .what = end_text(0) + " to " + end_text(1),
                    .value = glm::distance(m.points[0], m.points[1]),
                    .unit = Lengths(tree.claims).unit()};
     found.lines = {{m.points[0], m.points[1]}};
@@ -169,21 +215,55 @@ std::string Measured::sentence() const {
 std::vector<glm::dvec3> ends_of(const tree::VesselTree& tree, const Measurement& measurement) {
     const auto points = std::span(measurement.points).first(point_count(measurement));
     std::vector<glm::dvec3> ends(points.begin(), points.end());
-    if (of_branching(measurement)) return ends;
+    if (of_branching(measurement) || measurement.shortest) return ends;
     for (const measure::BranchPlace& place : std::span(measurement.places).first(place_count(measurement)))
         if (place.branch >= 0 && static_cast<std::size_t>(place.branch) < tree.branches.size())
             ends.push_back(measure::point_on(tree, place).position);
     return ends;
 }
 
-Result<Measured> measured(const tree::VesselTree& tree, const Measurement& measurement) {
+std::optional<measure::Lesion> LesionShapes::at(const LesionRef& lesion) const {
+    const auto index = static_cast<std::size_t>(lesion.index);
+    if (lesion.index < 0) return {};
+    if (lesion.shape == LesionRef::Shape::kSphere && index < spheres.size())
+        return measure::Lesion{spheres[index], nullptr};
+    if (lesion.shape == LesionRef::Shape::kMesh && index < meshes.size() && meshes[index])
+        return measure::Lesion{{}, meshes[index]};
+    return {};
+}
+
+std::string LesionShapes::name_of(const LesionRef& lesion) const {
+    const std::size_t before = lesion.shape == LesionRef::Shape::kMesh ? spheres.size() : 0;
+    return "lesion " + std::to_string(before + static_cast<std::size_t>(lesion.index) + 1);
+}
+
+LesionRef LesionShapes::picked(int lesion) const {
+    if (lesion < 0) return {};
+    auto left = static_cast<std::size_t>(lesion);
+    if (left < spheres.size()) return {LesionRef::Shape::kSphere, lesion};
+    left -= spheres.size();
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        if (meshes[i] && left-- == 0) return {LesionRef::Shape::kMesh, static_cast<int>(i)};
+    return {};
+}
+
+LesionShapes lesion_shapes(const Assets& assets, const Marks& marks) {
+    LesionShapes shapes{marks.lesions, {}};
+    for (const std::string& file : marks.lesion_meshes) {
+        const auto mesh = assets.lesion_mesh(file);
+        shapes.meshes.push_back(mesh ? mesh->distance : nullptr);
+    }
+    return shapes;
+}
+
+Result<Measured> measured(const tree::VesselTree& tree, const Measurement& measurement, const LesionShapes& lesions) {
     for (std::size_t i = 0; i < place_count(measurement); ++i)
         if (const int id = measurement.places[i].branch; id < 0 || static_cast<std::size_t>(id) >= tree.branches.size())
             return fail("there is no " + branch_text(id));
     auto found = [&]() -> Result<Measured> {
         switch (measurement.kind) {
         case Measurement::Kind::kDistance:
-            return distance(tree, measurement);
+            return distance(tree, measurement, lesions);
         case Measurement::Kind::kPath:
             return path(tree, measurement);
         case Measurement::Kind::kDiameter:
@@ -193,7 +273,8 @@ Result<Measured> measured(const tree::VesselTree& tree, const Measurement& measu
         }
         return fail("this cannot be measured");
     }();
-    if (found) found->ends = ends_of(tree, measurement);
+    if (!found) return found;
+    found->ends = measurement.shortest ? found->lines.front() : ends_of(tree, measurement);
     return found;
 }
 

@@ -4,8 +4,12 @@
 
 #include "app/session/session.h"
 #include "core/base/error.h"
+#include "core/measure/lesion_contact.h"
 
+#include <array>
 #include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,19 +32,39 @@ struct Measured {
     [[nodiscard]] std::string sentence() const;   // "Distance, (1, 2, 3) to (1, 2, 9): 6.00 mm"
 };
 
-// distance: straight, between its points. path: the shortest way along centerlines between its places. diameter: at its
-// place. angle: at the second of its places, between the straight lines to the others; of one place where the branch
-// begins, between the way its parent comes and the branch, 0 being straight on; at a root between it and the first
-// other branch there. Fails when there is no such branch, no such way, no branching or no angle.
-[[nodiscard]] Result<Measured> measured(const tree::VesselTree& tree, const Measurement& measurement);
+struct Assets; // app/assets/assets.h
 
-// What it is between: its points or, on the centerlines, its places; none where a branch begins. Branches that there
-// are not have none.
+// What measurements that name a lesion are taken from, as LesionRef counts them.
+struct LesionShapes {
+    std::vector<std::array<double, 4>> spheres;
+    std::vector<std::shared_ptr<const measure::MeshDistance>> meshes; // null: not read
+    bool operator==(const LesionShapes&) const = default;
+    // Null shapes and references beyond the end give none.
+    [[nodiscard]] std::optional<measure::Lesion> at(const LesionRef& lesion) const;
+    // "lesion 2": spheres are counted first.
+    [[nodiscard]] std::string name_of(const LesionRef& lesion) const;
+    // What a pick calls a lesion: spheres, then the meshes that are read.
+    [[nodiscard]] LesionRef picked(int lesion) const;
+};
+[[nodiscard]] LesionShapes lesion_shapes(const Assets& assets, const Marks& marks);
+
+// distance: straight, between its points, or the shortest from a lesion's surface to a branch's wall (0 where they
+// overlap); it fails where the lesion is not there, or where a point that lies on it does so no longer. path: the
+// shortest way along centerlines between its places. diameter: at its place. angle: at the second of its places,
+// between the straight lines to the others; of one place where the branch begins, between the way its parent comes and
+// the branch, 0 being straight on; at a root between it and the first other branch there. Fails when there is no such
+// branch, no such way, no branching or no angle.
+[[nodiscard]] Result<Measured> measured(const tree::VesselTree& tree, const Measurement& measurement,
+                                        const LesionShapes& lesions);
+
+// What it is between, and what a tool can move: its points or, on the centerlines, its places; none where a branch
+// begins, and of shortest distances. Branches that there are not have none.
 [[nodiscard]] std::vector<glm::dvec3> ends_of(const tree::VesselTree& tree, const Measurement& measurement);
 
 // A session's measurements and what they say, in their order, or why they say nothing.
 struct Measurements {
     std::vector<Measurement> of;
+    LesionShapes lesions;
     std::vector<Result<Measured>> found;
 };
 

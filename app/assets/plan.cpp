@@ -10,6 +10,7 @@
 #include <glm/gtc/constants.hpp>
 #include <limits>
 #include <oneapi/tbb/parallel_for.h>
+#include <utility>
 
 namespace ramus::app {
 
@@ -39,7 +40,24 @@ std::shared_ptr<const render::DistanceGrid> make_grid(const measure::Lesions& le
     return grid;
 }
 
+// Meshes that were not read have numbers too.
+std::vector<measure::LesionVessels> numbered(std::vector<measure::LesionVessels> vessels,
+                                             const measure::Lesions& lesions,
+                                             const std::vector<std::shared_ptr<const LesionMesh>>& meshes) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < lesions.spheres.size() + meshes.size(); ++i)
+        if (i < lesions.spheres.size() || meshes[i - lesions.spheres.size()]) numbers.push_back(i);
+    for (measure::LesionVessels& one : vessels) one.lesion = numbers[one.lesion];
+    return vessels;
+}
+
 } // namespace
+
+LesionDistances measure_lesions(const tree::VesselTree& tree, measure::Lesions lesions, double touch_mm) {
+    std::vector<double> mm = measure::wall_distances(tree, lesions);
+    std::vector<measure::LesionVessels> vessels = measure::lesion_vessels(tree, lesions, touch_mm);
+    return {std::move(lesions), touch_mm, std::move(mm), std::move(vessels)};
+}
 
 measure::Lesions loaded_lesions(const Assets& assets, const Marks& marks) {
     measure::Lesions lesions{marks.lesions, {}};
@@ -62,14 +80,19 @@ Plan make_plan(const Assets& assets, const Marks& marks) {
         else if (!loaded->second.value)
             plan.troubles.push_back(loaded->second.value.error().message());
     }
+    const double touch_mm = marks.planning.touch_mm;
     const LesionDistances& known = assets.lesion_distances;
-    const bool fits = known.fits(plan.lesions);
+    const bool fits = known.fits(plan.lesions, touch_mm);
     if (!fits && !plan.lesions.meshes.empty()) {
         plan.measuring = true;
         plan.lesions.meshes.clear();
     }
-    if (!plan.lesions.empty())
-        plan.lesion_distances_mm = fits ? known.mm : measure::wall_distances(*assets.tree, plan.lesions);
+    if (!plan.lesions.empty()) {
+        const LesionDistances now = fits ? known : measure_lesions(*assets.tree, plan.lesions, touch_mm);
+        plan.lesion_distances_mm = now.mm;
+        plan.measured_vessels = now.vessels;
+        plan.vessels = numbered(now.vessels, plan.lesions, plan.meshes);
+    }
     const TreeFacts& facts = *assets.facts;
     if (!plan.lesion_distances_mm.empty())
         plan.bands =

@@ -5,6 +5,7 @@
 #include "app/assets/shapes.h"
 #include "app/session/session.h"
 #include "core/measure/cuts.h"
+#include "core/measure/lesion_contact.h"
 #include "core/measure/lesion_distance.h"
 #include "render/scene/scene.h"
 
@@ -19,14 +20,17 @@ namespace ramus::app {
 
 struct Assets;
 
-// From the wall of every branch to the nearest lesion.
+// From the wall of every branch to the nearest lesion, and from each lesion to the vessels of each system.
 struct LesionDistances {
     measure::Lesions of;
+    double touch_mm = 0.0;
     std::vector<double> mm; // by branch id
-    [[nodiscard]] bool fits(const measure::Lesions& lesions) const {
-        return !mm.empty() && of.spheres == lesions.spheres && of.meshes == lesions.meshes;
+    std::vector<measure::LesionVessels> vessels;
+    [[nodiscard]] bool fits(const measure::Lesions& lesions, double touch) const {
+        return !mm.empty() && touch_mm == touch && of.spheres == lesions.spheres && of.meshes == lesions.meshes;
     }
 };
+[[nodiscard]] LesionDistances measure_lesions(const tree::VesselTree& tree, measure::Lesions lesions, double touch_mm);
 
 // The marks that a plan follows from; see Marks for what they mean.
 struct PlannedMarks {
@@ -44,9 +48,13 @@ struct Plan {
     std::vector<std::shared_ptr<const LesionMesh>> meshes; // by Marks::lesion_meshes; null: not read
     std::vector<std::string> troubles;                     // why not, a sentence each
     std::vector<double> lesion_distances_mm;               // by branch id, to the wall; empty without lesions
-    std::vector<measure::Band> bands;                      // of Planning::bands_mm; empty without lesions
-    measure::CutReport cuts;                               // of Marks::cuts; `spans` are what pictures draw as lost
-    bool measuring = false;                                // meshes or distances to them are still to come
+    std::vector<measure::LesionVessels> measured_vessels;  // as LesionDistances has them
+    // For each lesion whose distances are known and each system, or all vessels of a tree with fewer than two systems;
+    // `lesion` counts as LesionShapes::name_of() does, from 0 on.
+    std::vector<measure::LesionVessels> vessels;
+    std::vector<measure::Band> bands; // of Planning::bands_mm; empty without lesions
+    measure::CutReport cuts;          // of Marks::cuts; `spans` are what pictures draw as lost
+    bool measuring = false;           // meshes or distances to them are still to come
 };
 
 // The spheres, and the meshes that are loaded.

@@ -95,6 +95,9 @@ void add_comparison_flags(CLI::App& command, ComparisonFlags& flags) {
         ->check(is_share);
     command.add_flag("--skeleton", flags.skeleton, "Draw centerlines, with rings of the radius, over the vessels");
     command.add_flag(
+        "--shortest-distances", flags.shortest_distances,
+        "Draw the shortest distance from every lesion of the session to the nearest vessel of each system");
+    command.add_flag(
         "--contacts", flags.contacts,
         "Mark where vessels press on each other without being connected there (`ramus info --contacts` lists "
         "them)");
@@ -162,6 +165,7 @@ void apply(const ComparisonFlags& flags, Marks& marks) {
     if (flags.wipe) comparison.wipe = *flags.wipe;
     if (flags.skeleton) marks.skeleton = true;
     if (flags.contacts) marks.contact_marks = true;
+    if (flags.shortest_distances) marks.shortest_distances = true;
 }
 
 } // namespace ramus::app

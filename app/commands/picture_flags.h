@@ -34,7 +34,7 @@ struct ComparisonFlags {
     std::vector<volume::LabelChoice> labels;
     std::optional<double> share; // of the second surface, where two are blended
     std::optional<double> wipe;  // where the line between two is, of the picture's width
-    bool skeleton = false, contacts = false;
+    bool skeleton = false, contacts = false, shortest_distances = false;
     int contact = 0; // to look at, from 1; 0: none
 };
 

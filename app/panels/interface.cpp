@@ -159,6 +159,7 @@ void draw_interface(InterfaceContext& context) {
     Interface& interface = context.interface;
     theme::use(interface.settings.light_theme ? theme::Kind::kLight : theme::Kind::kDark);
     interface.listed = tree::kNoBranch;
+    interface.listed_lesion = {};
     // Arrows and Enter work in menus alone: elsewhere they turn the view, or are the list's.
     ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
     // From one menu to the next none is open for a frame.

@@ -10,6 +10,7 @@
 #include "app/panels/slider_row.h"
 #include "app/panels/volume_dialog.h"
 #include "app/panels/widgets.h"
+#include "app/picture/lesion_lines.h"
 #include "app/session/warnings.h"
 #include "app/session/window_words.h"
 #include "app/storage/settings.h"
@@ -246,6 +247,7 @@ struct Interface {
     std::vector<render::Legend> legends; // of the picture that is shown, which may be of a moment ago
     bool tooltip = false;                // the pointer rests on the picture
     int listed = tree::kNoBranch;        // under the pointer in the list of branches
+    PointedLesion listed_lesion;         // under the pointer among the lesions
     BranchList list;
     Rename rename;
     RadiusDialog radius;

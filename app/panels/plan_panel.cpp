@@ -1,5 +1,6 @@
 // The panel's planning half: lesions and the vessels near them, cuts and what they cost, measurements. Everything shown
 // is Assets::plan; everything done goes through commands.
+#include "app/assets/lesion_text.h"
 #include "app/panels/choice_row.h"
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
@@ -123,6 +124,57 @@ void draw_lesion(InterfaceContext& context, std::size_t index, const std::array<
                                                   exact_text(sphere[2]) + "," + radius});
 }
 
+// The shortest distance to the vessels of each system, and how the lesion touches them. A click goes there.
+void draw_vessels(InterfaceContext& context, std::size_t lesion) {
+    const Document& document = context.workspace.document;
+    const auto plan = context.workspace.current_assets().plan; // kept here, as below
+    const tree::VesselTree& tree = *document.tree();
+    const Lengths lengths = document.lengths();
+    const float indent = 10.0F * theme::scale();
+    for (const measure::LesionVessels& vessels : plan->vessels) {
+        const measure::NearestWall& nearest = vessels.nearest;
+        if (vessels.lesion != lesion || nearest.branch == tree::kNoBranch) continue;
+        const std::string name = vessels_name(tree, document.marks(), vessels);
+        const std::string distance = distance_text(nearest, lengths), branch = branch_name(document, nearest.branch);
+        const std::string contact = contact_text(vessels, lengths), brief = contact.substr(0, contact.rfind(" over "));
+        const std::string away = nearest.overlap_mm > 0.0 ? "overlap " + lengths.text(nearest.overlap_mm) : distance;
+        const std::string number = std::to_string(lesion + 1);
+        ImGui::PushID(vessels.system);
+        ImGui::Indent(indent);
+        ImGui::PushFont(theme::small_font());
+        const float right = ImGui::CalcTextSize(away.c_str()).x + 6.0F * theme::scale();
+        const float room = ImGui::GetContentRegionAvail().x;
+        const ImVec2 at = ImGui::GetCursorPos();
+        const float lines = vessels.touched > 0 ? 2.0F : 1.0F;
+        if (ImGui::Selectable("##vessels", false, 0, {room, lines * ImGui::GetTextLineHeight() + 2.0F})) {
+            std::vector<std::string> words{number};
+            if (tree.systems.size() > 1) words.push_back(std::to_string(vessels.system + 1));
+            context.perform("lesion-vessel", words);
+        }
+        if (ImGui::IsItemHovered()) {
+            context.interface.listed = nearest.branch;
+            context.interface.listed_lesion = {static_cast<int>(lesion), vessels.system};
+        }
+        widgets::tooltip(
+            (name + ", " + branch + ": " + distance + " from the lesion to the vessel's wall, " + contact +
+             lengths.worded(" (within " + rounded(document.marks().planning.touch_mm) + " mm). Click to go there"))
+                .c_str());
+        const ImVec2 after = ImGui::GetCursorPos();
+        ImGui::SetCursorPos(at);
+        ImGui::TextUnformatted(widgets::fitted(name + ", " + branch, room - right).c_str());
+        ImGui::SameLine();
+        widgets::quiet_right(away);
+        if (vessels.touched > 0) {
+            ImGui::SetCursorPos({at.x, at.y + ImGui::GetTextLineHeight()});
+            widgets::quiet(widgets::fitted(vessels.touched > 1 ? brief : contact, room).c_str());
+        }
+        ImGui::SetCursorPos(after);
+        ImGui::PopFont();
+        ImGui::Unindent(indent);
+        ImGui::PopID();
+    }
+}
+
 void draw_lesion_mesh(InterfaceContext& context, const std::string& file, const std::string& number) {
     ImGui::PushID(file.c_str());
     const bool removed = removable_row(std::filesystem::path(file).filename().string(), theme::kText, file.c_str()) < 0;
@@ -148,11 +200,25 @@ void draw_lesions(InterfaceContext& context) {
     widgets::row_headings({"Lesion", "Click a line to bring the lesion to the middle of the picture"},
                           {"Diameter", "The diameter of a sphere; a mesh has its own size"}, ImGui::GetFrameHeight());
     // Kept here: what a row does makes the list another.
-    for (const auto lesions = marks.lesions; const auto& sphere : lesions)
-        draw_lesion(context, static_cast<std::size_t>(&sphere - lesions.data()), sphere);
+    const auto same = [&, before = marks] { return planned(before) == planned(context.workspace.document.marks()); };
+    for (const auto lesions = marks.lesions; const auto& sphere : lesions) {
+        const auto index = static_cast<std::size_t>(&sphere - lesions.data());
+        draw_lesion(context, index, sphere);
+        if (same()) draw_vessels(context, index);
+    }
     std::size_t number = marks.lesions.size();
-    for (const auto meshes = marks.lesion_meshes; const std::string& file : meshes)
+    for (const auto meshes = marks.lesion_meshes; const std::string& file : meshes) {
         draw_lesion_mesh(context, file, std::to_string(++number));
+        if (same()) draw_vessels(context, number - 1);
+    }
+    bool shown = marks.shortest_distances;
+    if (ImGui::Checkbox("Shortest distances", &shown)) context.perform("shortest-distances", {shown ? "on" : "off"});
+    widgets::tooltip("Draws a line with its length from each lesion to the nearest vessel of each system");
+    field_label(context, "Contact within (mm)");
+    if (const auto words = number_field(context, "contact", rounded(marks.planning.touch_mm), 56.0F); words.size() == 1)
+        context.perform("lesion-contact", words);
+    widgets::tooltip("A vessel's wall that is as near to a lesion touches it: half the edge of the scan's voxels, say; "
+                     "Enter takes it");
     const auto plan = context.workspace.current_assets().plan;
     if (plan->measuring) widgets::quiet("Distances to meshes are being measured");
     for (const std::string& trouble : plan->troubles) widgets::trouble(trouble.c_str());

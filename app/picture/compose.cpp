@@ -177,6 +177,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     show_outline(frame, session, assets);
     draw_cuts(frame, marks, plan);
     if (plan != nullptr) outline_lesions(frame, plan->meshes);
+    if (plan != nullptr) draw_shortest_distances(frame, *plan, marks, viewing.lesion, tree.claims);
     if (assets.measurements) draw_measurements(frame, assets.measurements->found, viewing.measurement);
     if (viewing.notes) mark_notes(frame, tree, viewing.note);
     if (assets.contacts.fits(options))

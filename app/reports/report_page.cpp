@@ -59,6 +59,7 @@ Facts option_facts(const Marks& marks) {
     Facts found = surface_facts(marks.options);
     found.insert(found.end(), {{"Coloured by", std::string(name_of(marks.colour_by))},
                                {"Margins", bands + " mm"},
+                               {"Contact with lesions within", digits(marks.planning.touch_mm) + " mm"},
                                {"Cuts marked above", digits(marks.planning.reconstruct_mm) + " mm"}});
     return found;
 }
@@ -151,6 +152,15 @@ std::string report_page(const Document& document, const Assets& assets, const st
     const Marks& marks = document.marks();
     const Plan& plan = *assets.plan;
     page += lesions_html(document, plan);
+    if (!plan.vessels.empty())
+        page += table_html(
+            lesions_table(document, assets),
+            {.note = document.lengths().worded(
+                 "From the surface of the lesion to the nearest wall; 0 where the two touch, with how deep they "
+                 "overlap. "
+                 "The angle of contact is the largest share of a cross-section's wall that lies within the lesion, or "
+                 "within " +
+                 digits(marks.planning.touch_mm) + " mm of it.")});
     if (!marks.cuts.empty())
         page += table_html(cuts_table(document, assets),
                            {.note = cuts_note(document, plan), .flag_column = "over_limit", .sums = 1});

@@ -229,6 +229,37 @@ Table bands_table(const Document& document, const Assets& assets) {
     return table;
 }
 
+Table lesions_table(const Document& document, const Assets& assets) {
+    Table table{"Lesions and the nearest vessels",
+                {{"lesion", "Lesion"},
+                 {"branch", "Branch"},
+                 {"name", "Name"},
+                 {"distance", "Distance, mm"},
+                 {"overlap", "Overlap, mm"},
+                 {"contact_branch", "Contact with"},
+                 {"contact_angle", "Angle, \xC2\xB0"},
+                 {"contact_length", "over, mm"},
+                 {"contact_branches", "Branches touched"},
+                 {"contact_length_together", "over, mm"}},
+                {}};
+    for (const char* name : {"contact_within", "lesion_x", "lesion_y", "lesion_z", "wall_x", "wall_y", "wall_z"})
+        table.columns.push_back({name, name, 3, true});
+    const Names names(document);
+    for (const measure::LesionVessels& one : assets.plan->vessels) {
+        const measure::NearestWall& nearest = one.nearest;
+        if (nearest.branch == tree::kNoBranch) continue;
+        const glm::dvec3 &from = nearest.on_lesion, &to = nearest.on_wall;
+        table.rows.push_back({static_cast<int>(one.lesion + 1), nearest.branch, names.of(nearest.branch),
+                              nearest.distance_mm, nearest.overlap_mm,
+                              one.touched > 0 ? Cell(one.contact.branch) : Cell(""), one.contact.angle_deg,
+                              one.contact.length_mm, one.touched, one.touched_mm, document.marks().planning.touch_mm,
+                              from.x, from.y, from.z, to.x, to.y, to.z});
+    }
+    add_systems(table, document, 1, 1);
+    add_unit(table, document.lengths());
+    return table;
+}
+
 Table systems_table(const Document& document, const Assets& /*assets*/) {
     Table table{"Systems",
                 {{"system", "System"},

@@ -45,6 +45,8 @@ struct Table {
                                const Assets& assets); // a row for each cut; all together in the last
 [[nodiscard]] Table bands_table(const Document& document,
                                 const Assets& assets); // a row for each branch within a margin
+// A row for each lesion and each system: the shortest distance and the contact.
+[[nodiscard]] Table lesions_table(const Document& document, const Assets& assets);
 [[nodiscard]] Table systems_table(const Document& document, const Assets& assets);      // a row for each system
 [[nodiscard]] Table measurements_table(const Document& document, const Assets& assets); // a row for each measurement
 // A row for each contact, the closest first; none where they were not looked for.

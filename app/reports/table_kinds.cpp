@@ -6,11 +6,13 @@
 
 namespace ramus::app {
 
-const std::array<TableKind, 7>& table_kinds() {
-    static constexpr std::array<TableKind, 7> kKinds{
+const std::array<TableKind, 8>& table_kinds() {
+    static constexpr std::array<TableKind, 8> kKinds{
         {{"cuts", "Cuts", cuts_table, [](const Document& d, const Assets&) { return !d.marks().cuts.empty(); }},
          {"bands", "Margins of lesions", bands_table,
           [](const Document&, const Assets& a) { return !a.plan->bands.empty(); }},
+         {"lesions", "Lesions and the nearest vessels", lesions_table,
+          [](const Document&, const Assets& a) { return !a.plan->vessels.empty(); }},
          {"selection", "Selected branches", selection_table,
           [](const Document& d, const Assets&) { return !d.marks().selection.empty(); }},
          {"measurements", "Measurements", measurements_table,

@@ -16,7 +16,7 @@ struct TableKind {
 };
 
 // In the order of what is written when no kind is named.
-[[nodiscard]] const std::array<TableKind, 7>& table_kinds();
+[[nodiscard]] const std::array<TableKind, 8>& table_kinds();
 [[nodiscard]] const TableKind* table_kind_named(std::string_view name); // null: there is none
 
 } // namespace ramus::app

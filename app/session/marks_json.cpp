@@ -45,10 +45,12 @@ json options_json(const Marks& marks) {
     }
     value["bands"] = marks.planning.bands_mm;
     value["reconstruct"] = marks.planning.reconstruct_mm;
+    value["lesion_contact"] = marks.planning.touch_mm;
     value["glass_opacity"] = marks.glass.opacity;
     value["glass_grey"] = marks.glass.grey;
     if (marks.skeleton) value["skeleton"] = true;
     if (marks.contact_marks) value["contact_marks"] = true;
+    if (marks.shortest_distances) value["shortest_distances"] = true;
     value["depth_cues"] = json::array();
     for (const DepthCue& cue : depth_cues())
         if (marks.depth_cues.has(cue)) value["depth_cues"].push_back(std::string(cue.name));
@@ -95,9 +97,10 @@ static void read_colour_look(const json& value, ColourLook& look) {
 }
 
 void read_options(const json& value, Marks& marks) {
-    std::vector<std::string_view> known = {"method",        "colour_by",  "colour_map", "bands",         "reconstruct",
-                                           "glass_opacity", "glass_grey", "skeleton",   "contact_marks", "depth_cues",
-                                           "colour_range",  "colour_log", "legend"};
+    std::vector<std::string_view> known = {"method",        "colour_by",      "colour_map",        "bands",
+                                           "reconstruct",   "glass_opacity",  "glass_grey",        "skeleton",
+                                           "contact_marks", "depth_cues",     "colour_range",      "colour_log",
+                                           "legend",        "lesion_contact", "shortest_distances"};
     for (const SurfaceOption& option : surface_options())
         if (option.of_session) known.push_back(option.key);
     expect_only(value, "options", known);
@@ -118,11 +121,14 @@ void read_options(const json& value, Marks& marks) {
     if (value.contains("bands")) read_bands(list_in(value, "bands"), marks.planning.bands_mm);
     if (value.contains("reconstruct"))
         marks.planning.reconstruct_mm = number(value["reconstruct"], "reconstruct", 0.0, 1e6);
+    if (value.contains("lesion_contact"))
+        marks.planning.touch_mm = number(value["lesion_contact"], "lesion_contact", 0.0, 1e6);
     if (value.contains("glass_opacity"))
         marks.glass.opacity = number(value["glass_opacity"], "glass_opacity", 0.0, 2.0);
     if (value.contains("glass_grey")) marks.glass.grey = number(value["glass_grey"], "glass_grey", 0.0, 1.0);
     for (const auto& [key, member] :
-         {std::pair("skeleton", &Marks::skeleton), std::pair("contact_marks", &Marks::contact_marks)})
+         {std::pair("skeleton", &Marks::skeleton), std::pair("contact_marks", &Marks::contact_marks),
+          std::pair("shortest_distances", &Marks::shortest_distances)})
         if (value.contains(key)) marks.*member = truth(value[key], key);
     if (value.contains("depth_cues")) read_depth_cues(list_in(value, "depth_cues"), marks);
     if (value.contains("colour_by"))
@@ -145,28 +151,60 @@ void read_states(const json& value, Marks& marks) {
     }
 }
 
+// "sphere 2", "mesh 1": counted from 1 among their like; empty: none.
+static std::string lesion_json(const LesionRef& lesion) {
+    if (!lesion.any()) return {};
+    return (lesion.shape == LesionRef::Shape::kSphere ? "sphere " : "mesh ") + std::to_string(lesion.index + 1);
+}
+
+static LesionRef lesion_in(const json& value) {
+    const std::string wanted = text(value, "lesion of a measurement");
+    if (wanted.empty()) return {};
+    const std::size_t blank = wanted.find(' ');
+    const int number = blank == std::string::npos ? 0 : parsed<int>(wanted.substr(blank + 1)).value_or(0);
+    const std::string shape = wanted.substr(0, blank);
+    if (number < 1 || (shape != "sphere" && shape != "mesh"))
+        throw Refusal{"\"" + wanted + "\" is not a lesion, \"sphere 1\" or \"mesh 1\""};
+    return {shape == "sphere" ? LesionRef::Shape::kSphere : LesionRef::Shape::kMesh, number - 1};
+}
+
+static void read_lesions_of(const json& value, Measurement& found) {
+    if (value.contains("shortest")) found.shortest = truth(value["shortest"], "shortest");
+    const json lesions = value.value("lesions", json::array());
+    if (!lesions.is_array() || (!lesions.empty() && lesions.size() != found.lesions.size()))
+        throw Refusal{"lesions of a measurement are not two"};
+    for (std::size_t i = 0; i < lesions.size(); ++i) found.lesions[i] = lesion_in(lesions[i]);
+    if (found.kind != Measurement::Kind::kDistance && (found.shortest || names_lesion(found)))
+        throw Refusal{"only distances are measured from lesions"};
+    if (found.shortest && (!found.lesions[0].any() || found.lesions[1].any()))
+        throw Refusal{"a shortest distance is from one lesion, the first"};
+}
+
 json measurement_json(const Measurement& m) {
     json value;
     for (const auto& [name, kind] : kMeasurementNames)
         if (kind == m.kind) value["kind"] = std::string(name);
-    if (m.kind == Measurement::Kind::kDistance)
-        for (const glm::dvec3& p : m.points) value["points"].push_back({p.x, p.y, p.z});
+    for (const glm::dvec3& p : std::span(m.points).first(point_count(m))) value["points"].push_back({p.x, p.y, p.z});
+    if (names_lesion(m))
+        for (const LesionRef& lesion : m.lesions) value["lesions"].push_back(lesion_json(lesion));
+    if (m.shortest) value["shortest"] = true;
     const auto places = std::span(m.places).first(place_count(m));
     for (const measure::BranchPlace& place : places) value["branches"].push_back(place.branch);
     if (m.kind == Measurement::Kind::kDiameter)
         value["fraction"] = places[0].fraction;
-    else if (!of_branching(m))
+    else if (!of_branching(m) && m.kind != Measurement::Kind::kDistance)
         for (const measure::BranchPlace& place : places) value["fractions"].push_back(place.fraction);
     return value;
 }
 
 static Measurement measurement(const json& value) {
-    expect_only(value, "a measurement", {"kind", "points", "branches", "fraction", "fractions"});
+    expect_only(value, "a measurement", {"kind", "points", "branches", "fraction", "fractions", "lesions", "shortest"});
     Measurement found;
     const std::string wanted = text(value.value("kind", json()), "kind of a measurement");
     const auto kind = paired(kMeasurementNames, wanted);
     if (!kind) throw Refusal{"unknown measurement \"" + wanted + "\""};
     found.kind = *kind;
+    read_lesions_of(value, found);
     const json points = value.value("points", json::array());
     const json branches = value.value("branches", json::array());
     // Of one branch an angle is where that begins, of three between places on them.

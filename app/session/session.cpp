@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <tuple>
+#include <utility>
 
 namespace ramus::app {
 
@@ -19,6 +20,47 @@ std::filesystem::path subject_of(const Session& session) {
 std::string axes_of_lesion(const Marks& marks, const std::string& file) {
     const auto said = marks.lesion_axes.find(file);
     return said == marks.lesion_axes.end() ? std::string() : said->second;
+}
+
+std::size_t lesion_count(const Marks& marks) { return marks.lesions.size() + marks.lesion_meshes.size(); }
+
+LesionRef lesion_at(const Marks& marks, std::size_t index) {
+    const std::size_t spheres = marks.lesions.size();
+    return index < spheres ? LesionRef{LesionRef::Shape::kSphere, static_cast<int>(index)}
+                           : LesionRef{LesionRef::Shape::kMesh, static_cast<int>(index - spheres)};
+}
+
+std::size_t lesion_number(const Marks& marks, const LesionRef& lesion) {
+    const auto index = static_cast<std::size_t>(lesion.index) + 1;
+    return lesion.shape == LesionRef::Shape::kMesh ? marks.lesions.size() + index : index;
+}
+
+std::size_t remove_lesion(Marks& marks, const LesionRef& lesion) {
+    const auto at = static_cast<std::ptrdiff_t>(lesion.index);
+    if (lesion.shape == LesionRef::Shape::kMesh) {
+        const auto file = marks.lesion_meshes.begin() + at;
+        marks.lesion_axes.erase(*file);
+        marks.lesion_meshes.erase(file);
+    } else {
+        marks.lesions.erase(marks.lesions.begin() + at);
+    }
+    const std::size_t gone = std::erase_if(marks.measurements, [&](const Measurement& measurement) {
+        return std::ranges::find(measurement.lesions, lesion) != measurement.lesions.end();
+    });
+    for (Measurement& measurement : marks.measurements)
+        for (LesionRef& other : measurement.lesions)
+            if (other.shape == lesion.shape && other.index > lesion.index) --other.index;
+    return gone;
+}
+
+void change_lesion(Marks& marks, std::size_t index, const std::array<double, 4>& sphere) {
+    const std::array<double, 4> before = std::exchange(marks.lesions[index], sphere);
+    const LesionRef lesion{LesionRef::Shape::kSphere, static_cast<int>(index)};
+    const glm::dvec3 from(before[0], before[1], before[2]), to(sphere[0], sphere[1], sphere[2]);
+    for (Measurement& measurement : marks.measurements)
+        for (std::size_t i = 0; i < point_count(measurement); ++i)
+            if (measurement.lesions[i] == lesion && before[3] > 0.0)
+                measurement.points[i] = to + sphere[3] / before[3] * (measurement.points[i] - from);
 }
 
 std::string_view name_of(render::BranchState state) {
@@ -54,13 +96,13 @@ bool is_selected(const Marks& marks, int branch) {
 }
 
 std::size_t point_count(const Measurement& measurement) {
-    return measurement.kind == Measurement::Kind::kDistance ? 2 : 0;
+    return measurement.kind == Measurement::Kind::kDistance && !measurement.shortest ? 2 : 0;
 }
 
 std::size_t place_count(const Measurement& measurement) {
     switch (measurement.kind) {
     case Measurement::Kind::kDistance:
-        return 0;
+        return measurement.shortest ? 1 : 0;
     case Measurement::Kind::kPath:
         return 2;
     case Measurement::Kind::kDiameter:
@@ -75,10 +117,13 @@ bool of_branching(const Measurement& measurement) {
     return measurement.kind == Measurement::Kind::kAngle && measurement.places[1].branch == tree::kNoBranch;
 }
 
+bool names_lesion(const Measurement& measurement) { return std::ranges::any_of(measurement.lesions, &LesionRef::any); }
+
 namespace {
 
-constexpr std::tuple kLooks{&Marks::selection, &Marks::colour_by,  &Marks::colour_map, &Marks::colour_look,
-                            &Marks::glass,     &Marks::depth_cues, &Marks::skeleton,   &Marks::contact_marks};
+constexpr std::tuple kLooks{&Marks::selection,   &Marks::colour_by,     &Marks::colour_map,
+                            &Marks::colour_look, &Marks::glass,         &Marks::depth_cues,
+                            &Marks::skeleton,    &Marks::contact_marks, &Marks::shortest_distances};
 
 void for_looks(const auto& call) {
     std::apply([&](auto... member) { (call(member), ...); }, kLooks);

@@ -34,11 +34,24 @@ struct TreeFile {
     bool operator==(const TreeFile&) const = default;
 };
 
+// A lesion by its place in Marks::lesions or Marks::lesion_meshes.
+struct LesionRef {
+    enum class Shape : std::uint8_t { kNone, kSphere, kMesh };
+    Shape shape = Shape::kNone;
+    int index = 0;
+    [[nodiscard]] bool any() const { return shape != Shape::kNone; }
+    bool operator==(const LesionRef&) const = default;
+};
+
 // Something measured, kept and drawn until it is removed.
 struct Measurement {
     enum class Kind { kDistance, kPath, kDiameter, kAngle };
     Kind kind = Kind::kDistance;
     std::array<glm::dvec3, 2> points{}; // kDistance: mm, RAS
+    std::array<LesionRef, 2> lesions{}; // kDistance: that these points lie on the surface of
+    // kDistance: the shortest from the surface of the first of `lesions` to the wall of the branch of the first of
+    // `places`; there are no points.
+    bool shortest = false;
     // The places on centerlines that the others are of. kPath: from the first to the second. kDiameter: at the first.
     // kAngle: at the second, between the straight lines to the first and the third; of one alone, where its branch
     // begins.
@@ -50,11 +63,13 @@ struct Measurement {
 [[nodiscard]] std::size_t place_count(const Measurement& measurement); // of `places`
 // An angle where a branch begins: it has no place that could be moved.
 [[nodiscard]] bool of_branching(const Measurement& measurement);
+[[nodiscard]] bool names_lesion(const Measurement& measurement);
 
 // What distances and diameters mean to who plans an operation.
 struct Planning {
     std::vector<double> bands_mm{5.0, 10.0, 20.0}; // margins around lesions, ascending, positive
     double reconstruct_mm = 5.0;                   // cuts through vessels of a larger diameter are marked
+    double touch_mm = 0.5;                         // what is as near to a lesion touches it
     bool operator==(const Planning&) const = default;
 };
 
@@ -101,8 +116,9 @@ struct Marks {
     DepthCues depth_cues;
     Comparison comparison;
     DeviationChoice deviation;
-    bool skeleton = false;      // centerlines and rings of the radius are drawn over the vessels
-    bool contact_marks = false; // rings where vessels press on each other
+    bool skeleton = false;           // centerlines and rings of the radius are drawn over the vessels
+    bool contact_marks = false;      // rings where vessels press on each other
+    bool shortest_distances = false; // lines from lesions to the nearest vessel of each system
     mesh::SurfaceOptions options;
     io::ReadOptions reading; // of the tree's file
     bool operator==(const Marks&) const = default;
@@ -130,6 +146,16 @@ struct Session {
 
 // What somebody said about the axes of a lesion's file; empty: nothing.
 [[nodiscard]] std::string axes_of_lesion(const Marks& marks, const std::string& file);
+
+// Lesions have numbers from 1 on, spheres first, as lists show them.
+[[nodiscard]] std::size_t lesion_count(const Marks& marks);
+[[nodiscard]] LesionRef lesion_at(const Marks& marks, std::size_t index); // the number less 1
+[[nodiscard]] std::size_t lesion_number(const Marks& marks, const LesionRef& lesion);
+// Takes a lesion away, and the measurements that name it; those of the lesions behind it follow these. Returns how many
+// measurements went.
+std::size_t remove_lesion(Marks& marks, const LesionRef& lesion);
+// Gives a sphere another centre and radius. Ends of measurements on it move with it.
+void change_lesion(Marks& marks, std::size_t index, const std::array<double, 4>& sphere);
 
 [[nodiscard]] std::string_view name_of(render::BranchState state); // "normal", "highlighted", "defocused", "hidden"
 [[nodiscard]] render::BranchState state_of(const Marks& marks, int branch);

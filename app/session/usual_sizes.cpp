@@ -20,6 +20,7 @@ UsualSizes usual_sizes(const tree::VesselTree& tree) {
     const double share = sizes.lesion_radius_mm / usual;
     for (double& margin : margins) margin *= share;
     sizes.planning.reconstruct_mm *= share;
+    sizes.planning.touch_mm *= share;
     sizes.thin_mm *= share;
     return sizes;
 }

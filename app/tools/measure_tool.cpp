@@ -21,6 +21,19 @@ bool on_vessel(const Pointing& pointing, const render::Pick& pick) {
     return pick.branch >= 0 && pick.branch < pointing.document.branch_count();
 }
 
+// The lesion that a pick shows.
+LesionRef lesion_of(const Pointing& pointing, const render::Pick& pick) {
+    return on_vessel(pointing, pick) ? LesionRef() : pointing.lesions.picked(pick.lesion);
+}
+
+// An end of a distance: on a vessel where it was clicked, on a lesion at the nearest place of its surface.
+void put_end(Measurement& distance, std::size_t end, const Pointing& pointing, const render::Pick& pick) {
+    const LesionRef lesion = lesion_of(pointing, pick);
+    const auto shape = pointing.lesions.at(lesion);
+    distance.lesions[end] = shape ? lesion : LesionRef();
+    distance.points[end] = shape ? measure::nearest_on(*shape, pick.position) : pick.position;
+}
+
 measure::BranchPlace foot_of(const Pointing& pointing, const render::Pick& pick) {
     return {pick.branch, measure::nearest_fraction(*pointing.document.tree(), pick.branch, pick.position)};
 }
@@ -30,10 +43,15 @@ bool went_away(const Pointing& pointing, glm::dvec2 pressed_at) {
 }
 
 // As the command `measure` takes it.
-std::vector<std::string> words_of(const Measurement& m) {
+std::vector<std::string> words_of(const Measurement& m, const Marks& marks) {
+    const auto lesion = [&](std::size_t i) { return "lesion:" + std::to_string(lesion_number(marks, m.lesions[i])); };
+    const auto end = [&](std::size_t i) {
+        return (m.lesions[i].any() ? lesion(i) + "@" : "") + finely_spelled(m.points[i]);
+    };
     switch (m.kind) {
     case Measurement::Kind::kDistance:
-        return {"distance", finely_spelled(m.points[0]), finely_spelled(m.points[1])};
+        if (m.shortest) return {"distance", lesion(0), "branch:" + std::to_string(m.places[0].branch)};
+        return {"distance", end(0), end(1)};
     case Measurement::Kind::kPath:
     case Measurement::Kind::kDiameter:
     case Measurement::Kind::kAngle:
@@ -84,12 +102,26 @@ std::size_t MeasureTool::points_wanted() const {
 
 Measurement MeasureTool::measurement_of(const Pointing& pointing, const std::vector<render::Pick>& picks) const {
     Measurement found{.kind = kind_};
+    if (whole_ && picks.size() == 2)
+        for (std::size_t i = 0; i < 2; ++i) {
+            const LesionRef lesion = lesion_of(pointing, picks[i]);
+            if (!lesion.any() || !on_vessel(pointing, picks[1 - i])) continue;
+            found.shortest = true;
+            found.lesions[0] = lesion;
+            found.places[0] = foot_of(pointing, picks[1 - i]);
+            return found;
+        }
     for (std::size_t i = 0; i < picks.size(); ++i)
         if (kind_ == Measurement::Kind::kDistance)
-            found.points[i] = picks[i].position;
+            put_end(found, i, pointing, picks[i]);
         else
             found.places[i] = foot_of(pointing, picks[i]);
     return found;
+}
+
+bool MeasureTool::takes(const Pointing& pointing, const render::Pick& pick) const {
+    return on_vessel(pointing, pick) ||
+           (kind_ == Measurement::Kind::kDistance && pointing.lesions.at(lesion_of(pointing, pick)));
 }
 
 void MeasureTool::press(const Pointing& pointing) {
@@ -112,12 +144,15 @@ const MeasureTool::Held* MeasureTool::held(const Pointing& pointing) const {
 
 void MeasureTool::take_point(const Pointing& pointing) {
     const render::Pick pick = pointing.pick();
-    if (!on_vessel(pointing, pick)) return;
+    if (!takes(pointing, pick)) return;
+    if (pointing.modifiers.shift && lesion_of(pointing, pick).any()) whole_ = true;
     begun_.push_back(pick);
     under_ = pick.position;
     live_.reset();
     if (begun_.size() < points_wanted()) return;
-    std::vector<std::string> line = words_of(measurement_of(pointing, std::exchange(begun_, {})));
+    std::vector<std::string> line =
+        words_of(measurement_of(pointing, std::exchange(begun_, {})), pointing.document.marks());
+    whole_ = false;
     line.insert(line.begin(), "measure");
     command(std::move(line));
 }
@@ -129,24 +164,28 @@ void MeasureTool::move(const Pointing& pointing) {
     if (!held_->moved && !went_away(pointing, held_->pressed_at)) return;
     held_->moved = true;
     const render::Pick pick = pointing.pick();
-    if (!on_vessel(pointing, pick)) return;
-    if (held_->now.kind == Measurement::Kind::kDistance)
-        held_->now.points[held_->handle.end] = pick.position;
+    const bool distance = held_->now.kind == Measurement::Kind::kDistance;
+    if (!on_vessel(pointing, pick) && !(distance && lesion_of(pointing, pick).any())) return;
+    if (distance)
+        put_end(held_->now, held_->handle.end, pointing, pick);
     else
         held_->now.places[held_->handle.end] = foot_of(pointing, pick);
-    live_ = measured(*pointing.document.tree(), held_->now);
+    live_ = measured(*pointing.document.tree(), held_->now, pointing.lesions);
 }
 
 void MeasureTool::look(const Pointing& pointing) {
     live_.reset();
-    if (begun_.empty() && (points_wanted() > 1 || over_handle_)) return;
+    snapped_.clear();
     const render::Pick pick = pointing.pick();
-    if (!on_vessel(pointing, pick)) return;
-    under_ = pick.position;
+    const bool can_take = takes(pointing, pick) && !over_handle_;
+    if (const LesionRef lesion = lesion_of(pointing, pick); can_take && lesion.any())
+        snapped_ = pointing.lesions.name_of(lesion);
+    if (can_take) under_ = pick.position;
+    if (!can_take || (begun_.empty() && points_wanted() > 1)) return;
     if (begun_.size() + 1 < points_wanted()) return;
     std::vector<render::Pick> picks = begun_;
     picks.push_back(pick);
-    live_ = measured(*pointing.document.tree(), measurement_of(pointing, picks));
+    live_ = measured(*pointing.document.tree(), measurement_of(pointing, picks), pointing.lesions);
 }
 
 // A press that did not move is a click, on a handle too: what is measured next may begin where another one ends.
@@ -161,14 +200,15 @@ void MeasureTool::release(const Pointing& pointing) {
     const bool measures = live_ && *live_;
     live_.reset();
     if (!measures) return;
-    std::vector<std::string> line = words_of(held->now);
+    std::vector<std::string> line = words_of(held->now, pointing.document.marks());
     line.insert(line.begin(), {"measure-change", std::to_string(held->handle.measurement + 1)});
     command(std::move(line));
 }
 
 bool MeasureTool::escape() {
     live_.reset();
-    over_handle_ = false;
+    over_handle_ = whole_ = false;
+    snapped_.clear();
     const bool held = std::exchange(held_, std::nullopt).has_value();
     return !std::exchange(begun_, {}).empty() || held;
 }
@@ -202,8 +242,12 @@ ToolDrawing MeasureTool::drawing(const Pointing& pointing) const {
     if (!begun_.empty() && !known)
         if (const auto from = put(begun_.back().position))
             drawing.lines.push_back({{glm::dvec2(*from), pointing.at}, kMeasureColour, 1.5F, false});
-    if (!live_) return drawing;
     const glm::dvec2 beside = pointing.at + glm::dvec2(14.0, 10.0) * ratio;
+    if (!live_ && !snapped_.empty()) {
+        dot(under_, kHandlePoints, true);
+        drawing.texts.push_back({beside, "On " + snapped_, kMeasureColour});
+    }
+    if (!live_) return drawing;
     if (!known) {
         drawing.texts.push_back({beside, live_->error().what, kRefusedMeasureColour});
         return drawing;
@@ -215,7 +259,9 @@ ToolDrawing MeasureTool::drawing(const Pointing& pointing) const {
         if (seen.points.size() == line.size()) drawing.lines.push_back(std::move(seen));
     }
     for (const glm::dvec3& end : (*live_)->ends) dot(end, kHandlePoints, true);
-    drawing.texts.push_back({beside, (*live_)->kind + " " + (*live_)->value_text(), kMeasureColour});
+    drawing.texts.push_back(
+        {beside, (*live_)->kind + " " + (*live_)->value_text() + (snapped_.empty() || held_ ? "" : " to " + snapped_),
+         kMeasureColour});
     return drawing;
 }
 
@@ -225,6 +271,10 @@ bool MeasureTool::points_at_branches() const {
 
 std::string MeasureTool::hint() const {
     if (held_) return "Drag the end to another place, let go to keep it, Escape to leave it";
+    if (!begun_.empty() && whole_) return "Click a vessel: the shortest distance to it, Escape to begin again";
+    if (!snapped_.empty())
+        return "On " + snapped_ +
+               ": click for a place of its surface, Shift+click for the shortest distance to a vessel";
     if (!begun_.empty()) {
         if (kind_ == Measurement::Kind::kAngle && begun_.size() == 1)
             return "Click where the angle is, then the other place, Escape to begin again";
@@ -233,7 +283,7 @@ std::string MeasureTool::hint() const {
     const std::string handles = "; drag an end of a measurement to move it";
     switch (kind_) {
     case Measurement::Kind::kDistance:
-        return "Click a place on a vessel, then another, or drag from one to the other" + handles;
+        return "Click a place on a vessel or a lesion, then another, or drag from one to the other" + handles;
     case Measurement::Kind::kPath:
         return "Click two places: the path along the vessels between them" + handles;
     case Measurement::Kind::kDiameter:

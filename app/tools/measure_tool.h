@@ -1,14 +1,16 @@
 // MeasureTool: distances between points of the surface, paths along vessels, diameters, angles between three places.
-// What was clicked is what is measured: a distance goes from point to point of the surface, the others from foot to
-// foot on the centerlines. The value is shown before the last click. Ends of what was measured before are handles, of
-// any kind of measurement: a drag moves one, with the value of each place on the way, and is one command when it is let
-// go.
+// What was clicked is what is measured: a distance goes from point to point of the surface, of vessels or of lesions,
+// the others from foot to foot on the centerlines. A lesion that is clicked with Shift is meant as a whole: the
+// distance is the shortest from its surface to the wall of the branch that is the other end. The value is shown before
+// the last click. Ends of what was measured before are handles, of any kind of measurement: a drag moves one, with the
+// value of each place on the way, and is one command when it is let go.
 #pragma once
 
 #include "app/assets/measured.h"
 #include "app/tools/tool.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace ramus::app {
@@ -39,6 +41,7 @@ private:
     };
     [[nodiscard]] static std::optional<Handle> handle_under(const Pointing& pointing);
     [[nodiscard]] std::size_t points_wanted() const;
+    [[nodiscard]] bool takes(const Pointing& pointing, const render::Pick& pick) const; // it can be an end
     [[nodiscard]] Measurement measurement_of(const Pointing& pointing, const std::vector<render::Pick>& picks) const;
     // What is held, unless it was changed meanwhile: undone, say, by a key.
     [[nodiscard]] const Held* held(const Pointing& pointing) const;
@@ -47,6 +50,8 @@ private:
 
     Measurement::Kind kind_;
     std::vector<render::Pick> begun_; // clicked so far
+    bool whole_ = false;              // a lesion among these, or the next one, is meant as a whole
+    std::string snapped_;             // the lesion under the pointer, "lesion 1", that a click takes a place of
     glm::dvec2 pressed_at_{0.0};
     std::optional<Held> held_;
     bool over_handle_ = false;

@@ -4,6 +4,7 @@
 // window: positions are pixels of the picture from the top left.
 #pragma once
 
+#include "app/assets/measured.h"
 #include "app/session/document.h"
 #include "app/tools/viewport_mouse.h"
 #include "render/renderer/drawn.h"
@@ -39,6 +40,7 @@ struct Pointing {
     // The branch and the point of its surface that is shown there: of tools that pick(), when they are told of presses,
     // moves and releases.
     render::Pick under{};
+    LesionShapes lesions{}; // of the document's marks
 
     [[nodiscard]] const render::Pick& pick() const { return under; }
     [[nodiscard]] const render::Camera& camera() const { return document.session().camera; }

@@ -83,7 +83,7 @@ const std::vector<ToolKind>& tool_kinds() {
          make<CutTool>},
         {"measure-distance",
          "Distance",
-         "Measures straight between two places on vessels.",
+         "Measures straight between two places on vessels or lesions.",
          {"M"},
          {{{0.10F, 0.72F}, {0.90F, 0.28F}}, {{0.04F, 0.60F}, {0.16F, 0.84F}}, {{0.84F, 0.16F}, {0.96F, 0.40F}}},
          measuring<Measurement::Kind::kDistance>},

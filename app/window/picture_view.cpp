@@ -33,6 +33,7 @@ Viewing PictureView::viewing() const {
     if (interface.tool)
         if (const auto moved = interface.tool->moved_measurement()) viewing.measurement = static_cast<int>(*moved);
     viewing.context_awaited = state_.workspace.context.busy();
+    viewing.lesion = interface.listed_lesion;
     viewing.contact = interface.contacts.open ? interface.contacts.current : -1;
     return viewing;
 }

@@ -44,6 +44,15 @@ void add_lists(nlohmann::json& status, const Interface& interface, const Workspa
     if (workspace.assets.measurements)
         for (const Result<Measured>& found : workspace.assets.measurements->found)
             status["measured"].push_back(found ? found->sentence() : found.error().message());
+    status["lesion_vessels"] = nlohmann::json::array();
+    if (const auto& plan = workspace.assets.plan)
+        for (const measure::LesionVessels& one : plan->vessels)
+            status["lesion_vessels"].push_back({{"lesion", one.lesion + 1},
+                                                {"branch", one.nearest.branch},
+                                                {"distance", one.nearest.distance_mm},
+                                                {"overlap", one.nearest.overlap_mm},
+                                                {"contact_angle", one.contact.angle_deg},
+                                                {"contact_length", one.contact.length_mm}});
     if (const auto& facts = workspace.document.facts()) {
         status["radius_mm"] = {facts->statistics.radius_mm.min, facts->statistics.radius_mm.max};
         status["notes"] = workspace.document.tree()->notes.size();

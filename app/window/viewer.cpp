@@ -142,7 +142,7 @@ void Viewer::build_interface() {
     io.DeltaTime = 1.0F / 60.0F;
     interface_waits_ = !input_.apply(io);
     ImGui::NewFrame();
-    const int listed = interface.listed;
+    const std::pair listed(interface.listed, interface.listed_lesion);
     interface.tool_drawing = input_.tool_drawing();
     if (controls_) controls_->clear();
     widgets::note_controls(controls_ ? &*controls_ : nullptr);
@@ -150,7 +150,7 @@ void Viewer::build_interface() {
     draw_interface(context);
     widgets::note_controls(nullptr);
     ImGui::Render();
-    if (listed != interface.listed || interface.between_menus()) state_.redraw();
+    if (listed != std::pair(interface.listed, interface.listed_lesion) || interface.between_menus()) state_.redraw();
     if (state_.frames_left > 0) --state_.frames_left;
     if (std::exchange(dialog_was_open_, interface.dialog_open()) == interface.dialog_open()) return;
     state_.frames_left = kDialogFrames;

@@ -252,7 +252,8 @@ Pointing ViewerInput::pointing(Modifiers modifiers) {
             .size = picture_.picture_size(),
             .pixel_ratio = state_.scale,
             .document = state_.workspace.document,
-            .settings = state_.interface.tool_settings};
+            .settings = state_.interface.tool_settings,
+            .lesions = lesion_shapes(state_.workspace.assets, state_.workspace.document.marks())};
 }
 
 void ViewerInput::look_up(glm::dvec2 in_picture, const std::function<void(const render::Pick&)>& then) {

@@ -78,7 +78,8 @@ void change_plans(Marks& marks, int branches, std::mt19937& random) {
         break;
     case 3:
         add_of_at_most(marks.measurements,
-                       {Measurement::Kind::kPath, {}, {{{branch, 0.25}, {below(random, branches), 0.5}}}}, 2, 0);
+                       {.kind = Measurement::Kind::kPath, .places = {{{branch, 0.25}, {below(random, branches), 0.5}}}},
+                       2, 0);
         break;
     case 4:
         marks.lesion_meshes.assign(1, "/data/" + std::to_string(below(random, 5)) + ".stl");

@@ -230,10 +230,10 @@ TEST_CASE("measurements are drawn with their numbers") {
     Marks marks = stage.document.marks();
     const auto& tree = *stage.document.tree();
     const int child = tree.branches[0].children.front();
-    marks.measurements = {{Measurement::Kind::kDistance, {glm::dvec3(0), glm::dvec3(3, 4, 0)}, {}},
-                          {Measurement::Kind::kPath, {}, {{{0, 0.5}, {child, 0.5}}}},
-                          {Measurement::Kind::kDiameter, {}, {{{0, 0.5}}}},
-                          {Measurement::Kind::kAngle, {}, {{{child, 0.5}}}}};
+    marks.measurements = {{.kind = Measurement::Kind::kDistance, .points = {glm::dvec3(0), glm::dvec3(3, 4, 0)}},
+                          {.kind = Measurement::Kind::kPath, .places = {{{0, 0.5}, {child, 0.5}}}},
+                          {.kind = Measurement::Kind::kDiameter, .places = {{{0, 0.5}}}},
+                          {.kind = Measurement::Kind::kAngle, .places = {{{child, 0.5}}}}};
     stage.document.change(marks);
     const render::Frame frame = stage.frame();
     REQUIRE(frame.labels.size() >= 4);
@@ -244,7 +244,7 @@ TEST_CASE("measurements are drawn with their numbers") {
     CHECK(frame.labels[3].text.ends_with("\xB0"));
     // The picture tells what the command and the tables tell (in the fonts' encoding).
     for (std::size_t i = 0; i < 4; ++i) {
-        const std::string told = measured(tree, marks.measurements[i])->value_text();
+        const std::string told = measured(tree, marks.measurements[i], {})->value_text();
         CAPTURE(frame.labels[i].text);
         CHECK(frame.labels[i].text.find(told.substr(0, told.find_first_not_of("0123456789."))) != std::string::npos);
     }

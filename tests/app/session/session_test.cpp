@@ -28,12 +28,22 @@ Session lively_session(const fs::path& folder) {
     session.marks.context = {
         {(folder / "scans" / "liver.nii.gz").string(), 2, {1, 20, 255}, 1.0 / 3.0, false, true, true, "cm"},
         {"/elsewhere/rib cage.stl", 0, {200, 190, 180}, 1.0, true, false, false, ""}};
-    session.marks.measurements = {{Measurement::Kind::kDistance, {{{0.1, -1.0 / 3.0, 3.0}, {4.0, 5.0, 6e-7}}}, {}},
-                                  {Measurement::Kind::kPath, {}, {{{2, 0.1}, {7, 1.0 / 7.0}}}},
-                                  {Measurement::Kind::kDiameter, {}, {{{3, 1.0 / 3.0}}}},
-                                  {Measurement::Kind::kAngle, {}, {{{1, 0.5}}}},
-                                  {Measurement::Kind::kAngle, {}, {{{1, 0.25}, {2, 0.0}, {3, 1.0}}}}};
-    session.marks.planning = {{2.5, 7.0, 11.0 / 3.0 + 10.0}, 4.0};
+    const LesionRef sphere{LesionRef::Shape::kSphere, 0}, mesh{LesionRef::Shape::kMesh, 1};
+    session.marks.measurements = {
+        {.kind = Measurement::Kind::kDistance, .points = {{{0.1, -1.0 / 3.0, 3.0}, {4.0, 5.0, 6e-7}}}},
+        {.kind = Measurement::Kind::kDistance,
+         .points = {{{0.1, -1.0 / 3.0, 3.0}, {4.0, 5.0, 6e-7}}},
+         .lesions = {LesionRef(), mesh}},
+        {.kind = Measurement::Kind::kDistance,
+         .lesions = {sphere, LesionRef()},
+         .shortest = true,
+         .places = {{{6, 0.5}}}},
+        {.kind = Measurement::Kind::kPath, .places = {{{2, 0.1}, {7, 1.0 / 7.0}}}},
+        {.kind = Measurement::Kind::kDiameter, .places = {{{3, 1.0 / 3.0}}}},
+        {.kind = Measurement::Kind::kAngle, .places = {{{1, 0.5}}}},
+        {.kind = Measurement::Kind::kAngle, .places = {{{1, 0.25}, {2, 0.0}, {3, 1.0}}}}};
+    session.marks.planning = {{2.5, 7.0, 11.0 / 3.0 + 10.0}, 4.0, 1.0 / 7.0};
+    session.marks.shortest_distances = true;
     session.marks.glass = {1.75, 0.25};
     session.marks.colour_by = Quantity::kStrahler;
     session.marks.options.detail = 24;

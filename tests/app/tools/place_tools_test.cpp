@@ -213,6 +213,84 @@ TEST_CASE("a drag from place to place measures, too; beside the vessels nothing 
     CHECK(tool.take_commands() == std::vector<CommandLine>{{"measure", "distance", "0,3,30", "0,3,20"}});
 }
 
+TEST_CASE("the distance tool snaps to lesions, and Shift takes the shortest distance") {
+    ToolStage stage;
+    Marks marks = stage.document.marks();
+    marks.lesions = {{50.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 70.0, 10.0}};
+    stage.document.change(marks);
+    const auto at = [&](double x, bool shift = false) {
+        Pointing pointing = stage.at(x, 1);
+        pointing.lesions = {marks.lesions, {}};
+        pointing.modifiers.shift = shift;
+        return pointing;
+    };
+    const auto click = [&](MeasureTool& tool, double x, const render::Pick& pick, bool shift = false) {
+        stage.under = pick;
+        tool.move(at(x));
+        tool.press(at(x, shift));
+        tool.release(at(x, shift));
+    };
+    render::Pick lesion;
+    lesion.lesion = 1;
+    lesion.position = {0.0, 9.9, 70.0}; // as a picture's depth has it: not quite on the surface
+    MeasureTool tool(Measurement::Kind::kDistance);
+    stage.under = lesion;
+    tool.move(at(10));
+    CHECK(tool.hint().find("lesion 2") != std::string::npos);
+    CHECK(tool.drawing(at(10)).texts.at(0).text == "On lesion 2");
+    click(tool, 10, lesion);
+    CHECK(tool.take_commands().empty());
+    click(tool, 90, pick_of(0, {0, 3, 40}));
+    CHECK(tool.take_commands() == std::vector<CommandLine>{{"measure", "distance", "lesion:2@0,10,70", "0,3,40"}});
+
+    for (const bool lesion_first : {true, false}) {
+        CAPTURE(lesion_first);
+        click(tool, lesion_first ? 10 : 90, lesion_first ? lesion : pick_of(0, {0, 3, 40}), lesion_first);
+        if (lesion_first) {
+            stage.under = pick_of(0, {0, 3, 20});
+            tool.move(at(90));
+            CHECK(tool.hint().find("shortest") != std::string::npos);
+            CHECK(tool.drawing(at(90)).texts.at(0).text == "Shortest distance 17.0 mm"); // from z = 40 + 3 to 60
+            CHECK(tool.drawing(at(90)).lines.size() == 1);
+        }
+        click(tool, lesion_first ? 90 : 10, lesion_first ? pick_of(0, {0, 3, 20}) : lesion, !lesion_first);
+        CHECK(tool.take_commands() == std::vector<CommandLine>{{"measure", "distance", "lesion:2", "branch:0"}});
+        CHECK_FALSE(tool.busy());
+    }
+    click(tool, 10, lesion, true); // from lesion to lesion there are two places
+    click(tool, 90, lesion);
+    CHECK(tool.take_commands().at(0).at(2) == "lesion:2@0,10,70");
+
+    MeasureTool path(Measurement::Kind::kPath); // along vessels: a lesion is none
+    click(path, 10, lesion);
+    CHECK_FALSE(path.busy());
+}
+
+TEST_CASE("an end that lies on a lesion is dragged over it and away from it") {
+    ToolStage stage;
+    Marks marks = stage.document.marks();
+    marks.lesions = {{0.0, 0.0, 70.0, 10.0}};
+    const LesionRef first{LesionRef::Shape::kSphere, 0};
+    marks.measurements = {{.points = {glm::dvec3(0, 10, 70), glm::dvec3(0, 3, 10)}, .lesions = {first, LesionRef()}}};
+    stage.document.change(marks);
+    const auto at = [&](double x, double y, bool held) {
+        Pointing pointing = stage.at(x, y, held);
+        pointing.lesions = {marks.lesions, {}};
+        return pointing;
+    };
+    const auto seen = render::project(stage.document.session().camera, stage.size, marks.measurements[0].points[0]);
+    REQUIRE(seen);
+    for (const bool onto_vessel : {false, true}) {
+        MeasureTool tool(Measurement::Kind::kDistance);
+        tool.press(at(seen->x, seen->y, true));
+        stage.under = onto_vessel ? pick_of(0, {0, 3, 30}) : render::Pick{tree::kNoBranch, 0, {10, 0, 70}};
+        tool.move(at(seen->x + 50, seen->y, true));
+        tool.release(at(seen->x + 50, seen->y, false));
+        const std::string end = onto_vessel ? "0,3,30" : "lesion:1@10,0,70";
+        CHECK(tool.take_commands() == std::vector<CommandLine>{{"measure-change", "1", "distance", end, "0,3,10"}});
+    }
+}
+
 TEST_CASE("an end of a measurement is dragged, with the value on the way, and is one command") {
     ToolStage stage;
     Marks marks = stage.document.marks();
