@@ -25,7 +25,7 @@ INLINE Float distance_to_lesions(Vec3 position) {
 // Linear. Steps from band to band are as sharp as the pixels are, with a thin dark line between. Beyond the last one the
 // branch has its own colour.
 INLINE Vec3 margin_colour(SurfacePoint p) {
-    Float mm = distance_to_lesions(p.position), per_pixel = reciprocal(pixel_size(p.position.z)), edge = 1.0F;
+    Float mm = distance_to_lesions(p.position), per_pixel = reciprocal(pixel_size(p.position.z)), edge = 2.0F;
     Vec3 colour = p.albedo;
     for (int i = int(counts.z) - 1; i >= 0; --i) {
         Float inside = (margins[i].w - mm) * per_pixel;

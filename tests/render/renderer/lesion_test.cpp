@@ -103,8 +103,8 @@ TEST_CASE("beyond the last margin a vessel looks as it does without margins, and
     for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}}) {
         BesideScene scene(newest);
         scene.frame.colours = {{0.3F, 0.4F, 0.9F}};
-        const Image plain = scene.picture();
         add_lesion(scene.frame, As::kSphere, {0, 500, 500}, 1.0); // out of the picture
+        const Image plain = scene.picture();
         scene.frame.margins.bands = {{5.0F, {0.9F, 0.2F, 0.2F}}, {10.0F, {0.9F, 0.8F, 0.2F}}};
         CHECK(largest_difference(plain, scene.picture()) == 0);
         scene.frame.margins.bands.back().within_mm = 1000.0F;
