@@ -132,7 +132,7 @@ def typed(window):
 def journey(program, screen, folder):
     (folder / "small tree.swc").write_text(SMALL_TREE)
     window = Window(program, screen, folder, ["small tree.swc", "--units", "mm", "--orientation", "RAS",
-                                              "--size", "1200x960"])
+                                              "--size", "1200x1060"])
     try:
         window.wait("the surface", lambda s: s["surface_ready"])
         distance(window)
@@ -146,4 +146,4 @@ def journey(program, screen, folder):
 
 
 if __name__ == "__main__":
-    sys.exit(run_journeys(journey, size=(1240, 1000)))
+    sys.exit(run_journeys(journey, size=(1240, 1100)))
