@@ -1,0 +1,33 @@
+// Rows of the planning panel, and its parts that have files of their own.
+#pragma once
+
+#include "app/panels/interface.h"
+
+#include <imgui.h>
+#include <string>
+#include <vector>
+
+namespace ramus::app {
+
+void draw_lesions(InterfaceContext& context); // and the vessels nearest to each
+void draw_margins(InterfaceContext& context); // and the branches within them
+
+namespace plan_rows {
+
+[[nodiscard]] std::string branch_name(const Document& document, int branch);
+
+// A line that can be clicked, with a value and a cross at its right end. Returns 1 for the line, -1 for the cross, 0
+// else.
+[[nodiscard]] int removable_row(const std::string& text, const ImVec4& colour, const char* help,
+                                const std::string& value = {});
+
+// A field for a number or several at the right edge, or where `before_right` points are left of it. Returns what was
+// entered, else nothing.
+[[nodiscard]] std::vector<std::string> number_field(InterfaceContext& context, const char* id,
+                                                    const std::string& current, float width, float before_right = 0.0F);
+void field_label(const InterfaceContext& context, const char* label);
+
+void go_to(InterfaceContext& context, int branch); // selects it and looks at it
+
+} // namespace plan_rows
+} // namespace ramus::app
