@@ -117,12 +117,9 @@ void show_alone(render::Frame& frame, const Assets& assets, const std::vector<Co
         frame.overlays.scale = render::scale_of(frame.camera, frame.size, {box.centre(), glm::dot(half, forward)});
 }
 
-} // namespace
-
-render::Frame compose(const Session& session, const Assets& assets, std::shared_ptr<const render::PagedMesh> mesh,
-                      const Viewing& viewing) {
+// The camera, the picture's size, states and looks: what needs no assets.
+render::Frame bare_frame(const Session& session, const Viewing& viewing) {
     render::Frame frame;
-    frame.mesh = std::move(mesh);
     frame.camera = session.camera;
     frame.size = viewing.size;
     frame.pixel_ratio = viewing.pixel_ratio;
@@ -134,6 +131,15 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
         frame.appearance.*cue.strength = session.marks.depth_cues.has(cue) ? 1.0F : 0.0F;
     put_on(frame, viewing.ground);
     show_glass(frame.appearance, viewing.glass ? *viewing.glass : session.marks.glass);
+    return frame;
+}
+
+} // namespace
+
+render::Frame compose(const Session& session, const Assets& assets, std::shared_ptr<const render::PagedMesh> mesh,
+                      const Viewing& viewing) {
+    render::Frame frame = bare_frame(session, viewing);
+    frame.mesh = std::move(mesh);
     show_context(frame, assets, viewing.context ? *viewing.context : session.marks.context);
     const bool alone = !assets.tree && std::ranges::any_of(frame.context, &render::ContextMesh::shown);
     frame.overlays.orientation_cube = frame.overlays.scale_bar = frame.mesh || alone; // else nothing to measure
