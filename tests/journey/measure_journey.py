@@ -132,7 +132,7 @@ def typed(window):
 def journey(program, screen, folder):
     (folder / "small tree.swc").write_text(SMALL_TREE)
     window = Window(program, screen, folder, ["small tree.swc", "--units", "mm", "--orientation", "RAS",
-                                              "--size", "1200x1060"])
+                                              "--size", "1200x1180"])
     try:
         window.wait("the surface", lambda s: s["surface_ready"])
         distance(window)

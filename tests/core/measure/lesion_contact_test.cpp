@@ -52,10 +52,10 @@ double brute_angle(const Lesion& lesion, const glm::dvec3& centre, const glm::dv
     return 360.0 * within / parts;
 }
 
-// A wall of the radius r around the z axis, a sphere of radius R at the distance d of the axis, and a cross-section
-// that lies h off the sphere's middle: the wall touches where |wall - centre| <= R.
-double sphere_angle(double r, double R, double d, double h) {
-    const double cosine = (d * d + r * r + h * h - R * R) / (2.0 * d * r);
+// A wall of the radius r around the z axis, a sphere of radius big at the distance d of the axis, and a cross-section
+// that lies h off the sphere's middle: the wall touches where |wall - centre| <= big.
+double sphere_angle(double r, double big, double d, double h) {
+    const double cosine = (d * d + r * r + h * h - big * big) / (2.0 * d * r);
     return 2.0 * glm::degrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
 }
 
@@ -117,29 +117,29 @@ TEST_CASE("the shortest way to a mesh agrees with fine sampling along vessels at
 }
 
 TEST_CASE("a sphere that touches a cylinder covers what the closed form says") {
-    const double r = 4.0, R = 10.0;
+    const double r = 4.0, big = 10.0;
     for (const double d : {13.9, 12.0, 9.0, 7.0, 6.1})
         for (const double h : {0.0, 1.0, 3.0}) {
-            const Lesion lesion = sphere(d, 0, h, R);
+            const Lesion lesion = sphere(d, 0, h, big);
             CHECK(measure::contact_angle_deg(lesion, {0, 0, 0}, {0, 0, 1}, r, 0.0) ==
-                  doctest::Approx(sphere_angle(r, R, d, h)).epsilon(1e-3));
+                  doctest::Approx(sphere_angle(r, big, d, h)).epsilon(1e-3));
             CHECK(measure::contact_angle_deg(lesion, {0, 0, 0}, {0, 0, 1}, r, 0.5) ==
-                  doctest::Approx(sphere_angle(r, R + 0.5, d, h)).epsilon(1e-3));
+                  doctest::Approx(sphere_angle(r, big + 0.5, d, h)).epsilon(1e-3));
         }
-    CHECK(measure::contact_angle_deg(sphere(14.6, 0, 0, R), {0, 0, 0}, {0, 0, 1}, r, 0.5) == 0.0);
-    CHECK(measure::contact_angle_deg(sphere(5.0, 0, 0, R), {0, 0, 0}, {0, 0, 1}, r, 0.0) == doctest::Approx(360.0));
+    CHECK(measure::contact_angle_deg(sphere(14.6, 0, 0, big), {0, 0, 0}, {0, 0, 1}, r, 0.5) == 0.0);
+    CHECK(measure::contact_angle_deg(sphere(5.0, 0, 0, big), {0, 0, 0}, {0, 0, 1}, r, 0.0) == doctest::Approx(360.0));
 }
 
 TEST_CASE("along a straight vessel a sphere's contact is as long and wide as the closed form says") {
-    const double r = 4.0, R = 10.0, d = 12.0, touch = 0.5;
+    const double r = 4.0, big = 10.0, d = 12.0, touch = 0.5;
     const VesselTree tree = vessel({{{0, 0, -40}, r}, {{0, 0, -3}, r}, {{0, 0, 50}, r}});
-    const auto found = measure::wall_contact(tree, 0, sphere(d, 0, 2, R), touch);
+    const auto found = measure::wall_contact(tree, 0, sphere(d, 0, 2, big), touch);
     CHECK(found.branch == 0);
-    CHECK(found.angle_deg == doctest::Approx(sphere_angle(r, R + touch, d, 0.0)).epsilon(1e-4));
-    // The nearest line of the wall, d - r from the centre, is within reach over twice sqrt((R + touch)^2 - (d - r)^2).
+    CHECK(found.angle_deg == doctest::Approx(sphere_angle(r, big + touch, d, 0.0)).epsilon(1e-4));
+    // The nearest line of the wall, d - r from the centre, is within reach over twice sqrt((big + touch)^2 - (d - r)^2).
     CHECK(found.length_mm == doctest::Approx(2.0 * std::sqrt(10.5 * 10.5 - 64.0)).epsilon(1e-3));
     CHECK(found.fraction == doctest::Approx(42.0 / 90.0).epsilon(1e-3));
-    CHECK(measure::wall_contact(tree, 0, sphere(15.0, 0, 2, R), touch).branch == tree::kNoBranch);
+    CHECK(measure::wall_contact(tree, 0, sphere(15.0, 0, 2, big), touch).branch == tree::kNoBranch);
 }
 
 TEST_CASE("a plane through the axis covers half a vessel, one beside the axis the arc it cuts off") {
