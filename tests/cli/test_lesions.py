@@ -169,7 +169,7 @@ class Pictures(Lesions):
 
 
 class Inside(Lesions):
-    """A lesion within an organ of any opacity is seen from outside; what hides it is told from what does not."""
+    """A lesion within an organ of any opacity is seen from outside; what hides it differs from what does not."""
 
     def yellow(self, lines):
         """Pixels of the outline's colour, which neither vessels nor the organ have."""

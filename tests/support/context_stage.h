@@ -1,4 +1,4 @@
-// A tree that forks, and files to show beside it: balls and a mask of two blocks.
+// A tree that forks, and files to show next to it: balls and a mask of two blocks.
 #pragma once
 
 #include "app/picture/compose.h"

@@ -71,7 +71,7 @@ TEST_CASE("a mesh's outline is where it ends in the picture, in one loop, and in
     for (const bool orthographic : {true, false}) {
         CAPTURE(orthographic);
         render::Frame frame = frame_with(orthographic);
-        const glm::dvec3 middle(3, 2, 5), beside(-22, 0, 5);
+        const glm::dvec3 middle(3, 2, 5), side(-22, 0, 5);
         mesh::TriangleMesh ball = test::icosphere(4, middle, 10.0);
         frame.lesions.spheres = {{middle, 10.0}};
         outline_lesions(frame, {});
@@ -81,11 +81,11 @@ TEST_CASE("a mesh's outline is where it ends in the picture, in one loop, and in
         const auto [nearest, farthest] = reach(frame, lines[0], middle);
         CHECK(nearest > least - 2.5);
         CHECK(farthest < most + 2.5);
-        const mesh::TriangleMesh other = test::icosphere(4, beside, 10.0);
+        const mesh::TriangleMesh other = test::icosphere(4, side, 10.0);
         const auto first = static_cast<std::uint32_t>(ball.positions.size());
         ball.positions.insert(ball.positions.end(), other.positions.begin(), other.positions.end());
         for (const glm::uvec3& t : other.triangles) ball.triangles.push_back(t + first);
-        CHECK(silhouette(ball, 0.5 * (middle + beside), frame.camera, frame.size).size() == 2);
+        CHECK(silhouette(ball, 0.5 * (middle + side), frame.camera, frame.size).size() == 2);
         frame.camera.position = frame.camera.focal_point = middle;
         frame.camera.position.y += 1.0;
         if (!orthographic) CHECK(silhouette(ball, middle, frame.camera, frame.size).empty());

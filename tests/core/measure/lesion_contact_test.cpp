@@ -142,14 +142,14 @@ TEST_CASE("along a straight vessel a sphere's contact is as long and wide as the
     CHECK(measure::wall_contact(tree, 0, sphere(15.0, 0, 2, big), touch).branch == tree::kNoBranch);
 }
 
-TEST_CASE("a plane through the axis covers half a vessel, one beside the axis the arc it cuts off") {
+TEST_CASE("a plane through the axis covers half a vessel, one next to the axis the arc it cuts off") {
     const VesselTree tree = vessel({{{0, 0, 0}, 3}, {{0, 0, 60}, 3}});
     const auto half = measure::wall_contact(tree, 0, box({0, -30, 10}, {30, 30, 34}), 0.0);
     CHECK(half.angle_deg == doctest::Approx(180.0).epsilon(1e-3));
     CHECK(half.length_mm == doctest::Approx(24.0).epsilon(1e-3));
     const auto less = measure::wall_contact(tree, 0, box({1.5, -30, 10}, {30, 30, 34}), 0.0);
     CHECK(less.angle_deg == doctest::Approx(120.0).epsilon(1e-3)); // 2 acos(1.5 / 3)
-    // From beside, within the tolerance: 2 acos(2.5 / 3), and at either end as far as the tolerance reaches.
+    // From the side, within the tolerance: 2 acos(2.5 / 3), and at either end as far as the tolerance reaches.
     const auto near = measure::wall_contact(tree, 0, box({3.2, -30, 10}, {30, 30, 34}), 0.7);
     CHECK(near.angle_deg == doctest::Approx(2.0 * glm::degrees(std::acos(2.5 / 3.0))).epsilon(1e-3));
     CHECK(near.length_mm == doctest::Approx(24.0 + 2.0 * std::sqrt(0.49 - 0.04)).epsilon(1e-3));
