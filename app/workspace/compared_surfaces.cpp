@@ -33,13 +33,24 @@ void take_lines(mesh::TriangleMesh mesh, ComparedSurface& made) {
     made.lines = std::make_shared<const mesh::TriangleMesh>(std::move(mesh));
 }
 
+// For voxels: branches have other ids in it.
+template <class Flags> tree::VesselTree without(tree::VesselTree tree, const Flags& hidden) {
+    if (hidden.empty()) return tree;
+    std::size_t kept = 0;
+    for (std::size_t b = 0; b < tree.branches.size(); ++b)
+        if (hidden[b] == 0) tree.branches[kept++] = tree.branches[b];
+    tree.branches.resize(kept);
+    return tree;
+}
+
 Result<mesh::TriangleMesh> isosurface_of(const tree::VesselTree& tree, const ComparedRequest& request,
                                          ComparedMesh& made, Job& job) {
     const volume::IsosurfaceOptions options{static_cast<double>(request.surface.options.memory_bytes),
                                             request.surface.options.threads};
     if (request.mask.empty()) {
         made.voxel_mm = request.voxel_mm > 0.0 ? request.voxel_mm : volume::sensible_voxel_mm(tree);
-        RAMUS_TRY(voxels, volume::voxelised(tree, made.voxel_mm, options.memory_bytes, job));
+        const auto hidden = hidden_flags(request.surface.hidden, tree.branches.size());
+        RAMUS_TRY(voxels, volume::voxelised(without(tree, hidden), made.voxel_mm, options.memory_bytes, job));
         made.voxel_diagonal_mm = glm::length(volume::spacing_mm(voxels.to_patient));
         return volume::mask_surface(voxels.mask, voxels.to_patient, options, job);
     }
@@ -78,7 +89,9 @@ ComparedRequest compared_request(const Marks& marks, Compared kind) {
         request.surface.options.threads = marks.options.threads;
         request.surface.options.memory_bytes = marks.options.memory_bytes;
         request.mask = marks.comparison.mask;
-        if (!request.mask.empty())
+        if (request.mask.empty())
+            request.surface.hidden = surface_request(marks).hidden; // a mask's surface has no branches
+        else
             request.labels = marks.comparison.labels, request.units = marks.comparison.mask_units;
     } else {
         request.surface = surface_request(marks);
@@ -90,6 +103,8 @@ ComparedRequest compared_request(const Marks& marks, Compared kind) {
 
 Result<ComparedMesh> compared_mesh(const tree::VesselTree& tree, const ComparedRequest& request, Job& job) {
     ComparedMesh made;
+    const auto hidden = hidden_flags(request.surface.hidden, tree.branches.size());
+    if (!hidden.empty() && std::ranges::find(hidden, 0) == hidden.end()) return made;
     if (request.kind == Compared::kIsosurface) {
         RAMUS_TRY(surface, isosurface_of(tree, request, made, job));
         if (lies_elsewhere(surface, tree))
@@ -98,8 +113,6 @@ Result<ComparedMesh> compared_mesh(const tree::VesselTree& tree, const ComparedR
         made.mesh = std::move(surface);
         return made;
     }
-    const auto hidden = hidden_flags(request.surface.hidden, tree.branches.size());
-    if (!hidden.empty() && std::ranges::find(hidden, 0) == hidden.end()) return made;
     RAMUS_TRY(surface, mesh::make_surface(tree, as_drawn(request.surface.options), job, hidden));
     made.mesh = std::move(surface.mesh);
     return made;

@@ -353,6 +353,17 @@ TEST_CASE("surfaces to compare with are made, of masks and without one") {
     REQUIRE_MESSAGE(own, own.error().message());
     CHECK(own->voxel_mm > 0.0);
     CHECK(own->mesh->triangle_count() > 100);
+    // Hidden branches are in none of the pictures.
+    set_state(marks, std::vector<int>{1}, render::BranchState::kHidden);
+    const auto fewer = make_compared(tree, compared_request(marks, Compared::kIsosurface), job);
+    REQUIRE(fewer);
+    CHECK(fewer->mesh->triangle_count() < own->mesh->triangle_count());
+    CHECK(fewer->voxel_mm == own->voxel_mm);
+    set_state(marks, std::vector<int>{0, 1, 2}, render::BranchState::kHidden);
+    const auto empty = make_compared(tree, compared_request(marks, Compared::kIsosurface), job);
+    REQUIRE(empty);
+    CHECK(empty->mesh->triangle_count() == 0);
+    marks.states.clear();
     ComparedRequest wire = compared_request(marks, Compared::kTruncatedCones);
     wire.wire = true;
     const auto lines = make_compared(tree, wire, job);
