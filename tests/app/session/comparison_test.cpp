@@ -397,17 +397,19 @@ TEST_CASE("a workspace makes them behind the document, and says why it cannot") 
     REQUIRE(settle(workspace, [&] { return !workspace.comparing(); }));
     CHECK(workspace.comparison_problem().empty());
     CHECK(workspace.surfaces().of(Compared::kConvolutionSurface) == workspace.shown().mesh);
-    const auto iso = workspace.surfaces().of(Compared::kIsosurface);
+    const auto whole = workspace.surfaces().of(Compared::kIsosurface);
     const auto cones = workspace.surfaces().of(Compared::kTruncatedCones);
-    REQUIRE(iso);
+    REQUIRE(whole);
     REQUIRE(cones);
 
-    // The cones follow what is hidden; the isosurface stays.
+    // The cones and the isosurface of the tree's own voxels follow what is hidden.
     change([](Marks& m) { set_state(m, std::vector<int>{2}, render::BranchState::kHidden); });
     CHECK(workspace.surfaces().of(Compared::kTruncatedCones) == cones); // until the others are there
     REQUIRE(settle(workspace, [&] { return !workspace.busy() && !workspace.comparing(); }));
     CHECK(workspace.surfaces().of(Compared::kTruncatedCones) != cones);
-    CHECK(workspace.surfaces().of(Compared::kIsosurface) == iso);
+    const auto iso = workspace.surfaces().of(Compared::kIsosurface);
+    REQUIRE(iso);
+    CHECK(iso != whole);
 
     std::ofstream(folder.path() / "bad.nii") << "this is no mask";
     change([&](Marks& m) { m.comparison.mask = (folder.path() / "bad.nii").string(); });
@@ -417,7 +419,12 @@ TEST_CASE("a workspace makes them behind the document, and says why it cannot") 
     change([&](Marks& m) { m.comparison.mask = write_mask(folder.path() / "mask.nii").string(); });
     REQUIRE(settle(workspace, [&] { return !workspace.comparing(); }));
     CHECK(workspace.comparison_problem().empty());
-    CHECK(workspace.surfaces().of(Compared::kIsosurface) != iso);
+    const auto masked = workspace.surfaces().of(Compared::kIsosurface);
+    CHECK(masked != iso);
+    // That of a mask's file knows no branches.
+    change([](Marks& m) { set_state(m, std::vector<int>{2}, render::BranchState::kNormal); });
+    REQUIRE(settle(workspace, [&] { return !workspace.busy() && !workspace.comparing(); }));
+    CHECK(workspace.surfaces().of(Compared::kIsosurface) == masked);
 
     change([](Marks& m) { m.comparison.mode = Mode::kOff; });
     workspace.update();
