@@ -86,12 +86,13 @@ Result<Outcome> lesion_mesh(ActionContext& context, Arguments arguments) {
 
 Result<void> lesion_axes(ActionContext& context, Arguments arguments) {
     Marks next = context.document.marks();
-    const std::size_t spheres = next.lesions.size();
     if (arguments.size() != 2 || !io::slicer_space(arguments[1]))
         return fail("lesion-axes takes a number, and LPS or RAS");
-    RAMUS_TRY(index, list_index(arguments.first(1), spheres + next.lesion_meshes.size(), "lesion"));
-    if (index < spheres) return fail("lesion " + arguments[0] + " is a sphere, without axes of its own");
-    const std::string& file = next.lesion_meshes[index - spheres];
+    RAMUS_TRY(index, list_index(arguments.first(1), lesion_count(next), "lesion"));
+    const LesionRef lesion = lesion_at(next, index);
+    if (lesion.shape == LesionRef::Shape::kSphere)
+        return fail("lesion " + arguments[0] + " is a sphere, without axes of its own");
+    const std::string& file = next.lesion_meshes[static_cast<std::size_t>(lesion.index)];
     const auto mesh = context.assets.lesion_mesh(file);
     if (mesh && mesh->axes == tree::SaidBy::kFile) return fail("the file states its axes", file, "correct the file");
     next.lesion_axes[file] = arguments[1];

@@ -35,7 +35,8 @@ void mark_ends(render::Legend& legend, const std::optional<double>& low, const s
 // of its own colour there.
 [[nodiscard]] glm::vec3 margin_colour(std::size_t index, std::size_t count);
 inline constexpr glm::vec3 kBeyondMargins{0.56F, 0.60F, 0.66F};
-inline constexpr float kOwnBeyondMargins = 0.55F; // tuned on portal and hepatic veins: told apart, and no margin
+// Tuned so that portal and hepatic veins differ from each other and from the margins.
+inline constexpr float kOwnBeyondMargins = 0.55F;
 
 // UTF-8 as the Latin-1 that pictures are lettered in; what that does not have becomes a question mark.
 [[nodiscard]] std::string latin1(const std::string& utf8);

@@ -146,4 +146,4 @@ def journey(program, screen, folder):
 
 
 if __name__ == "__main__":
-    sys.exit(run_journeys(journey, size=(1240, 1100)))
+    sys.exit(run_journeys(journey, size=(1240, 1220)))

@@ -20,6 +20,13 @@ inline tree::VesselTree built_tree(std::vector<tree::Point> points, std::vector<
     return std::move(*tree);
 }
 
+// One vessel along these points, from the first, which is its root.
+inline tree::VesselTree vessel_along(std::vector<tree::Point> points) {
+    std::vector<tree::Edge> edges;
+    for (std::uint32_t i = 1; i < points.size(); ++i) edges.emplace_back(i - 1, i);
+    return built_tree(std::move(points), std::move(edges));
+}
+
 // One more branch, of its own number, along these points.
 inline void add_branch(tree::PreparedTree& prepared, const std::vector<tree::Point>& points) {
     tree::Branch branch;

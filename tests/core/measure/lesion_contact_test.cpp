@@ -14,15 +14,10 @@
 
 using namespace ramus;
 using measure::Lesion;
+using test::vessel_along;
 using tree::VesselTree;
 
 namespace {
-
-VesselTree vessel(std::vector<tree::Point> points) {
-    std::vector<tree::Edge> edges;
-    for (std::uint32_t i = 1; i < points.size(); ++i) edges.emplace_back(i - 1, i);
-    return test::built_tree(std::move(points), std::move(edges));
-}
 
 Lesion sphere(double x, double y, double z, double radius) { return {{x, y, z, radius}, nullptr}; }
 
@@ -62,7 +57,7 @@ double sphere_angle(double r, double big, double d, double h) {
 } // namespace
 
 TEST_CASE("the shortest way from a sphere to a straight vessel goes from surface to wall") {
-    const VesselTree tree = vessel({{{0, 0, 0}, 2}, {{0, 0, 40}, 2}});
+    const VesselTree tree = vessel_along({{{0, 0, 0}, 2}, {{0, 0, 40}, 2}});
     const auto found = measure::nearest_wall(tree, std::vector{0}, sphere(10, 0, 30, 3));
     CHECK(found.branch == 0);
     CHECK(found.fraction == doctest::Approx(0.75));
@@ -74,7 +69,7 @@ TEST_CASE("the shortest way from a sphere to a straight vessel goes from surface
 }
 
 TEST_CASE("a sphere that overlaps a vessel says how deep") {
-    const VesselTree tree = vessel({{{0, 0, 0}, 2}, {{0, 0, 40}, 2}});
+    const VesselTree tree = vessel_along({{{0, 0, 0}, 2}, {{0, 0, 40}, 2}});
     const auto touching = measure::nearest_wall(tree, std::vector{0}, sphere(5, 0, 20, 3));
     CHECK(touching.distance_mm == doctest::Approx(0.0));
     CHECK(touching.overlap_mm == doctest::Approx(0.0));
@@ -95,7 +90,7 @@ TEST_CASE("the shortest way to a mesh agrees with fine sampling along vessels at
     for (int round = 0; round < 20; ++round) {
         std::vector<tree::Point> points(5);
         for (tree::Point& p : points) p = {{place(random), place(random), place(random)}, size(random)};
-        const VesselTree tree = vessel(points);
+        const VesselTree tree = vessel_along(points);
         auto mesh = test::icosphere(3, glm::dvec3(0.0), 1.0);
         const glm::vec3 middle(place(random), place(random), place(random));
         for (glm::vec3& p : mesh.positions) p = middle + glm::vec3(4.0F, 2.0F, 3.0F) * p;
@@ -132,18 +127,19 @@ TEST_CASE("a sphere that touches a cylinder covers what the closed form says") {
 
 TEST_CASE("along a straight vessel a sphere's contact is as long and wide as the closed form says") {
     const double r = 4.0, big = 10.0, d = 12.0, touch = 0.5;
-    const VesselTree tree = vessel({{{0, 0, -40}, r}, {{0, 0, -3}, r}, {{0, 0, 50}, r}});
+    const VesselTree tree = vessel_along({{{0, 0, -40}, r}, {{0, 0, -3}, r}, {{0, 0, 50}, r}});
     const auto found = measure::wall_contact(tree, 0, sphere(d, 0, 2, big), touch);
     CHECK(found.branch == 0);
     CHECK(found.angle_deg == doctest::Approx(sphere_angle(r, big + touch, d, 0.0)).epsilon(1e-4));
-    // The nearest line of the wall, d - r from the centre, is within reach over twice sqrt((big + touch)^2 - (d - r)^2).
+    // The nearest line of the wall, d - r from the centre, is within reach over twice sqrt((big + touch)^2 - (d -
+    // r)^2).
     CHECK(found.length_mm == doctest::Approx(2.0 * std::sqrt(10.5 * 10.5 - 64.0)).epsilon(1e-3));
     CHECK(found.fraction == doctest::Approx(42.0 / 90.0).epsilon(1e-3));
     CHECK(measure::wall_contact(tree, 0, sphere(15.0, 0, 2, big), touch).branch == tree::kNoBranch);
 }
 
 TEST_CASE("a plane through the axis covers half a vessel, one next to the axis the arc it cuts off") {
-    const VesselTree tree = vessel({{{0, 0, 0}, 3}, {{0, 0, 60}, 3}});
+    const VesselTree tree = vessel_along({{{0, 0, 0}, 3}, {{0, 0, 60}, 3}});
     const auto half = measure::wall_contact(tree, 0, box({0, -30, 10}, {30, 30, 34}), 0.0);
     CHECK(half.angle_deg == doctest::Approx(180.0).epsilon(1e-3));
     CHECK(half.length_mm == doctest::Approx(24.0).epsilon(1e-3));
@@ -156,7 +152,7 @@ TEST_CASE("a plane through the axis covers half a vessel, one next to the axis t
 }
 
 TEST_CASE("a lesion around a vessel covers all of it") {
-    const VesselTree tree = vessel({{{0, 0, 0}, 3}, {{0, 0, 60}, 3}});
+    const VesselTree tree = vessel_along({{{0, 0, 0}, 3}, {{0, 0, 60}, 3}});
     const auto swallowed = measure::wall_contact(tree, 0, sphere(0, 0, 30, 10), 0.0);
     CHECK(swallowed.angle_deg == doctest::Approx(360.0));
     CHECK(swallowed.length_mm == doctest::Approx(2.0 * std::sqrt(91.0)).epsilon(1e-3)); // the wall enters at the caps
@@ -183,7 +179,7 @@ TEST_CASE("a lesion around a vessel covers all of it") {
 }
 
 TEST_CASE("contacts with meshes agree with brute force along tapered, bent vessels") {
-    const VesselTree tree = vessel({{{-20, 1, 0}, 2.5}, {{-3, 0, 1}, 2.0}, {{6, 2, 0}, 1.6}, {{20, 8, -3}, 1.0}});
+    const VesselTree tree = vessel_along({{{-20, 1, 0}, 2.5}, {{-3, 0, 1}, 2.0}, {{6, 2, 0}, 1.6}, {{20, 8, -3}, 1.0}});
     auto mesh = test::icosphere(4, glm::dvec3(0.0), 1.0);
     for (glm::vec3& p : mesh.positions) p = glm::vec3(0, 4, 1) + glm::vec3(7.0F, 3.0F, 4.0F) * p;
     const Lesion lesion = of(mesh);

@@ -14,15 +14,10 @@
 using namespace ramus;
 using measure::Lesions;
 using measure::MeshDistance;
+using test::vessel_along;
 using tree::VesselTree;
 
 namespace {
-
-VesselTree chain(std::vector<tree::Point> points) {
-    std::vector<tree::Edge> edges;
-    for (std::uint32_t i = 1; i < points.size(); ++i) edges.emplace_back(i - 1, i);
-    return test::built_tree(std::move(points), std::move(edges));
-}
 
 // The nearest point of a triangle by the bare definition, in fine steps and then finer around the best.
 double brute_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
@@ -44,7 +39,7 @@ double brute_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3
 } // namespace
 
 TEST_CASE("a sphere's distance to a straight vessel is that of their axes less both radii") {
-    const VesselTree tree = chain({{{0, 0, 0}, 2}, {{0, 0, 40}, 2}});
+    const VesselTree tree = vessel_along({{{0, 0, 0}, 2}, {{0, 0, 40}, 2}});
     const auto distance = [&](std::array<double, 4> sphere) {
         return measure::wall_distances(tree, {{sphere}, {}}).front();
     };
@@ -60,7 +55,7 @@ TEST_CASE("a sphere's distance to a straight vessel is that of their axes less b
 
 TEST_CASE("a cone's wall is slanted: the nearest place is not at the foot of the lesion") {
     // Radius 6 to 0 over 8 mm along z: the wall of the balls' hull rises with sin = 6/8.
-    const VesselTree tree = chain({{{0, 0, 0}, 6}, {{0, 0, 8}, 1e-9}});
+    const VesselTree tree = vessel_along({{{0, 0, 0}, 6}, {{0, 0, 8}, 1e-9}});
     const double slope = -6.0 / 8.0, cosine = std::sqrt(1.0 - slope * slope);
     // From a place at z = 4 straight out along the wall's normal by 7 mm.
     const double at = 4.0, radius = 3.0;
@@ -76,7 +71,7 @@ TEST_CASE("distances to spheres agree with fine sampling along vessels at random
     for (int round = 0; round < 100; ++round) {
         std::vector<tree::Point> points(5);
         for (tree::Point& p : points) p = {{place(random), place(random), place(random)}, size(random)};
-        const VesselTree tree = chain(points);
+        const VesselTree tree = vessel_along(points);
         const std::array<double, 4> sphere{place(random), place(random), place(random), size(random)};
         double expected = 1e300;
         constexpr int kSteps = 4000;
@@ -126,9 +121,9 @@ TEST_CASE("a fine icosphere is a sphere") {
     }
     // And to vessels as the sphere is.
     for (int round = 0; round < 30; ++round) {
-        const VesselTree tree = chain({{{place(random), place(random), place(random)}, 0.5},
-                                       {{place(random), place(random), place(random)}, 2.0},
-                                       {{place(random), place(random), place(random)}, 1.0}});
+        const VesselTree tree = vessel_along({{{place(random), place(random), place(random)}, 0.5},
+                                              {{place(random), place(random), place(random)}, 2.0},
+                                              {{place(random), place(random), place(random)}, 1.0}});
         const double sphere = measure::wall_distances(tree, {{{10, 0, 0, 4}}, {}}).front();
         const Lesions mesh{{}, {std::make_shared<const MeshDistance>(ball)}};
         CHECK(std::abs(measure::wall_distances(tree, mesh).front() - sphere) < 0.005);
