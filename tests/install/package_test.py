@@ -11,11 +11,12 @@ import tempfile
 from pathlib import Path
 
 from checks import check, run
+from hardened_test import check_program
 
 
 def main():
     cpack, build = sys.argv[1:]
-    missing = [tool for tool in ("dpkg-deb", "dpkg-shlibdeps", "file") if shutil.which(tool) is None]
+    missing = [tool for tool in ("dpkg-deb", "dpkg-shlibdeps", "file", "readelf") if shutil.which(tool) is None]
     if missing:
         print("SKIPPED: not installed:", ", ".join(missing))
         return 77
@@ -37,6 +38,7 @@ def main():
         tree = files / "usr" / "share" / "ramus" / "liver_portal_vein.swc"
         info = run(program, "info", tree, "--json", env={"PATH": "/usr/bin:/bin"})
         check(info.returncode == 0 and '"branches"' in info.stdout, "the program in it reads the demo tree " + info.stderr)
+        check_program(program)
         doc = files / "usr" / "share" / "doc" / "ramus"
         check("Permission is hereby granted" in (doc / "copyright").read_text(), "it has the licence")
         version = fields["Version"]
