@@ -85,10 +85,10 @@ std::string receive_all(int from, std::uint64_t bytes) {
     return input;
 }
 
-[[noreturn]] void answer(const Request& request, int socket) {
+[[noreturn]] void answer(const Request& request, int socket, pid_t server) {
     try {
         const std::string input = receive_all(socket, request.input);
-        work_and_end(request.work, input, request.limits, socket);
+        work_and_end(request.work, input, request.limits, socket, server);
     } catch (const std::exception&) { // out of memory
         std::_Exit(EXIT_FAILURE);
     }
@@ -103,13 +103,14 @@ std::string receive_all(int from, std::uint64_t bytes) {
     for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, standard);
     if (socket != kSocket) ::dup2(socket, kSocket);
     ::close_range(kSocket + 1, ~0U, 0);
+    const pid_t self = ::getpid();
     while (true) {
         Request request;
         const int asked = Message(request).receive(kSocket);
         if (asked < 0) std::_Exit(EXIT_SUCCESS);
         if (::fork() == 0) {
             ::close(kSocket);
-            answer(request, asked);
+            answer(request, asked, self);
         }
         ::close(asked); // where there is no process, the one who asked sees an answer without an end
     }

@@ -1,5 +1,6 @@
 #include "core/base/own_process.h"
 
+#include "core/base/confinement.h"
 #include "core/base/descriptor.h"
 #include "core/base/fork_server.h"
 #include "core/base/process_answer.h"
@@ -37,15 +38,20 @@ void limit(decltype(RLIMIT_AS) what, std::uint64_t most) {
 
 } // namespace
 
-void work_and_end(OwnWork work, std::string_view input, const ProcessLimits& limits, int answer) {
+void work_and_end(OwnWork work, std::string_view input, const ProcessLimits& limits, int answer, pid_t parent) {
     // Crashes are expected: silent, without the handlers of this program.
     for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGINT, SIGTERM, SIGPIPE})
         std::signal(number, SIG_DFL);
-    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-    if (nowhere >= 0) ::dup2(nowhere, STDOUT_FILENO), ::dup2(nowhere, STDERR_FILENO);
+    sigset_t none;
+    sigemptyset(&none);
+    ::sigprocmask(SIG_SETMASK, &none, nullptr);
+    const int nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+    for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (nowhere < 0 || ::dup2(nowhere, standard) < 0) std::_Exit(EXIT_FAILURE);
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, limits.seconds);
     if (const std::uint64_t now = own_address_space(); now > 0) limit(RLIMIT_AS, now + limits.memory);
+    confine_this_process(answer, parent);
     bool done = false;
     try {
         done = send_all(answer, work(input) + kComplete);
@@ -80,9 +86,10 @@ Result<std::string> run_in_own_process(OwnWork work, std::string_view input, con
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return cannot();
     const Descriptor own(ends[0]);
     Descriptor other(ends[1]);
+    const pid_t self = ::getpid();
     const pid_t child = ::fork();
     if (child < 0) return cannot();
-    if (child == 0) work_and_end(work, input, limits, other.number());
+    if (child == 0) work_and_end(work, input, limits, other.number(), self);
     other.close();
     auto answer = read_answer(own.number(), limits);
     if (!answer) ::kill(child, SIGKILL);

@@ -1,5 +1,6 @@
 // Runs a function in a process of its own, for libraries that damaged input makes crash or hang: what happens there
-// cannot hurt this program. It hands back bytes; nothing else of what it does is seen.
+// cannot hurt this program. It hands back bytes; nothing else of what it does is seen. The process computes and
+// answers, and can do nothing else (core/base/confinement.h); it ends with this one.
 #pragma once
 
 #include "core/base/error.h"

@@ -4,10 +4,17 @@
 #include <csignal>
 #include <cstdlib>
 #include <doctest/doctest.h>
+#include <fcntl.h>
+#include <fstream>
 #include <poll.h>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/ptrace.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <thread>
@@ -44,6 +51,47 @@ std::string takes_much(std::string_view) {
     return std::string(1, much.back());
 }
 std::string parent(std::string_view) { return std::to_string(::getppid()); }
+
+// What of the things that a reader of files has no use for is not refused; `input`: a descriptor of the other process.
+std::string breaks_out(std::string_view input) {
+    std::string allowed;
+    const auto attempt = [&](const char* what, long result) {
+        if (result >= 0) allowed.append(what) += ' ';
+    };
+    attempt("reads a file", ::open("/etc/passwd", O_RDONLY));
+    attempt("makes a file", ::open("/tmp/ramus-broke-out", O_WRONLY | O_CREAT, 0600));
+    attempt("removes a file", ::unlink("/tmp/ramus-broke-out"));
+    attempt("has a socket", ::socket(AF_INET, SOCK_STREAM, 0));
+    attempt("has a local socket", ::socket(AF_UNIX, SOCK_STREAM, 0));
+    attempt("forks", ::fork());
+    pthread_t thread{};
+    attempt("starts a thread", -::pthread_create(
+                                   &thread, nullptr, [](void* nothing) { return nothing; }, nullptr));
+    attempt("signals its parent", ::kill(::getppid(), 0));
+    attempt("signals its parent's thread", ::syscall(SYS_tgkill, ::getppid(), ::getppid(), 0));
+    attempt("follows its parent", ::ptrace(PTRACE_ATTACH, ::getppid(), nullptr, nullptr));
+    const rlimit no_files{0, 0};
+    attempt("limits its parent", ::prlimit(::getppid(), RLIMIT_NOFILE, &no_files, nullptr));
+    attempt("writes to its parent's file", ::write(std::stoi(std::string(input)), "x", 1));
+    void* code = ::mmap(nullptr, 4096, PROT_READ | PROT_WRITE | PROT_EXEC, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    attempt("runs what it writes", code == MAP_FAILED ? -1 : 0);
+    std::array<char*, 1> words{};
+    attempt("becomes a program", ::execve("/bin/true", words.data(), words.data())); // returns only where it is refused
+    return allowed;
+}
+
+void check_confined() {
+    if (::prctl(PR_GET_SECCOMP) < 0) {
+        MESSAGE("SKIPPED: this kernel has no seccomp");
+        return;
+    }
+    std::array<int, 2> pipe{};
+    REQUIRE(::pipe(pipe.data()) == 0);
+    const auto allowed = run_in_own_process(breaks_out, std::to_string(pipe[1]), {});
+    REQUIRE(allowed);
+    CHECK(*allowed == "");
+    for (const int end : pipe) ::close(end);
+}
 
 void check_own_processes() {
     std::string large(3'000'000, 'x');
@@ -85,6 +133,7 @@ pid_t parent_of_own_process() { return std::stoi(run_in_own_process(parent, {}, 
 TEST_CASE("what happens in a process of its own stays there, and limits hold") {
     REQUIRE(parent_of_own_process() == ::getpid());
     check_own_processes();
+    check_confined();
 }
 
 TEST_CASE("a small process forks in place of a large one, and where it is gone the large one does") {
@@ -93,6 +142,7 @@ TEST_CASE("a small process forks in place of a large one, and where it is gone t
     REQUIRE(server > 0);
     REQUIRE(server != ::getpid());
     check_own_processes();
+    check_confined();
     CHECK(parent_of_own_process() == server); // after all those crashes
     ::kill(server, SIGKILL);
     REQUIRE(::waitpid(server, nullptr, 0) == server);
@@ -119,5 +169,26 @@ TEST_CASE("a process that forks for another ends with it, and keeps none of its 
     pollfd end{watched, POLLIN, 0};
     if (watched >= 0) CHECK(::poll(&end, 1, 10'000) == 1);
     ::close(pipe[0]);
+    ::close(watched);
+}
+
+TEST_CASE("a process of its own ends with the one that waits for it, however that one ends") {
+    const pid_t large = ::fork();
+    if (large == 0) {
+        if (const auto never = run_in_own_process(runs_for_ever, {}, {}); !never) std::_Exit(1);
+        std::_Exit(0);
+    }
+    pid_t reader = 0;
+    const std::string list = "/proc/" + std::to_string(large) + "/task/" + std::to_string(large) + "/children";
+    for (int attempt = 0; attempt < 1000 && reader == 0; ++attempt) {
+        std::ifstream(list) >> reader;
+        if (reader == 0) ::poll(nullptr, 0, 10);
+    }
+    const int watched = reader > 0 ? static_cast<int>(::syscall(SYS_pidfd_open, reader, 0)) : -1;
+    ::kill(large, SIGKILL);
+    ::waitpid(large, nullptr, 0);
+    REQUIRE(watched >= 0);
+    pollfd end{watched, POLLIN, 0};
+    CHECK(::poll(&end, 1, 10'000) == 1);
     ::close(watched);
 }
