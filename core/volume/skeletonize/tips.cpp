@@ -225,6 +225,7 @@ std::vector<Address> find_tips(const VoxelSet& set, const std::function<const La
         if (ways.length(first) < kFar || job.cancelled()) return;
         const Address start = farthest_from(first, set, open); // the end of a vessel
         ways.spread(start, reached);
+        if (job.cancelled()) return; // not all has its way: nothing further can be asked of it
         const std::size_t before = tips.size();
         if (!summits) summits.emplace(set, distances(), ways.lengths(), bulge_size);
         summits->find(reached, ahead, tips);
