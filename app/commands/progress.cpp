@@ -1,45 +1,63 @@
 #include "app/commands/progress.h"
 
 #include "app/session/progress_lines.h"
-#include "core/io/output_file.h"
+#include "core/base/leftovers.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <string_view>
 #include <unistd.h>
+#include <utility>
 
 namespace ramus::app {
 
 namespace {
 
-std::atomic<Job*> running{nullptr};
-static_assert(std::atomic<Job*>::is_always_lock_free, "used in a signal handler");
+std::mutex running_mutex;
+Job* running = nullptr;
 
-extern "C" void on_interrupt(int number) {
-    if (Job* job = running.exchange(nullptr); job != nullptr) {
-        job->cancel();
-        return;
-    }
-    io::remove_unfinished_files();
-    std::signal(number, SIG_DFL);
-    std::raise(number);
+Job* exchange_running(Job* job) {
+    const std::lock_guard lock(running_mutex);
+    return std::exchange(running, job);
+}
+
+bool cancel_running() {
+    const std::lock_guard lock(running_mutex);
+    if (running != nullptr) running->cancel();
+    return running != nullptr;
+}
+
+// For ever, with these signals blocked in every thread.
+void wait_for(const sigset_t interrupts) {
+    constexpr timespec kGrace{.tv_sec = 0, .tv_nsec = 600'000'000};
+    int number = 0;
+    if (::sigwait(&interrupts, &number) != 0) return;
+    if (cancel_running())
+        if (const int again = ::sigtimedwait(&interrupts, nullptr, &kGrace); again > 0) number = again;
+    end_by_signal(number);
 }
 
 } // namespace
 
 void handle_interrupts() {
+    sigset_t interrupts;
+    sigemptyset(&interrupts);
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction before {};
+        ::sigaction(number, nullptr, &before);
         // A process that was started to ignore a signal (nohup) goes on ignoring it.
-        if (std::signal(number, on_interrupt) == SIG_IGN) std::signal(number, SIG_IGN);
+        if (before.sa_handler != SIG_IGN) sigaddset(&interrupts, number);
     }
+    ::pthread_sigmask(SIG_BLOCK, &interrupts, nullptr);
+    std::thread(wait_for, interrupts).detach();
 }
 
-CancelOnInterrupt::CancelOnInterrupt(Job& job) : before_(running.exchange(&job)) {}
-CancelOnInterrupt::~CancelOnInterrupt() { running.store(before_); }
+CancelOnInterrupt::CancelOnInterrupt(Job& job) : before_(exchange_running(&job)) {}
+CancelOnInterrupt::~CancelOnInterrupt() { exchange_running(before_); }
 
 ProgressBar::ProgressBar(std::string what, const Job& job) : what_(std::move(what)), job_(job) {
     const char* wanted = std::getenv(kProgressVariable);

@@ -13,10 +13,10 @@
 namespace ramus::app {
 
 // Ctrl-C and a polite kill, while a command works: the first one cancels the work that runs, so that the command ends
-// with a word; where nothing can be cancelled, or at the second one, unfinished files are removed and the process ends
-// by the signal, as a shell expects.
+// with a word. Where nothing can be cancelled, where that takes more than a moment, or at the second one, the process
+// ends by the signal (core/base/leftovers.h), whatever it waits for or computes.
 
-// Once, before any command.
+// Once, before any command and any other thread.
 void handle_interrupts();
 
 // While it lives, an interrupt cancels `job`; then again the job that it would have cancelled before.

@@ -15,6 +15,7 @@
 #include "app/session/of_file.h"
 #include "app/workspace/compared_surfaces.h"
 #include "core/io/output_file.h"
+#include "core/io/output_folder.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/tree/part_of_tree.h"
 #include "render/gl/headless_context.h"
@@ -149,8 +150,8 @@ render::Camera close_to(const CloseUp& close_up, render::Camera camera) {
 // Draws the pictures as they are asked for.
 class Painter {
 public:
-    Painter(render::Renderer& renderer, const StudyFlags& flags, const tree::Claims& claims)
-        : renderer_(renderer), flags_(flags), claims_(claims) {}
+    Painter(render::Renderer& renderer, const StudyFlags& flags, const tree::Claims& claims, io::OutputSet& together)
+        : renderer_(renderer), flags_(flags), claims_(claims), together_(together) {}
 
     [[nodiscard]] render::Frame frame(const Paged& mesh, const render::Camera& camera, std::string caption) const {
         render::Frame frame;
@@ -178,9 +179,8 @@ public:
     Result<void> write(const render::Frame& frame, const std::string& name) {
         RAMUS_TRY(image, draw(frame));
         const auto path = flags_.folder / (name + ".png");
-        if (auto written = render::write_png(image, path); !written) return written;
+        if (auto written = render::write_png(image, path, &together_); !written) return written;
         files_.push_back(path.string());
-        say(flags_.common, "wrote " + path.string());
         return {};
     }
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
@@ -189,6 +189,7 @@ private:
     render::Renderer& renderer_;
     const StudyFlags& flags_;
     tree::Claims claims_;                    // of the tree
+    io::OutputSet& together_;                // where pictures are written
     std::optional<render::Camera> scale_of_; // where it was measured
     std::optional<render::Scale> scale_;
     std::vector<std::string> files_;
@@ -222,31 +223,27 @@ Result<void> add_scene(Sheets& sheets, Painter& painter, const Surfaces& surface
 }
 
 Result<std::vector<std::filesystem::path>> write_sheets(Sheets& sheets, const Surfaces& surfaces,
-                                                        const StudyFlags& flags) {
+                                                        const StudyFlags& flags, io::OutputSet& together) {
     for (const Surfaces::One& one : surfaces.all) sheets.study.methods.push_back({one.name, one.title});
     sheets.study.method = surfaces.all.size() - 1;
     sheets.study.seed = flags.seed;
     sheets.study.orders = rater_orders(sheets.study, flags.raters);
-    return write_study(sheets.study, sheets.pngs, flags.folder);
+    return write_study(sheets.study, sheets.pngs, flags.folder, together);
 }
 
-// Said before anything is drawn.
-Result<void> make_folders(const std::filesystem::path& folder) {
-    for (const auto& needed : {folder, folder / "sheets"}) {
-        std::error_code error;
-        std::filesystem::create_directories(needed, error);
-        if (error || !std::filesystem::is_directory(needed))
-            return fail("the folder cannot be made", needed.string(), "give the name of a folder");
-    }
+// FOLDER/sheets; what cannot be written is said before anything is drawn.
+Result<io::OutputFolder> make_folders(const std::filesystem::path& folder) {
+    RAMUS_TRY(sheets, io::OutputFolder::make(folder / "sheets"));
     for (const char* name : {"context.png", "key.json", "sheets/rater_001.html"})
-        if (auto can = io::check_output(folder / name); !can) return can;
-    return {};
+        if (auto can = io::check_output(folder / name); !can) return tl::unexpected(can.error());
+    return std::move(sheets);
 }
 
 Result<int> run_study(const StudyFlags& flags) {
     io::note_input(flags.file);
     io::note_input(flags.mask);
-    if (auto can = make_folders(flags.folder); !can) return tl::unexpected(can.error());
+    const auto sheets_folder = make_folders(flags.folder); // while nothing is in it, it may go again
+    if (!sheets_folder) return tl::unexpected(sheets_folder.error());
     RAMUS_TRY(whole_tree, load_tree(flags.file, flags.common));
     RAMUS_TRY(chosen, branches_of(whole_tree, Marks(), flags.common.systems, flags.file));
     const bool all = std::ranges::find(chosen, 0) == chosen.end();
@@ -256,7 +253,8 @@ Result<int> run_study(const StudyFlags& flags) {
     if (!context) return tl::unexpected(context.error());
     RAMUS_TRY(renderer, render::Renderer::create());
 
-    Painter painter(*renderer, flags, tree.claims);
+    io::OutputSet together;
+    Painter painter(*renderer, flags, tree.claims, together);
     const Paged& smooth = surfaces.all[2].mesh;
     const render::Frame whole =
         painter.frame(smooth, render::camera_for(smooth->positions(), flags.view, flags.size), surfaces.all[2].title);
@@ -284,7 +282,9 @@ Result<int> run_study(const StudyFlags& flags) {
             return tl::unexpected(done.error());
         report["places"].push_back({{"diameter_mm", diameter_mm}, {"camera", render::to_json(camera)}});
     }
-    RAMUS_TRY(sheet_files, write_sheets(sheets, surfaces, flags));
+    RAMUS_TRY(sheet_files, write_sheets(sheets, surfaces, flags, together));
+    if (auto written = together.commit(); !written) return tl::unexpected(written.error());
+    for (const std::string& file : painter.files()) say(flags.common, "wrote " + file);
     report["pictures"] = painter.files();
     report["study"] = id_of(sheets.study);
     report["key"] = (flags.folder / "key.json").string();

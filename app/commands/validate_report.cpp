@@ -14,7 +14,6 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
-#include <system_error>
 #include <utility>
 
 namespace ramus::app {
@@ -80,24 +79,12 @@ constexpr std::array<ReportFile, 13> kReportFiles{{
 } // namespace
 
 Result<std::unique_ptr<ReportFolder>> ReportFolder::make(const ValidateFlags& flags) {
-    std::unique_ptr<ReportFolder> report(new ReportFolder);
-    report->folder_ = flags.report;
-    std::error_code error;
-    for (fs::path folder = fs::absolute(flags.report, error).lexically_normal();
-         !folder.empty() && !fs::exists(folder, error) && folder != folder.parent_path(); folder = folder.parent_path())
-        if (folder.has_filename()) report->made_.push_back(folder);
-    fs::create_directories(flags.report, error);
-    if (error || !fs::is_directory(flags.report))
-        return fail("the folder cannot be made", flags.report.string(), "give the name of a folder");
+    RAMUS_TRY(folder, io::OutputFolder::make(flags.report));
+    std::unique_ptr<ReportFolder> report(new ReportFolder(std::move(folder)));
     note_inputs(flags);
     for (const ReportFile& file : kReportFiles)
         if (auto can = io::check_output(flags.report / file.name); !can) return tl::unexpected(can.error());
     return report;
-}
-
-ReportFolder::~ReportFolder() {
-    std::error_code not_empty;
-    for (const fs::path& folder : made_) fs::remove(folder, not_empty);
 }
 
 Result<void> ReportFolder::write(const ValidateFlags& flags, std::span<const ValidatedDataSet> sets,
@@ -106,7 +93,7 @@ Result<void> ReportFolder::write(const ValidateFlags& flags, std::span<const Val
         std::vector<io::OutputFile> files;
         for (const ReportFile& one : kReportFiles) {
             if (one.of_masks && !has_mask(sets)) continue;
-            RAMUS_TRY(file, io::OutputFile::create(folder_ / one.name));
+            RAMUS_TRY(file, io::OutputFile::create(folder_.path() / one.name));
             one.write(file, {flags, sets, json});
             files.push_back(std::move(file));
         }

@@ -6,12 +6,12 @@
 #include "app/commands/validate_data_set.h"
 #include "app/reports/validation/data_set.h"
 #include "core/base/error.h"
+#include "core/io/output_folder.h"
 
-#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
-#include <vector>
+#include <utility>
 
 namespace ramus::app {
 
@@ -20,18 +20,13 @@ public:
     // Makes the folder if need be. Fails where it cannot be made or written to, and where a file of the report would
     // take the place of one that `flags` name: before long work starts.
     [[nodiscard]] static Result<std::unique_ptr<ReportFolder>> make(const ValidateFlags& flags);
-    ReportFolder(const ReportFolder&) = delete;
-    ReportFolder& operator=(const ReportFolder&) = delete;
-    ~ReportFolder(); // takes away the folders that it made and nothing was written to
-
     // `json`: the text of validation.json.
     [[nodiscard]] Result<void> write(const ValidateFlags& flags, std::span<const ValidatedDataSet> sets,
                                      const std::string& json) const;
 
 private:
-    ReportFolder() = default;
-    std::filesystem::path folder_;
-    std::vector<std::filesystem::path> made_; // folders, the innermost first
+    explicit ReportFolder(io::OutputFolder folder) : folder_(std::move(folder)) {}
+    io::OutputFolder folder_;
 };
 
 } // namespace ramus::app

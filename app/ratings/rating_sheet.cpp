@@ -65,21 +65,18 @@ std::string rating_sheet(const RatingStudy& study, int rater, const StudyPngs& p
 }
 
 Result<std::vector<std::filesystem::path>> write_study(const RatingStudy& study, const StudyPngs& pngs,
-                                                       const std::filesystem::path& folder) {
+                                                       const std::filesystem::path& folder, io::OutputSet& together) {
     const std::filesystem::path sheets = folder / "sheets";
-    std::error_code error;
-    std::filesystem::create_directories(sheets, error);
-    if (error) return fail("the folder cannot be made", sheets.string(), "give another folder");
     std::vector<std::filesystem::path> files;
     for (std::size_t rater = 1; rater <= study.orders.size(); ++rater) {
         const std::string number = std::to_string(rater);
         const std::string name = "rater_" + std::string(3 - std::min<std::size_t>(3, number.size()), '0') + number;
         files.push_back(sheets / (name + ".html"));
-        if (auto done = io::write_file(files.back(), rating_sheet(study, static_cast<int>(rater), pngs)); !done)
+        if (auto done = together.add(files.back(), rating_sheet(study, static_cast<int>(rater), pngs)); !done)
             return tl::unexpected(done.error());
     }
     RAMUS_TRY(key, json_text(key_json(study), (folder / "key.json").string()));
-    if (auto done = io::write_file(folder / "key.json", key); !done) return tl::unexpected(done.error());
+    if (auto done = together.add(folder / "key.json", key); !done) return tl::unexpected(done.error());
     return files;
 }
 

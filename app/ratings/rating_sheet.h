@@ -5,6 +5,7 @@
 
 #include "app/ratings/rating_study.h"
 #include "core/base/error.h"
+#include "core/io/output_file.h"
 
 #include <filesystem>
 #include <map>
@@ -17,8 +18,9 @@ using StudyPngs = std::map<std::string, std::string>; // code to the bytes of th
 // UTF-8. `rater` counts from 1 and has an order; each picture has its bytes.
 [[nodiscard]] std::string rating_sheet(const RatingStudy& study, int rater, const StudyPngs& pngs);
 
-// FOLDER/key.json, FOLDER/sheets/rater_001.html and so on. Returns the files of the sheets.
+// FOLDER/sheets/rater_001.html and so on in a folder that exists, and FOLDER/key.json. Returns the files of the sheets.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> write_study(const RatingStudy& study, const StudyPngs& pngs,
-                                                                     const std::filesystem::path& folder);
+                                                                     const std::filesystem::path& folder,
+                                                                     io::OutputSet& together);
 
 } // namespace ramus::app

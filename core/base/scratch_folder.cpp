@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <utility>
 
 namespace ramus {
 
@@ -13,17 +12,11 @@ Result<ScratchFolder> ScratchFolder::create() {
     std::error_code error;
     const fs::path above = fs::temp_directory_path(error);
     std::string name = ((error ? fs::path("/tmp") : above) / "ramus-XXXXXX").string();
+    const auto held = hold_leftovers();
     if (::mkdtemp(name.data()) == nullptr)
         return fail(std::string("no folder can be made there: ") + std::strerror(errno), name,
                     "set TMPDIR to a folder that can be written to");
     return ScratchFolder(name);
-}
-
-ScratchFolder::ScratchFolder(ScratchFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
-
-ScratchFolder::~ScratchFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
 }
 
 } // namespace ramus

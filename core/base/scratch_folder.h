@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/leftovers.h"
 
 #include <filesystem>
 
@@ -11,14 +12,11 @@ class ScratchFolder {
 public:
     // Below TMPDIR, for this user alone.
     [[nodiscard]] static Result<ScratchFolder> create();
-    ScratchFolder(ScratchFolder&& other) noexcept;
-    ScratchFolder& operator=(ScratchFolder&&) = delete;
-    ~ScratchFolder();
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
 
 private:
-    explicit ScratchFolder(std::filesystem::path path) : path_(std::move(path)) {}
-    std::filesystem::path path_; // empty: moved from
+    explicit ScratchFolder(std::filesystem::path path) : folder_(std::move(path), Leaves::kWholeFolder) {}
+    Leftover folder_;
 };
 
 } // namespace ramus

@@ -1,10 +1,10 @@
 #include "core/io/output_file.h"
 
-#include <array>
+#include "core/base/leftovers.h"
+
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <fcntl.h>
 #include <string>
 #include <sys/stat.h>
@@ -17,25 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Unfinished files, for the signal handler. Whoever takes a name out of its slot owns it.
-constexpr std::size_t kSlots = 16;
-std::array<std::atomic<char*>, kSlots> unfinished{};
-std::atomic<bool> ending{false};
 std::atomic<unsigned> serial{0};
-
-std::atomic<char*>* remember(const std::string& path) {
-    char* name = ::strdup(path.c_str());
-    for (std::atomic<char*>& slot : unfinished) {
-        char* empty = nullptr;
-        if (slot.compare_exchange_strong(empty, name)) return &slot;
-    }
-    std::free(name);
-    return nullptr; // so many at once that this one is not seen to on a signal
-}
-
-void forget(std::atomic<char*>* slot) {
-    if (slot != nullptr) std::free(slot->exchange(nullptr));
-}
 
 fs::path folder_of(const fs::path& target) {
     const fs::path folder = target.parent_path();
@@ -61,34 +43,31 @@ bool is_device(const fs::path& path) {
 struct OutputFile::State {
     fs::path asked;        // as the user named it, for messages
     fs::path target;       // where it goes
-    std::string temporary; // what is written until then; empty for a device, and for what has no name yet
+    Leftover unfinished;   // what is written until then; none for a device, and for what has no name yet
     bool nameless = false; // until all is written: however the process ends, nothing is left of it
-    std::atomic<char*>* slot = nullptr;
 
-    State() = default;
-    State(const State&) = delete;
-    State& operator=(const State&) = delete;
-    ~State() {
-        if (!temporary.empty()) ::unlink(temporary.c_str());
-        forget(slot);
+    [[nodiscard]] bool has_name() const { return !unfinished.path().empty(); }
+    [[nodiscard]] bool rename() {
+        if (::rename(unfinished.path().c_str(), target.c_str()) != 0) return false;
+        unfinished.keep();
+        return true;
+    }
+    [[nodiscard]] bool exchange() const {
+        return ::renameat2(AT_FDCWD, unfinished.path().c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) == 0;
     }
 
     // Has make(name) give the file a name beside the target that is free; an errno.
     template <class Make> int name_by(const Make& make) {
         // Of fixed length, so that a long target name leaves room; others in case an earlier process left its own.
         constexpr int kAttempts = 100;
+        const auto held = hold_leftovers(); // whoever ends the process finds what there is
         int code = EEXIST;
         for (int attempt = 0; attempt < kAttempts && code == EEXIST; ++attempt) {
             const std::string name =
                 ".ramus-" + std::to_string(::getpid()) + "-" + std::to_string(serial.fetch_add(1)) + ".part";
-            const std::string path = (folder_of(target) / name).string();
-            // Remembered before it exists: a signal in between then finds it.
-            slot = remember(path);
+            const fs::path path = folder_of(target) / name;
             code = make(path.c_str()) ? 0 : errno;
-            if (code == 0)
-                temporary = path;
-            else
-                forget(std::exchange(slot, nullptr)); // not ours to remove
+            if (code == 0) unfinished = Leftover(path, Leaves::kFile);
         }
         return code;
     }
@@ -151,7 +130,6 @@ Result<OutputFile> OutputFile::create(const fs::path& target, InputKind kind) {
         if (const int code = state->name_by(open_named); code != 0) return write_error(target, code);
     forget_input(descriptor);
     OutputFile file(descriptor, std::move(state));
-    if (ending.load()) return fail("interrupted", target.string());
     // A file that is replaced keeps its permissions, as far as this user may set them.
     struct stat old {};
     if (::stat(file.state_->target.c_str(), &old) == 0) [[maybe_unused]]
@@ -160,9 +138,10 @@ Result<OutputFile> OutputFile::create(const fs::path& target, InputKind kind) {
 }
 
 void OutputFile::finish() {
+    if (file_descriptor_ < 0) return;
     flush();
     State& state = *state_;
-    if (!failed() && (state.nameless || !state.temporary.empty())) keep_error(::fsync(file_descriptor_));
+    if (!failed() && (state.nameless || state.has_name())) keep_error(::fsync(file_descriptor_));
     if (!failed() && state.nameless) {
         const std::string open = "/proc/self/fd/" + std::to_string(file_descriptor_);
         first_error_ = state.name_by(
@@ -178,10 +157,9 @@ Result<void> OutputFile::commit() {
 
 Result<void> OutputFile::put_in_place() {
     const std::unique_ptr<State> state = std::move(state_);
-    if (!failed() && !state->temporary.empty()) keep_error(::rename(state->temporary.c_str(), state->target.c_str()));
-    if (failed()) return write_error(state->asked, first_error_);
-    state->temporary.clear();
-    return {};
+    const auto held = hold_leftovers();
+    if (!failed() && state->has_name()) keep_error(state->rename() ? 0 : -1);
+    return failed() ? write_error(state->asked, first_error_) : Result<void>();
 }
 
 Result<void> commit_both(OutputFile& first, OutputFile& second) {
@@ -190,32 +168,38 @@ Result<void> commit_both(OutputFile& first, OutputFile& second) {
     const std::unique_ptr<OutputFile::State> one = std::move(first.state_), two = std::move(second.state_);
     if (first.failed()) return write_error(one->asked, first.first_error_);
     if (second.failed()) return write_error(two->asked, second.first_error_);
+    const auto held = hold_leftovers();
     // An older first file takes the name of the unfinished one meanwhile, where the file system can exchange names.
-    const bool exchanged = !one->temporary.empty() && ::renameat2(AT_FDCWD, one->temporary.c_str(), AT_FDCWD,
-                                                                  one->target.c_str(), RENAME_EXCHANGE) == 0;
-    if (!exchanged && !one->temporary.empty()) {
-        first.keep_error(::rename(one->temporary.c_str(), one->target.c_str()));
+    const bool exchanged = one->has_name() && one->exchange();
+    if (!exchanged && one->has_name()) {
+        first.keep_error(one->rename() ? 0 : -1);
         if (first.failed()) return write_error(one->asked, first.first_error_);
     }
-    if (!two->temporary.empty()) second.keep_error(::rename(two->temporary.c_str(), two->target.c_str()));
-    if (second.failed()) {
-        if (exchanged)
-            ::renameat2(AT_FDCWD, one->temporary.c_str(), AT_FDCWD, one->target.c_str(), RENAME_EXCHANGE);
-        else if (!one->temporary.empty())
-            ::rename(one->target.c_str(), one->temporary.c_str());
-        return write_error(two->asked, second.first_error_);
-    }
-    if (!exchanged) one->temporary.clear();
-    two->temporary.clear();
-    return {};
+    if (two->has_name()) second.keep_error(two->rename() ? 0 : -1);
+    if (!second.failed()) return {};
+    if (exchanged)
+        (void)one->exchange();
+    else
+        ::unlink(one->target.c_str()); // nothing was there, or nothing that could be exchanged
+    return write_error(two->asked, second.first_error_);
 }
 
 Result<void> commit_all(std::span<OutputFile> files) {
     for (OutputFile& file : files) file.finish();
     for (const OutputFile& file : files)
         if (file.failed()) return write_error(file.state_->asked, file.first_error_);
+    const auto held = hold_leftovers();
     for (OutputFile& file : files)
         if (auto put = file.put_in_place(); !put) return put;
+    return {};
+}
+
+Result<void> OutputSet::add(const fs::path& target, std::string_view text) {
+    RAMUS_TRY(file, OutputFile::create(target));
+    file.write(text);
+    file.finish(); // open files are few
+    if (file.failed()) return write_error(target, file.first_error_);
+    files_.push_back(std::move(file));
     return {};
 }
 
@@ -223,12 +207,6 @@ Result<void> write_file(const fs::path& target, std::string_view text, InputKind
     RAMUS_TRY(file, OutputFile::create(target, kind));
     file.write(text);
     return file.commit();
-}
-
-void remove_unfinished_files() noexcept {
-    ending.store(true);
-    for (std::atomic<char*>& slot : unfinished)
-        if (const char* path = slot.exchange(nullptr); path != nullptr) ::unlink(path);
 }
 
 } // namespace ramus::io

@@ -1,8 +1,8 @@
 // The one way an output reaches the disk: written beside its target without a name, or under another one where the file
 // system wants that, every write checked, flushed to the disk, and only then renamed over the target. Whatever fails,
-// an older target stays as it was and nothing else is left behind. Devices and pipes (/dev/stdout) are written as they
-// are, for there is nothing to rename. A file that this run has read is never replaced, but for a session by a session
-// (run_inputs.h).
+// an older target stays as it was and nothing else is left behind, also where a signal ends the process
+// (core/base/leftovers.h). Devices and pipes (/dev/stdout) are written as they are, for there is nothing to rename. A
+// file that this run has read is never replaced, but for a session by a session (run_inputs.h).
 //
 // Failures on the way (a full disk, `ulimit -f`) are told by commit().
 #pragma once
@@ -14,6 +14,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace ramus::io {
 
@@ -35,8 +36,9 @@ public:
 private:
     friend Result<void> commit_both(OutputFile& first, OutputFile& second);
     friend Result<void> commit_all(std::span<OutputFile> files);
+    friend class OutputSet;
     struct State;
-    void finish(); // all but its name
+    void finish(); // all but its name; once
     [[nodiscard]] Result<void> put_in_place();
     OutputFile(int descriptor, std::unique_ptr<State> state);
 
@@ -51,12 +53,19 @@ private:
 // a renaming that fails after that leaves some new beside old ones.
 [[nodiscard]] Result<void> commit_all(std::span<OutputFile> files);
 
+// Files that belong together and come one after the other, as pictures of a turn: each is written when it is added, and
+// none is in its place before commit().
+class OutputSet {
+public:
+    [[nodiscard]] Result<void> add(const std::filesystem::path& target, std::string_view text);
+    [[nodiscard]] Result<void> commit() { return commit_all(files_); }
+
+private:
+    std::vector<OutputFile> files_;
+};
+
 // A whole file at once.
 [[nodiscard]] Result<void> write_file(const std::filesystem::path& target, std::string_view text,
                                       InputKind kind = InputKind::kFile);
-
-// Removes what every OutputFile of this process has written so far and keeps further ones from starting. Safe in a
-// signal handler; the process must end afterwards.
-void remove_unfinished_files() noexcept;
 
 } // namespace ramus::io

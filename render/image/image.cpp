@@ -93,11 +93,11 @@ Result<void> check_png_name(const std::filesystem::path& path) {
                 "give the name " + better.replace_extension(".png").string());
 }
 
-Result<void> write_png(const Image& image, const std::filesystem::path& path) {
+Result<void> write_png(const Image& image, const std::filesystem::path& path, io::OutputSet* together) {
     if (auto possible = io::check_output(path); !possible) return possible; // says first what would be lost
     if (auto fits = check_png_name(path); !fits) return fits;
     auto encoded = encode_png(image);
-    if (encoded) return io::write_file(path, *encoded);
+    if (encoded) return together != nullptr ? together->add(path, *encoded) : io::write_file(path, *encoded);
     encoded.error().where = path.string();
     return tl::unexpected(encoded.error());
 }

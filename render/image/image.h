@@ -11,6 +11,10 @@
 #include <string>
 #include <vector>
 
+namespace ramus::io {
+class OutputSet;
+}
+
 namespace ramus::render {
 
 struct Image {
@@ -43,7 +47,9 @@ void straighten(Image& image);
 [[nodiscard]] Result<std::string> encode_png(const Image& image);
 // A name that ends as another format's files do (.jpg, .gif) is refused: it would say what the file is not.
 [[nodiscard]] Result<void> check_png_name(const std::filesystem::path& path);
-[[nodiscard]] Result<void> write_png(const Image& image, const std::filesystem::path& path);
+// `together`: the files that it belongs to, with which it comes to its place.
+[[nodiscard]] Result<void> write_png(const Image& image, const std::filesystem::path& path,
+                                     io::OutputSet* together = nullptr);
 
 struct Comparison {
     std::uint64_t pixels = 0;    // of the picture

@@ -120,12 +120,16 @@ TEST_CASE("a sheet has the pictures of its rater, and nothing in it can end its 
 TEST_CASE("a study is written with a sheet for each rater") {
     const TemporaryFolder folder;
     const RatingStudy study = small_study(2);
-    const auto files = write_study(study, pngs_of(study), folder.path());
+    std::filesystem::create_directory(folder.path() / "sheets");
+    io::OutputSet together;
+    const auto files = write_study(study, pngs_of(study), folder.path(), together);
     REQUIRE(files.has_value());
+    CHECK_FALSE(std::filesystem::exists(folder.path() / "key.json"));
+    REQUIRE(together.commit());
     REQUIRE(files->size() == 2);
     CHECK(files->back() == folder.path() / "sheets" / "rater_002.html");
     CHECK(std::filesystem::exists(folder.path() / "key.json"));
-    CHECK_FALSE(write_study(study, pngs_of(study), "/dev/null/no").has_value());
+    CHECK_FALSE(write_study(study, pngs_of(study), "/dev/null/no", together).has_value());
 }
 
 TEST_CASE("tests that cannot be made leave their fields empty") {

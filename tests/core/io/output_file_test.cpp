@@ -1,5 +1,7 @@
+#include "core/base/leftovers.h"
 #include "core/io/input_file.h"
 #include "core/io/output_file.h"
+#include "core/io/output_folder.h"
 #include "tests/support/temporary_folder.h"
 
 #include <array>
@@ -9,6 +11,7 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <vector>
 
 using namespace ramus;
 namespace fs = std::filesystem;
@@ -126,21 +129,28 @@ TEST_CASE("a file beyond the system's limit leaves nothing behind") {
     CHECK(folder.names() == std::vector<std::string>{"tree.txt"});
 }
 
-TEST_CASE("an interrupted process removes what it had begun") {
+TEST_CASE("a process that is ended by a signal removes what it had begun") {
     TemporaryFolder folder;
     const pid_t child = ::fork();
     if (child == 0) {
-        auto file = io::OutputFile::create(folder.path() / "tree.txt");
-        file->write(std::string(5'000'000, 'x'));
-        const bool begun = file->size() == 5'000'000;
-        io::remove_unfinished_files();
-        const bool refused = !io::OutputFile::create(folder.path() / "other.txt");
-        ::_exit(begun && refused && folder.names().empty() ? 0 : 1);
+        const auto deep = io::OutputFolder::make(folder.path() / "new" / "folder");
+        std::vector<io::OutputFile> files;
+        for (const char* name : {"tree.txt", "new/folder/tree.txt"}) {
+            auto file = io::OutputFile::create(folder.path() / name);
+            file->write(std::string(5'000'000, 'x'));
+            files.push_back(std::move(*file));
+        }
+        const Leftover named(folder.write("named.txt", "text"), Leaves::kFile);
+        const auto kept = io::OutputFolder::make(folder.path() / "kept");
+        if (!io::write_file(folder.path() / "kept" / "whole.txt", "text")) ::_exit(1);
+        end_by_signal(SIGTERM);
     }
     int status = -1;
     REQUIRE(::waitpid(child, &status, 0) == child);
-    CHECK(status == 0);
-    CHECK(folder.names().empty());
+    CHECK(WIFSIGNALED(status));
+    CHECK(WTERMSIG(status) == SIGTERM);
+    CHECK(folder.names() == std::vector<std::string>{"kept"});
+    CHECK(folder.text("kept/whole.txt") == "text");
 }
 
 TEST_CASE("nothing is left of what a killed process had begun") {
@@ -152,8 +162,7 @@ TEST_CASE("nothing is left of what a killed process had begun") {
     if (child == 0) {
         auto file = io::OutputFile::create(folder.path() / "tree.txt");
         file->write(std::string(5'000'000, 'x'));
-        (void)::write(ends[1], "x", 1);
-        ::pause();
+        if (::write(ends[1], "x", 1) == 1) ::pause();
         ::_exit(1);
     }
     char begun = 0;
