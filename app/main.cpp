@@ -7,12 +7,15 @@
 #include "app/commands/suggestions.h"
 #include "app/commands/surface_flags.h"
 #include "app/window/run_window.h"
+#include "core/base/instruction_sets.h"
 #include "core/base/printable.h"
+#include "core/base/tight_limits.h"
 #include "core/io/standard_input.h"
 
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -77,6 +80,8 @@ int run_chosen(const Action& chosen) {
 }
 
 int run(int argc, char** argv) {
+    if (const char* wanted = std::getenv(kInstructionsVariable); wanted != nullptr)
+        if (const auto limited = limit_instructions(wanted); !limited) return complain(limited.error().message());
     CLI::App app(
         "Vessel trees as smooth, closed, faithful surfaces: to explore in a window and to picture without one.",
         "ramus");
@@ -135,19 +140,24 @@ int run(int argc, char** argv) {
     return run_chosen(chosen);
 }
 
+int run_caught(int argc, char** argv) {
+    const HarmlessOutput harmless;
+    try {
+        return run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        return complain("not enough memory; a coarser --detail or --cell needs less");
+    } catch (const std::exception& error) {
+        return complain(error.what());
+    }
+}
+
 } // namespace
 
 } // namespace ramus::app
 
 int main(int argc, char** argv) {
-    const ramus::app::HarmlessOutput harmless;
-    // Writing beyond `ulimit -f` shall be an error that a command reports, not a signal that kills it.
+    // Writing beyond `ulimit -f` is an error that a command reports, not a signal that kills it.
     std::signal(SIGXFSZ, SIG_IGN);
-    try {
-        return ramus::app::run(argc, argv);
-    } catch (const std::bad_alloc&) {
-        return ramus::app::complain("not enough memory; a coarser --detail or --cell needs less");
-    } catch (const std::exception& error) {
-        return ramus::app::complain(error.what());
-    }
+    ramus::explain_want_of_memory();
+    return ramus::with_usual_stacks([=] { return ramus::app::run_caught(argc, argv); });
 }

@@ -5,6 +5,7 @@
 #include <GL/osmesa.h>
 #include <array>
 #include <dlfcn.h>
+#include <string>
 
 namespace ramus::render {
 
@@ -16,15 +17,21 @@ constexpr std::array kAskedFor{kWantedGl[0], kWantedGl[1], kWantedGl[2], GlVersi
 // Functions of a library by their names; none where there is no such library.
 class Library {
 public:
-    explicit Library(const char* name) : handle_(dlopen(name, RTLD_NOW | RTLD_LOCAL)) {}
+    explicit Library(const char* name) : handle_(dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
+        if (handle_ == nullptr)
+            if (const char* why = dlerror(); why != nullptr) why_ = why;
+    }
     bool operator()(auto& function, const char* name) const {
         if (handle_ != nullptr)
             function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(handle_, name));
         return function != nullptr;
     }
 
+    [[nodiscard]] const std::string& why() const { return why_; } // it cannot be loaded
+
 private:
     void* handle_;
+    std::string why_;
 };
 
 Result<std::unique_ptr<GlContext>> made_current(std::unique_ptr<GlContext> context) {
@@ -39,9 +46,11 @@ struct OsMesa {
     decltype(&OSMesaGetProcAddress) get_proc_address = nullptr;
     decltype(&OSMesaDestroyContext) destroy_context = nullptr;
     bool complete = false;
+    std::string why; // it is not
 
     OsMesa() {
         const Library find(RAMUS_OSMESA);
+        why = find.why();
         complete = find(create_context, "OSMesaCreateContextAttribs") && find(make_current, "OSMesaMakeCurrent") &&
                    find(get_proc_address, "OSMesaGetProcAddress") && find(destroy_context, "OSMesaDestroyContext");
     }
@@ -85,9 +94,11 @@ struct Egl {
     PFNEGLQUERYDEVICESEXTPROC query_devices = nullptr;
     PFNEGLQUERYDEVICESTRINGEXTPROC query_device_string = nullptr;
     bool complete = false;
+    std::string why; // it is not
 
     Egl() {
         const Library find(RAMUS_EGL);
+        why = find.why();
         complete = find(get_proc_address, "eglGetProcAddress") && find(query_string, "eglQueryString") &&
                    find(initialize, "eglInitialize") && find(bind_api, "eglBindAPI") &&
                    find(choose_config, "eglChooseConfig") && find(create_context, "eglCreateContext") &&
@@ -197,7 +208,8 @@ Result<std::unique_ptr<GlContext>> make_headless_context(Backend backend, std::o
 
 Result<std::unique_ptr<GlContext>> make_osmesa_context() {
     const std::string remedy = "install Mesa's libosmesa6 22 or newer";
-    if (!osmesa().complete) return fail("OSMesa is not there", RAMUS_OSMESA, remedy + ", or use --backend egl");
+    if (!osmesa().complete)
+        return fail("OSMesa cannot be loaded: " + osmesa().why, RAMUS_OSMESA, remedy + ", or use --backend egl");
     for (const GlVersion version : kAskedFor) {
         const bool any = version == GlVersion{};
         const int first = any ? 0 : OSMESA_PROFILE; // neither depths nor stencil if they are not named
@@ -225,7 +237,7 @@ std::vector<std::string> egl_devices() {
 
 Result<std::unique_ptr<GlContext>> make_egl_context(std::optional<int> device) {
     if (!egl().complete)
-        return fail("EGL is not there", RAMUS_EGL,
+        return fail("EGL cannot be loaded: " + egl().why, RAMUS_EGL,
                     "install libegl1 and the graphics driver's EGL, or use --backend osmesa");
     const std::vector<EGLDeviceEXT> devices = device_handles();
     const auto on_device = [](EGLDeviceEXT handle) { return context_on(display_of(EGL_PLATFORM_DEVICE_EXT, handle)); };
