@@ -21,16 +21,16 @@ COMMANDS = {
     "grow": (["grow", "-o", "grown.swc", "--branches", "1500"], False),
     "info": (["info", "tree.swc", "--contacts"], False),
     "convert": (["convert", "tree.swc", "-o", "pair.csv"], False),
-    "mesh": (["mesh", "tree.swc", "-o", "a.stl", "--detail", "60"], False),
+    "mesh": (["mesh", "tree.swc", "-o", "a.stl", "--detail", "40"], False),
     "mesh of a mask": (["mesh", "mask.nii", "-o", "a.ply"], False),
     "skeletonize": (["skeletonize", "plane.nii", "-o", "plane.swc"], False),
     "render": (["render", "tree.swc", "-o", "a.png", "--size", "500x400"], False),
-    "turntable": (["render", "tree.swc", "-o", "turn.png", "--turntable", "20", "--size", "300x200"], False),
+    "turntable": (["render", "small.swc", "-o", "turn.png", "--turntable", "8", "--size", "200x150"], False),
     "standard output": (["render", "tree.swc", "-o", "-", "--size", "300x200"], False),
     "validate": (["validate", "tree.swc", "--mask", "mask.nii"], False),
-    "report": (["validate", "tree.swc", "--report", "new/report"], False),
-    "kernels": (["validate", "tree.swc", "--kernels"], False),
-    "study": (["study", "tree.swc", "-o", "new/study", "--size", "200x150"], False),
+    "report": (["validate", "small.swc", "--report", "new/report"], False),
+    "kernels": (["validate", "small.swc", "--kernels"], False),
+    "study": (["study", "small.swc", "-o", "new/study", "--size", "100x80"], False),
     "compare": (["compare", "large.obj", "large.obj"], False),
     "ratings": (["ratings", "key.json", "/dev/stdin"], True),
     "a session that names a FIFO": (["render", "--session", "fifo.ramus.json", "-o", "a.png"], True),
@@ -64,7 +64,7 @@ class Signals(CommandLineTest):
         self.expect_done("grow", "-o", "tree.swc", "--branches", "200")
         self.write("mask.nii", mask((60, 60, 60), lambda x, y, z: (x - 30) ** 2 + (y - 30) ** 2 < 64))
         self.write("plane.nii", mask((700, 700, 3), lambda x, y, z: True))
-        self.expect_done("mesh", "small.swc", "-o", "large.obj", "--detail", "200")
+        self.expect_done("mesh", "small.swc", "-o", "large.obj", "--detail", "100")
         self.write("key.json", "{}")
         self.write("fifo.ramus.json", '{"version": 1, "tree": {"path": "ff"}}')
         os.mkfifo(self.folder / "ff")
