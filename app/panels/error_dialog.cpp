@@ -42,7 +42,7 @@ void draw_error_dialog(InterfaceContext& context) {
     auto& errors = context.interface.errors;
     if (errors.empty() || !widgets::begin_dialog("error", 520.0F, 0.0F)) return;
     const Error error = in_window_words(errors.front());
-    const bool recovery = context.interface.recovery.open;
+    const bool recovery = context.interface.recovery.failed;
     widgets::heading(recovery ? "This session cannot be recovered" : "This file cannot be opened");
     ImGui::Dummy({0.0F, 2.0F * theme::scale()});
     ImGui::TextWrapped("%s", sentence(error.what).c_str());

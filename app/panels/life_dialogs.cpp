@@ -15,6 +15,10 @@ namespace ramus::app {
 void RecoveryDialog::offer(std::vector<autosave::Slot> slots) {
     for (autosave::Slot& slot : slots) {
         auto snapshot = slot.read();
+        if (snapshot && snapshot->changes == 0) { // older versions kept what was only looked at
+            slot.remove();
+            continue;
+        }
         const std::string trouble = snapshot ? std::string{} : snapshot.error().what;
         entries.push_back({std::move(slot), std::move(snapshot).value_or(autosave::Snapshot{}), trouble});
     }
@@ -98,7 +102,7 @@ void draw_recovery_dialog(InterfaceContext& context) {
         ImGui::PopID();
     }
     ImGui::EndChild();
-    widgets::quiet_wrapped("Everything comes back but the steps of undo.");
+    widgets::quiet_wrapped("Everything comes back except the steps of undo.");
     ImGui::Dummy({0.0F, 4.0F * scale});
     const float width = 90.0F * scale;
     widgets::align_right(width);

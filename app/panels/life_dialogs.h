@@ -19,6 +19,7 @@ struct RecoveryDialog {
         std::string problem; // why it cannot be read; empty: it can
     };
     bool open = false;
+    bool failed = false;        // what was chosen could not be recovered: the error that is shown is about it
     std::vector<Entry> entries; // newest first
 
     // Shows itself when there is anything.

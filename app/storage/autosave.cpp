@@ -198,7 +198,7 @@ std::optional<Error> Autosaver::update(const Document& document, double now) {
     if (document.revision() != seen_) {
         seen_ = document.revision();
         last_ = now;
-        if (document.modified()) {
+        if (document.has_unsaved_work()) { // a view that was turned is no loss
             if (!first_) first_ = now;
         } else {
             first_.reset();

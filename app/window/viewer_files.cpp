@@ -202,7 +202,9 @@ void ViewerFiles::update() {
     while (const auto error = state_.workspace.take_error()) {
         state_.interface.errors.push_back(*error);
         // What cannot be recovered now may be thrown away, or left for later.
-        if (!std::exchange(recovering_, std::filesystem::path()).empty()) state_.interface.recovery.open = true;
+        RecoveryDialog& recovery = state_.interface.recovery;
+        recovery.failed = !std::exchange(recovering_, std::filesystem::path()).empty();
+        recovery.open = recovery.open || recovery.failed;
     }
 }
 

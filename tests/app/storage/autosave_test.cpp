@@ -188,6 +188,14 @@ TEST_CASE("a session is kept while it is modified: after changes settle, and nev
     Run run(folder.path() / "autosave");
     run.step(10.0);
     CHECK(folder.names().empty()); // nothing to keep
+    render::Camera turned;
+    turned.view_angle = 10.0;
+    run.document.set_camera(turned);
+    Marks coloured = run.document.marks();
+    coloured.colour_by = ColourBy::kSystem;
+    run.document.change(std::move(coloured));
+    run.step(10.0);
+    CHECK(folder.names().empty()); // a view is no work: nothing would be offered but "0 changes"
 
     hide(run.document, 3);
     run.step(0.0);
