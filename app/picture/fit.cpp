@@ -1,6 +1,7 @@
 #include "app/picture/fit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 
 namespace ramus::app {
@@ -14,6 +15,19 @@ render::Camera with_room(render::Camera camera, const Comparison& comparison) {
     camera.position = camera.focal_point + kRoom * (camera.position - camera.focal_point);
     camera.scale *= kRoom;
     return camera;
+}
+
+render::View opening_view(const tree::VesselTree& tree) {
+    constexpr double kFlat = 0.1; // thickness of the middle side; tuned on networks of mesentery and organs' trees
+    glm::dvec3 least(HUGE_VAL), most(-HUGE_VAL);
+    for (const tree::Point& point : tree.points) {
+        least = glm::min(least, point.position - point.radius);
+        most = glm::max(most, point.position + point.radius);
+    }
+    const glm::dvec3 size = most - least;
+    const auto is_flat = [&](double side, double one, double other) { return side < kFlat * std::min(one, other); };
+    if (is_flat(size.x, size.y, size.z)) return render::View::kLeft;
+    return is_flat(size.z, size.x, size.y) ? render::View::kSuperior : render::View::kAnterior;
 }
 
 std::vector<glm::vec3> shown_positions(const Marks& marks, const Assets& assets) {

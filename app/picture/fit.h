@@ -14,6 +14,10 @@ namespace ramus::app {
 // reaches beyond the ends of its centerlines.
 [[nodiscard]] render::Camera with_room(render::Camera camera, const Comparison& comparison);
 
+// From where a tree is seen first: from the front, or facing the largest side of one that is flat, so that it is not
+// seen edge-on.
+[[nodiscard]] render::View opening_view(const tree::VesselTree& tree);
+
 // Of the context that is shown, as far as it was read.
 [[nodiscard]] std::vector<glm::vec3> shown_positions(const Marks& marks, const Assets& assets);
 

@@ -111,7 +111,8 @@ void Viewer::take_news() {
 void Viewer::begin_tree(const Workspace::Opened& opened) {
     if (const auto mesh = picture_.picture_mesh(); mesh && !opened.has_camera) {
         const glm::ivec2 size = picture_.picture_size();
-        const render::Camera from = render::looking({}, render::View::kAnterior);
+        const auto& tree = state_.workspace.document.tree();
+        const render::Camera from = render::looking({}, tree ? opening_view(*tree) : render::View::kAnterior);
         const auto positions = mesh->farthest(render::fitting_directions(from, size));
         state_.workspace.document.set_camera(
             with_room(render::fitted(from, positions, size), state_.workspace.document.marks().comparison));

@@ -1,5 +1,6 @@
 // Viewports are narrower than the picture: what comparing does to the camera, and how undo takes that back.
 #include "app/picture/compose_sheet.h"
+#include "app/picture/fit.h"
 #include "app/workspace/surface_maker.h"
 #include "core/tree/build_tree.h"
 #include "tests/support/command_stage.h"
@@ -10,6 +11,19 @@ using namespace ramus;
 using namespace ramus::app;
 
 namespace {
+
+// Points along three vessels of a plane that two axes span.
+tree::VesselTree flat_tree(int first, int second) {
+    tree::VesselTree tree;
+    for (int i = 0; i < 30; ++i) {
+        tree::Point& point = tree.points.emplace_back();
+        point.radius = 0.5;
+        point.position = glm::dvec3(0.0);
+        point.position[first] = 2.0 * i;
+        point.position[second] = 1.5 * (i % 3) * i;
+    }
+    return tree;
+}
 
 // A picture of 800 x 400 with viewports, as windows and files have them.
 struct ViewportPicture final : test::TestPicture {
@@ -53,6 +67,16 @@ struct CameraStage {
 double distance(const render::Camera& camera) { return glm::distance(camera.position, camera.focal_point); }
 
 } // namespace
+
+TEST_CASE("a flat tree is seen first facing its largest side, any other from the front") {
+    CHECK(opening_view(flat_tree(0, 1)) == render::View::kSuperior);
+    CHECK(opening_view(flat_tree(0, 2)) == render::View::kAnterior);
+    CHECK(opening_view(flat_tree(1, 2)) == render::View::kLeft);
+    CHECK(opening_view(flat_tree(2, 2)) == render::View::kAnterior); // one vessel has no side
+    tree::VesselTree deep = flat_tree(0, 1);
+    deep.points.push_back({{0.0, 0.0, 10.0}, 0.5});
+    CHECK(opening_view(deep) == render::View::kAnterior);
+}
 
 TEST_CASE("fit takes in what is beside the tree") {
     CameraStage stage;
