@@ -342,13 +342,14 @@ void mark_ends(Legend& legend, const std::optional<double>& low, const std::opti
 }
 
 glm::vec3 margin_colour(std::size_t index, std::size_t count) {
-    // From what is near to what is far: after the diverging red-yellow-blue maps, safe for colour-blind eyes.
-    constexpr std::array<glm::vec3, 5> kStations{{{0.843F, 0.188F, 0.153F},
+    // From what is near to what is far, after the sequential yellow-orange-red maps, safe for colour-blind eyes. None
+    // is blue or grey: vessels beyond the margins, and systems, are.
+    constexpr std::array<glm::vec3, 5> kStations{{{0.565F, 0.0F, 0.149F},
+                                                  {0.843F, 0.188F, 0.153F},
                                                   {0.957F, 0.545F, 0.263F},
                                                   {0.996F, 0.878F, 0.565F},
-                                                  {0.569F, 0.749F, 0.859F},
-                                                  {0.271F, 0.459F, 0.706F}}};
-    if (count <= 3) return kStations[std::min<std::size_t>(index, 2)];
+                                                  {1.0F, 0.976F, 0.835F}}};
+    if (count <= 4) return kStations[1 + std::min<std::size_t>(index, 3)];
     const double at = 4.0 * static_cast<double>(index) / static_cast<double>(count - 1);
     const auto below = std::min<std::size_t>(static_cast<std::size_t>(at), 3);
     return glm::mix(kStations[below], kStations[below + 1], static_cast<float>(at - static_cast<double>(below)));

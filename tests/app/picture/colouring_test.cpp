@@ -199,9 +199,11 @@ TEST_CASE("beyond the margins systems stay distinguishable, and the legend says 
     REQUIRE(colouring.beyond.size() == tree.branches.size());
     CHECK(colouring.beyond[0] == colouring.beyond[2]);
     CHECK(glm::distance(colouring.beyond[0], colouring.beyond[1]) > 0.3F);
-    for (std::size_t margin = 0; margin < 2; ++margin)
-        for (std::size_t id = 0; id < 2; ++id)
-            CHECK(glm::distance(colouring.beyond[id], margin_colour(margin, 2)) > 0.2F);
+    // With any number of margins: from the fourth on they were as blue as the portal vein beyond them.
+    for (std::size_t count = 1; count <= render::Margins::kMost; ++count)
+        for (std::size_t margin = 0; margin < count; ++margin)
+            for (std::size_t id = 0; id < 2; ++id)
+                CHECK(glm::distance(colouring.beyond[id], margin_colour(margin, count)) > 0.2F);
     REQUIRE(colouring.legend.swatches.size() == 4);
     CHECK(colouring.legend.swatches[2].text == "beyond 5: portal vein");
     CHECK(colouring.legend.swatches[2].colour == colouring.beyond[0]);
