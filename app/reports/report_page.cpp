@@ -67,12 +67,16 @@ Facts option_facts(const Marks& marks) {
 std::string lesions_html(const Document& document, const Plan& plan) {
     const Marks& marks = document.marks();
     if (marks.lesions.empty() && marks.lesion_meshes.empty()) return {};
-    Table table{
-        "Lesions",
-        {{"lesion", "Lesion"}, {"shape", "Shape"}, {"x", "x, mm"}, {"y", "y, mm"}, {"z", "z, mm"}, {"r", "Radius, mm"}},
-        {}};
+    Table table{"Lesions",
+                {{"lesion", "Lesion"},
+                 {"shape", "Shape"},
+                 {"x", "x, mm"},
+                 {"y", "y, mm"},
+                 {"z", "z, mm"},
+                 {"diameter", "Diameter, mm"}},
+                {}};
     int number = 0;
-    for (const auto& [x, y, z, r] : marks.lesions) table.rows.push_back({++number, "sphere", x, y, z, r});
+    for (const auto& [x, y, z, r] : marks.lesions) table.rows.push_back({++number, "sphere", x, y, z, 2.0 * r});
     for (const std::string& mesh : marks.lesion_meshes)
         table.rows.push_back({++number, std::filesystem::path(mesh).filename().string(), "", "", "", ""});
     add_unit(table, document.lengths());
@@ -145,10 +149,6 @@ std::string report_page(const Document& document, const Assets& assets, const st
                        case_html(head.case_line) + pictures_html(pictures);
     page += "<h2>Tree</h2>\n" + facts_html(worded(tree_facts(document), document.lengths()));
     if (!document.tree()->systems.empty()) page += table_html(systems_table(document, assets));
-    if (const Table contacts = contacts_table(document, assets); !contacts.rows.empty())
-        page += table_html(contacts,
-                           {.note = "Where vessels press on each other without being connected there, the closest "
-                                    "first. A gap below 0 is an overlap."});
     const Marks& marks = document.marks();
     const Plan& plan = *assets.plan;
     page += lesions_html(document, plan);
@@ -168,9 +168,14 @@ std::string report_page(const Document& document, const Assets& assets, const st
         page += table_html(bands, {.note = bands.rows.empty() ? "No vessel lies within the margins."
                                                               : "From the lesions to the vessels' walls; the thickest "
                                                                 "first."});
-    page += context_html(document, assets);
     if (!marks.measurements.empty()) page += table_html(measurements_table(document, assets));
     if (!marks.selection.empty()) page += table_html(selection_table(document, assets));
+    page += context_html(document, assets);
+    if (const Table contacts = contacts_table(document, assets); !contacts.rows.empty())
+        page += table_html(contacts,
+                           {.note = "Where vessels press on each other without being connected there, the closest "
+                                    "first. A gap below 0 is an overlap. Flattened: by how much the surface that is "
+                                    "drawn has less than the vessel's radius there, which is no stenosis."});
     page += "<h2>Options</h2>\n" + facts_html(worded(option_facts(marks), document.lengths())) + page_end();
     return page;
 }

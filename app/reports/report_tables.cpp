@@ -312,7 +312,7 @@ Table contacts_table(const Document& document, const Assets& assets) {
                  {"other_branch", "Other branch"},
                  {"other_name", "Name"},
                  {"gap", "Gap, mm"},
-                 {"narrowed", "Narrowed, mm"},
+                 {"narrowed", "Flattened, mm"},
                  {"other_narrowed", "the other, mm"},
                  {"x", "x, mm"},
                  {"y", "y, mm"},
