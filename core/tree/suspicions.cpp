@@ -50,8 +50,8 @@ void check_sizes(const std::vector<Point>& points, const std::vector<Edge>& edge
     for (const Point& point : points)
         if (point.radius < kThinnestOfThickest * most)
             suspect(notes, "radii",
-                    "radius " + figure(point.radius) + " mm is next to nothing beside the thickest, " + figure(most) +
-                        " mm",
+                    "radius " + figure(point.radius) + " mm is next to nothing compared with the thickest, " +
+                        figure(most) + " mm",
                     point.position);
 }
 
@@ -79,8 +79,8 @@ std::vector<Note> check_radii(std::vector<Point>& points, const std::vector<Edge
         if (beside.count == 0 || !beside.apart_from(radius)) continue;
         told[p] = true;
         const std::string found =
-            "radius " + figure(radius) + " mm stands " +
-            (beside.count == 1 ? "beside " + figure(beside.most)
+            "radius " + figure(radius) + " mm is " +
+            (beside.count == 1 ? "next to " + figure(beside.most)
                                : "between " + figure(beside.least) + " and " + figure(beside.most)) +
             " mm";
         if (beside.count != 2) {

@@ -116,7 +116,7 @@ class Masks(CommandLineTest):
     def test_info_tells_what_was_assumed(self):
         self.write("mask.nii", nifti(SIZE, BARS, units=0))
         self.assertEqual(len(self.json("info", "mask.nii", "--json")["notes"]), 1)
-        self.assertIn("taken as mm", self.expect_done("info", "mask.nii").stdout)
+        self.assertIn("counts as 1 mm", self.expect_done("info", "mask.nii").stdout)
 
     def test_a_scan_is_asked_about(self):
         self.write("scan.nii", nifti(SIZE, [100 * x - 500 for x, _, _ in voxels(SIZE)], "h"))

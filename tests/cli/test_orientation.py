@@ -27,7 +27,7 @@ class Info(CommandLineTest):
         self.write("bare.swc", GOOD)
         for options in ([], ["--branches"], ["--contacts"]):
             text = self.expect_done("info", "bare.swc", *options).stdout
-            lines = [line for line in text.splitlines() if "taken as mm" not in line]  # of the notes
+            lines = [line for line in text.splitlines() if "counts as 1 mm" not in line]  # of the notes
             self.assertNotIn(" mm", "\n".join(lines))
             self.assertRegex(text, r"length +21.7 units")
             self.assertRegex(text, r"unit +not known")

@@ -78,7 +78,7 @@ std::string sizes_text(double radius, double side) {
 // Of a unit that was assumed.
 void suspect_unit(ImportedTree& imported) {
     const auto [radius, side] = sizes_of(imported.graph);
-    const std::string spans = "taken as mm, " + sizes_text(radius, side);
+    const std::string spans = "if a unit is 1 mm, " + sizes_text(radius, side);
     if (radius > kWidestRadius || side > kFarthest)
         suspect(imported, spans + ": that is too large; --units um, or the size of a voxel, may be what is meant");
     else if (!imported.unit_hint.empty() && radius < kNarrowestHinted && side < kNearestHinted)
@@ -145,7 +145,10 @@ void apply_radius(ImportedTree& imported, const ReadOptions& options) {
 
 void apply_unit(ImportedTree& imported, const ReadOptions& options) {
     if (!imported.unit && !options.unit) {
-        add_once(imported, {Note::Kind::kAssumed, "units", "the file names no unit of length: taken as mm", {}});
+        add_once(imported, {Note::Kind::kAssumed,
+                            "units",
+                            "the file names no unit of length: next to other files a unit counts as 1 mm",
+                            {}});
         suspect_unit(imported);
         return;
     }

@@ -18,7 +18,7 @@ void suspect_unit(volume::Volume& volume) {
     const glm::dvec3 sides = step * glm::dvec3(volume.size);
     const double side = std::max({sides.x, sides.y, sides.z});
     const double finest = std::min({step.x, step.y, step.z});
-    const std::string spans = "taken as mm, the volume is " + short_number(side) + " mm long, with voxels of " +
+    const std::string spans = "if a unit is 1 mm, the volume is " + short_number(side) + " mm long, with voxels of " +
                               short_number(finest) + " mm: ";
     if (side > kLongest)
         volume.suspicions.push_back(spans + "that is too large for a patient; --units um may be what is meant");
@@ -34,7 +34,7 @@ Result<void> apply_unit(volume::Volume& volume, const std::optional<LengthUnit>&
     const std::optional<double> stated = volume.unit_mm;
     if (!asked) {
         if (stated) return {};
-        volume.notes.emplace_back("the file names no unit of length: taken as mm");
+        volume.notes.emplace_back("the file names no unit of length: a unit counts as 1 mm");
         suspect_unit(volume);
         return {};
     }

@@ -64,7 +64,7 @@ TEST_CASE("a unit has its names, and a size of voxels is one") {
 
 TEST_CASE("a unit that the file does not name is taken as mm, with a word; one that it names, without") {
     const auto plain = read(straight(5, 10.0, 2.0));
-    CHECK(says(told(plain, Note::Kind::kAssumed, "units"), "taken as mm"));
+    CHECK(says(told(plain, Note::Kind::kAssumed, "units"), "counts as 1 mm"));
     io::ImportedTree stated = straight(5, 1.0, 0.2);
     stated.unit = io::length_unit("cm");
     const auto cm = read(stated);
