@@ -209,7 +209,10 @@ const Command* command_given_by(std::string_view line) {
     const bool number = line[given] >= '0' && line[given] <= '9'; // "1" begins words as well: "within 10 mm"
     const std::string_view word = line.substr(given, line.find(' ', given) - given);
     const bool choice = is_choice(command->arguments, word) && !is_entry(line);
-    return number || choice || search_commands(line).empty() ? command : nullptr;
+    // Names with a hyphen are no words of people, nor are files and lists of numbers.
+    const bool typed = line.substr(0, end).find('-') != std::string_view::npos ||
+                       line.find_first_of("/.,_\"=", given) != std::string_view::npos;
+    return number || choice || (typed && !is_entry(line)) || search_commands(line).empty() ? command : nullptr;
 }
 
 std::vector<const Command*> search_commands(std::string_view words) {

@@ -106,8 +106,10 @@ Result<void> skeleton(ActionContext& context, Arguments arguments) {
 
 bool shows_skeleton(const Document& document) { return document.marks().skeleton; }
 
+constexpr const char* kArguments = "off|side-by-side|blend|superimposed|wipe [SURFACES]";
+
 Command mode_entry(Mode mode, const char* label, const char* help) {
-    return Command("compare", "MODE [SURFACES]", help, compare)
+    return Command("compare", kArguments, help, compare)
         .in_menu("View", label)
         .in_submenu("Compare")
         .giving({std::string(name_of(mode))})
@@ -119,7 +121,7 @@ Command mode_entry(Mode mode, const char* label, const char* help) {
 
 std::vector<Command> compare_commands() {
     return {
-        Command("compare", "MODE [SURFACES]",
+        Command("compare", kArguments,
                 "Shows surfaces of the same vessels off, side-by-side, blend, superimposed or wipe: two or three of "
                 "cs,cones,iso,tree,paper.",
                 compare),
@@ -129,7 +131,7 @@ std::vector<Command> compare_commands() {
         mode_entry(Mode::kBlend, "Surfaces blended", "Compares two surfaces: one fades into the other."),
         mode_entry(Mode::kSuperimposed, "Surfaces superimposed",
                    "Compares two surfaces: the second as lines over the first."),
-        mode_entry(Mode::kWipe, "Surfaces wiped",
+        mode_entry(Mode::kWipe, "Surfaces split by a line",
                    "Compares two surfaces: one left of a line that is dragged, the other right of it."),
         Command("compare-blend", "SHARE", "How much there is of the second surface where two are blended, from 0 to 1.",
                 compare_blend),

@@ -117,7 +117,7 @@ Result<ColourBy> colouring_of_tree(std::string_view key, const tree::VesselTree&
     for (const tree::DataArrays* arrays : {&tree.point_data, &tree.branch_data})
         for (const tree::DataArray& array : *arrays) names += ", " + array.name;
     return fail(
-        "colours cannot say \"" + std::string(key) + "\"", {},
+        "there is no colouring \"" + std::string(key) + "\"", {},
         "one of " + joined(colourings(), ", ", &ColouringRow::key) +
             (names.empty() ? "; the tree's file has no data" : "; data of the tree's file: " + names.substr(2)));
 }

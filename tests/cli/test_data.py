@@ -435,7 +435,7 @@ class Colours(Data):
 
     def test_what_cannot_be(self):
         for options, says, status in (
-                (("--colour-by", "velocity"), ["colours cannot say \"velocity\"", "pressure, diameter, flow"], 1),
+                (("--colour-by", "velocity"), ["there is no colouring \"velocity\"", "pressure, diameter, flow"], 1),
                 (("--colour-by", "file:velocity"), ["velocity"], 1),
                 (("--colour-range", "0,10", "--colour-log", "on"), ["cannot begin at 0"], 1),
                 (("--colour-range", "10,0"), ["MIN,MAX"], 2), (("--colour-map", "rainbow"), ["rainbow"], 2),

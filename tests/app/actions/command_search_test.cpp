@@ -95,6 +95,10 @@ TEST_CASE("a command that is typed with its arguments is known by its name") {
     CHECK(command_given_by("panel surface") == find_command("panel"));
     CHECK(command_given_by("theme light") == find_command("theme"));
     CHECK(command_given_by("ui-scale auto") == find_command("ui-scale"));
+    // Files, lists of numbers and names with a hyphen are typed as in a script, whatever words are found in them.
+    for (const char* typed : {"save /data/case.ramus.json", "hide-system portal", "colour-by file:flow.mean",
+                              "compare side-by-side cs,iso"})
+        CHECK_MESSAGE(command_given_by(typed) != nullptr, typed);
     for (const char* entry : {"view left", "ui-scale larger", "background white", "Side panel"})
         CHECK_MESSAGE(command_given_by(entry) == nullptr, entry);
     for (const char* none : {"", "select", "select  ", "no-command 3", "show-all 3", " select 3"})

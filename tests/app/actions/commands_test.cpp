@@ -132,7 +132,7 @@ TEST_CASE("a line that fails is named by file and line, and changes nothing") {
     CHECK(stage.bad("shot \"a.png").starts_with("c.txt:1: a double quote is not closed"));
     CHECK(stage.bad("surface detail 2").starts_with("c.txt:1: surface takes a name and a value"));
     CHECK(stage.bad("surface detail 16.5").starts_with("c.txt:1: surface takes a name and a value"));
-    CHECK(stage.bad("colour-by mood").starts_with("c.txt:1: colours cannot say \"mood\""));
+    CHECK(stage.bad("colour-by mood").starts_with("c.txt:1: there is no colouring \"mood\""));
     CHECK(stage.bad("help").starts_with("c.txt:1: there is no help without a window"));
     CHECK(stage.bad("save /nowhere/s.json").starts_with("c.txt:1: /nowhere/s.json: "));
     CHECK(stage.document.session() == before);
