@@ -1,6 +1,7 @@
 #include "app/session/document.h"
 
 #include "app/session/carry_over.h"
+#include "app/session/most_marks.h"
 #include "app/session/tree_edits.h"
 
 #include <algorithm>
@@ -52,6 +53,7 @@ Result<void> Document::take_edit(const MadeEdit& made) {
     if (made.before != tree_) return fail("the tree was edited meanwhile", {}, "do it again");
     Marks next = carried_over(session_.marks, *tree_, *made.after);
     next.edits.push_back(made.edit);
+    if (auto few = check_counts(next); !few) return few;
     std::erase_if(known_, [&](const EditedState& state) { return state.edits >= next.edits.size(); });
     tree_ = std::shared_ptr<const tree::VesselTree>(made.after, &made.after->tree);
     facts_ = made.facts;

@@ -82,6 +82,25 @@ TreeFile tree_file(const json& value, const fs::path& folder) {
     return file;
 }
 
+std::vector<fs::path> named_files(const Session& session) {
+    const Marks& marks = session.marks;
+    std::vector<fs::path> files{session.tree.path, marks.reading.data, marks.comparison.mask, marks.deviation.file};
+    files.insert(files.end(), marks.lesion_meshes.begin(), marks.lesion_meshes.end());
+    for (const ContextItem& item : marks.context) files.emplace_back(item.file);
+    return files;
+}
+
+// A session may come from somebody else, and a pipe or a device would be waited for without end. What is missing is
+// told where it is read.
+void check_named_files(const Session& session) {
+    for (const fs::path& file : named_files(session)) {
+        std::error_code error;
+        const fs::file_status status = fs::status(file, error);
+        if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
+            throw Refusal{"it names " + file.string() + ", which is no regular file"};
+    }
+}
+
 } // namespace
 
 Result<SavedSession> session_from_json(const json& value, const fs::path& folder, const std::string& where) {
@@ -117,6 +136,7 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
         if (value.contains("reading")) session.marks.reading = reading_in(value["reading"], folder);
         if (const auto few = check_counts(session.marks); !few) throw Refusal{few.error().what};
         if (value["tree"].is_null() && session.marks.context.empty()) throw Refusal{"it shows nothing"};
+        check_named_files(session);
         if (value.contains("camera")) {
             RAMUS_TRY(camera, render::camera_from_json(value["camera"], where));
             session.camera = camera;
@@ -128,20 +148,6 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
     }
 }
 
-namespace {
-
-// Some are read late, or never; the session is worth nothing without them.
-void note_named_files(const Session& session) {
-    io::note_input(session.tree.path);
-    for (const std::string& mesh : session.marks.lesion_meshes) io::note_input(mesh);
-    for (const ContextItem& item : session.marks.context) io::note_input(item.file);
-    io::note_input(session.marks.reading.data);
-    io::note_input(session.marks.comparison.mask);
-    io::note_input(session.marks.deviation.file);
-}
-
-} // namespace
-
 Result<SavedSession> read_session(const fs::path& path) {
     RAMUS_TRY(text, io::read_file(path, kMostSessionBytes, io::InputKind::kSession));
     auto parsed = io::parsed_json(text, path.string());
@@ -151,7 +157,8 @@ Result<SavedSession> read_session(const fs::path& path) {
     }
     const json value = std::move(*parsed);
     auto saved = session_from_json(value, fs::absolute(path).parent_path(), path.string());
-    if (saved) note_named_files(saved->session);
+    if (saved) // some are read late, or never; the session is worth nothing without them
+        for (const fs::path& file : named_files(saved->session)) io::note_input(file);
     return saved;
 }
 

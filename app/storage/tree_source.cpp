@@ -1,12 +1,13 @@
 #include "app/storage/tree_source.h"
 
+#include "core/io/json_text.h"
 #include "core/io/trees/branch_table.h"
 #include "core/io/trees/mask_tree.h"
 #include "core/io/volumes/volume_file.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
@@ -18,18 +19,9 @@ bool is_session_file(const fs::path& path) {
     std::error_code ignored;
     if (path.extension() != ".json" || !fs::is_regular_file(path, ignored)) return false;
     std::ifstream stream(path, std::ios::binary);
-    // The names at the top are enough: what is inside them is thrown away while it is read.
-    bool has_version = false;
-    bool has_tree = false;
-    const auto keep = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
-        if (event == nlohmann::json::parse_event_t::key && depth == 1) {
-            has_tree |= parsed == "tree";
-            has_version |= parsed == "version";
-        }
-        return depth < 1;
-    };
-    const auto parsed = nlohmann::json::parse(stream, keep, false);
-    return !parsed.is_discarded() && has_tree && has_version;
+    const std::vector<std::string> names = io::json_names(stream);
+    const auto has = [&](const char* name) { return std::ranges::find(names, name) != names.end(); };
+    return has("tree") && has("version");
 }
 
 Result<tree::VesselTree> read_tree_or_mask(const fs::path& path, const io::ReadOptions& options, double memory_bytes,

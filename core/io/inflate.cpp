@@ -23,7 +23,7 @@ tl::unexpected<Error> damaged(const std::string& where, const char* what) {
 bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b\x08"); }
 
 std::uint64_t inflation_limit(std::uint64_t compressed) {
-    return std::clamp<std::uint64_t>(compressed * 200, 64U << 20, 2048ULL << 20);
+    return std::clamp<std::uint64_t>(compressed * 200, 16U << 20, 2048ULL << 20);
 }
 
 Result<std::string> inflated(std::string_view bytes, std::uint64_t limit, const std::string& where) {

@@ -1,10 +1,13 @@
 """Files, names and numbers that were made to do harm: each is taken for what it is, or refused with a word."""
 
+import gzip
 import json
 import os
+import pathlib
 import resource
 import socket
 import subprocess
+import sys
 import time
 import unittest
 
@@ -50,6 +53,61 @@ class Json(Hostile):
         self.expect_failure("render", "tree.swc", "--camera", "camera.json", "-o", "a.png", *SIZE, says=["camera.json"])
         self.assertNotIn("a.png", self.names())
 
+    def peak(self, *arguments):
+        """Status, standard error, and the most memory in MiB of a run."""
+        # A process that is forked begins with its parent's memory, so the parent is a small one.
+        wait = "import os, sys; pid = os.spawnv(os.P_NOWAIT, sys.argv[1], sys.argv[1:]); _, status, usage = os.wait4(pid, 0); " \
+               "print(os.waitstatus_to_exitcode(status), usage.ru_maxrss >> 10)"
+        result = subprocess.run([sys.executable, "-c", wait, RAMUS, *map(str, arguments)], cwd=self.folder, text=True,
+                                capture_output=True, timeout=120, check=True)
+        status, most = result.stdout.split()[-2:]
+        return int(status), result.stderr, int(most) - (SANITIZER_MEMORY >> 20)
+
+    def test_values_of_json_do_not_fill_the_memory(self):
+        head = '{"format": "ramus-tree", "version": 2, "units": "mm", "orientation": "RAS", "points": [[0,0,0,1],[9,0,0,1]], ' \
+               '"branches": [[0,1]], "roots": [0], '
+        count = 2_000_000
+        for name, element in (("lists", "[]"), ("objects", "{}"), ("texts", '""'), ("numbers", "1"), ("nested", "[[[]]]"),
+                              ("members", '{"a":{}}')):
+            many = "[" + ",".join([element] * count) + "]"
+            files = {"points.json": head.replace("[[0,0,0,1],[9,0,0,1]]", many) + '"notes": []}',
+                     "branches.json": head.replace("[[0,1]]", many) + '"notes": []}',
+                     "notes.json": head + '"notes": %s}' % many,
+                     "systems.json": head + '"systems": %s}' % many,
+                     "more.json": head + '"more": [%s]}' % many,
+                     "a.mrk.json": '{"@schema": "markups-schema", "markups": %s}' % many,
+                     "b.mrk.json": '{"@schema": "markups-schema", "markups": [{"type": "Curve", "controlPoints": %s}]}' % many,
+                     "c.mrk.json": '{"@schema": "markups-schema", "markups": [], "ramus": {"curves": [%s]}}' % many,
+                     "a.vvg": '{"graph": {"nodes": %s, "edges": []}}' % many,
+                     "b.vvg": '{"graph": {"nodes": [{"id": 1, "pos": [0,0,0], "voxels_": %s}], "edges": %s}}' % (many, many)}
+            for file, text in files.items():
+                if element != "[]" and file not in ("points.json", "b.mrk.json"):
+                    continue
+                with self.subTest(name, file=file):
+                    self.write(file, text)
+                    status, error, most = self.peak("info", file)
+                    self.assertIn(status, (0, 1), error)
+                    # What an idle run has, the text twice, and the values that are kept at once.
+                    self.assertLess(most, 60 + 2 * (len(text) >> 20) + 170, (status, error))
+            for member in ("tree", "selection", "context", "options", "cuts") if element == "[]" else ("context",):
+                with self.subTest(name, member=member):
+                    self.write("s.ramus.json", '{"version": 1, "tree": {"path": "tree.swc"}, "%s": %s}' % (member, many))
+                    status, error, most = self.peak("mesh", "tree.swc", "--session", "s.ramus.json", "-o", "a.stl")
+                    self.assertEqual(status, 1, error)
+                    self.assertLess(most, 60 + 2 * (len(many) >> 20) + 170, error)
+
+    def test_a_small_file_stays_small(self):
+        shared = pathlib.Path(__file__).parents[2] / "../shared/data/hostile/json_memory_58kB.json.gz"
+        bomb = gzip.compress(b'{"format":"ramus-tree","points":[' + b"[]," * 20_000_000)
+        for file in (self.write("bomb.json.gz", bomb), shared):
+            if not file.exists():
+                print("skipped: there is no", file)
+                continue
+            status, error, most = self.peak("info", file)
+            self.assertEqual(status, 1, error)
+            self.assertIn("grow to more than 16 MiB", error)
+            self.assertLess(most, 100, error)
+
     def test_sessions_have_so_much_and_no_more(self):
         for count, status in ((10_001, 1), (10_000, 0)):
             for name, value in (("cuts", [[0, i / count] for i in range(count)]),
@@ -60,10 +118,62 @@ class Json(Hostile):
                     result = self.bounded("render", "--session", "s.ramus.json", "-o", "a.png", *SIZE, megabytes=1000)
                     self.assertEqual(result.returncode, status, result.stderr)
                     self.assertEqual("10,001 " + name in result.stderr, status == 1, result.stderr)
+        for name, most, value in (("edits", 1000, {"edit": "scale", "branches": [1], "value": 1.0001}),
+                                  ("context shapes", 500, {"path": "tet.stl"}), ("lesion meshes", 500, "tet.stl")):
+            for count in (9000, most + 1):
+                with self.subTest(name, count=count):
+                    member = name.split(" shapes")[0].replace(" ", "_")
+                    self.write("s.ramus.json", json.dumps({"version": 1, "tree": {"path": "tree.swc"}, member: [value] * count}))
+                    self.expect_failure("render", "--session", "s.ramus.json", "-o", "a.png", *SIZE,
+                                        says=[f"{count:,} {name}, where there can be {most:,}"])
+        self.write("s.ramus.json", json.dumps({"version": 1, "tree": {"path": "tree.swc"}, "edits": [
+            {"edit": "scale", "branches": [1], "value": 1.0001}] * 1000}))
+        begun = time.monotonic()
+        self.expect_done("convert", "tree.swc", "--session", "s.ramus.json", "-o", "a.swc")
+        self.assertLess(time.monotonic() - begun, 10 if not SANITIZER_MEMORY else 60)
+        self.write("c.txt", "cut 1 0.5\n")
         self.write("s.ramus.json", json.dumps({"version": 1, "tree": {"path": "tree.swc"},
                                                "cuts": [[0, i / 10_000] for i in range(10_000)]}))
         self.write("c.txt", "cut 1 0.5\n")
         self.expect_failure("render", "--session", "s.ramus.json", "--commands", "c.txt", *SIZE, says=["10,001 cuts"])
+
+
+class NamedFiles(Hostile):
+    def test_a_session_names_regular_files(self):
+        os.mkfifo(self.folder / "ff")
+        (self.folder / "link.swc").symlink_to("ff")
+        for name in ("ff", "link.swc", "/dev/zero"):
+            for members in ({"tree": {"path": name}}, {"context": [{"path": name}]}, {"lesion_meshes": [name]},
+                            {"comparison": {"mask": name}}, {"deviation": {"mesh": name}}):
+                with self.subTest(name, members=members):
+                    self.write("s.ramus.json", json.dumps({"version": 1, "tree": {"path": "tree.swc"}} | members))
+                    result = subprocess.run([RAMUS, "render", "--session", "s.ramus.json", "-o", "a.png", *SIZE], text=True,
+                                            cwd=self.folder, capture_output=True, timeout=10, check=False)
+                    self.assertEqual(result.returncode, 1, result.stderr)
+                    self.assertIn("no regular file", result.stderr)
+
+    def test_values_of_a_header_lie_with_it_behind_links(self):
+        (self.folder / "in").mkdir()
+        (self.folder / "in/deep").mkdir()
+        values = bytes(60 * 60)
+        self.write("outside.raw", values)
+        self.write("in/inside.raw", values)
+        for name, target, good in (("a.raw", "../outside.raw", False), ("b.raw", "inside.raw", True),
+                                   ("c.raw", "/etc/passwd", False), ("deep/d.raw", "../inside.raw", True),
+                                   ("e.raw", "a.raw", False), ("f.raw", str(self.folder / "in/inside.raw"), True)):
+            (self.folder / "in" / name).symlink_to(target)
+            for file, header in (("v.nhdr", "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 60 60 1\nencoding: raw\ndata file: %s\n"),
+                                 ("l.nhdr", "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 60 60 1\nencoding: raw\ndata file: LIST\n%s\n"),
+                                 ("v.mhd", "ObjectType = Image\nNDims = 3\nDimSize = 60 60 1\nElementType = MET_UCHAR\n"
+                                           "ElementDataFile = %s\n")):
+                with self.subTest(name, file=file):
+                    self.write("in/" + file, header % name)
+                    result = self.run_ramus("info", "in/" + file)
+                    self.assertEqual("outside of the header's folder" in result.stderr, not good, result.stderr)
+                    self.assertEqual(result.returncode, 0 if good else 1, result.stderr)
+        (self.folder / "way").symlink_to("in")  # the folder may be a link itself
+        self.write("in/v.nhdr", "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 60 60 1\nencoding: raw\ndata file: inside.raw\n")
+        self.expect_done("info", "way/v.nhdr")
 
 
 class Terminal(Hostile):

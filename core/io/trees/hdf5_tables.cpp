@@ -3,6 +3,7 @@
 #include "core/base/own_process.h"
 #include "core/io/inflate.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -164,7 +165,8 @@ Result<std::vector<Hdf5Table>> from_answer(std::string_view answer, std::size_t 
 Result<std::vector<Hdf5Table>> read_hdf5_tables(std::string_view file, const std::vector<std::string>& names,
                                                 const std::string& where) {
     ProcessLimits limits;
-    limits.memory = 4 * file.size() + 3 * inflation_limit(file.size());
+    constexpr std::uint64_t kLibrary = std::uint64_t{192} << 20; // for itself
+    limits.memory = 4 * file.size() + std::max(3 * inflation_limit(file.size()), kLibrary);
     limits.answer = inflation_limit(file.size()) * names.size();
     std::string input;
     for (const std::string& name : names) input += name + "\n";

@@ -42,4 +42,9 @@ std::optional<double> json_real(const json* value) {
     return value != nullptr && value->is_number() ? std::optional(value->get<double>()) : std::nullopt;
 }
 
+std::uint32_t json_index(const json& value) {
+    return value.is_number_unsigned() && value.get<std::uint64_t>() < kNoJsonIndex ? value.get<std::uint32_t>()
+                                                                                   : kNoJsonIndex;
+}
+
 } // namespace ramus::io

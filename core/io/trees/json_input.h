@@ -3,7 +3,9 @@
 
 #include "core/io/json_text.h"
 
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -24,5 +26,8 @@ namespace ramus::io {
 [[nodiscard]] std::optional<glm::dvec3> json_position(const nlohmann::json* value);
 // A number; none where it is missing, or no number at all.
 [[nodiscard]] std::optional<double> json_real(const nlohmann::json* value);
+// A whole number from 0 to below kNoJsonIndex; kNoJsonIndex: it is none.
+inline constexpr std::uint32_t kNoJsonIndex = std::numeric_limits<std::uint32_t>::max();
+[[nodiscard]] std::uint32_t json_index(const nlohmann::json& value);
 
 } // namespace ramus::io

@@ -2,6 +2,7 @@
 
 #include "core/io/output_file.h"
 #include "core/io/trees/json_input.h"
+#include "core/io/trees/tree_json_lists.h"
 #include "core/tree/voxels.h"
 
 #include <algorithm>
@@ -20,18 +21,15 @@ using nlohmann::json;
 constexpr const char* kFormat = "ramus-tree";
 constexpr int kVersion = 2; // 1 has no systems, and of the notes the repairs alone, as sentences
 
-constexpr std::pair<tree::Note::Kind, const char*> kNoteKinds[] = {{tree::Note::Kind::kAssumed, "assumed"},
-                                                                   {tree::Note::Kind::kRepaired, "repaired"},
-                                                                   {tree::Note::Kind::kSuspect, "suspect"}};
-
-// Unwinds to parse_tree_json(), where it becomes the Error it carries; the checks below are many and deep.
-struct Refused {
-    Error error;
-};
-
-class Reader {
+class Reader : private TreeJsonValues {
 public:
-    Reader(const json& document, const std::string& name) : document_(document), name_(name) {}
+    explicit Reader(const std::string& name) : TreeJsonValues(name) {}
+
+    Result<void> parse(std::string_view text, const std::string& name) {
+        RAMUS_TRY(document, parsed_json(text, name, [this](JsonPath list) { return lists_.taker_of(list); }));
+        document_ = std::move(document);
+        return {};
+    }
 
     void check_header() const {
         if (!document_.is_object()) refuse("", "is not a ramus tree: it holds no JSON object");
@@ -52,33 +50,27 @@ public:
             refuse("orientation", "is '" + orientation + "', not 'RAS'", "convert the coordinates to RAS");
     }
 
-    [[nodiscard]] tree::Graph graph() const {
+    // Once. What is wrong with a list comes behind the header: of a newer version it may be right.
+    [[nodiscard]] tree::Graph graph() {
+        if (lists_.wrong) throw RefusedTreeJson{*lists_.wrong};
+        for (const char* key : {"points", "branches", "roots"}) check_list(key);
         tree::Graph graph;
-        const json& points = array("points");
-        if (points.size() > std::numeric_limits<std::uint32_t>::max()) refuse("points", "are too many");
-        graph.points.reserve(points.size());
-        for (std::size_t p = 0; p < points.size(); ++p) {
-            const std::array<double, 4> values = numbers<4>(points[p], element("points", p), "[x, y, z, radius]");
-            graph.points.push_back({{values[0], values[1], values[2]}, values[3]});
-        }
+        graph.points = std::move(lists_.points);
         read_labels(graph);
-        graph.point_data = data("point_data", points.size(), "points");
-        const json& branches = array("branches");
+        graph.point_data = data("point_data", lists_.point_data, graph.points.size(), "points");
         std::vector<std::size_t> edge_branches;
-        for (std::size_t b = 0; b < branches.size(); ++b) {
+        for (std::size_t b = 0; b < lists_.branches(); ++b) {
+            const std::span<const std::uint32_t> row = lists_.branch(b);
             const std::string place = element("branches", b);
-            const json& row = branches[b];
-            if (!row.is_array() || row.size() < 2) refuse(place, "is not a list of at least two point indices");
             for (std::size_t i = 1; i < row.size(); ++i)
-                graph.edges.emplace_back(index(row[i - 1], place, i - 1, points.size()),
-                                         index(row[i], place, i, points.size()));
+                graph.edges.emplace_back(index(row[i - 1], place, i - 1, graph.points.size()),
+                                         index(row[i], place, i, graph.points.size()));
             edge_branches.resize(graph.edges.size(), b);
         }
-        graph.edge_data = picked(data("branch_data", branches.size(), "branches"), edge_branches);
+        graph.edge_data = picked(data("branch_data", lists_.branch_data, lists_.branches(), "branches"), edge_branches);
         read_systems(graph);
-        const json& roots = array("roots");
-        for (std::size_t r = 0; r < roots.size(); ++r)
-            graph.roots.push_back(index(roots[r], "roots", r, points.size()));
+        for (std::size_t r = 0; r < lists_.roots.size(); ++r)
+            graph.roots.push_back(index(lists_.roots[r], "roots", r, graph.points.size()));
         return graph;
     }
 
@@ -89,7 +81,8 @@ public:
     [[nodiscard]] std::optional<glm::dmat3> voxel() const {
         const std::string key = "voxel_mm";
         if (!document_.contains(key)) return std::nullopt;
-        const json& edges = array(key);
+        check_list(key);
+        const json& edges = document_[key];
         if (edges.size() != 3) refuse(key, "is not a list of three edges");
         glm::dmat3 voxel(0.0);
         for (std::size_t edge = 0; edge < 3; ++edge) {
@@ -100,82 +93,31 @@ public:
         return voxel;
     }
 
-    [[nodiscard]] std::vector<tree::Note> notes() const {
-        std::vector<tree::Note> notes;
+    // Once.
+    [[nodiscard]] std::vector<tree::Note> notes() {
         const bool old = document_.contains("repairs");
-        const std::string key = old ? "repairs" : "notes";
-        if (!document_.contains(key)) return notes;
-        const json& list = array(key);
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            const std::string place = element(key, i);
-            if (old) {
-                notes.push_back({tree::Note::Kind::kRepaired, "", string(list[i], place), {}});
-                continue;
-            }
-            if (!list[i].is_object()) refuse(place, "is not an object");
-            tree::Note note{kind_of(string(list[i].value("kind", json()), place + ".kind"), place),
-                            string(list[i].value("topic", json()), place + ".topic"),
-                            string(list[i].value("text", json()), place + ".text"),
-                            {}};
-            if (list[i].contains("at")) {
-                const std::array<double, 3> at = numbers<3>(list[i]["at"], place + ".at", "[x, y, z]");
-                note.at = glm::dvec3(at[0], at[1], at[2]);
-            }
-            if (list[i].contains("outward")) {
-                const std::array<double, 3> out = numbers<3>(list[i]["outward"], place + ".outward", "[x, y, z]");
-                note.outward = glm::dvec3(out[0], out[1], out[2]);
-                if (!(std::abs(glm::length(*note.outward) - 1.0) < 1e-6))
-                    refuse(place + ".outward", "is not of length 1");
-            }
-            notes.push_back(std::move(note));
-        }
-        return notes;
+        if (old || document_.contains("notes")) check_list(old ? "repairs" : "notes");
+        return std::move(old ? lists_.repairs : lists_.notes);
     }
 
 private:
-    [[noreturn]] void refuse(const std::string& place, const std::string& what,
-                             const std::string& hint = "edit the file or write it anew with `ramus convert`") const {
-        throw Refused{{what, place.empty() ? name_ : name_ + ": " + place, hint}};
-    }
-    static std::string element(const std::string& list, std::size_t i) { return list + "[" + std::to_string(i) + "]"; }
-
     [[nodiscard]] const json& member(const std::string& key) const {
         const auto found = document_.find(key);
         if (found == document_.end()) refuse(key, "is missing");
         return *found;
     }
-    [[nodiscard]] const json& array(const std::string& key) const {
-        const json& value = member(key);
-        if (!value.is_array()) refuse(key, "is not a list");
-        return value;
+    void check_list(const std::string& key) const {
+        if (!member(key).is_array()) refuse(key, "is not a list");
     }
     [[nodiscard]] std::string text(const std::string& key) const { return string(member(key), key); }
-    [[nodiscard]] std::string string(const json& value, const std::string& place) const {
-        if (!value.is_string()) refuse(place, "is not text");
-        return value.get<std::string>();
-    }
-    template <std::size_t N>
-    [[nodiscard]] std::array<double, N> numbers(const json& row, const std::string& place, const char* form) const {
-        if (!row.is_array() || row.size() != N) refuse(place, std::string("is not ") + form);
-        std::array<double, N> values{};
-        for (std::size_t c = 0; c < N; ++c) {
-            if (!row[c].is_number()) refuse(element(place, c), "is not a number");
-            values[c] = row[c].get<double>();
-        }
-        return values;
-    }
-    [[nodiscard]] tree::Note::Kind kind_of(const std::string& word, const std::string& place) const {
-        for (const auto& [kind, name] : kNoteKinds)
-            if (word == name) return kind;
-        refuse(place + ".kind", "is not assumed, repaired or suspect");
-    }
-    [[nodiscard]] std::uint32_t index(const json& value, const std::string& list, std::size_t i,
+    [[nodiscard]] std::uint32_t index(std::uint32_t value, const std::string& list, std::size_t i,
                                       std::size_t count) const {
-        if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= count)
+        if (value >= count)
             refuse(element(list, i), "is not the index of one of the " + std::to_string(count) + " points");
-        return value.get<std::uint32_t>();
+        return value;
     }
-    [[nodiscard]] tree::DataArrays data(const std::string& key, std::size_t count, const char* things) const {
+    [[nodiscard]] tree::DataArrays data(const std::string& key, std::map<std::string, std::vector<double>>& read,
+                                        std::size_t count, const char* things) const {
         tree::DataArrays arrays;
         if (!document_.contains(key)) return arrays;
         const json& members = member(key);
@@ -185,23 +127,18 @@ private:
         for (const auto& [name, list] : members.items()) {
             const std::string place = key + "." + name;
             if (!list.is_array()) refuse(place, "is not a list");
-            if (list.size() != count)
+            std::vector<double>& values = read[name];
+            if (values.size() != count)
                 refuse(place,
-                       "has " + std::to_string(list.size()) + " values for " + std::to_string(count) + " " + things);
-            tree::DataArray one{name, {}};
-            one.values.reserve(count);
-            for (std::size_t i = 0; i < count; ++i) {
-                if (!list[i].is_number() && !list[i].is_null())
-                    refuse(element(place, i), "is neither a number nor null");
-                one.values.push_back(list[i].is_null() ? tree::kUnknownValue : list[i].get<double>());
-            }
-            arrays.push_back(std::move(one));
+                       "has " + std::to_string(values.size()) + " values for " + std::to_string(count) + " " + things);
+            arrays.push_back({name, std::move(values)});
         }
         return arrays;
     }
     void read_systems(tree::Graph& graph) const {
         if (!document_.contains("systems")) return;
-        const json& systems = array("systems");
+        check_list("systems");
+        const json& systems = document_["systems"];
         for (std::size_t i = 0; i < systems.size(); ++i) {
             const std::string place = element("systems", i);
             if (!systems[i].is_object()) refuse(place, "is not an object");
@@ -215,35 +152,28 @@ private:
             graph.systems.push_back(std::move(system));
         }
         if (graph.systems.empty()) return;
-        const json &branches = array("branches"), &of_branches = array("branch_systems");
-        if (of_branches.size() != branches.size())
-            refuse("branch_systems", "has " + std::to_string(of_branches.size()) + " entries for " +
-                                         std::to_string(branches.size()) + " branches");
+        check_list("branch_systems");
+        if (lists_.branch_systems.size() != lists_.branches())
+            refuse("branch_systems", "has " + std::to_string(lists_.branch_systems.size()) + " entries for " +
+                                         std::to_string(lists_.branches()) + " branches");
         graph.point_systems.assign(graph.points.size(), 0);
-        for (std::size_t b = 0; b < branches.size(); ++b) {
-            const json& value = of_branches[b];
-            if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= graph.systems.size())
-                refuse(element("branch_systems", b), "is not the index of a system");
-            for (const json& point : branches[b]) graph.point_systems[point.get<std::uint32_t>()] = value.get<int>();
+        for (std::size_t b = 0; b < lists_.branches(); ++b) {
+            const std::uint32_t system = lists_.branch_systems[b];
+            if (system >= graph.systems.size()) refuse(element("branch_systems", b), "is not the index of a system");
+            for (const std::uint32_t point : lists_.branch(b)) graph.point_systems[point] = static_cast<int>(system);
         }
     }
-    void read_labels(tree::Graph& graph) const {
+    void read_labels(tree::Graph& graph) {
         if (!document_.contains("labels")) return;
-        const json& labels = array("labels");
-        if (labels.size() != graph.points.size())
-            refuse("labels",
-                   "are " + std::to_string(labels.size()) + " for " + std::to_string(graph.points.size()) + " points");
-        graph.labels.reserve(labels.size());
-        for (std::size_t p = 0; p < labels.size(); ++p) {
-            if (!labels[p].is_number_integer() || labels[p] < std::numeric_limits<int>::min() ||
-                labels[p] > std::numeric_limits<int>::max())
-                refuse(element("labels", p), "is not a whole number of 32 bits");
-            graph.labels.push_back(labels[p].get<int>());
-        }
+        check_list("labels");
+        if (lists_.labels.size() != graph.points.size())
+            refuse("labels", "are " + std::to_string(lists_.labels.size()) + " for " +
+                                 std::to_string(graph.points.size()) + " points");
+        graph.labels = std::move(lists_.labels);
     }
 
-    const json& document_;
-    const std::string& name_;
+    json document_;
+    TreeJsonLists lists_{*this};
 };
 
 template <class List> void write_list(const List& values, BufferedFile& file) {
@@ -333,9 +263,9 @@ bool is_tree_json(std::string_view head) {
 
 Result<ImportedTree> parse_tree_json(const TreeInput& input) {
     const std::string& name = input.name;
-    RAMUS_TRY(document, parsed_json(input.text, name));
     try {
-        const Reader reader(document, name);
+        Reader reader(name);
+        if (auto parsed = reader.parse(input.text, name); !parsed) return tl::unexpected(parsed.error());
         reader.check_header();
         ImportedTree imported;
         imported.graph = reader.graph();
@@ -345,7 +275,7 @@ Result<ImportedTree> parse_tree_json(const TreeInput& input) {
         imported.voxel = reader.voxel();
         imported.place_of = [name](std::uint32_t point) { return name + ": points[" + std::to_string(point) + "]"; };
         return imported;
-    } catch (const Refused& refused) {
+    } catch (const RefusedTreeJson& refused) {
         return tl::unexpected(refused.error);
     }
 }

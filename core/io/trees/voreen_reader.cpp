@@ -43,22 +43,25 @@ std::string vvg_without_infinity(std::string_view text) {
     return plain;
 }
 
+// Objects are taken as they are read, so that memory holds their numbers and never a value of JSON for each voxel.
+// Nodes come first, edges in a second reading: a file may have them in either order.
 class VvgReader {
 public:
-    VvgReader(const TreeInput& input, const nlohmann::json& graph) : name_(input.name), json_(graph) {
+    explicit VvgReader(const TreeInput& input) : name_(input.name) {
         const auto asked = input.options.columns.find("radius");
         radius_name_ = asked == input.options.columns.end() ? "avgDistToSurface" : asked->second;
     }
 
-    Result<ImportedTree> read() {
-        const nlohmann::json *nodes = json_list(json_, "nodes"), *edges = json_list(json_, "edges");
-        if (nodes == nullptr || edges == nullptr)
-            return fail("there is no list of " + std::string(nodes == nullptr ? "nodes" : "edges"), name_, kVvgRemedy);
-        for (const nlohmann::json& node : *nodes)
-            if (auto good = read_node(node); !good) return tl::unexpected(good.error());
-        nodes_ = imported_.graph.points.size();
-        for (const nlohmann::json& edge : *edges)
-            if (auto good = read_edge(edge); !good) return tl::unexpected(good.error());
+    Result<ImportedTree> read(std::string_view text) {
+        RAMUS_TRY(names, parsed_json(text, name_, [](JsonPath /*list*/) { return JsonElements([](auto&) {}); }));
+        const nlohmann::json* member = json_member(names, "graph");
+        for (const char* key : {"nodes", "edges"})
+            if (json_list(member == nullptr ? names : *member, key) == nullptr)
+                return fail("there is no list of " + std::string(key), name_, kVvgRemedy);
+        depth_ = member == nullptr ? 0 : 1;
+        if (auto good = take(text, &VvgReader::node_taker); !good) return tl::unexpected(good.error());
+        nodes_ = edge_first_ = imported_.graph.points.size();
+        if (auto good = take(text, &VvgReader::edge_taker); !good) return tl::unexpected(good.error());
         if (imported_.graph.edges.empty()) return fail("no edge connects two nodes", name_, "choose another file");
         if (imported_.graph.points.size() >= std::numeric_limits<std::uint32_t>::max())
             return fail("the file has more points than can be counted", name_, "split it");
@@ -77,6 +80,42 @@ public:
     }
 
 private:
+    Result<void> take(std::string_view text, JsonElements (VvgReader::*taker)(JsonPath)) {
+        const auto rest = parsed_json(text, name_, [&](JsonPath list) {
+            const bool of_graph = list.size() > depth_ && (depth_ == 0 || list.front() == "graph");
+            return of_graph ? (this->*taker)(list.subspan(depth_)) : JsonElements([](auto&) {});
+        });
+        if (!rest) return tl::unexpected(rest.error());
+        return wrong_ ? Result<void>(tl::unexpected(*wrong_)) : Result<void>();
+    }
+
+    // After the first error nothing is taken any more.
+    template <class Read> JsonElements checked(const Read& read) {
+        return [this, read](const nlohmann::json& value) {
+            if (wrong_) return;
+            if (auto good = read(value); !good) wrong_ = good.error();
+        };
+    }
+
+    // Of an object's lists only its position is needed; which voxels a node has takes most of a file.
+    static bool is_position(JsonPath list) { return list.back() == "pos"; }
+
+    JsonElements node_taker(JsonPath list) {
+        if (list.front() == "nodes" && list.size() == 1)
+            return checked([this](const nlohmann::json& node) { return read_node(node); });
+        return list.front() == "nodes" && is_position(list) ? JsonElements() : [](auto&) {};
+    }
+
+    JsonElements edge_taker(JsonPath list) {
+        if (list.front() == "edges" && list.size() == 1)
+            return checked([this](const nlohmann::json& edge) { return read_edge(edge); });
+        if (list.front() == "edges" && list.size() == 3 && list.back() == "skeletonVoxels") {
+            imported_.graph.points.resize(edge_first_);
+            return checked([this](const nlohmann::json& voxel) { return read_voxel(voxel); });
+        }
+        return list.front() == "edges" && is_position(list) ? JsonElements() : [](auto&) {};
+    }
+
     // A distance that is one; else 0.
     static double vvg_radius(const nlohmann::json* value) {
         const double radius = json_real(value).value_or(0.0);
@@ -114,31 +153,36 @@ private:
         }
     }
 
+    [[nodiscard]] std::string edge_place() const { return name_ + ": edges[" + std::to_string(firsts_.size()) + "]"; }
+
+    Result<void> read_voxel(const nlohmann::json& voxel) {
+        const auto position = json_position(json_member(voxel, "pos"));
+        if (!position) return fail("a voxel of its skeleton has no pos of [x, y, z]", edge_place(), kVvgRemedy);
+        std::vector<tree::Point>& points = imported_.graph.points;
+        const std::size_t point = points.size();
+        points.push_back({*position, vvg_radius(json_member(voxel, radius_name_.c_str()))});
+        read_data(voxel, point_data_, point, point + 1);
+        return {};
+    }
+
+    // Its voxels have been read.
     Result<void> read_edge(const nlohmann::json& edge) {
         tree::Graph& graph = imported_.graph;
-        const std::size_t number = firsts_.size();
-        const auto place = [&] { return name_ + ": edges[" + std::to_string(number) + "]"; };
         std::uint32_t ends[2] = {};
         for (int side = 0; side < 2; ++side) {
             const char* key = side == 0 ? "node1" : "node2";
             const auto id = vvg_id(edge, key);
             const auto found = id ? index_of_.find(*id) : index_of_.end();
-            if (found == index_of_.end()) return fail(std::string(key) + " names no node", place(), kVvgRemedy);
+            if (found == index_of_.end()) return fail(std::string(key) + " names no node", edge_place(), kVvgRemedy);
             ends[side] = found->second;
         }
-        firsts_.push_back(static_cast<std::uint32_t>(graph.points.size()));
+        firsts_.push_back(static_cast<std::uint32_t>(edge_first_));
         const std::size_t first_link = graph.edges.size();
         std::uint32_t before = ends[0];
-        if (const nlohmann::json* voxels = json_list(edge, "skeletonVoxels"))
-            for (const nlohmann::json& voxel : *voxels) {
-                const auto position = json_position(json_member(voxel, "pos"));
-                if (!position) return fail("a voxel of its skeleton has no pos of [x, y, z]", place(), kVvgRemedy);
-                const auto point = static_cast<std::uint32_t>(graph.points.size());
-                graph.points.push_back({*position, vvg_radius(json_member(voxel, radius_name_.c_str()))});
-                read_data(voxel, point_data_, point, point + std::size_t{1});
-                graph.edges.emplace_back(before, point);
-                before = point;
-            }
+        for (; edge_first_ < graph.points.size(); ++edge_first_) {
+            graph.edges.emplace_back(before, static_cast<std::uint32_t>(edge_first_));
+            before = static_cast<std::uint32_t>(edge_first_);
+        }
         const nlohmann::json* whole = json_member(edge, "pathProperties");
         mean_radii_.push_back(whole == nullptr ? 0.0 : vvg_radius(json_member(*whole, "avgRadiusAvg")));
         if (before != ends[1] || ends[0] != ends[1]) graph.edges.emplace_back(before, ends[1]);
@@ -203,11 +247,12 @@ private:
     }
 
     const std::string& name_;
-    const nlohmann::json& json_;
     std::string radius_name_;
     ImportedTree imported_;
     SparseData point_data_, edge_data_;
-    std::size_t nodes_ = 0;
+    std::size_t depth_ = 0;                  // of keys that lead to the graph
+    std::size_t nodes_ = 0, edge_first_ = 0; // points that are nodes, and those before the edge that is read
+    std::optional<Error> wrong_;
     std::unordered_map<std::int64_t, std::uint32_t> index_of_;
     std::vector<std::uint32_t> firsts_; // by edge: its first voxel
     std::vector<tree::Edge> ends_;      // by edge: its nodes
@@ -223,10 +268,7 @@ bool is_voreen(std::string_view head) {
 }
 
 Result<ImportedTree> parse_voreen(const TreeInput& input) {
-    // Which voxels a node has takes most of the memory and says nothing about the tree.
-    RAMUS_TRY(document, parsed_json(vvg_without_infinity(input.text), input.name, "voxels_"));
-    const nlohmann::json* graph = json_member(document, "graph");
-    return VvgReader(input, graph == nullptr ? document : *graph).read();
+    return VvgReader(input).read(vvg_without_infinity(input.text));
 }
 
 } // namespace ramus::io

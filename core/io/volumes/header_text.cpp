@@ -81,11 +81,14 @@ Result<std::filesystem::path> values_path(const ByteSource& source, const std::s
     if (!std::filesystem::is_regular_file(path, error))
         return fail("its values are in " + path.string() + ", which is no regular file", source.name(),
                     "correct the header");
-    // A header that comes from somewhere shall not make a volume of any file of this machine.
-    if (*path.lexically_relative(folder).begin() == "..")
-        return fail("its values are said to be in " + path.string() + ", outside of the header's folder", source.name(),
-                    "put that file beside the header, and its name alone into it");
-    return path;
+    // A header that comes from somewhere must not make a volume of any file of this machine, by a link neither.
+    const std::filesystem::path target = std::filesystem::canonical(path, error);
+    const std::filesystem::path inside = std::filesystem::canonical(folder, error);
+    if (error || *path.lexically_relative(folder).begin() == ".." || *target.lexically_relative(inside).begin() == "..")
+        return fail("its values are said to be in " + (target.empty() ? path : target).string() +
+                        ", outside of the header's folder",
+                    source.name(), "put that file itself next to the header, and its name alone into it");
+    return target;
 }
 
 Result<ByteSource> open_values(const ByteSource& source, const std::string& name) {

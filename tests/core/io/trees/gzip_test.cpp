@@ -80,5 +80,5 @@ TEST_CASE("a small file cannot fill the memory by growing") {
     CHECK(memory.grown_mib() <
           2.5 * static_cast<double>(io::inflation_limit(bomb.size()) >> 20)); // a buffer that grows
 #endif
-    CHECK(io::inflation_limit(1000) == 64U << 20);
+    CHECK(io::inflation_limit(1000) == 16U << 20);
 }
