@@ -64,6 +64,14 @@ Result<Image> read_png(const std::filesystem::path& path) {
         png_image_free(&png);
         return fail("picture is too large", path.string(), "give one of at most 32768 pixels a side");
     }
+    // A pixel takes a bit at least, and no byte of a PNG stands for more than 1032.
+    constexpr std::uint64_t kMostPixelsAByte = 8 * 1032;
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+    if (!error && std::uint64_t{png.width} * png.height / kMostPixelsAByte > bytes) {
+        png_image_free(&png);
+        return fail("the picture claims more pixels than the file can hold", path.string(), "give another PNG file");
+    }
     png.format = PNG_FORMAT_RGBA;
     Image image(static_cast<int>(png.width), static_cast<int>(png.height));
     if (png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr) == 0) return refuse();

@@ -127,7 +127,8 @@ Result<void> VtkXmlData::read_header(const pugi::xml_node& root) {
     return {};
 }
 
-Result<std::string> VtkXmlData::decoded(std::string_view data, bool base64, const std::string& where) const {
+Result<std::string> VtkXmlData::decoded(std::string_view data, bool base64, std::uint64_t most,
+                                        const std::string& where) const {
     EncodedBytes bytes(data, base64);
     const auto header = [&](std::uint64_t count) -> std::optional<std::vector<std::int64_t>> {
         if (count > data.size()) return std::nullopt; // each takes more than a character
@@ -148,12 +149,16 @@ Result<std::string> VtkXmlData::decoded(std::string_view data, bool base64, cons
     if (!packed) return ends();
     bytes.next_piece();
     std::string all;
+    constexpr std::uint64_t kSmall = std::uint64_t{1} << 20; // which the reader tells more about
+    most = std::max(most, kSmall);
     for (std::uint64_t b = 0; b < count; ++b) {
         const std::int64_t last = sizes->at(1), full = sizes->at(0);
         const std::int64_t size = b + 1 == count && last != 0 ? last : full, small = packed->at(b);
         if (size < 0 || small < 0 ||
             !can_grow_to(compressor_, static_cast<std::uint64_t>(small), static_cast<std::uint64_t>(size)))
             return fail("a block of this array claims a size that it cannot have", where, kGetVtkAgain);
+        if (static_cast<std::uint64_t>(size) > most - all.size())
+            return fail("this array holds more values than the file declares", where, kGetVtkAgain);
         // Of all arrays: several may name the same bytes.
         unpacked_ += static_cast<std::uint64_t>(size);
         if (unpacked_ > inflation_limit(text_.size()))
@@ -169,15 +174,15 @@ Result<std::string> VtkXmlData::decoded(std::string_view data, bool base64, cons
     return all;
 }
 
-Result<std::string> VtkXmlData::bytes_of(const pugi::xml_node& array) const {
+Result<std::string> VtkXmlData::bytes_of(const pugi::xml_node& array, std::uint64_t most) const {
     const std::string where = place(array);
     if (std::string_view(array.attribute("format").value()) == "appended") {
         const std::uint64_t offset = array.attribute("offset").as_ullong(std::numeric_limits<std::uint64_t>::max());
         if (offset >= appended_.size())
             return fail("the data of this array would lie beyond the end of the file", where, kGetVtkAgain);
-        return decoded(appended_.substr(offset), appended_base64_, where);
+        return decoded(appended_.substr(offset), appended_base64_, most, where);
     }
-    return decoded(trimmed(array.child_value()), true, where);
+    return decoded(trimmed(array.child_value()), true, most, where);
 }
 
 namespace {
@@ -207,17 +212,17 @@ Result<NumberType> type_of(const pugi::xml_node& array, const std::string& where
 
 } // namespace
 
-Result<std::vector<double>> VtkXmlData::numbers(const pugi::xml_node& array) const {
+Result<std::vector<double>> VtkXmlData::numbers(const pugi::xml_node& array, std::uint64_t most) const {
     if (is_text(array)) return text_values<double>(array.child_value(), place(array), to_real);
     RAMUS_TRY(type, type_of(array, place(array)));
-    RAMUS_TRY(bytes, bytes_of(array));
+    RAMUS_TRY(bytes, bytes_of(array, std::min(most, kAnyNumber) * size_of(type)));
     return numbers_in(bytes, type, order_);
 }
 
-Result<std::vector<std::int64_t>> VtkXmlData::whole_numbers(const pugi::xml_node& array) const {
+Result<std::vector<std::int64_t>> VtkXmlData::whole_numbers(const pugi::xml_node& array, std::uint64_t most) const {
     if (is_text(array)) return text_values<std::int64_t>(array.child_value(), place(array), to_whole);
     RAMUS_TRY(type, type_of(array, place(array)));
-    RAMUS_TRY(bytes, bytes_of(array));
+    RAMUS_TRY(bytes, bytes_of(array, std::min(most, kAnyNumber) * size_of(type)));
     return whole_numbers_in(bytes, type, order_);
 }
 

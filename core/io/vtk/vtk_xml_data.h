@@ -7,6 +7,7 @@
 #include "core/io/vtk/vtk_blocks.h"
 
 #include <bit>
+#include <cstdint>
 #include <memory>
 #include <pugixml.hpp>
 #include <string>
@@ -24,15 +25,19 @@ public:
     // "liver.vtp:12", where an element stands.
     [[nodiscard]] std::string place(const pugi::xml_node& node) const;
 
-    // The values of a DataArray.
-    [[nodiscard]] Result<std::vector<double>> numbers(const pugi::xml_node& array) const;
-    [[nodiscard]] Result<std::vector<std::int64_t>> whole_numbers(const pugi::xml_node& array) const;
+    // The values of a DataArray. Fails before more than `most` of them are decompressed, and more than a megabyte.
+    static constexpr std::uint64_t kAnyNumber = std::uint64_t{1} << 58;
+    [[nodiscard]] Result<std::vector<double>> numbers(const pugi::xml_node& array,
+                                                      std::uint64_t most = kAnyNumber) const;
+    [[nodiscard]] Result<std::vector<std::int64_t>> whole_numbers(const pugi::xml_node& array,
+                                                                  std::uint64_t most = kAnyNumber) const;
 
 private:
     VtkXmlData() = default;
     [[nodiscard]] Result<void> read_header(const pugi::xml_node& root);
-    [[nodiscard]] Result<std::string> bytes_of(const pugi::xml_node& array) const;
-    [[nodiscard]] Result<std::string> decoded(std::string_view data, bool base64, const std::string& where) const;
+    [[nodiscard]] Result<std::string> bytes_of(const pugi::xml_node& array, std::uint64_t most) const;
+    [[nodiscard]] Result<std::string> decoded(std::string_view data, bool base64, std::uint64_t most,
+                                              const std::string& where) const;
 
     std::string_view text_;
     std::string name_;

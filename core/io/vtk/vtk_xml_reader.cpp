@@ -52,7 +52,7 @@ private:
         const pugi::xml_node array = piece.child("Points").child("DataArray");
         RAMUS_TRY(claimed, claim(piece, "NumberOfPoints"));
         if (array) {
-            RAMUS_TRY(values, xml_.numbers(array));
+            RAMUS_TRY(values, xml_.numbers(array, 3 * std::uint64_t{claimed}));
             if (values.size() != 3 * claimed)
                 return fail("the file declares " + counted(claimed, "point") + ", but lists " +
                                 std::to_string(values.size() / 3),
@@ -89,11 +89,12 @@ private:
         if (!points || !ends)
             return fail("connectivity or offsets are missing", xml_.place(cells ? cells : xml_.document().root()),
                         "the file is incomplete; get it again");
-        RAMUS_TRY(corners, xml_.whole_numbers(points));
-        RAMUS_TRY(offsets, xml_.whole_numbers(ends));
+        RAMUS_TRY(offsets, xml_.whole_numbers(ends, count));
         if (offsets.size() != count)
             return fail("the file declares " + counted(count, "cell") + ", but lists " + std::to_string(offsets.size()),
                         xml_.place(ends), "the file is incomplete or damaged; get it again");
+        const auto last = static_cast<std::uint64_t>(std::max<std::int64_t>(offsets.back(), 0));
+        RAMUS_TRY(corners, xml_.whole_numbers(points, last));
         std::vector<std::int64_t> cell;
         std::int64_t begin = 0;
         const std::string where = xml_.place(points);
@@ -137,7 +138,7 @@ private:
         if (!array)
             return fail("the types of the cells are missing", xml_.place(piece),
                         "the file is incomplete; get it again");
-        RAMUS_TRY(types, xml_.whole_numbers(array));
+        RAMUS_TRY(types, xml_.whole_numbers(array, count));
         if (types.size() != count)
             return fail("the file declares " + counted(count, "cell") + ", but lists the types of " +
                             std::to_string(types.size()),
@@ -165,7 +166,7 @@ private:
                 leave_out(name);
                 continue;
             }
-            auto read = xml_.numbers(array);
+            auto read = xml_.numbers(array, things);
             if (!is_needed && (!read || read->size() != things)) { // of no use, and no reason to refuse the tree
                 leave_out(name);
                 continue;
