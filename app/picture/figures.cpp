@@ -2,6 +2,7 @@
 
 #include "app/picture/colouring.h"
 #include "app/picture/video_file.h"
+#include "core/io/output_file.h"
 #include "render/image/text.h"
 #include "render/overlay/overlay.h"
 
@@ -295,6 +296,7 @@ Result<Turntable> write_turntable(render::SheetRenderer& renderer, const render:
         video.emplace(std::move(made));
     }
     Turntable table;
+    io::OutputSet pictures;
     const std::vector<render::Camera> cameras = cameras_around(sheet, options);
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         if (job.cancelled()) return fail("cancelled");
@@ -304,13 +306,15 @@ Result<Turntable> write_turntable(render::SheetRenderer& renderer, const render:
         RAMUS_TRY(figure, draw_figure(renderer, std::move(one), options));
         keep_common(table.scale_bar, figure.scale_bar, i == 0);
         const auto file = numbered(output, static_cast<int>(i), options.turntable);
-        const auto written = video ? video->add(figure.image) : render::write_png(figure.image, file);
+        const auto written = video ? video->add(figure.image) : render::write_png(figure.image, file, &pictures);
         if (!written) return tl::unexpected(written.error());
         if (!video) table.files.push_back(file);
     }
     if (video) {
         if (auto ended = video->commit(job); !ended) return tl::unexpected(ended.error());
         table.files.push_back(output);
+    } else if (auto written = pictures.commit(); !written) {
+        return tl::unexpected(written.error());
     }
     return table;
 }

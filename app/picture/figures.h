@@ -54,8 +54,8 @@ struct FourViews {
 void look_around(render::Sheet& sheet, const FigureOptions& options, std::size_t picture);
 
 // Once around the tree to the viewer's right, which stays whole in all of them where `options.whole`. name.png becomes
-// name_001.png, ...; name.mp4 is a video, which takes ffmpeg. What was written before it was cancelled stays, of
-// pictures.
+// name_001.png, ...; name.mp4 is a video, which takes ffmpeg. Files appear when all are drawn; cancelled before, none
+// does.
 struct Turntable {
     std::vector<std::filesystem::path> files;
     std::optional<render::ScaleBar> scale_bar; // as of Figure

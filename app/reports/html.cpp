@@ -127,6 +127,9 @@ std::string now_text() { return local_time_text(std::chrono::system_clock::now()
 std::string page_begin(const std::string& title, const std::string& what, const std::string& made) {
     const std::string name = html_text(title);
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+           // As of rating sheets, without their script: whatever a name may hold, nothing runs and nothing is loaded.
+           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
+           "'unsafe-inline'; form-action 'none'; base-uri 'none'\">\n<meta name=\"referrer\" content=\"no-referrer\">\n"
            "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
            name + " \xE2\x80\x93 ramus report</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" + name +
            "</h1>\n<p class=\"quiet\">" + html_text(what) + ", ramus " RAMUS_VERSION ", " + html_text(made) +

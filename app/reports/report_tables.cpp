@@ -359,19 +359,9 @@ Table validation_table(const Document& document, const Assets& assets) {
     return table;
 }
 
-namespace {
-
-// What spreadsheets would work out. A number is none, nor is a sign alone.
-bool begins_formula(std::string_view text) {
-    constexpr std::string_view kSigns = "=+-@\t\r";
-    return text.size() > 1 && kSigns.find(text.front()) != std::string_view::npos && !io::to_real(text);
-}
-
-} // namespace
-
 std::string csv_field(std::string_view text) {
-    const bool formula = begins_formula(text);
-    if (!formula && text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+    const bool formula = io::begins_formula(text);
+    if (!formula && text.find_first_of(",;\t\"\r\n") == std::string_view::npos) return std::string(text);
     std::string field = formula ? "\"'" : "\"";
     for (const char c : text) {
         if (c == '"') field += '"';

@@ -65,7 +65,8 @@ void add_unit(Table& table, const Lengths& lengths);
 [[nodiscard]] Table in_words(Table table);
 
 // RFC 4180: comma, CRLF, a heading line; quotes around and doubled quotes inside where a field needs them. UTF-8.
-// A name that spreadsheets would take for a formula has an apostrophe in front, which tells them that it is text.
+// A name that spreadsheets would take for a formula has an apostrophe in front, which tells them that it is text; names
+// with what other spreadsheets part cells by are in quotes.
 [[nodiscard]] std::string csv_of(const Table& table);
 [[nodiscard]] std::string csv_lines(const Table& table); // the same for standard output, whose lines end with LF alone
 [[nodiscard]] std::string csv_field(std::string_view text);

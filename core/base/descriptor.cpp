@@ -1,9 +1,23 @@
 #include "core/base/descriptor.h"
 
 #include <cerrno>
+#include <cstdlib>
+#include <fcntl.h>
+#include <string>
 #include <sys/socket.h>
 
 namespace ramus {
+
+int open_without_name(const std::filesystem::path& folder) {
+#ifdef O_TMPFILE
+    if (const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600); descriptor >= 0)
+        return descriptor;
+#endif
+    std::string name = (folder / "ramus-XXXXXX").string();
+    const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+    if (descriptor >= 0) ::unlink(name.c_str());
+    return descriptor;
+}
 
 bool send_all(int socket, std::string_view bytes) {
     while (!bytes.empty()) {

@@ -1,6 +1,7 @@
 // Descriptors of the operating system: one that is closed with its owner, and all of a text into a socket.
 #pragma once
 
+#include <filesystem>
 #include <string_view>
 #include <unistd.h>
 #include <utility>
@@ -16,11 +17,19 @@ public:
     void close() {
         if (number_ >= 0) ::close(std::exchange(number_, -1));
     }
+    void reset(int number) {
+        close();
+        number_ = number;
+    }
     [[nodiscard]] int number() const { return number_; }
 
 private:
     int number_;
 };
+
+// A file without a name in a folder, for reading and writing by this user: however the process ends, nothing is left of
+// it. -1: errno says why.
+[[nodiscard]] int open_without_name(const std::filesystem::path& folder);
 
 // Waits until the socket has taken all. False: its other end is closed, or it is none; no signal is raised then.
 [[nodiscard]] bool send_all(int socket, std::string_view bytes);

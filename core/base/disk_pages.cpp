@@ -37,18 +37,6 @@ fs::path folder_on_disk_of(const fs::path& target) {
     return fs::absolute(target).lexically_normal().parent_path();
 }
 
-int open_without_name(const fs::path& folder) {
-#ifdef O_TMPFILE
-    const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-    if (descriptor >= 0) return descriptor;
-#endif
-    // Not every file system can do that: a name for a moment, then.
-    std::string name = (folder / ".ramus-XXXXXX").string();
-    const int named = ::mkostemp(name.data(), O_CLOEXEC);
-    if (named >= 0) ::unlink(name.c_str());
-    return named;
-}
-
 std::string gigabytes(double bytes) { return in_digits(bytes / 1e9, 3) + " GB"; }
 
 } // namespace

@@ -24,12 +24,20 @@ fs::path folder_of(const fs::path& target) {
     return folder.empty() ? fs::path(".") : folder;
 }
 
-// Where the bytes shall finally lie: a link is followed, so that it stays a link.
+// Where the bytes finally lie: a link is followed, whether there is a file behind it or not, so that it stays a link.
+// Of links in a circle, one of them.
 fs::path final_path(const fs::path& target) {
+    constexpr int kMostLinks = 40; // as Linux
     std::error_code code;
-    if (!fs::is_symlink(target, code)) return fs::absolute(target, code);
-    const fs::path resolved = fs::weakly_canonical(target, code);
-    return code ? fs::absolute(target) : resolved;
+    fs::path path = fs::absolute(target, code);
+    for (int links = 0; links < kMostLinks && fs::is_symlink(path, code); ++links) {
+        const fs::path next = fs::read_symlink(path, code);
+        if (code) break;
+        // The folder as it is: ".." of a link's folder is that of the folder behind it.
+        const fs::path folder = fs::canonical(path.parent_path(), code);
+        path = code ? path.parent_path() / next : folder / next;
+    }
+    return path;
 }
 
 bool is_device(const fs::path& path) {
@@ -48,8 +56,10 @@ struct OutputFile::State {
 
     [[nodiscard]] bool has_name() const { return !unfinished.path().empty(); }
     [[nodiscard]] bool rename() {
+        const bool ours = is_ours_to_make(target);
         if (::rename(unfinished.path().c_str(), target.c_str()) != 0) return false;
         unfinished.keep();
+        if (ours) note_made(target);
         return true;
     }
     [[nodiscard]] bool exchange() const {
@@ -95,10 +105,15 @@ Result<void> check_output(const fs::path& target, InputKind kind) {
     if (const auto input = input_lost_by(place, kind))
         return fail("would be lost: this run reads it" + (*input == target ? "" : " as " + input->string()), where,
                     "nothing was written to it; give the output another name");
+    if (must_stay(place))
+        return fail("is there already, and a commands file replaces nothing that it did not make", where,
+                    "remove it, or give --overwrite if the commands are your own");
+    if (fs::is_symlink(place, code)) return fail("is a link that leads to itself", where, "remove it");
     const fs::path folder = folder_of(place);
     if (!fs::is_directory(folder, code))
-        return fail("the folder " + folder_of(target).string() + " does not exist", where,
-                    "create it first or choose another one");
+        return fail("the folder " + (fs::is_symlink(target, code) ? folder : folder_of(target)).string() +
+                        " does not exist",
+                    where, "create it first or choose another one");
     if (::access(folder.c_str(), W_OK | X_OK) != 0) return write_error(target, errno);
     if (fs::exists(place, code) && ::access(place.c_str(), W_OK) != 0) return write_error(target, errno);
     return {};
@@ -130,10 +145,11 @@ Result<OutputFile> OutputFile::create(const fs::path& target, InputKind kind) {
         if (const int code = state->name_by(open_named); code != 0) return write_error(target, code);
     forget_input(descriptor);
     OutputFile file(descriptor, std::move(state));
-    // A file that is replaced keeps its permissions, as far as this user may set them.
+    // A file that is replaced keeps its permissions, as far as this user may set them. Whose identity it ran with was
+    // for what it held.
     struct stat old {};
     if (::stat(file.state_->target.c_str(), &old) == 0) [[maybe_unused]]
-        const int ignored = ::fchmod(descriptor, old.st_mode & 07777);
+        const int ignored = ::fchmod(descriptor, old.st_mode & 0777);
     return file;
 }
 
@@ -169,6 +185,7 @@ Result<void> commit_both(OutputFile& first, OutputFile& second) {
     if (first.failed()) return write_error(one->asked, first.first_error_);
     if (second.failed()) return write_error(two->asked, second.first_error_);
     const auto held = hold_leftovers();
+    const bool first_ours = is_ours_to_make(one->target);
     // An older first file takes the name of the unfinished one meanwhile, where the file system can exchange names.
     const bool exchanged = one->has_name() && one->exchange();
     if (!exchanged && one->has_name()) {
@@ -176,7 +193,10 @@ Result<void> commit_both(OutputFile& first, OutputFile& second) {
         if (first.failed()) return write_error(one->asked, first.first_error_);
     }
     if (two->has_name()) second.keep_error(two->rename() ? 0 : -1);
-    if (!second.failed()) return {};
+    if (!second.failed()) {
+        if (first_ours) note_made(one->target);
+        return {};
+    }
     if (exchanged)
         (void)one->exchange();
     else

@@ -19,7 +19,8 @@
 namespace ramus::io {
 
 // Can a file be made there? Asked before long work starts: fails when the folder is missing or not writable, when
-// `target` is a folder itself, or a file that this run has read so far. `kind`: of what is written.
+// `target` is a folder itself, a file that this run has read so far, or one that must stay (run_inputs.h). `kind`: of
+// what is written.
 [[nodiscard]] Result<void> check_output(const std::filesystem::path& target, InputKind kind = InputKind::kFile);
 
 class OutputFile : public BufferedFile {

@@ -1,8 +1,10 @@
 #include "core/io/run_inputs.h"
 
+#include <atomic>
 #include <fcntl.h>
 #include <map>
 #include <mutex>
+#include <set>
 #include <sys/stat.h>
 #include <tuple>
 
@@ -28,7 +30,10 @@ struct Input {
 struct Register {
     std::mutex mutex;
     std::map<Identity, Input> inputs;
+    std::set<Identity> made;
 };
+
+std::atomic<int> keepers{0};
 
 Register& inputs_of_this_run() {
     static Register known;
@@ -68,6 +73,33 @@ std::optional<fs::path> input_lost_by(const fs::path& target, InputKind kind) {
     if (found == known.inputs.end()) return std::nullopt;
     const bool saved_again = kind == InputKind::kSession && found->second.kind == InputKind::kSession;
     return saved_again ? std::nullopt : std::optional(found->second.file);
+}
+
+KeepExistingFiles::KeepExistingFiles(bool keep) : keep_(keep) {
+    if (keep_) ++keepers;
+}
+KeepExistingFiles::~KeepExistingFiles() {
+    if (keep_) --keepers;
+}
+
+bool keeps_existing_files() { return keepers.load() > 0; }
+
+bool must_stay(const fs::path& target) { return keeps_existing_files() && !is_ours_to_make(target); }
+
+bool is_ours_to_make(const fs::path& target) {
+    const auto identity = identity_of(AT_FDCWD, target.c_str());
+    if (!identity) return true; // nothing, or a device
+    Register& known = inputs_of_this_run();
+    const std::scoped_lock lock(known.mutex);
+    return known.made.contains(*identity);
+}
+
+void note_made(const fs::path& file) {
+    const auto identity = identity_of(AT_FDCWD, file.c_str());
+    if (!identity) return;
+    Register& known = inputs_of_this_run();
+    const std::scoped_lock lock(known.mutex);
+    known.made.insert(*identity);
 }
 
 void forget_input(int descriptor) {

@@ -24,4 +24,24 @@ void note_input(const std::filesystem::path& file, InputKind kind = InputKind::k
 // For a file that was just made: an older one that is gone may have had its number.
 void forget_input(int descriptor);
 
+// While one lives, no output replaces a file that this run has not made itself: commands may come from somebody else.
+// Of the whole process: what another thread writes meanwhile counts as well.
+class KeepExistingFiles {
+public:
+    explicit KeepExistingFiles(bool keep);
+    ~KeepExistingFiles();
+    KeepExistingFiles(const KeepExistingFiles&) = delete;
+    KeepExistingFiles& operator=(const KeepExistingFiles&) = delete;
+
+private:
+    bool keep_;
+};
+[[nodiscard]] bool keeps_existing_files();
+
+// Whether `target` is a file that must stay as it is now.
+[[nodiscard]] bool must_stay(const std::filesystem::path& target);
+// Whether `target` is missing, or was made by this run: what comes to its place is then noted by note_made().
+[[nodiscard]] bool is_ours_to_make(const std::filesystem::path& target);
+void note_made(const std::filesystem::path& file);
+
 } // namespace ramus::io

@@ -1,5 +1,6 @@
 #include "core/io/standard_input.h"
 
+#include "core/base/descriptor.h"
 #include "core/io/recognise.h"
 
 #include <cerrno>
@@ -18,18 +19,6 @@ namespace ramus::io {
 namespace {
 
 constexpr const char* kName = "standard input";
-
-// A file without a name, for reading and writing; -1 with errno.
-int open_without_name(const std::filesystem::path& folder) {
-#ifdef O_TMPFILE
-    if (const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600); descriptor >= 0)
-        return descriptor;
-#endif
-    std::string name = (folder / "ramus-XXXXXX").string();
-    const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
-    if (descriptor >= 0) ::unlink(name.c_str());
-    return descriptor;
-}
 
 // As many bytes as there are, up to `bytes`; -1 with errno.
 ssize_t read_full(char* into, std::size_t bytes) {

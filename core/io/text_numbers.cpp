@@ -24,6 +24,11 @@ std::optional<double> to_real(std::string_view text) {
     return value;
 }
 
+bool begins_formula(std::string_view text) {
+    constexpr std::string_view kSigns = "=+-@\t\r";
+    return text.size() > 1 && kSigns.find(text.front()) != std::string_view::npos && !to_real(text);
+}
+
 std::optional<std::int64_t> to_whole(std::string_view text) {
     const auto whole = parsed<std::int64_t>(text);
     if (whole && std::abs(static_cast<double>(*whole)) < 9e15) return whole;

@@ -17,6 +17,10 @@ namespace ramus::io {
 // Whole numbers, though some programs write them with a decimal point. None: it is none, or beyond 9e15.
 [[nodiscard]] std::optional<std::int64_t> to_whole(std::string_view text);
 
+// Whether a spreadsheet would work it out: it begins with a sign of a formula, and is neither a number nor a sign
+// alone.
+[[nodiscard]] bool begins_formula(std::string_view text);
+
 // In quotes, without what a terminal would take for orders, and not too much of it.
 [[nodiscard]] std::string shown(std::string_view text);
 

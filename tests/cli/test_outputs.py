@@ -95,6 +95,86 @@ class Outputs(CommandLineTest):
                     self.assertEqual(self.names(), ["out.ply", "tree.swc"])
 
 
+    def test_a_replaced_file_keeps_no_special_bits(self):
+        for bits, kept in ((0o7777, 0o777), (0o4755, 0o755), (0o2750, 0o750), (0o1640, 0o640), (0o600, 0o600)):
+            for command, output in self.commands("ply", "json", "swc"):
+                with self.subTest(bits=oct(bits), output=output):
+                    path = self.write(output, "old")
+                    path.chmod(bits)
+                    self.expect_done(*command, output)
+                    self.assertEqual(oct(path.stat().st_mode & 0o7777), oct(kept))
+
+    def test_links_stay_links(self):
+        (self.folder / "deep").mkdir()
+        for command, output in self.commands("ply", "json"):
+            for target in ("new." + output, "deep/new." + output, str(self.folder / ("whole." + output))):
+                with self.subTest(output, target=target):
+                    link = self.folder / ("link-" + output)
+                    link.unlink(missing_ok=True)
+                    link.symlink_to(target)
+                    self.expect_done(*command, link.name)
+                    self.assertTrue(link.is_symlink())
+                    self.assertGreater((self.folder / target).stat().st_size, 10)
+            (self.folder / ("a." + output)).symlink_to("b." + output)
+            (self.folder / ("b." + output)).symlink_to("chain." + output)
+            self.expect_done(*command, "a." + output)
+            self.assertTrue((self.folder / ("b." + output)).is_symlink())
+            self.assertFalse((self.folder / ("chain." + output)).is_symlink())
+            nowhere = self.folder / ("nowhere." + output)
+            nowhere.symlink_to("missing/x." + output)
+            self.expect_failure(*command, nowhere.name, says=["missing", "does not exist"])
+            circle = self.folder / ("circle." + output)
+            circle.symlink_to(circle.name)
+            self.expect_failure(*command, circle.name, says=[circle.name])
+            self.assertTrue(nowhere.is_symlink() and circle.is_symlink())
+
+
+class Series(CommandLineTest):
+    """Several files that belong together come together."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("tree.swc", GOOD)
+
+    def stopped(self, *arguments, after, number=signal.SIGINT):
+        process = subprocess.Popen([RAMUS, *arguments], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        time.sleep(after)
+        process.send_signal(number)
+        _, errors = process.communicate(timeout=120)
+        return process.returncode, errors
+
+    def test_a_turntable_that_is_stopped_leaves_no_picture(self):
+        self.write("t_0001.png", "mine")
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
+            for after in (0.5, 1.5, 3):
+                with self.subTest(number=number, after=after):
+                    status, errors = self.stopped("render", "tree.swc", "-o", "t.png", "--turntable", "9999", "--size", "64x48",
+                                                  after=after, number=number)
+                    self.assertNotEqual(status, 0, errors)
+                    self.assertEqual(self.names(), ["t_0001.png", "tree.swc"])
+                    self.assertEqual((self.folder / "t_0001.png").read_text(), "mine")
+        self.expect_done("render", "tree.swc", "-o", "t.png", "--turntable", "3", "--size", "64x48")
+        self.assertEqual(self.names(), ["t_0001.png", "t_001.png", "t_002.png", "t_003.png", "tree.swc"])
+
+    def test_so_does_one_of_a_commands_file(self):
+        self.write("c", "export turntable t.png --pictures 9999 --size 64x48\n")
+        self.stopped("render", "tree.swc", "--commands", "c", "--size", "64x48", after=2)
+        self.assertEqual(self.names(), ["c", "tree.swc"])
+
+    def test_one_that_fails_leaves_none(self):
+        (self.folder / "t_003.png").mkdir()
+        self.expect_failure("render", "tree.swc", "-o", "t.png", "--turntable", "4", "--size", "64x48", says=["t_003.png", "folder"])
+        self.assertEqual(self.names(), ["t_003.png", "tree.swc"])
+
+    def test_a_study_that_fails_leaves_nothing(self):
+        self.write("loose.swc", "1 2 0 0 0 1 -1\n")
+        self.expect_failure("study", "loose.swc", "-o", "deep/s", "--size", "64x48")
+        self.assertEqual(self.names(), ["loose.swc", "tree.swc"])
+        (self.folder / "s/place_2_cones.png").mkdir(parents=True)
+        self.expect_failure("study", "tree.swc", "-o", "s", "--size", "64x48", says=["place_2_cones.png"])
+        self.assertEqual([path.name for path in (self.folder / "s").iterdir()], ["place_2_cones.png"])
+
+
 class Progress(CommandLineTest):
     def test_a_pipe_sees_no_progress(self):
         tree = self.write("tree.swc", TUBE)

@@ -9,10 +9,12 @@ namespace ramus::io {
 
 namespace {
 
-// In quotes where it must.
+// In quotes where it must. A name that spreadsheets would take for a formula has an apostrophe in front, which readers
+// remove (csv_rows.h).
 std::string csv_text(const std::string& text) {
-    if (text.find_first_of(";\"\r\n") == std::string::npos && text == trimmed(text)) return text;
-    std::string quoted = "\"";
+    const bool formula = begins_formula(text);
+    if (!formula && text.find_first_of(",;\t\"\r\n") == std::string::npos && text == trimmed(text)) return text;
+    std::string quoted = formula ? "\"'" : "\"";
     for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
     return quoted + "\"";
 }

@@ -49,6 +49,7 @@ Result<bool> CsvRows::next(std::vector<std::string_view>& cells) {
         line_ = next_line_;
         for (bool more = true; more;) {
             RAMUS_TRY(value, cell());
+            if (value.starts_with('\'') && begins_formula(value.substr(1))) value.remove_prefix(1);
             cells.push_back(value);
             more = at_ < text_.size() && text_[at_] == separator_;
             if (more) ++at_;

@@ -17,7 +17,8 @@ public:
     CsvRows(std::string_view text, std::string name);
 
     // The cells of the next row that is not blank, without blanks around them; false: there is none. They stay as
-    // they are until the next call. Fails where a quote does not end.
+    // they are until the next call. An apostrophe that keeps a spreadsheet from taking the cell for a formula is none
+    // of its text. Fails where a quote does not end.
     [[nodiscard]] Result<bool> next(std::vector<std::string_view>& cells);
 
     [[nodiscard]] std::size_t line() const { return line_; } // of the row last taken

@@ -133,7 +133,7 @@ TEST_CASE("the page is whole by itself, and what people wrote is text in it") {
     CHECK(page.find("&lt;tree&gt; &amp; &quot;co&quot;.swc") != std::string::npos);
     CHECK(page.find("abc123") != std::string::npos);
     CHECK(page.find("data:image/png;base64,iVBORw0KGgo") != std::string::npos);
-    CHECK(page.find("http") == std::string::npos); // nothing from elsewhere
+    CHECK(page.find("://") == std::string::npos); // nothing from elsewhere
     for (const char* title : {"Cuts", "Margins around lesions", "Lesions", "Measurements", "Selection", "Options"})
         CHECK_MESSAGE(page.find("<h2>" + std::string(title)) != std::string::npos, title);
     CHECK(page.find("1 vessel that is cut is over 5.00 mm wide") != std::string::npos);
