@@ -37,6 +37,7 @@ void add_window_flags(CLI::App& app, WindowOptions& window) {
     app.add_option("--commands", window.commands, "Run these commands as soon as the surface is ready")
         ->type_name("FILE")
         ->group(group);
+    app.add_flag("--overwrite", window.overwrite, kOverwriteHelp)->needs("--commands")->group(group);
     add_option(app, "--ui-scale", "FACTOR", window.scale, "Pixels per point; without it, what the display says")
         ->check(CLI::Range(0.5, 4.0))
         ->group(group);

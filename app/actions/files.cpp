@@ -5,6 +5,7 @@
 #include "app/session/session_file.h"
 #include "app/storage/settings.h"
 #include "core/base/child_program.h"
+#include "core/io/run_inputs.h"
 
 #include <algorithm>
 #include <array>
@@ -107,6 +108,8 @@ Result<void> recover(ActionContext& context, Arguments arguments) {
 Result<void> discard_recovery(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(which, number_of_entry(arguments, "discard-recovery"));
     if (which == 0) return fail("discard-recovery takes the number of an entry");
+    if (io::keeps_existing_files())
+        return fail("a commands file throws nothing away", {}, "give --overwrite if the commands are your own");
     return context.files != nullptr ? context.files->discard_recovery(which) : fail("discard-recovery needs a window");
 }
 

@@ -79,15 +79,18 @@ Result<std::vector<ScriptLine>> read_script(const std::filesystem::path& path) {
     return parse_script(text, path.string());
 }
 
+Result<void> run_line(ActionContext& context, const ScriptLine& line, const std::string& file) {
+    auto done = run_command(context, line.words);
+    if (done) return {};
+    Error error = done.error();
+    if (!error.where.empty()) error.what = error.where + ": " + error.what;
+    error.where = location(file, line.number);
+    return tl::unexpected(error);
+}
+
 Result<void> run_script(ActionContext& context, const std::vector<ScriptLine>& lines, const std::string& file) {
-    for (const ScriptLine& line : lines) {
-        if (auto done = run_command(context, line.words); !done) {
-            Error error = done.error();
-            if (!error.where.empty()) error.what = error.where + ": " + error.what;
-            error.where = location(file, line.number);
-            return tl::unexpected(error);
-        }
-    }
+    for (const ScriptLine& line : lines)
+        if (auto done = run_line(context, line, file); !done) return done;
     return {};
 }
 

@@ -17,6 +17,8 @@ struct ScriptLine {
 [[nodiscard]] Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::string& file);
 [[nodiscard]] Result<std::vector<ScriptLine>> read_script(const std::filesystem::path& path);
 
+// Files that are there are replaced; io::KeepExistingFiles keeps them.
+[[nodiscard]] Result<void> run_line(ActionContext& context, const ScriptLine& line, const std::string& file);
 [[nodiscard]] Result<void> run_script(ActionContext& context, const std::vector<ScriptLine>& lines,
                                       const std::string& file);
 

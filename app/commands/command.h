@@ -19,6 +19,10 @@
 
 namespace ramus::app {
 
+// Of --overwrite, next to --commands.
+inline constexpr const char* kOverwriteHelp =
+    "The commands may replace files that were there before, and throw recovery files away";
+
 inline constexpr int kDone = 0;
 inline constexpr int kFailed = 1;
 inline constexpr int kWrongUsage = 2;

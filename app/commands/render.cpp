@@ -27,6 +27,7 @@
 #include "core/io/input_file.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/output_file.h"
+#include "core/io/run_inputs.h"
 #include "render/gl/gl_context.h"
 #include "render/gl/headless_context.h"
 #include "render/image/image.h"
@@ -47,6 +48,7 @@ struct RenderFlags {
     SurfaceFlags common;
     std::filesystem::path file, output, reference;
     std::string camera, session, commands;
+    bool overwrite = false; // by commands
     ColourFlags colours;
     std::vector<std::string> context; // files
     std::string mesh_axes;            // of meshes that do not state them; empty: not given
@@ -302,7 +304,10 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!context) return tl::unexpected(context.error());
     RAMUS_TRY(renderer, render::Renderer::create(render::kGlassBytes, flags.graphics_bytes));
     stage.draw_with(*renderer);
-    const auto run = [&](ActionContext& where) { return run_script(where, inputs.script, flags.commands); };
+    const auto run = [&](ActionContext& where) {
+        const io::KeepExistingFiles keep(!flags.overwrite);
+        return run_script(where, inputs.script, flags.commands);
+    };
     ActionContext here{.document = document,
                        .picture = stage,
                        .assets = stage.assets,
@@ -407,6 +412,7 @@ void register_render(CLI::App& app, Action& chosen) {
                "Draw this session: its tree, states, camera and surface options");
     add_option(*command, "--commands", "FILE", flags->commands,
                "Run these commands first, one a line (`select 12`, `hide`, ...)");
+    command->add_flag("--overwrite", flags->overwrite, kOverwriteHelp)->needs("--commands");
     add_input(*command, "--context", "FILE", flags->context,
               "Show the surface of this mask or mesh beside the tree (" + context_extensions() + "); may be repeated")
         ->allow_extra_args(false);

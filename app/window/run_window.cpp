@@ -19,6 +19,7 @@
 #include "core/base/printable.h"
 #include "core/base/worker.h"
 #include "core/io/output_file.h"
+#include "core/io/run_inputs.h"
 #include "core/io/volumes/volume_file.h"
 
 #include <GLFW/glfw3.h>
@@ -159,10 +160,13 @@ private:
 };
 
 Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keeper& keeper,
-                  const WindowOptions& options, std::optional<std::vector<ScriptLine>> script, LoopWatch& watch) {
+                  const WindowOptions& options, std::vector<ScriptLine> script, LoopWatch& watch) {
     StatusFile status(options.status);
     SpareMemory spare_memory;
     watch.waits();
+    bool script_begun = false;
+    std::size_t next_line = 0; // of the script: a line a frame, so that all else goes on
+    viewer.set_script_left(!script.empty());
     if (!options.status.empty()) viewer.note_controls();
     while (!viewer.files().closing()) {
         if (window.close_wanted()) {
@@ -174,14 +178,16 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
         watch.did("draw");
         if (drawn) window.swap();
         watch.did("swap");
-        if (script && workspace.all_shown() && viewer.resting()) {
+        script_begun |= workspace.all_shown() && viewer.resting();
+        if (script_begun && next_line < script.size()) {
+            const io::KeepExistingFiles keep(!options.overwrite);
             viewer.set_script_runs(true);
-            auto done = run_script(viewer.actions(), *std::exchange(script, std::nullopt), options.commands);
+            auto done = run_line(viewer.actions(), script[next_line++], options.commands);
             viewer.set_script_runs(false);
+            viewer.set_script_left(next_line < script.size());
             if (!done) return done;
             viewer.redraw();
-            watch.waits(); // nobody is there to wait for a script
-            continue;
+            watch.waits(); // nobody is there to wait for a line
         }
         window.set_title(viewer.title());
         window.set_cursor(viewer.input().cursor());
@@ -197,8 +203,10 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
         watch.ends(last.empty() ? std::string() : last.front());
         status.look_for_question();
         watch.waits();
-        window.wait(std::min({viewer.wait_seconds(now), keeper.wait_seconds(now), spare_memory.wait_seconds(now),
-                              status.wait_seconds()}));
+        const bool goes_on = script_begun && next_line < script.size();
+        window.wait(goes_on ? 0.0
+                            : std::min({viewer.wait_seconds(now), keeper.wait_seconds(now),
+                                        spare_memory.wait_seconds(now), status.wait_seconds()}));
         watch.did("events");
     }
     return {};
@@ -208,7 +216,7 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
 
 int run_window(const WindowOptions& options) {
     fork_small_processes();
-    std::optional<std::vector<ScriptLine>> script;
+    std::vector<ScriptLine> script;
     if (!options.commands.empty()) {
         auto read = read_script(options.commands);
         if (!read) return complain(read.error());
@@ -221,7 +229,7 @@ int run_window(const WindowOptions& options) {
     empty.marks.options = options.surface;
     workspace.document.open(nullptr, empty);
     const auto file = first_file(options);
-    const bool asks = file && script == std::nullopt && io::is_volume(*file); // somebody says what becomes of it
+    const bool asks = file && options.commands.empty() && io::is_volume(*file); // somebody says what becomes of it
     if (file && !asks) workspace.open(*file);
     if (!options.status.empty())
         if (auto possible = io::check_output(options.status); !possible) return complain(possible.error());

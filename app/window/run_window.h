@@ -13,9 +13,10 @@ namespace ramus::app {
 
 struct WindowOptions {
     std::vector<std::string> files;
-    std::string session;  // a session file; instead of a tree
-    std::string commands; // a commands file, run when the surface is ready
-    std::string status;   // a file that says in JSON, at every change, what the window shows: for scripts that drive it
+    std::string session;    // a session file; instead of a tree
+    std::string commands;   // a commands file, run when the surface is ready
+    bool overwrite = false; // its commands may replace files that are there
+    std::string status; // a file that says in JSON, at every change, what the window shows: for scripts that drive it
     mesh::SurfaceOptions surface;
     io::ReadOptions read;
     float scale = 0.0F;             // pixels per point; 0: the settings', else the display's

@@ -134,7 +134,8 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const 
     status["waits_for_drawing"] = viewer.picture().waits();
     status["programs_made_here"] = render::gl_programs_made(); // by the window's own thread
     status["problem"] = workspace.surface_problem();
-    status["resting"] = viewer.resting();
+    status["resting"] = viewer.resting() && !viewer.script_left();
+    status["script_left"] = viewer.script_left();
     status["hovered"] = interface.hovered;
     status["nothing_in_view"] = interface.nothing_in_view;
     if (const auto& bar = viewer.picture().scale_bar())

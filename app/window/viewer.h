@@ -47,6 +47,8 @@ public:
     void warn(Warning warning) { state_.warn(std::move(warning)); }
     void tell(const Error& error) { state_.interface.errors.push_back(error); } // in a dialog
     void set_script_runs(bool runs) { state_.script_runs = runs; }
+    void set_script_left(bool left) { state_.script_left = left; }
+    [[nodiscard]] bool script_left() const { return state_.script_left; }
     void tell_steps(std::function<void(const char* step)> did) { state_.did = std::move(did); } // of draw()
 
     // Takes results of workers and picks. Then draws into `framebuffer` what changed; false: it looks as before.

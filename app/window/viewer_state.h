@@ -43,6 +43,7 @@ struct ViewerState {
     std::uint64_t presented = 0; // fingerprint of the interface that is on the screen
     bool persons_window = false; // not a picture of one: settings and recent files are kept
     bool script_runs = false;    // nobody is asked about unsaved changes
+    bool script_left = false;    // lines of it are still to come
 
     // Whether somebody waits for the next picture.
     [[nodiscard]] bool watched() const { return persons_window && !script_runs; }

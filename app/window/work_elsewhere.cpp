@@ -67,8 +67,8 @@ Result<std::function<Result<void>(Job&)>> work_elsewhere(const Session& session,
         const fs::path file = scratch.path() / "session.ramus.json", commands = scratch.path() / "commands";
         if (auto written = write_session(session, file); !written) return written;
         if (auto written = io::write_file(commands, script); !written) return written;
-        std::vector<std::string> run{program.string(), "render",          "--session", file.string(),
-                                     "--commands",     commands.string(), "--size",    "64x64"};
+        std::vector<std::string> run{program.string(),  "render", "--session", file.string(), "--commands",
+                                     commands.string(), "--size", "64x64",     "--overwrite"};
         if (!software) run.insert(run.end(), {"--backend", "egl"});
         if (const std::uint64_t memory = session.marks.options.memory_bytes; memory > 0)
             run.insert(run.end(), {"--memory", std::to_string(memory)});

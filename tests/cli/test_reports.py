@@ -71,7 +71,8 @@ CUBE = "".join("v %d %d %d\n" % (x, y, z) for x in (12, 16) for y in (-2, 2) for
 class Reports(CommandLineTest):
     def page(self, lines, tree=None, size="200x150", name="page.html", options=("--units", "mm")):
         self.write("plan.txt", lines)
-        self.expect_done("render", tree or self.write("tree.swc", GOOD), "--size", size, *options, "--commands", "plan.txt")
+        self.expect_done("render", tree or self.write("tree.swc", GOOD), "--size", size, *options, "--commands", "plan.txt",
+                         "--overwrite")
         return Page((self.folder / name).read_text(encoding="utf-8"))
 
     def test_a_case_line_is_in_the_page_and_nowhere_else(self):

@@ -124,6 +124,11 @@ def changed_tree(program, screen, folder, tree):
     discard.write_text("discard-recovery 1\nquit\n")
     window = Window(program, screen, folder, [tree, "--commands", discard])
     try:
+        check(window.process.wait(timeout=PATIENCE) == 1 and len(kept(folder)) == 1, "somebody else's commands do not")
+    finally:
+        window.end()
+    window = Window(program, screen, folder, [tree, "--commands", discard, "--overwrite"])
+    try:
         check(window.process.wait(timeout=PATIENCE) == 0 and not kept(folder), "which is a command, too")
     finally:
         window.end()
@@ -210,10 +215,37 @@ def nowhere_to_write(program, screen, folder, tree):
         window.end()
 
 
+def lives_while_commands_run(program, screen, folder, tree):
+    """A line of a commands file a frame: what the window shows is told and kept meanwhile."""
+    aside = folder / "long"
+    aside.mkdir()
+    script = aside / "long.txt"
+    script.write_text("".join(f'name 2 "vessel {i}"\n' for i in range(20_000)) + "quit\n")
+    window = Window(program, screen, aside, [tree, "--size", "600x500", "--commands", script])
+    try:
+        names, seen = set(), set()
+
+        def lived():
+            status = window.written_status()
+            if status and status["names"]:
+                seen.add((status["script_left"], status["resting"]))
+                names.add(status["names"]["2"])
+            return len(names) > 3 and kept(aside)
+
+        until("what is done so far, in the status and on the disk", lived)
+        check(seen == {(True, False)}, "a window with lines to run says so, and does not rest")
+        window.xdotool("key", "ctrl+q")
+        until("the question", lambda: window.written_status()["unsaved_dialog"])
+        window.xdotool("key", "d")
+        check(window.process.wait(timeout=PATIENCE) == 0, "the window closes when it is asked to")
+    finally:
+        window.end()
+
+
 def recovery(program, screen, folder):
     tree = folder / "tree.swc"
     tree.write_text(SMALL_TREE)
-    for part in (recover, changed_tree, unsaved, camera_as_text, nowhere_to_write):
+    for part in (recover, changed_tree, unsaved, camera_as_text, nowhere_to_write, lives_while_commands_run):
         part(program, screen, folder, tree)
 
 
