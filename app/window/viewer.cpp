@@ -187,7 +187,7 @@ bool Viewer::resting() const {
 std::string Viewer::title() const {
     const Document& document = state_.workspace.document;
     if (!document.has_scene()) return "ramus";
-    std::string text(document.modified() ? "*" : "");
+    std::string text(document.has_unsaved_work() ? "*" : ""); // not for another view of it
     text += document.subject().filename().string();
     text += " \xE2\x80\x93 ramus";
     return text;
