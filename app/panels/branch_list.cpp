@@ -363,6 +363,7 @@ void draw_branch_window(InterfaceContext& context) {
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavInputs |
                          ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
         const ImVec2 at = ImGui::GetWindowPos(), whole = ImGui::GetWindowSize();
+        context.interface.note_covered();
         widgets::note("The window of branches", at, {at.x + whole.x, at.y + whole.y});
         draw_branch_list(context);
     }

@@ -28,8 +28,8 @@ std::string side_text(const Document& document, const ContactSide& side) {
         text += ", " + label;
     if (side.branches.size() > 1) text += ", and " + grouped(side.branches.size() - 1) + " more";
     const Lengths lengths = document.lengths();
-    return text + "\n    radius " + lengths.text(side.radius) + ", narrowed by " + lengths.text(side.narrowed) +
-           "\n    along " + lengths.text(side.length);
+    return text + "\n    radius " + lengths.text(side.radius) + ", its surface flattened by " +
+           lengths.text(side.narrowed) + "\n    along " + lengths.text(side.length);
 }
 
 // What the row has no room for.
@@ -45,7 +45,7 @@ void draw_wipe_button(InterfaceContext& context, const std::string& number, bool
     const Comparison::Mode mode = context.workspace.document.marks().comparison.mode;
     const bool wiped = current && mode == Comparison::Mode::kWipe;
     ImGui::PushStyleColor(ImGuiCol_Text, wiped ? theme::kAccent : theme::kQuiet);
-    const bool pressed = ImGui::SmallButton(("Wipe##" + number).c_str());
+    const bool pressed = ImGui::SmallButton(("Both##" + number).c_str());
     ImGui::PopStyleColor();
     widgets::note_item(("Wipe contact " + number).c_str());
     widgets::tooltip(wiped ? "Shows one surface again"
@@ -87,13 +87,15 @@ void draw_row(InterfaceContext& context, const Contact& contact, std::size_t ind
 
 void draw_rows(InterfaceContext& context, const std::vector<Contact>& list, float bottom) {
     const Lengths lengths = context.workspace.document.lengths();
-    const std::string between = lengths.worded("Between mm"), narrowed = lengths.worded("Narrow mm");
+    const std::string between = lengths.worded("Between mm"), narrowed = lengths.worded("Flat mm");
     const std::string between_help = lengths.worded("The gap between the walls, or how far they overlap, in mm");
-    const std::string narrowed_help = lengths.worded("By how much each of the two vessels is narrowed, in mm");
-    const std::array<widgets::ListColumn, 5> columns{{{"No.", 0.45F, "The number of the contact, the closest first"},
-                                                      {"Branches", 1.05F, "The ids of the two branches"},
-                                                      {between.c_str(), 1.4F, between_help.c_str()},
-                                                      {narrowed.c_str(), 1.1F, narrowed_help.c_str()},
+    const std::string narrowed_help = lengths.worded("By how much the drawn surface of each of the two vessels is "
+                                                     "flattened toward the other, in mm. That is how the "
+                                                     "surface is made, and says nothing of a stenosis");
+    const std::array<widgets::ListColumn, 5> columns{{{"No.", 0.4F, "The number of the contact, the closest first"},
+                                                      {"Branches", 1.25F, "The ids of the two branches"},
+                                                      {between.c_str(), 1.3F, between_help.c_str()},
+                                                      {narrowed.c_str(), 1.05F, narrowed_help.c_str()},
                                                       {"View", 0.6F, "Looks at the place with both surfaces"}}};
     if (!widgets::begin_list({.id = "contacts", .columns = columns, .most_rows = 18, .bottom = bottom}, list.size()))
         return;
@@ -115,7 +117,7 @@ void draw_contacts(InterfaceContext& context) {
     const auto tree = context.workspace.document.tree();
     if (!panel.open || !tree) return;
     const Marks& marks = context.workspace.document.marks();
-    const float bottom = begin_left_panel("contacts", context.layout, marks.comparison);
+    const float bottom = begin_left_panel("contacts", context);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Vessels that touch");
     ImGui::SameLine();
@@ -140,15 +142,16 @@ void draw_contacts(InterfaceContext& context) {
     ImGui::End();
 }
 
-void draw_contacts_line(InterfaceContext& context) {
+widgets::Fact contacts_fact(InterfaceContext& context) {
     const auto list = context.workspace.current_assets().contacts.list;
-    if (!list || list->empty()) {
-        widgets::fact("Contacts", list ? "none" : "\xE2\x80\xA6"); // what is below stays there when they are found
-        return;
-    }
-    if (widgets::fact_button("Contacts", grouped(list->size()), theme::kAccent,
-                             "Lists where vessels press on each other without being connected there", "Shift+T"))
-        context.perform("contacts", {});
+    if (!list || list->empty()) return {"Contacts", list ? "none" : "\xE2\x80\xA6"};
+    const std::string count = grouped(list->size());
+    return {"Contacts", count, [&context, count] {
+                if (widgets::fact_button("Contacts", count, theme::kAccent,
+                                         "Lists where vessels press on each other without being connected there",
+                                         "Shift+T"))
+                    context.perform("contacts", {});
+            }};
 }
 
 } // namespace ramus::app

@@ -7,6 +7,7 @@
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
 #include "app/session/reading_options.h"
+#include "app/session/window_words.h"
 #include "core/tree/suspicions.h"
 
 #include <algorithm>
@@ -48,16 +49,11 @@ const char* heading_of(Note::Kind kind) {
     return kind == Note::Kind::kSuspect ? "Suspicious" : kind == Note::Kind::kRepaired ? "Repaired" : "Assumed";
 }
 
-void replace(std::string& text, std::string_view words, std::string_view by) {
-    if (const std::size_t at = text.find(words); at != std::string::npos) text.replace(at, words.size(), by);
-}
-
 // Without the file's name, which all of them are about, as a sentence; flags of the command line are rows here.
 std::string text_of(const Note& note, const std::string& path, bool of_mask) {
     std::string text = note.text;
     if (of_mask) text.erase(std::min(text.find("; --repair"), text.size())); // which is of files of trees
-    replace(text, "--repair all takes", "a repair takes");
-    replace(text, "--units", "Unit");
+    text = window_words(std::move(text));
     if (text.starts_with(path + ":")) {
         text.erase(0, path.size() + 1);
         text.erase(0, text.find_first_not_of(' '));
@@ -165,7 +161,7 @@ void draw_assumptions(InterfaceContext& context, const tree::VesselTree& tree, c
 
 void draw_repairs(InterfaceContext& context, const io::ReadOptions& options) {
     const bool open = ImGui::TreeNodeEx("Repairs", ImGuiTreeNodeFlags_SpanAvailWidth);
-    widgets::tooltip("What may be mended when the file is read");
+    widgets::tooltip("What may be repaired when the file is read");
     if (!open) return;
     for (const RepairRow& row : kRepairRows) {
         bool allowed = tree::allows(options.repair, row.repair);
@@ -261,7 +257,7 @@ void draw_doctor(InterfaceContext& context) {
     const std::shared_ptr<const tree::VesselTree> tree = context.workspace.document.tree();
     if (!doctor.open || !tree) return;
     const io::ReadOptions options = context.workspace.document.marks().reading;
-    begin_left_panel("import doctor", context.layout, context.workspace.document.marks().comparison);
+    begin_left_panel("import doctor", context);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("How the file was read");
     ImGui::SameLine();
@@ -290,7 +286,7 @@ void draw_doctor(InterfaceContext& context) {
     ImGui::End();
 }
 
-void draw_doctor_line(InterfaceContext& context) {
+widgets::Fact doctor_fact(InterfaceContext& context) {
     const tree::VesselTree& tree = *context.workspace.document.tree();
     // What weighs least is left out where there is no room.
     const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize("Import    ").x;
@@ -302,11 +298,13 @@ void draw_doctor_line(InterfaceContext& context) {
         const std::string more = found + (found.empty() ? "" : ", ") + grouped(count) + " " + word;
         if (found.empty() || ImGui::CalcTextSize(more.c_str()).x <= room) found = more;
     }
-    if (found.empty()) found = "nothing to tell";
-    const bool misleads = could_mislead(tree, context.workspace.document.marks().reading);
-    if (widgets::fact_button("Import", found, misleads ? theme::kHighlight : theme::kAccent,
-                             "Shows what reading the file assumed, repaired and finds strange", "Shift+D"))
-        context.perform("doctor", {});
+    if (found.empty()) found = "nothing to report";
+    return {"Import", found, [&context, &tree, found] {
+                const bool misleads = could_mislead(tree, context.workspace.document.marks().reading);
+                if (widgets::fact_button("Import", found, misleads ? theme::kHighlight : theme::kAccent,
+                                         "Shows what reading the file assumed, repaired and finds strange", "Shift+D"))
+                    context.perform("doctor", {});
+            }};
 }
 
 } // namespace ramus::app

@@ -127,6 +127,11 @@ bool Interface::dismiss() {
     return true;
 }
 
+void Interface::note_covered() {
+    const ImVec2 from = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    covered.push_back({{from.x, from.y}, {from.x + size.x, from.y + size.y}});
+}
+
 void Interface::forget_tree() {
     hovered = tree::kNoBranch;
     nothing_in_view = false;
@@ -160,6 +165,7 @@ void draw_interface(InterfaceContext& context) {
     theme::use(interface.settings.light_theme ? theme::Kind::kLight : theme::Kind::kDark);
     interface.listed = tree::kNoBranch;
     interface.listed_lesion = {};
+    interface.covered.clear();
     // Arrows and Enter work in menus alone: elsewhere they turn the view, or are the list's.
     ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
     // From one menu to the next none is open for a frame.
@@ -189,17 +195,18 @@ void draw_interface(InterfaceContext& context) {
     draw_written(context);
     draw_status_bar(context);
     draw_tooltip(context);
-    draw_rename(context);
-    draw_radius(context);
-    draw_help(context);
-    draw_command_palette(context);
     draw_context_menu(context);
-    draw_open_dialog(context);
-    draw_recovery_dialog(context);
+    // Of dialogs that are open, the first one is shown.
+    draw_error_dialog(context);
     draw_unsaved_dialog(context);
     draw_quit_dialog(context);
+    draw_recovery_dialog(context);
     draw_volume_dialog(context);
-    draw_error_dialog(context);
+    draw_open_dialog(context);
+    draw_command_palette(context);
+    draw_help(context);
+    draw_radius(context);
+    draw_rename(context);
 }
 
 } // namespace ramus::app

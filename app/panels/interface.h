@@ -48,6 +48,11 @@ struct Layout {
 [[nodiscard]] Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview_points = 0.0F,
                                float panel_points = 296.0F);
 
+// A part of the picture that a panel lies over, in pixels of the window.
+struct Covered {
+    glm::vec2 from{0.0F}, to{0.0F};
+};
+
 struct Notice {
     std::string text;
     double until = 0.0; // in the seconds of draw_interface()
@@ -225,6 +230,7 @@ struct Interface {
     float panel_points = 296.0F;         // how wide it wants to be
     float explore_height = 0.0F;         // of what stands above the table of branches, in pixels, as drawn last
     glm::vec2 card_size{250.0F, 150.0F}; // of the card about the branch under the pointer, as drawn last
+    std::vector<Covered> covered;        // in this frame
     bool help_open = false;
     std::array<char, 64> help_search{};
     Settings settings;
@@ -299,8 +305,9 @@ struct Interface {
         return help_open || palette.open || rename.open || radius.open || open_dialog.open || recovery.open ||
                unsaved.open() || quit.open() || volume.open() || !errors.empty();
     }
-    bool dismiss();     // closes what lies on top; false: nothing does
-    void forget_tree(); // another one was opened
+    void note_covered(); // by the window that ImGui is in
+    bool dismiss();      // closes what lies on top; false: nothing does
+    void forget_tree();  // another one was opened
 };
 
 struct InterfaceContext {
@@ -352,16 +359,19 @@ void draw_warnings(InterfaceContext& context);
 [[nodiscard]] float draw_state_marks(InterfaceContext& context, float right_edge);
 void draw_contacts(InterfaceContext& context);
 void draw_validation(InterfaceContext& context);
-void draw_contacts_line(InterfaceContext& context); // in the side panel: how many there are, and the way there
+[[nodiscard]] widgets::Fact
+contacts_fact(InterfaceContext& context); // in the side panel: how many there are, and the way there
 void draw_mask_reading(InterfaceContext& context, const io::MaskReading& mask); // in the import doctor's panel
-void draw_doctor_line(InterfaceContext& context); // in the side panel: what there is to see, and the way there
+[[nodiscard]] widgets::Fact
+doctor_fact(InterfaceContext& context); // in the side panel: what there is to see, and the way there
 void draw_rename(InterfaceContext& context);
 void draw_radius(InterfaceContext& context);
 void draw_status_bar(InterfaceContext& context);
 void draw_tooltip(InterfaceContext& context);
-// Where a card of this size, in pixels, hides neither the pointer's surroundings nor tools, scale bar, cube, panel and
-// status line: right below the pointer, or on another side of it.
-[[nodiscard]] glm::vec2 card_corner(const Layout& layout, glm::vec2 pointer, glm::vec2 size, float scale);
+// Where a card of this size, in pixels, hides neither the pointer's surroundings nor tools, scale bar, cube, panel,
+// status line and `covered` parts of the picture: right below the pointer, or on another side of it.
+[[nodiscard]] glm::vec2 card_corner(const Layout& layout, const std::vector<Covered>& covered, glm::vec2 pointer,
+                                    glm::vec2 size, float scale);
 void draw_branch_tooltip(InterfaceContext& context, int id); // at the pointer, wherever that is
 void draw_help(InterfaceContext& context);
 void draw_command_palette(InterfaceContext& context);

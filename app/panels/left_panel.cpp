@@ -19,15 +19,17 @@ std::size_t viewport_below(const Layout& layout, const Comparison& comparison) {
 
 } // namespace
 
-float begin_left_panel(const char* name, const Layout& layout, const Comparison& comparison) {
+float begin_left_panel(const char* name, InterfaceContext& context) {
+    const Layout& layout = context.layout;
     const float scale = theme::scale();
-    const std::size_t viewport = viewport_below(layout, comparison);
+    const std::size_t viewport = viewport_below(layout, context.workspace.document.marks().comparison);
     const float heading = layout.viewports_at.size() > 1 ? 28.0F : 0.0F;
     const float top = (56.0F + heading) * scale, margin = 10.0F * scale;
     const float below = (viewport > 0 ? 128.0F : 68.0F) * scale;
-    // The middle of the picture, where places are looked at, stays free where there is room for both.
+    // The middle of the picture, where places are looked at, stays free with the ring around a place where there is
+    // room for both.
     const auto view_width = static_cast<float>(viewport > 0 ? layout.viewport_size.x : layout.view_size.x);
-    const float free_width = viewport > 0 ? view_width : 0.5F * view_width - margin;
+    const float free_width = viewport > 0 ? view_width : 0.5F * view_width - 40.0F * scale;
     const float width =
         std::min(std::clamp(free_width - 2.0F * margin, 260.0F * scale, 330.0F * scale), view_width - 2.0F * margin);
     const float most = std::max(140.0F * scale, static_cast<float>(layout.view_size.y) - top - below);
@@ -41,6 +43,7 @@ float begin_left_panel(const char* name, const Layout& layout, const Comparison&
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavInputs |
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PopStyleVar();
+    context.interface.note_covered();
     return ImGui::GetWindowPos().y + most - 9.0F * scale;
 }
 

@@ -234,8 +234,8 @@ void draw_lesions(InterfaceContext& context) {
     if (const auto words = plan_rows::number_field(context, "contact", rounded(marks.planning.touch_mm), 56.0F);
         words.size() == 1)
         context.perform("lesion-contact", words);
-    widgets::tooltip("A vessel's wall that is as near to a lesion touches it: half the edge of the scan's voxels, say; "
-                     "Enter takes it");
+    widgets::tooltip("A vessel whose wall is this near to a lesion counts as touching it; half the edge of the scan's "
+                     "voxels is a good value. Enter takes it");
     const auto plan = context.workspace.current_assets().plan;
     if (plan->measuring) widgets::quiet("Distances to meshes are being measured");
     for (const std::string& trouble : plan->troubles) widgets::trouble(trouble.c_str());

@@ -75,8 +75,10 @@ void draw_root(InterfaceContext& context, const io::MaskReading& mask) {
     if (mask.root)
         entries.emplace_back(now, "At " + whole(mask.root->x) + ", " + whole(mask.root->y) + ", " +
                                       whole(mask.root->z) + " mm");
-    if (const auto chosen =
-            widgets::choice_row("Root", "Where the blood enters: the end that all others depend on", now, entries)) {
+    if (const auto chosen = widgets::choice_row(
+            "Root",
+            "The end that all others depend on: where blood enters an artery or a portal vein, and leaves a vein", now,
+            entries)) {
         doctor.place = *chosen == kPlace;
         if (*chosen == kSelected)
             context.perform("read-as", {"root", exact_place(*selected)});

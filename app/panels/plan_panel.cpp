@@ -108,10 +108,10 @@ void draw_measurements(InterfaceContext& context) {
 } // namespace
 
 void draw_plan(InterfaceContext& context) {
+    draw_measurements(context); // first: what is below grows, and the tools stay where they are
     draw_lesions(context);
     draw_margins(context);
     draw_cuts(context);
-    draw_measurements(context);
     draw_thin_vessels(context);
     const Marks& marks = context.workspace.document.marks();
     const bool some = !marks.cuts.empty() || !marks.lesions.empty() || !marks.lesion_meshes.empty() ||

@@ -35,25 +35,29 @@ void draw_tree(InterfaceContext& context) {
     ImGui::PopFont();
     widgets::tooltip(document.session().tree.path.c_str());
     ImGui::Dummy({0.0F, 1.0F});
-    widgets::fact("Branches", grouped(tree.branches.size()));
-    widgets::fact("Generations", grouped(static_cast<std::uint64_t>(facts.statistics.generations)));
     const Lengths lengths = document.lengths();
-    widgets::fact("Length", lengths.text(facts.statistics.length_mm));
-    widgets::fact("Volume", lengths.volume(facts.statistics.volume_mm3));
-    widgets::fact("Diameter",
-                  lengths.range(2.0 * facts.statistics.radius_mm.min, 2.0 * facts.statistics.radius_mm.max));
-    if (tree.roots.size() > 1) widgets::fact("Roots", grouped(tree.roots.size()));
-    if (nothing_depends(facts)) widgets::fact("Dependency", "none: separate vessels");
-    if (tree.loop_count > 0) widgets::fact("Loops", grouped(static_cast<std::uint64_t>(tree.loop_count)));
-    if (const auto& edits = document.marks().edits; !edits.empty()) {
-        widgets::fact("Edits", grouped(edits.size()));
-        constexpr std::size_t kListed = 12; // the last ones
-        const auto last = std::span(edits).last(std::min(edits.size(), kListed));
-        widgets::tooltip(
-            joined(last, "\n", [&](const tree::Edit& edit) { return lengths.worded(sentence(edit)); }).c_str());
-    }
-    draw_contacts_line(context);
-    draw_doctor_line(context);
+    std::vector<widgets::Fact> facts_shown{
+        {"Branches", grouped(tree.branches.size())},
+        {"Generations", grouped(static_cast<std::uint64_t>(facts.statistics.generations))},
+        {"Length", lengths.text(facts.statistics.length_mm)},
+        {"Volume", lengths.volume(facts.statistics.volume_mm3)},
+        {"Diameter", lengths.range(2.0 * facts.statistics.radius_mm.min, 2.0 * facts.statistics.radius_mm.max)}};
+    if (tree.roots.size() > 1) facts_shown.push_back({"Roots", grouped(tree.roots.size())});
+    if (tree.loop_count > 0) facts_shown.push_back({"Loops", grouped(static_cast<std::uint64_t>(tree.loop_count))});
+    if (const auto& edits = document.marks().edits; !edits.empty())
+        facts_shown.push_back({"Edits", grouped(edits.size()), [&] {
+                                   widgets::fact("Edits", grouped(edits.size()));
+                                   constexpr std::size_t kListed = 12; // the last ones
+                                   const auto last = std::span(edits).last(std::min(edits.size(), kListed));
+                                   const auto line = [&](const tree::Edit& edit) {
+                                       return lengths.worded(sentence(edit));
+                                   };
+                                   widgets::tooltip(joined(last, "\n", line).c_str());
+                               }});
+    facts_shown.push_back(contacts_fact(context));
+    if (nothing_depends(facts)) facts_shown.push_back({"Dependency", "none: separate vessels"});
+    facts_shown.push_back(doctor_fact(context));
+    widgets::facts(facts_shown);
 }
 
 // What is shown without a tree.
@@ -104,7 +108,7 @@ void draw_smoothing(InterfaceContext& context) {
     if (!assets.centerlines.lines) return;
     const Smoothing& smoothing = assets.centerlines.smoothing;
     const Lengths lengths(assets.tree->claims);
-    if (!smoothing.voxels) return widgets::quiet("Points are no voxels: they stay as they are.");
+    if (!smoothing.voxels) return widgets::quiet("The points are not from voxels: not smoothed.");
     widgets::fact("    voxels", voxels_text(*smoothing.voxels, lengths));
     if (smoothing.voxels->estimated) widgets::fact("    their size is", "estimated from the points");
     widgets::fact("    moves points by, median", lengths.text(smoothing.moved.median_mm));

@@ -12,49 +12,48 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <imgui.h>
-#include <utility>
+#include <vector>
 
 namespace ramus::app {
 
 namespace {
 
-struct Rect {
-    glm::vec2 from, to;
-};
-
-float overlap(const Rect& a, const Rect& b) {
+float overlap(const Covered& a, const Covered& b) {
     const glm::vec2 size = glm::max(glm::min(a.to, b.to) - glm::max(a.from, b.from), 0.0F);
     return size.x * size.y;
 }
 
 // What the card must leave free: the tools, the scale bar and the cube, at the picture's edges.
-std::array<Rect, 3> kept_free(const Layout& layout, float scale) {
+std::array<Covered, 3> kept_free(const Layout& layout, float scale) {
     const glm::vec2 from(layout.view_at), to = from + glm::vec2(layout.view_size);
-    return {Rect{from, {to.x, from.y + 54.0F * scale}},
-            Rect{{from.x, to.y - 70.0F * scale}, {from.x + 170.0F * scale, to.y}},
-            Rect{{to.x - 110.0F * scale, to.y - 110.0F * scale}, to}};
+    return {Covered{from, {to.x, from.y + 54.0F * scale}},
+            Covered{{from.x, to.y - 70.0F * scale}, {from.x + 170.0F * scale, to.y}},
+            Covered{{to.x - 110.0F * scale, to.y - 110.0F * scale}, to}};
 }
 
 } // namespace
 
-glm::vec2 card_corner(const Layout& layout, glm::vec2 pointer, glm::vec2 size, float scale) {
+glm::vec2 card_corner(const Layout& layout, const std::vector<Covered>& covered, glm::vec2 pointer, glm::vec2 size,
+                      float scale) {
     const float gap = 16.0F * scale;
     const glm::vec2 from(0.0F, static_cast<float>(layout.bar_height));
     const glm::vec2 to(static_cast<float>(layout.window.x - layout.panel_width),
                        static_cast<float>(layout.window.y - layout.status_height));
+    std::vector<float> lefts{pointer.x + gap, pointer.x - gap - size.x};
+    for (const Covered& panel : covered) lefts.push_back(panel.to.x + 2.0F * scale);
     glm::vec2 best(0.0F);
     float least = FLT_MAX;
     // Anywhere, or above the scale bar and the cube.
     for (const float bottom : {to.y, to.y - 110.0F * scale})
-        for (const auto& [right, below] : {std::pair{true, true}, {false, true}, {true, false}, {false, false}}) {
-            const glm::vec2 wanted(right ? pointer.x + gap : pointer.x - gap - size.x,
-                                   below ? pointer.y + gap : pointer.y - gap - size.y);
-            const glm::vec2 corner = glm::max(glm::min(wanted, glm::vec2(to.x, bottom) - size), from);
-            const Rect card{corner, corner + size};
-            float hidden = overlap(card, {pointer - gap, pointer + gap});
-            for (const Rect& rect : kept_free(layout, scale)) hidden += overlap(card, rect);
-            if (hidden < least) least = hidden, best = corner;
-        }
+        for (const float top : {pointer.y + gap, pointer.y - gap - size.y})
+            for (const float left : lefts) {
+                const glm::vec2 corner = glm::max(glm::min(glm::vec2(left, top), glm::vec2(to.x, bottom) - size), from);
+                const Covered card{corner, corner + size};
+                float hidden = overlap(card, {pointer - gap, pointer + gap});
+                for (const Covered& rect : kept_free(layout, scale)) hidden += overlap(card, rect);
+                for (const Covered& rect : covered) hidden += overlap(card, rect);
+                if (hidden < least) least = hidden, best = corner;
+            }
     return best;
 }
 
@@ -68,7 +67,8 @@ void draw_branch_tooltip(InterfaceContext& context, int id) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12.0F * scale, 9.0F * scale});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {16.0F * scale, 3.0F * scale});
     const ImVec2 mouse = ImGui::GetMousePos();
-    const glm::vec2 corner = card_corner(context.layout, {mouse.x, mouse.y}, context.interface.card_size, scale);
+    const glm::vec2 corner =
+        card_corner(context.layout, context.interface.covered, {mouse.x, mouse.y}, context.interface.card_size, scale);
     ImGui::SetNextWindowPos({std::round(corner.x), std::round(corner.y)});
     ImGui::BeginTooltip();
     const std::string label = label_of(document.dependency(), document.marks(), id);

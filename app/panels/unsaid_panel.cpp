@@ -8,6 +8,7 @@
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
 #include "app/session/reading_options.h"
+#include "app/session/window_words.h"
 
 #include <algorithm>
 #include <array>
@@ -21,6 +22,11 @@ namespace {
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
 constexpr const char *kOpen = "open", *kVoxelSize = "voxels";
+
+std::string capitalised(std::string text) {
+    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
+}
 
 std::string side_words(io::Side side) {
     return std::string(io::name_of(side)) + " (" + std::string(1, io::letter_of(side)) + ")";
@@ -76,7 +82,7 @@ void draw_axes(Unsaid& unsaid, const tree::Claims& claims) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme::kHighlight);
         ImGui::TextWrapped(
             "%s leads to a left-handed patient: the tree becomes the mirror image of the file's numbers. "
-            "That is right only where the program that wrote the file counts so.",
+            "That is right only if the program that wrote the file says so.",
             chosen->letters().c_str());
         ImGui::PopStyleColor();
     } else {
@@ -156,7 +162,7 @@ void draw_unsaid(InterfaceContext& context) {
     if (!unsaid.open || !document.has_scene()) return;
     const tree::Claims& claims = document.claims();
     const io::ReadOptions options = said_of(document);
-    begin_left_panel("what the file does not say", context.layout, document.marks().comparison);
+    begin_left_panel("what the file does not say", context);
     const bool tree = document.tree() != nullptr;
     ImGui::TextUnformatted(!tree               ? "Unit of what is shown"
                            : claims.complete() ? "Orientation and unit"
@@ -167,7 +173,7 @@ void draw_unsaid(InterfaceContext& context) {
     if (tree && !claims.has_unit())
         for (const tree::Note& note : document.tree()->notes)
             if (note.kind == tree::Note::Kind::kSuspect && note.topic == "units")
-                widgets::quiet_wrapped(note.text.c_str());
+                widgets::quiet_wrapped(capitalised(window_words(note.text)).c_str());
     if (!tree)
         widgets::quiet_wrapped("The axes of masks and meshes are those of their files.");
     else if (context.interface.doctor.of_mask)
@@ -185,7 +191,7 @@ void draw_unsaid(InterfaceContext& context) {
     ImGui::BeginDisabled(words.empty() || !is_whole(unsaid));
     const auto chosen = unsaid.orientation();
     const bool mirrored = chosen && chosen->mirrors() && chosen != options.orientation;
-    const bool taken = widgets::button(mirrored ? "Take mirrored" : "Take", {width, 0.0F}, theme::kAccentDim);
+    const bool taken = widgets::button(mirrored ? "Apply mirrored" : "Apply", {width, 0.0F}, theme::kAccentDim);
     widgets::note_item("Take");
     widgets::tooltip("Reads the file so; one step of undo, and part of the session");
     ImGui::EndDisabled();

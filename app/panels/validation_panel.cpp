@@ -137,12 +137,12 @@ void draw_state(InterfaceContext& context, bool anything, bool fits) {
     }
     if (!workspace.validation_problem().empty()) {
         widgets::trouble(("Not validated: " + workspace.validation_problem()).c_str());
-        if (widgets::small_button("Try again", "Holds the surface against the tree again"))
+        if (widgets::small_button("Try again", "Compares the surface with the tree again"))
             workspace.retry_validation();
         return;
     }
     const std::string done = workspace.validating() ? " " + widgets::percent_text(workspace.validation_progress()) : "";
-    widgets::quiet(("Holding the surface against the tree\xE2\x80\xA6" + done).c_str());
+    widgets::quiet(("Comparing the surface with the tree\xE2\x80\xA6" + done).c_str());
 }
 
 } // namespace
@@ -151,10 +151,10 @@ void draw_validation(InterfaceContext& context) {
     ValidationList& panel = context.interface.validation;
     context.workspace.want_validation(panel.open);
     if (!panel.open || !context.workspace.document.tree()) return;
-    const float bottom = begin_left_panel("validation", context.layout, context.workspace.document.marks().comparison);
+    const float bottom = begin_left_panel("validation", context);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Validation");
-    widgets::tooltip("The surface of all branches, held against the tree that it is made of");
+    widgets::tooltip("The surface of all branches, compared with the tree that it is made of");
     ImGui::SameLine();
     widgets::align_right(ImGui::CalcTextSize("Close").x + 14.0F * theme::scale());
     if (widgets::small_button("Close", "Hides the validation; Shift+V shows it again")) panel.open = false;

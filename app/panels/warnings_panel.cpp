@@ -62,7 +62,7 @@ void draw_warnings(InterfaceContext& context) {
     const Document& document = context.workspace.document;
     panel.list.follow(document.tree(), document.session().tree.path.string());
     if (!panel.open) return;
-    begin_left_panel("warnings", context.layout, document.marks().comparison);
+    begin_left_panel("warnings", context);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Warnings");
     ImGui::SameLine();
@@ -81,7 +81,7 @@ void draw_warnings(InterfaceContext& context) {
         widgets::rule();
         draw_warning(panel.list.all()[index], index, pressed);
     }
-    if (panel.list.all().empty()) widgets::quiet_wrapped("There is nothing to warn of.");
+    if (panel.list.all().empty()) widgets::quiet_wrapped("No warnings.");
     ImGui::End();
     if (pressed.read) panel.list.mark_read(*pressed.read);
     if (all) context.perform("warnings", {"read"});

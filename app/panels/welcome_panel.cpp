@@ -29,7 +29,7 @@ void draw_welcome(InterfaceContext& context) {
     if (std::exchange(welcome.shown, welcome.open) && !welcome.open) context.interface.settings.welcome = false;
     if (!welcome.open) return;
     const float scale = theme::scale();
-    begin_left_panel("welcome", context.layout, context.workspace.document.marks().comparison);
+    begin_left_panel("welcome", context);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Welcome to ramus");
     ImGui::SameLine();
@@ -52,7 +52,7 @@ void draw_welcome(InterfaceContext& context) {
     widgets::quiet("Three things to try");
     draw_step("click, D", "A vessel, and all that depends on it.");
     draw_step("G", "The selected vessels become grey glass.");
-    draw_step("B", "Plan: lesions, cuts and what they cost.");
+    draw_step("B", "Plan: lesions, margins and cuts.");
     ImGui::Dummy({0.0F, 2.0F * scale});
     widgets::quiet_wrapped("F1 lists all keys, Ctrl+K finds commands. Not a medical device.");
     ImGui::End();

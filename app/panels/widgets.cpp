@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ramus::app::widgets {
 
 namespace {
 
 Controls* noted = nullptr;
+int dialog_frame = -1; // the frame of ImGui in which a dialog was begun last
 
 } // namespace
 
@@ -39,6 +41,8 @@ bool begin_dialog(const char* name, float width, float height) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float scale = theme::scale();
     const float margin = 24.0F * scale;
+    // A second dialog would close the first one, and the first one the second in the next frame: neither was visible.
+    if (std::exchange(dialog_frame, ImGui::GetFrameCount()) == ImGui::GetFrameCount()) return false;
     if (!ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
     ImGui::SetNextWindowPos({std::round(0.5F * window.x), std::round(0.5F * window.y)}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize({std::min(width * scale, window.x - margin),
@@ -49,6 +53,10 @@ bool begin_dialog(const char* name, float width, float height) {
                                                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
                                                   ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
+    if (shown) {
+        const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+        note((std::string("dialog ") + name).c_str(), at, {at.x + size.x, at.y + size.y});
+    }
     return shown;
 }
 
@@ -131,6 +139,29 @@ bool fact_button(const char* label, const std::string& found, const ImVec4& colo
     fact(label, found);
     ImGui::PopStyleColor();
     return pressed;
+}
+
+void facts(const std::vector<Fact>& all) {
+    const float gap = 18.0F * theme::scale();
+    const float half = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
+    const auto is_short = [&](const Fact& one) {
+        return ImGui::CalcTextSize(one.label).x + 0.5F * gap + ImGui::CalcTextSize(one.value.c_str()).x <= half;
+    };
+    const auto draw = [](const Fact& one) { one.draw ? one.draw() : fact(one.label, one.value); };
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const bool two = i + 1 < all.size() && is_short(all[i]) && is_short(all[i + 1]);
+        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.5F * gap, 0.0F});
+        if (two && ImGui::BeginTable(all[i].label, 2, ImGuiTableFlags_SizingStretchSame)) {
+            ImGui::TableNextColumn();
+            draw(all[i]);
+            ImGui::TableNextColumn();
+            draw(all[++i]);
+            ImGui::EndTable();
+        } else {
+            draw(all[i]);
+        }
+        ImGui::PopStyleVar();
+    }
 }
 
 std::size_t list_row(const char* label, const char* help, float width, const std::vector<ListEntry>& entries,

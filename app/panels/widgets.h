@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/vec4.hpp>
 #include <imgui.h>
 #include <initializer_list>
@@ -18,7 +19,8 @@ namespace ramus::app::widgets {
 
 // A window at a fixed position, without title, border, or a way to move it. End with ImGui::End().
 void begin_fixed(const char* name, float x, float y, float width, float height, ImGuiWindowFlags flags = 0);
-// A dialog in the middle of `window`, dimming what lies behind. Returns false when ImGui does not show it yet.
+// A dialog in the middle of the window, dimming what lies behind. Returns false when ImGui does not show it yet, and
+// when another one was begun in this frame: of several that are open, the one that is drawn first is shown.
 [[nodiscard]] bool begin_dialog(const char* name, float width, float height);
 void end_dialog();
 
@@ -40,6 +42,14 @@ void quiet_right(const std::string& text); // the same, at the right edge
 void text_right(const std::string& text);  // there, in the colour of values
 // A label and what is found of it, which is pressed to see more.
 bool fact_button(const char* label, const std::string& found, const ImVec4& colour, const char* help, const char* key);
+// Facts one below the other; two that follow each other and are short share a line. `draw` draws the fact, with a width
+// that its line leaves to it; null: fact().
+struct Fact {
+    const char* label;
+    std::string value;
+    std::function<void()> draw{};
+};
+void facts(const std::vector<Fact>& all);
 [[nodiscard]] std::string percent_text(float share);
 void quiet_wrapped(const char* text); // several lines
 void trouble(const char* text);       // several lines in the colour of what went wrong

@@ -25,6 +25,7 @@ void draw_written(InterfaceContext& context) {
     widgets::begin_fixed("written", std::round(static_cast<float>(layout.view_at.x) + 0.5F * (view - width)),
                          static_cast<float>(layout.view_at.y + layout.view_size.y) - height - 12.0F * scale, width,
                          height, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    context.interface.note_covered();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(sentence.c_str());
     widgets::tooltip(written.file.c_str());

@@ -12,7 +12,7 @@ import sys
 from screen import Window, check, choose, click, info_of, project, run_journeys, saved_session
 
 UNIT = "What one unit of the file's coordinates is"
-REPAIRS = "What may be mended when the file is read"
+REPAIRS = "What may be repaired when the file is read"
 TRUNKS = "What several centerlines trace alike becomes one vessel"
 LINE = "Shows what reading the file assumed, repaired and finds strange"
 TRUNK_CM, LEG_CM, STEP_CM = 8.0, 5.0, 0.25

@@ -84,7 +84,7 @@ TEST_CASE("the card about a branch leaves the tools, the scale bar, the cube and
                 const glm::vec2 share(static_cast<float>(i) / 20.0F, static_cast<float>(k) / 12.0F);
                 // Below the tools, which take the pointer themselves.
                 const glm::vec2 pointer = from + glm::vec2(4.0F, 54.0F) + share * (to - from - glm::vec2(8.0F, 58.0F));
-                const glm::vec2 corner = app::card_corner(layout, pointer, card, 1.0F), end = corner + card;
+                const glm::vec2 corner = app::card_corner(layout, {}, pointer, card, 1.0F), end = corner + card;
                 CAPTURE(pointer.x);
                 CAPTURE(pointer.y);
                 CHECK(corner.y >= from.y + 50.0F);
@@ -93,6 +93,47 @@ TEST_CASE("the card about a branch leaves the tools, the scale bar, the cube and
                 CHECK_FALSE((end.x > to.x - 100.0F && end.y > to.y - 100.0F));
                 CHECK_FALSE((corner.x < from.x + 150.0F && end.y > to.y - 60.0F));
                 CHECK_FALSE((corner.x < pointer.x && pointer.x < end.x && corner.y < pointer.y && pointer.y < end.y));
+                // And a panel over the picture's left edge, which takes the pointer itself.
+                const app::Covered panel{from + glm::vec2(10.0F, 56.0F), {from.x + 310.0F, to.y - 68.0F}};
+                if (pointer.x < panel.to.x && pointer.y < panel.to.y) continue;
+                const glm::vec2 right = app::card_corner(layout, {panel}, pointer, card, 1.0F);
+                CHECK((right.x >= panel.to.x || right.y >= panel.to.y));
             }
     }
+}
+
+TEST_CASE("of two dialogs that are open one is shown, and then the other") {
+    ViewerStage stage(kFork, {1440, 900});
+    stage.settle();
+    stage.viewer->note_controls();
+    const auto shown = [&](const char* control) {
+        draw_frames(stage);
+        return stage.viewer->controls()->contains(control);
+    };
+    const auto press = [&](const char* name) {
+        stage.viewer->input().key(0, true, app::KeyPress{name}, {}, stage.now);
+    };
+    press("F1");
+    CHECK(shown("dialog help"));
+    stage.workspace.open(stage.folder.path() / "missing.swc");
+    stage.settle();
+    REQUIRE_FALSE(stage.viewer->interface().errors.empty());
+    CHECK(shown("dialog error"));
+    CHECK_FALSE(shown("dialog help"));
+    press("Escape");
+    CHECK(shown("dialog help"));
+}
+
+TEST_CASE("the title marks work that is not saved, and no other view of it") {
+    ViewerStage stage(kFork, {1024, 700});
+    stage.settle();
+    CHECK_FALSE(stage.viewer->title().starts_with("*"));
+    app::Marks marks = stage.workspace.document.marks();
+    marks.colour_by = app::ColourBy::kSystem;
+    marks.selection = {1};
+    stage.workspace.document.change(marks);
+    CHECK_FALSE(stage.viewer->title().starts_with("*"));
+    marks.lesions = {{0.0, 0.0, 0.0, 5.0}};
+    stage.workspace.document.change(marks);
+    CHECK(stage.viewer->title().starts_with("*"));
 }
