@@ -99,8 +99,10 @@ std::vector<Command> camera_commands() {
         Command("fit", "", "Brings all that is shown into the picture, from where the viewer stands.", fit)
             .in_menu("View", "Fit", {"F", "0"})
             .when(has_scene),
-        Command("orthographic", "[on|off]", "Switches between parallel and central projection.", orthographic)
-            .in_menu("View", "Orthographic", {"O"})
+        Command("orthographic", "[on|off]",
+                "Switches between parallel projection, in which one scale holds everywhere, and perspective.",
+                orthographic)
+            .in_menu("View", "Parallel projection", {"O"})
             .when(has_scene)
             .checked_when(is_orthographic),
         Command("camera", "JSON|FILE",

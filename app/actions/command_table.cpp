@@ -19,6 +19,7 @@ std::vector<Command> make_table() {
              editing_commands,       //
              selection_commands,     //
              relation_commands,      //
+             tool_commands,          //
              lasso_commands,         //
              state_commands,         //
              system_commands,        //
@@ -40,7 +41,6 @@ std::vector<Command> make_table() {
              colour_commands,        //
              deviation_commands,     //
              surface_commands,       //
-             tool_commands,          //
              window_commands,        //
          })
         for (Command& command : part()) table.push_back(std::move(command));

@@ -197,7 +197,7 @@ std::vector<Command> editing_commands() {
             .in_menu("Edit", "Root at the selected")
             .when(one_to_edit),
         Command("flip", "[ID]",
-                "Lets blood run the other way through a branch, the selected one unless told: the root of the piece "
+                "Turns the direction of a branch round, the selected one unless told: the root of the piece "
                 "moves to the thickest end beyond it.",
                 flip)
             .in_menu("Edit", "Flip the direction")

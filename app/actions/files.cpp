@@ -211,10 +211,10 @@ std::vector<Command> file_commands() {
         Command("save-as", "", "Asks where to write the session.", save_as)
             .in_menu("File", "Save session as...", {"Ctrl+Shift+S"})
             .when(has_scene),
-        Command("recover", "[N]", "Shows what is left of runs that did not end well, or brings the N-th of them back.",
-                recover)
+        Command("recover", "[N]",
+                "Offers the sessions kept from runs that did not close properly, or recovers the N-th.", recover)
             .in_menu("File", "Recover..."),
-        Command("discard-recovery", "N", "Throws the N-th away of what is left of runs that did not end well.",
+        Command("discard-recovery", "N", "Discards the N-th session kept from a run that did not close properly.",
                 discard_recovery),
         Command("shot", "[FILE]", "Writes the picture as PNG; without FILE, asks where, how large and on what ground.",
                 shot)

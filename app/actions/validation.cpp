@@ -45,7 +45,7 @@ Result<Outcome> finding(ActionContext& context, Arguments arguments) {
 std::vector<Command> validation_commands() {
     return {
         Command("validation", "",
-                "Shows or hides what holding the surface against the tree finds: branches that are lost, false or "
+                "Shows or hides what comparing the surface with the tree finds: branches that are lost, false or "
                 "merged, changed constrictions, radii.",
                 validation)
             .in_menu("View", "Validation", {"Shift+V"})

@@ -21,7 +21,7 @@ using Mode = Comparison::Mode;
 
 constexpr std::array kModes{std::pair{Mode::kOff, "Off"}, std::pair{Mode::kSideBySide, "Side by side"},
                             std::pair{Mode::kBlend, "Blend"}, std::pair{Mode::kSuperimposed, "Superimposed"},
-                            std::pair{Mode::kWipe, "Wipe"}};
+                            std::pair{Mode::kWipe, "Split by a line"}};
 
 const char* label_of_kind(Compared kind) { return row_of(kind).label.data(); } // of a literal: ends in 0
 

@@ -188,6 +188,8 @@ void draw_why_empty(const OpenDialog& dialog) {
         widgets::quiet("Listing this folder...");
     else if (!problem.empty())
         widgets::quiet_wrapped(("This folder cannot be listed: " + problem).c_str());
+    else if (dialog.filter[0] != '\0')
+        widgets::quiet_wrapped(("No name here has \"" + std::string(dialog.filter.data()) + "\" in it.").c_str());
     else if (dialog.saves())
         widgets::quiet_wrapped("No such files here yet.");
     else if (shown_in(dialog) == nullptr)

@@ -32,7 +32,8 @@ void draw_button(InterfaceContext& context, const ToolKind& kind, float side) {
     if (widgets::button(("##" + kind.name).c_str(), {side, side}, chosen ? theme::kAccentDim : theme::kNothing))
         context.perform("tool", {kind.name});
     draw_icon(kind, at, side, ImGui::GetColorU32(chosen || ImGui::IsItemHovered() ? theme::kText : theme::kQuiet));
-    widgets::tooltip(kind.label.c_str(), kind.keys.empty() ? nullptr : kind.keys.front().c_str());
+    widgets::note_item(kind.label.c_str());
+    widgets::tooltip((kind.label + ". " + kind.help).c_str(), kind.keys.empty() ? nullptr : kind.keys.front().c_str());
 }
 
 // What parallel lines look like: side by side, or as rails that meet far away.

@@ -8,7 +8,8 @@ using render::Appearance;
 
 std::span<const DepthCue> depth_cues() {
     static constexpr DepthCue kCues[] = {
-        {"occlusion", "Shade in crevices", "Darkens what its surroundings hide from the sky.", &Appearance::occlusion},
+        {"occlusion", "Shade in crevices", "Darkens places that lie deep between other vessels.",
+         &Appearance::occlusion},
         {"fog", "Fog", "Lets the far end of the tree sink into the background.", &Appearance::depth_cue},
         {"halos", "Halos", "Draws dark seams around vessels that pass before others.", &Appearance::halos},
         {"contours", "Contours", "Draws the outlines of vessels dark.", &Appearance::contours},

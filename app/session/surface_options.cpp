@@ -73,7 +73,7 @@ const std::array<SurfaceOption, 10> kSurfaceOptions = {{
      .value = value_of<&Options::prune_ratio>,
      .set = set_to<&Options::prune_ratio>,
      .label = "Prune",
-     .tooltip = "Leaf branches shorter than this many lengths of their parent go",
+     .tooltip = "Leaf branches shorter than this many lengths of their parent are left out",
      .slider_most = 1.0,
      .zero_is_off = true},
     // Beyond these, the isovalue 2^-width leaves single precision, or the support (10 radii) covers the whole tree.

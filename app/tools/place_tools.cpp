@@ -174,7 +174,7 @@ ToolDrawing LesionTool::drawing(const Pointing& pointing) const {
 
 std::string LesionTool::hint() const {
     return held_ ? "Drag to size or move it, let go to keep it, Escape to leave it"
-                 : "Press on a vessel or beside it to place a lesion, drag to size it; press on a lesion to change it";
+                 : "Press on a vessel or next to it to place a lesion, drag to size it; press on a lesion to change it";
 }
 
 } // namespace ramus::app
