@@ -87,7 +87,7 @@ void draw_row(InterfaceContext& context, const Contact& contact, std::size_t ind
 
 void draw_rows(InterfaceContext& context, const std::vector<Contact>& list, float bottom) {
     const Lengths lengths = context.workspace.document.lengths();
-    const std::string between = lengths.worded("Between mm"), narrowed = lengths.worded("Flat mm");
+    const std::string between = lengths.worded("Gap mm"), narrowed = lengths.worded("Flat mm");
     const std::string between_help = lengths.worded("The gap between the walls, or how far they overlap, in mm");
     const std::string narrowed_help = lengths.worded("By how much the drawn surface of each of the two vessels is "
                                                      "flattened toward the other, in mm. That is how the "
