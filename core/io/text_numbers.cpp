@@ -25,7 +25,7 @@ std::optional<double> to_real(std::string_view text) {
 }
 
 bool begins_formula(std::string_view text) {
-    constexpr std::string_view kSigns = "=+-@\t\r";
+    constexpr std::string_view kSigns = "=+-@\t\r\n";
     return text.size() > 1 && kSigns.find(text.front()) != std::string_view::npos && !to_real(text);
 }
 

@@ -59,6 +59,21 @@ class Values(Bounded):
                     self.assertEqual(status, 1, error)
                     self.assertLess(most, 60 + 2 * (len(many) >> 20) + 170, error)
 
+    def test_elements_of_xml_do_not_fill_the_memory(self):
+        count = 6_000_000
+        for name, element in (("elements", "<a/>"), ("attributes", '<a b=""/>'), ("words", "<a>1</a>"), ("lines", "\n" * 4)):
+            for file, text in (("a.graphml", "<graphml><graph>%s</graph></graphml>"), ("a.gxl", "<gxl><graph>%s</graph></gxl>"),
+                               ("a.vtp", '<VTKFile type="PolyData" version="0.1"><PolyData>%s</PolyData></VTKFile>')):
+                if element != "<a/>" and file != "a.vtp":
+                    continue
+                with self.subTest(name, file=file):
+                    whole = text % (element * count)
+                    self.write(file, whole)
+                    status, error, most = self.peak("info", file)
+                    self.assertEqual(status, 1, error)
+                    self.assertEqual("ten times its text" in error, name != "lines", error)
+                    self.assertLess(most, 60 + 3 * (len(whole) >> 20), error)  # pugixml copies what it parses
+
     def test_a_small_file_stays_small(self):
         bomb = self.write("bomb.json.gz", gzip.compress(b'{"format":"ramus-tree","points":[' + b"[]," * 20_000_000))
         found = SHARED / "json_memory_58kB.json.gz"

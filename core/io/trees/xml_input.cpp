@@ -2,14 +2,12 @@
 
 #include "core/io/text_numbers.h"
 
-#include <algorithm>
-
 namespace ramus::io {
 
 Result<void> XmlInput::parse(std::string_view text, const std::string& name) {
     name_ = name;
-    for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n', end + 1))
-        line_ends_.push_back(end);
+    lines_ = LineIndex(text);
+    if (auto few = check_xml(text, name); !few) return few;
     const pugi::xml_parse_result result = document_.load_buffer(text.data(), text.size());
     if (!result)
         return fail(std::string("this is not valid XML: ") + result.description(),
@@ -20,8 +18,7 @@ Result<void> XmlInput::parse(std::string_view text, const std::string& name) {
 
 std::size_t XmlInput::line(const pugi::xml_node& node) const {
     const std::ptrdiff_t offset = node.offset_debug();
-    const auto end = std::ranges::lower_bound(line_ends_, offset < 0 ? 0 : static_cast<std::size_t>(offset));
-    return static_cast<std::size_t>(end - line_ends_.begin()) + 1;
+    return lines_.line(offset < 0 ? 0 : static_cast<std::size_t>(offset));
 }
 
 std::string XmlInput::place(const pugi::xml_node& node) const { return name_ + ":" + std::to_string(line(node)); }

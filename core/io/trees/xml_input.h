@@ -3,17 +3,17 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/io/xml_text.h"
 
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace ramus::io {
 
 class XmlInput {
 public:
-    // Fails with the line of what is not XML. `name` must outlive this.
+    // Fails with the line of what is not XML, and where check_xml() does. `text` and `name` must outlive this.
     [[nodiscard]] Result<void> parse(std::string_view text, const std::string& name);
 
     [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
@@ -23,7 +23,7 @@ public:
 private:
     std::string name_;
     pugi::xml_document document_;
-    std::vector<std::size_t> line_ends_;
+    LineIndex lines_;
 };
 
 // Whether the first element of the file is called so; what stands before it is of no account.

@@ -79,8 +79,7 @@ private:
 
 std::string VtkXmlData::place(const pugi::xml_node& node) const {
     const std::ptrdiff_t offset = node.offset_debug();
-    const auto line = std::ranges::lower_bound(line_ends_, offset < 0 ? 0 : static_cast<std::size_t>(offset));
-    return name_ + ":" + std::to_string(line - line_ends_.begin() + 1);
+    return name_ + ":" + std::to_string(lines_.line(offset < 0 ? 0 : static_cast<std::size_t>(offset)));
 }
 
 Result<VtkXmlData> VtkXmlData::parse(std::string_view text, const std::string& name) {
@@ -100,8 +99,8 @@ Result<VtkXmlData> VtkXmlData::parse(std::string_view text, const std::string& n
         head = std::string(text.substr(0, tag)) + "</VTKFile>";
     }
     const std::string_view xml = head.empty() ? text : std::string_view(head);
-    for (std::size_t end = xml.find('\n'); end != std::string_view::npos; end = xml.find('\n', end + 1))
-        data.line_ends_.push_back(end);
+    data.lines_ = LineIndex(text.substr(0, tag));
+    if (auto few = check_xml(xml, name); !few) return tl::unexpected(few.error());
     const pugi::xml_parse_result result = data.document_->load_buffer(xml.data(), xml.size());
     if (!result)
         return fail(std::string("this is not valid XML: ") + result.description(),

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/io/binary_numbers.h"
 #include "core/io/vtk/vtk_blocks.h"
+#include "core/io/xml_text.h"
 
 #include <bit>
 #include <cstdint>
@@ -41,7 +42,7 @@ private:
 
     std::string_view text_;
     std::string name_;
-    std::vector<std::size_t> line_ends_; // of the XML, so that places are found in time in files of many elements
+    LineIndex lines_; // of the XML
     std::unique_ptr<pugi::xml_document> document_;
     std::string_view appended_;
     bool appended_base64_ = false;
