@@ -175,7 +175,6 @@ Result<void> cut_clear(ActionContext& context, Arguments) {
 }
 
 Result<void> bands(ActionContext& context, Arguments arguments) {
-    constexpr std::size_t kMostBands = 20; // more cannot be told apart
     std::vector<double> found;
     for (const std::string& word : arguments) {
         const auto margin = number_in(word, 1e-6, kFarthestMm);

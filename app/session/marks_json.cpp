@@ -2,6 +2,7 @@
 
 #include "app/session/colour_by.h"
 #include "app/session/json_values.h"
+#include "app/session/most_marks.h"
 #include "app/session/surface_options.h"
 #include "core/base/sort_unique.h"
 #include "core/base/words.h"
@@ -68,6 +69,7 @@ static double option_value(const SurfaceOption& option, const json& value) {
 }
 
 static void read_bands(const json& list, std::vector<double>& bands) {
+    if (list.size() > kMostBands) throw Refusal{"more than " + std::to_string(kMostBands) + " bands"};
     bands.clear();
     for (const json& band : list) bands.push_back(number(band, "band", 1e-6, 1e6));
     if (!std::ranges::is_sorted(bands)) throw Refusal{"bands do not ascend"};

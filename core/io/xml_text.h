@@ -26,7 +26,7 @@ public:
     [[nodiscard]] std::size_t line(std::size_t offset) const; // from 1
 
 private:
-    static constexpr std::size_t kBlock = 4096; // bytes
+    static constexpr std::size_t kBlock = 256; // bytes
     std::string_view text_;
     std::vector<std::size_t> before_; // by block: lines that end before it
 };

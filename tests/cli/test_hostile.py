@@ -73,6 +73,9 @@ class Json(Hostile):
                     self.write("s.ramus.json", json.dumps({"version": 1, "tree": {"path": "tree.swc"}, member: [value] * count}))
                     self.expect_failure("render", "--session", "s.ramus.json", "-o", "a.png", *SIZE,
                                         says=[f"{count:,} {name}, where there can be {most:,}"])
+        self.write("s.ramus.json", json.dumps({"version": 1, "tree": {"path": "tree.swc"},
+                                               "options": {"bands": [0.01 * (i + 1) for i in range(21)]}}))
+        self.expect_failure("render", "--session", "s.ramus.json", "-o", "a.png", *SIZE, says=["more than 20 bands"])
         self.write("s.ramus.json", json.dumps({"version": 1, "tree": {"path": "tree.swc"}, "edits": [
             {"edit": "scale", "branches": [1], "value": 1.0001}] * 1000}))
         begun = time.monotonic()
