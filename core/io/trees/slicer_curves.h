@@ -22,7 +22,7 @@ struct MarkupsCurve {
     bool closed = false;
     bool has_points = false;         // the list is there
     std::string unit;                // as written; empty: it does not say
-    std::optional<std::string> axes; // likewise
+    std::optional<std::string> axes; // as written; none: it does not say
     // None: without a place, which the file says itself.
     std::vector<std::optional<glm::dvec3>> points;
     std::optional<std::size_t> bad_point; // the first whose position is none
