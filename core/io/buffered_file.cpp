@@ -59,6 +59,12 @@ void BufferedFile::put(const std::byte* bytes, std::size_t count) {
     }
 }
 
+void BufferedFile::close() {
+    flush();
+    buffer_.reset();
+    keep_error(::close(std::exchange(file_descriptor_, -1)));
+}
+
 void BufferedFile::flush() { put(buffer_.get(), std::exchange(used_, 0)); }
 
 void BufferedFile::write_through(const void* bytes, std::size_t count) {

@@ -40,6 +40,7 @@ protected:
     ~BufferedFile(); // closes
 
     void flush();
+    void close();                // at the end of all that is written
     void keep_error(int result); // of a system call: errno unless it is 0 or there is an error already
 
     int file_descriptor_;

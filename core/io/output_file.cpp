@@ -2,6 +2,7 @@
 
 #include "core/base/leftovers.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -163,7 +164,7 @@ void OutputFile::finish() {
         first_error_ = state.name_by(
             [&](const char* path) { return ::linkat(AT_FDCWD, open.c_str(), AT_FDCWD, path, AT_SYMLINK_FOLLOW) == 0; });
     }
-    keep_error(::close(std::exchange(file_descriptor_, -1)));
+    close();
 }
 
 Result<void> OutputFile::commit() {
@@ -215,12 +216,35 @@ Result<void> commit_all(std::span<OutputFile> files) {
 }
 
 Result<void> OutputSet::add(const fs::path& target, std::string_view text) {
-    RAMUS_TRY(file, OutputFile::create(target));
-    file.write(text);
-    file.finish(); // open files are few
-    if (file.failed()) return write_error(target, file.first_error_);
-    files_.push_back(std::move(file));
+    if (auto possible = check_output(target); !possible) return possible;
+    if (kept_.number() < 0) kept_.reset(open_without_name(folder_of(final_path(target))));
+    for (std::string_view left = text; !left.empty();) {
+        const ssize_t put = ::write(kept_.number(), left.data(), left.size());
+        if (put < 0 && errno == EINTR) continue;
+        if (put <= 0) return write_error(target, errno);
+        left.remove_prefix(static_cast<std::size_t>(put));
+    }
+    files_.push_back({target, text.size()});
     return {};
+}
+
+Result<void> OutputSet::commit() {
+    std::vector<OutputFile> files;
+    std::string part(std::size_t{1} << 20, '\0');
+    if (!files_.empty() && ::lseek(kept_.number(), 0, SEEK_SET) != 0) return write_error(files_[0].target, errno);
+    for (const One& one : files_) {
+        RAMUS_TRY(file, OutputFile::create(one.target));
+        for (std::uint64_t left = one.bytes; left > 0;) {
+            const ssize_t got = ::read(kept_.number(), part.data(), std::min<std::uint64_t>(left, part.size()));
+            if (got < 0 && errno == EINTR) continue;
+            if (got <= 0) return write_error(one.target, got < 0 ? errno : EIO);
+            file.write(part.data(), static_cast<std::size_t>(got));
+            left -= static_cast<std::uint64_t>(got);
+        }
+        file.finish(); // open files are few
+        files.push_back(std::move(file));
+    }
+    return commit_all(files);
 }
 
 Result<void> write_file(const fs::path& target, std::string_view text, InputKind kind) {

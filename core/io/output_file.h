@@ -7,9 +7,11 @@
 // Failures on the way (a full disk, `ulimit -f`) are told by commit().
 #pragma once
 
+#include "core/base/descriptor.h"
 #include "core/io/buffered_file.h"
 #include "core/io/run_inputs.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -54,15 +56,20 @@ private:
 // a renaming that fails after that leaves some new beside old ones.
 [[nodiscard]] Result<void> commit_all(std::span<OutputFile> files);
 
-// Files that belong together and come one after the other, as pictures of a turn: each is written when it is added, and
-// none is in its place before commit().
+// Files that belong together and come one after the other, as pictures of a turn: they are kept in one file without a
+// name, so that nothing is left of a process that is killed, and come to their places with commit().
 class OutputSet {
 public:
     [[nodiscard]] Result<void> add(const std::filesystem::path& target, std::string_view text);
-    [[nodiscard]] Result<void> commit() { return commit_all(files_); }
+    [[nodiscard]] Result<void> commit();
 
 private:
-    std::vector<OutputFile> files_;
+    struct One {
+        std::filesystem::path target;
+        std::uint64_t bytes = 0;
+    };
+    Descriptor kept_{-1};
+    std::vector<One> files_;
 };
 
 // A whole file at once.

@@ -28,7 +28,7 @@ class Limits(CommandLineTest):
                 result = self.limited(resource.RLIMIT_AS, megabytes << 20, "render", "tree.swc", "-o", "a.png", *SIZE)
                 self.assertIn(result.returncode, (0, 1), result.stderr)
                 if result.returncode == 1:
-                    self.assertRegex(result.stderr, r"\Aramus: .*(memory|cannot be loaded|thread)[^\n]*\n\Z")
+                    self.assertRegex(result.stderr, r"(\A|\n)ramus: .*(memory|cannot be loaded|thread)[^\n]*\n\Z")
                     self.assertEqual(self.names(), ["tree.swc"])
                 else:
                     done += 1
