@@ -1,6 +1,5 @@
 #include "core/io/output_folder.h"
 
-#include <ranges>
 #include <system_error>
 
 namespace ramus::io {
@@ -14,9 +13,9 @@ Result<OutputFolder> OutputFolder::make(const fs::path& folder) {
     for (fs::path one = fs::absolute(folder, error).lexically_normal(); !one.empty() && !fs::exists(one, error);
          one = one.parent_path())
         if (one.has_filename()) missing.push_back(one);
-    for (const fs::path& one : missing | std::views::reverse) {
+    for (; !missing.empty(); missing.pop_back()) {
         const auto held = hold_leftovers();
-        if (fs::create_directory(one, error)) made.made_.emplace_back(one, Leaves::kFile);
+        if (fs::create_directory(missing.back(), error)) made.made_.emplace_back(missing.back(), Leaves::kFile);
     }
     if (!fs::is_directory(folder, error))
         return fail("the folder cannot be made", folder.string(), "give the name of a folder");
