@@ -39,7 +39,7 @@ void remove_now(const fs::path& path, Leaves what) {
 } // namespace
 
 // Absolute: the folder that the process works in may change.
-Leftover::Leftover(fs::path path, Leaves what) : path_(fs::absolute(path)), what_(what) {
+Leftover::Leftover(const fs::path& path, Leaves what) : path_(fs::absolute(path)), what_(what) {
     const auto held = hold_leftovers();
     number_ = ++registry().made;
     registry().all.emplace(number_, Registry::One{path_, what});
@@ -74,7 +74,7 @@ void Leftover::remove() {
 std::unique_lock<std::recursive_mutex> hold_leftovers() { return std::unique_lock(registry().mutex); }
 
 void end_by_signal(int number) {
-    const auto held = hold_leftovers(); // for ever: nobody begins or finishes anything now
+    registry().mutex.lock(); // for ever: nobody begins or finishes anything now
     for (auto one = registry().all.rbegin(); one != registry().all.rend(); ++one)
         remove_now(one->second.path, one->second.what);
     std::signal(number, SIG_DFL);

@@ -15,7 +15,7 @@ enum class Leaves {
 class Leftover {
 public:
     Leftover() = default; // none
-    Leftover(std::filesystem::path path, Leaves what);
+    Leftover(const std::filesystem::path& path, Leaves what);
     Leftover(Leftover&& other) noexcept;
     Leftover& operator=(Leftover&& other) noexcept;
     ~Leftover(); // removes it
