@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import pty
 import resource
 import subprocess
 import tempfile
@@ -70,6 +71,13 @@ class CommandLineTest(unittest.TestCase):
         if status == 1:
             self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
         return result
+
+    def terminal(self):
+        """Both ends of a terminal; a container may have no /dev/pts."""
+        try:
+            return pty.openpty()
+        except OSError as error:
+            self.skipTest(f"no terminals: {error}")
 
     def json(self, *arguments):
         """Standard output holds one JSON object and nothing else."""

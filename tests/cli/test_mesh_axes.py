@@ -187,7 +187,7 @@ class StatedAxes(MeshAxes):
                 asked = " --mesh-orientation LPS"
                 for name, line in (("right", "right/m.stl"), ("says", "says/m.stl"), ("silent", "silent/m.stl" + asked)):
                     self.write("c.txt", f"{command} {line}\nsave {name}.ramus.json\n")
-                    told = self.expect_done("render", "tree.swc", "-o", name + ".png", *size, "--commands", "c.txt").stderr
+                    told = self.expect_done("render", "tree.swc", "-o", name + ".png", *size, "--commands", "c.txt", "--overwrite").stderr
                     self.assertEqual(told, "")
                     self.expect_done("render", "--session", name + ".ramus.json", "-o", name + "2.png", *size)
                 pictures = {(self.folder / name).read_bytes() for name in ("right.png", "says.png", "silent.png", "silent2.png")}

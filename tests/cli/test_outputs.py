@@ -1,7 +1,6 @@
 """Outputs appear whole or not at all, whatever happens."""
 
 import os
-import pty
 import signal
 import subprocess
 import time
@@ -183,10 +182,7 @@ class Progress(CommandLineTest):
 
     def test_a_terminal_does(self):
         tree = self.write("tree.swc", TUBE)
-        try:
-            leader, follower = pty.openpty()
-        except OSError as problem:  # a container may have no /dev/pts
-            self.skipTest(f"no terminal to be had: {problem}")
+        leader, follower = self.terminal()
         process = subprocess.Popen([RAMUS, "mesh", tree, "-o", "out.ply", "--detail", "512"], cwd=self.folder,
                                    stdout=subprocess.PIPE, stderr=follower)
         os.close(follower)

@@ -57,7 +57,7 @@ class Skeletonize(CommandLineTest):
             report = self.json("skeletonize", name, "-o", "made.json", "--json")
             self.expect_done("convert", name, "-o", "converted.json")
             self.assertEqual((self.folder / "made.json").read_bytes(), (self.folder / "converted.json").read_bytes())
-            self.expect_done("render", name, "--commands", "commands.txt", "--size", "64x48")
+            self.expect_done("render", name, "--commands", "commands.txt", "--overwrite", "--size", "64x48")
             self.expect_done("convert", "--session", "s.ramus.json", "-o", "session.json")
             self.assertEqual((self.folder / "made.json").read_bytes(), (self.folder / "session.json").read_bytes())
             topics = [note["topic"] for note in json.loads((self.folder / "made.json").read_text())["notes"]]
@@ -130,7 +130,7 @@ class Skeletonize(CommandLineTest):
     def test_a_session_keeps_how_its_mask_is_read(self):
         (self.folder / "commands.txt").write_text("read-as labels together fill-holes on bulge-size 1 root 47,6,8\n"
                                                   "save s.ramus.json\n")
-        self.expect_done("render", "mask.nii", "--commands", "commands.txt", "--size", "64x48")
+        self.expect_done("render", "mask.nii", "--commands", "commands.txt", "--overwrite", "--size", "64x48")
         session = json.loads((self.folder / "s.ramus.json").read_text())
         self.assertEqual(session["reading"], {"labels": "together", "fill_holes": True, "bulge_size": 1.0,
                                               "root": [47.0, 6.0, 8.0]})

@@ -3,7 +3,6 @@
 import gzip
 import json
 import os
-import pty
 import signal
 import struct
 import subprocess
@@ -146,7 +145,7 @@ class Input(Streams):
         self.assertIn("standard input: is closed", closed.stderr)
 
     def test_a_terminal_is_waited_for(self):
-        main, side = pty.openpty()
+        main, side = self.terminal()
         process = subprocess.Popen([RAMUS, "info", "-"], stdin=side, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                    env=self.environment)
         os.close(side)
@@ -217,7 +216,7 @@ class Output(Streams):
 
     def test_a_terminal_gets_no_bytes(self):
         self.write("tree.swc", GOOD)
-        main, side = pty.openpty()
+        main, side = self.terminal()
         result = subprocess.run([RAMUS, "mesh", "tree.swc", "-o", "-", "--format", "stl"], cwd=self.folder, stdout=side,
                                 stderr=subprocess.PIPE, text=True, timeout=60)
         os.close(side)
