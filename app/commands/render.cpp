@@ -285,6 +285,11 @@ void warn_of_half_turns(const Document& document, const Assets& assets) {
             warn(file, {render::bounds_of(lesion->mesh), lesion->axes}, lesion->asked_axes);
 }
 
+Result<void> run_lines(const std::vector<ScriptLine>& script, const RenderFlags& flags, ActionContext& where) {
+    const io::KeepExistingFiles keep(!flags.overwrite);
+    return run_script(where, script, flags.commands);
+}
+
 Result<int> run_render(const RenderFlags& flags) {
     // What can be wrong is found before the long work.
     RAMUS_TRY(inputs, read_inputs(flags));
@@ -304,16 +309,12 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!context) return tl::unexpected(context.error());
     RAMUS_TRY(renderer, render::Renderer::create(render::kGlassBytes, flags.graphics_bytes));
     stage.draw_with(*renderer);
-    const auto run = [&](ActionContext& where) {
-        const io::KeepExistingFiles keep(!flags.overwrite);
-        return run_script(where, inputs.script, flags.commands);
-    };
+    const auto run = [&](ActionContext& where) { return run_lines(inputs.script, flags, where); };
     ActionContext here{.document = document,
                        .picture = stage,
                        .assets = stage.assets,
                        .tell = [&](const std::string& line) { say(flags.common, line); }};
     if (auto ran = run_commands(here, flags, run); !ran) return tl::unexpected(ran.error());
-
     warn_of_half_turns(document, stage.assets);
 
     RAMUS_TRY(sheet, stage.sheet());

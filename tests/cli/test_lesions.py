@@ -38,8 +38,8 @@ class Lesions(CommandLineTest):
 
     def run_commands(self, lines, *more, tree=None):
         self.write("c.txt", lines)
-        return self.expect_done("render", tree or self.tree, "--size", "320x240", "--commands", "c.txt", "-o", "p.png",
-                                "--verbose", *more).stderr
+        return self.expect_done("render", tree or self.tree, "--size", "320x240", "--commands", "c.txt", "--overwrite", "-o",
+                                "p.png", "--verbose", *more).stderr
 
     def rows(self, name):
         with open(self.folder / name, newline="", encoding="utf-8") as file:
@@ -218,7 +218,7 @@ class Measurements(Lesions):
         self.assertIn("lesion 1 at (0, 0, 18.0) to (0, 0, 30.0): 12.0 mm", said)
         self.assertEqual(self.values(), [10, 12, 7])
         self.write("again.txt", "report m.csv measurements\nsave t.json\n")
-        self.expect_done("render", "--session", "s.json", "--commands", "again.txt", "-o", "q.png", "--size", "100x80")
+        self.expect_done("render", "--session", "s.json", "--commands", "again.txt", "--overwrite", "-o", "q.png", "--size", "100x80")
         self.assertEqual(self.values(), [10, 12, 7])
         first, second = (json.loads((self.folder / name).read_text())["measurements"] for name in ("s.json", "t.json"))
         self.assertEqual(first, second)
@@ -246,12 +246,12 @@ class Measurements(Lesions):
         self.assertAlmostEqual(self.values()[1], 7, places=3)
         self.write("box.obj", box((-5, -5, 12), (5, 5, 24)))
         self.write("again.txt", "report m.csv measurements\n")
-        self.expect_done("render", "--session", "s.json", "--commands", "again.txt", "-o", "q.png", "--size", "100x80")
+        self.expect_done("render", "--session", "s.json", "--commands", "again.txt", "--overwrite", "-o", "q.png", "--size", "100x80")
         moved, shortest = self.values()
         self.assertIn("no longer on lesion 1", moved)
         self.assertAlmostEqual(shortest, 9, places=3)
         (self.folder / "box.obj").unlink()
-        self.expect_done("render", "--session", "s.json", "--commands", "again.txt", "-o", "q.png", "--size", "100x80")
+        self.expect_done("render", "--session", "s.json", "--commands", "again.txt", "--overwrite", "-o", "q.png", "--size", "100x80")
         self.assertTrue(all("has not been read" in str(value) for value in self.values()))
 
     def test_what_cannot_be_measured_is_refused(self):
@@ -275,7 +275,7 @@ class Measurements(Lesions):
                 self.expect_failure("render", "--session", "bad.json", "-o", "no.png", says=[says])
         self.write("few.json", json.dumps({**session, "measurements": [{**good, "lesions": ["sphere 7", ""]}]}))
         self.write("again.txt", "report m.csv measurements\n")
-        self.expect_done("render", "--session", "few.json", "--commands", "again.txt", "-o", "q.png", "--size", "100x80")
+        self.expect_done("render", "--session", "few.json", "--commands", "again.txt", "--overwrite", "-o", "q.png", "--size", "100x80")
         self.assertIn("is not there", self.values()[0])
 
 
