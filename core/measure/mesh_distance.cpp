@@ -7,7 +7,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numeric>
+#include <utility>
 
 namespace ramus::measure {
 
@@ -94,52 +94,17 @@ MeshDistance::MeshDistance(const mesh::TriangleMesh& mesh) {
     for (const glm::uvec3& t : mesh.triangles)
         triangles.push_back(
             {glm::dvec3(mesh.positions[t.x]), glm::dvec3(mesh.positions[t.y]), glm::dvec3(mesh.positions[t.z])});
-    build(std::move(triangles));
-}
-
-void MeshDistance::build(std::vector<Triangle> triangles) {
-    constexpr std::uint32_t kLeaf = 4; // tuned: 1 and 2 are no quicker
-    std::vector<std::uint32_t> order(triangles.size());
-    std::iota(order.begin(), order.end(), 0U);
-    struct Open {
-        std::uint32_t first, count;
-        std::int64_t second_of; // the node whose second child this is; -1: a first child
+    const auto hold = [&](Box& box, std::uint32_t triangle) {
+        for (const glm::dvec3& corner : triangles[triangle]) box.hold(corner);
     };
-    std::vector<Open> open{{0, static_cast<std::uint32_t>(triangles.size()), -1}};
-    while (!open.empty()) {
-        const Open part = open.back();
-        open.pop_back();
-        if (part.second_of >= 0)
-            nodes_[static_cast<std::size_t>(part.second_of)].first = static_cast<std::uint32_t>(nodes_.size());
-        Node node;
-        Box middles;
-        for (std::uint32_t i = part.first; i < part.first + part.count; ++i) {
-            const Triangle& t = triangles[order[i]];
-            for (const glm::dvec3& corner : t) node.box.hold(corner);
-            middles.hold(t[0] + t[1] + t[2]);
-        }
-        if (part.count <= kLeaf) {
-            node.first = part.first;
-            node.count = part.count;
-            nodes_.push_back(node);
-            continue;
-        }
-        const glm::dvec3 size = middles.size();
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        const std::uint32_t half = part.count / 2;
-        const auto begin = order.begin() + part.first;
-        std::nth_element(begin, begin + half, begin + part.count, [&](std::uint32_t a, std::uint32_t b) {
-            const auto along = [&](const Triangle& t) { return t[0][axis] + t[1][axis] + t[2][axis]; };
-            const double x = along(triangles[a]), y = along(triangles[b]);
-            return x < y || (x == y && a < b);
-        });
-        const auto at = static_cast<std::int64_t>(nodes_.size());
-        nodes_.push_back(node);
-        open.push_back({part.first + half, part.count - half, at});
-        open.push_back({part.first, half, -1});
-    }
-    corners_.reserve(order.size());
-    for (const std::uint32_t i : order) corners_.push_back(triangles[i]);
+    const auto middle = [&](std::uint32_t triangle, int axis) {
+        const Triangle& t = triangles[triangle];
+        return t[0][axis] + t[1][axis] + t[2][axis];
+    };
+    HalvedBoxes tree = halved_boxes(static_cast<std::uint32_t>(triangles.size()), hold, middle);
+    nodes_ = std::move(tree.nodes);
+    corners_.reserve(triangles.size());
+    for (const std::uint32_t triangle : tree.order) corners_.push_back(triangles[triangle]);
 }
 
 // The least of `best` and of what of_triangle(triangle, best so far) says of any triangle, or the first that is not
@@ -152,7 +117,7 @@ double MeshDistance::least(double best, double enough, const ToBox& of_box, cons
         const auto [at, bound] = open.back();
         open.pop_back();
         if (bound >= best) continue;
-        const Node& node = nodes_[at];
+        const BoxNode& node = nodes_[at];
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
             best = std::min(best, of_triangle(corners_[i], best));
             if (best <= enough) return best;
@@ -201,7 +166,7 @@ int MeshDistance::winding(const glm::dvec3& point, const glm::dvec3& direction, 
     while (!open.empty()) {
         const std::uint32_t at = open.back();
         open.pop_back();
-        const Node& node = nodes_[at];
+        const BoxNode& node = nodes_[at];
         if (!crosses(node.box, point, inverse)) continue;
         if (node.count == 0) {
             open.push_back(at + 1);

@@ -5,11 +5,11 @@
 #pragma once
 
 #include "core/base/bounds.h"
+#include "core/base/halved_boxes.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/tree/vessel_tree.h"
 
 #include <array>
-#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -36,18 +36,12 @@ public:
     [[nodiscard]] std::size_t triangle_count() const { return corners_.size(); }
 
 private:
-    struct Node {
-        Box box;
-        std::uint32_t first = 0; // a leaf: its first triangle; else its second child, the first one follows it
-        std::uint32_t count = 0; // of triangles; 0: not a leaf
-    };
     using Triangle = std::array<glm::dvec3, 3>;
-    void build(std::vector<Triangle> triangles);
     template <class ToBox, class ToTriangle>
     [[nodiscard]] double least(double best, double enough, const ToBox& to_box, const ToTriangle& to_triangle) const;
     [[nodiscard]] int winding(const glm::dvec3& point, const glm::dvec3& direction, bool& grazed) const;
 
-    std::vector<Node> nodes_;
+    std::vector<BoxNode> nodes_;
     std::vector<Triangle> corners_; // in the order of the leaves
 };
 

@@ -9,7 +9,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
-#include <numeric>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
@@ -113,48 +112,17 @@ bool is_alone(const Place& place) {
 }
 
 NearbyVessels::NearbyVessels(const tree::Links& links) : links_(links) {
-    constexpr std::uint32_t kLeaf = 4;
-    order_.resize(links.all().size());
-    std::iota(order_.begin(), order_.end(), 0U);
-    along_.resize(order_.size(), 0.0);
+    along_.resize(links.all().size(), 0.0);
     for (std::size_t n = 1; n < along_.size(); ++n)
         if (links[n].branch == links[n - 1].branch)
             along_[n] = along_[n - 1] + glm::distance(links[n - 1].a.position, links[n - 1].b.position);
-    struct Part {
-        std::uint32_t first, count;
-        std::int64_t second_of; // the node whose second child this is; -1: a first child
+    const auto hold = [&](Bounds<glm::dvec3>& box, std::uint32_t link) {
+        for (const tree::Point* end : {&links[link].a, &links[link].b}) box.hold(end->position, kOwn * end->radius);
     };
-    std::vector<Part> parts;
-    if (!order_.empty()) parts.push_back({0, static_cast<std::uint32_t>(order_.size()), -1});
-    while (!parts.empty()) {
-        const Part part = parts.back();
-        parts.pop_back();
-        if (part.second_of >= 0)
-            nodes_[static_cast<std::size_t>(part.second_of)].first = static_cast<std::uint32_t>(nodes_.size());
-        Node node{glm::dvec3(kInfinity), glm::dvec3(-kInfinity), part.first, 0};
-        for (std::uint32_t i = part.first; i < part.first + part.count; ++i)
-            for (const tree::Point* end : {&links[order_[i]].a, &links[order_[i]].b}) {
-                node.least = glm::min(node.least, end->position - kOwn * end->radius);
-                node.most = glm::max(node.most, end->position + kOwn * end->radius);
-            }
-        if (part.count <= kLeaf) {
-            node.count = part.count;
-            nodes_.push_back(node);
-            continue;
-        }
-        const glm::dvec3 size = node.most - node.least;
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        const std::uint32_t half = part.count / 2;
-        const auto begin = order_.begin() + part.first;
-        std::nth_element(begin, begin + half, begin + part.count, [&](std::uint32_t a, std::uint32_t b) {
-            const auto middle = [&](std::uint32_t n) { return links[n].a.position[axis] + links[n].b.position[axis]; };
-            return middle(a) < middle(b) || (middle(a) == middle(b) && a < b);
-        });
-        const auto at = static_cast<std::int64_t>(nodes_.size());
-        nodes_.push_back(node);
-        parts.push_back({part.first + half, part.count - half, at});
-        parts.push_back({part.first, half, -1});
-    }
+    const auto middle = [&](std::uint32_t link, int axis) {
+        return links[link].a.position[axis] + links[link].b.position[axis];
+    };
+    boxes_ = halved_boxes(static_cast<std::uint32_t>(along_.size()), hold, middle);
 }
 
 // `radii`: the sum of the place's radius and the link's, there.
@@ -168,16 +136,16 @@ bool NearbyVessels::is_out(const ButFor& but, std::uint32_t link, double share, 
 NearbyVessels::Nearest NearbyVessels::nearest(const tree::Point& place, double most, const ButFor& but,
                                               double enough) const {
     Nearest best{most, tree::kNoBranch, 0.0};
-    if (nodes_.empty()) return best;
+    if (boxes_.nodes.empty()) return best;
     const double reach = kOwn * place.radius;
     std::array<std::uint32_t, 64> open; // halves: no deeper than the bits of a count of links
     open[0] = 0;
     std::size_t count = 1;
     while (count > 0) {
         const std::uint32_t at = open[--count];
-        const Node& node = nodes_[at];
-        if (glm::any(glm::lessThan(place.position, node.least - reach)) ||
-            glm::any(glm::greaterThan(place.position, node.most + reach)))
+        const BoxNode& node = boxes_.nodes[at];
+        if (glm::any(glm::lessThan(place.position, node.box.least - reach)) ||
+            glm::any(glm::greaterThan(place.position, node.box.most + reach)))
             continue;
         if (node.count == 0) {
             open[count++] = node.first;
@@ -185,13 +153,13 @@ NearbyVessels::Nearest NearbyVessels::nearest(const tree::Point& place, double m
             continue;
         }
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            const tree::Link& link = links_[order_[i]];
+            const tree::Link& link = links_[boxes_.order[i]];
             if (link.branch == but.branches[0] || link.branch == but.branches[1]) continue;
             const double closeness = tree::closeness(place, link);
             if (closeness >= best.closeness) continue;
             const double share = tree::share_along(place.position - link.a.position, link.b.position - link.a.position);
             const double radius = tree::point_on(link, share).radius;
-            if (is_out(but, order_[i], share, place.radius + radius)) continue;
+            if (is_out(but, boxes_.order[i], share, place.radius + radius)) continue;
             best = {closeness, link.branch, radius};
             if (closeness < enough) return best;
         }

@@ -3,6 +3,7 @@
 // and the reference knows which vessels are near a place. mm, RAS.
 #pragma once
 
+#include "core/base/halved_boxes.h"
 #include "core/tree/contacts/links.h"
 #include "core/tree/prepare.h"
 
@@ -61,17 +62,11 @@ public:
     [[nodiscard]] Nearest nearest(const tree::Point& place, double most, const ButFor& but, double enough) const;
 
 private:
-    struct Node {
-        glm::dvec3 least{0.0}, most{0.0};
-        std::uint32_t first = 0; // a leaf: its first link; else its second child, the first one follows it
-        std::uint32_t count = 0; // of links; 0: not a leaf
-    };
     [[nodiscard]] bool is_out(const ButFor& but, std::uint32_t link, double share, double radii) const;
 
     const tree::Links& links_;
-    std::vector<Node> nodes_;
-    std::vector<std::uint32_t> order_; // of links, in the order of the leaves
-    std::vector<double> along_;        // mm from its branch's first point to each link
+    HalvedBoxes boxes_;         // of links
+    std::vector<double> along_; // mm from its branch's first point to each link
 };
 
 // Centerlines as vessels. Parts refer to each other.
