@@ -48,17 +48,16 @@ struct RenderFlags {
     SurfaceFlags common;
     std::filesystem::path file, output, reference;
     std::string camera, session, commands;
-    bool overwrite = false; // by commands
     ColourFlags colours;
     std::vector<std::string> context; // files
     std::string mesh_axes;            // of meshes that do not state them; empty: not given
     glm::ivec2 size{1600, 1200};
     render::View view = render::View::kAnterior;
     bool view_given = false, orthographic = false, transparent = false, interface = false, json = false, notes = false;
-    double tolerance = 0.001;         // of the pixels
-    std::optional<double> noticeable; // instead of that: of the pixels, as eyes see them
-    int benchmark = 0;                // frames
-    bool benchmark_full = false;
+    double tolerance = 0.001;                       // of the pixels
+    std::optional<double> noticeable;               // instead of that: of the pixels, as eyes see them
+    int benchmark = 0;                              // frames
+    bool benchmark_full = false, overwrite = false; // by commands
     render::Backend backend = render::Backend::kOsMesa;
     int device = -1;                // of EGL's; -1: the best
     std::size_t graphics_bytes = 0; // for surfaces; 0: as the renderer has it
