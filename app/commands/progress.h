@@ -64,6 +64,14 @@ std::invoke_result_t<Work, Job&> with_progress(const std::string& what, const Wo
     if (job.cancelled()) return fail(cancelled);
     return result;
 }
+
+// The same of work that fails where it is cancelled. What comes too late changes nothing: files may be in their places.
+template <class Work> std::invoke_result_t<Work, Job&> write_with_progress(const std::string& what, const Work& work) {
+    Job job;
+    const CancelOnInterrupt cancel(job);
+    const ProgressBar bar(what, job);
+    return work(job);
+}
 inline constexpr const char* kNothingWritten = "cancelled; nothing was written";
 
 } // namespace ramus::app

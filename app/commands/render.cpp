@@ -209,7 +209,7 @@ Result<int> run_turntable(const RenderFlags& flags, render::SheetRenderer& sheet
     FigureOptions options = flags.figure;
     options.whole = !keep_camera;
     const auto write = [&](Job& job) { return write_turntable(sheets, sheet, options, flags.output, job); };
-    RAMUS_TRY(table, with_progress("pictures", write, "cancelled"));
+    RAMUS_TRY(table, write_with_progress("pictures", write));
     say(flags.common,
         "wrote " +
             (is_video(flags.output) ? std::string() : counted(table.files.size(), "picture", "pictures") + " from ") +

@@ -89,7 +89,7 @@ Result<std::unique_ptr<ReportFolder>> ReportFolder::make(const ValidateFlags& fl
 
 Result<void> ReportFolder::write(const ValidateFlags& flags, std::span<const ValidatedDataSet> sets,
                                  const std::string& json) const {
-    return with_progress("report", [&](Job& job) -> Result<void> {
+    return write_with_progress("report", [&](Job& job) -> Result<void> {
         std::vector<io::OutputFile> files;
         for (const ReportFile& one : kReportFiles) {
             if (one.of_masks && !has_mask(sets)) continue;
