@@ -1,6 +1,7 @@
 #include "app/actions/script.h"
 
 #include "core/io/input_file.h"
+#include "core/io/run_inputs.h"
 
 namespace ramus::app {
 
@@ -79,7 +80,8 @@ Result<std::vector<ScriptLine>> read_script(const std::filesystem::path& path) {
     return parse_script(text, path.string());
 }
 
-Result<void> run_line(ActionContext& context, const ScriptLine& line, const std::string& file) {
+Result<void> run_line(ActionContext& context, const ScriptLine& line, const std::string& file, bool overwrite) {
+    const io::KeepExistingFiles keep(!overwrite);
     auto done = run_command(context, line.words);
     if (done) return {};
     Error error = done.error();
@@ -88,9 +90,10 @@ Result<void> run_line(ActionContext& context, const ScriptLine& line, const std:
     return tl::unexpected(error);
 }
 
-Result<void> run_script(ActionContext& context, const std::vector<ScriptLine>& lines, const std::string& file) {
+Result<void> run_script(ActionContext& context, const std::vector<ScriptLine>& lines, const std::string& file,
+                        bool overwrite) {
     for (const ScriptLine& line : lines)
-        if (auto done = run_line(context, line, file); !done) return done;
+        if (auto done = run_line(context, line, file, overwrite); !done) return done;
     return {};
 }
 

@@ -17,9 +17,10 @@ struct ScriptLine {
 [[nodiscard]] Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::string& file);
 [[nodiscard]] Result<std::vector<ScriptLine>> read_script(const std::filesystem::path& path);
 
-// Files that are there are replaced; io::KeepExistingFiles keeps them.
-[[nodiscard]] Result<void> run_line(ActionContext& context, const ScriptLine& line, const std::string& file);
+// `overwrite`: whether files that were there before are replaced (io::KeepExistingFiles).
+[[nodiscard]] Result<void> run_line(ActionContext& context, const ScriptLine& line, const std::string& file,
+                                    bool overwrite = true);
 [[nodiscard]] Result<void> run_script(ActionContext& context, const std::vector<ScriptLine>& lines,
-                                      const std::string& file);
+                                      const std::string& file, bool overwrite = true);
 
 } // namespace ramus::app

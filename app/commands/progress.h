@@ -53,24 +53,24 @@ private:
     std::thread thread_;
 };
 
-// What `work(job)` gives, with a bar that follows it. An interrupt cancels the job, and the error says `cancelled`.
-template <class Work>
-std::invoke_result_t<Work, Job&> with_progress(const std::string& what, const Work& work,
-                                               const char* cancelled = "cancelled") {
-    Job job;
-    const CancelOnInterrupt cancel(job);
-    const ProgressBar bar(what, job);
-    auto result = work(job);
-    if (job.cancelled()) return fail(cancelled);
-    return result;
-}
-
-// The same of work that fails where it is cancelled. What comes too late changes nothing: files may be in their places.
+// What `work(job)` gives, with a bar that follows it; an interrupt cancels the job. For work that fails where it is
+// cancelled: what comes too late changes nothing, for files may be in their places.
 template <class Work> std::invoke_result_t<Work, Job&> write_with_progress(const std::string& what, const Work& work) {
     Job job;
     const CancelOnInterrupt cancel(job);
     const ProgressBar bar(what, job);
     return work(job);
+}
+
+// The same for any work: once it is cancelled, its result is the error `cancelled`.
+template <class Work>
+std::invoke_result_t<Work, Job&> with_progress(const std::string& what, const Work& work,
+                                               const char* cancelled = "cancelled") {
+    return write_with_progress(what, [&](Job& job) {
+        auto result = work(job);
+        if (job.cancelled()) result = fail(cancelled);
+        return result;
+    });
 }
 inline constexpr const char* kNothingWritten = "cancelled; nothing was written";
 

@@ -48,16 +48,17 @@ struct RenderFlags {
     SurfaceFlags common;
     std::filesystem::path file, output, reference;
     std::string camera, session, commands;
+    bool overwrite = false; // by the commands
     ColourFlags colours;
     std::vector<std::string> context; // files
     std::string mesh_axes;            // of meshes that do not state them; empty: not given
     glm::ivec2 size{1600, 1200};
     render::View view = render::View::kAnterior;
     bool view_given = false, orthographic = false, transparent = false, interface = false, json = false, notes = false;
-    double tolerance = 0.001;                       // of the pixels
-    std::optional<double> noticeable;               // instead of that: of the pixels, as eyes see them
-    int benchmark = 0;                              // frames
-    bool benchmark_full = false, overwrite = false; // by commands
+    double tolerance = 0.001;         // of the pixels
+    std::optional<double> noticeable; // instead of that: of the pixels, as eyes see them
+    int benchmark = 0;                // frames
+    bool benchmark_full = false;
     render::Backend backend = render::Backend::kOsMesa;
     int device = -1;                // of EGL's; -1: the best
     std::size_t graphics_bytes = 0; // for surfaces; 0: as the renderer has it
@@ -284,11 +285,6 @@ void warn_of_half_turns(const Document& document, const Assets& assets) {
             warn(file, {render::bounds_of(lesion->mesh), lesion->axes}, lesion->asked_axes);
 }
 
-Result<void> run_lines(const std::vector<ScriptLine>& script, const RenderFlags& flags, ActionContext& where) {
-    const io::KeepExistingFiles keep(!flags.overwrite);
-    return run_script(where, script, flags.commands);
-}
-
 Result<int> run_render(const RenderFlags& flags) {
     // What can be wrong is found before the long work.
     RAMUS_TRY(inputs, read_inputs(flags));
@@ -308,7 +304,9 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!context) return tl::unexpected(context.error());
     RAMUS_TRY(renderer, render::Renderer::create(render::kGlassBytes, flags.graphics_bytes));
     stage.draw_with(*renderer);
-    const auto run = [&](ActionContext& where) { return run_lines(inputs.script, flags, where); };
+    const auto run = [&](ActionContext& where) {
+        return run_script(where, inputs.script, flags.commands, flags.overwrite);
+    };
     ActionContext here{.document = document,
                        .picture = stage,
                        .assets = stage.assets,

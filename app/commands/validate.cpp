@@ -16,6 +16,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -44,11 +45,11 @@ Result<int> run_validate(const ValidateFlags& flags) {
     if (flags.kernels) return run_kernels(flags);
     Job whole; // what an interrupt cancels between the steps, which have jobs of their own
     const CancelOnInterrupt cancel(whole);
-    std::unique_ptr<ReportFolder> report;
+    std::optional<ReportFolder> report;
     std::unique_ptr<ValidationPainter> painter;
     if (!flags.report.empty()) {
         RAMUS_TRY(folder, ReportFolder::make(flags));
-        report = std::move(folder);
+        report.emplace(std::move(folder));
     }
     RAMUS_TRY(trees, read_all(flags));
     if (report) {

@@ -78,9 +78,9 @@ constexpr std::array<ReportFile, 13> kReportFiles{{
 
 } // namespace
 
-Result<std::unique_ptr<ReportFolder>> ReportFolder::make(const ValidateFlags& flags) {
+Result<ReportFolder> ReportFolder::make(const ValidateFlags& flags) {
     RAMUS_TRY(folder, io::OutputFolder::make(flags.report));
-    std::unique_ptr<ReportFolder> report(new ReportFolder(std::move(folder)));
+    ReportFolder report(std::move(folder));
     note_inputs(flags);
     for (const ReportFile& file : kReportFiles)
         if (auto can = io::check_output(flags.report / file.name); !can) return tl::unexpected(can.error());

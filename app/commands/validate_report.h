@@ -8,7 +8,6 @@
 #include "core/base/error.h"
 #include "core/io/output_folder.h"
 
-#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -19,7 +18,7 @@ class ReportFolder {
 public:
     // Makes the folder if need be. Fails where it cannot be made or written to, and where a file of the report would
     // take the place of one that `flags` name: before long work starts.
-    [[nodiscard]] static Result<std::unique_ptr<ReportFolder>> make(const ValidateFlags& flags);
+    [[nodiscard]] static Result<ReportFolder> make(const ValidateFlags& flags);
     // `json`: the text of validation.json.
     [[nodiscard]] Result<void> write(const ValidateFlags& flags, std::span<const ValidatedDataSet> sets,
                                      const std::string& json) const;

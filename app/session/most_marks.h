@@ -14,7 +14,7 @@ inline constexpr std::size_t kMostShapes = 500;
 // Each computes the tree anew: 6 ms where it has 6,000 points, measured.
 inline constexpr std::size_t kMostEdits = 1'000;
 
-inline constexpr std::size_t kMostBands = 20; // margins around lesions; more cannot be told apart
+inline constexpr std::size_t kMostBands = 20; // margins around lesions; the colours of more cannot be distinguished
 
 // Fails when there are more lesions, lesion meshes, context shapes, cuts, measurements or edits; names them.
 [[nodiscard]] Result<void> check_counts(const Marks& marks);

@@ -19,7 +19,6 @@
 #include "core/base/printable.h"
 #include "core/base/worker.h"
 #include "core/io/output_file.h"
-#include "core/io/run_inputs.h"
 #include "core/io/volumes/volume_file.h"
 
 #include <GLFW/glfw3.h>
@@ -180,9 +179,8 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
         watch.did("swap");
         script_begun |= workspace.all_shown() && viewer.resting();
         if (script_begun && next_line < script.size()) {
-            const io::KeepExistingFiles keep(!options.overwrite);
             viewer.set_script_runs(true);
-            auto done = run_line(viewer.actions(), script[next_line++], options.commands);
+            auto done = run_line(viewer.actions(), script[next_line++], options.commands, options.overwrite);
             viewer.set_script_runs(false);
             viewer.set_script_left(next_line < script.size());
             if (!done) return done;

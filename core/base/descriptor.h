@@ -1,4 +1,5 @@
-// Descriptors of the operating system: one that is closed with its owner, and all of a text into a socket.
+// Descriptors of the operating system: one that is closed with its owner, files without a name, and all of a text at
+// once.
 #pragma once
 
 #include <filesystem>
@@ -30,6 +31,9 @@ private:
 // A file without a name in a folder, for reading and writing by this user: however the process ends, nothing is left of
 // it. -1: errno says why.
 [[nodiscard]] int open_without_name(const std::filesystem::path& folder);
+
+// False: not all of it could be written; errno says why.
+[[nodiscard]] bool write_all(int descriptor, std::string_view bytes);
 
 // Waits until the socket has taken all. False: its other end is closed, or it is none; no signal is raised then.
 [[nodiscard]] bool send_all(int socket, std::string_view bytes);

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 struct Registry {
     struct One {
         fs::path path;
-        Leaves what;
+        LeftoverKind what;
     };
     std::recursive_mutex mutex;
     std::map<std::size_t, One> all; // by age
@@ -28,9 +28,9 @@ Registry& registry() {
     return one;
 }
 
-void remove_now(const fs::path& path, Leaves what) {
+void remove_now(const fs::path& path, LeftoverKind what) {
     std::error_code ignored;
-    if (what == Leaves::kFile)
+    if (what == LeftoverKind::kFile)
         fs::remove(path, ignored);
     else
         fs::remove_all(path, ignored);
@@ -39,7 +39,7 @@ void remove_now(const fs::path& path, Leaves what) {
 } // namespace
 
 // Absolute: the folder that the process works in may change.
-Leftover::Leftover(const fs::path& path, Leaves what) : path_(fs::absolute(path)), what_(what) {
+Leftover::Leftover(const fs::path& path, LeftoverKind what) : path_(fs::absolute(path)), what_(what) {
     const auto held = hold_leftovers();
     number_ = ++registry().made;
     registry().all.emplace(number_, Registry::One{path_, what});

@@ -7,7 +7,7 @@
 
 namespace ramus {
 
-enum class Leaves {
+enum class LeftoverKind {
     kFile,        // a file, or a folder if there is nothing in it
     kWholeFolder, // a folder with all that is in it
 };
@@ -15,7 +15,7 @@ enum class Leaves {
 class Leftover {
 public:
     Leftover() = default; // none
-    Leftover(const std::filesystem::path& path, Leaves what);
+    Leftover(const std::filesystem::path& path, LeftoverKind what);
     Leftover(Leftover&& other) noexcept;
     Leftover& operator=(Leftover&& other) noexcept;
     ~Leftover(); // removes it
@@ -28,7 +28,7 @@ private:
 
     std::filesystem::path path_;
     std::size_t number_ = 0;
-    Leaves what_ = Leaves::kFile;
+    LeftoverKind what_ = LeftoverKind::kFile;
 };
 
 // While it lives end_by_signal() waits: for steps that belong together, as making a file and making it a Leftover.

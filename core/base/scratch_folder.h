@@ -15,7 +15,7 @@ public:
     [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
 
 private:
-    explicit ScratchFolder(const std::filesystem::path& path) : folder_(path, Leaves::kWholeFolder) {}
+    explicit ScratchFolder(const std::filesystem::path& path) : folder_(path, LeftoverKind::kWholeFolder) {}
     Leftover folder_;
 };
 

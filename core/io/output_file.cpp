@@ -78,7 +78,7 @@ struct OutputFile::State {
                 ".ramus-" + std::to_string(::getpid()) + "-" + std::to_string(serial.fetch_add(1)) + ".part";
             const fs::path path = folder_of(target) / name;
             code = make(path.c_str()) ? 0 : errno;
-            if (code == 0) unfinished = Leftover(path, Leaves::kFile);
+            if (code == 0) unfinished = Leftover(path, LeftoverKind::kFile);
         }
         return code;
     }
@@ -188,8 +188,8 @@ Result<void> commit_both(OutputFile& first, OutputFile& second) {
     const auto held = hold_leftovers();
     const bool first_ours = is_ours_to_make(one->target);
     // An older first file takes the name of the unfinished one meanwhile, where the file system can exchange names.
-    const bool exchanged = one->has_name() && one->exchange();
-    if (!exchanged && one->has_name()) {
+    const bool named = one->has_name(), exchanged = named && one->exchange();
+    if (named && !exchanged) {
         first.keep_error(one->rename() ? 0 : -1);
         if (first.failed()) return write_error(one->asked, first.first_error_);
     }
@@ -200,7 +200,7 @@ Result<void> commit_both(OutputFile& first, OutputFile& second) {
     }
     if (exchanged)
         (void)one->exchange();
-    else
+    else if (named)
         ::unlink(one->target.c_str()); // nothing was there, or nothing that could be exchanged
     return write_error(two->asked, second.first_error_);
 }
@@ -218,12 +218,7 @@ Result<void> commit_all(std::span<OutputFile> files) {
 Result<void> OutputSet::add(const fs::path& target, std::string_view text) {
     if (auto possible = check_output(target); !possible) return possible;
     if (kept_.number() < 0) kept_.reset(open_without_name(folder_of(final_path(target))));
-    for (std::string_view left = text; !left.empty();) {
-        const ssize_t put = ::write(kept_.number(), left.data(), left.size());
-        if (put < 0 && errno == EINTR) continue;
-        if (put <= 0) return write_error(target, errno);
-        left.remove_prefix(static_cast<std::size_t>(put));
-    }
+    if (kept_.number() < 0 || !write_all(kept_.number(), text)) return write_error(target, errno);
     files_.push_back({target, text.size()});
     return {};
 }

@@ -15,7 +15,7 @@ Result<OutputFolder> OutputFolder::make(const fs::path& folder) {
         if (one.has_filename()) missing.push_back(one);
     for (; !missing.empty(); missing.pop_back()) {
         const auto held = hold_leftovers();
-        if (fs::create_directory(missing.back(), error)) made.made_.emplace_back(missing.back(), Leaves::kFile);
+        if (fs::create_directory(missing.back(), error)) made.made_.emplace_back(missing.back(), LeftoverKind::kFile);
     }
     if (!fs::is_directory(folder, error))
         return fail("the folder cannot be made", folder.string(), "give the name of a folder");

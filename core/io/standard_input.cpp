@@ -33,17 +33,6 @@ ssize_t read_full(char* into, std::size_t bytes) {
     return static_cast<ssize_t>(done);
 }
 
-bool write_full(int descriptor, const char* bytes, std::size_t count) {
-    while (count > 0) {
-        const ssize_t put = ::write(descriptor, bytes, count);
-        if (put < 0 && errno == EINTR) continue;
-        if (put <= 0) return false;
-        bytes += put;
-        count -= static_cast<std::size_t>(put);
-    }
-    return true;
-}
-
 Result<void> copy_to(int file, const std::string& folder) {
     std::vector<char> buffer(std::size_t{1} << 18);
     for (std::uint64_t done = 0;;) {
@@ -61,7 +50,7 @@ Result<void> copy_to(int file, const std::string& folder) {
         if (done > kMostStandardInput)
             return fail("there is more than " + std::to_string(kMostStandardInput >> 30) + " GiB", kName,
                         "write it to a file, and name that");
-        if (!write_full(file, buffer.data(), count))
+        if (!write_all(file, {buffer.data(), count}))
             return fail(std::string("has no room in ") + folder + ": " + std::strerror(errno), kName,
                         "set TMPDIR to a folder with room, or write it to a file, and name that");
         if (count < buffer.size()) return {};

@@ -34,7 +34,7 @@ void MarkupsLists::take_point(const json& point) {
         return;
     }
     const auto position = json_position(json_member(point, "position"));
-    if (!position && !curve_.bad_point) curve_.bad_point = curve_.points.size();
+    if (!position) curve_.bad_point = curve_.points.size();
     curve_.points.push_back(position);
 }
 
@@ -61,10 +61,9 @@ void MarkupsLists::take_markup(const json& markup) {
 }
 
 JsonElements MarkupsLists::own_taker(JsonPath list) {
-    const auto index = [](const json& value) { return json_index(value); };
-    if (leads(list, {"ramus", "roots"})) return [this, index](const json& value) { own.roots.push_back(index(value)); };
+    if (leads(list, {"ramus", "roots"})) return [this](const json& value) { own.roots.push_back(json_index(value)); };
     if (leads(list, {"ramus", "curve_systems"}))
-        return [this, index](const json& value) { own.systems_of_curves.push_back(index(value)); };
+        return [this](const json& value) { own.systems_of_curves.push_back(json_index(value)); };
     if (leads(list, {"ramus", "labels"}))
         return [this](const json& value) {
             own.good &= value.is_number_integer();
@@ -76,7 +75,7 @@ JsonElements MarkupsLists::own_taker(JsonPath list) {
             own.ends.push_back(own.points.size());
         };
     if (leads(list, {"ramus", "curves", ""}))
-        return [this, index](const json& value) { own.points.push_back(index(value)); };
+        return [this](const json& value) { own.points.push_back(json_index(value)); };
     return {}; // systems
 }
 

@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
@@ -140,7 +141,7 @@ TEST_CASE("a process that is ended by a signal removes what it had begun") {
             file->write(std::string(5'000'000, 'x'));
             files.push_back(std::move(*file));
         }
-        const Leftover named(folder.write("named.txt", "text"), Leaves::kFile);
+        const Leftover named(folder.write("named.txt", "text"), LeftoverKind::kFile);
         const auto kept = io::OutputFolder::make(folder.path() / "kept");
         if (!io::write_file(folder.path() / "kept" / "whole.txt", "text")) ::_exit(1);
         end_by_signal(SIGTERM);
@@ -177,6 +178,21 @@ TEST_CASE("nothing is left of what a killed process had begun") {
     else
         MESSAGE("SKIPPED: this file system has no files without names");
     ::close(nameless);
+}
+
+TEST_CASE("a pipe stays where the file that belongs to it fails") {
+    TemporaryFolder folder;
+    const fs::path pipe = folder.path() / "pipe", taken = folder.path() / "taken";
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+    auto first = io::OutputFile::create(pipe), second = io::OutputFile::create(taken);
+    REQUIRE(first);
+    REQUIRE(second);
+    fs::create_directories(taken / "full"); // which no file replaces
+    CHECK_FALSE(io::commit_both(*first, *second));
+    CHECK(fs::is_fifo(pipe));
+    CHECK(folder.names() == std::vector<std::string>{"pipe", "taken"});
+    ::close(reader);
 }
 
 TEST_CASE("what was read is not written over, whatever it is called") {
