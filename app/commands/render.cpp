@@ -304,9 +304,7 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!context) return tl::unexpected(context.error());
     RAMUS_TRY(renderer, render::Renderer::create(render::kGlassBytes, flags.graphics_bytes));
     stage.draw_with(*renderer);
-    const auto run = [&](ActionContext& where) {
-        return run_script(where, inputs.script, flags.commands, flags.overwrite);
-    };
+    const auto run = [&](ActionContext& to) { return run_script(to, inputs.script, flags.commands, flags.overwrite); };
     ActionContext here{.document = document,
                        .picture = stage,
                        .assets = stage.assets,
