@@ -30,6 +30,13 @@ constexpr std::array kComputing{
     // The end.
     SCMP_SYS(exit), SCMP_SYS(exit_group)};
 
+// The undefined behaviour sanitizer tries whether memory can be read by writing it into a pipe.
+#ifdef __SANITIZE_ADDRESS__
+constexpr std::array kOfSanitizers{SCMP_SYS(pipe), SCMP_SYS(pipe2)};
+#else
+constexpr std::array<int, 0> kOfSanitizers{};
+#endif
+
 using Filter = std::unique_ptr<void, decltype(&seccomp_release)>;
 
 bool allow_computing(scmp_filter_ctx filter, int descriptor) {
@@ -38,6 +45,7 @@ bool allow_computing(scmp_filter_ctx filter, int descriptor) {
     };
     bool good = true;
     for (const int call : kComputing) good = allow(call) && good;
+    for (const int call : kOfSanitizers) good = allow(call) && good;
     for (const int call : {SCMP_SYS(mmap), SCMP_SYS(mprotect)})
         good = allow(call, SCMP_A2(SCMP_CMP_MASKED_EQ, PROT_EXEC, 0)) && good;
     // abort() and raise(), but no signal to anybody else; limits are read, and of this process.
