@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/actions/command_table.h"
-#include "app/session/most_marks.h"
+#include "app/session/session_limits.h"
 
 #include <optional>
 #include <string>

@@ -57,7 +57,7 @@ Result<tree::VesselTree> read_again(const TreeFile& file, const io::ReadOptions&
 Result<void> take_tree(ActionContext& context, const std::shared_ptr<const tree::VesselTree>& tree,
                        const io::ReadOptions& options) {
     Document& document = context.document;
-    CarriedOver carried = carried_over(document.marks(), *document.tree(), *tree);
+    CarriedOver carried = carried_over(document.marks(), BranchMap::read_again(*document.tree(), *tree));
     carried.marks.reading = options;
     follow_unit(carried.marks, document.session().tree);
     document.change_tree(tree, std::move(carried.marks));

@@ -1,9 +1,7 @@
 #include "app/session/carry_over.h"
 
-#include "app/session/labels.h"
+#include "app/session/marks_table.h"
 #include "app/session/reading_options.h"
-#include "app/session/systems.h"
-#include "app/session/usual_sizes.h"
 #include "render/scene/bounds.h"
 
 #include <algorithm>
@@ -39,21 +37,12 @@ auto looks_of(const tree::VesselTree& tree, const tree::Branch& branch) {
     return std::tuple(branch.points.size(), first, end, middle, other);
 }
 
-// The branches of `after` of systems that are in both and hidden as a whole; those of `before` are taken out of
-// `hidden`.
-std::vector<int> take_hidden_systems(std::vector<int>& hidden, const tree::VesselTree& before,
-                                     const tree::VesselTree& after) {
-    std::vector<int> whole;
-    if (before.systems != after.systems) return whole;
-    for (int system = 0; system < static_cast<int>(before.systems.size()); ++system) {
-        const std::vector<int> own = branches_in_system(before, system);
-        if (own.empty() || !std::ranges::includes(hidden, own)) continue;
-        std::erase_if(hidden, [&](int id) { return std::ranges::binary_search(own, id); });
-        const std::vector<int> now = branches_in_system(after, system);
-        whole.insert(whole.end(), now.begin(), now.end());
-    }
-    return whole;
+const tree::Branch& branch_of(const tree::VesselTree& tree, int id) {
+    return tree.branches[static_cast<std::size_t>(id)];
 }
+
+auto start_of(const tree::VesselTree& tree, int branch) { return place(tree, branch_of(tree, branch).points.front()); }
+auto end_of(const tree::VesselTree& tree, int branch) { return place(tree, branch_of(tree, branch).points.back()); }
 
 } // namespace
 
@@ -73,55 +62,60 @@ std::vector<int> same_branches(const tree::VesselTree& before, const tree::Vesse
     return same;
 }
 
-CarriedOver carried_over(const Marks& marks, const tree::VesselTree& before, const tree::VesselTree& after) {
+BranchMap BranchMap::read_again(const tree::VesselTree& before, const tree::VesselTree& after) {
+    BranchMap map(before, after, false);
+    map.same_shape_ = same_shape(before, after);
     const std::vector<int> same = same_branches(before, after);
-    const bool alike = same_shape(before, after);
+    for (std::size_t id = 0; id < same.size(); ++id)
+        if (same[id] != kNoBranch) map.became_[id] = {same[id]};
+    return map;
+}
+
+BranchMap BranchMap::edited(const tree::VesselTree& before, const tree::EditedTree& after) {
+    BranchMap map(before, after.tree, true);
+    map.mostly_.resize(before.branches.size());
+    for (std::size_t id = 0; id < after.sources.size(); ++id) {
+        const std::vector<int>& sources = after.sources[id];
+        for (const int source : sources) map.became_[static_cast<std::size_t>(source)].push_back(static_cast<int>(id));
+        if (!sources.empty()) map.mostly_[static_cast<std::size_t>(sources.front())].push_back(static_cast<int>(id));
+    }
+    return map;
+}
+
+const std::vector<int>& BranchMap::in(const Lists& lists, int branch) {
+    static const std::vector<int> none;
+    return branch >= 0 && static_cast<std::size_t>(branch) < lists.size() ? lists[static_cast<std::size_t>(branch)]
+                                                                          : none;
+}
+
+const std::vector<int>& BranchMap::became(int branch) const { return in(became_, branch); }
+
+const std::vector<int>& BranchMap::mostly(int branch) const { return in(mostly_.empty() ? became_ : mostly_, branch); }
+
+std::optional<measure::BranchPlace> BranchMap::place(const measure::BranchPlace& place) const {
+    const std::vector<int>& ids = became(place.branch);
+    if (ids.empty()) return {};
+    if (!was_edited_) {
+        const int now = ids.front();
+        const bool turned = !same_shape_ && start_of(*before_, place.branch) == end_of(*after_, now);
+        return measure::BranchPlace{now, turned ? 1.0 - place.fraction : place.fraction};
+    }
+    constexpr double kSame = 1e-6; // mm; positions are kept exactly, fractions are not
+    const glm::dvec3 at = measure::point_on(*before_, place.branch, place.fraction).position;
+    std::optional<measure::BranchPlace> found;
+    double nearest = kSame * (1.0 + glm::length(at));
+    for (const int id : ids) {
+        const double here = measure::nearest_fraction(*after_, id, at);
+        const double distance = glm::distance(at, measure::point_on(*after_, id, here).position);
+        if (distance < nearest) nearest = distance, found = {id, here};
+    }
+    return found;
+}
+
+CarriedOver carried_over(const Marks& marks, const BranchMap& map) {
     CarriedOver carried{marks, 0};
-    // Counts what is lost.
-    const auto to = [&](int id) {
-        const int found =
-            id >= 0 && id < static_cast<int>(same.size()) ? same[static_cast<std::size_t>(id)] : kNoBranch;
-        if (found == kNoBranch) ++carried.lost;
-        return found;
-    };
-    const auto turned = [&](int id, int now) {
-        return !alike && place(before, before.branches[static_cast<std::size_t>(id)].points.front()) ==
-                             place(after, after.branches[static_cast<std::size_t>(now)].points.back());
-    };
-    Marks& next = carried.marks;
-    next.selection.clear(), next.states.clear(), next.cuts.clear(), next.measurements.clear(), next.names.clear();
-    next.subtree_names.clear();
-    for (const int id : marks.selection)
-        if (const int now = to(id); now != kNoBranch) next.selection.push_back(now);
-    next.selection = canonical(std::move(next.selection));
-    for (const auto state :
-         {render::BranchState::kHighlighted, render::BranchState::kDefocused, render::BranchState::kHidden}) {
-        std::vector<int> were = branches_in_state(marks, state), those;
-        if (state == render::BranchState::kHidden) those = take_hidden_systems(were, before, after);
-        for (const int id : were)
-            if (const int now = to(id); now != kNoBranch) those.push_back(now);
-        set_state(next, those, state);
-    }
-    if (before.systems != after.systems) { // others: names and colours were given to those before
-        next.systems.clear();
-        next.colour_by = first_colouring(next.colour_by, after);
-    }
-    for (const auto& [id, fraction] : marks.cuts)
-        if (const int now = to(id); now != kNoBranch)
-            next.cuts.emplace_back(now, turned(id, now) ? 1.0 - fraction : fraction);
-    for (const auto& [id, name] : marks.names)
-        if (const int now = to(id); now != kNoBranch) set_name(next, now, name, names_subtree(marks, id));
-    for (Measurement measurement : marks.measurements) {
-        bool whole = true;
-        for (std::size_t i = 0; i < place_count(measurement); ++i) {
-            auto& [branch, fraction] = measurement.places[i];
-            const int was = std::exchange(branch, to(branch));
-            whole = whole && branch != kNoBranch;
-            if (branch != kNoBranch && turned(was, branch)) fraction = 1.0 - fraction;
-        }
-        if (whole) next.measurements.push_back(measurement);
-    }
-    if (marks.planning == usual_sizes(before).planning) next.planning = usual_sizes(after).planning;
+    for (const MarksRow& row : marks_table())
+        if (row.carry != nullptr) carried.lost += row.carry(carried.marks, map);
     return carried;
 }
 

@@ -1,7 +1,7 @@
 #include "app/session/document.h"
 
 #include "app/session/carry_over.h"
-#include "app/session/most_marks.h"
+#include "app/session/session_limits.h"
 #include "app/session/tree_edits.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ Result<void> Document::edit_tree(const tree::Edit& edit) {
 
 Result<void> Document::take_edit(const MadeEdit& made) {
     if (made.before != tree_) return fail("the tree was edited meanwhile", {}, "do it again");
-    Marks next = carried_over(session_.marks, *tree_, *made.after);
+    Marks next = carried_over(session_.marks, BranchMap::edited(*tree_, *made.after)).marks;
     next.edits.push_back(made.edit);
     if (auto few = check_counts(next); !few) return few;
     std::erase_if(known_, [&](const EditedState& state) { return state.edits >= next.edits.size(); });

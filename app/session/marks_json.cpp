@@ -2,8 +2,6 @@
 
 #include "app/session/colour_by.h"
 #include "app/session/json_values.h"
-#include "app/session/most_marks.h"
-#include "app/session/surface_options.h"
 #include "core/base/sort_unique.h"
 #include "core/base/words.h"
 #include "core/io/trees/imported_tree.h"
@@ -24,134 +22,6 @@ constexpr std::array<std::pair<std::string_view, Measurement::Kind>, 4> kMeasure
      {"angle", Measurement::Kind::kAngle}}};
 
 } // namespace
-
-using render::BranchState;
-
-json options_json(const Marks& marks) {
-    const mesh::SurfaceOptions& options = marks.options;
-    json value{{"method", std::string(name_of(options.method))},
-               {"colour_by", std::string(name_of(marks.colour_by))},
-               {"colour_map", std::string(name_of(marks.colour_map))}};
-    if (marks.colour_look.range) value["colour_range"] = *marks.colour_look.range;
-    if (marks.colour_look.logarithmic) value["colour_log"] = *marks.colour_look.logarithmic;
-    if (!marks.colour_look.legend) value["legend"] = false;
-    for (const SurfaceOption& option : surface_options()) {
-        const double set = option.value(options);
-        if (!option.of_session || (option.only_when_set && set == 0.0)) continue;
-        const std::string key(option.key);
-        if (!option.words.empty())
-            value[key] = spelled(option, set);
-        else
-            option.whole ? value[key] = static_cast<int>(set) : value[key] = set;
-    }
-    value["bands"] = marks.planning.bands_mm;
-    value["reconstruct"] = marks.planning.reconstruct_mm;
-    value["lesion_contact"] = marks.planning.touch_mm;
-    value["glass_opacity"] = marks.glass.opacity;
-    value["glass_grey"] = marks.glass.grey;
-    if (marks.skeleton) value["skeleton"] = true;
-    if (marks.contact_marks) value["contact_marks"] = true;
-    if (marks.shortest_distances) value["shortest_distances"] = true;
-    value["depth_cues"] = json::array();
-    for (const DepthCue& cue : depth_cues())
-        if (marks.depth_cues.has(cue)) value["depth_cues"].push_back(std::string(cue.name));
-    return value;
-}
-
-// A surface option's value, as options_json() writes it.
-static double option_value(const SurfaceOption& option, const json& value) {
-    const std::string key(option.key);
-    if (!option.words.empty())
-        return word(value, key, key, [&](const std::string& wanted) { return value_in(option, wanted); });
-    const double least = option.only_when_set ? 0.0 : option.least;
-    return option.whole ? integer(value, key, static_cast<int>(least), static_cast<int>(option.most))
-                        : number(value, key, least, option.most);
-}
-
-static void read_bands(const json& list, std::vector<double>& bands) {
-    if (list.size() > kMostBands) throw Refusal{"more than " + std::to_string(kMostBands) + " bands"};
-    bands.clear();
-    for (const json& band : list) bands.push_back(number(band, "band", 1e-6, 1e6));
-    if (!std::ranges::is_sorted(bands)) throw Refusal{"bands do not ascend"};
-}
-
-static void read_depth_cues(const json& list, Marks& marks) {
-    marks.depth_cues.clear();
-    for (const json& one : list) {
-        const std::string wanted = text(one, "depth cue");
-        const DepthCue* cue = depth_cue_named(wanted);
-        if (cue == nullptr) throw Refusal{"unknown depth cue \"" + wanted + "\""};
-        marks.depth_cues.set(*cue, true);
-    }
-}
-
-static void read_colour_look(const json& value, ColourLook& look) {
-    constexpr double kMost = 1e14;
-    if (value.contains("colour_range")) {
-        const json& range = list_in(value, "colour_range");
-        if (range.size() != 2) throw Refusal{"colour_range is not [low, high]"};
-        look.range = {number(range[0], "colour_range", -kMost, kMost), number(range[1], "colour_range", -kMost, kMost)};
-        if (!((*look.range)[0] < (*look.range)[1])) throw Refusal{"colour_range does not ascend"};
-    }
-    if (value.contains("colour_log")) look.logarithmic = truth(value["colour_log"], "colour_log");
-    if (value.contains("legend")) look.legend = truth(value["legend"], "legend");
-    if (auto good = check(look); !good) throw Refusal{good.error().message()};
-}
-
-void read_options(const json& value, Marks& marks) {
-    std::vector<std::string_view> known = {"method",        "colour_by",      "colour_map",        "bands",
-                                           "reconstruct",   "glass_opacity",  "glass_grey",        "skeleton",
-                                           "contact_marks", "depth_cues",     "colour_range",      "colour_log",
-                                           "legend",        "lesion_contact", "shortest_distances"};
-    for (const SurfaceOption& option : surface_options())
-        if (option.of_session) known.push_back(option.key);
-    expect_only(value, "options", known);
-    mesh::SurfaceOptions& options = marks.options;
-    const auto method_of_tree = [](const std::string& name) {
-        const auto method = mesh::method_named(name);
-        return method && mesh::row_of(*method).of_tree ? method : std::nullopt;
-    };
-    if (value.contains("method")) options.method = word(value["method"], "method", "method", method_of_tree);
-    for (const SurfaceOption& option : surface_options()) {
-        const std::string key(option.key);
-        if (!option.of_session) continue;
-        if (value.contains(key))
-            option.set(options, option_value(option, value[key]));
-        else if (option.before_it_was)
-            option.set(options, *option.before_it_was);
-    }
-    if (value.contains("bands")) read_bands(list_in(value, "bands"), marks.planning.bands_mm);
-    if (value.contains("reconstruct"))
-        marks.planning.reconstruct_mm = number(value["reconstruct"], "reconstruct", 0.0, 1e6);
-    if (value.contains("lesion_contact"))
-        marks.planning.touch_mm = number(value["lesion_contact"], "lesion_contact", 0.0, 1e6);
-    if (value.contains("glass_opacity"))
-        marks.glass.opacity = number(value["glass_opacity"], "glass_opacity", 0.0, 2.0);
-    if (value.contains("glass_grey")) marks.glass.grey = number(value["glass_grey"], "glass_grey", 0.0, 1.0);
-    for (const auto& [key, member] :
-         {std::pair("skeleton", &Marks::skeleton), std::pair("contact_marks", &Marks::contact_marks),
-          std::pair("shortest_distances", &Marks::shortest_distances)})
-        if (value.contains(key)) marks.*member = truth(value[key], key);
-    if (value.contains("depth_cues")) read_depth_cues(list_in(value, "depth_cues"), marks);
-    if (value.contains("colour_by"))
-        marks.colour_by = word(value["colour_by"], "colour_by", "colour_by", colouring_named);
-    if (value.contains("colour_map"))
-        marks.colour_map = word(value["colour_map"], "colour_map", "colour_map", colour_map_named);
-    read_colour_look(value, marks.colour_look);
-}
-
-void read_states(const json& value, Marks& marks) {
-    expect_only(value, "states", {"highlighted", "defocused", "hidden"});
-    for (const BranchState state : kListedStates) {
-        const std::string name(name_of(state));
-        if (!value.contains(name)) continue;
-        const std::vector<int> found = ids(value[name], name);
-        for (const int id : found)
-            if (state_of(marks, id) != BranchState::kNormal)
-                throw Refusal{"branch " + std::to_string(id) + " has two states"};
-        set_state(marks, found, state);
-    }
-}
 
 // "sphere 2", "mesh 1": counted from 1 among their like; empty: none.
 static std::string lesion_json(const LesionRef& lesion) {
@@ -199,7 +69,7 @@ json measurement_json(const Measurement& m) {
     return value;
 }
 
-static Measurement measurement(const json& value) {
+Measurement measurement_in(const json& value) {
     expect_only(value, "a measurement", {"kind", "points", "branches", "fraction", "fractions", "lesions", "shortest"});
     Measurement found;
     const std::string wanted = text(value.value("kind", json()), "kind of a measurement");
@@ -232,38 +102,6 @@ static Measurement measurement(const json& value) {
     for (std::size_t i = 0; i < fractions.size(); ++i)
         found.places[i].fraction = number(fractions[i], "fraction", 0.0, 1.0);
     return found;
-}
-
-void read_plans(const json& value, Marks& marks) {
-    for (const json& lesion : list_in(value, "lesions")) {
-        if (!lesion.is_array() || lesion.size() != 4) throw Refusal{"a lesion is not [x, y, z, radius]"};
-        std::array<double, 4> sphere{};
-        for (std::size_t i = 0; i < 4; ++i) sphere[i] = number(lesion[i], "lesion", i == 3 ? 0.0 : -1e9, 1e9);
-        marks.lesions.push_back(sphere);
-    }
-    for (const json& found : list_in(value, "measurements")) marks.measurements.push_back(measurement(found));
-    for (const json& cut : list_in(value, "cuts")) {
-        if (!cut.is_array() || cut.size() != 2) throw Refusal{"a cut is not [branch id, fraction]"};
-        marks.cuts.emplace_back(integer(cut[0], "branch id of a cut", 0, kMostBranches),
-                                number(cut[1], "cut", 0.0, 1.0));
-    }
-    if (!value.contains("names")) return;
-    if (!value["names"].is_object()) throw Refusal{"names is not an object"};
-    for (const auto& [key, name] : value["names"].items()) {
-        const int id = parsed<int>(key).value_or(-1);
-        if (id < 0) throw Refusal{"\"" + key + "\" in names is not a branch id"};
-        marks.names[id] = text(name, "name of branch " + key);
-    }
-    // A session of before: each name spoke for what depends on its branch.
-    if (!value.contains("subtree_names"))
-        for (const auto& [id, name] : marks.names) marks.subtree_names.push_back(id);
-    for (const json& id : list_in(value, "subtree_names")) {
-        const int branch = integer(id, "branch id in subtree_names", 0, kMostBranches);
-        if (!marks.names.contains(branch))
-            throw Refusal{"branch " + std::to_string(branch) + " in subtree_names has no name"};
-        marks.subtree_names.push_back(branch);
-    }
-    marks.subtree_names = canonical(std::move(marks.subtree_names));
 }
 
 namespace fs = std::filesystem;
@@ -394,7 +232,7 @@ json context_json(const ContextItem& item, const fs::path& folder) {
     return value;
 }
 
-ContextItem context_item(const json& value, const fs::path& folder) {
+ContextItem context_in(const json& value, const fs::path& folder) {
     expect_only(value, "context",
                 {"path", "label", "isovalue", "colour", "opacity", "wireframe", "visible", "exact", "units", "axes"});
     ContextItem item;

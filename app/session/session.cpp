@@ -1,11 +1,11 @@
 #include "app/session/session.h"
 
 #include "app/session/branch_facts.h"
+#include "app/session/marks_table.h"
 #include "core/base/sort_unique.h"
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 #include <utility>
 
 namespace ramus::app {
@@ -119,30 +119,20 @@ bool of_branching(const Measurement& measurement) {
 
 bool names_lesion(const Measurement& measurement) { return std::ranges::any_of(measurement.lesions, &LesionRef::any); }
 
-namespace {
-
-constexpr std::tuple kLooks{&Marks::selection,   &Marks::colour_by,     &Marks::colour_map,
-                            &Marks::colour_look, &Marks::glass,         &Marks::depth_cues,
-                            &Marks::skeleton,    &Marks::contact_marks, &Marks::shortest_distances};
-
-void for_looks(const auto& call) {
-    std::apply([&](auto... member) { (call(member), ...); }, kLooks);
-}
-
-} // namespace
-
 Marks with_looks(Marks marks, const Marks& looks) {
-    for_looks([&](auto member) { marks.*member = looks.*member; });
+    for (const MarksRow& row : marks_table())
+        if (row.is_look) row.take(marks, looks);
     return marks;
 }
 
-bool differ_in_looks_alone(const Marks& a, const Marks& b) { return with_looks(a, b) == b; }
+bool differ_in_looks_alone(const Marks& a, const Marks& b) {
+    return std::ranges::all_of(marks_table(), [&](const MarksRow& row) { return row.is_look || row.same(a, b); });
+}
 
 Marks carry_looks(const Marks& before, const Marks& now, Marks after, bool same_branches) {
     const std::vector<int> selection = after.selection;
-    for_looks([&](auto member) {
-        if (after.*member == before.*member) after.*member = now.*member;
-    });
+    for (const MarksRow& row : marks_table())
+        if (row.is_look && row.same(after, before)) row.take(after, now);
     if (!same_branches) after.selection = selection;
     return after;
 }

@@ -94,7 +94,7 @@ struct ContextItem {
     bool operator==(const ContextItem&) const = default;
 };
 
-// Everything that undo and redo cover.
+// Everything that undo and redo cover. Each member has a row in app/session/marks_table.h.
 struct Marks {
     std::vector<tree::Edit> edits;           // of the file's tree, in order; ids below are those of the tree after them
     std::vector<int> selection;              // branch ids, ascending
@@ -124,14 +124,13 @@ struct Marks {
     bool operator==(const Marks&) const = default;
 };
 
-// What says how a tree is looked at, and nothing of the tree or the plan: undo covers it, but it never costs what was
-// undone, and is no work that closing would lose.
-// `marks` with the selection, colours, glass, depth cues, skeleton and rings of `looks`.
+// Looks are the marks that say how a tree is viewed (MarksRow::is_look in app/session/marks_table.h).
+// `marks` with the looks of `looks`.
 [[nodiscard]] Marks with_looks(Marks marks, const Marks& looks);
 // Whether two of them differ in nothing else; true of equal ones.
 [[nodiscard]] bool differ_in_looks_alone(const Marks& a, const Marks& b);
-// What `after` was to `before`, for who looks at `before` in another way: each of the looks that did not change on the
-// way is that of `now`. `same_branches`: both have the same tree, so that a selection of one is one of the other.
+// `after` with the looks of `now` that did not change between `before` and `after`. `same_branches`: both have the same
+// tree, so that a selection of one is a selection of the other.
 [[nodiscard]] Marks carry_looks(const Marks& before, const Marks& now, Marks after, bool same_branches);
 
 struct Session {
@@ -157,6 +156,9 @@ std::size_t remove_lesion(Marks& marks, const LesionRef& lesion);
 // Gives a sphere another centre and radius. Ends of measurements on it move with it.
 void change_lesion(Marks& marks, std::size_t index, const std::array<double, 4>& sphere);
 
+// All states that a session lists; every other branch is normal.
+inline constexpr std::array kListedStates{render::BranchState::kHighlighted, render::BranchState::kDefocused,
+                                          render::BranchState::kHidden};
 [[nodiscard]] std::string_view name_of(render::BranchState state); // "normal", "highlighted", "defocused", "hidden"
 [[nodiscard]] render::BranchState state_of(const Marks& marks, int branch);
 void set_state(Marks& marks, std::span<const int> branches, render::BranchState state);

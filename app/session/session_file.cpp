@@ -1,12 +1,11 @@
 #include "app/session/session_file.h"
 
 #include "app/session/checksum.h"
-#include "app/session/edits_json.h"
 #include "app/session/json_text.h"
 #include "app/session/json_values.h"
 #include "app/session/marks_json.h"
-#include "app/session/most_marks.h"
-#include "app/session/reading_json.h"
+#include "app/session/marks_table.h"
+#include "app/session/session_limits.h"
 #include "core/io/input_file.h"
 #include "core/io/json_text.h"
 #include "core/io/output_file.h"
@@ -25,50 +24,18 @@ namespace ramus::app {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using render::BranchState;
 using namespace session_json;
 
 json to_json(const Session& session, const fs::path& folder) {
-    json states = json::object();
-    for (const BranchState state : kListedStates)
-        states[std::string(name_of(state))] = branches_in_state(session.marks, state);
-    json names = json::object();
-    for (const auto& [id, name] : session.marks.names) names[std::to_string(id)] = name;
-    json meshes = json::array();
-    for (const std::string& mesh : session.marks.lesion_meshes) {
-        const std::string path = written_path(mesh, folder).string();
-        const auto axes = session.marks.lesion_axes.find(mesh);
-        meshes.push_back(axes == session.marks.lesion_axes.end() ? json(path)
-                                                                 : json{{"path", path}, {"axes", axes->second}});
-    }
-    json context = json::array();
-    for (const ContextItem& item : session.marks.context) context.push_back(context_json(item, folder));
-    json measurements = json::array();
-    for (const Measurement& m : session.marks.measurements) measurements.push_back(measurement_json(m));
     json tree; // null: something is shown without one
     if (!session.tree.path.empty() || session.marks.context.empty())
         tree = {{"path", written_path(session.tree.path, folder).string()}, {"checksum", session.tree.checksum}};
-    json value{{"version", kSessionVersion},
-               {"tree", tree},
-               {"selection", session.marks.selection},
-               {"states", states},
-               {"lesions", session.marks.lesions},
-               {"lesion_meshes", meshes},
-               {"context", context},
-               {"measurements", measurements},
-               {"cuts", session.marks.cuts},
-               {"names", names},
-               {"camera", render::to_json(session.camera)},
-               {"options", options_json(session.marks)}};
-    if (!session.marks.names.empty()) value["subtree_names"] = session.marks.subtree_names;
-    for (const tree::System& system : session.marks.systems)
-        value["systems"].push_back({{"name", system.name}, {"colour", colour_text(system.colour)}});
-    if (!session.marks.edits.empty()) value["edits"] = edits_json(session.marks.edits);
-    if (session.marks.comparison != Comparison{})
-        value["comparison"] = comparison_json(session.marks.comparison, folder);
-    if (session.marks.deviation != DeviationChoice{})
-        value["deviation"] = deviation_json(session.marks.deviation, folder);
-    if (session.marks.reading != io::ReadOptions{}) value["reading"] = reading_json(session.marks.reading, folder);
+    json value{{"version", kSessionVersion}, {"tree", tree}, {"camera", render::to_json(session.camera)}};
+    value["options"] = json::object();
+    for (const MarksRow& row : marks_table())
+        for (const MarksEntry& entry : row.entries)
+            if (json written = entry.write(session.marks, folder); !written.is_null())
+                (row.place == MarksPlace::kOptions ? value["options"] : value)[entry.key] = std::move(written);
     return value;
 }
 
@@ -83,11 +50,27 @@ TreeFile tree_file(const json& value, const fs::path& folder) {
 }
 
 std::vector<fs::path> named_files(const Session& session) {
-    const Marks& marks = session.marks;
-    std::vector<fs::path> files{session.tree.path, marks.reading.data, marks.comparison.mask, marks.deviation.file};
-    files.insert(files.end(), marks.lesion_meshes.begin(), marks.lesion_meshes.end());
-    for (const ContextItem& item : marks.context) files.emplace_back(item.file);
+    std::vector<fs::path> files{session.tree.path};
+    for (const MarksRow& row : marks_table())
+        if (row.add_files != nullptr) row.add_files(session.marks, files);
     return files;
+}
+
+// Keys that `known` has next to those of the table.
+std::vector<std::string_view> keys_of(MarksPlace place, std::vector<std::string_view> known) {
+    for (const MarksRow& row : marks_table())
+        for (const MarksEntry& entry : row.entries)
+            if (row.place == place) known.push_back(entry.key);
+    return known;
+}
+
+void read_entries(const json& object, MarksPlace place, const fs::path& folder, Marks& marks) {
+    for (const MarksRow& row : marks_table())
+        for (const MarksEntry& entry : row.entries)
+            if (row.place == place && object.contains(entry.key))
+                entry.read(object[entry.key], folder, marks);
+            else if (row.place == place && entry.absent)
+                entry.absent(marks);
 }
 
 // A session may come from somebody else, and a pipe or a device would be waited for without end. What is missing is
@@ -105,10 +88,7 @@ void check_named_files(const Session& session) {
 
 Result<SavedSession> session_from_json(const json& value, const fs::path& folder, const std::string& where) {
     try {
-        expect_only(value, "the session",
-                    {"version", "tree", "selection", "states", "lesions", "lesion_meshes", "context", "cuts",
-                     "measurements", "names", "subtree_names", "systems", "edits", "comparison", "deviation", "camera",
-                     "options", "reading"});
+        expect_only(value, "the session", keys_of(MarksPlace::kSession, {"version", "tree", "camera", "options"}));
         if (!value.contains("version")) throw Refusal{"no version: this is not a session file"};
         if (integer(value["version"], "version", 0, 1'000'000) != kSessionVersion)
             throw Refusal{"version " + value["version"].dump() + " is not known to this ramus"};
@@ -116,24 +96,11 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
         Session& session = saved.session;
         if (!value.contains("tree")) throw Refusal{"no tree"};
         if (!value["tree"].is_null()) session.tree = tree_file(value["tree"], folder);
-        if (value.contains("selection")) session.marks.selection = ids(value["selection"], "selection");
-        if (value.contains("states")) read_states(value["states"], session.marks);
-        if (value.contains("edits")) session.marks.edits = edits_in(value["edits"]);
-        read_plans(value, session.marks);
-        for (const json& mesh : list_in(value, "lesion_meshes")) {
-            if (mesh.is_object()) expect_only(mesh, "lesion", {"path", "axes"});
-            const json& path = mesh.is_object() && mesh.contains("path") ? mesh["path"] : mesh;
-            session.marks.lesion_meshes.push_back(
-                (folder / text(path, "path of a lesion")).lexically_normal().string());
-            if (mesh.is_object() && mesh.contains("axes"))
-                session.marks.lesion_axes[session.marks.lesion_meshes.back()] = mesh_axes_in(mesh["axes"]);
+        read_entries(value, MarksPlace::kSession, folder, session.marks);
+        if (value.contains("options")) {
+            expect_only(value["options"], "options", keys_of(MarksPlace::kOptions, {}));
+            read_entries(value["options"], MarksPlace::kOptions, folder, session.marks);
         }
-        for (const json& item : list_in(value, "systems")) session.marks.systems.push_back(system_in(item));
-        for (const json& item : list_in(value, "context")) session.marks.context.push_back(context_item(item, folder));
-        if (value.contains("comparison")) session.marks.comparison = comparison_in(value["comparison"], folder);
-        if (value.contains("deviation")) session.marks.deviation = deviation_in(value["deviation"], folder);
-        if (value.contains("options")) read_options(value["options"], session.marks);
-        if (value.contains("reading")) session.marks.reading = reading_in(value["reading"], folder);
         if (const auto few = check_counts(session.marks); !few) throw Refusal{few.error().what};
         if (value["tree"].is_null() && session.marks.context.empty()) throw Refusal{"it shows nothing"};
         check_named_files(session);
@@ -220,12 +187,9 @@ Result<void> check_against(const Session& session, const tree::VesselTree& tree,
         return fail("the session names " + std::to_string(marks.systems.size()) + " systems of a tree of " +
                         std::to_string(tree.systems.size()),
                     where, "the session belongs to another tree");
-    int largest = static_cast<int>(marks.states.size()) - 1;
-    if (!marks.selection.empty()) largest = std::max(largest, marks.selection.back());
-    if (!marks.names.empty()) largest = std::max(largest, marks.names.rbegin()->first);
-    for (const auto& cut : marks.cuts) largest = std::max(largest, cut.first);
-    for (const Measurement& m : marks.measurements)
-        for (const measure::BranchPlace& place : m.places) largest = std::max(largest, place.branch);
+    int largest = -1;
+    for (const MarksRow& row : marks_table())
+        if (row.largest_branch != nullptr) largest = std::max(largest, row.largest_branch(marks));
     if (largest >= static_cast<int>(tree.branches.size()))
         return fail("there is no branch " + std::to_string(largest) + " in a tree of " +
                         std::to_string(tree.branches.size()),

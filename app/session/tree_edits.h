@@ -1,5 +1,4 @@
-// What an edit of the tree (core/tree/edit_tree.h) means for what people have marked on it: branches get other ids, and
-// marks follow the vessel that they were put on.
+// Edits of a session's tree (core/tree/edit_tree.h): made once, with what else follows from the new tree.
 #pragma once
 
 #include "app/session/branch_facts.h"
@@ -10,10 +9,6 @@
 #include <memory>
 
 namespace ramus::app {
-
-// A new branch is selected, and has the state, as the old one that it mostly is. A name goes to the part nearest to the
-// root. Cuts and measurements stay where they are in space, and go where their vessel has gone.
-[[nodiscard]] Marks carried_over(const Marks& marks, const tree::VesselTree& before, const tree::EditedTree& after);
 
 // What an edit makes of a tree.
 struct MadeEdit {

@@ -34,7 +34,7 @@ TEST_CASE("what nobody has chosen follows a file's unit, and what somebody has s
     const tree::VesselTree in_cm = vessel_of(12.0), in_mm = vessel_of(120.0);
     Marks marks;
     marks.planning = usual_sizes(in_cm).planning;
-    CHECK(carried_over(marks, in_cm, in_mm).marks.planning == Planning());
+    CHECK(carried_over(marks, BranchMap::read_again(in_cm, in_mm)).marks.planning == Planning());
     marks.planning.bands_mm = {3.0};
-    CHECK(carried_over(marks, in_cm, in_mm).marks.planning == marks.planning);
+    CHECK(carried_over(marks, BranchMap::read_again(in_cm, in_mm)).marks.planning == marks.planning);
 }

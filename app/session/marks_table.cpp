@@ -1,0 +1,336 @@
+#include "app/session/marks_table.h"
+
+#include "app/session/carry_marks.h"
+#include "app/session/edits_json.h"
+#include "app/session/json_values.h"
+#include "app/session/marks_json.h"
+#include "app/session/member_count.h"
+#include "app/session/numbers.h"
+#include "app/session/option_entries.h"
+#include "app/session/reading_json.h"
+#include "app/session/session_limits.h"
+#include "core/base/words.h"
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+
+namespace ramus::app {
+
+namespace fs = std::filesystem;
+using render::BranchState;
+using namespace session_json;
+
+namespace {
+
+template <class T> constexpr bool kIsList = false;
+template <class T> constexpr bool kIsList<std::vector<T>> = true;
+
+// What follows from the member's type.
+template <auto Member> MarksRow row(MarksRow facts) {
+    using T = std::remove_cvref_t<decltype(std::declval<Marks>().*Member)>;
+    facts.same = [](const Marks& a, const Marks& b) { return a.*Member == b.*Member; };
+    facts.take = [](Marks& to, const Marks& from) { to.*Member = from.*Member; };
+    if (facts.change == nullptr)
+        facts.change = [](const Marks& before, const Marks& after) {
+            return member_change(Member, before.*Member, after.*Member);
+        };
+    facts.address = [](const Marks& marks) -> const void* { return &(marks.*Member); };
+    if constexpr (kIsList<T>) facts.count = [](const Marks& marks) { return (marks.*Member).size(); };
+    return facts;
+}
+
+template <auto Member> MarksRow option(std::vector<MarksEntry> entries, bool is_look) {
+    return row<Member>({.entries = std::move(entries), .place = MarksPlace::kOptions, .is_look = is_look});
+}
+
+// A value that is left out where it is the default.
+template <auto Member, class Write, class Read> MarksEntry entry(const char* key, Write write, Read read) {
+    return {key,
+            [write](const Marks& marks, const fs::path& folder) {
+                return marks.*Member == Marks{}.*Member ? json() : write(marks.*Member, folder);
+            },
+            [read](const json& value, const fs::path& folder, Marks& marks) { marks.*Member = read(value, folder); }};
+}
+
+// A list, one element after the other.
+template <auto Member, class Write, class Read> MarksEntry list_entry(const std::string& key, Write write, Read read) {
+    return {key,
+            [write](const Marks& marks, const fs::path& folder) {
+                json list = json::array();
+                for (const auto& element : marks.*Member) list.push_back(write(element, folder));
+                return list;
+            },
+            [read, key](const json& value, const fs::path& folder, Marks& marks) {
+                if (!value.is_array()) throw Refusal{key + " is not a list"};
+                for (const json& element : value) (marks.*Member).push_back(read(element, folder));
+            }};
+}
+
+MarksEntry states_entry() {
+    return {"states",
+            [](const Marks& marks, const fs::path&) {
+                json states = json::object();
+                for (const BranchState state : kListedStates)
+                    states[std::string(name_of(state))] = branches_in_state(marks, state);
+                return states;
+            },
+            [](const json& value, const fs::path&, Marks& marks) {
+                expect_only(value, "states", {"highlighted", "defocused", "hidden"});
+                for (const BranchState state : kListedStates) {
+                    const std::string name(name_of(state));
+                    if (!value.contains(name)) continue;
+                    const std::vector<int> found = ids(value[name], name);
+                    for (const int id : found)
+                        if (state_of(marks, id) != BranchState::kNormal)
+                            throw Refusal{"branch " + std::to_string(id) + " has two states"};
+                    set_state(marks, found, state);
+                }
+            }};
+}
+
+std::array<double, 4> sphere_in(const json& value, const fs::path& /*folder*/) {
+    if (!value.is_array() || value.size() != 4) throw Refusal{"a lesion is not [x, y, z, radius]"};
+    std::array<double, 4> sphere{};
+    for (std::size_t i = 0; i < 4; ++i) sphere[i] = number(value[i], "lesion", i == 3 ? 0.0 : -1e9, 1e9);
+    return sphere;
+}
+
+std::pair<int, double> cut_in(const json& value, const fs::path& /*folder*/) {
+    if (!value.is_array() || value.size() != 2) throw Refusal{"a cut is not [branch id, fraction]"};
+    return {integer(value[0], "branch id of a cut", 0, kMostBranches), number(value[1], "cut", 0.0, 1.0)};
+}
+
+// A mesh with axes that somebody said is an object, any other a path.
+MarksEntry lesion_meshes_entry() {
+    return {"lesion_meshes",
+            [](const Marks& marks, const fs::path& folder) {
+                json list = json::array();
+                for (const std::string& mesh : marks.lesion_meshes) {
+                    const std::string path = written_path(mesh, folder).string(), axes = axes_of_lesion(marks, mesh);
+                    list.push_back(axes.empty() ? json(path) : json{{"path", path}, {"axes", axes}});
+                }
+                return list;
+            },
+            [](const json& value, const fs::path& folder, Marks& marks) {
+                if (!value.is_array()) throw Refusal{"lesion_meshes is not a list"};
+                for (const json& mesh : value) {
+                    if (mesh.is_object()) expect_only(mesh, "lesion", {"path", "axes"});
+                    const json& path = mesh.is_object() && mesh.contains("path") ? mesh["path"] : mesh;
+                    marks.lesion_meshes.push_back(
+                        (folder / text(path, "path of a lesion")).lexically_normal().string());
+                    if (mesh.is_object() && mesh.contains("axes"))
+                        marks.lesion_axes[marks.lesion_meshes.back()] = mesh_axes_in(mesh["axes"]);
+                }
+            }};
+}
+
+void name_whole_subtrees(Marks& marks) {
+    for (const auto& [id, name] : marks.names) marks.subtree_names.push_back(id);
+}
+
+MarksEntry names_entry() {
+    return {"names",
+            [](const Marks& marks, const fs::path&) {
+                json names = json::object();
+                for (const auto& [id, name] : marks.names) names[std::to_string(id)] = name;
+                return names;
+            },
+            [](const json& value, const fs::path&, Marks& marks) {
+                if (!value.is_object()) throw Refusal{"names is not an object"};
+                for (const auto& [key, name] : value.items()) {
+                    const int id = parsed<int>(key).value_or(-1);
+                    if (id < 0) throw Refusal{"\"" + key + "\" in names is not a branch id"};
+                    marks.names[id] = text(name, "name of branch " + key);
+                }
+            }};
+}
+
+MarksEntry subtree_names_entry() {
+    return {
+        "subtree_names",
+        [](const Marks& marks, const fs::path&) { return marks.names.empty() ? json() : json(marks.subtree_names); },
+        [](const json& value, const fs::path&, Marks& marks) {
+            marks.subtree_names = ids(value, "subtree_names");
+            for (const int branch : marks.subtree_names)
+                if (!marks.names.contains(branch))
+                    throw Refusal{"branch " + std::to_string(branch) + " in subtree_names has no name"};
+        },
+        name_whole_subtrees};
+}
+
+json system_json(const tree::System& system) { return {{"name", system.name}, {"colour", colour_text(system.colour)}}; }
+
+MarksEntry systems_entry() {
+    MarksEntry entry = list_entry<&Marks::systems>(
+        "systems", [](const tree::System& system, const fs::path&) { return system_json(system); },
+        [](const json& value, const fs::path&) { return system_in(value); });
+    entry.write = [write = entry.write](const Marks& marks, const fs::path& folder) {
+        return marks.systems.empty() ? json() : write(marks, folder);
+    };
+    return entry;
+}
+
+MarksRow edits_row() {
+    return row<&Marks::edits>({.entries = {entry<&Marks::edits>(
+                                   "edits", [](const auto& edits, const fs::path&) { return edits_json(edits); },
+                                   [](const json& value, const fs::path&) { return edits_in(value); })},
+                               .most = kMostEdits,
+                               .noun = "edits"});
+}
+
+MarksRow selection_row() {
+    return row<&Marks::selection>(
+        {.entries = {{"selection", [](const Marks& marks, const fs::path&) { return json(marks.selection); },
+                      [](const json& value, const fs::path&, Marks& marks) {
+                          marks.selection = ids(value, "selection");
+                      }}},
+         .is_look = true,
+         .largest_branch = [](const Marks& marks) { return marks.selection.empty() ? -1 : marks.selection.back(); },
+         .carry = carry_selection,
+         .change = [](const Marks& before, const Marks& after) -> std::shared_ptr<const MemberChange> {
+             return std::make_shared<SelectionChange>(before.selection, after.selection);
+         }});
+}
+
+MarksRow states_row() {
+    return row<&Marks::states>(
+        {.entries = {states_entry()},
+         .largest_branch = [](const Marks& marks) { return static_cast<int>(marks.states.size()) - 1; },
+         .carry = carry_states,
+         .change = [](const Marks& before, const Marks& after) -> std::shared_ptr<const MemberChange> {
+             return std::make_shared<StatesChange>(before.states, after.states);
+         }});
+}
+
+MarksRow lesions_row() {
+    return row<&Marks::lesions>(
+        {.entries = {list_entry<&Marks::lesions>(
+             "lesions", [](const auto& sphere, const fs::path&) { return json(sphere); }, sphere_in)},
+         .most = kMostMarks,
+         .noun = "lesions"});
+}
+
+MarksRow lesion_meshes_row() {
+    return row<&Marks::lesion_meshes>({.entries = {lesion_meshes_entry()},
+                                       .most = kMostShapes,
+                                       .noun = "lesion meshes",
+                                       .add_files = [](const Marks& marks, std::vector<fs::path>& files) {
+                                           files.insert(files.end(), marks.lesion_meshes.begin(),
+                                                        marks.lesion_meshes.end());
+                                       }});
+}
+
+MarksRow context_row() {
+    return row<&Marks::context>({.entries = {list_entry<&Marks::context>("context", context_json, context_in)},
+                                 .most = kMostShapes,
+                                 .noun = "context shapes",
+                                 .add_files = [](const Marks& marks, std::vector<fs::path>& files) {
+                                     for (const ContextItem& item : marks.context) files.emplace_back(item.file);
+                                 }});
+}
+
+MarksRow cuts_row() {
+    return row<&Marks::cuts>({.entries = {list_entry<&Marks::cuts>(
+                                  "cuts", [](const auto& cut, const fs::path&) { return json(cut); }, cut_in)},
+                              .most = kMostMarks,
+                              .noun = "cuts",
+                              .largest_branch =
+                                  [](const Marks& marks) {
+                                      int largest = -1;
+                                      for (const auto& cut : marks.cuts) largest = std::max(largest, cut.first);
+                                      return largest;
+                                  },
+                              .carry = carry_cuts});
+}
+
+MarksRow measurements_row() {
+    return row<&Marks::measurements>(
+        {.entries = {list_entry<&Marks::measurements>(
+             "measurements", [](const Measurement& m, const fs::path&) { return measurement_json(m); },
+             [](const json& value, const fs::path&) { return measurement_in(value); })},
+         .most = kMostMarks,
+         .noun = "measurements",
+         .largest_branch =
+             [](const Marks& marks) {
+                 int largest = -1;
+                 for (const Measurement& m : marks.measurements)
+                     for (const measure::BranchPlace& place : m.places) largest = std::max(largest, place.branch);
+                 return largest;
+             },
+         .carry = carry_measurements});
+}
+
+std::vector<MarksRow> rows_of_plan() {
+    return {edits_row(),
+            selection_row(),
+            states_row(),
+            lesions_row(),
+            lesion_meshes_row(),
+            row<&Marks::lesion_axes>({}),
+            context_row(),
+            cuts_row(),
+            measurements_row(),
+            row<&Marks::names>(
+                {.entries = {names_entry()},
+                 .largest_branch =
+                     [](const Marks& marks) { return marks.names.empty() ? -1 : marks.names.rbegin()->first; },
+                 .carry = carry_names}),
+            row<&Marks::subtree_names>({.entries = {subtree_names_entry()}}), // carried with the names
+            row<&Marks::systems>({.entries = {systems_entry()}, .carry = carry_systems})};
+}
+
+std::vector<MarksRow> rows_of_files() {
+    return {row<&Marks::comparison>(
+                {.entries = {entry<&Marks::comparison>("comparison", comparison_json, comparison_in)},
+                 .add_files = [](const Marks& marks,
+                                 std::vector<fs::path>& files) { files.emplace_back(marks.comparison.mask); }}),
+            row<&Marks::deviation>(
+                {.entries = {entry<&Marks::deviation>("deviation", deviation_json, deviation_in)},
+                 .add_files = [](const Marks& marks,
+                                 std::vector<fs::path>& files) { files.emplace_back(marks.deviation.file); }}),
+            row<&Marks::reading>({.entries = {entry<&Marks::reading>("reading", reading_json, reading_in)},
+                                  .add_files = [](const Marks& marks, std::vector<fs::path>& files) {
+                                      files.emplace_back(marks.reading.data);
+                                  }})};
+}
+
+std::vector<MarksRow> rows_of_options() {
+    std::vector<MarksRow> rows{
+        option<&Marks::colour_by>({colour_by_entry()}, true),
+        option<&Marks::colour_map>({colour_map_entry()}, true),
+        option<&Marks::colour_look>(colour_look_entries(), true),
+        option<&Marks::planning>(planning_entries(), false),
+        option<&Marks::glass>(glass_entries(), true),
+        option<&Marks::depth_cues>({depth_cues_entry()}, true),
+        option<&Marks::skeleton>({flag_entry("skeleton", &Marks::skeleton)}, true),
+        option<&Marks::contact_marks>({flag_entry("contact_marks", &Marks::contact_marks)}, true),
+        option<&Marks::shortest_distances>({flag_entry("shortest_distances", &Marks::shortest_distances)}, true),
+        option<&Marks::options>(surface_entries(), false)};
+    rows[0].carry = carry_colour_by;
+    rows[3].carry = carry_planning;
+    return rows;
+}
+
+template <class... List> std::vector<MarksRow> joined_rows(std::vector<MarksRow> first, List... others) {
+    (std::ranges::move(others, std::back_inserter(first)), ...);
+    return first;
+}
+
+} // namespace
+
+std::span<const MarksRow> marks_table() {
+    static const std::vector<MarksRow> rows = joined_rows(rows_of_plan(), rows_of_files(), rows_of_options());
+    return rows;
+}
+
+Result<void> check_counts(const Marks& marks) {
+    for (const MarksRow& row : marks_table())
+        if (row.most > 0 && row.count(marks) > row.most)
+            return fail(grouped(row.count(marks)) + " " + std::string(row.noun) + ", where there can be " +
+                            grouped(row.most),
+                        {}, "remove those that are not needed");
+    return {};
+}
+
+} // namespace ramus::app

@@ -1,0 +1,96 @@
+// Every member of Marks has one row in the table that session files, undo and edits of the tree read.
+#include "app/session/marks_change.h"
+#include "app/session/marks_table.h"
+#include "app/session/member_count.h"
+#include "app/session/session_file.h"
+
+#include <doctest/doctest.h>
+#include <set>
+
+using namespace ramus;
+using namespace ramus::app;
+
+namespace {
+
+// A value that is not the default one in any member.
+Marks full_marks() {
+    Marks marks;
+    marks.edits = {{.kind = tree::Edit::Kind::kDelete, .branches = {3}}};
+    marks.selection = {1, 4};
+    marks.states = {render::BranchState::kNormal, render::BranchState::kHidden};
+    marks.lesions = {{1.0, 2.0, 3.0, 4.0}};
+    marks.lesion_meshes = {"/data/lesion.stl"};
+    marks.lesion_axes = {{"/data/lesion.stl", "LPS"}};
+    marks.context.emplace_back();
+    marks.context.front().file = "/data/liver.nii.gz";
+    marks.cuts = {{2, 0.25}};
+    marks.measurements = {{.kind = Measurement::Kind::kDiameter, .places = {measure::BranchPlace{2, 0.5}}}};
+    marks.names = {{1, "left"}, {2, "right"}};
+    marks.subtree_names = {2};
+    marks.systems = {{"portal vein", {1, 2, 3}}};
+    marks.colour_by = *colouring_named("diameter");
+    marks.colour_map = ColourMap::kGrey;
+    marks.colour_look = {.range = {{1.0, 2.0}}, .logarithmic = true, .legend = false};
+    marks.planning = {.bands_mm = {1.0, 3.0}, .reconstruct_mm = 4.0, .touch_mm = 1.5};
+    marks.glass = {.opacity = 1.5, .grey = 0.25};
+    marks.depth_cues.set(depth_cues().front(), !marks.depth_cues.has(depth_cues().front()));
+    marks.comparison.mode = Comparison::Mode::kBlend;
+    marks.comparison.mask = "/data/mask.nii";
+    marks.deviation = {.from = DeviationChoice::From::kFile, .file = "/data/other.ply"};
+    marks.skeleton = marks.contact_marks = marks.shortest_distances = true;
+    marks.options.smooth_passes = 3;
+    marks.reading.radius_mm = 0.5;
+    return marks;
+}
+
+} // namespace
+
+TEST_CASE("every member of Marks has a row of its own") {
+    CHECK(marks_table().size() == member_count<Marks>());
+    const Marks marks;
+    std::set<const void*> members;
+    for (const MarksRow& row : marks_table()) members.insert(row.address(marks));
+    CHECK(members.size() == marks_table().size());
+}
+
+TEST_CASE("the marks of this test differ from the default in every member, and come back from a session file") {
+    Session session;
+    session.tree.path = "/data/tree.swc";
+    session.marks = full_marks();
+    for (const MarksRow& row : marks_table()) {
+        CAPTURE(row.entries.empty() ? std::string("lesion_axes") : row.entries.front().key);
+        CHECK_FALSE(row.same(session.marks, Marks{}));
+    }
+    const auto read = session_from_json(to_json(session, "/data"), "/data", "test.json");
+    REQUIRE(read);
+    for (const MarksRow& row : marks_table()) {
+        CAPTURE(row.entries.empty() ? std::string("lesion_axes") : row.entries.front().key);
+        CHECK(row.same(read->session.marks, session.marks));
+    }
+}
+
+TEST_CASE("a change leads from one value of every member to the other, and back") {
+    const Marks none, full = full_marks();
+    const MarksChange change = MarksChange::between(none, full);
+    Marks marks = none;
+    change.apply(marks, ChangeDirection::kForward);
+    CHECK(marks == full);
+    change.apply(marks, ChangeDirection::kBack);
+    CHECK(marks == none);
+    CHECK(change.edits_tree());
+    CHECK(change.selects());
+    CHECK(change.restated() == std::vector{1});
+    CHECK_FALSE(MarksChange::between(full, full).edits_tree());
+}
+
+TEST_CASE("each member's own change says nothing of the others") {
+    const Marks full = full_marks();
+    for (const MarksRow& row : marks_table()) {
+        Marks one;
+        row.take(one, full);
+        Marks marks;
+        MarksChange::between(marks, one).apply(marks, ChangeDirection::kForward);
+        CHECK(marks == one);
+        CHECK(differ_in_looks_alone(Marks{}, one) == row.is_look);
+    }
+}
