@@ -81,13 +81,13 @@ namespace {
 // Spheres by the corners of the cubes in them and around them: as round as a fitted camera can tell.
 void add_lesions(std::vector<glm::vec3>& positions, const ActionContext& context) {
     const Marks& marks = context.document.marks();
-    for (const auto& [x, y, z, radius] : marks.lesions)
+    for (const auto& [x, y, z, radius] : spheres_of(marks))
         for (int k = 0; k < 27; ++k) {
             const glm::dvec3 way(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
             const double length = std::max(glm::length(way), 1.0);
             positions.emplace_back(glm::dvec3(x, y, z) + radius / length * way);
         }
-    for (const std::string& file : marks.lesion_meshes)
+    for (const std::string& file : lesion_files(marks))
         if (const auto lesion = context.assets.lesion_mesh(file))
             positions.insert(positions.end(), lesion->mesh.positions.begin(), lesion->mesh.positions.end());
 }
@@ -148,8 +148,6 @@ bool has_tree(const Document& document) { return document.branch_count() > 0; }
 bool has_scene(const Document& document) { return document.has_scene(); }
 bool has_selection(const Document& document) { return !document.marks().selection.empty(); }
 
-bool has_lesions(const Document& document) {
-    return !document.marks().lesions.empty() || !document.marks().lesion_meshes.empty();
-}
+bool has_lesions(const Document& document) { return !document.marks().lesions.empty(); }
 
 } // namespace ramus::app::actions

@@ -33,7 +33,7 @@ Result<void> lesion_vessel(ActionContext& context, Arguments arguments) {
     const tree::VesselTree& tree = *document.tree();
     if (arguments.empty() || arguments.size() > 2)
         return fail("lesion-vessel takes a lesion's number and, of several systems, one");
-    RAMUS_TRY(lesion, list_index(arguments.first(1), lesion_count(marks), "lesion"));
+    RAMUS_TRY(lesion, list_index(arguments.first(1), marks.lesions.size(), "lesion"));
     int system = -1;
     if (arguments.size() == 2) {
         RAMUS_TRY(found, find_system(systems_of(tree, marks), arguments[1]));

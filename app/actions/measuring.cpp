@@ -24,10 +24,11 @@ constexpr std::array<std::pair<std::string_view, Measurement::Kind>, 4> kKindNam
 
 constexpr std::string_view kLesion = "lesion:", kBranch = "branch:";
 
-Result<LesionRef> lesion_in(const Document& document, std::string_view number) {
+Result<int> lesion_in(const Document& document, std::string_view number) { // its id
     const std::vector<std::string> words{std::string(number)};
-    RAMUS_TRY(index, list_index(words, lesion_count(document.marks()), "lesion"));
-    return lesion_at(document.marks(), index);
+    const std::vector<Lesion>& lesions = document.marks().lesions;
+    RAMUS_TRY(index, list_index(words, lesions.size(), "lesion"));
+    return lesions[index].id;
 }
 
 // X,Y,Z, or lesion:N@X,Y,Z: the nearest place to that of the lesion's surface.
@@ -113,7 +114,7 @@ Result<Measurement> measurement_in(const Document& document, const LesionShapes&
 LesionShapes shapes_for(ActionContext& context, Arguments arguments) {
     const Marks& marks = context.document.marks();
     if (std::ranges::any_of(arguments, [](const std::string& word) { return word.starts_with(kLesion); }))
-        for (const std::string& file : marks.lesion_meshes)
+        for (const std::string& file : lesion_files(marks))
             if (!context.assets.lesion_mesh(file))
                 (void)load_lesion_mesh(context.assets, file, axes_of_lesion(marks, file));
     return lesion_shapes(context.assets, marks);
@@ -125,7 +126,8 @@ Result<void> measure_this(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(wanted, measurement_in(context.document, lesions, arguments));
     RAMUS_TRY(found, measured(*context.document.tree(), wanted, lesions));
     Marks next = context.document.marks();
-    if (std::ranges::find(next.measurements, wanted) == next.measurements.end()) next.measurements.push_back(wanted);
+    if (std::ranges::none_of(next.measurements, [&](const Measurement& m) { return measure_alike(m, wanted); }))
+        next.measurements.push_back(wanted);
     if (auto few = check_counts(next); !few) return few;
     context.document.change(std::move(next));
     context.say(found.sentence());
@@ -141,7 +143,10 @@ Result<void> measure_change(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(wanted, measurement_in(context.document, lesions, arguments.subspan(1)));
     RAMUS_TRY(found, measured(*context.document.tree(), wanted, lesions));
     context.say(found.sentence());
-    return edit(context, [&, index = index](Marks& marks) { marks.measurements[index] = wanted; });
+    return edit(context, [&, index = index](Marks& marks) {
+        const Measurement before = std::exchange(marks.measurements[index], wanted);
+        marks.measurements[index].id = before.id, marks.measurements[index].name = before.name;
+    });
 }
 
 Result<void> measure_remove(ActionContext& context, Arguments arguments) {

@@ -26,19 +26,20 @@ Result<void> lesion(ActionContext& context, Arguments arguments) {
     if (!has_tree(context.document)) return fail("there is no tree to place it in");
     const auto sphere = arguments.size() == 1 ? sphere_in(arguments[0]) : std::nullopt;
     if (!sphere) return fail(kAskedLesion);
-    return edit(context, [&](Marks& marks) { marks.lesions.push_back(*sphere); });
+    return edit(context, [&](Marks& marks) { add_lesion(marks, {.sphere = *sphere}); });
 }
 
 Result<void> lesion_change(ActionContext& context, Arguments arguments) {
     const auto sphere = arguments.size() == 2 ? sphere_in(arguments[1]) : std::nullopt;
     if (!sphere) return fail("lesion-change takes a lesion's number and X,Y,Z,R", {}, kAskedLesion);
     RAMUS_TRY(index, list_index(arguments.first(1), context.document.marks().lesions.size(), "lesion"));
+    if (context.document.marks().lesions[index].is_mesh())
+        return fail("lesion " + arguments[0] + " is a mesh, whose place and size are its file's");
     return edit(context, [&](Marks& marks) { change_lesion(marks, index, *sphere); });
 }
 
 Result<void> expect_new_lesion(const Document& document, const std::filesystem::path& path) {
-    const auto& meshes = document.marks().lesion_meshes;
-    if (std::ranges::find(meshes, path.string()) != meshes.end())
+    if (const auto& all = document.marks().lesions; std::ranges::find(all, path.string(), &Lesion::file) != all.end())
         return fail("this lesion is there already", path.string());
     return {};
 }
@@ -52,10 +53,7 @@ Result<void> add_lesion_mesh(ActionContext& context, const std::filesystem::path
                            {render::bounds_of(*tree), tree->claims.orientation}, other_axes_option(lesion.asked_axes));
     context.say("Lesion of " + counted(lesion.mesh.triangles.size(), "triangle", "triangles") + ": " +
                 path.filename().string() + (apart.empty() ? "" : "; " + apart));
-    return edit(context, [&](Marks& marks) {
-        marks.lesion_meshes.push_back(path.string());
-        if (!lesion.asked_axes.empty()) marks.lesion_axes[path.string()] = lesion.asked_axes;
-    });
+    return edit(context, [&](Marks& marks) { add_lesion(marks, {.file = path.string(), .axes = lesion.asked_axes}); });
 }
 
 Result<Outcome> lesion_mesh(ActionContext& context, Arguments arguments) {
@@ -88,14 +86,13 @@ Result<void> lesion_axes(ActionContext& context, Arguments arguments) {
     Marks next = context.document.marks();
     if (arguments.size() != 2 || !io::slicer_space(arguments[1]))
         return fail("lesion-axes takes a number, and LPS or RAS");
-    RAMUS_TRY(index, list_index(arguments.first(1), lesion_count(next), "lesion"));
-    const LesionRef lesion = lesion_at(next, index);
-    if (lesion.shape == LesionRef::Shape::kSphere)
-        return fail("lesion " + arguments[0] + " is a sphere, without axes of its own");
-    const std::string& file = next.lesion_meshes[static_cast<std::size_t>(lesion.index)];
-    const auto mesh = context.assets.lesion_mesh(file);
-    if (mesh && mesh->axes == tree::SaidBy::kFile) return fail("the file states its axes", file, "correct the file");
-    next.lesion_axes[file] = arguments[1];
+    RAMUS_TRY(index, list_index(arguments.first(1), next.lesions.size(), "lesion"));
+    Lesion& lesion = next.lesions[index];
+    if (!lesion.is_mesh()) return fail("lesion " + arguments[0] + " is a sphere, without axes of its own");
+    const auto mesh = context.assets.lesion_mesh(lesion.file);
+    if (mesh && mesh->axes == tree::SaidBy::kFile)
+        return fail("the file states its axes", lesion.file, "correct the file");
+    lesion.axes = arguments[1];
     context.document.change(std::move(next));
     return {};
 }
@@ -106,11 +103,10 @@ void say_what_went(ActionContext& context, std::size_t measurements) {
         context.say("Removed with " + counted(measurements, "measurement", "measurements") + " from the lesion");
 }
 
-// Spheres first, then meshes: as lists show them.
 Result<void> lesion_remove(ActionContext& context, Arguments arguments) {
     Marks next = context.document.marks();
-    RAMUS_TRY(index, list_index(arguments, lesion_count(next), "lesion"));
-    const std::size_t gone = remove_lesion(next, lesion_at(next, index));
+    RAMUS_TRY(index, list_index(arguments, next.lesions.size(), "lesion"));
+    const std::size_t gone = remove_lesion(next, index);
     context.document.change(std::move(next));
     say_what_went(context, gone);
     return {};
@@ -119,7 +115,7 @@ Result<void> lesion_remove(ActionContext& context, Arguments arguments) {
 Result<void> lesion_clear(ActionContext& context, Arguments) {
     Marks next = context.document.marks();
     std::size_t gone = 0;
-    while (lesion_count(next) > 0) gone += remove_lesion(next, lesion_at(next, lesion_count(next) - 1));
+    while (!next.lesions.empty()) gone += remove_lesion(next, next.lesions.size() - 1);
     context.document.change(std::move(next));
     say_what_went(context, gone);
     return {};

@@ -143,7 +143,7 @@ bool is_other(const Loaded<LesionMesh>* before, const Loaded<LesionMesh>& now) {
 
 // Of all lesions, in the axes that somebody has said last.
 bool lesions_are_read(const Assets& assets, const Marks& marks) {
-    return std::ranges::all_of(marks.lesion_meshes, [&](const std::string& file) {
+    return std::ranges::all_of(lesion_files(marks), [&](const std::string& file) {
         const Loaded<LesionMesh>* loaded = found(assets.lesion_meshes, file);
         return loaded != nullptr && (!loaded->value || (*loaded->value)->asked_axes == axes_of_lesion(marks, file));
     });
@@ -152,7 +152,7 @@ bool lesions_are_read(const Assets& assets, const Marks& marks) {
 } // namespace
 
 bool lesions_awaited(const Assets& assets, const Marks& marks, GridIs grid) {
-    if (!assets.tree || marks.lesion_meshes.empty()) return false;
+    if (!assets.tree || lesion_files(marks).empty()) return false;
     if (!lesions_are_read(assets, marks)) return true;
     const measure::Lesions lesions = loaded_lesions(assets, marks);
     if (lesions.meshes.empty()) return false;
@@ -161,7 +161,7 @@ bool lesions_awaited(const Assets& assets, const Marks& marks, GridIs grid) {
 }
 
 void complete_lesions(Assets& assets, const Marks& marks, GridIs grid) {
-    for (const std::string& file : marks.lesion_meshes)
+    for (const std::string& file : lesion_files(marks))
         (void)load_lesion_mesh(assets, file, axes_of_lesion(marks, file));
     measure::Lesions lesions = loaded_lesions(assets, marks);
     if (!assets.tree || lesions.meshes.empty()) return;

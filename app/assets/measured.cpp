@@ -56,14 +56,11 @@ glm::dvec3 middle_of(const std::vector<glm::dvec3>& line) {
     return line.back();
 }
 
-Result<measure::Lesion> lesion_of(const LesionShapes& lesions, const LesionRef& lesion) {
-    const bool sphere = lesion.shape == LesionRef::Shape::kSphere;
-    const std::size_t count = sphere ? lesions.spheres.size() : lesions.meshes.size();
-    const auto found = lesions.at(lesion);
-    if (found) return *found;
-    if (lesion.index < 0 || static_cast<std::size_t>(lesion.index) >= count)
+Result<measure::Lesion> lesion_of(const LesionShapes& lesions, int id) {
+    if (const auto found = lesions.at(id)) return *found;
+    if (lesions.find(id) == nullptr)
         return fail("the lesion that this is measured from is not there", {}, "remove it, and measure again");
-    return fail(lesions.name_of(lesion) + " has not been read");
+    return fail(lesions.name_of(id) + " has not been read");
 }
 
 // From the surface of a lesion to the wall of a branch.
@@ -85,8 +82,8 @@ Result<Measured> shortest(const tree::VesselTree& tree, const Measurement& m, co
 }
 
 // Where a point was said to lie on a lesion it does, or what is measured is not what was asked for.
-Result<void> check_on(const LesionShapes& lesions, const LesionRef& lesion, const glm::dvec3& point) {
-    if (!lesion.any()) return {};
+Result<void> check_on(const LesionShapes& lesions, int lesion, const glm::dvec3& point) {
+    if (lesion == kNoObject) return {};
     RAMUS_TRY(shape, lesion_of(lesions, lesion));
     constexpr double kOff = 1e-3; // of its size: single precision of meshes, seven digits of a place in words
     const double size = shape.mesh ? glm::length(shape.mesh->bounds().size()) : 2.0 * shape.sphere[3];
@@ -98,7 +95,7 @@ Result<void> check_on(const LesionShapes& lesions, const LesionRef& lesion, cons
 Result<Measured> distance(const tree::VesselTree& tree, const Measurement& m, const LesionShapes& lesions) {
     if (m.shortest) return shortest(tree, m, lesions);
     const auto end_text = [&](std::size_t i) {
-        return (m.lesions[i].any() ? lesions.name_of(m.lesions[i]) + " at " : "") + place_text(m.points[i]);
+        return (m.lesions[i] != kNoObject ? lesions.name_of(m.lesions[i]) + " at " : "") + place_text(m.points[i]);
     };
     for (std::size_t i = 0; i < m.points.size(); ++i)
         if (auto on = check_on(lesions, m.lesions[i], m.points[i]); !on) return tl::unexpected(on.error());
@@ -222,36 +219,33 @@ std::vector<glm::dvec3> ends_of(const tree::VesselTree& tree, const Measurement&
     return ends;
 }
 
-std::optional<measure::Lesion> LesionShapes::at(const LesionRef& lesion) const {
-    const auto index = static_cast<std::size_t>(lesion.index);
-    if (lesion.index < 0) return {};
-    if (lesion.shape == LesionRef::Shape::kSphere && index < spheres.size())
-        return measure::Lesion{spheres[index], nullptr};
-    if (lesion.shape == LesionRef::Shape::kMesh && index < meshes.size() && meshes[index])
-        return measure::Lesion{{}, meshes[index]};
-    return {};
+const LesionShapes::Shape* LesionShapes::find(int id) const {
+    const auto shape = std::ranges::find(shapes, id, [](const Shape& one) { return one.lesion.id; });
+    return id == kNoObject || shape == shapes.end() ? nullptr : &*shape;
 }
 
-std::string LesionShapes::name_of(const LesionRef& lesion) const {
-    const std::size_t before = lesion.shape == LesionRef::Shape::kMesh ? spheres.size() : 0;
-    return "lesion " + std::to_string(before + static_cast<std::size_t>(lesion.index) + 1);
+std::optional<measure::Lesion> LesionShapes::at(int id) const {
+    const Shape* shape = find(id);
+    if (shape == nullptr || !shape->is_there()) return {};
+    return shape->mesh ? measure::Lesion{{}, shape->mesh} : measure::Lesion{shape->lesion.sphere, nullptr};
 }
 
-LesionRef LesionShapes::picked(int lesion) const {
-    if (lesion < 0) return {};
-    auto left = static_cast<std::size_t>(lesion);
-    if (left < spheres.size()) return {LesionRef::Shape::kSphere, lesion};
-    left -= spheres.size();
-    for (std::size_t i = 0; i < meshes.size(); ++i)
-        if (meshes[i] && left-- == 0) return {LesionRef::Shape::kMesh, static_cast<int>(i)};
-    return {};
+std::string LesionShapes::name_of(int id) const {
+    const Shape* shape = find(id);
+    return shape == nullptr ? "a lesion" : "lesion " + std::to_string(shape - shapes.data() + 1);
+}
+
+int LesionShapes::picked(int lesion) const {
+    for (const Shape& shape : shapes)
+        if (shape.lesion.visible && shape.is_there() && lesion-- == 0) return shape.lesion.id;
+    return kNoObject;
 }
 
 LesionShapes lesion_shapes(const Assets& assets, const Marks& marks) {
-    LesionShapes shapes{marks.lesions, {}};
-    for (const std::string& file : marks.lesion_meshes) {
-        const auto mesh = assets.lesion_mesh(file);
-        shapes.meshes.push_back(mesh ? mesh->distance : nullptr);
+    LesionShapes shapes;
+    for (const Lesion& lesion : marks.lesions) {
+        const auto mesh = lesion.is_mesh() ? assets.lesion_mesh(lesion.file) : nullptr;
+        shapes.shapes.push_back({lesion, mesh ? mesh->distance : nullptr});
     }
     return shapes;
 }

@@ -34,17 +34,22 @@ struct Measured {
 
 struct Assets; // app/assets/assets.h
 
-// What measurements that name a lesion are taken from, as LesionRef counts them.
+// The session's lesions, in their order, as measurements are taken from them. Lesions are named by their ids.
 struct LesionShapes {
-    std::vector<std::array<double, 4>> spheres;
-    std::vector<std::shared_ptr<const measure::MeshDistance>> meshes; // null: not read
+    struct Shape {
+        Lesion lesion;
+        std::shared_ptr<const measure::MeshDistance> mesh; // null: a sphere, or not read
+        bool operator==(const Shape&) const = default;
+        [[nodiscard]] bool is_there() const { return !lesion.is_mesh() || mesh; }
+    };
+    std::vector<Shape> shapes;
     bool operator==(const LesionShapes&) const = default;
-    // Null shapes and references beyond the end give none.
-    [[nodiscard]] std::optional<measure::Lesion> at(const LesionRef& lesion) const;
-    // "lesion 2": spheres are counted first.
-    [[nodiscard]] std::string name_of(const LesionRef& lesion) const;
-    // What a pick calls a lesion: spheres, then the meshes that are read.
-    [[nodiscard]] LesionRef picked(int lesion) const;
+    [[nodiscard]] const Shape* find(int id) const; // null: there is no such lesion
+    // None: there is no such lesion, or its mesh has not been read.
+    [[nodiscard]] std::optional<measure::Lesion> at(int id) const;
+    [[nodiscard]] std::string name_of(int id) const; // "lesion 2"
+    // The id of what a pick shows: picks count the lesions that are drawn.
+    [[nodiscard]] int picked(int lesion) const;
 };
 [[nodiscard]] LesionShapes lesion_shapes(const Assets& assets, const Marks& marks);
 

@@ -60,19 +60,21 @@ LesionDistances measure_lesions(const tree::VesselTree& tree, measure::Lesions l
 }
 
 measure::Lesions loaded_lesions(const Assets& assets, const Marks& marks) {
-    measure::Lesions lesions{marks.lesions, {}};
-    for (const std::string& file : marks.lesion_meshes)
+    measure::Lesions lesions{spheres_of(marks), {}};
+    for (const std::string& file : lesion_files(marks))
         if (const auto mesh = assets.lesion_mesh(file)) lesions.meshes.push_back(mesh->distance);
     return lesions;
 }
 
-PlannedMarks planned(const Marks& marks) { return {marks.lesions, marks.lesion_meshes, marks.cuts, marks.planning}; }
+PlannedMarks planned(const Marks& marks) {
+    return {spheres_of(marks), lesion_files(marks), marks.cuts, marks.planning};
+}
 
 Plan make_plan(const Assets& assets, const Marks& marks) {
     Plan plan;
     plan.of = planned(marks);
     plan.lesions = loaded_lesions(assets, marks);
-    for (const std::string& file : marks.lesion_meshes) {
+    for (const std::string& file : plan.of.lesion_meshes) {
         plan.meshes.push_back(assets.lesion_mesh(file));
         const auto loaded = assets.lesion_meshes.find(file);
         if (loaded == assets.lesion_meshes.end())

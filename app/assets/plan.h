@@ -34,8 +34,8 @@ struct LesionDistances {
 
 // The marks that a plan follows from; see Marks for what they mean.
 struct PlannedMarks {
-    std::vector<std::array<double, 4>> lesions;
-    std::vector<std::string> lesion_meshes;
+    std::vector<std::array<double, 4>> lesions; // the spheres
+    std::vector<std::string> lesion_meshes;     // the others' files
     std::vector<std::pair<int, double>> cuts;
     Planning planning;
     bool operator==(const PlannedMarks&) const = default;
@@ -45,12 +45,12 @@ struct PlannedMarks {
 struct Plan {
     PlannedMarks of;
     measure::Lesions lesions;                              // spheres, and the meshes whose distances are known
-    std::vector<std::shared_ptr<const LesionMesh>> meshes; // by Marks::lesion_meshes; null: not read
+    std::vector<std::shared_ptr<const LesionMesh>> meshes; // by PlannedMarks::lesion_meshes; null: not read
     std::vector<std::string> troubles;                     // why not, a sentence each
     std::vector<double> lesion_distances_mm;               // by branch id, to the wall; empty without lesions
     std::vector<measure::LesionVessels> measured_vessels;  // as LesionDistances has them
     // For each lesion whose distances are known and each system, or all vessels of a tree with fewer than two systems;
-    // `lesion` counts as LesionShapes::name_of() does, from 0 on.
+    // `lesion` is the place in Marks::lesions.
     std::vector<measure::LesionVessels> vessels;
     std::vector<measure::Band> bands; // of Planning::bands_mm; empty without lesions
     measure::CutReport cuts;          // of Marks::cuts; `spans` are what pictures draw as lost

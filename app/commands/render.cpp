@@ -280,7 +280,7 @@ void warn_of_half_turns(const Document& document, const Assets& assets) {
     for (const ContextItem& item : marks.context)
         if (const auto shape = assets.context_shape(source_of(item)))
             warn(item.file, {shape->box, shape->claims.orientation}, item.axes);
-    for (const std::string& file : marks.lesion_meshes)
+    for (const std::string& file : lesion_files(marks))
         if (const auto lesion = assets.lesion_mesh(file))
             warn(file, {render::bounds_of(lesion->mesh), lesion->axes}, lesion->asked_axes);
 }

@@ -207,7 +207,7 @@ void draw_lesions(InterfaceContext& context) {
     draw_title(context, "Lesions",
                {{"Place", "Place a lesion in the picture and size it by dragging", "tool", {"lesion"}},
                 {"Mesh\xE2\x80\xA6", "Read a closed mesh from a file: STL, PLY or OBJ", "lesion-mesh"}});
-    if (marks.lesions.empty() && marks.lesion_meshes.empty()) {
+    if (marks.lesions.empty()) {
         widgets::quiet_wrapped(
             "What lies near a lesion, and how near, is listed here. A closed mesh (STL, PLY, OBJ) dropped into the "
             "picture now is a lesion too.");
@@ -217,15 +217,13 @@ void draw_lesions(InterfaceContext& context) {
                           {"Diameter", "The diameter of a sphere; a mesh has its own size"}, ImGui::GetFrameHeight());
     // Kept here: what a row does makes the list another.
     const auto same = [&, before = marks] { return planned(before) == planned(context.workspace.document.marks()); };
-    for (const auto lesions = marks.lesions; const auto& sphere : lesions) {
-        const auto index = static_cast<std::size_t>(&sphere - lesions.data());
-        draw_lesion(context, index, sphere);
+    for (const auto lesions = marks.lesions; const Lesion& lesion : lesions) {
+        const auto index = static_cast<std::size_t>(&lesion - lesions.data());
+        if (lesion.is_mesh())
+            draw_lesion_mesh(context, lesion.file, std::to_string(index + 1));
+        else
+            draw_lesion(context, index, lesion.sphere);
         if (same()) draw_vessels(context, index);
-    }
-    std::size_t number = marks.lesions.size();
-    for (const auto meshes = marks.lesion_meshes; const std::string& file : meshes) {
-        draw_lesion_mesh(context, file, std::to_string(++number));
-        if (same()) draw_vessels(context, number - 1);
     }
     bool shown = marks.shortest_distances;
     if (ImGui::Checkbox("Shortest distances", &shown)) context.perform("shortest-distances", {shown ? "on" : "off"});
@@ -244,7 +242,7 @@ void draw_lesions(InterfaceContext& context) {
 void draw_margins(InterfaceContext& context) {
     const Document& document = context.workspace.document;
     const Marks& marks = document.marks();
-    if (marks.lesions.empty() && marks.lesion_meshes.empty()) return;
+    if (marks.lesions.empty()) return;
     ImGui::Dummy({0.0F, 3.0F * theme::scale()});
     plan_rows::field_label(context, "Margins (mm)");
     if (const auto words =

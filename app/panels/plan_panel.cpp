@@ -114,8 +114,8 @@ void draw_plan(InterfaceContext& context) {
     draw_cuts(context);
     draw_thin_vessels(context);
     const Marks& marks = context.workspace.document.marks();
-    const bool some = !marks.cuts.empty() || !marks.lesions.empty() || !marks.lesion_meshes.empty() ||
-                      !marks.measurements.empty() || !marks.selection.empty();
+    const bool some =
+        !marks.cuts.empty() || !marks.lesions.empty() || !marks.measurements.empty() || !marks.selection.empty();
     ImGui::Dummy({0.0F, 6.0F * theme::scale()});
     ImGui::BeginDisabled(!some);
     if (ImGui::Button("Report\xE2\x80\xA6", {-1.0F, 0.0F})) context.perform("report", {});

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <span>
 
 namespace ramus::app {
 
@@ -24,14 +23,23 @@ namespace {
 
 void show_plan(render::Frame& frame, const Assets& assets, const Marks& marks) {
     const Plan& plan = *assets.plan;
-    for (const auto& [x, y, z, radius] : marks.lesions) frame.lesions.spheres.emplace_back(x, y, z, radius);
-    for (const auto& lesion : plan.meshes)
-        if (lesion) frame.lesions.meshes.emplace_back(lesion, &lesion->mesh);
+    for (const Lesion& lesion : marks.lesions)
+        if (lesion.visible && !lesion.is_mesh())
+            frame.lesions.spheres.emplace_back(lesion.sphere[0], lesion.sphere[1], lesion.sphere[2], lesion.sphere[3]);
+        else if (const auto mesh = lesion.visible ? assets.lesion_mesh(lesion.file) : nullptr)
+            frame.lesions.meshes.emplace_back(mesh, &mesh->mesh);
     if (!frame.margins.bands.empty() && assets.lesion_grid.fits(plan.lesions, widest_margin_mm(marks.planning)))
         frame.lesions.distances = assets.lesion_grid.grid;
     for (std::size_t id = 0; id < std::min(plan.cuts.spans.size(), assets.tree->branches.size()); ++id)
         if (const measure::LostSpan& span = plan.cuts.spans[id]; span.any())
             frame.lost.push_back({static_cast<int>(id), span.from, span.to});
+}
+
+std::vector<std::shared_ptr<const LesionMesh>> visible_lesion_meshes(const Assets& assets, const Marks& marks) {
+    std::vector<std::shared_ptr<const LesionMesh>> meshes;
+    for (const Lesion& lesion : marks.lesions)
+        if (lesion.visible && lesion.is_mesh()) meshes.push_back(assets.lesion_mesh(lesion.file));
+    return meshes;
 }
 
 // What has been read of it.
@@ -62,10 +70,10 @@ void draw_cuts(render::Frame& frame, const Marks& marks, const Plan* plan) {
 }
 
 // Lines, end marks and labels of what was measured; what could not be measured is left out.
-void draw_measurements(render::Frame& frame, std::span<const Result<Measured>> measurements, int left_out) {
-    for (std::size_t i = 0; i < measurements.size(); ++i) {
-        const Result<Measured>& found = measurements[i];
-        if (!found || static_cast<int>(i) == left_out) continue;
+void draw_measurements(render::Frame& frame, const Measurements& measurements, int left_out) {
+    for (std::size_t i = 0; i < measurements.found.size(); ++i) {
+        const Result<Measured>& found = measurements.found[i];
+        if (!found || !measurements.of[i].visible || static_cast<int>(i) == left_out) continue;
         // From an axis to the wall before it is seldom more than this.
         constexpr double kRadii = 2.0;
         for (const auto& line : found->lines)
@@ -182,9 +190,9 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     frame.bends = method == mesh::Method::kConvolutionSurface;
     show_outline(frame, session, assets);
     draw_cuts(frame, marks, plan);
-    if (plan != nullptr) outline_lesions(frame, plan->meshes);
+    if (plan != nullptr) outline_lesions(frame, visible_lesion_meshes(assets, marks));
     if (plan != nullptr) draw_shortest_distances(frame, *plan, marks, viewing.lesion, tree.claims);
-    if (assets.measurements) draw_measurements(frame, assets.measurements->found, viewing.measurement);
+    if (assets.measurements) draw_measurements(frame, *assets.measurements, viewing.measurement);
     if (viewing.notes) mark_notes(frame, tree, viewing.note);
     if (assets.contacts.fits(options))
         mark_contacts(frame, *assets.contacts.list, marks.contact_marks ? ContactMarks::kAll : ContactMarks::kCurrent,

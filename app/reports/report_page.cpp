@@ -66,7 +66,7 @@ Facts option_facts(const Marks& marks) {
 
 std::string lesions_html(const Document& document, const Plan& plan) {
     const Marks& marks = document.marks();
-    if (marks.lesions.empty() && marks.lesion_meshes.empty()) return {};
+    if (marks.lesions.empty()) return {};
     Table table{"Lesions",
                 {{"lesion", "Lesion"},
                  {"shape", "Shape"},
@@ -76,9 +76,13 @@ std::string lesions_html(const Document& document, const Plan& plan) {
                  {"diameter", "Diameter, mm"}},
                 {}};
     int number = 0;
-    for (const auto& [x, y, z, r] : marks.lesions) table.rows.push_back({++number, "sphere", x, y, z, 2.0 * r});
-    for (const std::string& mesh : marks.lesion_meshes)
-        table.rows.push_back({++number, std::filesystem::path(mesh).filename().string(), "", "", "", ""});
+    for (const Lesion& lesion : marks.lesions) {
+        const auto& [x, y, z, r] = lesion.sphere;
+        if (lesion.is_mesh())
+            table.rows.push_back({++number, std::filesystem::path(lesion.file).filename().string(), "", "", "", ""});
+        else
+            table.rows.push_back({++number, "sphere", x, y, z, 2.0 * r});
+    }
     add_unit(table, document.lengths());
     std::string note;
     for (const std::string& trouble : plan.troubles) note += trouble + ". ";

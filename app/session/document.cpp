@@ -19,6 +19,7 @@ void Document::open(std::shared_ptr<const tree::VesselTree> tree, Session sessio
     base_ = base ? std::move(base) : tree_;
     facts_ = facts || !tree_ ? std::move(facts) : std::make_shared<const TreeFacts>(facts_of(*tree_));
     session_ = std::move(session);
+    number_objects(session_.marks);
     claims_ = {};
     known_.clear();
     keep_tree();
@@ -38,6 +39,7 @@ void Document::change(Marks next) {
     if (std::ranges::adjacent_find(next.selection, std::ranges::greater_equal{}) != next.selection.end())
         next.selection = canonical(std::move(next.selection));
     set_state(next, {}, render::BranchState::kNormal);
+    number_objects(next);
     if (next == session_.marks) return;
     const std::vector<tree::Edit> before = session_.marks.edits;
     take_change(std::move(next));

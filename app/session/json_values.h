@@ -75,4 +75,24 @@ inline std::vector<int> ids(const json& value, const std::string& name) {
     return canonical(std::move(found));
 }
 
+// The keys that all objects of the scene have, where they are not the default.
+inline void write_object(json& value, const SceneObject auto& object) {
+    if (!object.name.empty()) value["name"] = object.name;
+    if (!object.visible) value["visible"] = false;
+}
+
+inline void read_object(const json& value, SceneObject auto& object) {
+    if (value.contains("name")) object.name = text(value["name"], "name");
+    if (value.contains("visible")) object.visible = truth(value["visible"], "visible");
+}
+
+// `value` alone, or an object that has it as `key` where there is more to say.
+inline json with_object_keys(json value, const char* key, const SceneObject auto& object) {
+    json whole = json::object();
+    write_object(whole, object);
+    if (whole.empty()) return value;
+    whole[key] = std::move(value);
+    return whole;
+}
+
 } // namespace ramus::app::session_json

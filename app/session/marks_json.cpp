@@ -23,42 +23,47 @@ constexpr std::array<std::pair<std::string_view, Measurement::Kind>, 4> kMeasure
 
 } // namespace
 
-// "sphere 2", "mesh 1": counted from 1 among their like; empty: none.
-static std::string lesion_json(const LesionRef& lesion) {
-    if (!lesion.any()) return {};
-    return (lesion.shape == LesionRef::Shape::kSphere ? "sphere " : "mesh ") + std::to_string(lesion.index + 1);
+// "sphere 2", "mesh 1": counted from 1 among the lesions of the same shape; empty: none.
+static std::string lesion_json(int id, const Marks& marks) {
+    const auto index = lesion_index(marks, id);
+    if (!index) return {};
+    const std::size_t spheres = spheres_of(marks).size();
+    return *index < spheres ? "sphere " + std::to_string(*index + 1) : "mesh " + std::to_string(*index + 1 - spheres);
 }
 
-static LesionRef lesion_in(const json& value) {
+static int lesion_in(const json& value, const Marks& marks) {
     const std::string wanted = text(value, "lesion of a measurement");
-    if (wanted.empty()) return {};
+    if (wanted.empty()) return kNoObject;
     const std::size_t blank = wanted.find(' ');
     const int number = blank == std::string::npos ? 0 : parsed<int>(wanted.substr(blank + 1)).value_or(0);
     const std::string shape = wanted.substr(0, blank);
     if (number < 1 || (shape != "sphere" && shape != "mesh"))
         throw Refusal{"\"" + wanted + "\" is not a lesion, \"sphere 1\" or \"mesh 1\""};
-    return {shape == "sphere" ? LesionRef::Shape::kSphere : LesionRef::Shape::kMesh, number - 1};
+    int left = number;
+    for (const Lesion& lesion : marks.lesions)
+        if (lesion.is_mesh() == (shape == "mesh") && --left == 0) return lesion.id;
+    throw Refusal{"a measurement names the lesion \"" + wanted + "\", and there is none"};
 }
 
-static void read_lesions_of(const json& value, Measurement& found) {
+static void read_lesions_of(const json& value, const Marks& marks, Measurement& found) {
     if (value.contains("shortest")) found.shortest = truth(value["shortest"], "shortest");
     const json lesions = value.value("lesions", json::array());
     if (!lesions.is_array() || (!lesions.empty() && lesions.size() != found.lesions.size()))
         throw Refusal{"lesions of a measurement are not two"};
-    for (std::size_t i = 0; i < lesions.size(); ++i) found.lesions[i] = lesion_in(lesions[i]);
+    for (std::size_t i = 0; i < lesions.size(); ++i) found.lesions[i] = lesion_in(lesions[i], marks);
     if (found.kind != Measurement::Kind::kDistance && (found.shortest || names_lesion(found)))
         throw Refusal{"only distances are measured from lesions"};
-    if (found.shortest && (!found.lesions[0].any() || found.lesions[1].any()))
+    if (found.shortest && (found.lesions[0] == kNoObject || found.lesions[1] != kNoObject))
         throw Refusal{"a shortest distance is from one lesion, the first"};
 }
 
-json measurement_json(const Measurement& m) {
+json measurement_json(const Measurement& m, const Marks& marks) {
     json value;
     for (const auto& [name, kind] : kMeasurementNames)
         if (kind == m.kind) value["kind"] = std::string(name);
     for (const glm::dvec3& p : std::span(m.points).first(point_count(m))) value["points"].push_back({p.x, p.y, p.z});
     if (names_lesion(m))
-        for (const LesionRef& lesion : m.lesions) value["lesions"].push_back(lesion_json(lesion));
+        for (const int lesion : m.lesions) value["lesions"].push_back(lesion_json(lesion, marks));
     if (m.shortest) value["shortest"] = true;
     const auto places = std::span(m.places).first(place_count(m));
     for (const measure::BranchPlace& place : places) value["branches"].push_back(place.branch);
@@ -66,17 +71,20 @@ json measurement_json(const Measurement& m) {
         value["fraction"] = places[0].fraction;
     else if (!of_branching(m) && m.kind != Measurement::Kind::kDistance)
         for (const measure::BranchPlace& place : places) value["fractions"].push_back(place.fraction);
+    write_object(value, m);
     return value;
 }
 
-Measurement measurement_in(const json& value) {
-    expect_only(value, "a measurement", {"kind", "points", "branches", "fraction", "fractions", "lesions", "shortest"});
+Measurement measurement_in(const json& value, const Marks& marks) {
+    expect_only(value, "a measurement",
+                {"kind", "points", "branches", "fraction", "fractions", "lesions", "shortest", "name", "visible"});
     Measurement found;
+    read_object(value, found);
     const std::string wanted = text(value.value("kind", json()), "kind of a measurement");
     const auto kind = paired(kMeasurementNames, wanted);
     if (!kind) throw Refusal{"unknown measurement \"" + wanted + "\""};
     found.kind = *kind;
-    read_lesions_of(value, found);
+    read_lesions_of(value, marks, found);
     const json points = value.value("points", json::array());
     const json branches = value.value("branches", json::array());
     // Of one branch an angle is where that begins, of three between places on them.
@@ -229,13 +237,16 @@ json context_json(const ContextItem& item, const fs::path& folder) {
     if (item.exact) value["exact"] = true;
     if (!item.units.empty()) value["units"] = item.units;
     if (!item.axes.empty()) value["axes"] = item.axes;
+    if (!item.name.empty()) value["name"] = item.name;
     return value;
 }
 
 ContextItem context_in(const json& value, const fs::path& folder) {
-    expect_only(value, "context",
-                {"path", "label", "isovalue", "colour", "opacity", "wireframe", "visible", "exact", "units", "axes"});
+    expect_only(
+        value, "context",
+        {"path", "label", "isovalue", "colour", "opacity", "wireframe", "visible", "exact", "units", "axes", "name"});
     ContextItem item;
+    read_object(value, item);
     if (!value.contains("path")) throw Refusal{"a context mesh has no path"};
     item.file = (folder / text(value["path"], "path of a context mesh")).lexically_normal().string();
     if (value.contains("label")) item.label = label_in(value["label"]);
@@ -245,7 +256,6 @@ ContextItem context_in(const json& value, const fs::path& folder) {
     if (value.contains("exact")) item.exact = truth(value["exact"], "exact");
     if (value.contains("units")) item.units = units_in(value["units"]);
     if (value.contains("axes")) item.axes = mesh_axes_in(value["axes"]);
-    if (value.contains("visible")) item.visible = truth(value["visible"], "visible");
     if (value.contains("colour")) item.colour = colour_from(value["colour"], "colour");
     return item;
 }

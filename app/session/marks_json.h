@@ -13,8 +13,9 @@ namespace ramus::app::session_json {
 [[nodiscard]] std::filesystem::path written_path(const std::filesystem::path& file,
                                                  const std::filesystem::path& folder);
 
-[[nodiscard]] nlohmann::json measurement_json(const Measurement& m);
-[[nodiscard]] Measurement measurement_in(const nlohmann::json& value);
+// `marks` have the lesions that measurements name.
+[[nodiscard]] nlohmann::json measurement_json(const Measurement& m, const Marks& marks);
+[[nodiscard]] Measurement measurement_in(const nlohmann::json& value, const Marks& marks);
 [[nodiscard]] std::string mesh_axes_in(const nlohmann::json& value); // "LPS" or "RAS"
 
 [[nodiscard]] nlohmann::json comparison_json(const Comparison& comparison, const std::filesystem::path& folder);

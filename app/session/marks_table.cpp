@@ -89,11 +89,30 @@ MarksEntry states_entry() {
             }};
 }
 
-std::array<double, 4> sphere_in(const json& value, const fs::path& /*folder*/) {
-    if (!value.is_array() || value.size() != 4) throw Refusal{"a lesion is not [x, y, z, radius]"};
-    std::array<double, 4> sphere{};
-    for (std::size_t i = 0; i < 4; ++i) sphere[i] = number(value[i], "lesion", i == 3 ? 0.0 : -1e9, 1e9);
-    return sphere;
+// [x, y, z, radius], or an object that has more to say.
+MarksEntry spheres_entry() {
+    return {"lesions",
+            [](const Marks& marks, const fs::path&) {
+                json list = json::array();
+                for (const Lesion& lesion : marks.lesions)
+                    if (!lesion.is_mesh()) list.push_back(with_object_keys(json(lesion.sphere), "sphere", lesion));
+                return list;
+            },
+            [](const json& value, const fs::path&, Marks& marks) {
+                if (!value.is_array()) throw Refusal{"lesions is not a list"};
+                for (const json& element : value) {
+                    Lesion lesion;
+                    if (element.is_object()) expect_only(element, "a lesion", {"sphere", "name", "visible"});
+                    if (element.is_object()) read_object(element, lesion);
+                    const json& sphere =
+                        element.is_object() && element.contains("sphere") ? element["sphere"] : element;
+                    if (!sphere.is_array() || sphere.size() != 4) throw Refusal{"a lesion is not [x, y, z, radius]"};
+                    for (std::size_t i = 0; i < 4; ++i)
+                        lesion.sphere[i] = number(sphere[i], "lesion", i == 3 ? 0.0 : -1e9, 1e9);
+                    add_lesion(marks, std::move(lesion));
+                }
+                number_objects(marks); // measurements name lesions
+            }};
 }
 
 std::pair<int, double> cut_in(const json& value, const fs::path& /*folder*/) {
@@ -101,27 +120,32 @@ std::pair<int, double> cut_in(const json& value, const fs::path& /*folder*/) {
     return {integer(value[0], "branch id of a cut", 0, kMostBranches), number(value[1], "cut", 0.0, 1.0)};
 }
 
-// A mesh with axes that somebody said is an object, any other a path.
+// A path, or an object that has more to say.
 MarksEntry lesion_meshes_entry() {
     return {"lesion_meshes",
             [](const Marks& marks, const fs::path& folder) {
                 json list = json::array();
-                for (const std::string& mesh : marks.lesion_meshes) {
-                    const std::string path = written_path(mesh, folder).string(), axes = axes_of_lesion(marks, mesh);
-                    list.push_back(axes.empty() ? json(path) : json{{"path", path}, {"axes", axes}});
+                for (const Lesion& lesion : marks.lesions) {
+                    if (!lesion.is_mesh()) continue;
+                    json mesh = with_object_keys(json(written_path(lesion.file, folder).string()), "path", lesion);
+                    if (!lesion.axes.empty() && mesh.is_string()) mesh = {{"path", mesh}};
+                    if (!lesion.axes.empty()) mesh["axes"] = lesion.axes;
+                    list.push_back(std::move(mesh));
                 }
                 return list;
             },
             [](const json& value, const fs::path& folder, Marks& marks) {
                 if (!value.is_array()) throw Refusal{"lesion_meshes is not a list"};
-                for (const json& mesh : value) {
-                    if (mesh.is_object()) expect_only(mesh, "lesion", {"path", "axes"});
-                    const json& path = mesh.is_object() && mesh.contains("path") ? mesh["path"] : mesh;
-                    marks.lesion_meshes.push_back(
-                        (folder / text(path, "path of a lesion")).lexically_normal().string());
-                    if (mesh.is_object() && mesh.contains("axes"))
-                        marks.lesion_axes[marks.lesion_meshes.back()] = mesh_axes_in(mesh["axes"]);
+                for (const json& element : value) {
+                    Lesion lesion;
+                    if (element.is_object()) expect_only(element, "lesion", {"path", "axes", "name", "visible"});
+                    if (element.is_object()) read_object(element, lesion);
+                    const json& path = element.is_object() && element.contains("path") ? element["path"] : element;
+                    lesion.file = (folder / text(path, "path of a lesion")).lexically_normal().string();
+                    if (element.is_object() && element.contains("axes")) lesion.axes = mesh_axes_in(element["axes"]);
+                    add_lesion(marks, std::move(lesion));
                 }
+                number_objects(marks);
             }};
 }
 
@@ -204,21 +228,14 @@ MarksRow states_row() {
 }
 
 MarksRow lesions_row() {
-    return row<&Marks::lesions>(
-        {.entries = {list_entry<&Marks::lesions>(
-             "lesions", [](const auto& sphere, const fs::path&) { return json(sphere); }, sphere_in)},
-         .most = kMostMarks,
-         .noun = "lesions"});
-}
-
-MarksRow lesion_meshes_row() {
-    return row<&Marks::lesion_meshes>({.entries = {lesion_meshes_entry()},
-                                       .most = kMostShapes,
-                                       .noun = "lesion meshes",
-                                       .add_files = [](const Marks& marks, std::vector<fs::path>& files) {
-                                           files.insert(files.end(), marks.lesion_meshes.begin(),
-                                                        marks.lesion_meshes.end());
-                                       }});
+    return row<&Marks::lesions>({.entries = {spheres_entry(), lesion_meshes_entry()},
+                                 .most = kMostMarks,
+                                 .noun = "lesions",
+                                 .file_noun = "lesion meshes",
+                                 .add_files = [](const Marks& marks, std::vector<fs::path>& files) {
+                                     const std::vector<std::string> meshes = lesion_files(marks);
+                                     files.insert(files.end(), meshes.begin(), meshes.end());
+                                 }});
 }
 
 MarksRow context_row() {
@@ -244,21 +261,32 @@ MarksRow cuts_row() {
                               .carry = carry_cuts});
 }
 
+MarksEntry measurements_entry() {
+    return {"measurements",
+            [](const Marks& marks, const fs::path&) {
+                json list = json::array();
+                for (const Measurement& m : marks.measurements) list.push_back(measurement_json(m, marks));
+                return list;
+            },
+            [](const json& value, const fs::path&, Marks& marks) {
+                if (!value.is_array()) throw Refusal{"measurements is not a list"};
+                for (const json& m : value) marks.measurements.push_back(measurement_in(m, marks));
+            }};
+}
+
 MarksRow measurements_row() {
-    return row<&Marks::measurements>(
-        {.entries = {list_entry<&Marks::measurements>(
-             "measurements", [](const Measurement& m, const fs::path&) { return measurement_json(m); },
-             [](const json& value, const fs::path&) { return measurement_in(value); })},
-         .most = kMostMarks,
-         .noun = "measurements",
-         .largest_branch =
-             [](const Marks& marks) {
-                 int largest = -1;
-                 for (const Measurement& m : marks.measurements)
-                     for (const measure::BranchPlace& place : m.places) largest = std::max(largest, place.branch);
-                 return largest;
-             },
-         .carry = carry_measurements});
+    return row<&Marks::measurements>({.entries = {measurements_entry()},
+                                      .most = kMostMarks,
+                                      .noun = "measurements",
+                                      .largest_branch =
+                                          [](const Marks& marks) {
+                                              int largest = -1;
+                                              for (const Measurement& m : marks.measurements)
+                                                  for (const measure::BranchPlace& place : m.places)
+                                                      largest = std::max(largest, place.branch);
+                                              return largest;
+                                          },
+                                      .carry = carry_measurements});
 }
 
 std::vector<MarksRow> rows_of_plan() {
@@ -266,8 +294,6 @@ std::vector<MarksRow> rows_of_plan() {
             selection_row(),
             states_row(),
             lesions_row(),
-            lesion_meshes_row(),
-            row<&Marks::lesion_axes>({}),
             context_row(),
             cuts_row(),
             measurements_row(),
@@ -325,11 +351,18 @@ std::span<const MarksRow> marks_table() {
 }
 
 Result<void> check_counts(const Marks& marks) {
-    for (const MarksRow& row : marks_table())
-        if (row.most > 0 && row.count(marks) > row.most)
-            return fail(grouped(row.count(marks)) + " " + std::string(row.noun) + ", where there can be " +
-                            grouped(row.most),
-                        {}, "remove those that are not needed");
+    const auto check = [](std::size_t count, std::size_t most, std::string_view noun) -> Result<void> {
+        if (count <= most) return {};
+        return fail(grouped(count) + " " + std::string(noun) + ", where there can be " + grouped(most), {},
+                    "remove those that are not needed");
+    };
+    for (const MarksRow& row : marks_table()) {
+        if (row.most > 0)
+            if (auto few = check(row.count(marks), row.most, row.noun); !few) return few;
+        std::vector<fs::path> files;
+        if (!row.file_noun.empty()) row.add_files(marks, files);
+        if (auto few = check(files.size(), kMostShapes, row.file_noun); !few) return few;
+    }
     return {};
 }
 

@@ -39,8 +39,9 @@ struct MarksRow {
     // A look says how the tree is viewed: undo covers it, but a new look never discards what was undone, and closing
     // the program loses no work with it.
     bool is_look = false;
-    std::size_t most = 0;    // of a list; 0: no list, or no limit
-    std::string_view noun{}; // of the list's elements, in messages
+    std::size_t most = 0;         // of a list; 0: no list, or no limit
+    std::string_view noun{};      // of the list's elements, in messages
+    std::string_view file_noun{}; // of those that are files, of which there may be kMostShapes
     void (*add_files)(const Marks&, std::vector<std::filesystem::path>&) = nullptr; // that it names
     int (*largest_branch)(const Marks&) = nullptr;                                  // the largest id that it names
     // Brings the value to another tree, and returns how many marks were lost. Null: the value stays as it is.

@@ -17,49 +17,60 @@ std::filesystem::path subject_of(const Session& session) {
     return session.marks.context.front().file;
 }
 
-std::string axes_of_lesion(const Marks& marks, const std::string& file) {
-    const auto said = marks.lesion_axes.find(file);
-    return said == marks.lesion_axes.end() ? std::string() : said->second;
-}
-
-std::size_t lesion_count(const Marks& marks) { return marks.lesions.size() + marks.lesion_meshes.size(); }
-
-LesionRef lesion_at(const Marks& marks, std::size_t index) {
-    const std::size_t spheres = marks.lesions.size();
-    return index < spheres ? LesionRef{LesionRef::Shape::kSphere, static_cast<int>(index)}
-                           : LesionRef{LesionRef::Shape::kMesh, static_cast<int>(index - spheres)};
-}
-
-std::size_t lesion_number(const Marks& marks, const LesionRef& lesion) {
-    const auto index = static_cast<std::size_t>(lesion.index) + 1;
-    return lesion.shape == LesionRef::Shape::kMesh ? marks.lesions.size() + index : index;
-}
-
-std::size_t remove_lesion(Marks& marks, const LesionRef& lesion) {
-    const auto at = static_cast<std::ptrdiff_t>(lesion.index);
-    if (lesion.shape == LesionRef::Shape::kMesh) {
-        const auto file = marks.lesion_meshes.begin() + at;
-        marks.lesion_axes.erase(*file);
-        marks.lesion_meshes.erase(file);
-    } else {
-        marks.lesions.erase(marks.lesions.begin() + at);
-    }
-    const std::size_t gone = std::erase_if(marks.measurements, [&](const Measurement& measurement) {
-        return std::ranges::find(measurement.lesions, lesion) != measurement.lesions.end();
+void number_objects(Marks& marks) {
+    int largest = kNoObject;
+    for_each_object(marks, [&](const SceneObject auto& object) { largest = std::max(largest, object.id); });
+    for_each_object(marks, [&](SceneObject auto& object) {
+        if (object.id == kNoObject) object.id = ++largest;
     });
-    for (Measurement& measurement : marks.measurements)
-        for (LesionRef& other : measurement.lesions)
-            if (other.shape == lesion.shape && other.index > lesion.index) --other.index;
+}
+
+std::vector<std::array<double, 4>> spheres_of(const Marks& marks) {
+    std::vector<std::array<double, 4>> spheres;
+    for (const Lesion& lesion : marks.lesions)
+        if (!lesion.is_mesh()) spheres.push_back(lesion.sphere);
+    return spheres;
+}
+
+std::vector<std::string> lesion_files(const Marks& marks) {
+    std::vector<std::string> files;
+    for (const Lesion& lesion : marks.lesions)
+        if (lesion.is_mesh()) files.push_back(lesion.file);
+    return files;
+}
+
+std::string axes_of_lesion(const Marks& marks, const std::string& file) {
+    const auto lesion = std::ranges::find(marks.lesions, file, &Lesion::file);
+    return lesion == marks.lesions.end() ? std::string() : lesion->axes;
+}
+
+std::optional<std::size_t> lesion_index(const Marks& marks, int id) {
+    const auto lesion = std::ranges::find(marks.lesions, id, &Lesion::id);
+    if (id == kNoObject || lesion == marks.lesions.end()) return {};
+    return static_cast<std::size_t>(lesion - marks.lesions.begin());
+}
+
+void add_lesion(Marks& marks, Lesion lesion) {
+    const auto place = lesion.is_mesh() ? marks.lesions.end() : std::ranges::find_if(marks.lesions, &Lesion::is_mesh);
+    marks.lesions.insert(place, std::move(lesion));
+}
+
+std::size_t remove_lesion(Marks& marks, std::size_t index) {
+    const auto at = marks.lesions.begin() + static_cast<std::ptrdiff_t>(index);
+    const std::size_t gone = std::erase_if(marks.measurements, [id = at->id](const Measurement& measurement) {
+        return std::ranges::find(measurement.lesions, id) != measurement.lesions.end();
+    });
+    marks.lesions.erase(at);
     return gone;
 }
 
 void change_lesion(Marks& marks, std::size_t index, const std::array<double, 4>& sphere) {
-    const std::array<double, 4> before = std::exchange(marks.lesions[index], sphere);
-    const LesionRef lesion{LesionRef::Shape::kSphere, static_cast<int>(index)};
+    Lesion& lesion = marks.lesions[index];
+    const std::array<double, 4> before = std::exchange(lesion.sphere, sphere);
     const glm::dvec3 from(before[0], before[1], before[2]), to(sphere[0], sphere[1], sphere[2]);
     for (Measurement& measurement : marks.measurements)
         for (std::size_t i = 0; i < point_count(measurement); ++i)
-            if (measurement.lesions[i] == lesion && before[3] > 0.0)
+            if (measurement.lesions[i] == lesion.id && before[3] > 0.0)
                 measurement.points[i] = to + sphere[3] / before[3] * (measurement.points[i] - from);
 }
 
@@ -117,7 +128,15 @@ bool of_branching(const Measurement& measurement) {
     return measurement.kind == Measurement::Kind::kAngle && measurement.places[1].branch == tree::kNoBranch;
 }
 
-bool names_lesion(const Measurement& measurement) { return std::ranges::any_of(measurement.lesions, &LesionRef::any); }
+bool names_lesion(const Measurement& measurement) {
+    return std::ranges::any_of(measurement.lesions, [](int id) { return id != kNoObject; });
+}
+
+bool measure_alike(const Measurement& a, const Measurement& b) {
+    Measurement other = b;
+    other.id = a.id, other.name = a.name, other.visible = a.visible;
+    return other == a;
+}
 
 Marks with_looks(Marks marks, const Marks& looks) {
     for (const MarksRow& row : marks_table())

@@ -11,8 +11,8 @@
 #include "app/session/comparison.h"
 #include "app/session/depth_cues.h"
 #include "app/session/deviation.h"
+#include "app/session/objects.h"
 #include "core/io/trees/imported_tree.h"
-#include "core/measure/branch_point.h"
 #include "core/mesh/surface.h"
 #include "core/tree/edit_tree.h"
 #include "render/scene/frame.h"
@@ -34,37 +34,6 @@ struct TreeFile {
     bool operator==(const TreeFile&) const = default;
 };
 
-// A lesion by its place in Marks::lesions or Marks::lesion_meshes.
-struct LesionRef {
-    enum class Shape : std::uint8_t { kNone, kSphere, kMesh };
-    Shape shape = Shape::kNone;
-    int index = 0;
-    [[nodiscard]] bool any() const { return shape != Shape::kNone; }
-    bool operator==(const LesionRef&) const = default;
-};
-
-// Something measured, kept and drawn until it is removed.
-struct Measurement {
-    enum class Kind { kDistance, kPath, kDiameter, kAngle };
-    Kind kind = Kind::kDistance;
-    std::array<glm::dvec3, 2> points{}; // kDistance: mm, RAS
-    std::array<LesionRef, 2> lesions{}; // kDistance: that these points lie on the surface of
-    // kDistance: the shortest from the surface of the first of `lesions` to the wall of the branch of the first of
-    // `places`; there are no points.
-    bool shortest = false;
-    // The places on centerlines that the others are of. kPath: from the first to the second. kDiameter: at the first.
-    // kAngle: at the second, between the straight lines to the first and the third; of one alone, where its branch
-    // begins.
-    std::array<measure::BranchPlace, 3> places{};
-    bool operator==(const Measurement&) const = default;
-};
-
-[[nodiscard]] std::size_t point_count(const Measurement& measurement); // of `points`
-[[nodiscard]] std::size_t place_count(const Measurement& measurement); // of `places`
-// An angle where a branch begins: it has no place that could be moved.
-[[nodiscard]] bool of_branching(const Measurement& measurement);
-[[nodiscard]] bool names_lesion(const Measurement& measurement);
-
 // What distances and diameters mean to who plans an operation.
 struct Planning {
     std::vector<double> bands_mm{5.0, 10.0, 20.0}; // margins around lesions, ascending, positive
@@ -80,30 +49,14 @@ struct GlassLook {
     bool operator==(const GlassLook&) const = default;
 };
 
-// A surface that is shown beside the tree, in the same coordinates: an organ, a bone, another surface of the vessels.
-struct ContextItem {
-    std::string file;                                  // absolute: a mask or a mesh (STL, PLY, OBJ)
-    volume::LabelChoice label;                         // of a mask: this one alone; none: everything that is not zero
-    std::array<std::uint8_t, 3> colour{201, 130, 104}; // sRGB
-    double opacity = 0.25;                             // where it faces the eye; 1: solid
-    bool wireframe = false, visible = true;
-    bool exact = false;               // of a mask: with the steps of its voxels
-    std::string units;                // of the file's lengths, "cm"; empty: as it says itself
-    std::optional<double> isovalue{}; // of a scan: what is at least that is inside
-    std::string axes{};               // of a mesh that does not state them: "LPS"; empty: nobody has said
-    bool operator==(const ContextItem&) const = default;
-};
-
 // Everything that undo and redo cover. Each member has a row in app/session/marks_table.h.
 struct Marks {
     std::vector<tree::Edit> edits;           // of the file's tree, in order; ids below are those of the tree after them
     std::vector<int> selection;              // branch ids, ascending
     std::vector<render::BranchState> states; // by branch id; branches beyond its end are normal
-    std::vector<std::array<double, 4>> lesions;     // spheres: centre and radius, mm, RAS
-    std::vector<std::string> lesion_meshes;         // files of closed meshes, absolute
-    std::map<std::string, std::string> lesion_axes; // "LPS", by the file of one that does not state them
-    std::vector<ContextItem> context;               // in the order in which they came
-    std::vector<std::pair<int, double>> cuts;       // branch, and where: of its length from the parent's end
+    std::vector<Lesion> lesions;             // spheres first, then meshes; a lesion's number is its place, from 1
+    std::vector<ContextItem> context;        // in the order in which they came
+    std::vector<std::pair<int, double>> cuts; // branch, and where: of its length from the parent's end
     std::vector<Measurement> measurements;
     std::map<int, std::string> names;
     std::vector<int> subtree_names;    // ids of `names`, ascending: these are also what depends on the branch is called
@@ -124,6 +77,13 @@ struct Marks {
     bool operator==(const Marks&) const = default;
 };
 
+// All objects of the scene, whatever their kind. A list of objects belongs here, and nowhere else.
+void for_each_object(auto& marks, const auto& call) {
+    for (SceneObject auto& object : marks.lesions) call(object);
+    for (SceneObject auto& object : marks.context) call(object);
+    for (SceneObject auto& object : marks.measurements) call(object);
+}
+
 // Looks are the marks that say how a tree is viewed (MarksRow::is_look in app/session/marks_table.h).
 // `marks` with the looks of `looks`.
 [[nodiscard]] Marks with_looks(Marks marks, const Marks& looks);
@@ -143,16 +103,17 @@ struct Session {
 // What it is of: the tree's file, else the first of what is shown without one; empty: of nothing.
 [[nodiscard]] std::filesystem::path subject_of(const Session& session);
 
+// Gives an id to each object of the scene that has none.
+void number_objects(Marks& marks);
+[[nodiscard]] std::vector<std::array<double, 4>> spheres_of(const Marks& marks);
+[[nodiscard]] std::vector<std::string> lesion_files(const Marks& marks); // of those that are meshes
 // What somebody said about the axes of a lesion's file; empty: nothing.
 [[nodiscard]] std::string axes_of_lesion(const Marks& marks, const std::string& file);
-
-// Lesions have numbers from 1 on, spheres first, as lists show them.
-[[nodiscard]] std::size_t lesion_count(const Marks& marks);
-[[nodiscard]] LesionRef lesion_at(const Marks& marks, std::size_t index); // the number less 1
-[[nodiscard]] std::size_t lesion_number(const Marks& marks, const LesionRef& lesion);
-// Takes a lesion away, and the measurements that name it; those of the lesions behind it follow these. Returns how many
-// measurements went.
-std::size_t remove_lesion(Marks& marks, const LesionRef& lesion);
+[[nodiscard]] std::optional<std::size_t> lesion_index(const Marks& marks, int id); // none: there is no such lesion
+// Puts a lesion behind those of its shape.
+void add_lesion(Marks& marks, Lesion lesion);
+// Takes a lesion away, and the measurements that name it. Returns how many measurements went.
+std::size_t remove_lesion(Marks& marks, std::size_t index);
 // Gives a sphere another centre and radius. Ends of measurements on it move with it.
 void change_lesion(Marks& marks, std::size_t index, const std::array<double, 4>& sphere);
 

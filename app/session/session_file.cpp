@@ -101,6 +101,7 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
             expect_only(value["options"], "options", keys_of(MarksPlace::kOptions, {}));
             read_entries(value["options"], MarksPlace::kOptions, folder, session.marks);
         }
+        number_objects(session.marks);
         if (const auto few = check_counts(session.marks); !few) throw Refusal{few.error().what};
         if (value["tree"].is_null() && session.marks.context.empty()) throw Refusal{"it shows nothing"};
         check_named_files(session);

@@ -21,16 +21,16 @@ bool on_vessel(const Pointing& pointing, const render::Pick& pick) {
     return pick.branch >= 0 && pick.branch < pointing.document.branch_count();
 }
 
-// The lesion that a pick shows.
-LesionRef lesion_of(const Pointing& pointing, const render::Pick& pick) {
-    return on_vessel(pointing, pick) ? LesionRef() : pointing.lesions.picked(pick.lesion);
+// The id of the lesion that a pick shows.
+int lesion_of(const Pointing& pointing, const render::Pick& pick) {
+    return on_vessel(pointing, pick) ? kNoObject : pointing.lesions.picked(pick.lesion);
 }
 
 // An end of a distance: on a vessel where it was clicked, on a lesion at the nearest place of its surface.
 void put_end(Measurement& distance, std::size_t end, const Pointing& pointing, const render::Pick& pick) {
-    const LesionRef lesion = lesion_of(pointing, pick);
+    const int lesion = lesion_of(pointing, pick);
     const auto shape = pointing.lesions.at(lesion);
-    distance.lesions[end] = shape ? lesion : LesionRef();
+    distance.lesions[end] = shape ? lesion : kNoObject;
     distance.points[end] = shape ? measure::nearest_on(*shape, pick.position) : pick.position;
 }
 
@@ -44,9 +44,11 @@ bool went_away(const Pointing& pointing, glm::dvec2 pressed_at) {
 
 // As the command `measure` takes it.
 std::vector<std::string> words_of(const Measurement& m, const Marks& marks) {
-    const auto lesion = [&](std::size_t i) { return "lesion:" + std::to_string(lesion_number(marks, m.lesions[i])); };
+    const auto lesion = [&](std::size_t i) {
+        return "lesion:" + std::to_string(lesion_index(marks, m.lesions[i]).value_or(0) + 1);
+    };
     const auto end = [&](std::size_t i) {
-        return (m.lesions[i].any() ? lesion(i) + "@" : "") + finely_spelled(m.points[i]);
+        return (m.lesions[i] != kNoObject ? lesion(i) + "@" : "") + finely_spelled(m.points[i]);
     };
     switch (m.kind) {
     case Measurement::Kind::kDistance:
@@ -104,8 +106,8 @@ Measurement MeasureTool::measurement_of(const Pointing& pointing, const std::vec
     Measurement found{.kind = kind_};
     if (whole_ && picks.size() == 2)
         for (std::size_t i = 0; i < 2; ++i) {
-            const LesionRef lesion = lesion_of(pointing, picks[i]);
-            if (!lesion.any() || !on_vessel(pointing, picks[1 - i])) continue;
+            const int lesion = lesion_of(pointing, picks[i]);
+            if (lesion == kNoObject || !on_vessel(pointing, picks[1 - i])) continue;
             found.shortest = true;
             found.lesions[0] = lesion;
             found.places[0] = foot_of(pointing, picks[1 - i]);
@@ -145,7 +147,7 @@ const MeasureTool::Held* MeasureTool::held(const Pointing& pointing) const {
 void MeasureTool::take_point(const Pointing& pointing) {
     const render::Pick pick = pointing.pick();
     if (!takes(pointing, pick)) return;
-    if (pointing.modifiers.shift && lesion_of(pointing, pick).any()) whole_ = true;
+    if (pointing.modifiers.shift && lesion_of(pointing, pick) != kNoObject) whole_ = true;
     begun_.push_back(pick);
     under_ = pick.position;
     live_.reset();
@@ -165,7 +167,7 @@ void MeasureTool::move(const Pointing& pointing) {
     held_->moved = true;
     const render::Pick pick = pointing.pick();
     const bool distance = held_->now.kind == Measurement::Kind::kDistance;
-    if (!on_vessel(pointing, pick) && !(distance && lesion_of(pointing, pick).any())) return;
+    if (!on_vessel(pointing, pick) && !(distance && lesion_of(pointing, pick) != kNoObject)) return;
     if (distance)
         put_end(held_->now, held_->handle.end, pointing, pick);
     else
@@ -178,7 +180,7 @@ void MeasureTool::look(const Pointing& pointing) {
     snapped_.clear();
     const render::Pick pick = pointing.pick();
     const bool can_take = takes(pointing, pick) && !over_handle_;
-    if (const LesionRef lesion = lesion_of(pointing, pick); can_take && lesion.any())
+    if (const int lesion = lesion_of(pointing, pick); can_take && lesion != kNoObject)
         snapped_ = pointing.lesions.name_of(lesion);
     if (can_take) under_ = pick.position;
     if (!can_take || (begun_.empty() && points_wanted() > 1)) return;

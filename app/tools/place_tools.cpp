@@ -45,12 +45,13 @@ std::optional<Disc> disc_of(const Pointing& pointing, const std::array<double, 4
     return Disc{glm::dvec2(*at), sphere[3] / mm_per_pixel_at(pointing, glm::dvec2(*at), at->z), at->z};
 }
 
-// The nearest lesion to the eye under the pointer.
+// The sphere nearest to the eye under the pointer.
 std::optional<std::pair<std::size_t, Disc>> lesion_under(const Pointing& pointing) {
     std::optional<std::pair<std::size_t, Disc>> found;
     const auto& lesions = pointing.document.marks().lesions;
     for (std::size_t i = 0; i < lesions.size(); ++i) {
-        const auto disc = disc_of(pointing, lesions[i]);
+        if (lesions[i].is_mesh() || !lesions[i].visible) continue;
+        const auto disc = disc_of(pointing, lesions[i].sphere);
         if (!disc || glm::distance(disc->at, pointing.at) > disc->radius + kSlackPoints * pointing.pixel_ratio)
             continue;
         if (!found || disc->depth_mm < found->second.depth_mm) found = {i, *disc};
@@ -109,7 +110,7 @@ void LesionTool::press(const Pointing& pointing) {
     held.usual_mm = usual_radius(pointing);
     if (const auto under = lesion_under(pointing)) {
         held.index = under->first;
-        held.sphere = held.before = pointing.document.marks().lesions[under->first];
+        held.sphere = held.before = pointing.document.marks().lesions[under->first].sphere;
         held.sizing = glm::distance(under->second.at, pointing.at) > kOutlineShare * under->second.radius;
         held.depth_mm = under->second.depth_mm;
         held_ = held;
@@ -147,7 +148,7 @@ void LesionTool::release(const Pointing& pointing) {
     const auto held = std::exchange(held_, std::nullopt);
     if (!held) return;
     const auto& lesions = pointing.document.marks().lesions;
-    if (held->index && (*held->index >= lesions.size() || lesions[*held->index] != held->before)) return;
+    if (held->index && (*held->index >= lesions.size() || lesions[*held->index].sphere != held->before)) return;
     const auto& [x, y, z, r] = held->sphere;
     const std::string sphere = spelled({x, y, z}) + "," + spelled(r);
     if (!held->index)
@@ -168,7 +169,7 @@ ToolDrawing LesionTool::drawing(const Pointing& pointing) const {
     if (held_)
         outline(held_->sphere, 1.0F);
     else if (const auto under = lesion_under(pointing))
-        outline(pointing.document.marks().lesions[under->first], 0.6F);
+        outline(pointing.document.marks().lesions[under->first].sphere, 0.6F);
     return drawing;
 }
 

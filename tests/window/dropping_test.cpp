@@ -101,7 +101,7 @@ TEST_CASE("a mesh that is dropped on the window is context, or a lesion for who 
     const render::Image with = stage.settle();
     REQUIRE(marks.context.size() == 1);
     CHECK(marks.context[0].file == ball.string());
-    CHECK(marks.lesion_meshes.empty());
+    CHECK(lesion_files(marks).empty());
     const glm::ivec2 middle = viewer.layout().view_at + viewer.layout().view_size / 2;
     int differing = 0;
     for (int x = middle.x - 40; x < middle.x + 40; ++x)
@@ -122,7 +122,7 @@ TEST_CASE("a mesh that is dropped on the window is context, or a lesion for who 
     viewer.files().dropped(ball);
     stage.settle();
     CHECK(marks.context.size() == 1);
-    CHECK(marks.lesion_meshes == std::vector<std::string>{ball.string()});
+    CHECK(lesion_files(marks) == std::vector<std::string>{ball.string()});
     CHECK(stage.workspace.document.step_count() == 2);
 }
 

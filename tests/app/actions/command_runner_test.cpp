@@ -369,7 +369,7 @@ TEST_CASE("a script's next line sees what the one before it read") {
     const std::string ball = sphere_file(folder, "ball.stl"), other = sphere_file(folder, "other.ply");
     test::CommandStage stage(twigs());
     stage.good("lesion-mesh " + ball + "\nlesion-mesh " + other + "\nlesion-remove 1\ncontext " + ball);
-    CHECK(stage.marks().lesion_meshes == std::vector<std::string>{other});
+    CHECK(lesion_files(stage.marks()) == std::vector<std::string>{other});
     REQUIRE(stage.marks().context.size() == 1);
     REQUIRE(stage.document.step_count() == 4);
     CHECK(stage.document.step_name(0).starts_with("lesion mesh"));
@@ -388,7 +388,7 @@ TEST_CASE("a file that is asked for twice is there once") {
     for (const char* command : {"lesion-mesh", "lesion-mesh", "context", "context"})
         REQUIRE(runner.run(stage.context, std::vector<std::string>{command, ball}));
     CHECK(settle(runner, stage.context).size() == 2);
-    CHECK(stage.marks().lesion_meshes.size() == 1);
+    CHECK(lesion_files(stage.marks()).size() == 1);
     CHECK(stage.marks().context.size() == 1);
     CHECK(stage.document.step_count() == 2);
     // What can be told before the work is.

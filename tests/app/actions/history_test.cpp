@@ -67,7 +67,7 @@ void change_plans(Marks& marks, int branches, std::mt19937& random) {
     const double length = below(random, 1000) / 8.0;
     switch (below(random, 7)) {
     case 0:
-        add_of_at_most(marks.lesions, {length, 2.0, 3.0, 4.0}, 3, below(random, 3));
+        add_of_at_most(marks.lesions, {.sphere = {length, 2.0, 3.0, 4.0}}, 3, below(random, 3));
         break;
     case 1:
         add_of_at_most(marks.cuts, {branch, 0.5}, 4, 1);
@@ -82,7 +82,7 @@ void change_plans(Marks& marks, int branches, std::mt19937& random) {
                        2, 0);
         break;
     case 4:
-        marks.lesion_meshes.assign(1, "/data/" + std::to_string(below(random, 5)) + ".stl");
+        add_lesion(marks, {.file = "/data/" + std::to_string(below(random, 5)) + ".stl"});
         marks.planning.bands_mm = {1.0, 2.0 + length};
         break;
     case 5: {

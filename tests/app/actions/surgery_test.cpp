@@ -164,7 +164,7 @@ TEST_CASE("lesions are placed, changed and removed; margins follow") {
     stage.good("lesion-change 1 8,12,10,6");
     CHECK(stage.plan()->lesion_distances_mm[4] == doctest::Approx(0.5));
     stage.good("lesion-remove 1");
-    CHECK(stage.marks().lesions == std::vector<std::array<double, 4>>{{0, 0, -20, 1}});
+    CHECK(spheres_of(stage.marks()) == std::vector<std::array<double, 4>>{{0, 0, -20, 1}});
     stage.good("lesion-clear");
     CHECK(stage.plan()->lesion_distances_mm.empty());
     for (const char* line : {"lesion", "lesion 1,2,3", "lesion 1,2,3,0", "lesion 1,2,3,-4", "lesion 1,2,3,4,5",
@@ -205,7 +205,7 @@ TEST_CASE("a lesion may be a closed mesh") {
     REQUIRE(io::write_mesh(ball, file));
     Stage stage;
     CHECK(stage.good("lesion-mesh \"" + file + "\"").find("5,120 triangles") != std::string::npos);
-    CHECK(stage.marks().lesion_meshes == std::vector<std::string>{file});
+    CHECK(lesion_files(stage.marks()) == std::vector<std::string>{file});
     CHECK(stage.plan()->lesion_distances_mm[4] == doctest::Approx(4.5).epsilon(0.01));
     stage.good("select-within 5");
     CHECK(stage.selection() == Ids{4});
@@ -214,7 +214,7 @@ TEST_CASE("a lesion may be a closed mesh") {
     std::ofstream(folder.path() / "tree.swc") << kTree;
     CHECK(stage.bad("lesion-mesh \"" + (folder.path() / "tree.swc").string() + "\"").find(".stl") != std::string::npos);
     stage.good("lesion 0,0,0,1\nlesion-remove 2"); // spheres come first
-    CHECK(stage.marks().lesion_meshes.empty());
+    CHECK(lesion_files(stage.marks()).empty());
     CHECK(stage.marks().lesions.size() == 1);
 
     // A session whose mesh is gone says so and still has its other lesions.

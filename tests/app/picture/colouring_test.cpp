@@ -193,7 +193,7 @@ TEST_CASE("beyond the margins systems stay distinguishable, and the legend says 
     marks.planning.bands_mm = {2.0, 5.0};
     marks.colour_by = ColourBy::kLesion;
     Plan plan;
-    plan.lesions.spheres = marks.lesions;
+    plan.lesions.spheres = spheres_of(marks);
     plan.lesion_distances_mm = measure::wall_distances(tree, plan.lesions);
     const Colouring colouring = colouring_of(tree, *stage.document.facts(), marks, &plan);
     REQUIRE(colouring.beyond.size() == tree.branches.size());

@@ -63,7 +63,7 @@ TEST_CASE("marks go with their branches, and what has none left is counted") {
     marks.lesions = {{1, 2, 3, 4}};
     marks.measurements = {{.kind = Measurement::Kind::kPath, .places = {{{kept, 0.5}, {lone, 0.5}}}},
                           {.kind = Measurement::Kind::kDiameter, .places = {{{kept, 0.5}}}}};
-    const CarriedOver carried = carried_over(marks, more, fork);
+    const CarriedOver carried = carried_over(marks, BranchMap::read_again(more, fork));
     CHECK(carried.marks.selection == std::vector<int>{now});
     CHECK(branches_in_state(carried.marks, render::BranchState::kHidden) == std::vector<int>{now});
     CHECK(carried.marks.cuts == std::vector<std::pair<int, double>>{{now, 0.25}});
@@ -84,7 +84,7 @@ TEST_CASE("a system that is hidden as a whole stays hidden whatever its branches
     set_state(marks, std::vector{1, 3}, render::BranchState::kHidden);
     marks.systems = before.systems;
     marks.systems[0].name = "V. portae";
-    const CarriedOver carried = carried_over(marks, before, after);
+    const CarriedOver carried = carried_over(marks, BranchMap::read_again(before, after));
     CHECK(branches_in_state(carried.marks, render::BranchState::kHidden) == std::vector<int>{3, 4});
     CHECK(carried.lost == 1);
     CHECK(carried.marks.systems == marks.systems);
@@ -92,10 +92,10 @@ TEST_CASE("a system that is hidden as a whole stays hidden whatever its branches
     plain.systems.clear();
     for (tree::Branch& branch : plain.branches) branch.system = 0;
     marks.colour_by = ColourBy::kSystem;
-    const CarriedOver together = carried_over(marks, before, plain);
+    const CarriedOver together = carried_over(marks, BranchMap::read_again(before, plain));
     CHECK(together.marks.systems.empty());
     CHECK(together.marks.colour_by.kind == ColourBy::kNothing);
-    CHECK(carried_over(together.marks, plain, before).marks.colour_by.kind == ColourBy::kSystem);
+    CHECK(carried_over(together.marks, BranchMap::read_again(plain, before)).marks.colour_by.kind == ColourBy::kSystem);
 }
 
 TEST_CASE("a mask that tree and isosurface are made of has one unit") {

@@ -24,24 +24,29 @@ Session lively_session(const fs::path& folder) {
     session.marks.cuts = {{4, 0.25}};
     session.marks.names = {{5, "right \"posterior\" branch"}, {6, "left"}};
     session.marks.subtree_names = {6};
-    session.marks.lesion_meshes = {(folder / "tumour.stl").string(), "/elsewhere/second tumour.ply"};
+    add_lesion(session.marks, {.file = (folder / "tumour.stl").string()});
+    add_lesion(session.marks, {.file = "/elsewhere/second tumour.ply", .axes = "LPS", .name = "second"});
+    session.marks.lesions.front().visible = false;
     session.marks.context = {
         {(folder / "scans" / "liver.nii.gz").string(), 2, {1, 20, 255}, 1.0 / 3.0, false, true, true, "cm"},
         {"/elsewhere/rib cage.stl", 0, {200, 190, 180}, 1.0, true, false, false, ""}};
-    const LesionRef sphere{LesionRef::Shape::kSphere, 0}, mesh{LesionRef::Shape::kMesh, 1};
+    number_objects(session.marks);
+    const int sphere = session.marks.lesions[0].id, mesh = session.marks.lesions[2].id;
     session.marks.measurements = {
         {.kind = Measurement::Kind::kDistance, .points = {{{0.1, -1.0 / 3.0, 3.0}, {4.0, 5.0, 6e-7}}}},
         {.kind = Measurement::Kind::kDistance,
          .points = {{{0.1, -1.0 / 3.0, 3.0}, {4.0, 5.0, 6e-7}}},
-         .lesions = {LesionRef(), mesh}},
+         .lesions = {kNoObject, mesh}},
         {.kind = Measurement::Kind::kDistance,
-         .lesions = {sphere, LesionRef()},
+         .lesions = {sphere, kNoObject},
          .shortest = true,
          .places = {{{6, 0.5}}}},
         {.kind = Measurement::Kind::kPath, .places = {{{2, 0.1}, {7, 1.0 / 7.0}}}},
         {.kind = Measurement::Kind::kDiameter, .places = {{{3, 1.0 / 3.0}}}},
         {.kind = Measurement::Kind::kAngle, .places = {{{1, 0.5}}}},
         {.kind = Measurement::Kind::kAngle, .places = {{{1, 0.25}, {2, 0.0}, {3, 1.0}}}}};
+    session.marks.measurements.back().name = "the angle";
+    number_objects(session.marks);
     session.marks.planning = {{2.5, 7.0, 11.0 / 3.0 + 10.0}, 4.0, 1.0 / 7.0};
     session.marks.shortest_distances = true;
     session.marks.glass = {1.75, 0.25};
@@ -204,7 +209,7 @@ TEST_CASE("undo brings back every earlier value, and redo every later one") {
 
     REQUIRE(document.undo());
     Marks other = document.marks();
-    other.lesions.push_back({0.0, 0.0, 0.0, 1.0}); // work, not a look alone
+    other.lesions.push_back({.sphere = {0.0, 0.0, 0.0, 1.0}}); // work, not a look alone
     document.change(other);
     CHECK_FALSE(document.can_redo());
 }

@@ -220,7 +220,8 @@ TEST_CASE("the distance tool snaps to lesions, and Shift takes the shortest dist
     stage.document.change(marks);
     const auto at = [&](double x, bool shift = false) {
         Pointing pointing = stage.at(x, 1);
-        pointing.lesions = {marks.lesions, {}};
+        for (const Lesion& lesion : stage.document.marks().lesions)
+            pointing.lesions.shapes.push_back({lesion, nullptr});
         pointing.modifiers.shift = shift;
         return pointing;
     };
@@ -270,12 +271,14 @@ TEST_CASE("an end that lies on a lesion is dragged over it and away from it") {
     ToolStage stage;
     Marks marks = stage.document.marks();
     marks.lesions = {{0.0, 0.0, 70.0, 10.0}};
-    const LesionRef first{LesionRef::Shape::kSphere, 0};
-    marks.measurements = {{.points = {glm::dvec3(0, 10, 70), glm::dvec3(0, 3, 10)}, .lesions = {first, LesionRef()}}};
+    number_objects(marks);
+    const int first = marks.lesions.front().id;
+    marks.measurements = {{.points = {glm::dvec3(0, 10, 70), glm::dvec3(0, 3, 10)}, .lesions = {first, kNoObject}}};
     stage.document.change(marks);
     const auto at = [&](double x, double y, bool held) {
         Pointing pointing = stage.at(x, y, held);
-        pointing.lesions = {marks.lesions, {}};
+        for (const Lesion& lesion : stage.document.marks().lesions)
+            pointing.lesions.shapes.push_back({lesion, nullptr});
         return pointing;
     };
     const auto seen = render::project(stage.document.session().camera, stage.size, marks.measurements[0].points[0]);

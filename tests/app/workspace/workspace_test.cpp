@@ -189,7 +189,7 @@ TEST_CASE("distances to lesions that are meshes are measured behind the window's
 
     Document& document = workspace.document;
     Marks marks = document.marks();
-    marks.lesion_meshes = {file.string()};
+    add_lesion(marks, {.file = file.string()});
     marks.cuts = {{0, 0.5}};
     document.change(marks);
     // Who must not wait sees the mesh and the cut at once, but no distances yet.
@@ -248,7 +248,7 @@ TEST_CASE("a lesion's file that was written since is read again, and distances f
     Document document;
     document.open(std::make_shared<const tree::VesselTree>(io::read_tree(folder.write("fork.swc", kFork)).value()), {});
     Marks marks = document.marks();
-    marks.lesion_meshes = {file.string()};
+    add_lesion(marks, {.file = file.string()});
     document.change(marks);
     Assets assets;
     refresh(assets, document);
