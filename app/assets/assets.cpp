@@ -27,10 +27,12 @@ void refresh_measurements(Assets& assets, const Marks& marks) {
     LesionShapes lesions = lesion_shapes(assets, marks);
     if (assets.measurements && assets.measurements->of == marks.measurements && assets.measurements->lesions == lesions)
         return;
-    Measurements measurements{marks.measurements, std::move(lesions), {}};
+    Measurements measurements{marks.measurements, std::move(lesions), {}, {}};
     if (assets.tree)
-        for (const Measurement& measurement : marks.measurements)
+        for (const Measurement& measurement : marks.measurements) {
+            measurements.places.emplace(measurement.id, measurements.found.size());
             measurements.found.push_back(measured(*assets.tree, measurement, measurements.lesions));
+        }
     assets.measurements = std::make_shared<const Measurements>(std::move(measurements));
 }
 
@@ -55,6 +57,12 @@ void refresh_outline(Assets& assets, const Session& session) {
 }
 
 } // namespace
+
+const Result<Measured>* Assets::measured(int id) const {
+    if (!measurements) return nullptr;
+    const auto place = measurements->places.find(id);
+    return place == measurements->places.end() ? nullptr : &measurements->found[place->second];
+}
 
 std::shared_ptr<const LesionMesh> Assets::lesion_mesh(const std::string& file) const {
     const auto* loaded = found(lesion_meshes, file);

@@ -49,6 +49,9 @@ struct Assets {
     TreeValidation validation;  // of a tree and options that were, perhaps, until others are looked at
     TreeContacts contacts;      // of the tree; of other options of the surface, perhaps, until those are looked for
 
+    // What the measurement with this id says, or why it says nothing. Null: it has not been taken yet.
+    [[nodiscard]] const Result<Measured>* measured(int id) const;
+
     // Null: it was not read, or could not be.
     [[nodiscard]] std::shared_ptr<const LesionMesh> lesion_mesh(const std::string& file) const;
     [[nodiscard]] std::shared_ptr<const ContextShape> context_shape(const ContextSource& source) const;

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -71,6 +72,7 @@ struct Measurements {
     std::vector<Measurement> of;
     LesionShapes lesions;
     std::vector<Result<Measured>> found;
+    std::unordered_map<int, std::size_t> places; // in `found`, by id
 };
 
 } // namespace ramus::app

@@ -1,14 +1,13 @@
 #include "app/picture/compose.h"
 
 #include "app/assets/assets.h"
-#include "app/assets/measured.h"
 #include "app/assets/plan.h"
 #include "app/picture/colouring.h"
 #include "app/picture/contact_marks.h"
 #include "app/picture/deviation_colours.h"
 #include "app/picture/lesion_outlines.h"
 #include "app/picture/note_marks.h"
-#include "app/picture/place_marks.h"
+#include "app/picture/scene_objects.h"
 #include "app/session/session.h"
 #include "render/overlay/scale_bar.h"
 #include "render/scene/frame.h"
@@ -23,11 +22,6 @@ namespace {
 
 void show_plan(render::Frame& frame, const Assets& assets, const Marks& marks) {
     const Plan& plan = *assets.plan;
-    for (const Lesion& lesion : marks.lesions)
-        if (lesion.visible && !lesion.is_mesh())
-            frame.lesions.spheres.emplace_back(lesion.sphere[0], lesion.sphere[1], lesion.sphere[2], lesion.sphere[3]);
-        else if (const auto mesh = lesion.visible ? assets.lesion_mesh(lesion.file) : nullptr)
-            frame.lesions.meshes.emplace_back(mesh, &mesh->mesh);
     if (!frame.margins.bands.empty() && assets.lesion_grid.fits(plan.lesions, widest_margin_mm(marks.planning)))
         frame.lesions.distances = assets.lesion_grid.grid;
     for (std::size_t id = 0; id < std::min(plan.cuts.spans.size(), assets.tree->branches.size()); ++id)
@@ -35,26 +29,7 @@ void show_plan(render::Frame& frame, const Assets& assets, const Marks& marks) {
             frame.lost.push_back({static_cast<int>(id), span.from, span.to});
 }
 
-std::vector<std::shared_ptr<const LesionMesh>> visible_lesion_meshes(const Assets& assets, const Marks& marks) {
-    std::vector<std::shared_ptr<const LesionMesh>> meshes;
-    for (const Lesion& lesion : marks.lesions)
-        if (lesion.visible && lesion.is_mesh()) meshes.push_back(assets.lesion_mesh(lesion.file));
-    return meshes;
-}
-
-// What has been read of it.
-void show_context(render::Frame& frame, const Assets& assets, const std::vector<ContextItem>& context) {
-    for (const ContextItem& item : context) {
-        const auto shape = item.visible ? assets.context_shape(source_of(item)) : nullptr;
-        if (!shape) continue;
-        const glm::vec3 colour(item.colour[0], item.colour[1], item.colour[2]);
-        frame.context.push_back(
-            {shape->mesh, shape->preview, colour / 255.0F, static_cast<float>(item.opacity), item.wireframe});
-    }
-}
-
-constexpr glm::vec3 kCutColour{0.94F, 0.95F, 0.97F}, kReconstructColour{1.00F, 0.62F, 0.20F},
-    kMeasureColour{0.55F, 0.93F, 0.82F};
+constexpr glm::vec3 kCutColour{0.94F, 0.95F, 0.97F}, kReconstructColour{1.00F, 0.62F, 0.20F};
 
 // A ring around every cut. Nothing without `frame`'s centerlines. `plan`: of the same marks; null: no cut is
 // marked.
@@ -66,23 +41,6 @@ void draw_cuts(render::Frame& frame, const Marks& marks, const Plan* plan) {
         const bool reconstruct = plan != nullptr && i < plan->cuts.cuts.size() && plan->cuts.cuts[i].reconstruct;
         frame.lines.push_back({ring_around(place->position, place->along, 1.35 * place->radius_mm),
                                reconstruct ? kReconstructColour : kCutColour, 2.2F});
-    }
-}
-
-// Lines, end marks and labels of what was measured; what could not be measured is left out.
-void draw_measurements(render::Frame& frame, const Measurements& measurements, int left_out) {
-    for (std::size_t i = 0; i < measurements.found.size(); ++i) {
-        const Result<Measured>& found = measurements.found[i];
-        if (!found || !measurements.of[i].visible || static_cast<int>(i) == left_out) continue;
-        // From an axis to the wall before it is seldom more than this.
-        constexpr double kRadii = 2.0;
-        for (const auto& line : found->lines)
-            frame.lines.push_back({.points = line, .colour = kMeasureColour, .inside_mm = kRadii * found->inside_mm});
-        for (const glm::dvec3& end : found->ends) {
-            frame.lines.push_back(dot_at(frame, end, kMeasureColour));
-            frame.lines.back().inside_mm = kRadii * found->inside_mm;
-        }
-        frame.labels.push_back({found->label_place, found->label});
     }
 }
 
@@ -148,7 +106,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
                       const Viewing& viewing) {
     render::Frame frame = bare_frame(session, viewing);
     frame.mesh = std::move(mesh);
-    show_context(frame, assets, viewing.context ? *viewing.context : session.marks.context);
+    draw_objects({frame, assets, viewing}, session.marks);
     const bool alone = !assets.tree && std::ranges::any_of(frame.context, &render::ContextMesh::shown);
     frame.overlays.orientation_cube = frame.overlays.scale_bar = frame.mesh || alone; // else nothing to measure
     // In perspective the scale is that of the middle of all that is shown.
@@ -190,9 +148,8 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     frame.bends = method == mesh::Method::kConvolutionSurface;
     show_outline(frame, session, assets);
     draw_cuts(frame, marks, plan);
-    if (plan != nullptr) outline_lesions(frame, visible_lesion_meshes(assets, marks));
+    outline_lesions(frame, assets, marks);
     if (plan != nullptr) draw_shortest_distances(frame, *plan, marks, viewing.lesion, tree.claims);
-    if (assets.measurements) draw_measurements(frame, *assets.measurements, viewing.measurement);
     if (viewing.notes) mark_notes(frame, tree, viewing.note);
     if (assets.contacts.fits(options))
         mark_contacts(frame, *assets.contacts.list, marks.contact_marks ? ContactMarks::kAll : ContactMarks::kCurrent,

@@ -28,7 +28,7 @@ struct Viewing {
     std::optional<render::AxisNames> axes{};           // likewise: instead of those that are known
     bool notes = false;           // the places that reading the tree repaired or suspects are marked
     int note = -1;                // this one more than the others; -1: none
-    int measurement = -1;         // of the session's this one is left out: a tool draws it; -1: none
+    int measurement = kNoObject;  // the id of the measurement that is left out, because a tool draws it
     PointedLesion lesion{};       // the shortest distances of this one are drawn, more than the others if these are
     bool context_awaited = false; // what is visible of the session's context is not all there yet
     int contact = -1;             // of the contacts this one is marked, more than the others if these are; -1: none

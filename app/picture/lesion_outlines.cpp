@@ -1,5 +1,6 @@
 #include "app/picture/lesion_outlines.h"
 
+#include "app/assets/assets.h"
 #include "app/assets/plan.h"
 #include "core/base/bounds.h"
 
@@ -139,7 +140,7 @@ std::vector<std::vector<glm::dvec3>> silhouette(const mesh::TriangleMesh& mesh, 
     return lines;
 }
 
-void outline_lesions(render::Frame& frame, const std::vector<std::shared_ptr<const LesionMesh>>& meshes) {
+void outline_lesions(render::Frame& frame, const Assets& assets, const Marks& marks) {
     const auto clear = [](const render::ContextMesh& item) { return item.clear() && !item.wireframe; };
     if (std::ranges::none_of(frame.context, clear)) return;
     constexpr glm::vec3 kOutline{0.96F, 0.93F, 0.42F}; // the lesions' colour, lighter
@@ -147,10 +148,12 @@ void outline_lesions(render::Frame& frame, const std::vector<std::shared_ptr<con
         if (!line.empty()) frame.lines.push_back({std::move(line), kOutline, 1.8F});
     };
     for (const glm::dvec4& sphere : frame.lesions.spheres) draw(outline_of(sphere, frame.camera));
-    for (const auto& lesion : meshes) {
-        if (!lesion) continue;
-        const auto& box = lesion->distance->bounds();
-        for (auto& line : silhouette(lesion->coarse ? *lesion->coarse : lesion->mesh, 0.5 * (box.least + box.most),
+    if (frame.lesions.meshes.empty()) return;
+    for (const Lesion& lesion : marks.lesions) {
+        const auto mesh = lesion.visible && lesion.is_mesh() ? assets.lesion_mesh(lesion.file) : nullptr;
+        if (!mesh) continue;
+        const auto& box = mesh->distance->bounds();
+        for (auto& line : silhouette(mesh->coarse ? *mesh->coarse : mesh->mesh, 0.5 * (box.least + box.most),
                                      frame.camera, frame.size))
             draw(std::move(line));
     }

@@ -3,17 +3,18 @@
 // lesion is and not that it lies before anything.
 #pragma once
 
-#include "app/assets/shapes.h"
+#include "app/session/session.h"
 #include "render/scene/frame.h"
 
-#include <memory>
 #include <vector>
 
 namespace ramus::app {
 
-// Adds the outlines of the frame's spheres, and of `meshes` (null: none there). Nothing without clear context. `frame`
-// has its camera, size, lesions and context.
-void outline_lesions(render::Frame& frame, const std::vector<std::shared_ptr<const LesionMesh>>& meshes);
+struct Assets; // app/assets/assets.h
+
+// Adds the outlines of the frame's spheres, and of the session's meshes. Nothing without clear context. `frame` has its
+// camera, size, lesions and context.
+void outline_lesions(render::Frame& frame, const Assets& assets, const Marks& marks);
 
 // Closed polylines in the plane through `middle` that faces the eye: where the mesh ends in the picture. Steps are as
 // large as a hundredth of the mesh, and at least a pixel. Empty where a part of the mesh lies behind the eye.

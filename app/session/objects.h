@@ -1,6 +1,6 @@
 // Objects of the scene: what a session has next to the tree. The set is closed: for_each_object()
-// (app/session/session.h) goes through all kinds, and what it calls has a function for each kind, so that a kind
-// without one does not compile.
+// (app/session/session.h) goes through all kinds, and the function that it calls has a function for each kind, so that
+// a kind without one does not compile.
 //
 // Every object has an id that is its own as long as it is in the session, a name that a person may give, and says
 // whether it is visible. Values only: what is read from files is among the assets (app/assets/assets.h).
@@ -15,6 +15,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ramus::app {
@@ -23,6 +24,7 @@ inline constexpr int kNoObject = 0; // the id of none
 
 // A sphere, or a closed mesh from a file.
 struct Lesion {
+    static constexpr std::string_view kNoun = "lesion";
     std::array<double, 4> sphere{}; // centre and radius, mm, RAS; of a lesion without a file
     std::string file{};             // of a mesh, absolute; empty: a sphere
     std::string axes{};             // of a mesh that does not state them: "LPS"; empty: nobody has said
@@ -35,6 +37,7 @@ struct Lesion {
 
 // A distance, path, diameter or angle that is kept.
 struct Measurement {
+    static constexpr std::string_view kNoun = "measurement";
     enum class Kind { kDistance, kPath, kDiameter, kAngle };
     Kind kind = Kind::kDistance;
     std::array<glm::dvec3, 2> points{};               // kDistance: mm, RAS
@@ -61,6 +64,7 @@ struct Measurement {
 
 // A surface in the coordinates of the tree: an organ, a bone, another surface of the vessels.
 struct ContextItem {
+    static constexpr std::string_view kNoun = "context";
     std::string file;                                  // absolute: a mask or a mesh (STL, PLY, OBJ)
     volume::LabelChoice label;                         // of a mask: this one alone; none: everything that is not zero
     std::array<std::uint8_t, 3> colour{201, 130, 104}; // sRGB
@@ -77,6 +81,7 @@ struct ContextItem {
 
 template <class T>
 concept SceneObject = std::equality_comparable<T> && requires(T object) {
+    {std::string_view(T::kNoun)}; // what people call the kind, "lesion"
     { object.id + 0 } -> std::same_as<int>;
     {std::string(object.name)};
     { !object.visible } -> std::same_as<bool>;

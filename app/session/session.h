@@ -77,11 +77,16 @@ struct Marks {
     bool operator==(const Marks&) const = default;
 };
 
-// All objects of the scene, whatever their kind. A list of objects belongs here, and nowhere else.
+// The lists of all kinds of objects. A kind is listed here, and nowhere else.
+void for_each_object_list(auto& marks, const auto& call) {
+    call(marks.lesions);
+    call(marks.context);
+    call(marks.measurements);
+}
 void for_each_object(auto& marks, const auto& call) {
-    for (SceneObject auto& object : marks.lesions) call(object);
-    for (SceneObject auto& object : marks.context) call(object);
-    for (SceneObject auto& object : marks.measurements) call(object);
+    for_each_object_list(marks, [&](auto& list) {
+        for (SceneObject auto& object : list) call(object);
+    });
 }
 
 // Looks are the marks that say how a tree is viewed (MarksRow::is_look in app/session/marks_table.h).

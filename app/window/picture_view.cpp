@@ -31,7 +31,8 @@ Viewing PictureView::viewing() const {
     if (const auto& tree = state_.workspace.document.tree())
         viewing.axes = interface.unsaid.axes(tree->claims, state_.workspace.document.marks().reading);
     if (interface.tool)
-        if (const auto moved = interface.tool->moved_measurement()) viewing.measurement = static_cast<int>(*moved);
+        if (const auto moved = interface.tool->moved_measurement())
+            viewing.measurement = state_.workspace.document.marks().measurements[*moved].id;
     viewing.context_awaited = state_.workspace.context.busy();
     viewing.lesion = interface.listed_lesion;
     viewing.contact = interface.contacts.open ? interface.contacts.current : -1;

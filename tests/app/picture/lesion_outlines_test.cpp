@@ -1,4 +1,5 @@
 // Outlines of lesions within context: where a ball ends in the picture, told by the camera alone.
+#include "app/assets/assets.h"
 #include "app/picture/lesion_outlines.h"
 #include "tests/support/icosphere.h"
 
@@ -43,7 +44,7 @@ TEST_CASE("lesions have an outline where clear context is shown, and none elsewh
         render::Frame frame = frame_with(orthographic);
         const glm::dvec3 middle(3, 2, 5);
         frame.lesions.spheres = {{middle, 10.0}};
-        outline_lesions(frame, {});
+        outline_lesions(frame, Assets(), Marks());
         REQUIRE(frame.lines.size() == 1);
         // All of the outline touches the ball, and sight only grazes it there.
         const glm::dvec3 forward = render::axes_of(frame.camera).forward;
@@ -56,13 +57,13 @@ TEST_CASE("lesions have an outline where clear context is shown, and none elsewh
             render::Frame other = frame_with(orthographic);
             other.lesions = frame.lesions;
             other.context[0].opacity = opacity;
-            outline_lesions(other, {});
+            outline_lesions(other, Assets(), Marks());
             CHECK(other.lines.empty());
         }
         render::Frame within = frame_with(false);
         within.camera.position = middle;
         within.lesions = frame.lesions;
-        outline_lesions(within, {});
+        outline_lesions(within, Assets(), Marks());
         CHECK(within.lines.empty());
     }
 }
@@ -74,7 +75,7 @@ TEST_CASE("a mesh's outline is where it ends in the picture, in one loop, and in
         const glm::dvec3 middle(3, 2, 5), side(-22, 0, 5);
         mesh::TriangleMesh ball = test::icosphere(4, middle, 10.0);
         frame.lesions.spheres = {{middle, 10.0}};
-        outline_lesions(frame, {});
+        outline_lesions(frame, Assets(), Marks());
         const auto [least, most] = reach(frame, frame.lines.at(0).points, middle);
         auto lines = silhouette(ball, middle, frame.camera, frame.size);
         REQUIRE(lines.size() == 1);
