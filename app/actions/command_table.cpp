@@ -13,37 +13,8 @@ namespace {
 std::vector<Command> make_table() {
     using namespace actions;
     std::vector<Command> table;
-    for (auto part : {
-             file_commands,          //
-             history_commands,       //
-             editing_commands,       //
-             selection_commands,     //
-             relation_commands,      //
-             tool_commands,          //
-             lasso_commands,         //
-             state_commands,         //
-             system_commands,        //
-             glass_commands,         //
-             surgery_commands,       //
-             lesion_vessel_commands, //
-             context_commands,       //
-             measure_commands,       //
-             report_commands,        //
-             reading_commands,       //
-             contact_commands,       //
-             validation_commands,    //
-             camera_commands,        //
-             turning_commands,       //
-             travel_commands,        //
-             depth_commands,         //
-             compare_commands,       //
-             overview_commands,      //
-             colour_commands,        //
-             deviation_commands,     //
-             surface_commands,       //
-             window_commands,        //
-         })
-        for (Command& command : part()) table.push_back(std::move(command));
+    for (const auto group : kCommandGroups)
+        for (Command& command : group()) table.push_back(std::move(command));
     // What adds to a picture stands behind what opens one.
     const auto named = [&](std::string_view name) {
         return std::ranges::find_if(table, [&](const Command& c) { return c.name == name && !c.menu.empty(); });

@@ -3,6 +3,7 @@
 
 #include "app/actions/command_table.h"
 
+#include <array>
 #include <vector>
 
 namespace ramus::app::actions {
@@ -17,6 +18,7 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> system_commands();
 [[nodiscard]] std::vector<Command> surgery_commands();
 [[nodiscard]] std::vector<Command> lesion_vessel_commands();
+[[nodiscard]] std::vector<Command> object_commands();
 [[nodiscard]] std::vector<Command> context_commands();
 // All context is read again in this unit, or ("auto") in those that its files say.
 [[nodiscard]] Result<Outcome> read_context_in(ActionContext& context, const std::string& units);
@@ -38,5 +40,38 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> travel_commands();
 [[nodiscard]] std::vector<Command> overview_commands();
 [[nodiscard]] std::vector<Command> window_commands();
+
+// In the order of the menus. A new group of commands is a file, a declaration above and an entry here.
+inline constexpr std::array kCommandGroups{
+    file_commands,          //
+    history_commands,       //
+    editing_commands,       //
+    selection_commands,     //
+    relation_commands,      //
+    tool_commands,          //
+    lasso_commands,         //
+    state_commands,         //
+    system_commands,        //
+    glass_commands,         //
+    surgery_commands,       //
+    lesion_vessel_commands, //
+    object_commands,        //
+    context_commands,       //
+    measure_commands,       //
+    report_commands,        //
+    reading_commands,       //
+    contact_commands,       //
+    validation_commands,    //
+    camera_commands,        //
+    turning_commands,       //
+    travel_commands,        //
+    depth_commands,         //
+    compare_commands,       //
+    overview_commands,      //
+    colour_commands,        //
+    deviation_commands,     //
+    surface_commands,       //
+    window_commands,        //
+};
 
 } // namespace ramus::app::actions

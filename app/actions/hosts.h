@@ -114,6 +114,9 @@ public:
     virtual void open_flight(int branch) = 0;                          // the bar that flies to its end
     virtual void close_flight() = 0;
     virtual void ask_for_name(int branch) = 0;
+    // The name of an object of the scene, by its kind and its number; `object-name` follows with it.
+    virtual void ask_for_object_name(const std::string& /*kind*/, const std::string& /*number*/,
+                                     const std::string& /*now*/) {}
     virtual void ask_for_radius() = 0;            // of the selected branches
     virtual void show_note(int /*note*/) {}       // in the import doctor's list, and in the picture
     virtual void show_contact(int /*contact*/) {} // in the list of contacts, and in the picture

@@ -106,7 +106,7 @@ void say_what_went(ActionContext& context, std::size_t measurements) {
 Result<void> lesion_remove(ActionContext& context, Arguments arguments) {
     Marks next = context.document.marks();
     RAMUS_TRY(index, list_index(arguments, next.lesions.size(), "lesion"));
-    const std::size_t gone = remove_lesion(next, index);
+    const std::size_t gone = remove_object(next, next.lesions, index);
     context.document.change(std::move(next));
     say_what_went(context, gone);
     return {};
@@ -115,7 +115,7 @@ Result<void> lesion_remove(ActionContext& context, Arguments arguments) {
 Result<void> lesion_clear(ActionContext& context, Arguments) {
     Marks next = context.document.marks();
     std::size_t gone = 0;
-    while (!next.lesions.empty()) gone += remove_lesion(next, next.lesions.size() - 1);
+    while (!next.lesions.empty()) gone += remove_object(next, next.lesions, next.lesions.size() - 1);
     context.document.change(std::move(next));
     say_what_went(context, gone);
     return {};

@@ -1,6 +1,6 @@
 // What colours say, where the tree's file has data or a quantity is shown, and how the colours follow it.
 #include "app/panels/choice_row.h"
-#include "app/panels/interface.h"
+#include "app/panels/sections.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
 

@@ -1,6 +1,6 @@
 // Which surfaces are looked at together, and the skeleton over them.
 #include "app/panels/choice_row.h"
-#include "app/panels/interface.h"
+#include "app/panels/sections.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
 #include "core/base/words.h"

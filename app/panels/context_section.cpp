@@ -1,8 +1,8 @@
 // What is shown beside the tree: a row each to show or hide it, to colour it and to take it away, and how dense it is.
 #include "app/assets/shapes.h"
 #include "app/panels/choice_row.h"
-#include "app/panels/interface.h"
 #include "app/panels/row_buttons.h"
+#include "app/panels/sections.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/colour_by.h"

@@ -1,6 +1,6 @@
 // From what the surface's distances are measured that its colours show, the scale of these, and what was found.
 #include "app/panels/choice_row.h"
-#include "app/panels/interface.h"
+#include "app/panels/sections.h"
 #include "app/panels/widgets.h"
 #include "app/picture/deviation_colours.h"
 #include "app/session/numbers.h"

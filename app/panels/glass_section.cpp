@@ -1,5 +1,5 @@
 // How defocused branches look; there while any branch is defocused.
-#include "app/panels/interface.h"
+#include "app/panels/sections.h"
 #include "app/session/numbers.h"
 
 #include <algorithm>

@@ -78,16 +78,18 @@ struct FigurePreview {
     std::string trouble;
 };
 
-// The field for the name of a branch, or of a system.
+// The field for the name of a branch, of a system, or of an object of the scene.
 struct Rename {
     bool open = false;
     bool fresh = false; // the keyboard is not in it yet
     int branch = tree::kNoBranch;
-    int system = -1; // instead of a branch; -1: none
+    int system = -1;          // instead of a branch; -1: none
+    std::string kind, number; // of an object of the scene, instead; empty: none
     std::array<char, 128> text{};
     bool subtree = false; // what depends on the branch is called so too
     void show(int id, const std::string& name, bool of_subtree = false);
     void show_system(int index, const std::string& name);
+    void show_object(const std::string& object_kind, const std::string& object_number, const std::string& name);
 };
 
 // Asks for the radii of the selected branches.
@@ -335,20 +337,13 @@ void draw_welcome(InterfaceContext& context);
 void draw_tool_drawing(InterfaceContext& context);
 void draw_tool_bar(InterfaceContext& context);
 void draw_side_panel(InterfaceContext& context);
-void draw_glass(InterfaceContext& context);
-void draw_systems(InterfaceContext& context); // nothing where there are none
-void draw_context(InterfaceContext& context);
-void draw_compare(InterfaceContext& context);
 void draw_mask_row(InterfaceContext& context, const Comparison& comparison); // its mask
-void draw_colours(InterfaceContext& context);   // nothing unless they say a quantity, or data could be said
-void draw_deviation(InterfaceContext& context); // nothing unless colours say it
 // Returns how far down the section wants to reach, from the upper end of what scrolls, in pixels.
 float draw_selection(InterfaceContext& context); // as high for one branch, several and none
 void draw_branch_list(InterfaceContext& context);
 [[nodiscard]] float least_branch_list_height(const BranchList& list); // with its title, in pixels
 void draw_branch_window(InterfaceContext& context);                   // the list in a window of its own
 void draw_overview(InterfaceContext& context);
-void draw_plan(InterfaceContext& context);
 void draw_fly(InterfaceContext& context);
 void draw_doctor(InterfaceContext& context);
 void draw_unsaid(InterfaceContext& context);

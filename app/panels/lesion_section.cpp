@@ -1,8 +1,8 @@
 // The lesions of the planning panel, how they lie to the nearest vessels, and what lies within their margins.
 #include "app/assets/lesion_text.h"
 #include "app/panels/choice_row.h"
-#include "app/panels/interface.h"
 #include "app/panels/plan_rows.h"
+#include "app/panels/sections.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"

@@ -1,6 +1,7 @@
-// The planning page of the panel: lesions (lesion_section.cpp), cuts and what they cost, measurements. What it shows is
-// Assets::plan; what it does goes through commands.
+// Sections of the planning page: cuts and what they cost, thin vessels, measurements, the report. What they show is
+// among the assets; what they do goes through commands.
 #include "app/panels/plan_rows.h"
+#include "app/panels/sections.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
@@ -12,8 +13,6 @@
 #include <imgui.h>
 
 namespace ramus::app {
-
-namespace {
 
 void draw_cuts(InterfaceContext& context) {
     const Document& document = context.workspace.document;
@@ -52,6 +51,8 @@ void draw_cuts(InterfaceContext& context) {
     }
 }
 
+namespace {
+
 // Side by side over the panel's width.
 void draw_buttons(InterfaceContext& context, std::initializer_list<widgets::TitleButton> buttons) {
     const float gap = 4.0F * theme::scale(), count = static_cast<float>(buttons.size());
@@ -64,6 +65,8 @@ void draw_buttons(InterfaceContext& context, std::initializer_list<widgets::Titl
     }
     ImGui::PopStyleVar();
 }
+
+} // namespace
 
 // Vessels below a diameter that is typed.
 void draw_thin_vessels(InterfaceContext& context) {
@@ -105,17 +108,10 @@ void draw_measurements(InterfaceContext& context) {
     }
 }
 
-} // namespace
-
-void draw_plan(InterfaceContext& context) {
-    draw_measurements(context); // first: what is below grows, and the tools stay where they are
-    draw_lesions(context);
-    draw_margins(context);
-    draw_cuts(context);
-    draw_thin_vessels(context);
+void draw_report_button(InterfaceContext& context) {
     const Marks& marks = context.workspace.document.marks();
-    const bool some =
-        !marks.cuts.empty() || !marks.lesions.empty() || !marks.measurements.empty() || !marks.selection.empty();
+    bool some = !marks.cuts.empty() || !marks.selection.empty();
+    for_each_object_list(marks, [&](const auto& list) { some = some || !list.empty(); });
     ImGui::Dummy({0.0F, 6.0F * theme::scale()});
     ImGui::BeginDisabled(!some);
     if (ImGui::Button("Report\xE2\x80\xA6", {-1.0F, 0.0F})) context.perform("report", {});

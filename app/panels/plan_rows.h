@@ -1,4 +1,4 @@
-// Rows of the planning panel, and its parts that have files of their own.
+// Rows of the planning page.
 #pragma once
 
 #include "app/panels/interface.h"
@@ -8,9 +8,6 @@
 #include <vector>
 
 namespace ramus::app {
-
-void draw_lesions(InterfaceContext& context); // and the vessels nearest to each
-void draw_margins(InterfaceContext& context); // and the branches within them
 
 namespace plan_rows {
 

@@ -1,4 +1,4 @@
-// A field for the name of a branch or a system.
+// A field for the name of a branch, a system or an object of the scene.
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -12,6 +12,7 @@ void Rename::show(int id, const std::string& name, bool of_subtree) {
     branch = id;
     subtree = of_subtree;
     system = -1;
+    kind.clear();
     open = fresh = true;
     text.fill('\0');
     std::copy_n(name.begin(), std::min(name.size(), text.size() - 1), text.begin());
@@ -22,25 +23,46 @@ void Rename::show_system(int index, const std::string& name) {
     system = index;
 }
 
+void Rename::show_object(const std::string& object_kind, const std::string& object_number, const std::string& name) {
+    show(tree::kNoBranch, name);
+    kind = object_kind;
+    number = object_number;
+}
+
+static std::string title_of(const Rename& rename) {
+    if (rename.system >= 0) return "Name of the system";
+    return "Name of " +
+           (rename.kind.empty() ? "branch " + std::to_string(rename.branch) : rename.kind + " " + rename.number);
+}
+
+static void take_name(InterfaceContext& context, const Rename& rename) {
+    if (rename.system >= 0)
+        return context.perform("name-system", {std::to_string(rename.system + 1), rename.text.data()});
+    if (!rename.kind.empty()) return context.perform("object-name", {rename.kind, rename.number, rename.text.data()});
+    std::vector<std::string> words{std::to_string(rename.branch), rename.text.data()};
+    if (rename.subtree) words.emplace_back("subtree");
+    context.perform("name", words);
+}
+
 void draw_rename(InterfaceContext& context) {
     Rename& rename = context.interface.rename;
     const Document& document = context.workspace.document;
     if (rename.open && rename.branch >= document.branch_count()) rename.open = false;
     if (!rename.open || !widgets::begin_dialog("##name", 380.0F, 0.0F)) return;
     const float scale = theme::scale();
-    const bool of_system = rename.system >= 0;
-    widgets::heading(of_system ? "Name of the system" : ("Name of branch " + std::to_string(rename.branch)).c_str());
+    widgets::heading(title_of(rename).c_str());
     ImGui::Dummy({0.0F, 2.0F * scale});
     if (std::exchange(rename.fresh, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0F);
     bool done = ImGui::InputText("##text", rename.text.data(), rename.text.size(),
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-    if (!of_system) {
+    if (rename.branch != tree::kNoBranch) {
         ImGui::Checkbox("Also for all that depends on it", &rename.subtree);
         widgets::tooltip("Branches without a name of their own that depend on it are called so too");
     }
-    widgets::quiet_wrapped(of_system ? "The legend, tables and reports use it; the file that was read stays as it is."
-                                     : "An empty name takes it away.");
+    widgets::quiet_wrapped(rename.system >= 0
+                               ? "The legend, tables and reports use it; the file that was read stays as it is."
+                               : "An empty name takes it away.");
     ImGui::Dummy({0.0F, 4.0F * scale});
     const float width = 90.0F * scale;
     widgets::align_right(2.0F * width + ImGui::GetStyle().ItemSpacing.x);
@@ -50,13 +72,7 @@ void draw_rename(InterfaceContext& context) {
     widgets::note_item("Gives it this name");
     if (done) {
         rename.open = false;
-        if (of_system)
-            context.perform("name-system", {std::to_string(rename.system + 1), rename.text.data()});
-        else
-            context.perform("name",
-                            rename.subtree
-                                ? std::vector<std::string>{std::to_string(rename.branch), rename.text.data(), "subtree"}
-                                : std::vector<std::string>{std::to_string(rename.branch), rename.text.data()});
+        take_name(context, rename);
     }
     if (!rename.open) ImGui::CloseCurrentPopup();
     widgets::end_dialog();

@@ -2,6 +2,7 @@
 // Nothing in it moves because the pointer hovers, presses or selects: what may grow stands last, or has its room.
 #include "app/panels/choice_row.h"
 #include "app/panels/interface.h"
+#include "app/panels/sections.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/labels.h"
@@ -224,6 +225,28 @@ void draw_edge(InterfaceContext& context, float width) {
     ImGui::SetCursorPos(cursor);
 }
 
+// A section of a page is a function and a row here, in the order of the page.
+struct Section {
+    PanelPage page;
+    void (*draw)(InterfaceContext& context);
+};
+constexpr Section kSections[] = {
+    {PanelPage::kExplore, draw_explore},
+    {PanelPage::kSurface, draw_colours},
+    {PanelPage::kSurface, draw_deviation}, // what colours say, before what they are of
+    {PanelPage::kSurface, draw_surface},
+    {PanelPage::kSurface, draw_glass},
+    {PanelPage::kSurface, draw_context},
+    {PanelPage::kSurface, draw_compare},
+    {PanelPage::kSurface, draw_surface_problem},
+    {PanelPage::kPlan, draw_measurements}, // first: what is below grows, and the tools stay where they are
+    {PanelPage::kPlan, draw_lesions},
+    {PanelPage::kPlan, draw_margins},
+    {PanelPage::kPlan, draw_cuts},
+    {PanelPage::kPlan, draw_thin_vessels},
+    {PanelPage::kPlan, draw_report_button},
+};
+
 } // namespace
 
 void draw_side_panel(InterfaceContext& context) {
@@ -237,23 +260,8 @@ void draw_side_panel(InterfaceContext& context) {
     if (context.workspace.document.tree() && context.workspace.facts()) {
         draw_tree(context);
         draw_pages(context);
-        switch (context.interface.page) {
-        case PanelPage::kExplore:
-            draw_explore(context);
-            break;
-        case PanelPage::kSurface:
-            draw_colours(context);
-            draw_deviation(context); // what colours say, before what they are of
-            draw_surface(context);
-            draw_glass(context);
-            draw_context(context);
-            draw_compare(context);
-            draw_surface_problem(context);
-            break;
-        case PanelPage::kPlan:
-            draw_plan(context);
-            break;
-        }
+        for (const Section& section : kSections)
+            if (section.page == context.interface.page) section.draw(context);
     } else if (context.workspace.document.has_scene()) {
         draw_alone(context);
     } else {

@@ -1,6 +1,6 @@
 // The systems of the tree: a row each to show or hide it, to colour, select and name it.
-#include "app/panels/interface.h"
 #include "app/panels/row_buttons.h"
+#include "app/panels/sections.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/colour_by.h"

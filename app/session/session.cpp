@@ -55,12 +55,12 @@ void add_lesion(Marks& marks, Lesion lesion) {
     marks.lesions.insert(place, std::move(lesion));
 }
 
-std::size_t remove_lesion(Marks& marks, std::size_t index) {
-    const auto at = marks.lesions.begin() + static_cast<std::ptrdiff_t>(index);
+std::size_t remove_object(Marks& marks, std::vector<Lesion>& list, std::size_t index) {
+    const auto at = list.begin() + static_cast<std::ptrdiff_t>(index);
     const std::size_t gone = std::erase_if(marks.measurements, [id = at->id](const Measurement& measurement) {
         return std::ranges::find(measurement.lesions, id) != measurement.lesions.end();
     });
-    marks.lesions.erase(at);
+    list.erase(at);
     return gone;
 }
 

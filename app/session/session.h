@@ -117,8 +117,13 @@ void number_objects(Marks& marks);
 [[nodiscard]] std::optional<std::size_t> lesion_index(const Marks& marks, int id); // none: there is no such lesion
 // Puts a lesion behind those of its shape.
 void add_lesion(Marks& marks, Lesion lesion);
-// Takes a lesion away, and the measurements that name it. Returns how many measurements went.
-std::size_t remove_lesion(Marks& marks, std::size_t index);
+// Takes an object out of its list in `marks`; a lesion with the measurements that name it. Returns how many other
+// objects went with it.
+std::size_t remove_object(Marks& marks, std::vector<Lesion>& list, std::size_t index);
+template <SceneObject T> std::size_t remove_object(Marks& /*marks*/, std::vector<T>& list, std::size_t index) {
+    list.erase(list.begin() + static_cast<std::ptrdiff_t>(index));
+    return 0;
+}
 // Gives a sphere another centre and radius. Ends of measurements on it move with it.
 void change_lesion(Marks& marks, std::size_t index, const std::array<double, 4>& sphere);
 

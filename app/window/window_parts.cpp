@@ -88,6 +88,11 @@ void WindowParts::ask_for_name(int branch) {
     state_.redraw();
 }
 
+void WindowParts::ask_for_object_name(const std::string& kind, const std::string& number, const std::string& now) {
+    state_.interface.rename.show_object(kind, number, now);
+    state_.redraw();
+}
+
 void WindowParts::ask_for_radius() {
     RadiusDialog& dialog = state_.interface.radius;
     dialog.open = dialog.fresh = true;
