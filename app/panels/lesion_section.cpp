@@ -21,19 +21,23 @@ namespace ramus::app {
 namespace {
 
 // A line that can be clicked, the diameter, which can be typed, and a cross.
-void draw_lesion(InterfaceContext& context, std::size_t index, const std::array<double, 4>& sphere) {
+void draw_lesion(InterfaceContext& context, std::size_t index, const Lesion& lesion) {
+    const std::array<double, 4>& sphere = lesion.sphere;
     const std::string number = std::to_string(index + 1);
     const float cross = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemSpacing.x;
     const std::string unit = context.workspace.document.lengths().unit();
     const float behind = ImGui::CalcTextSize(unit.c_str()).x + cross + 2.0F * gap;
     constexpr float kField = 56.0F;
     ImGui::PushID(static_cast<int>(index));
+    plan_rows::object_eye(context, "lesion", index, lesion.visible);
     ImGui::AlignTextToFramePadding();
     const float sign = ImGui::CalcTextSize("\xC3\x98").x + gap;
     const float line = ImGui::GetContentRegionAvail().x - behind - kField * theme::scale() - gap - sign;
-    if (ImGui::Selectable(("Lesion " + number).c_str(), false, 0, {std::max(1.0F, line), 0.0F}))
+    const std::string name = lesion.name.empty() ? "Lesion " + number : lesion.name;
+    if (ImGui::Selectable((widgets::fitted(name, std::max(1.0F, line)) + "##lesion").c_str(), false, 0,
+                          {std::max(1.0F, line), 0.0F}))
         context.perform("centre", {spelled(glm::dvec3(sphere[0], sphere[1], sphere[2]))});
-    widgets::tooltip("Click to bring it to the middle of the picture");
+    widgets::tooltip((name + ": click to bring it to the middle of the picture").c_str());
     ImGui::SameLine();
     widgets::quiet("\xC3\x98");
     ImGui::SameLine();
@@ -107,16 +111,15 @@ void draw_vessels(InterfaceContext& context, std::size_t lesion) {
     }
 }
 
-void draw_lesion_mesh(InterfaceContext& context, const std::string& file, const std::string& number) {
+void draw_lesion_mesh(InterfaceContext& context, std::size_t index, const Lesion& lesion) {
+    const std::string& file = lesion.file;
+    (void)plan_rows::object_row(context, lesion, index, std::filesystem::path(file).filename().string(), file.c_str());
     ImGui::PushID(file.c_str());
-    const bool removed =
-        plan_rows::removable_row(std::filesystem::path(file).filename().string(), theme::kText, file.c_str()) < 0;
     const auto mesh = context.workspace.assets.lesion_mesh(file);
     if (mesh && mesh->axes != tree::SaidBy::kFile)
         if (const auto axes = widgets::mesh_axes_row(axes_of_lesion(context.workspace.document.marks(), file)))
-            context.perform("lesion-axes", {number, *axes});
+            context.perform("lesion-axes", {std::to_string(index + 1), *axes});
     ImGui::PopID();
-    if (removed) context.perform("lesion-remove", {number});
 }
 
 void set_up_band_columns(const Lengths& lengths, bool systems) {
@@ -220,9 +223,9 @@ void draw_lesions(InterfaceContext& context) {
     for (const auto lesions = marks.lesions; const Lesion& lesion : lesions) {
         const auto index = static_cast<std::size_t>(&lesion - lesions.data());
         if (lesion.is_mesh())
-            draw_lesion_mesh(context, lesion.file, std::to_string(index + 1));
+            draw_lesion_mesh(context, index, lesion);
         else
-            draw_lesion(context, index, lesion.sphere);
+            draw_lesion(context, index, lesion);
         if (same()) draw_vessels(context, index);
     }
     bool shown = marks.shortest_distances;

@@ -96,15 +96,13 @@ void draw_measurements(InterfaceContext& context) {
         widgets::row_headings({"Measurement", "What was measured; hover a line for the details"},
                               {"Value", "What it measures, with its unit"}, ImGui::GetFrameHeight());
     for (std::size_t i = 0; i < measurements->found.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
         const Result<Measured>& found = measurements->found[i];
+        const Measurement& measurement = measurements->of[i];
         std::string details = found ? found->what : found.error().message();
         if (found)
             for (const auto& [name, value] : found->details) details += "\n" + name + ": " + value;
-        if (plan_rows::removable_row(found ? found->kind : "cannot be measured", found ? theme::kText : theme::kTrouble,
-                                     details.c_str(), found ? found->value_text() : "") < 0)
-            context.perform("measure-remove", {std::to_string(i + 1)});
-        ImGui::PopID();
+        (void)plan_rows::object_row(context, measurement, i, found ? found->kind : "cannot be measured",
+                                    details.c_str(), found ? found->value_text() : "");
     }
 }
 

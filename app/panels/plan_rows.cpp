@@ -1,5 +1,6 @@
 #include "app/panels/plan_rows.h"
 
+#include "app/panels/row_buttons.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 
@@ -35,6 +36,25 @@ int removable_row(const std::string& text, const ImVec4& colour, const char* hel
     if (widgets::button("\xC3\x97", {cross, 0.0F}, theme::kNothing, theme::kQuiet)) result = -1;
     widgets::tooltip("Remove");
     return result;
+}
+
+void object_eye(InterfaceContext& context, const std::string& kind, std::size_t index, bool visible) {
+    if (widgets::eye_button(visible, visible ? "Hide" : "Show"))
+        context.perform(visible ? "object-hide" : "object-show", {kind, std::to_string(index + 1)});
+    ImGui::SameLine(0.0F, 2.0F * theme::scale());
+}
+
+bool object_row(InterfaceContext& context, const std::string& kind, std::size_t index, bool visible,
+                const std::string& what, const char* help, const std::string& value) {
+    ImGui::PushID(static_cast<int>(index));
+    object_eye(context, kind, index, visible);
+    const int done = removable_row(what, visible ? theme::kText : theme::kQuiet, help, value);
+    const bool twice = done > 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    ImGui::PopID();
+    const std::vector<std::string> words{kind, std::to_string(index + 1)};
+    if (done < 0) context.perform("object-remove", words);
+    if (twice) context.perform("object-name", words);
+    return done > 0 && !twice;
 }
 
 std::vector<std::string> number_field(InterfaceContext& context, const char* id, const std::string& current,

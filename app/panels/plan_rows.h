@@ -17,6 +17,19 @@ namespace plan_rows {
 // else.
 [[nodiscard]] int removable_row(const std::string& text, const ImVec4& colour, const char* help,
                                 const std::string& value = {});
+// The same for an object of the scene, behind an eye that shows and hides it. Shown is the object's name, or `what`
+// where it has none. Hiding, removing and, by a double click, naming are done here; returns whether the line was
+// clicked.
+bool object_row(InterfaceContext& context, const std::string& kind, std::size_t index, bool visible,
+                const std::string& what, const char* help, const std::string& value = {});
+template <SceneObject T>
+bool object_row(InterfaceContext& context, const T& object, std::size_t index, const std::string& what,
+                const char* help, const std::string& value = {}) {
+    return object_row(context, std::string(T::kNoun), index, object.visible, object.name.empty() ? what : object.name,
+                      help, value);
+}
+// The eye alone.
+void object_eye(InterfaceContext& context, const std::string& kind, std::size_t index, bool visible);
 
 // A field for a number or several at the right edge, or where `before_right` points are left of it. Returns what was
 // entered, else nothing.

@@ -1,5 +1,5 @@
-// The sections of the side panel's pages, one file each. Each draws nothing where it has nothing to say. A new section
-// is its file, a declaration here and a row in side_panel.cpp.
+// The sections of the side panel's pages. Each draws nothing where it has nothing to say. A new section is a file, a
+// declaration and a row here.
 #pragma once
 
 #include "app/panels/interface.h"
@@ -7,6 +7,9 @@
 namespace ramus::app {
 
 void draw_systems(InterfaceContext& context);
+void draw_explore(InterfaceContext& context); // systems, the selection and the branches
+void draw_surface(InterfaceContext& context);
+void draw_surface_problem(InterfaceContext& context);
 void draw_glass(InterfaceContext& context);
 void draw_context(InterfaceContext& context);
 void draw_compare(InterfaceContext& context);
@@ -18,5 +21,27 @@ void draw_margins(InterfaceContext& context); // and the branches within them
 void draw_cuts(InterfaceContext& context);
 void draw_thin_vessels(InterfaceContext& context);
 void draw_report_button(InterfaceContext& context);
+
+// In the order of the page.
+struct Section {
+    PanelPage page;
+    void (*draw)(InterfaceContext& context);
+};
+inline constexpr Section kSections[] = {
+    {PanelPage::kExplore, draw_explore},
+    {PanelPage::kSurface, draw_colours},
+    {PanelPage::kSurface, draw_deviation}, // what colours say, before what they are of
+    {PanelPage::kSurface, draw_surface},
+    {PanelPage::kSurface, draw_glass},
+    {PanelPage::kSurface, draw_context},
+    {PanelPage::kSurface, draw_compare},
+    {PanelPage::kSurface, draw_surface_problem},
+    {PanelPage::kPlan, draw_measurements}, // first: what is below grows, and the tools stay where they are
+    {PanelPage::kPlan, draw_lesions},
+    {PanelPage::kPlan, draw_margins},
+    {PanelPage::kPlan, draw_cuts},
+    {PanelPage::kPlan, draw_thin_vessels},
+    {PanelPage::kPlan, draw_report_button},
+};
 
 } // namespace ramus::app

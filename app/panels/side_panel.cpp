@@ -143,6 +143,8 @@ void draw_options(InterfaceContext& context) {
     context.workspace.try_options(tried == options ? std::nullopt : std::optional(tried));
 }
 
+} // namespace
+
 void draw_surface(InterfaceContext& context) {
     widgets::section("Surface");
     draw_options(context);
@@ -157,6 +159,8 @@ void draw_surface_problem(InterfaceContext& context) {
                                             : window_words(problem).c_str());
     if (ImGui::Button("Compute again")) context.workspace.retry_surface();
 }
+
+namespace {
 
 struct Page {
     PanelPage page;
@@ -196,6 +200,8 @@ void draw_branches(InterfaceContext& context) {
         draw_branch_list(context);
 }
 
+} // namespace
+
 // What stands above the table scrolls where the panel is too low for all of it: the table keeps its rows.
 void draw_explore(InterfaceContext& context) {
     float& height = context.interface.explore_height;
@@ -207,6 +213,8 @@ void draw_explore(InterfaceContext& context) {
     ImGui::EndChild();
     draw_branches(context);
 }
+
+namespace {
 
 // The edge towards the picture can be dragged.
 void draw_edge(InterfaceContext& context, float width) {
@@ -224,28 +232,6 @@ void draw_edge(InterfaceContext& context, float width) {
     if (held) context.interface.panel_points = (at.x + width - ImGui::GetIO().MousePos.x) / scale;
     ImGui::SetCursorPos(cursor);
 }
-
-// A section of a page is a function and a row here, in the order of the page.
-struct Section {
-    PanelPage page;
-    void (*draw)(InterfaceContext& context);
-};
-constexpr Section kSections[] = {
-    {PanelPage::kExplore, draw_explore},
-    {PanelPage::kSurface, draw_colours},
-    {PanelPage::kSurface, draw_deviation}, // what colours say, before what they are of
-    {PanelPage::kSurface, draw_surface},
-    {PanelPage::kSurface, draw_glass},
-    {PanelPage::kSurface, draw_context},
-    {PanelPage::kSurface, draw_compare},
-    {PanelPage::kSurface, draw_surface_problem},
-    {PanelPage::kPlan, draw_measurements}, // first: what is below grows, and the tools stay where they are
-    {PanelPage::kPlan, draw_lesions},
-    {PanelPage::kPlan, draw_margins},
-    {PanelPage::kPlan, draw_cuts},
-    {PanelPage::kPlan, draw_thin_vessels},
-    {PanelPage::kPlan, draw_report_button},
-};
 
 } // namespace
 

@@ -18,8 +18,6 @@ const ContextItem& as_tried(const Viewing& viewing, const ContextItem& item) {
     return tried == viewing.context->end() ? item : *tried;
 }
 
-} // namespace
-
 void draw_object(const SceneDrawing& drawing, const Lesion& lesion) {
     if (drawing.assets.plan == nullptr) return;
     render::Lesions& lesions = drawing.frame.lesions;
@@ -54,6 +52,8 @@ void draw_object(const SceneDrawing& drawing, const Measurement& measurement) {
     }
     frame.labels.push_back({measured.label_place, measured.label});
 }
+
+} // namespace
 
 void draw_objects(const SceneDrawing& drawing, const Marks& marks) {
     for_each_object(marks, [&](const SceneObject auto& object) {

@@ -1,5 +1,4 @@
-// How the objects of the scene are drawn: a function for each kind. compose() calls them for all objects that are
-// visible.
+// The objects of the scene in a frame. scene_objects.cpp has a function for each kind.
 #pragma once
 
 #include "app/picture/compose.h"
@@ -17,11 +16,7 @@ struct SceneDrawing {
     const Viewing& viewing;
 };
 
-// What has not been read yet is left out. Lesions and measurements take a tree.
-void draw_object(const SceneDrawing& drawing, const Lesion& lesion);
-void draw_object(const SceneDrawing& drawing, const ContextItem& item);
-void draw_object(const SceneDrawing& drawing, const Measurement& measurement);
-
+// All that are visible. What has not been read yet is left out. Lesions and measurements need a tree.
 void draw_objects(const SceneDrawing& drawing, const Marks& marks);
 
 } // namespace ramus::app
