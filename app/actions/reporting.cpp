@@ -23,12 +23,13 @@ Result<Outcome> write_csv(ActionContext& context, const fs::path& path, std::str
     const Document& document = context.document;
     const Assets& assets = context.assets;
     const auto there = [&](const TableKind& kind) { return kind.there(document, assets); };
-    const auto& kinds = table_kinds();
-    const TableKind* const kind = wanted.empty() ? std::ranges::find_if(kinds, there) : table_kind_named(wanted);
-    if (kind == nullptr || kind == kinds.end())
+    const auto first = std::ranges::find_if(table_kinds(), there);
+    const TableKind* const kind = !wanted.empty()                ? table_kind_named(wanted)
+                                  : first == table_kinds().end() ? nullptr
+                                                                 : &*first;
+    if (kind == nullptr)
         return wanted.empty() ? fail("there is nothing to report", {}, "cut, place a lesion, select or measure first")
-                              : fail("a report is of selection, cuts, bands, lesions, measurements, systems, contacts "
-                                     "or validation");
+                              : fail("there is no table called " + std::string(wanted), {}, "one of " + table_names());
     if (!there(*kind))
         return fail("there is nothing to report of " + std::string(kind->name), {},
                     "cut, place a lesion, select or measure first");
@@ -156,9 +157,8 @@ std::vector<Command> report_commands() {
         Command(
             "report", "[FILE [KIND] [OPTIONS]]",
             "Writes a report: .html, one page with pictures and all tables, and a case line at its head that is in no "
-            "other file; or .csv of selection, cuts, bands, lesions, measurements, systems, contacts, validation (once "
-            "there "
-            "is one), the first of them that there is unless told. A window asks for the file.",
+            "other file; or .csv of one of " +
+                table_names() + ", the first of them that there is unless told. A window asks for the file.",
             report)
             .in_menu("Plan", "Report...")
             .when(has_tree),

@@ -3,6 +3,7 @@
 #include "app/assets/assets.h"
 #include "app/reports/report_tables.h"
 #include "app/reports/surface_facts.h"
+#include "app/reports/table_kinds.h"
 #include "app/session/colour_by.h"
 #include "app/session/numbers.h"
 
@@ -172,7 +173,8 @@ std::string report_page(const Document& document, const Assets& assets, const st
         page += table_html(bands, {.note = bands.rows.empty() ? "No vessel lies within the margins."
                                                               : "From the lesions to the vessels' walls; the thickest "
                                                                 "first."});
-    if (!marks.measurements.empty()) page += table_html(measurements_table(document, assets));
+    for (const TableKind& kind : table_kinds())
+        if (kind.plain_on_page && kind.there(document, assets)) page += table_html(kind.table(document, assets));
     if (!marks.selection.empty()) page += table_html(selection_table(document, assets));
     page += context_html(document, assets);
     if (const Table contacts = contacts_table(document, assets); !contacts.rows.empty())

@@ -1,36 +1,41 @@
 #include "app/reports/table_kinds.h"
 
 #include "app/assets/assets.h"
+#include "core/base/words.h"
 
 #include <algorithm>
 
 namespace ramus::app {
 
-const std::array<TableKind, 8>& table_kinds() {
-    static constexpr std::array<TableKind, 8> kKinds{
-        {{"cuts", "Cuts", cuts_table, [](const Document& d, const Assets&) { return !d.marks().cuts.empty(); }},
-         {"bands", "Margins of lesions", bands_table,
-          [](const Document&, const Assets& a) { return !a.plan->bands.empty(); }},
-         {"lesions", "Lesions and the nearest vessels", lesions_table,
-          [](const Document&, const Assets& a) { return !a.plan->vessels.empty(); }},
-         {"selection", "Selected branches", selection_table,
-          [](const Document& d, const Assets&) { return !d.marks().selection.empty(); }},
-         {"measurements", "Measurements", measurements_table,
-          [](const Document& d, const Assets&) { return !d.marks().measurements.empty(); }},
-         {"systems", "Systems", systems_table,
-          [](const Document& d, const Assets&) { return !d.tree()->systems.empty(); }},
-         {"contacts", "Contacts", contacts_table,
-          [](const Document& d, const Assets& a) {
-              return a.contacts.fits(d.marks().options) && !a.contacts.list->empty();
-          }},
-         {"validation", "Validation", validation_table,
-          [](const Document& d, const Assets& a) { return a.validation.fits(validation_of(d.tree(), d.marks())); }}}};
+std::span<const TableKind> table_kinds() {
+    static constexpr TableKind kKinds[] = {
+        {"cuts", "Cuts", cuts_table, [](const Document& d, const Assets&) { return !d.marks().cuts.empty(); }},
+        {"bands", "Margins of lesions", bands_table,
+         [](const Document&, const Assets& a) { return !a.plan->bands.empty(); }},
+        {"lesions", "Lesions and the nearest vessels", lesions_table,
+         [](const Document&, const Assets& a) { return !a.plan->vessels.empty(); }},
+        {"selection", "Selected branches", selection_table,
+         [](const Document& d, const Assets&) { return !d.marks().selection.empty(); }},
+        {"measurements", "Measurements", measurements_table,
+         [](const Document& d, const Assets&) { return !d.marks().measurements.empty(); }, true},
+        {"systems", "Systems", systems_table,
+         [](const Document& d, const Assets&) { return !d.tree()->systems.empty(); }},
+        {"contacts", "Contacts", contacts_table,
+         [](const Document& d, const Assets& a) {
+             return a.contacts.fits(d.marks().options) && !a.contacts.list->empty();
+         }},
+        {"validation", "Validation", validation_table,
+         [](const Document& d, const Assets& a) { return a.validation.fits(validation_of(d.tree(), d.marks())); }}};
     return kKinds;
 }
 
+std::string table_names() {
+    return joined(table_kinds(), ", ", [](const TableKind& kind) { return std::string(kind.name); });
+}
+
 const TableKind* table_kind_named(std::string_view name) {
-    const auto* const found = std::ranges::find(table_kinds(), name, &TableKind::name);
-    return found == table_kinds().end() ? nullptr : found;
+    const auto found = std::ranges::find(table_kinds(), name, &TableKind::name);
+    return found == table_kinds().end() ? nullptr : &*found;
 }
 
 } // namespace ramus::app
