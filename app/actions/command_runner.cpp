@@ -4,6 +4,7 @@
 #include "app/session/marks_change.h"
 #include "app/session/numbers.h"
 #include "core/base/closest_word.h"
+#include "core/base/words.h"
 
 #include <algorithm>
 #include <string>
@@ -12,15 +13,6 @@
 namespace ramus::app {
 
 namespace {
-
-constexpr std::size_t kLongest = 32; // bytes of what is quoted
-
-std::string shortened(std::string text) {
-    if (text.size() <= kLongest) return text;
-    std::size_t end = kLongest;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end; // not inside a character
-    return text.substr(0, end) + "\xE2\x80\xA6";
-}
 
 std::string branches_phrase(const std::vector<int>& branches, const Marks& marks) {
     if (branches.size() != 1) return grouped(branches.size()) + " branches";

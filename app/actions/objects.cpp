@@ -25,7 +25,8 @@ std::string object_usage() {
 
 // Calls change(list, index) for the object that the first two arguments name, as one step.
 template <class Change> Result<void> change_object(ActionContext& context, Arguments arguments, const Change& change) {
-    if (arguments.size() < 2) return fail("which object?", {}, object_usage() + ": its kind and its number in the list");
+    if (arguments.size() < 2)
+        return fail("which object?", {}, object_usage() + ": its kind and its number in the list");
     Marks next = context.document.marks();
     Result<void> done = fail("there is no kind of object called " + arguments[0], {}, object_usage());
     for_each_object_list(next, [&]<class T>(std::vector<T>& list) {
@@ -52,7 +53,8 @@ Result<void> name_object(ActionContext& context, Arguments arguments) {
         if (found) context.window->ask_for_object_name(arguments[0], arguments[1], now);
         return found;
     }
-    if (arguments.size() != 3) return fail("object-name takes a kind, a number and a name", {}, object_usage() + " NAME");
+    if (arguments.size() != 3)
+        return fail("object-name takes a kind, a number and a name", {}, object_usage() + " NAME");
     return change_object(context, arguments,
                          [&](Marks&, auto& list, std::size_t index) { list[index].name = arguments[2]; });
 }

@@ -26,6 +26,14 @@ template <class Number, class... Base> [[nodiscard]] std::optional<Number> parse
     return {text.data(), std::to_chars(text.begin(), text.end(), value, std::chars_format::general, digits).ptr};
 }
 
+// UTF-8 of at most `most` bytes, ending in an ellipsis where some was left out.
+[[nodiscard]] inline std::string shortened(std::string text, std::size_t most = 32) {
+    if (text.size() <= most) return text;
+    std::size_t end = most;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end; // not inside a character
+    return text.substr(0, end) + "\xE2\x80\xA6";
+}
+
 // What a table of pairs has for a name, or for whatever else stands first.
 template <class Table, class First> [[nodiscard]] auto paired(const Table& table, const First& first) {
     const auto found = std::ranges::find_if(table, [&](const auto& pair) { return pair.first == first; });
