@@ -49,8 +49,8 @@ template <class Change> Result<void> edit(ActionContext& context, const Change& 
     return {};
 }
 // Takes the one that is named out of a list of the marks; `what` as for list_index().
-template <class List>
-Result<void> remove_from(ActionContext& context, Arguments arguments, List Marks::*list, const std::string& what) {
+template <class Owner, class List>
+Result<void> remove_from(ActionContext& context, Arguments arguments, List Owner::*list, const std::string& what) {
     RAMUS_TRY(index, list_index(arguments, (context.document.marks().*list).size(), what));
     return edit(context,
                 [&](Marks& marks) { (marks.*list).erase((marks.*list).begin() + static_cast<std::ptrdiff_t>(index)); });

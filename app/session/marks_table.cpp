@@ -29,11 +29,12 @@ template <class T> constexpr bool kIsList<std::vector<T>> = true;
 // What follows from the member's type.
 template <auto Member> MarksRow row(MarksRow facts) {
     using T = std::remove_cvref_t<decltype(std::declval<Marks>().*Member)>;
+    static constexpr T Marks::*kMember = Member; // it may be one of a base
     facts.same = [](const Marks& a, const Marks& b) { return a.*Member == b.*Member; };
     facts.take = [](Marks& to, const Marks& from) { to.*Member = from.*Member; };
     if (facts.change == nullptr)
         facts.change = [](const Marks& before, const Marks& after) {
-            return member_change(Member, before.*Member, after.*Member);
+            return member_change(kMember, before.*Member, after.*Member);
         };
     facts.address = [](const Marks& marks) -> const void* { return &(marks.*Member); };
     if constexpr (kIsList<T>) facts.count = [](const Marks& marks) { return (marks.*Member).size(); };

@@ -1,5 +1,5 @@
 // Objects of the scene: what a session has next to the tree. The set is closed: for_each_object()
-// (app/session/session.h) goes through all kinds, and the function that it calls has a function for each kind, so that
+// goes through all kinds, and the function that it calls has a function for each kind, so that
 // a kind without one does not compile.
 //
 // Every object has an id that is its own as long as it is in the session, a name that a person may give, and says
@@ -86,5 +86,23 @@ concept SceneObject = std::equality_comparable<T> && requires(T object) {
     {std::string(object.name)};
     { !object.visible } -> std::same_as<bool>;
 };
+
+// The lists of all kinds. A kind is listed here, and nowhere else.
+struct SceneObjects {
+    std::vector<Lesion> lesions;      // spheres first, then meshes; a lesion's number is its place, from 1
+    std::vector<ContextItem> context; // in the order in which they came
+    std::vector<Measurement> measurements;
+    bool operator==(const SceneObjects&) const = default;
+};
+void for_each_object_list(auto& objects, const auto& call) {
+    call(objects.lesions);
+    call(objects.context);
+    call(objects.measurements);
+}
+void for_each_object(auto& objects, const auto& call) {
+    for_each_object_list(objects, [&](auto& list) {
+        for (SceneObject auto& object : list) call(object);
+    });
+}
 
 } // namespace ramus::app

@@ -50,14 +50,12 @@ struct GlassLook {
 };
 
 // Everything that undo and redo cover. Each member has a row in app/session/marks_table.h.
-struct Marks {
+struct Marks : SceneObjects {
     std::vector<tree::Edit> edits;           // of the file's tree, in order; ids below are those of the tree after them
     std::vector<int> selection;              // branch ids, ascending
     std::vector<render::BranchState> states; // by branch id; branches beyond its end are normal
     std::vector<Lesion> lesions;             // spheres first, then meshes; a lesion's number is its place, from 1
-    std::vector<ContextItem> context;        // in the order in which they came
     std::vector<std::pair<int, double>> cuts; // branch, and where: of its length from the parent's end
-    std::vector<Measurement> measurements;
     std::map<int, std::string> names;
     std::vector<int> subtree_names;    // ids of `names`, ascending: these are also what depends on the branch is called
     std::vector<tree::System> systems; // all, renamed or recoloured; empty: as the tree has them (systems.h)
@@ -76,18 +74,6 @@ struct Marks {
     io::ReadOptions reading; // of the tree's file
     bool operator==(const Marks&) const = default;
 };
-
-// The lists of all kinds of objects. A kind is listed here, and nowhere else.
-void for_each_object_list(auto& marks, const auto& call) {
-    call(marks.lesions);
-    call(marks.context);
-    call(marks.measurements);
-}
-void for_each_object(auto& marks, const auto& call) {
-    for_each_object_list(marks, [&](auto& list) {
-        for (SceneObject auto& object : list) call(object);
-    });
-}
 
 // Looks are the marks that say how a tree is viewed (MarksRow::is_look in app/session/marks_table.h).
 // `marks` with the looks of `looks`.
