@@ -23,6 +23,7 @@ namespace ramus::app::actions {
 // All context is read again in this unit, or ("auto") in those that its files say.
 [[nodiscard]] Result<Outcome> read_context_in(ActionContext& context, const std::string& units);
 [[nodiscard]] std::vector<Command> measure_commands();
+[[nodiscard]] std::vector<Command> pin_commands();
 [[nodiscard]] std::vector<Command> report_commands();
 [[nodiscard]] std::vector<Command> reading_commands();
 [[nodiscard]] std::vector<Command> camera_commands();
@@ -58,6 +59,7 @@ inline constexpr std::array kCommandGroups{
     object_commands,        //
     context_commands,       //
     measure_commands,       //
+    pin_commands,           //
     report_commands,        //
     reading_commands,       //
     contact_commands,       //

@@ -16,6 +16,7 @@ void draw_compare(InterfaceContext& context);
 void draw_colours(InterfaceContext& context);   // while colours say a quantity, or data could be said
 void draw_deviation(InterfaceContext& context); // while colours say it
 void draw_measurements(InterfaceContext& context);
+void draw_pins(InterfaceContext& context);
 void draw_lesions(InterfaceContext& context); // and the vessels nearest to each
 void draw_margins(InterfaceContext& context); // and the branches within them
 void draw_cuts(InterfaceContext& context);
@@ -40,6 +41,7 @@ inline constexpr Section kSections[] = {
     {PanelPage::kPlan, draw_lesions},
     {PanelPage::kPlan, draw_margins},
     {PanelPage::kPlan, draw_cuts},
+    {PanelPage::kPlan, draw_pins},
     {PanelPage::kPlan, draw_thin_vessels},
     {PanelPage::kPlan, draw_report_button},
 };

@@ -1,7 +1,9 @@
 #include "app/picture/scene_objects.h"
 
 #include "app/assets/assets.h"
+#include "app/picture/colouring.h"
 #include "app/picture/place_marks.h"
+#include "core/base/words.h"
 
 #include <algorithm>
 
@@ -51,6 +53,14 @@ void draw_object(const SceneDrawing& drawing, const Measurement& measurement) {
         frame.lines.back().inside_mm = kRadii * measured.inside_mm;
     }
     frame.labels.push_back({measured.label_place, measured.label});
+}
+
+// A ring around the place and the first words of the text.
+void draw_object(const SceneDrawing& drawing, const Pin& pin) {
+    constexpr glm::vec3 kPinColour{0.98F, 0.80F, 0.35F};
+    drawing.frame.lines.push_back(ring_facing_eye(drawing.frame, pin.at, 0.0, kPinColour, false));
+    drawing.frame.lines.push_back(dot_at(drawing.frame, pin.at, kPinColour));
+    if (!pin.name.empty()) drawing.frame.labels.push_back({pin.at, latin1(shortened(pin.name))});
 }
 
 } // namespace

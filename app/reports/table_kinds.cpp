@@ -7,6 +7,19 @@
 
 namespace ramus::app {
 
+namespace {
+
+Table pins_table(const Document& document, const Assets& /*assets*/) {
+    Table table{"Pins", {{"pin", "No."}, {"text", "Text"}, {"x", "x, mm"}, {"y", "y, mm"}, {"z", "z, mm"}}, {}};
+    int number = 0;
+    for (const Pin& pin : document.marks().pins)
+        table.rows.push_back({++number, pin.name, pin.at.x, pin.at.y, pin.at.z});
+    add_unit(table, document.lengths());
+    return table;
+}
+
+} // namespace
+
 std::span<const TableKind> table_kinds() {
     static constexpr TableKind kKinds[] = {
         {"cuts", "Cuts", cuts_table, [](const Document& d, const Assets&) { return !d.marks().cuts.empty(); }},
@@ -18,6 +31,7 @@ std::span<const TableKind> table_kinds() {
          [](const Document& d, const Assets&) { return !d.marks().selection.empty(); }},
         {"measurements", "Measurements", measurements_table,
          [](const Document& d, const Assets&) { return !d.marks().measurements.empty(); }, true},
+        {"pins", "Pins", pins_table, [](const Document& d, const Assets&) { return !d.marks().pins.empty(); }, true},
         {"systems", "Systems", systems_table,
          [](const Document& d, const Assets&) { return !d.tree()->systems.empty(); }},
         {"contacts", "Contacts", contacts_table,

@@ -290,6 +290,28 @@ MarksRow measurements_row() {
                                       .carry = carry_measurements});
 }
 
+json pin_json(const Pin& pin, const fs::path& /*folder*/) {
+    json value{{"at", {pin.at.x, pin.at.y, pin.at.z}}};
+    write_object(value, pin);
+    return value;
+}
+
+Pin pin_in(const json& value, const fs::path& /*folder*/) {
+    expect_only(value, "a pin", {"at", "name", "visible"});
+    Pin pin;
+    read_object(value, pin);
+    const json at = list_in(value, "at");
+    if (at.size() != 3) throw Refusal{"a pin is not at [x, y, z]"};
+    for (int axis = 0; axis < 3; ++axis)
+        pin.at[axis] = number(at[static_cast<std::size_t>(axis)], "coordinate of a pin", -1e9, 1e9);
+    return pin;
+}
+
+MarksRow pins_row() {
+    return row<&Marks::pins>(
+        {.entries = {list_entry<&Marks::pins>("pins", pin_json, pin_in)}, .most = kMostMarks, .noun = "pins"});
+}
+
 std::vector<MarksRow> rows_of_plan() {
     return {edits_row(),
             selection_row(),
@@ -298,6 +320,7 @@ std::vector<MarksRow> rows_of_plan() {
             context_row(),
             cuts_row(),
             measurements_row(),
+            pins_row(),
             row<&Marks::names>(
                 {.entries = {names_entry()},
                  .largest_branch =

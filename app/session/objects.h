@@ -79,6 +79,16 @@ struct ContextItem {
     bool operator==(const ContextItem&) const = default;
 };
 
+// A text that a person pinned to a place: its name.
+struct Pin {
+    static constexpr std::string_view kNoun = "pin";
+    glm::dvec3 at{0.0}; // mm, RAS
+    int id = kNoObject;
+    std::string name{};
+    bool visible = true;
+    bool operator==(const Pin&) const = default;
+};
+
 template <class T>
 concept SceneObject = std::equality_comparable<T> && requires(T object) {
     {std::string_view(T::kNoun)}; // what people call the kind, "lesion"
@@ -92,12 +102,14 @@ struct SceneObjects {
     std::vector<Lesion> lesions;      // spheres first, then meshes; a lesion's number is its place, from 1
     std::vector<ContextItem> context; // in the order in which they came
     std::vector<Measurement> measurements;
+    std::vector<Pin> pins;
     bool operator==(const SceneObjects&) const = default;
 };
 void for_each_object_list(auto& objects, const auto& call) {
     call(objects.lesions);
     call(objects.context);
     call(objects.measurements);
+    call(objects.pins);
 }
 void for_each_object(auto& objects, const auto& call) {
     for_each_object_list(objects, [&](auto& list) {

@@ -10,6 +10,8 @@
 
 namespace ramus::app {
 
+std::unique_ptr<Tool> make_pin_tool(); // pin_tool.cpp
+
 namespace {
 
 template <typename T> std::unique_ptr<Tool> make() { return std::make_unique<T>(); }
@@ -107,6 +109,12 @@ const std::vector<ToolKind>& tool_kinds() {
          {},
          {{{0.90F, 0.84F}, {0.12F, 0.84F}, {0.70F, 0.14F}}, {{0.56F, 0.84F}, {0.52F, 0.64F}, {0.40F, 0.50F}}},
          measuring<Measurement::Kind::kAngle>},
+        {"pin",
+         "Pin",
+         "Pins a text to a place of a vessel.",
+         {"Shift+I"},
+         {ring({0.5F, 0.34F}, 0.22F), {{0.5F, 0.56F}, {0.5F, 0.94F}}},
+         make_pin_tool},
         {"join",
          "Join ends",
          "Joins a free end of a vessel with another vessel.",

@@ -1,0 +1,89 @@
+// The tool that sets pins: a click on the surface sets one there, a drag moves one.
+#include "app/tools/spelling.h"
+#include "app/tools/tool.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <memory>
+
+namespace ramus::app {
+
+namespace {
+
+constexpr double kPinReachPoints = 11.0; // that a press may miss a pin by
+constexpr double kPinClickPoints = 3.0;  // a pointer that moved less was only clicked
+const glm::vec4 kPinColour{0.98F, 0.80F, 0.35F, 1.0F};
+
+bool shows_vessel(const render::Pick& pick) { return pick.branch != render::kNoBranch; }
+
+class PinTool final : public Tool {
+public:
+    void press(const Pointing& pointing) override {
+        pressed_at_ = pointing.at;
+        held_ = pin_under(pointing);
+        moved_ = false;
+    }
+
+    void move(const Pointing& pointing) override {
+        under_ = pointing.pick();
+        if (pointing.held && glm::distance(pointing.at, pressed_at_) >= kPinClickPoints * pointing.pixel_ratio)
+            moved_ = true;
+    }
+
+    void release(const Pointing& pointing) override {
+        const auto held = std::exchange(held_, std::nullopt);
+        const render::Pick pick = pointing.pick();
+        if (!shows_vessel(pick)) return;
+        if (held && moved_)
+            command({"pin-move", std::to_string(*held + 1), finely_spelled(pick.position)});
+        else if (held)
+            command({"object-name", "pin", std::to_string(*held + 1)});
+        else if (!moved_)
+            command({"pin", finely_spelled(pick.position)});
+    }
+
+    bool escape() override { return std::exchange(held_, std::nullopt).has_value(); }
+
+    [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override {
+        ToolDrawing drawing;
+        const auto mark = [&](const glm::dvec3& place, double points) {
+            if (const auto at = render::project(pointing.camera(), pointing.size, place))
+                drawing.circles.push_back({glm::dvec2(*at), points * pointing.pixel_ratio, kPinColour});
+        };
+        if (const auto pin = held_ ? held_ : pin_under(pointing); pin && !moved_)
+            mark(pointing.document.marks().pins[*pin].at, 14.0);
+        else if (shows_vessel(under_))
+            mark(under_.position, 5.0);
+        return drawing;
+    }
+
+    [[nodiscard]] std::string hint() const override {
+        return held_ ? "Drag to move the pin, let go to set it there, Escape to leave it"
+                     : "Click a vessel to pin a text there; drag a pin to move it, click it to write";
+    }
+
+private:
+    // The nearest visible one under the pointer.
+    static std::optional<std::size_t> pin_under(const Pointing& pointing) {
+        const std::vector<Pin>& pins = pointing.document.marks().pins;
+        std::optional<std::size_t> found;
+        double nearest = kPinReachPoints * pointing.pixel_ratio;
+        for (std::size_t i = 0; i < pins.size(); ++i) {
+            const auto at = render::project(pointing.camera(), pointing.size, pins[i].at);
+            const double distance = at ? glm::distance(glm::dvec2(*at), pointing.at) : nearest;
+            if (pins[i].visible && distance < nearest) nearest = distance, found = i;
+        }
+        return found;
+    }
+
+    render::Pick under_;
+    glm::dvec2 pressed_at_{0.0};
+    std::optional<std::size_t> held_; // a pin
+    bool moved_ = false;
+};
+
+} // namespace
+
+std::unique_ptr<Tool> make_pin_tool() { return std::make_unique<PinTool>(); }
+
+} // namespace ramus::app
