@@ -125,7 +125,7 @@ void click(InterfaceContext& context, int id) {
 
 // A small square in the colour that the branch has in the picture; hidden ones are hollow.
 void draw_mark(const InterfaceContext& context, int id) {
-    const Marks& marks = context.workspace.document.marks();
+    const Marks& marks = context.workspace.document().marks();
     const render::Appearance appearance;
     const PictureLook& picture = context.interface.picture;
     glm::vec3 colour = index_of(id) < picture.colours.size() ? picture.colours[index_of(id)] : appearance.vessel;
@@ -174,13 +174,13 @@ void name_cell(InterfaceContext& context, int id) {
 
 void system_cell(const InterfaceContext& context, int id) {
     if (!ImGui::TableNextColumn()) return;
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     const std::string name = system_of(*document.tree(), document.marks(), id);
     ImGui::TextUnformatted(widgets::fitted(name, ImGui::GetContentRegionAvail().x).c_str());
 }
 
 void draw_row(InterfaceContext& context, int id) {
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     const render::BranchState state = state_of(document.marks(), id);
     const bool lit = state == render::BranchState::kHighlighted;
     const bool faint = state == render::BranchState::kHidden;
@@ -311,7 +311,7 @@ float least_branch_list_height(const BranchList& list) {
 void draw_branch_list(InterfaceContext& context) {
     BranchList& list = context.interface.list;
     const auto& facts = context.workspace.facts();
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     ImGui::PushFont(theme::small_font());
     draw_filter(context);
     read_filter(list);
@@ -345,7 +345,7 @@ void draw_branch_list(InterfaceContext& context) {
 
 void draw_branch_window(InterfaceContext& context) {
     BranchList& list = context.interface.list;
-    if (!list.apart || !context.workspace.document.tree() || !context.workspace.facts()) return;
+    if (!list.apart || !context.workspace.document().tree() || !context.workspace.facts()) return;
     const Layout& layout = context.layout;
     const float scale = theme::scale();
     const ImVec2 view(static_cast<float>(layout.view_size.x), static_cast<float>(layout.view_size.y));

@@ -68,7 +68,7 @@ void draw_range(InterfaceContext& context, const ColourLook& look) {
 } // namespace
 
 void draw_colours(InterfaceContext& context) {
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     const Marks marks = document.marks(); // a choice changes it
     const tree::VesselTree& tree = *document.tree();
     const bool of_values = marks.colour_by.kind == ColourBy::kQuantity || marks.colour_by.kind == ColourBy::kData;

@@ -15,7 +15,7 @@ namespace ramus::app {
 namespace {
 
 bool can_run(const InterfaceContext& context, const Command& command) {
-    return command.enabled == nullptr || command.enabled(context.workspace.document);
+    return command.enabled == nullptr || command.enabled(context.workspace.document());
 }
 
 bool pressed_key(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
@@ -36,7 +36,7 @@ void choose_command(InterfaceContext& context, const Command& command) {
 void draw_command_row(InterfaceContext& context, const Command& command, bool chosen, bool& pressed) {
     const float scale = theme::scale();
     const bool enabled = can_run(context, command);
-    const std::string title = title_of(command, context.workspace.document);
+    const std::string title = title_of(command, context.workspace.document());
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = 2.0F * ImGui::GetTextLineHeight() + 10.0F * scale;
     // One row is marked: that which Enter runs, wherever the pointer rests.
@@ -117,7 +117,7 @@ void draw_command_palette(InterfaceContext& context) {
     if (!palette.open || !widgets::begin_dialog("##palette", 620.0F, 460.0F)) return;
     if (std::exchange(palette.fresh, false)) ImGui::SetKeyboardFocusHere();
     const std::string title =
-        palette.asks_for == nullptr ? "What to do" : title_of(*palette.asks_for, context.workspace.document);
+        palette.asks_for == nullptr ? "What to do" : title_of(*palette.asks_for, context.workspace.document());
     widgets::heading(title.c_str());
     ImGui::SetNextItemWidth(-1.0F);
     const std::array before = palette.typed;

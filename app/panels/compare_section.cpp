@@ -87,7 +87,7 @@ void draw_mask_row(InterfaceContext& context, const Comparison& comparison) {
 }
 
 void draw_compare(InterfaceContext& context) {
-    const Comparison comparison = context.workspace.document.marks().comparison;
+    const Comparison comparison = context.workspace.document().marks().comparison;
     context.interface.tried_blend.reset();
     if (!context.interface.wipe_held) context.interface.tried_wipe.reset();
     widgets::section("Compare");
@@ -125,10 +125,10 @@ void draw_compare(InterfaceContext& context) {
             if (wipe.held) context.interface.tried_wipe = wipe.value;
             if (changed) context.perform("compare-wipe", {digits(wipe.value, 4)});
         }
-        if (const std::string problem = context.workspace.comparison_problem(); !problem.empty())
+        if (const std::string problem = context.workspace.problem(WorkKind::kComparison); !problem.empty())
             widgets::trouble(window_words(problem).c_str());
     }
-    bool skeleton = context.workspace.document.marks().skeleton;
+    bool skeleton = context.workspace.document().marks().skeleton;
     if (ImGui::Checkbox("Skeleton with radii", &skeleton)) context.perform("skeleton", {skeleton ? "on" : "off"});
     widgets::tooltip("Centerlines, and rings of the radius, over the vessels");
 }

@@ -42,7 +42,7 @@ std::string whole_text(const Document& document, const Contact& contact) {
 
 // Shows the contact both ways, and one way again.
 void draw_wipe_button(InterfaceContext& context, const std::string& number, bool current) {
-    const Comparison::Mode mode = context.workspace.document.marks().comparison.mode;
+    const Comparison::Mode mode = context.workspace.document().marks().comparison.mode;
     const bool wiped = current && mode == Comparison::Mode::kWipe;
     ImGui::PushStyleColor(ImGuiCol_Text, wiped ? theme::kAccent : theme::kQuiet);
     const bool pressed = ImGui::SmallButton(("Both##" + number).c_str());
@@ -70,7 +70,7 @@ void draw_row(InterfaceContext& context, const Contact& contact, std::size_t ind
     widgets::note_item(name.c_str());
     if (ImGui::IsItemHovered()) {
         context.interface.listed = first.branch;
-        widgets::tooltip(whole_text(context.workspace.document, contact).c_str());
+        widgets::tooltip(whole_text(context.workspace.document(), contact).c_str());
     }
     ImGui::TableSetColumnIndex(1);
     ImGui::TextUnformatted((std::to_string(first.branch) + kAnd + std::to_string(second.branch)).c_str());
@@ -86,7 +86,7 @@ void draw_row(InterfaceContext& context, const Contact& contact, std::size_t ind
 }
 
 void draw_rows(InterfaceContext& context, const std::vector<Contact>& list, float bottom) {
-    const Lengths lengths = context.workspace.document.lengths();
+    const Lengths lengths = context.workspace.document().lengths();
     const std::string between = lengths.worded("Gap mm"), narrowed = lengths.worded("Flat mm");
     const std::string between_help = lengths.worded("The gap between the walls, or how far they overlap, in mm");
     const std::string narrowed_help = lengths.worded("By how much the drawn surface of each of the two vessels is "
@@ -114,9 +114,9 @@ std::string summary_of(const std::vector<Contact>& list) {
 void draw_contacts(InterfaceContext& context) {
     ContactList& panel = context.interface.contacts;
     context.workspace.want_contacts(panel.open);
-    const auto tree = context.workspace.document.tree();
+    const auto tree = context.workspace.document().tree();
     if (!panel.open || !tree) return;
-    const Marks& marks = context.workspace.document.marks();
+    const Marks& marks = context.workspace.document().marks();
     const float bottom = begin_left_panel("contacts", context);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Vessels that touch");
@@ -131,8 +131,8 @@ void draw_contacts(InterfaceContext& context) {
     widgets::tooltip("Rings where vessels press on each other: yellow where they overlap, else blue");
     widgets::rule();
     if (!list) {
-        widgets::quiet(context.workspace.seeking_contacts() ? "Looking for contacts\xE2\x80\xA6"
-                                                            : "They could not be looked for.");
+        widgets::quiet(context.workspace.awaited(WorkKind::kContacts) ? "Looking for contacts\xE2\x80\xA6"
+                                                                      : "They could not be looked for.");
     } else if (list->empty()) {
         widgets::quiet_wrapped("No vessels press on each other without being connected there.");
     } else {

@@ -47,7 +47,7 @@ std::string label_here(const Command& command, const Document& document) {
 template <std::size_t Count>
 const Command* draw_groups(InterfaceContext& context, const std::array<Group, Count>& groups) {
     const Command* chosen = nullptr;
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     for (const Group& group : groups) {
         ImGui::Separator();
         for (const char* name : group) {
@@ -77,7 +77,7 @@ std::string branch_title(const Document& document, int branch) {
 void draw_context_menu(InterfaceContext& context) {
     ContextMenu& menu = context.interface.context_menu;
     constexpr const char* kPopup = "##context-menu";
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     if (std::exchange(menu.wanted, false)) {
         ImGui::OpenPopup(kPopup);
         menu.open = true;

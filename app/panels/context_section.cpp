@@ -69,10 +69,10 @@ void draw_opacity(InterfaceContext& context, const ContextItem& item, int number
 void draw_row(InterfaceContext& context, const ContextItem& item, int number, Trial& trial) {
     const std::string n = std::to_string(number);
     const ContextSource source = source_of(item);
-    const Assets& assets = context.workspace.assets;
+    const Assets& assets = context.workspace.assets();
     const auto trouble = item.visible ? assets.trouble(source) : std::nullopt;
-    const bool gave_up = context.workspace.context.gave_up(source);
-    const bool waits = item.visible && !trouble && !gave_up && !assets.context_shape(source);
+    const bool gave_up = trouble && trouble->what == "cancelled";
+    const bool waits = item.visible && !trouble && !assets.context_shape(source);
     const float side = ImGui::GetFrameHeight();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4.0F * theme::scale(), 2.0F * theme::scale()});
     if (widgets::eye_button(item.visible, item.visible ? "Hide" : "Show"))
@@ -108,7 +108,7 @@ void draw_row(InterfaceContext& context, const ContextItem& item, int number, Tr
         context.perform("context-remove", {n});
     ImGui::PopStyleVar();
     if (gave_up) {
-        if (ImGui::Button("Read again")) context.workspace.context.retry();
+        if (ImGui::Button("Read again")) context.workspace.retry(WorkKind::kContext);
     } else if (item.visible && !trouble) {
         draw_opacity(context, item, number, trial);
         const auto shape = assets.context_shape(source);
@@ -121,21 +121,21 @@ void draw_row(InterfaceContext& context, const ContextItem& item, int number, Tr
 
 void draw_context(InterfaceContext& context) {
     Trial& trial = context.interface.editing.context;
-    const bool tree = context.workspace.document.tree() != nullptr;
+    const bool tree = context.workspace.document().tree() != nullptr;
     const widgets::TitleButton add{"Add\xE2\x80\xA6",
                                    tree ? "Show a mask or a mesh beside the tree: an organ, a bone"
                                         : "Show another mask or mesh: an organ, a bone",
                                    "context"};
-    if (tree || !context.workspace.document.has_scene())
+    if (tree || !context.workspace.document().has_scene())
         draw_title(context, "Context", {add});
     else
         draw_title(context, "Context", {{"Unit\xE2\x80\xA6", "What one unit of the files' numbers is", "units"}, add});
-    if (!context.workspace.document.marks().context.empty())
+    if (!context.workspace.document().marks().context.empty())
         widgets::row_headings({"Surface", "Shown or hidden, its colour, its file and label"},
                               {"Net", "As a surface or as a wireframe"},
                               ImGui::GetFrameHeight() + 4.0F * theme::scale());
     // A copy: what a row does changes the list.
-    const std::vector<ContextItem> items = context.workspace.document.marks().context;
+    const std::vector<ContextItem> items = context.workspace.document().marks().context;
     if (trial.of > static_cast<int>(items.size())) trial.of = -1;
     for (std::size_t i = 0; i < items.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
@@ -143,7 +143,7 @@ void draw_context(InterfaceContext& context) {
         ImGui::PopID();
     }
     context.interface.tried_context.reset();
-    if (trial.of < 1 || context.workspace.document.marks().context != items) return;
+    if (trial.of < 1 || context.workspace.document().marks().context != items) return;
     context.interface.tried_context = items;
     (*context.interface.tried_context)[static_cast<std::size_t>(trial.of - 1)] = trial.item;
 }

@@ -100,9 +100,9 @@ bool legend_is_before(const Interface& interface, const Marks& marks, const Surf
 
 void draw_found(const InterfaceContext& context, const Marks& marks) {
     const Workspace& workspace = context.workspace;
-    const SurfaceDeviation& found = workspace.assets.deviation;
+    const SurfaceDeviation& found = workspace.assets().deviation;
     if (!found.trouble.empty()) return widgets::trouble(window_words(found.trouble).c_str());
-    if (!found.fits(deviation_of(workspace.document.tree(), marks, marks.options), workspace.shown().mesh))
+    if (!found.fits(deviation_of(workspace.document().tree(), marks, marks.options), workspace.shown().mesh))
         return widgets::quiet("Measuring\xE2\x80\xA6");
     if (legend_is_before(context.interface, marks, found)) return widgets::quiet("Drawing\xE2\x80\xA6");
     const double unit = mm_per_unit(marks.deviation, found);
@@ -115,7 +115,7 @@ void draw_found(const InterfaceContext& context, const Marks& marks) {
 } // namespace
 
 void draw_deviation(InterfaceContext& context) {
-    const Marks marks = context.workspace.document.marks(); // a choice changes it
+    const Marks marks = context.workspace.document().marks(); // a choice changes it
     if (marks.colour_by != ColourBy::kDeviation) return;
     widgets::section("Deviation");
     draw_from(context, marks.deviation);

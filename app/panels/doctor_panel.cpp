@@ -176,7 +176,7 @@ void draw_repairs(InterfaceContext& context, const io::ReadOptions& options) {
 
 // One note, on several lines where it needs them (`whole`) or cut to one. A click goes to its place.
 void draw_note(InterfaceContext& context, std::size_t index, bool whole) {
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     const std::shared_ptr<const tree::VesselTree> tree = document.tree();
     const Note& note = tree->notes[index];
     const std::string text = text_of(note, document.session().tree.path.string(), context.interface.doctor.of_mask);
@@ -254,9 +254,9 @@ void draw_notes(InterfaceContext& context, const tree::VesselTree& tree) {
 void draw_doctor(InterfaceContext& context) {
     Doctor& doctor = context.interface.doctor;
     // Kept here: what is done here makes the document another.
-    const std::shared_ptr<const tree::VesselTree> tree = context.workspace.document.tree();
+    const std::shared_ptr<const tree::VesselTree> tree = context.workspace.document().tree();
     if (!doctor.open || !tree) return;
-    const io::ReadOptions options = context.workspace.document.marks().reading;
+    const io::ReadOptions options = context.workspace.document().marks().reading;
     begin_left_panel("import doctor", context);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("How the file was read");
@@ -287,7 +287,7 @@ void draw_doctor(InterfaceContext& context) {
 }
 
 widgets::Fact doctor_fact(InterfaceContext& context) {
-    const tree::VesselTree& tree = *context.workspace.document.tree();
+    const tree::VesselTree& tree = *context.workspace.document().tree();
     // What weighs least is left out where there is no room.
     const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize("Import    ").x;
     std::string found;
@@ -300,7 +300,7 @@ widgets::Fact doctor_fact(InterfaceContext& context) {
     }
     if (found.empty()) found = "nothing to report";
     return {"Import", found, [&context, &tree, found] {
-                const bool misleads = could_mislead(tree, context.workspace.document.marks().reading);
+                const bool misleads = could_mislead(tree, context.workspace.document().marks().reading);
                 if (widgets::fact_button("Import", found, misleads ? theme::kHighlight : theme::kAccent,
                                          "Shows what reading the file assumed, repaired and finds strange", "Shift+D"))
                     context.perform("doctor", {});

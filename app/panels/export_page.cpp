@@ -14,7 +14,7 @@ namespace ramus::app {
 namespace {
 
 Exportable exportable(const InterfaceContext& context) {
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     Exportable has;
     has.selection = !document.marks().selection.empty();
     has.systems = document.tree() && !document.tree()->systems.empty();
@@ -57,7 +57,7 @@ void draw_export_page(InterfaceContext& context, OpenDialog& dialog) {
     FigurePreview& preview = context.interface.preview;
     preview.wanted = dialog.exported.draws();
     preview.request = dialog.exported.request({});
-    const bool other_kind = draw_export_kinds(dialog.exported, context.workspace.document.tree() != nullptr);
+    const bool other_kind = draw_export_kinds(dialog.exported, context.workspace.document().tree() != nullptr);
     ImGui::Dummy({0.0F, 1.0F});
     const float width = ImGui::GetContentRegionAvail().x - (preview.wanted ? preview_width + 16.0F * scale : 0.0F);
     ImGui::BeginChild("export", {width, height});

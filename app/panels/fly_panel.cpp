@@ -32,7 +32,7 @@ void play_on(InterfaceContext& context, const FlyPath& path) {
     fly.last = context.now;
     if (!fly.playing || context.commands.awaits()) return; // it has not flown yet
     // Who turns the view takes the camera over.
-    if (fly.camera != context.workspace.document.session().camera) {
+    if (fly.camera != context.workspace.document().session().camera) {
         fly.playing = false;
         return;
     }
@@ -88,7 +88,7 @@ void begin_bar(const Layout& layout) {
 // Where the flight goes, how far it is, and Close.
 void draw_title_row(InterfaceContext& context, const FlyPath& path) {
     Fly& fly = context.interface.fly;
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     const float scale = theme::scale();
     const std::string label = label_of(document.dependency(), document.marks(), fly.branch);
     const std::string title = "Fly along to branch " + std::to_string(fly.branch) + (label.empty() ? "" : ", " + label);
@@ -129,7 +129,7 @@ void draw_controls(InterfaceContext& context) {
 
 void draw_fly(InterfaceContext& context) {
     Fly& fly = context.interface.fly;
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     if (!fly.open) return;
     // Another branch that is selected while it rests is the next to fly to.
     const auto& selection = document.marks().selection;

@@ -9,7 +9,7 @@
 namespace ramus::app {
 
 void draw_glass(InterfaceContext& context) {
-    const Marks& marks = context.workspace.document.marks();
+    const Marks& marks = context.workspace.document().marks();
     context.interface.tried_glass.reset();
     if (std::ranges::find(marks.states, render::BranchState::kDefocused) == marks.states.end()) return;
     widgets::section("Glass");

@@ -23,7 +23,8 @@ constexpr float kLeastOverviewHeight = 90.0F;
 void draw_empty_view(InterfaceContext& context) {
     const Preparing preparing = context.interface.preparing;
     const bool prepares = preparing == Preparing::kFirstPicture, other_case = preparing == Preparing::kOtherCase;
-    if (!prepares && !other_case && (context.workspace.shown().mesh || context.workspace.document.has_scene())) return;
+    if (!prepares && !other_case && (context.workspace.shown().mesh || context.workspace.document().has_scene()))
+        return;
     const bool waits = prepares || context.workspace.busy();
     const char* title = prepares     ? "Preparing graphics..."
                         : other_case ? "Drawing..."
@@ -145,7 +146,7 @@ void Interface::forget_tree() {
 
 void InterfaceContext::perform(const Command& command) {
     if (const auto done = commands.run(actions, command); !done)
-        interface.tell(done.error(), workspace.document.lengths(), now);
+        interface.tell(done.error(), workspace.document().lengths(), now);
 }
 
 void InterfaceContext::perform(std::string_view name, const std::vector<std::string>& arguments) {
@@ -153,7 +154,7 @@ void InterfaceContext::perform(std::string_view name, const std::vector<std::str
     words.insert(words.end(), arguments.begin(), arguments.end());
     interface.last_command = words;
     if (const auto done = commands.run(actions, words); !done)
-        interface.tell(done.error(), workspace.document.lengths(), now);
+        interface.tell(done.error(), workspace.document().lengths(), now);
 }
 
 void draw_title(InterfaceContext& context, const char* title, std::initializer_list<widgets::TitleButton> buttons) {

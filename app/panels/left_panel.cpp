@@ -22,7 +22,7 @@ std::size_t viewport_below(const Layout& layout, const Comparison& comparison) {
 float begin_left_panel(const char* name, InterfaceContext& context) {
     const Layout& layout = context.layout;
     const float scale = theme::scale();
-    const std::size_t viewport = viewport_below(layout, context.workspace.document.marks().comparison);
+    const std::size_t viewport = viewport_below(layout, context.workspace.document().marks().comparison);
     const float heading = layout.viewports_at.size() > 1 ? 28.0F : 0.0F;
     const float top = (56.0F + heading) * scale, margin = 10.0F * scale;
     const float below = (viewport > 0 ? 128.0F : 68.0F) * scale;

@@ -25,7 +25,7 @@ void draw_lesion(InterfaceContext& context, std::size_t index, const Lesion& les
     const std::array<double, 4>& sphere = lesion.sphere;
     const std::string number = std::to_string(index + 1);
     const float cross = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemSpacing.x;
-    const std::string unit = context.workspace.document.lengths().unit();
+    const std::string unit = context.workspace.document().lengths().unit();
     const float behind = ImGui::CalcTextSize(unit.c_str()).x + cross + 2.0F * gap;
     constexpr float kField = 56.0F;
     ImGui::PushID(static_cast<int>(index));
@@ -61,7 +61,7 @@ void draw_lesion(InterfaceContext& context, std::size_t index, const Lesion& les
 
 // The shortest distance to the vessels of each system, and how the lesion touches them. A click goes there.
 void draw_vessels(InterfaceContext& context, std::size_t lesion) {
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     const auto plan = context.workspace.current_assets().plan; // kept here, as below
     const tree::VesselTree& tree = *document.tree();
     const Lengths lengths = document.lengths();
@@ -115,9 +115,9 @@ void draw_lesion_mesh(InterfaceContext& context, std::size_t index, const Lesion
     const std::string& file = lesion.file;
     (void)plan_rows::object_row(context, lesion, index, std::filesystem::path(file).filename().string(), file.c_str());
     ImGui::PushID(file.c_str());
-    const auto mesh = context.workspace.assets.lesion_mesh(file);
+    const auto mesh = context.workspace.assets().lesion_mesh(file);
     if (mesh && mesh->axes != tree::SaidBy::kFile)
-        if (const auto axes = widgets::mesh_axes_row(axes_of_lesion(context.workspace.document.marks(), file)))
+        if (const auto axes = widgets::mesh_axes_row(axes_of_lesion(context.workspace.document().marks(), file)))
             context.perform("lesion-axes", {std::to_string(index + 1), *axes});
     ImGui::PopID();
 }
@@ -148,7 +148,7 @@ void set_up_band_columns(const Lengths& lengths, bool systems) {
 }
 
 void draw_band_row(InterfaceContext& context, const measure::BandRow& row, bool systems) {
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     const auto named = document.marks().names.find(row.branch);
     const std::string name = named == document.marks().names.end() ? std::to_string(row.branch) : named->second;
     ImGui::TableNextRow();
@@ -175,7 +175,7 @@ void draw_band_row(InterfaceContext& context, const measure::BandRow& row, bool 
 
 void draw_band(InterfaceContext& context, const measure::Band& band) {
     const std::string title = (band.from_mm > 0.0 ? rounded(band.from_mm) : "0") + " \xE2\x80\x93 " +
-                              rounded(band.to_mm) + " " + context.workspace.document.lengths().unit();
+                              rounded(band.to_mm) + " " + context.workspace.document().lengths().unit();
     const std::string count = counted(band.rows.size(), "branch", "branches");
     ImGui::PushID(static_cast<int>(std::lround(1000.0 * band.to_mm)));
     const bool open = ImGui::TreeNodeEx("band", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", title.c_str());
@@ -189,10 +189,10 @@ void draw_band(InterfaceContext& context, const measure::Band& band) {
         ImGui::Unindent(indent);
         const float row_height = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
         const float rows = static_cast<float>(std::min<std::size_t>(band.rows.size(), 8) + 1);
-        const bool systems = context.workspace.document.tree()->systems.size() > 1;
+        const bool systems = context.workspace.document().tree()->systems.size() > 1;
         if (!band.rows.empty() &&
             ImGui::BeginTable("rows", systems ? 5 : 4, kFlags, {0.0F, rows * row_height + 2.0F})) {
-            set_up_band_columns(context.workspace.document.lengths(), systems);
+            set_up_band_columns(context.workspace.document().lengths(), systems);
             widgets::clipped(band.rows.size(), [&](std::size_t n) { draw_band_row(context, band.rows[n], systems); });
             ImGui::EndTable();
         }
@@ -206,7 +206,7 @@ void draw_band(InterfaceContext& context, const measure::Band& band) {
 } // namespace
 
 void draw_lesions(InterfaceContext& context) {
-    const Marks& marks = context.workspace.document.marks();
+    const Marks& marks = context.workspace.document().marks();
     draw_title(context, "Lesions",
                {{"Place", "Place a lesion in the picture and size it by dragging", "tool", {"lesion"}},
                 {"Mesh\xE2\x80\xA6", "Read a closed mesh from a file: STL, PLY or OBJ", "lesion-mesh"}});
@@ -219,7 +219,7 @@ void draw_lesions(InterfaceContext& context) {
     widgets::row_headings({"Lesion", "Click a line to bring the lesion to the middle of the picture"},
                           {"Diameter", "The diameter of a sphere; a mesh has its own size"}, ImGui::GetFrameHeight());
     // Kept here: what a row does makes the list another.
-    const auto same = [&, before = marks] { return planned(before) == planned(context.workspace.document.marks()); };
+    const auto same = [&, before = marks] { return planned(before) == planned(context.workspace.document().marks()); };
     for (const auto lesions = marks.lesions; const Lesion& lesion : lesions) {
         const auto index = static_cast<std::size_t>(&lesion - lesions.data());
         if (lesion.is_mesh())
@@ -243,7 +243,7 @@ void draw_lesions(InterfaceContext& context) {
 }
 
 void draw_margins(InterfaceContext& context) {
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     const Marks& marks = document.marks();
     if (marks.lesions.empty()) return;
     ImGui::Dummy({0.0F, 3.0F * theme::scale()});

@@ -123,7 +123,7 @@ void draw_unsaved_dialog(InterfaceContext& context) {
     if (!dialog.open() || !context.interface.errors.empty()) return;
     if (!widgets::begin_dialog("unsaved", 520.0F, 0.0F)) return;
     const float scale = theme::scale();
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     const std::filesystem::path target = suggested_file(document, ".ramus.json");
     widgets::heading("Save the changes first?");
     ImGui::Dummy({0.0F, 2.0F * scale});

@@ -65,7 +65,7 @@ std::string whole(double value) { return std::to_string(std::lround(value)); }
 
 void draw_root(InterfaceContext& context, const io::MaskReading& mask) {
     constexpr const char *kSelected = "selected", *kPlace = "place";
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     Doctor& doctor = context.interface.doctor;
     std::vector<std::pair<std::string, std::string>> entries{{"auto", "Thickest end of each piece"}};
     const auto selected = selected_place(document);
@@ -98,7 +98,7 @@ void draw_root(InterfaceContext& context, const io::MaskReading& mask) {
 } // namespace
 
 void draw_mask_reading(InterfaceContext& context, const io::MaskReading& mask) {
-    const tree::VesselTree& tree = *context.workspace.document.tree();
+    const tree::VesselTree& tree = *context.workspace.document().tree();
     if (mask.isovalue) widgets::fact("Threshold", "at least " + rounded(*mask.isovalue));
     if (mask.labels || tree.systems.size() > 1) draw_labels(context, mask);
     draw_sizes(context, mask);

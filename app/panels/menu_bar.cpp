@@ -16,7 +16,7 @@ namespace ramus::app {
 namespace {
 
 void draw_entry(InterfaceContext& context, const Command& command) {
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     const bool enabled = command.enabled == nullptr || command.enabled(document);
     const bool checked = (command.checked != nullptr && command.checked(document)) ||
                          (command.in_use != nullptr && command.in_use(context.actions, command));
@@ -28,7 +28,7 @@ void draw_entry(InterfaceContext& context, const Command& command) {
 
 // The last steps, newest first, down to what was there before them; the present one is marked.
 void draw_history(InterfaceContext& context) {
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     constexpr std::size_t kShown = 20;
     constexpr std::size_t kUndoneShown = 8; // of them
     if (!ImGui::BeginMenu("History", document.step_count() > 0)) return;
@@ -85,7 +85,7 @@ bool begin_menu(const std::string& name, float top, const InterfaceContext& cont
 
 // What the tree's file gives, which the command table cannot know.
 void draw_data_colours(InterfaceContext& context) {
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     const auto tree = document.tree();
     const bool some = tree && (!tree->point_data.empty() || !tree->branch_data.empty());
     ImGui::BeginDisabled(!some);
@@ -166,7 +166,7 @@ void draw_views(InterfaceContext& context) {
     const float total = 6.0F * side + 7.0F * gap + wide + 8.0F * scale;
     const float at = static_cast<float>(context.layout.window.x) - total - 8.0F * scale;
     if (at < ImGui::GetCursorPosX() + 12.0F * scale) return; // a narrow window keeps the menus
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     const bool enabled = document.has_scene();
     const bool sides = document.claims().has_sides();
     ImGui::SetCursorPosX(std::round(at));

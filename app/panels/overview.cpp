@@ -90,7 +90,7 @@ void draw_tree_lines(const InterfaceContext& context, const Canvas& canvas) {
     const OverviewLayout& layout = overview.layout;
     const std::vector<OverviewPiece> pieces = visible_pieces(layout, overview.view);
     for (const OverviewPiece& piece : pieces) draw_piece(context, canvas, piece, true);
-    const tree::VesselTree& tree = *context.workspace.document.tree();
+    const tree::VesselTree& tree = *context.workspace.document().tree();
     for (const OverviewPiece& piece : pieces) {
         const int parent = tree.branches[index(piece.branch)].parent;
         if (parent != tree::kNoBranch) draw_joint(context, canvas, piece, layout.lines[index(parent)].at);
@@ -304,7 +304,7 @@ void draw_lasso(const Overview& overview, const Canvas& canvas) {
 
 void draw_canvas(InterfaceContext& context, const Canvas& canvas) {
     Overview& overview = context.interface.overview;
-    const Marks& marks = context.workspace.document.marks();
+    const Marks& marks = context.workspace.document().marks();
     ImGui::SetCursorScreenPos(canvas.at);
     ImGui::InvisibleButton("##canvas", canvas.size);
     overview.view.pixels = {canvas.size.x, canvas.size.y};
@@ -337,7 +337,7 @@ void draw_overview(InterfaceContext& context) {
     ImGui::SetCursorPos({14.0F * scale, 8.0F * scale});
     draw_header(context);
     const auto& facts = context.workspace.facts();
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     if (!document.tree() || !facts || document.branch_count() == 0) {
         ImGui::End();
         return;

@@ -15,7 +15,7 @@
 namespace ramus::app {
 
 void draw_cuts(InterfaceContext& context) {
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     const Marks& marks = document.marks();
     draw_title(context, "Cuts", {{"Cut", "Cut vessels in the picture", "tool", {"cut"}}});
     plan_rows::field_label(context, "Mark cuts above \xC3\x98 (mm)");
@@ -107,7 +107,7 @@ void draw_measurements(InterfaceContext& context) {
 }
 
 void draw_report_button(InterfaceContext& context) {
-    const Marks& marks = context.workspace.document.marks();
+    const Marks& marks = context.workspace.document().marks();
     bool some = !marks.cuts.empty() || !marks.selection.empty();
     for_each_object_list(marks, [&](const auto& list) { some = some || !list.empty(); });
     ImGui::Dummy({0.0F, 6.0F * theme::scale()});

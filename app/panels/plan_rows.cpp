@@ -86,7 +86,7 @@ std::vector<std::string> number_field(InterfaceContext& context, const char* id,
 
 void field_label(const InterfaceContext& context, const char* label) {
     ImGui::AlignTextToFramePadding();
-    widgets::quiet(context.workspace.document.lengths().worded(label).c_str());
+    widgets::quiet(context.workspace.document().lengths().worded(label).c_str());
     ImGui::SameLine();
 }
 

@@ -11,7 +11,7 @@ namespace ramus::app {
 
 void draw_radius(InterfaceContext& context) {
     RadiusDialog& dialog = context.interface.radius;
-    const auto& selection = context.workspace.document.marks().selection;
+    const auto& selection = context.workspace.document().marks().selection;
     if (dialog.open && selection.empty()) dialog.open = false;
     if (!dialog.open || !widgets::begin_dialog("##radius", 380.0F, 0.0F)) return;
     const float scale = theme::scale();
@@ -23,7 +23,8 @@ void draw_radius(InterfaceContext& context) {
                                           ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
                                               ImGuiInputTextFlags_CharsDecimal);
     ImGui::SameLine();
-    if (ImGui::RadioButton(context.workspace.document.lengths().unit().c_str(), !dialog.scales)) dialog.scales = false;
+    if (ImGui::RadioButton(context.workspace.document().lengths().unit().c_str(), !dialog.scales))
+        dialog.scales = false;
     ImGui::SameLine();
     if (ImGui::RadioButton("times", dialog.scales)) dialog.scales = true;
     widgets::quiet_wrapped("Nodes that they share with other branches keep theirs.");

@@ -46,7 +46,7 @@ static void take_name(InterfaceContext& context, const Rename& rename) {
 
 void draw_rename(InterfaceContext& context) {
     Rename& rename = context.interface.rename;
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     if (rename.open && rename.branch >= document.branch_count()) rename.open = false;
     if (!rename.open || !widgets::begin_dialog("##name", 380.0F, 0.0F)) return;
     const float scale = theme::scale();

@@ -86,7 +86,7 @@ void draw_facts_of_selection(const Document& document, const TreeFacts& facts) {
 
 float draw_selection(InterfaceContext& context) {
     widgets::section("Selection");
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     ImGui::BeginDisabled(document.marks().selection.empty());
     draw_actions(context);
     ImGui::EndDisabled();

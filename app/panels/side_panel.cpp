@@ -26,7 +26,7 @@ namespace ramus::app {
 namespace {
 
 void draw_tree(InterfaceContext& context) {
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     const TreeFacts& facts = *context.workspace.facts();
     const tree::VesselTree& tree = *document.tree();
     const std::string name = document.session().tree.path.filename().string();
@@ -63,7 +63,7 @@ void draw_tree(InterfaceContext& context) {
 
 // What is shown without a tree.
 void draw_alone(InterfaceContext& context) {
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     ImGui::PushFont(theme::title_font());
     const std::string shown = widgets::fitted(document.subject().filename().string(), ImGui::GetContentRegionAvail().x);
     ImGui::TextUnformatted(shown.c_str());
@@ -118,7 +118,7 @@ void draw_smoothing(InterfaceContext& context) {
 }
 
 void draw_options(InterfaceContext& context) {
-    const mesh::SurfaceOptions options = context.workspace.document.marks().options; // a choice changes it
+    const mesh::SurfaceOptions options = context.workspace.document().marks().options; // a choice changes it
     auto& sliders = context.interface.editing.options;
     auto& shown = context.interface.editing.shown_options;
     for (const SurfaceOption& option : surface_options()) {
@@ -243,12 +243,12 @@ void draw_side_panel(InterfaceContext& context) {
                          static_cast<float>(layout.bar_height), width,
                          static_cast<float>(layout.window.y - layout.bar_height - layout.status_height));
     draw_edge(context, width);
-    if (context.workspace.document.tree() && context.workspace.facts()) {
+    if (context.workspace.document().tree() && context.workspace.facts()) {
         draw_tree(context);
         draw_pages(context);
         for (const Section& section : kSections)
             if (section.page == context.interface.page) section.draw(context);
-    } else if (context.workspace.document.has_scene()) {
+    } else if (context.workspace.document().has_scene()) {
         draw_alone(context);
     } else {
         widgets::quiet_wrapped("What ramus knows of a tree appears here.");

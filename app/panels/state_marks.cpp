@@ -12,7 +12,7 @@ namespace ramus::app {
 
 float draw_state_marks(InterfaceContext& context, float right_edge) {
     using render::BranchState;
-    const Marks& marks = context.workspace.document.marks();
+    const Marks& marks = context.workspace.document().marks();
     struct Mark {
         std::size_t count;
         const char *word, *help, *key, *command;

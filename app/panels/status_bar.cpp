@@ -18,7 +18,7 @@ constexpr const char* kStep = "  \xE2\x80\xBA  "; // an angle quote
 // The branch that the path is about: the hovered one, or the only selected one.
 int branch_at_hand(const InterfaceContext& context) {
     if (context.interface.hovered != tree::kNoBranch) return context.interface.hovered;
-    const auto& selection = context.workspace.document.marks().selection;
+    const auto& selection = context.workspace.document().marks().selection;
     return selection.size() == 1 ? selection.front() : tree::kNoBranch;
 }
 
@@ -30,9 +30,9 @@ void draw_sentence(const std::string& sentence, float width, const ImVec4& colou
 
 void draw_path(InterfaceContext& context, float right_edge) {
     const int branch = branch_at_hand(context);
-    const auto& tree = context.workspace.document.tree();
+    const auto& tree = context.workspace.document().tree();
     if (branch == tree::kNoBranch || !tree) {
-        if (context.workspace.document.has_scene())
+        if (context.workspace.document().has_scene())
             draw_sentence(tree ? "Drag to turn, wheel to zoom, click to select, F1 for all keys"
                                : "Drag to turn, wheel to zoom, F1 for all keys",
                           right_edge - ImGui::GetCursorPosX() - 24.0F * theme::scale());
@@ -50,9 +50,9 @@ void draw_path(InterfaceContext& context, float right_edge) {
     }
     const auto link = [&](int id, bool last) {
         ImGui::PushID(id);
-        const auto name = context.workspace.document.marks().names.find(id);
+        const auto name = context.workspace.document().marks().names.find(id);
         const std::string text =
-            name == context.workspace.document.marks().names.end() ? std::to_string(id) : name->second;
+            name == context.workspace.document().marks().names.end() ? std::to_string(id) : name->second;
         ImGui::TextColored(last ? theme::kText : theme::kQuiet, "%s", text.c_str());
         if (ImGui::IsItemHovered()) context.interface.listed = id;
         if (ImGui::IsItemClicked()) context.perform("select", {std::to_string(id)});
@@ -110,7 +110,7 @@ float draw_progress(InterfaceContext& context) {
 // In at most half of the bar: a narrow window leaves out the time first, then the kind.
 float draw_facts(InterfaceContext& context) {
     const ReadySurface& shown = context.workspace.shown();
-    const Marks& marks = context.workspace.document.marks();
+    const Marks& marks = context.workspace.document().marks();
     const bool marked = !marks.states.empty() || !marks.selection.empty(); // these marks need room
     const float available = (marked ? 0.25F : 0.5F) * static_cast<float>(context.layout.window.x);
     std::string text;

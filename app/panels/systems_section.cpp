@@ -66,7 +66,7 @@ void draw_row(InterfaceContext& context, const Systems& systems, const SystemFac
     ImGui::SameLine();
     draw_swatch(context, shown_colour(systems, system), system);
     const std::string branches = grouped(static_cast<std::uint64_t>(facts.branches));
-    const std::string length = context.workspace.document.lengths().text(facts.length_mm);
+    const std::string length = context.workspace.document().lengths().text(facts.length_mm);
     const float width = ImGui::GetContentRegionAvail().x;
     const float room = width - length_width() - ImGui::CalcTextSize(branches.c_str()).x - 10.0F * theme::scale();
     ImGui::PushStyleColor(ImGuiCol_Text, visible ? theme::kText : theme::kQuiet);
@@ -94,7 +94,7 @@ void draw_row(InterfaceContext& context, const Systems& systems, const SystemFac
 } // namespace
 
 void draw_systems(InterfaceContext& context) {
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     if (document.tree()->systems.empty()) return;
     draw_title(context, "Systems", {{"Colour", "Colour every branch as its system", "colour-by", {"system"}}});
     draw_headings();

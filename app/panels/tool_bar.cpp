@@ -38,7 +38,7 @@ void draw_button(InterfaceContext& context, const ToolKind& kind, float side) {
 
 // What parallel lines look like: side by side, or as rails that meet far away.
 void draw_projection_button(InterfaceContext& context, float side) {
-    const bool parallel = context.workspace.document.session().camera.orthographic;
+    const bool parallel = context.workspace.document().session().camera.orthographic;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (widgets::button("##projection", {side, side}, theme::kNothing)) context.perform("orthographic", {});
     const ImU32 colour = ImGui::GetColorU32(ImGui::IsItemHovered() ? theme::kText : theme::kQuiet);
@@ -86,7 +86,7 @@ void draw_divider(float height) {
 } // namespace
 
 void draw_tool_bar(InterfaceContext& context) {
-    if (context.workspace.document.branch_count() == 0) return;
+    if (context.workspace.document().branch_count() == 0) return;
     const float scale = theme::scale();
     const float side = kSide * scale, gap = kGap * scale, padding = 3.0F * scale;
     const float x = static_cast<float>(context.layout.view_at.x) + kMargin * scale;

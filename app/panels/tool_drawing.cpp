@@ -84,7 +84,7 @@ void draw_tool_drawing(InterfaceContext& context) {
         const glm::ivec2 at = layout.view_at + corner, to = at + layout.viewport_size;
         list.PushClipRect({static_cast<float>(at.x), static_cast<float>(at.y)},
                           {static_cast<float>(to.x), static_cast<float>(to.y)});
-        const Painter painter(list, at, layout.viewport_size, context.workspace.document.lengths());
+        const Painter painter(list, at, layout.viewport_size, context.workspace.document().lengths());
         for (const auto& area : drawing.areas) painter.area(area);
         for (const auto& line : drawing.lines) painter.line(line);
         for (const auto& circle : drawing.circles) painter.circle(circle);

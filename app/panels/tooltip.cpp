@@ -58,7 +58,7 @@ glm::vec2 card_corner(const Layout& layout, const std::vector<Covered>& covered,
 }
 
 void draw_branch_tooltip(InterfaceContext& context, int id) {
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     if (id < 0 || id >= document.branch_count() || !context.workspace.facts()) return;
     const auto index = static_cast<std::size_t>(id);
     const BranchFacts& facts = context.workspace.facts()->branches[index];

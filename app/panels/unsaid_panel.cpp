@@ -158,7 +158,7 @@ std::optional<render::AxisNames> Unsaid::axes(const tree::Claims& claims, const 
 
 void draw_unsaid(InterfaceContext& context) {
     Unsaid& unsaid = context.interface.unsaid;
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     if (!unsaid.open || !document.has_scene()) return;
     const tree::Claims& claims = document.claims();
     const io::ReadOptions options = said_of(document);

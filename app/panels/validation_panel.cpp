@@ -102,7 +102,7 @@ void draw_finding(InterfaceContext& context, const Finding& finding, std::size_t
     const Question& question = kQuestions[static_cast<std::size_t>(finding.kind)];
     if (ImGui::IsItemHovered()) {
         if (!finding.branches.empty()) context.interface.listed = finding.branches.front();
-        widgets::tooltip((std::string(question.help) + "\n" + text_of(finding, context.workspace.document.lengths()) +
+        widgets::tooltip((std::string(question.help) + "\n" + text_of(finding, context.workspace.document().lengths()) +
                           "\nClick to look at the place and to select its branches")
                              .c_str());
     }
@@ -111,7 +111,7 @@ void draw_finding(InterfaceContext& context, const Finding& finding, std::size_t
     ImGui::TableSetColumnIndex(2);
     ImGui::TextUnformatted(branches_text(finding).c_str());
     ImGui::TableSetColumnIndex(3);
-    ImGui::TextUnformatted(text_of(finding, context.workspace.document.lengths()).c_str());
+    ImGui::TextUnformatted(text_of(finding, context.workspace.document().lengths()).c_str());
 }
 
 void draw_findings(InterfaceContext& context, const std::vector<Finding>& list, float bottom) {
@@ -135,13 +135,15 @@ void draw_state(InterfaceContext& context, bool anything, bool fits) {
         ImGui::PopStyleColor();
         widgets::note_item("Out of date");
     }
-    if (!workspace.validation_problem().empty()) {
-        widgets::trouble(("Not validated: " + workspace.validation_problem()).c_str());
+    if (!workspace.problem(WorkKind::kValidation).empty()) {
+        widgets::trouble(("Not validated: " + workspace.problem(WorkKind::kValidation)).c_str());
         if (widgets::small_button("Try again", "Compares the surface with the tree again"))
-            workspace.retry_validation();
+            workspace.retry(WorkKind::kValidation);
         return;
     }
-    const std::string done = workspace.validating() ? " " + widgets::percent_text(workspace.validation_progress()) : "";
+    const std::string done = workspace.awaited(WorkKind::kValidation)
+                                 ? " " + widgets::percent_text(workspace.progress(WorkKind::kValidation))
+                                 : "";
     widgets::quiet(("Comparing the surface with the tree\xE2\x80\xA6" + done).c_str());
 }
 
@@ -150,7 +152,7 @@ void draw_state(InterfaceContext& context, bool anything, bool fits) {
 void draw_validation(InterfaceContext& context) {
     ValidationList& panel = context.interface.validation;
     context.workspace.want_validation(panel.open);
-    if (!panel.open || !context.workspace.document.tree()) return;
+    if (!panel.open || !context.workspace.document().tree()) return;
     const float bottom = begin_left_panel("validation", context);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Validation");
@@ -162,7 +164,7 @@ void draw_validation(InterfaceContext& context) {
     const TreeValidation now = context.workspace.current_assets().validation; // kept: what is done here may change it
     if (panel.of != now.findings) panel.current = -1;                         // others are counted in it
     panel.of = now.findings;
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     const bool fits = now.fits(validation_of(document.tree(), document.marks()));
     draw_state(context, now.found != nullptr, fits);
     if (now.found) {

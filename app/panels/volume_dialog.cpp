@@ -239,7 +239,7 @@ void draw_contents(InterfaceContext& context, VolumeDialog& dialog) {
 }
 
 std::array<Choice, 3> choices_for(const InterfaceContext& context, const VolumeDialog& dialog) {
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     const bool tree = document.branch_count() > 0;
     const std::string shown = document.session().tree.path.filename().string(), why_not = dialog.why_not();
     const std::string place = tree ? "beside " + shown : std::string("alone in the picture");

@@ -59,7 +59,7 @@ void draw_warning(const Warning& warning, std::size_t index, Pressed& pressed) {
 
 void draw_warnings(InterfaceContext& context) {
     WarningsPanel& panel = context.interface.warnings;
-    const Document& document = context.workspace.document;
+    const Document& document = context.workspace.document();
     panel.list.follow(document.tree(), document.session().tree.path.string());
     if (!panel.open) return;
     begin_left_panel("warnings", context);

@@ -43,7 +43,7 @@ void draw_welcome(InterfaceContext& context) {
     if (widgets::button("Open my case\xE2\x80\xA6", {ImGui::GetContentRegionAvail().x, 0.0F}, theme::kAccentDim))
         context.perform("open", {});
     widgets::tooltip("A tree, a mask, a scan or a session; or drop the file into the window", "Ctrl+O");
-    if (const auto demo = demo_tree(); demo && context.workspace.document.subject() != *demo) {
+    if (const auto demo = demo_tree(); demo && context.workspace.document().subject() != *demo) {
         if (ImGui::Button("Open the demo", {ImGui::GetContentRegionAvail().x, 0.0F}))
             context.perform("open", {demo->string()});
         widgets::note_item("Open the demo");

@@ -34,8 +34,8 @@ render::Sheet FigurePreviewer::small_sheet(glm::ivec2 size) const {
     Workspace& workspace = state_.workspace;
     const ShownSurfaces surfaces = workspace.surfaces();
     render::Sheet sheet =
-        compose_sheet(workspace.document.session(), workspace.current_assets(), surfaces, {.size = size});
-    const auto viewports = viewports_of(workspace.document.marks(), size, 1.0F);
+        compose_sheet(workspace.document().session(), workspace.current_assets(), surfaces, {.size = size});
+    const auto viewports = viewports_of(workspace.document().marks(), size, 1.0F);
     for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {
         if (auto preview = surfaces.preview_of(viewports[i].surface))
             sheet.viewports[i].frame.mesh = std::move(preview);

@@ -26,11 +26,11 @@ Result<WindowPicture> picture_with_interface(Workspace& workspace, render::Rende
     double now = 0.0;
     const auto settle = [&] {
         Job job;
-        (void)complete(workspace.assets, workspace.document, job); // waits for what a window leaves to a worker
+        (void)complete(workspace.assets(), workspace.document(), job); // waits for what a window leaves to a worker
         const auto more_to_come = [&] {
             workspace.update();
-            return workspace.comparing() || workspace.seeking_contacts() || workspace.measuring_deviation() ||
-                   workspace.validating();
+            return workspace.awaited(WorkKind::kComparison) || workspace.awaited(WorkKind::kContacts) ||
+                   workspace.awaited(WorkKind::kDeviation) || workspace.awaited(WorkKind::kValidation);
         };
         while (more_to_come()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
         constexpr int kMostFrames = 20; // five are enough; a waiting worker must not keep a picture from being made

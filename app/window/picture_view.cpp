@@ -28,12 +28,12 @@ Viewing PictureView::viewing() const {
     viewing.options = state_.workspace.tried_options();
     viewing.notes = interface.doctor.open && interface.doctor.mark;
     viewing.note = interface.doctor.current;
-    if (const auto& tree = state_.workspace.document.tree())
-        viewing.axes = interface.unsaid.axes(tree->claims, state_.workspace.document.marks().reading);
+    if (const auto& tree = state_.workspace.document().tree())
+        viewing.axes = interface.unsaid.axes(tree->claims, state_.workspace.document().marks().reading);
     if (interface.tool)
         if (const auto moved = interface.tool->moved_measurement())
-            viewing.measurement = state_.workspace.document.marks().measurements[*moved].id;
-    viewing.context_awaited = state_.workspace.context.busy();
+            viewing.measurement = state_.workspace.document().marks().measurements[*moved].id;
+    viewing.context_awaited = state_.workspace.awaited(WorkKind::kContext);
     viewing.lesion = interface.listed_lesion;
     viewing.contact = interface.contacts.open ? interface.contacts.current : -1;
     return viewing;
@@ -41,13 +41,13 @@ Viewing PictureView::viewing() const {
 
 void PictureView::move_camera(const render::Camera& camera) {
     glide_.reset();
-    state_.workspace.document.set_camera(camera);
+    state_.workspace.document().set_camera(camera);
 }
 
 // Nobody looks on while a script runs or a picture of the window is made.
 void PictureView::camera_leapt() {
     if (!state_.watched()) return;
-    const bool orthographic = state_.workspace.document.session().camera.orthographic;
+    const bool orthographic = state_.workspace.document().session().camera.orthographic;
     glide_ = Glide{render::with_projection(shown_camera_, orthographic), state_.now};
 }
 
@@ -56,13 +56,13 @@ void PictureView::flew(int branch, double fraction) {
     if (fly.open && branch != fly.branch) fly.playing = false;
     fly.branch = branch;
     fly.fraction = fraction;
-    fly.camera = state_.workspace.document.session().camera;
+    fly.camera = state_.workspace.document().session().camera;
     state_.redraw();
 }
 
 // Slow at both ends. A picture that is asked for is never one on the way: see draw_for_keeping().
 render::Camera PictureView::camera_on_its_way() {
-    const render::Camera& there = state_.workspace.document.session().camera;
+    const render::Camera& there = state_.workspace.document().session().camera;
     if (!glide_) return there;
     const double t = (state_.now - glide_->since) / kGlideSeconds;
     if (t < 1.0 && t >= 0.0) return render::interpolated(glide_->from, there, t * t * (3.0 - 2.0 * t));
@@ -86,8 +86,8 @@ bool PictureView::draw(bool dragging) {
     const bool watched = state_.watched();
     const bool between = watched && state_.workspace.between_trees(); // the last picture stays
     if (!drawer_.busy() && !between) {
-        begun_tree_ = state_.workspace.document.tree();
-        begun_subject_ = subject_of(state_.workspace.document.session());
+        begun_tree_ = state_.workspace.document().tree();
+        begun_subject_ = subject_of(state_.workspace.document().session());
         drawer_.draw(sheet_, kUploadBudget, watched ? kDrawingSeconds : render::kUntilDone);
         begun_at_ = state_.now;
         take_picture(watched ? patience() : render::kUntilDone, taken);
@@ -122,7 +122,7 @@ void PictureView::take_picture(double seconds, Taken& taken) {
 }
 
 bool PictureView::shows_other_case() const {
-    const Document& document = state_.workspace.document;
+    const Document& document = state_.workspace.document();
     return drawer_.has_picture() && document.has_scene() && shown_subject_ != subject_of(document.session());
 }
 
@@ -146,7 +146,7 @@ void PictureView::take_depths() {
     auto depths = drawer_.poll_depths();
     if (!depths) return;
     depths_pending_ = false;
-    if (depths->maps) aim_.see(std::move(*depths->maps), state_.workspace.document.session().camera);
+    if (depths->maps) aim_.see(std::move(*depths->maps), state_.workspace.document().session().camera);
 }
 
 // Those on their way are waited for: while the view moves some picture's depths come.
@@ -186,7 +186,7 @@ void PictureView::compose_window(const std::vector<Viewport>& viewports, const S
     SheetViewing sheet_viewing{.blend = state_.interface.tried_blend, .wipe = state_.interface.tried_wipe};
     if (compares) sheet_viewing.heading_top = static_cast<int>(std::round(kToolBarHeight * state_.scale));
     sheet_ =
-        compose_sheet(workspace.document.session(), workspace.current_assets(), surfaces, viewing(), sheet_viewing);
+        compose_sheet(workspace.document().session(), workspace.current_assets(), surfaces, viewing(), sheet_viewing);
     shown_camera_ = camera_on_its_way();
     render::Frame& first = sheet_.viewports.front().frame;
     first.camera = shown_camera_;
@@ -213,11 +213,11 @@ void PictureView::dress(const std::vector<Viewport>& viewports, const ShownSurfa
     for (std::size_t i = 0; i < sheet_.viewports.size(); ++i) {
         render::Frame& frame = sheet_.viewports[i].frame;
         frame.camera = shown_camera_;
-        if (scale || state_.workspace.document.tree()) frame.overlays.scale = scale;
+        if (scale || state_.workspace.document().tree()) frame.overlays.scale = scale;
         frame.quality = quality;
         frame.preview = surfaces.preview_of(viewports[i].surface);
         if (!shows_own(viewports[i])) continue;
-        put_surface(frame, state_.workspace.assets.deviation, shown.mesh, shown.preview);
+        put_surface(frame, state_.workspace.assets().deviation, shown.mesh, shown.preview);
     }
 }
 
@@ -318,8 +318,9 @@ render::Frame PictureView::frame_for_keeping(const render::Camera& camera, glm::
     Workspace& workspace = state_.workspace;
     if (workspace.between_trees()) workspace.await_tree();
     Job job;
-    (void)load_context(workspace.assets, workspace.document.marks(), job); // waits for what a window leaves to a worker
-    render::Frame frame = compose(workspace.document.session(), workspace.current_assets(), picture_mesh(),
+    (void)load_context(workspace.assets(), workspace.document().marks(),
+                       job); // waits for what a window leaves to a worker
+    render::Frame frame = compose(workspace.document().session(), workspace.current_assets(), picture_mesh(),
                                   {.size = size, .pixel_ratio = state_.scale});
     frame.camera = camera;
     state_.present_again();
@@ -331,9 +332,9 @@ render::Sheet PictureView::sheet_for_keeping(glm::ivec2 size) {
     Workspace& workspace = state_.workspace;
     if (workspace.between_trees()) workspace.await_tree();
     Job job;
-    (void)load_context(workspace.assets, workspace.document.marks(), job); // as above
+    (void)load_context(workspace.assets(), workspace.document().marks(), job); // as above
     state_.present_again();
-    return compose_sheet(workspace.document.session(), workspace.current_assets(), workspace.surfaces(),
+    return compose_sheet(workspace.document().session(), workspace.current_assets(), workspace.surfaces(),
                          {.size = size, .pixel_ratio = state_.scale});
 }
 
@@ -368,7 +369,7 @@ Result<void> PictureView::write_figure(const FigureRequest& request, Job& job) {
 
 Result<std::function<Result<void>(Job&)>> PictureView::done_elsewhere(const std::vector<std::string>& words) {
     if (!state_.watched()) return std::function<Result<void>(Job&)>();
-    const Document& document = state_.workspace.document;
+    const Document& document = state_.workspace.document();
     return work_elsewhere(document.session(), words, render::is_software_rasteriser());
 }
 
@@ -385,7 +386,7 @@ Result<render::Image> PictureView::draw_picture(const render::Camera& camera, gl
 }
 
 Coming<Result<render::BranchPicture>> PictureView::coming_branch_picture() {
-    const auto draw = [frame = frame_for_keeping(state_.workspace.document.session().camera, picture_size())](
+    const auto draw = [frame = frame_for_keeping(state_.workspace.document().session().camera, picture_size())](
                           render::Renderer& renderer, render::SheetRenderer&) -> Result<render::BranchPicture> {
         if (const auto drawn = renderer.draw(frame); !drawn) return tl::unexpected(drawn.error());
         return renderer.read_branches();

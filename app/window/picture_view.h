@@ -48,7 +48,7 @@ public:
     [[nodiscard]] bool refines() const { return refines_; }
     [[nodiscard]] bool under_way() const { return drawer_.busy(); } // a picture is; when it is there the window wakes
     // Whether the last picture is of the document's tree: not yet after an edit.
-    [[nodiscard]] bool shows_tree() const { return shown_tree_ == state_.workspace.document.tree(); }
+    [[nodiscard]] bool shows_tree() const { return shown_tree_ == state_.workspace.document().tree(); }
     // What the last picture was made of, and the kernel's width in it: maybe of a surface that is not there yet.
     [[nodiscard]] bool cast() const { return cast_; }
     [[nodiscard]] float pictured_width() const { return pictured_width_; }
@@ -69,7 +69,7 @@ public:
                                        const FigureOptions& options) override;
     void camera_leapt() override;
     [[nodiscard]] std::optional<glm::dvec3> looked_at() override {
-        return aim_.in_middle(state_.workspace.document.session().camera);
+        return aim_.in_middle(state_.workspace.document().session().camera);
     }
     void flew(int branch, double fraction) override;
 
@@ -89,7 +89,7 @@ private:
     [[nodiscard]] double keeping_seconds() const { return state_.watched() ? 1.0 : render::kUntilDone; }
     [[nodiscard]] Viewing viewing() const;
     [[nodiscard]] bool shows_own(const Viewport& viewport) const {
-        return is_own(viewport.surface, state_.workspace.document.marks().options);
+        return is_own(viewport.surface, state_.workspace.document().marks().options);
     }
     [[nodiscard]] render::Camera camera_on_its_way();
     void compose_window(const std::vector<Viewport>& viewports, const ShownSurfaces& surfaces);

@@ -192,7 +192,7 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
         watch.did("title");
         status.update(viewer, workspace, watch);
         watch.spare();
-        keeper.update(window, viewer, workspace.document, glfwGetTime());
+        keeper.update(window, viewer, workspace.document(), glfwGetTime());
         watch.did("keep");
         const double now = glfwGetTime();
         spare_memory.update(workspace.busy() || viewer.commands().busy(), now);
@@ -222,10 +222,10 @@ int run_window(const WindowOptions& options) {
     }
     // The file is read while the display and the graphics driver get ready.
     Workspace workspace(wake_window);
-    workspace.reading = options.read;
+    workspace.set_reading(options.read);
     Session empty;
     empty.marks.options = options.surface;
-    workspace.document.open(nullptr, empty);
+    workspace.document().open(nullptr, empty);
     const auto file = first_file(options);
     const bool asks = file && options.commands.empty() && io::is_volume(*file); // somebody says what becomes of it
     if (file && !asks) workspace.open(*file);

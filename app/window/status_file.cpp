@@ -26,26 +26,27 @@ void add_lists(nlohmann::json& status, const Interface& interface, const Workspa
     status["warnings"] = {{"open", interface.warnings.open},
                           {"unread", interface.warnings.list.unread()},
                           {"count", interface.warnings.list.all().size()}};
-    const tree::Claims& claims = workspace.document.claims();
-    if (workspace.document.has_scene())
+    const tree::Claims& claims = workspace.document().claims();
+    if (workspace.document().has_scene())
         status["claims"] = {{"units", claims.unit_word()}, {"orientation", claims.axes_word()}};
-    const auto& contacts = workspace.assets.contacts.list;
+    const auto& contacts = workspace.assets().contacts.list;
     status["contacts"] = {{"open", interface.contacts.open},
                           {"contact", interface.contacts.current + 1},
                           {"count", contacts ? static_cast<int>(contacts->size()) : -1}};
-    const auto& findings = workspace.assets.validation.findings;
-    status["validation"] = {{"open", interface.validation.open},
-                            {"finding", interface.validation.current + 1},
-                            {"count", findings && !workspace.validating() ? static_cast<int>(findings->size()) : -1}};
-    const SurfaceDeviation& deviation = workspace.assets.deviation;
-    status["deviation_measured"] = deviation.valued_mesh != nullptr && !workspace.measuring_deviation();
+    const auto& findings = workspace.assets().validation.findings;
+    status["validation"] = {
+        {"open", interface.validation.open},
+        {"finding", interface.validation.current + 1},
+        {"count", findings && !workspace.awaited(WorkKind::kValidation) ? static_cast<int>(findings->size()) : -1}};
+    const SurfaceDeviation& deviation = workspace.assets().deviation;
+    status["deviation_measured"] = deviation.valued_mesh != nullptr && !workspace.awaited(WorkKind::kDeviation);
     status["deviation_most_mm"] = deviation.most_mm;
     status["measured"] = nlohmann::json::array();
-    if (workspace.assets.measurements)
-        for (const Result<Measured>& found : workspace.assets.measurements->found)
+    if (workspace.assets().measurements)
+        for (const Result<Measured>& found : workspace.assets().measurements->found)
             status["measured"].push_back(found ? found->sentence() : found.error().message());
     status["lesion_vessels"] = nlohmann::json::array();
-    if (const auto& plan = workspace.assets.plan)
+    if (const auto& plan = workspace.assets().plan)
         for (const measure::LesionVessels& one : plan->vessels)
             status["lesion_vessels"].push_back({{"lesion", one.lesion + 1},
                                                 {"branch", one.nearest.branch},
@@ -53,9 +54,9 @@ void add_lists(nlohmann::json& status, const Interface& interface, const Workspa
                                                 {"overlap", one.nearest.overlap_mm},
                                                 {"contact_angle", one.contact.angle_deg},
                                                 {"contact_length", one.contact.length_mm}});
-    if (const auto& facts = workspace.document.facts()) {
+    if (const auto& facts = workspace.document().facts()) {
         status["radius_mm"] = {facts->statistics.radius_mm.min, facts->statistics.radius_mm.max};
-        status["notes"] = workspace.document.tree()->notes.size();
+        status["notes"] = workspace.document().tree()->notes.size();
     }
 }
 
@@ -114,7 +115,7 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const 
     if (path_.empty()) return;
     const Layout& layout = viewer.layout();
     const Interface& interface = viewer.interface();
-    nlohmann::json status = to_json(workspace.document.session(), "/");
+    nlohmann::json status = to_json(workspace.document().session(), "/");
     status["window"] = {layout.window.x, layout.window.y};
     status["viewport"] = {layout.view_at.x, layout.view_at.y, layout.view_size.x, layout.view_size.y};
     status["viewports"] = nlohmann::json::array();
@@ -155,7 +156,7 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const 
     status["branch_window"] = interface.list.apart;
     add_lists(status, interface, workspace);
     add_dialogs(status, interface);
-    add_document(status, workspace.document);
+    add_document(status, workspace.document());
     status["written"] = interface.written.open ? interface.written.file.string() : "";
     status["typing"] = ImGui::GetIO().WantTextInput; // a field has the keyboard
     status["error"] = interface.errors.empty() ? "" : interface.errors.front().message();

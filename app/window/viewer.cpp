@@ -16,9 +16,9 @@ Viewer::Viewer(Workspace& workspace, render::Renderer& renderer, std::function<v
     : state_(workspace, std::move(wake)), picture_(state_, renderer, thread != nullptr ? *thread : no_thread_),
       previewer_(state_, thread != nullptr ? *thread : no_thread_), input_(state_, picture_),
       files_(state_, [this](const Workspace::Opened& opened) { begin_tree(opened); }),
-      parts_(state_), actions_{.document = workspace.document,
+      parts_(state_), actions_{.document = workspace.document(),
                                .picture = picture_,
-                               .assets = workspace.assets,
+                               .assets = workspace.assets(),
                                .files = &files_,
                                .window = &parts_,
                                .clipboard = &parts_,
@@ -102,7 +102,7 @@ void Viewer::take_news() {
     files_.update();
     const bool worked = state_.commands.busy();
     for (const Error& error : state_.commands.update(actions_))
-        state_.interface.tell(error, state_.workspace.document.lengths(), state_.now);
+        state_.interface.tell(error, state_.workspace.document().lengths(), state_.now);
     if (worked != state_.commands.busy()) state_.redraw();
     state_.follow_tree();
 }
@@ -111,16 +111,16 @@ void Viewer::take_news() {
 void Viewer::begin_tree(const Workspace::Opened& opened) {
     if (const auto mesh = picture_.picture_mesh(); mesh && !opened.has_camera) {
         const glm::ivec2 size = picture_.picture_size();
-        const auto& tree = state_.workspace.document.tree();
+        const auto& tree = state_.workspace.document().tree();
         const render::Camera from = render::looking({}, tree ? opening_view(*tree) : render::View::kAnterior);
         const auto positions = mesh->farthest(render::fitting_directions(from, size));
-        state_.workspace.document.set_camera(
-            with_room(render::fitted(from, positions, size), state_.workspace.document.marks().comparison));
+        state_.workspace.document().set_camera(
+            with_room(render::fitted(from, positions, size), state_.workspace.document().marks().comparison));
     }
     picture_.stop_gliding();
     state_.interface.forget_tree();
     input_.use_tool(input_.tool());
-    const Document& document = state_.workspace.document;
+    const Document& document = state_.workspace.document();
     state_.tree = document.tree();
     state_.interface.doctor = {};
     state_.interface.doctor.open = state_.tree && could_mislead(*state_.tree, document.marks().reading);
@@ -185,7 +185,7 @@ bool Viewer::resting() const {
 }
 
 std::string Viewer::title() const {
-    const Document& document = state_.workspace.document;
+    const Document& document = state_.workspace.document();
     if (!document.has_scene()) return "ramus";
     std::string text(document.has_unsaved_work() ? "*" : ""); // not for another view of it
     text += document.subject().filename().string();

@@ -18,7 +18,7 @@ namespace ramus::app {
 
 void ViewerFiles::when_saved(std::function<void()> next) {
     state_.redraw();
-    if (state_.script_runs || !state_.workspace.document.has_unsaved_work()) return next();
+    if (state_.script_runs || !state_.workspace.document().has_unsaved_work()) return next();
     state_.interface.help_open = false;
     state_.interface.open_dialog.open = false;
     state_.interface.unsaved.next = std::move(next);
@@ -56,16 +56,17 @@ Result<void> ViewerFiles::open(const std::filesystem::path& path) {
 }
 
 Result<void> ViewerFiles::open_as_tree(const std::filesystem::path& path, const io::ReadOptions& how) {
-    const io::ReadOptions reading = over(how, state_.workspace.reading);
+    const io::ReadOptions reading = over(how, state_.workspace.reading());
     if (state_.script_runs) return open_and_wait(path);
     // What is shown without a tree stays around the one that comes in.
-    const bool stays = !state_.workspace.document.tree() && !is_session_file(path);
+    const bool stays = !state_.workspace.document().tree() && !is_session_file(path);
     const auto when = [&](std::function<void()> next) { stays ? next() : when_saved(std::move(next)); };
     when([this, path, reading] {
         recovering_.clear();
-        const io::ReadOptions usual = std::exchange(state_.workspace.reading, reading); // for this file
+        const io::ReadOptions usual = state_.workspace.reading();
+        state_.workspace.set_reading(reading); // for this file
         state_.workspace.open(path);
-        state_.workspace.reading = usual;
+        state_.workspace.set_reading(usual);
         state_.interface.errors.clear();
         state_.interface.open_dialog.open = false;
         state_.redraw();
@@ -77,13 +78,13 @@ void ViewerFiles::ask_for_file(FilePurpose purpose) {
     Interface& interface = state_.interface;
     interface.help_open = false;
     if (purpose == FilePurpose::kSave) {
-        interface.open_dialog.show_to_save(suggested_file(state_.workspace.document, ".ramus.json"));
+        interface.open_dialog.show_to_save(suggested_file(state_.workspace.document(), ".ramus.json"));
     } else if (purpose == FilePurpose::kExport) {
         const std::string extension = interface.open_dialog.exported.format().extension;
-        interface.open_dialog.show_to_save(in_remembered(suggested_file(state_.workspace.document, extension), purpose),
-                                           purpose);
+        interface.open_dialog.show_to_save(
+            in_remembered(suggested_file(state_.workspace.document(), extension), purpose), purpose);
     } else {
-        const std::filesystem::path beside = state_.workspace.document.subject().parent_path();
+        const std::filesystem::path beside = state_.workspace.document().subject().parent_path();
         const std::filesystem::path opened = interface.settings.folder_of(key_of(FilePurpose::kOpen));
         interface.open_dialog.show(in_remembered((beside.empty() ? opened : beside) / "file", purpose).parent_path(),
                                    purpose);
@@ -125,7 +126,7 @@ void ViewerFiles::quit() {
 void ViewerFiles::dropped(const std::filesystem::path& path) {
     const bool is_mesh = io::is_mesh(path), planning = state_.interface.page == PanelPage::kPlan;
     Interface& interface = state_.interface;
-    const Document& document = state_.workspace.document;
+    const Document& document = state_.workspace.document();
     if (document.tree() && is_branch_table(path)) {
         state_.perform("data", {path.string()});
     } else if (io::is_volume(path)) {
@@ -141,12 +142,12 @@ void ViewerFiles::ask_about_volume(const std::filesystem::path& path) {
     VolumeDialog& dialog = state_.interface.volume;
     dialog = {};
     dialog.file = path;
-    const bool beside = state_.interface.settings.drop_beside && state_.workspace.document.branch_count() > 0;
+    const bool beside = state_.interface.settings.drop_beside && state_.workspace.document().branch_count() > 0;
     dialog.as = beside ? VolumeDialog::As::kContext : VolumeDialog::As::kTree;
     volume_read_ = path;
-    const auto memory = static_cast<double>(state_.workspace.document.marks().options.memory_bytes);
+    const auto memory = static_cast<double>(state_.workspace.document().marks().options.memory_bytes);
     volume_reader_.start("Reading " + path.filename().string(),
-                         [this, path, memory, how = state_.workspace.reading](Job& job, const Worker::Post& post) {
+                         [this, path, memory, how = state_.workspace.reading()](Job& job, const Worker::Post& post) {
                              auto facts = read_volume_facts(path, how, memory, job);
                              if (!job.cancelled()) post([this, facts = std::move(facts)] { take_volume_facts(facts); });
                          });
@@ -187,9 +188,9 @@ void ViewerFiles::ask_about_arrival() {
     if (state_.commands.awaits()) return; // what a click brings may be lost, too
     if (workspace.arrival_waits() && !state_.interface.unsaved.next) {
         if (std::exchange(asked_about_arrival_, true))
-            workspace.send_away();
+            workspace.discard_arrival();
         else
-            when_saved([&workspace] { workspace.let_in(); });
+            when_saved([&workspace] { workspace.accept_arrival(); });
     }
     if (!workspace.arrival_waits()) asked_about_arrival_ = false;
 }
@@ -198,7 +199,7 @@ void ViewerFiles::update() {
     follow_dialogs();
     ask_about_arrival();
     if (const auto opened = state_.workspace.take_opened()) take(*opened);
-    remember(state_.workspace.document.file()); // a session that was saved
+    remember(state_.workspace.document().file()); // a session that was saved
     while (const auto error = state_.workspace.take_error()) {
         state_.interface.errors.push_back(*error);
         // What cannot be recovered now may be thrown away, or left for later.

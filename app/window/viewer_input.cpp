@@ -47,7 +47,7 @@ void ViewerInput::settle() {
 
 // Where nothing is in view the focal point is all that there is, at some distance from which one gets anywhere.
 Grip ViewerInput::grip() {
-    const render::Camera& camera = state_.workspace.document.session().camera;
+    const render::Camera& camera = state_.workspace.document().session().camera;
     const auto mesh = picture_.picture_mesh();
     const double scene = mesh ? mesh->bounds().radius() : 1.0;
     const auto target = picture_.aim().target(camera);
@@ -58,14 +58,14 @@ Grip ViewerInput::grip() {
     }
     Grip grip{target->at, picture_.aim().goal(camera).value_or(target->at)};
     const bool vessel = target->on == Aim::On::kPointer && state_.interface.hovered != tree::kNoBranch;
-    grip.least_mm = least_distance_mm(state_.workspace.document.tree().get(),
+    grip.least_mm = least_distance_mm(state_.workspace.document().tree().get(),
                                       vessel ? state_.interface.hovered : tree::kNoBranch, grip.goal, scene);
     return grip;
 }
 
 // What was under the pointer moves with it; about what it turns, and what it comes nearer to, stays where it is.
 void ViewerInput::drag_view(glm::dvec2 at) {
-    const auto camera = mouse_.move(state_.workspace.document.session().camera, picture_.picture_size(), at);
+    const auto camera = mouse_.move(state_.workspace.document().session().camera, picture_.picture_size(), at);
     if (mouse_.dragging()) {
         state_.interface.hovered = tree::kNoBranch;
         state_.interface.tooltip = false;
@@ -87,7 +87,7 @@ void ViewerInput::take_pick() {
     pick_pending_ = false;
     const int hovered =
         pointer_over_picture_ && !mouse_.dragging() && points_at_branches() ? pick->branch : tree::kNoBranch;
-    if (!picture_.shows_tree() || hovered >= state_.workspace.document.branch_count()) return;
+    if (!picture_.shows_tree() || hovered >= state_.workspace.document().branch_count()) return;
     if (hovered != state_.interface.hovered) state_.redraw();
     state_.interface.hovered = hovered;
 }
@@ -180,7 +180,7 @@ void ViewerInput::press(MouseButton button, Modifiers modifiers, double now) {
     const bool left = button == MouseButton::kLeft && !mouse_.held();
     if (left && on_wipe_line()) {
         const double width = state_.layout.view_size.x;
-        wipe_grip_ = in_picture(pointer_).x - state_.workspace.document.marks().comparison.wipe * width;
+        wipe_grip_ = in_picture(pointer_).x - state_.workspace.document().marks().comparison.wipe * width;
         state_.interface.wipe_held = true;
         state_.interface.hovered = tree::kNoBranch;
         state_.interface.tooltip = false;
@@ -215,7 +215,7 @@ void ViewerInput::turn_wheel(glm::dvec2 notches) {
         // Into empty space there is no way, only out of it.
         if (notches.y < 0.0 || !picture_.aim().sees_nothing()) {
             const render::Camera camera =
-                ViewportMouse::wheel(state_.workspace.document.session().camera, grip(), notches.y);
+                ViewportMouse::wheel(state_.workspace.document().session().camera, grip(), notches.y);
             picture_.move_camera(camera);
             picture_.aim().carry(camera);
         }
@@ -225,8 +225,8 @@ void ViewerInput::turn_wheel(glm::dvec2 notches) {
 }
 
 bool ViewerInput::on_wipe_line() const {
-    const Comparison& comparison = state_.workspace.document.marks().comparison;
-    if (comparison.mode != Comparison::Mode::kWipe || !state_.workspace.document.tree() || !over_picture(pointer_))
+    const Comparison& comparison = state_.workspace.document().marks().comparison;
+    if (comparison.mode != Comparison::Mode::kWipe || !state_.workspace.document().tree() || !over_picture(pointer_))
         return false;
     constexpr double kGrip = 6.0; // pixels to either side, at a pixel ratio of 1
     return std::abs(in_picture(pointer_).x - comparison.wipe * state_.layout.view_size.x) <=
@@ -251,9 +251,9 @@ Pointing ViewerInput::pointing(Modifiers modifiers) {
             .held = tool_mouse_.held(),
             .size = picture_.picture_size(),
             .pixel_ratio = state_.scale,
-            .document = state_.workspace.document,
+            .document = state_.workspace.document(),
             .settings = state_.interface.tool_settings,
-            .lesions = lesion_shapes(state_.workspace.assets, state_.workspace.document.marks())};
+            .lesions = lesion_shapes(state_.workspace.assets(), state_.workspace.document().marks())};
 }
 
 void ViewerInput::look_up(glm::dvec2 in_picture, const std::function<void(const render::Pick&)>& then) {
@@ -261,8 +261,8 @@ void ViewerInput::look_up(glm::dvec2 in_picture, const std::function<void(const 
         return state_.await([this] { return picture_.shows_tree(); },
                             [this, in_picture, then] { look_up(in_picture, then); });
     const Coming<std::optional<render::Pick>> pick = picture_.pick(in_picture);
-    state_.await(pick.ready, [this, pick, then, tree = state_.workspace.document.tree()] {
-        if (state_.workspace.document.tree() != tree) return; // an edit gives branches other ids
+    state_.await(pick.ready, [this, pick, then, tree = state_.workspace.document().tree()] {
+        if (state_.workspace.document().tree() != tree) return; // an edit gives branches other ids
         if (const auto found = pick.take()) return then(*found);
         const bool hovers = state_.interface.tool && !tool_mouse_.held();
         if (!hovers) state_.interface.tell("The picture has changed since: click again", state_.now);
@@ -294,7 +294,7 @@ Cursor ViewerInput::cursor() const {
 }
 
 void ViewerInput::clicked(const Click& click) {
-    if (!state_.workspace.document.tree()) return;
+    if (!state_.workspace.document().tree()) return;
     look_up(from_viewport(click.at), [this, kind = click.kind, here = pointing({})](const render::Pick& under) {
         if (kind != Click::Kind::kSecondary) return click_on(kind, under);
         Pointing known = here;
@@ -304,13 +304,13 @@ void ViewerInput::clicked(const Click& click) {
 }
 
 void ViewerInput::click_on(Click::Kind kind, const render::Pick& pick) {
-    const bool hit = pick.branch >= 0 && pick.branch < state_.workspace.document.branch_count();
+    const bool hit = pick.branch >= 0 && pick.branch < state_.workspace.document().branch_count();
     if (!hit) {
         if (kind == Click::Kind::kSelect) state_.perform("select-none", {});
         return;
     }
     if (kind == Click::Kind::kCentre) {
-        picture_.move_camera(render::centred_on(state_.workspace.document.session().camera, pick.position));
+        picture_.move_camera(render::centred_on(state_.workspace.document().session().camera, pick.position));
         picture_.camera_leapt();
         return;
     }
@@ -330,8 +330,8 @@ void ViewerInput::right_click_on(const Pointing& pointing) {
 // About the branch there, which is selected first unless it is so already.
 void ViewerInput::open_context_menu(const render::Pick& pick) {
     const int branch = pick.branch;
-    const bool hit = branch >= 0 && branch < state_.workspace.document.branch_count();
-    if (hit && !is_selected(state_.workspace.document.marks(), branch))
+    const bool hit = branch >= 0 && branch < state_.workspace.document().branch_count();
+    if (hit && !is_selected(state_.workspace.document().marks(), branch))
         state_.perform("select", {std::to_string(branch)});
     state_.interface.context_menu = {.wanted = true, .branch = hit ? branch : tree::kNoBranch};
     state_.redraw();

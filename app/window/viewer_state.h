@@ -51,7 +51,7 @@ struct ViewerState {
     // in another way.
     void follow_tree() {
         (void)workspace.follow_tree();
-        if (std::exchange(tree, workspace.document.tree()) == workspace.document.tree()) return;
+        if (std::exchange(tree, workspace.document().tree()) == workspace.document().tree()) return;
         interface.forget_tree();
         actions->tools->use_tool(actions->tools->tool());
         redraw();
@@ -85,7 +85,7 @@ struct ViewerState {
     }
 
     [[nodiscard]] std::vector<Viewport> viewports() const {
-        return viewports_of(workspace.document.marks(), layout.view_size, scale);
+        return viewports_of(workspace.document().marks(), layout.view_size, scale);
     }
     [[nodiscard]] glm::ivec2 viewport_size() const { return viewports().front().size; }
 };

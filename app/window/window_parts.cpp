@@ -71,7 +71,7 @@ void WindowParts::open_flight(int branch) {
     fly.playing = false;
     fly.branch = branch;
     fly.fraction = 0.0;
-    fly.selection = state_.workspace.document.marks().selection;
+    fly.selection = state_.workspace.document().marks().selection;
     state_.redraw();
 }
 
@@ -81,7 +81,7 @@ void WindowParts::close_flight() {
 }
 
 void WindowParts::ask_for_name(int branch) {
-    const Marks& marks = state_.workspace.document.marks();
+    const Marks& marks = state_.workspace.document().marks();
     const BranchNames& names = marks.names;
     state_.interface.rename.show(branch, names.contains(branch) ? names.at(branch) : std::string{},
                                  names_subtree(marks, branch));
@@ -118,7 +118,7 @@ void WindowParts::read_warnings() {
 void WindowParts::show_unsaid(bool open) {
     Interface& interface = state_.interface;
     interface.open_left_panel(nullptr);
-    if (open) interface.unsaid.show(said_of(state_.workspace.document));
+    if (open) interface.unsaid.show(said_of(state_.workspace.document()));
 }
 
 void WindowParts::show_contacts(bool open) {
@@ -131,7 +131,7 @@ void WindowParts::show_contacts(bool open) {
 void WindowParts::show_contact(int contact) {
     show_contacts(true);
     state_.interface.contacts.current = contact;
-    state_.interface.contacts.of = state_.workspace.assets.contacts.list;
+    state_.interface.contacts.of = state_.workspace.assets().contacts.list;
     state_.redraw();
 }
 
@@ -145,7 +145,7 @@ void WindowParts::show_validation(bool open) {
 void WindowParts::show_finding(int finding) {
     show_validation(true);
     state_.interface.validation.current = finding;
-    state_.interface.validation.of = state_.workspace.assets.validation.findings;
+    state_.interface.validation.of = state_.workspace.assets().validation.findings;
     state_.redraw();
 }
 

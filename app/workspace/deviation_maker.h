@@ -3,11 +3,10 @@
 #pragma once
 
 #include "app/assets/deviation.h"
-#include "app/workspace/missing_maker.h"
+#include "core/base/error.h"
+#include "core/base/job.h"
 
 #include <cstddef>
-#include <functional>
-#include <utility>
 
 namespace ramus::app {
 
@@ -24,15 +23,6 @@ struct DeviationWork {
     std::size_t memory_bytes = 0;
     SurfaceDeviation::Paged mesh, preview;
     bool operator==(const DeviationWork&) const = default;
-};
-
-// On a worker.
-class DeviationMaker : public MissingMaker<DeviationWork, SurfaceDeviation> {
-public:
-    explicit DeviationMaker(std::function<void()> wake)
-        : MissingMaker(std::move(wake), "Measuring the deviation", [](const DeviationWork& work, Job& job) {
-              return make_deviation(work.of, work.threads, work.memory_bytes, work.mesh, work.preview, job);
-          }) {}
 };
 
 } // namespace ramus::app

@@ -7,22 +7,21 @@
 namespace ramus::app {
 
 Workspace::Workspace(const std::function<void()>& wake)
-    : context(wake), loader_(wake), surface_(wake), comparison_(wake), deviation_(wake), validation_(wake),
-      lesions_(wake), contacts_(wake), centerlines_(wake), cones_(wake) {
-    assets.centerlines_follow = true;
+    : loader_(wake), surface_(wake), works_(background_works(wake, compared_)) {
+    assets_.centerlines_follow = true;
 }
 
 void Workspace::open(const std::filesystem::path& path) {
     io::note_input(path, io::InputKind::kSession); // until a tree is read from it
     asked_for_ = std::filesystem::absolute(path).lexically_normal();
     // What is shown without a tree waits for one; what is shown beside a tree belongs to that.
-    Marks like = document.marks();
-    if (document.tree()) like.context.clear();
-    load_with(path, [path, like = std::move(like), how = reading](Job& job) { return load(path, like, how, job); });
+    Marks like = document_.marks();
+    if (document_.tree()) like.context.clear();
+    load_with(path, [path, like = std::move(like), how = reading_](Job& job) { return load(path, like, how, job); });
 }
 
 void Workspace::recover(const autosave::Snapshot& snapshot) {
-    const auto read = [snapshot, like = document.marks().options, how = reading](Job& job) {
+    const auto read = [snapshot, like = document_.marks().options, how = reading_](Job& job) {
         auto loaded = load(snapshot, how, job);
         if (!loaded) return loaded;
         loaded->session.marks.options.threads = like.threads;
@@ -35,7 +34,7 @@ void Workspace::recover(const autosave::Snapshot& snapshot) {
 void Workspace::load_with(const std::filesystem::path& path, TreeLoader::Read read) {
     first_is_coming_ = false;
     arrival_.reset();
-    marks_before_loading_ = document.marks();
+    marks_before_loading_ = document_.marks();
     loader_.start(path, std::move(read));
     changed_ = true;
 }
@@ -48,7 +47,7 @@ void Workspace::take_loaded() {
     }
     if (auto arrived = loader_.take_arrival()) {
         changed_ = true;
-        if (document.marks() != marks_before_loading_ && document.has_unsaved_work()) {
+        if (document_.marks() != marks_before_loading_ && document_.has_unsaved_work()) {
             arrival_ = std::move(arrived);
         } else {
             adopt(std::move(arrived->tree), arrived->path);
@@ -58,38 +57,32 @@ void Workspace::take_loaded() {
     if (auto first = loader_.take_first_surface(); first && first_is_coming_) surface_.show(std::move(*first));
 }
 
-void Workspace::let_in() {
+void Workspace::accept_arrival() {
     if (auto arrived = std::exchange(arrival_, std::nullopt)) adopt(std::move(arrived->tree), arrived->path);
 }
 
 void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
-    lesions_.cancel(); // what is on its way belongs to the tree before
-    context.forget();
-    comparison_.forget();
-    deviation_.forget();
-    validation_.forget();
-    centerlines_.forget();
-    cones_.forget();
-    keep_loaded(loaded.assets, std::exchange(assets, {}), loaded.session.marks);
-    assets = std::move(loaded.assets);
-    assets.centerlines_follow = true;
+    for (const auto& work : works_) work->forget();
+    compared_.clear();
+    keep_loaded(loaded.assets, std::exchange(assets_, {}), loaded.session.marks);
+    assets_ = std::move(loaded.assets);
+    assets_.centerlines_follow = true;
     tried_.reset();
-    if (!loaded.maker && assets.tree) loaded.maker = std::make_shared<SurfaceMaker>(assets.tree);
+    if (!loaded.maker && assets_.tree) loaded.maker = std::make_shared<SurfaceMaker>(assets_.tree);
     surface_.open(std::move(loaded.maker), std::move(loaded.cones));
-    document.open(assets.tree, std::move(loaded.session), assets.facts, std::move(loaded.file), std::move(loaded.base));
-    tree_shown_ = document.tree();
-    if (loaded.unsaved_changes) document.mark_unsaved(*loaded.unsaved_changes);
+    document_.open(assets_.tree, std::move(loaded.session), assets_.facts, std::move(loaded.file),
+                   std::move(loaded.base));
+    tree_shown_ = document_.tree();
+    if (loaded.unsaved_changes) document_.mark_unsaved(*loaded.unsaved_changes);
     opened_ = Opened{path, loaded.has_camera, loaded.unsaved_changes.has_value()};
     changed_ = true;
 }
 
 bool Workspace::follow_tree() {
-    if (!document.tree() || document.tree() == tree_shown_) return false;
-    tree_shown_ = document.tree();
+    if (!document_.tree() || document_.tree() == tree_shown_) return false;
+    tree_shown_ = document_.tree();
     first_is_coming_ = false; // of the tree before
-    lesions_.cancel();
-    comparison_.forget();
-    deviation_.forget();
+    compared_.clear();        // of the tree before
     tried_.reset();
     surface_.change_tree(tree_shown_, request());
     changed_ = true;
@@ -98,32 +91,32 @@ bool Workspace::follow_tree() {
 
 // Centerlines of a large tree come later than its cones.
 bool Workspace::between_trees() const {
-    if (!document.tree() || tree_shown_ != document.tree()) return false;
-    const bool no_lines = assets.tree == tree_shown_ && !assets.centerlines.lines;
-    return surface_.between_trees() || (no_lines && centerlines_.worker().busy());
+    if (!document_.tree() || tree_shown_ != document_.tree()) return false;
+    const bool no_lines = assets_.tree == tree_shown_ && !assets_.centerlines.lines;
+    return surface_.between_trees() || (no_lines && work(WorkKind::kCenterlines).worker().busy());
 }
 
 void Workspace::await_tree() {
     (void)follow_tree();
     surface_.await_tree();
-    refresh(assets, document, request().options);
-    complete_centerlines(assets, request().options);
+    refresh(assets_, document_, request().options);
+    complete_centerlines(assets_, request().options);
     changed_ = true;
 }
 
 SurfaceRequest Workspace::request() const {
-    SurfaceRequest request = surface_request(document.marks());
+    SurfaceRequest request = surface_request(document_.marks());
     if (tried_) request.options = *tried_;
     return request;
 }
 
 const Assets& Workspace::current_assets() {
-    refresh(assets, document, tried_ ? *tried_ : document.marks().options);
-    return assets;
+    refresh(assets_, document_, tried_ ? *tried_ : document_.marks().options);
+    return assets_;
 }
 
 void Workspace::follow_surface() {
-    if (!document.tree()) return;
+    if (!document_.tree()) return;
     // The first surface of a tree comes with it.
     if (first_is_coming_ && loader_.worker().busy()) return;
     first_is_coming_ = false;
@@ -135,104 +128,25 @@ void Workspace::await_preview() {
     changed_ |= surface_.take_changed();
 }
 
-void Workspace::follow_lesions() {
-    const Marks& now = document.marks();
-    if (lesions_.busy() || !lesions_awaited(assets, now, GridIs::kMadeAhead) || lesions_failed_ == planned(now)) return;
-    lesions_of_ = planned(now);
-    lesions_.start("Measuring distances", [this, copy = assets, marks = now](Job&, const Worker::Post& post) mutable {
-        complete_lesions(copy, marks, GridIs::kMadeAhead);
-        post([this, copy] {
-            merge(assets, copy);
-            changed_ = true;
-        });
-    });
-}
-
-bool Workspace::contacts_due() const {
-    const mesh::SurfaceOptions options = request().options;
-    if (!document.tree() || tree_shown_ != document.tree()) return false;
-    if (assets.tree == tree_shown_ && assets.contacts.fits(options)) return false;
-    if (contacts_of_ == std::pair(tree_shown_, options)) return false;
-    return contacts_wanted_ || document.marks().contact_marks || tree_shown_->points.size() <= kMostSoughtUnasked;
-}
-
-bool Workspace::seeking_contacts() const { return contacts_.busy() || contacts_due(); }
-
-// What is found soon is let come; an edit or other options make it stale, and then it is looked for again.
-void Workspace::follow_contacts() {
-    if (contacts_.busy() || !contacts_due()) return;
-    const bool wanted = contacts_wanted_ || document.marks().contact_marks;
-    if (!wanted && (surface_.worker().busy() || loader_.worker().busy())) return;
-    const mesh::SurfaceOptions options = request().options;
-    contacts_of_ = {tree_shown_, options};
-    contacts_.start("Looking for contacts", [this, tree = tree_shown_, options](Job&, const Worker::Post& post) {
-        post([this, tree, found = app::contacts_of(*tree, options)] {
-            contacts_of_ = {};
-            if (document.tree() != tree) return;
-            if (assets.tree != tree) refresh(assets, document, request().options);
-            assets.contacts = found;
-            changed_ = true;
-        });
-    });
-}
-
-void Workspace::follow_cones() {
-    if (cones_wanted_ && assets.tree == document.tree()) changed_ |= cones_.update(assets, request().options);
-}
-
-// Of the surface that is shown, once it is more than provisional.
-std::optional<DeviationWork> Workspace::missing_deviation() const {
-    const Marks& marks = document.marks();
-    if (!document.tree() || tree_shown_ != document.tree() || marks.colour_by != ColourBy::kDeviation || !shown().mesh)
-        return {};
-    const mesh::SurfaceOptions options = request().options;
-    DeviationOf of = deviation_of(document.tree(), marks, options);
-    const SurfaceDeviation& have = assets.deviation;
-    if (!surface_.problem().empty()) return {}; // what is shown is no more than provisional
-    if (have.of == of && !have.trouble.empty()) return {};
-    if (have.fits(of, shown().mesh) && (have.preview == shown().preview || !shown().preview)) return {};
-    return DeviationWork{std::move(of), options.threads, options.memory_bytes, shown().mesh, shown().preview};
-}
-
-void Workspace::follow_deviation() {
-    deviation_.drain();
-    if (auto news = deviation_.take_news()) {
-        assets.deviation = std::move(*news);
-        changed_ = true;
-    }
-    if (deviation_.failed()) { // once: nothing is missing then
-        assets.deviation = {};
-        assets.deviation.of = deviation_.failed()->of;
-        assets.deviation.trouble = deviation_.problem();
-        changed_ = true;
-    }
-    if (document.marks().colour_by != ColourBy::kDeviation) assets.deviation = {};
-    const bool something_else_first =
-        surface_.worker().busy() || loader_.worker().busy() || shown().provisional || surface_.awaited(request());
-    deviation_.follow(missing_deviation(), something_else_first);
-}
-
-std::optional<ValidationOf> Workspace::missing_validation() const {
-    if (!validation_wanted_ || !document.tree() || tree_shown_ != document.tree() || tried_) return {};
-    ValidationOf of = validation_of(document.tree(), document.marks());
-    if (assets.validation.fits(of)) return {};
-    return of;
-}
-
-// After the surface that is shown, which it makes again with all branches.
-void Workspace::follow_validation() {
-    validation_.drain();
-    if (auto news = validation_.take_news()) {
-        assets.validation = std::move(*news);
-        changed_ = true;
-    }
-    validation_.follow(missing_validation(), surface_.worker().busy() || loader_.worker().busy());
+WorkView Workspace::view() const {
+    const SurfaceRequest request = this->request();
+    return {.document = document_,
+            .request = request,
+            .shown = shown(),
+            .of_this_tree = document_.tree() && tree_shown_ == document_.tree() && assets_.tree == tree_shown_,
+            .surface_busy = surface_.worker().busy() || loader_.worker().busy(),
+            .surface_final = !shown().provisional && !surface_.awaited(request),
+            .surface_failed = !surface_.problem().empty(),
+            .tried = tried_.has_value(),
+            .contacts_wanted = contacts_wanted_,
+            .validation_wanted = validation_wanted_,
+            .cones_wanted = cones_wanted_};
 }
 
 ShownSurfaces Workspace::surfaces() const {
     ShownSurfaces surfaces;
-    for (const ComparedSurface& one : comparison_.surfaces()) show(surfaces, one);
-    surfaces.set_own(document.marks().options, shown().mesh, shown().preview);
+    for (const ComparedSurface& one : compared_) show(surfaces, one);
+    surfaces.set_own(document_.marks().options, shown().mesh, shown().preview);
     return surfaces;
 }
 
@@ -242,14 +156,19 @@ void Workspace::cancel_work() {
         if (std::exchange(first_is_coming_, false)) surface_.give_up(request(), "cancelled");
     } else if (surface_.worker().busy()) {
         surface_.give_up("cancelled");
-    } else if (comparison_.worker().busy()) {
-        comparison_.cancel();
-    } else if (deviation_.worker().busy()) {
-        deviation_.cancel();
-    } else if (validation_.worker().busy()) {
-        validation_.cancel();
+    } else {
+        for (const auto& work : works_)
+            if (!work->quiet()) work->cancel(assets_);
     }
-    context.cancel();
+    changed_ = true;
+}
+
+void Workspace::retry(WorkKind kind) {
+    if (kind == WorkKind::kContext)
+        std::erase_if(assets_.context_shapes, [](const auto& one) {
+            return !one.second.value && one.second.value.error().what == "cancelled";
+        });
+    works_[static_cast<std::size_t>(kind)]->retry();
     changed_ = true;
 }
 
@@ -267,15 +186,6 @@ void Workspace::take_failures() {
     };
     tell(loader_.take_failure(), loader_.worker());
     tell(surface_.take_failure(), surface_.worker());
-    const std::string lesions_failure = lesions_.take_failure();
-    if (!lesions_failure.empty()) lesions_failed_ = lesions_of_;
-    tell(lesions_failure, lesions_);
-    tell(comparison_.take_failure(), comparison_.worker());
-    tell(deviation_.take_failure(), deviation_.worker());
-    tell(contacts_.take_failure(), contacts_);
-    tell(centerlines_.take_failure(), centerlines_.worker());
-    tell(cones_.take_failure(), cones_.worker());
-    tell(validation_.take_failure(), validation_.worker());
 }
 
 bool Workspace::update() {
@@ -283,45 +193,36 @@ bool Workspace::update() {
     take_loaded();
     (void)follow_tree();
     surface_.drain();
-    lesions_.drain();
-    comparison_.drain();
-    contacts_.drain();
     take_failures();
-    if (context.update(document.marks().context, assets)) changed_ = true;
-    if (!document.tree()) document.set_claims(assets.claims_of(document.marks().context));
-    while (const auto error = context.take_error()) errors_.push_back(*error);
-    follow_lesions();
+    if (assets_.tree != document_.tree()) refresh(assets_, document_, request().options);
     if (!surface_.take_just_shown()) follow_surface();
-    follow_contacts();
-    if (assets.tree == document.tree()) changed_ |= centerlines_.update(assets, request().options);
-    follow_cones();
-    follow_deviation();
-    follow_validation();
-    if (document.tree())
-        comparison_.follow(document.tree(), document.marks(), surface_.worker().busy() || loader_.worker().busy());
+    const WorkView now = view();
+    for (const auto& work : works_) changed_ |= work->follow(now, assets_, errors_);
+    if (!document_.tree()) document_.set_claims(assets_.claims_of(document_.marks().context));
     changed_ |= surface_.take_changed();
-    changed_ |= comparison_.take_changed();
     return std::exchange(changed_, false) || was_busy != busy();
 }
 
-bool Workspace::busy() const { return std::ranges::any_of(workers(), &Worker::busy) || context.busy(); }
+const BackgroundWork* Workspace::busy_work() const {
+    const auto work =
+        std::ranges::find_if(works_, [](const auto& one) { return !one->quiet() && one->worker().busy(); });
+    return work == works_.end() ? nullptr : work->get();
+}
+
+bool Workspace::busy() const { return std::ranges::any_of(surface_workers(), &Worker::busy) || busy_work() != nullptr; }
 
 std::string Workspace::activity() const {
-    constexpr const char* kComputing = "Computing the surface";
-    const bool loading = loader_.worker().busy(), meshing = surface_.worker().busy();
-    if (loading && !first_is_coming_) return loader_.worker().title();
-    if (!meshing && lesions_.busy()) return lesions_.title();
-    if (!meshing && context.busy()) return context.title();
-    if (!meshing && !loading && comparison_.worker().busy()) return comparison_.worker().title();
-    if (!meshing && !loading && deviation_.worker().busy()) return deviation_.worker().title();
-    if (!meshing && !loading && validation_.worker().busy()) return validation_.worker().title();
-    return busy() ? kComputing : std::string{};
+    if (loader_.worker().busy() && !first_is_coming_) return loader_.worker().title();
+    if (std::ranges::any_of(surface_workers(), &Worker::busy)) return "Computing the surface";
+    const BackgroundWork* work = busy_work();
+    return work == nullptr ? std::string() : work->worker().title();
 }
 
 float Workspace::progress() const {
-    for (const Worker* worker : workers())
+    for (const Worker* worker : surface_workers())
         if (worker->busy()) return worker->progress();
-    return context.progress();
+    const BackgroundWork* work = busy_work();
+    return work == nullptr ? 1.0F : work->worker().progress();
 }
 
 std::optional<Error> Workspace::take_error() {

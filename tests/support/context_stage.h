@@ -52,7 +52,7 @@ struct ContextStage {
 };
 
 inline std::vector<render::ContextMesh> drawn(app::Workspace& workspace) {
-    return app::compose(workspace.document.session(), workspace.current_assets(), nullptr, {}).context;
+    return app::compose(workspace.document().session(), workspace.current_assets(), nullptr, {}).context;
 }
 
 } // namespace ramus::test

@@ -48,7 +48,9 @@ public:
     void draw() { viewer->draw(now += 0.05, target.framebuffer); }
     // Until nothing is to come; the picture then.
     render::Image settle() {
-        const auto busy = [&] { return !viewer->resting() || !workspace.surface_ready() || workspace.comparing(); };
+        const auto busy = [&] {
+            return !viewer->resting() || !workspace.surface_ready() || workspace.awaited(app::WorkKind::kComparison);
+        };
         for (int i = 0; i < 4000 && (i < 5 || busy()); ++i) {
             draw();
             if (workspace.busy()) std::this_thread::sleep_for(std::chrono::milliseconds(2));

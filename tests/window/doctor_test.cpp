@@ -15,7 +15,7 @@ void run(ViewerStage& stage, const std::vector<std::string>& words) {
     stage.settle();
 }
 
-double thickest(const ViewerStage& stage) { return stage.workspace.document.facts()->statistics.radius_mm.max; }
+double thickest(const ViewerStage& stage) { return stage.workspace.document().facts()->statistics.radius_mm.max; }
 
 } // namespace
 
@@ -39,13 +39,13 @@ TEST_CASE("reading again under the pointer leaves nothing of the tree before, an
     stage.viewer->input().mouse_moved(glm::dvec2(layout.view_at) + 0.5 * glm::dvec2(layout.view_size));
     stage.settle();
     CHECK(thickest(stage) == 0.5);
-    const double before = render::mm_per_pixel(stage.workspace.document.session().camera, layout.view_size);
+    const double before = render::mm_per_pixel(stage.workspace.document().session().camera, layout.view_size);
     run(stage, {"read-as", "units", "cm"});
     CHECK(thickest(stage) == 5.0);
-    CHECK(render::mm_per_pixel(stage.workspace.document.session().camera, layout.view_size) ==
+    CHECK(render::mm_per_pixel(stage.workspace.document().session().camera, layout.view_size) ==
           doctest::Approx(10.0 * before));
     CHECK(stage.viewer->interface().doctor.open);
     run(stage, {"undo"});
     CHECK(thickest(stage) == 0.5);
-    CHECK(stage.viewer->interface().hovered < stage.workspace.document.branch_count());
+    CHECK(stage.viewer->interface().hovered < stage.workspace.document().branch_count());
 }

@@ -52,14 +52,14 @@ TEST_CASE("a mask that is dropped on a tree asks what becomes of it; the last an
         REQUIRE(viewer.interface().volume.open());
         CHECK(viewer.interface().dialog_open());
     };
-    const auto marks = [&]() -> const app::Marks& { return stage.workspace.document.marks(); };
-    const int branches = stage.workspace.document.branch_count();
+    const auto marks = [&]() -> const app::Marks& { return stage.workspace.document().marks(); };
+    const int branches = stage.workspace.document().branch_count();
 
     drop();
     press(stage, GLFW_KEY_ESCAPE, "Escape");
     CHECK_FALSE(viewer.interface().volume.open());
     CHECK(marks().context.empty());
-    CHECK(stage.workspace.document.branch_count() == branches);
+    CHECK(stage.workspace.document().branch_count() == branches);
 
     drop();
     CHECK(viewer.interface().volume.as == app::VolumeDialog::As::kTree);
@@ -75,8 +75,8 @@ TEST_CASE("a mask that is dropped on a tree asks what becomes of it; the last an
     drop();
     CHECK(viewer.interface().volume.as == app::VolumeDialog::As::kContext); // as last time
     press(stage, GLFW_KEY_T, "T");
-    CHECK(stage.workspace.document.session().tree.path == mask);
-    CHECK(stage.workspace.document.branch_count() == 1);
+    CHECK(stage.workspace.document().session().tree.path == mask);
+    CHECK(stage.workspace.document().branch_count() == 1);
     CHECK(marks().context.empty());
     CHECK_FALSE(viewer.files().settings().drop_beside);
     CHECK(viewer.interface().doctor.of_mask);
@@ -93,7 +93,7 @@ TEST_CASE("a mesh that is dropped on the window is context, or a lesion for who 
     app::Viewer& viewer = *stage.viewer;
     const render::Image before = stage.settle();
     viewer.files().use_settings({}); // a person's window: commands do not wait
-    const app::Marks& marks = stage.workspace.document.marks();
+    const app::Marks& marks = stage.workspace.document().marks();
 
     viewer.files().dropped(ball);
     CHECK(marks.context.empty()); // not yet: it is being read
@@ -123,7 +123,7 @@ TEST_CASE("a mesh that is dropped on the window is context, or a lesion for who 
     stage.settle();
     CHECK(marks.context.size() == 1);
     CHECK(lesion_files(marks) == std::vector<std::string>{ball.string()});
-    CHECK(stage.workspace.document.step_count() == 2);
+    CHECK(stage.workspace.document().step_count() == 2);
 }
 
 TEST_CASE("a table that is dropped on a tree joins it, and colours can say its numbers") {
@@ -136,7 +136,7 @@ TEST_CASE("a table that is dropped on a tree joins it, and colours can say its n
     viewer.files().use_settings({});
     viewer.files().dropped(table);
     stage.settle();
-    const app::Document& document = stage.workspace.document;
+    const app::Document& document = stage.workspace.document();
     REQUIRE(document.tree()->branch_data.size() == 1);
     CHECK(document.tree()->branch_data[0].name == "flow");
     CHECK(document.tree()->branch_data[0].values == std::vector<double>{12, 8.5, 3.5});
@@ -235,7 +235,7 @@ TEST_CASE("without a tree a scan opens as the surface of its threshold, and a tr
     app::Viewer& viewer = *stage.viewer;
     stage.settle();
     viewer.files().use_settings({});
-    stage.workspace.document.open(nullptr, {});
+    stage.workspace.document().open(nullptr, {});
     const auto rest = [&] {
         for (int i = 0; i < 2000 && (i < 5 || !viewer.resting() || stage.workspace.busy()); ++i) stage.draw();
     };
@@ -249,7 +249,7 @@ TEST_CASE("without a tree a scan opens as the surface of its threshold, and a tr
     CHECK(otsu < 900.0);
     press(stage, GLFW_KEY_S, "S");
     rest();
-    const app::Document& document = stage.workspace.document;
+    const app::Document& document = stage.workspace.document();
     REQUIRE(document.marks().context.size() == 1);
     CHECK(document.marks().context[0].isovalue == otsu);
     CHECK(document.marks().context[0].opacity == 1.0);
@@ -286,7 +286,7 @@ TEST_CASE("a scan that is to be context asks for its threshold, and a mask does 
         REQUIRE(app::run_command(viewer.actions(), std::vector<std::string>{"context", path.string()}));
         stage.settle();
     };
-    const auto& context = stage.workspace.document.marks().context;
+    const auto& context = stage.workspace.document().marks().context;
     add(mask);
     CHECK_FALSE(viewer.interface().volume.open());
     REQUIRE(context.size() == 1);
@@ -299,5 +299,5 @@ TEST_CASE("a scan that is to be context asks for its threshold, and a mask does 
     REQUIRE(context.size() == 2);
     CHECK(context[1].file == scan.string());
     CHECK(context[1].isovalue);
-    CHECK(stage.workspace.document.branch_count() == 1); // the tree is still there
+    CHECK(stage.workspace.document().branch_count() == 1); // the tree is still there
 }

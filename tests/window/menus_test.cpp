@@ -55,7 +55,7 @@ TEST_CASE("arrows lead through menus that a click has opened, and the view stays
     ViewerStage stage(kFork, {1440, 900});
     stage.settle();
     const app::Interface& interface = stage.viewer->interface();
-    const render::Camera before = stage.workspace.document.session().camera;
+    const render::Camera before = stage.workspace.document().session().camera;
     stage.viewer->input().mouse_moved({25.0, 0.5 * stage.viewer->layout().bar_height});
     stage.button(true, 0.5);
     stage.button(false, 0.1);
@@ -71,7 +71,7 @@ TEST_CASE("arrows lead through menus that a click has opened, and the view stays
     press("Left");
     CHECK(interface.open_menu == "Help");
     press("Down");
-    CHECK(stage.workspace.document.session().camera == before);
+    CHECK(stage.workspace.document().session().camera == before);
 }
 
 TEST_CASE("the card about a branch leaves the tools, the scale bar, the cube and the status line free") {
@@ -128,12 +128,12 @@ TEST_CASE("the title marks work that is not saved, and no other view of it") {
     ViewerStage stage(kFork, {1024, 700});
     stage.settle();
     CHECK_FALSE(stage.viewer->title().starts_with("*"));
-    app::Marks marks = stage.workspace.document.marks();
+    app::Marks marks = stage.workspace.document().marks();
     marks.colour_by = app::ColourBy::kSystem;
     marks.selection = {1};
-    stage.workspace.document.change(marks);
+    stage.workspace.document().change(marks);
     CHECK_FALSE(stage.viewer->title().starts_with("*"));
     marks.lesions = {{0.0, 0.0, 0.0, 5.0}};
-    stage.workspace.document.change(marks);
+    stage.workspace.document().change(marks);
     CHECK(stage.viewer->title().starts_with("*"));
 }

@@ -80,7 +80,7 @@ TEST_CASE("next to the panel of a case that was just opened there is never the p
     viewer.files().use_settings({}); // a person's window: it draws while the surface is made
     const auto before = view_of(stage.settle(), viewer.layout());
     REQUIRE(app::run_command(viewer.actions(), std::vector<std::string>{"open", other.string()}));
-    const auto is_open = [&] { return stage.workspace.document.session().tree.path == other; };
+    const auto is_open = [&] { return stage.workspace.document().session().tree.path == other; };
     for (int i = 0; i < 2000 && !(is_open() && viewer.resting()); ++i) {
         stage.draw();
         if (is_open()) REQUIRE(view_of(stage.target.read_premultiplied(), viewer.layout()) != before);
@@ -111,7 +111,7 @@ TEST_CASE("viewports beside each other show the tree, and each is pointed at by 
     REQUIRE(stage.viewer->picture().scale_bar());
     CHECK(stage.viewer->picture().scale_bar()->at == render::Scale::At::kPointer);
     // The vessel of 6 mm lies along z, its wall is 6 mm before its middle.
-    const render::Camera& camera = stage.workspace.document.session().camera;
+    const render::Camera& camera = stage.workspace.document().session().camera;
     const double wall = mm_per_pixel_at(camera, stage.layout.viewport_size, camera.position.y - 6.0);
     const render::ScaleBar bar = *stage.viewer->picture().scale_bar();
     CHECK(bar.length_mm / bar.pixels == doctest::Approx(wall).epsilon(0.01));
@@ -124,7 +124,7 @@ TEST_CASE("viewports beside each other show the tree, and each is pointed at by 
         stage.button(true, 1.0);
         stage.button(false, 0.05);
         stage.settle();
-        CHECK(stage.workspace.document.marks().selection.size() == viewport);
+        CHECK(stage.workspace.document().marks().selection.size() == viewport);
     }
     stage.run({"compare", "off"});
     stage.settle();
@@ -134,7 +134,7 @@ TEST_CASE("viewports beside each other show the tree, and each is pointed at by 
 
 TEST_CASE("a drag in any of several viewports turns the one camera, as far in each") {
     ComparedStage stage;
-    app::Document& document = stage.workspace.document;
+    app::Document& document = stage.workspace.document();
     const render::Camera start = document.session().camera;
     std::vector<render::Camera> turned;
     for (std::size_t viewport = 0; viewport < 3; ++viewport) {

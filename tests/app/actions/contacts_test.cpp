@@ -119,22 +119,22 @@ TEST_CASE("a window's contacts are found in the background, and follow smoothing
     Workspace workspace({});
     workspace.open(folder.write("tubes.swc", kTubes));
     const auto found = [&](std::vector<double> wanted) {
-        const auto& list = workspace.assets.contacts.list;
+        const auto& list = workspace.assets().contacts.list;
         if (!list || list->size() != wanted.size() ||
-            !workspace.assets.contacts.fits(workspace.document.marks().options))
+            !workspace.assets().contacts.fits(workspace.document().marks().options))
             return false;
-        const std::vector<double> now = gaps(workspace.assets);
+        const std::vector<double> now = gaps(workspace.assets());
         for (std::size_t i = 0; i < wanted.size(); ++i)
             if (std::abs(now[i] - wanted[i]) > 1e-9) return false;
         return true;
     };
     REQUIRE(settle(workspace, [&] { return found({-0.2, rounded_off(0.5)}); }));
-    CHECK_FALSE(workspace.seeking_contacts());
+    CHECK_FALSE(workspace.awaited(WorkKind::kContacts));
 
-    Marks marks = workspace.document.marks();
+    Marks marks = workspace.document().marks();
     marks.options.smooth_passes = 0;
-    workspace.document.change(marks);
-    CHECK(workspace.seeking_contacts());
+    workspace.document().change(marks);
+    CHECK(workspace.awaited(WorkKind::kContacts));
     REQUIRE(settle(workspace, [&] { return found({-0.5 + rounded_off(1.0), -0.2}); }));
 
     // Of half the radius, the last vessel is too far away to touch.
@@ -143,7 +143,7 @@ TEST_CASE("a window's contacts are found in the background, and follow smoothing
         [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return nullptr; }
         Result<void> write_picture(const std::filesystem::path& /*path*/) override { return {}; }
     } picture;
-    ActionContext context{.document = workspace.document, .picture = picture, .assets = workspace.assets};
+    ActionContext context{.document = workspace.document(), .picture = picture, .assets = workspace.assets()};
     const auto run = [&](const std::vector<std::string>& words) { REQUIRE(run_command(context, words)); };
     run({"select", "3"});
     run({"set-radius", "0.5"});

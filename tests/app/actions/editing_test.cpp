@@ -191,15 +191,15 @@ TEST_CASE("a session with edits opens as it was saved") {
     Workspace workspace([] {});
     workspace.open(saved);
     REQUIRE(test::settle(workspace, [&] { return workspace.surface_ready() && !workspace.busy(); }));
-    REQUIRE(workspace.document.tree());
-    CHECK(*workspace.document.tree() == [&] {
+    REQUIRE(workspace.document().tree());
+    CHECK(*workspace.document().tree() == [&] {
         tree::VesselTree tree = stage.tree();
-        tree.source = workspace.document.tree()->source;
+        tree.source = workspace.document().tree()->source;
         return tree;
     }());
-    CHECK(workspace.document.base_tree()->branches.size() == 6);
-    CHECK_FALSE(workspace.document.modified());
-    CHECK_FALSE(workspace.document.undo());
+    CHECK(workspace.document().base_tree()->branches.size() == 6);
+    CHECK_FALSE(workspace.document().modified());
+    CHECK_FALSE(workspace.document().undo());
 
     // Of another file the edits are not made.
     folder.write("vessels.swc", std::string(kEdited) + "11 0 -60 0 40 1 10\n");
@@ -243,16 +243,16 @@ TEST_CASE("the surface is made anew after an edit, and again after its undo") {
     const auto triangles = [&] { return workspace.shown().mesh->triangle_count(); };
     REQUIRE(workspace.surface_ready());
     const auto before = triangles();
-    REQUIRE(workspace.document.edit_tree({tree::Edit::Kind::kDelete, {1, 3, 4}, {}, 0.0}));
+    REQUIRE(workspace.document().edit_tree({tree::Edit::Kind::kDelete, {1, 3, 4}, {}, 0.0}));
     CHECK_FALSE(workspace.surface_ready());
     CHECK(workspace.follow_tree());
     workspace.await_tree(); // something of the new tree, before its surface
     REQUIRE(workspace.shown().mesh);
-    CHECK(workspace.current_assets().tree == workspace.document.tree());
+    CHECK(workspace.current_assets().tree == workspace.document().tree());
     REQUIRE(test::settle(workspace, [&] { return workspace.surface_ready() && !workspace.busy(); }));
     CHECK(workspace.surface_ready());
     CHECK(triangles() < before);
-    REQUIRE(workspace.document.undo());
+    REQUIRE(workspace.document().undo());
     REQUIRE(test::settle(workspace, [&] { return workspace.surface_ready() && !workspace.busy(); }));
     CHECK(workspace.surface_ready());
     CHECK(triangles() == before);

@@ -73,26 +73,27 @@ TEST_CASE("behind the window the validation is made where it is wanted, and foll
     Workspace workspace({});
     workspace.open(folder.write("crossing.swc", kCrossing));
     REQUIRE(test::settle(workspace, [&] { return workspace.surface_ready(); }));
-    CHECK_FALSE(workspace.validating());
-    CHECK(workspace.assets.validation.found == nullptr);
+    CHECK_FALSE(workspace.awaited(WorkKind::kValidation));
+    CHECK(workspace.assets().validation.found == nullptr);
     workspace.want_validation(true);
-    CHECK(workspace.validating());
+    CHECK(workspace.awaited(WorkKind::kValidation));
     const auto there = [&] {
-        return !workspace.validating() &&
-               workspace.assets.validation.fits(validation_of(workspace.document.tree(), workspace.document.marks()));
+        return !workspace.awaited(WorkKind::kValidation) &&
+               workspace.assets().validation.fits(
+                   validation_of(workspace.document().tree(), workspace.document().marks()));
     };
     REQUIRE(test::settle(workspace, there));
-    CHECK(count_of(workspace.assets.validation, Finding::Kind::kMerged) == 0);
-    CHECK(workspace.assets.validation.found->radius_error.places > 0);
-    Marks next = workspace.document.marks();
+    CHECK(count_of(workspace.assets().validation, Finding::Kind::kMerged) == 0);
+    CHECK(workspace.assets().validation.found->radius_error.places > 0);
+    Marks next = workspace.document().marks();
     next.options.blend = mesh::Blend::kPaper;
-    workspace.document.change(next);
-    CHECK(workspace.validating());
+    workspace.document().change(next);
+    CHECK(workspace.awaited(WorkKind::kValidation));
     REQUIRE(test::settle(workspace, there));
-    CHECK(count_of(workspace.assets.validation, Finding::Kind::kMerged) == 1);
+    CHECK(count_of(workspace.assets().validation, Finding::Kind::kMerged) == 1);
     // Cancelled, it is not tried again by itself; what was found before stays, as of what it was found of.
     next.options.blend = mesh::Blend::kTree;
-    workspace.document.change(next);
+    workspace.document().change(next);
     workspace.update();
     REQUIRE(test::settle(workspace, [&] { return workspace.surface_ready(); }));
     const auto cancel = [&] {
@@ -103,19 +104,21 @@ TEST_CASE("behind the window the validation is made where it is wanted, and foll
         workspace.cancel_work();
         workspace.update();
     };
-    if (!workspace.validating()) workspace.assets.validation.of.tree.reset(); // it was quicker than this test
+    if (!workspace.awaited(WorkKind::kValidation))
+        workspace.assets().validation.of.tree.reset(); // it was quicker than this test
     cancel();
-    CHECK_FALSE(workspace.validating());
-    CHECK(workspace.validation_problem() == "cancelled");
-    CHECK(workspace.assets.validation.found != nullptr);
-    CHECK_FALSE(workspace.assets.validation.fits(validation_of(workspace.document.tree(), workspace.document.marks())));
-    workspace.retry_validation();
-    CHECK(workspace.validating());
+    CHECK_FALSE(workspace.awaited(WorkKind::kValidation));
+    CHECK(workspace.problem(WorkKind::kValidation) == "cancelled");
+    CHECK(workspace.assets().validation.found != nullptr);
+    CHECK_FALSE(
+        workspace.assets().validation.fits(validation_of(workspace.document().tree(), workspace.document().marks())));
+    workspace.retry(WorkKind::kValidation);
+    CHECK(workspace.awaited(WorkKind::kValidation));
     REQUIRE(test::settle(workspace, there));
     workspace.want_validation(false);
-    REQUIRE(workspace.document.undo());
+    REQUIRE(workspace.document().undo());
     workspace.update();
-    CHECK_FALSE(workspace.validating());
+    CHECK_FALSE(workspace.awaited(WorkKind::kValidation));
 }
 
 TEST_CASE("the radii of cones and of a mask stand beside those of the surface") {

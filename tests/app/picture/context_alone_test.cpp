@@ -57,17 +57,17 @@ TEST_CASE("without a tree a mask is shown alone: looked at, measured by, saved a
     Workspace workspace({});
     workspace.open(saved);
     REQUIRE(settle(workspace, [&] { return workspace.all_shown(); }));
-    CHECK(workspace.document.session() == alone.document.session());
+    CHECK(workspace.document().session() == alone.document.session());
     CHECK(drawn(workspace).size() == 1);
-    CHECK_FALSE(workspace.document.tree());
-    CHECK_FALSE(workspace.document.modified());
+    CHECK_FALSE(workspace.document().tree());
+    CHECK_FALSE(workspace.document().modified());
     // A tree comes in among it.
     workspace.open(stage.tree);
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
-    CHECK(workspace.document.marks().context == alone.marks().context);
+    CHECK(workspace.document().marks().context == alone.marks().context);
     // And takes it along when another one comes: that is of the tree before.
     workspace.open(stage.tree);
-    REQUIRE(settle(workspace, [&] { return workspace.document.marks().context.empty(); }));
+    REQUIRE(settle(workspace, [&] { return workspace.document().marks().context.empty(); }));
 }
 
 TEST_CASE("without a tree somebody says the unit of all that is shown, and the view goes along") {

@@ -206,36 +206,37 @@ TEST_CASE("a session names its context, and the window reads it behind its back"
     ContextItem gone;
     gone.file = (stage.folder.path() / "gone.stl").string();
     session.marks.context.push_back(gone);
+    number_objects(session.marks);
     const fs::path saved = stage.folder.path() / "plan.ramus.json";
     REQUIRE(write_session(session, saved));
 
     Workspace workspace({});
     workspace.open(saved);
     REQUIRE(settle(workspace, [&] { return workspace.take_opened().has_value(); }));
-    CHECK(workspace.document.marks().context == session.marks.context);
+    CHECK(workspace.document().marks().context == session.marks.context);
     REQUIRE(settle(workspace, [&] { return !workspace.busy(); }));
     CHECK(drawn(workspace).size() == 1);
-    CHECK(workspace.assets.context_shape({file, 0, false}) == nullptr); // hidden
+    CHECK(workspace.assets().context_shape({file, 0, false}) == nullptr); // hidden
     // What is not there is said once, and not tried again and again.
     const auto error = workspace.take_error();
     REQUIRE(error.has_value());
     CHECK(error->message().find("gone.stl") != std::string::npos);
-    CHECK(workspace.assets.trouble({gone.file, 0, false}).has_value());
+    CHECK(workspace.assets().trouble({gone.file, 0, false}).has_value());
     workspace.update();
-    CHECK_FALSE(workspace.context.busy());
+    CHECK_FALSE(workspace.awaited(WorkKind::kContext));
     CHECK_FALSE(workspace.take_error().has_value());
     // Shown again, it is read.
-    Marks marks = workspace.document.marks();
+    Marks marks = workspace.document().marks();
     marks.context[1].visible = true;
-    workspace.document.change(marks);
+    workspace.document().change(marks);
     REQUIRE(settle(workspace, [&] { return drawn(workspace).size() == 2; }));
     // Headless pictures fail instead of leaving it out.
     Job job;
-    const auto read = load_context(workspace.assets, marks, job);
+    const auto read = load_context(workspace.assets(), marks, job);
     REQUIRE_FALSE(read);
     CHECK(read.error().message().find("gone.stl") != std::string::npos);
     marks.context.pop_back();
-    CHECK(load_context(workspace.assets, marks, job));
+    CHECK(load_context(workspace.assets(), marks, job));
 }
 
 TEST_CASE("a scan is shown as the surface of its isovalue") {
@@ -286,19 +287,20 @@ TEST_CASE("reading that was cancelled is not taken up again until somebody asks"
     Workspace workspace({});
     workspace.open(stage.tree);
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready() && !workspace.busy(); }));
-    Marks marks = workspace.document.marks();
+    Marks marks = workspace.document().marks();
     ContextItem item;
     item.file = file;
     marks.context = {item};
-    workspace.document.change(marks);
+    workspace.document().change(marks);
     workspace.update();
-    REQUIRE(workspace.context.busy());
+    REQUIRE(workspace.awaited(WorkKind::kContext));
     workspace.cancel_work();
     for (int i = 0; i < 20; ++i) workspace.update();
-    CHECK_FALSE(workspace.context.busy());
-    CHECK(workspace.context.gave_up({file, 0, false}));
+    CHECK_FALSE(workspace.awaited(WorkKind::kContext));
+    REQUIRE(workspace.assets().trouble({file, 0, false}));
+    CHECK(workspace.assets().trouble({file, 0, false})->what == "cancelled");
     CHECK(drawn(workspace).empty());
-    workspace.context.retry();
+    workspace.retry(WorkKind::kContext);
     REQUIRE(settle(workspace, [&] { return drawn(workspace).size() == 1; }));
 }
 

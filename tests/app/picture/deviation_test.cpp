@@ -213,26 +213,26 @@ TEST_CASE("behind the window distances follow the surface, and beside another su
     workspace.open(folder.write("fork.swc", kForkOfDeviation));
     REQUIRE(test::settle(workspace, [&] { return workspace.surface_ready(); }));
     const auto change = [&](const auto& with) {
-        Marks next = workspace.document.marks();
+        Marks next = workspace.document().marks();
         with(next);
-        workspace.document.change(std::move(next));
+        workspace.document().change(std::move(next));
     };
     const auto measured = [&] {
-        const Marks& marks = workspace.document.marks();
-        return workspace.surface_ready() && !workspace.measuring_deviation() &&
-               workspace.assets.deviation.fits(deviation_of(workspace.document.tree(), marks, marks.options),
-                                               workspace.shown().mesh);
+        const Marks& marks = workspace.document().marks();
+        return workspace.surface_ready() && !workspace.awaited(WorkKind::kDeviation) &&
+               workspace.assets().deviation.fits(deviation_of(workspace.document().tree(), marks, marks.options),
+                                                 workspace.shown().mesh);
     };
     const auto sheet = [&] {
-        return compose_sheet(workspace.document.session(), workspace.current_assets(), workspace.surfaces(),
+        return compose_sheet(workspace.document().session(), workspace.current_assets(), workspace.surfaces(),
                              {.size = {600, 300}});
     };
     change([](Marks& marks) { marks.colour_by = ColourBy::kDeviation; });
-    CHECK(workspace.measuring_deviation());
+    CHECK(workspace.awaited(WorkKind::kDeviation));
     CHECK(sheet().viewports[0].frame.overlays.legend.bar.empty());
     REQUIRE(test::settle(workspace, measured));
     CHECK(sheet().viewports[0].frame.overlays.legend.bar.size() > 0);
-    const double whole = workspace.assets.deviation.most_mm;
+    const double whole = workspace.assets().deviation.most_mm;
     CHECK(whole > 0.0);
     CHECK(whole < 2.0); // a radius
     change([](Marks& marks) { set_state(marks, std::vector{1}, render::BranchState::kHidden); });
@@ -240,7 +240,7 @@ TEST_CASE("behind the window distances follow the surface, and beside another su
     REQUIRE(test::settle(workspace, measured));
     CHECK(sheet().viewports[0].frame.scale.value == render::ColourScale::Value::kSurface);
     change([](Marks& marks) { marks.comparison.mode = Comparison::Mode::kSideBySide; });
-    REQUIRE(test::settle(workspace, [&] { return !workspace.comparing() && measured(); }));
+    REQUIRE(test::settle(workspace, [&] { return !workspace.awaited(WorkKind::kComparison) && measured(); }));
     const render::Sheet both = sheet();
     REQUIRE(both.viewports.size() == 2);
     CHECK(both.viewports[0].frame.overlays.legend.bar.size() > 0);
@@ -251,9 +251,9 @@ TEST_CASE("behind the window distances follow the surface, and beside another su
         marks.deviation.from = From::kFile;
         marks.deviation.file = (folder.path() / "none.ply").string();
     });
-    REQUIRE(test::settle(workspace, [&] { return !workspace.assets.deviation.trouble.empty(); }));
-    CHECK_FALSE(workspace.measuring_deviation());
+    REQUIRE(test::settle(workspace, [&] { return !workspace.assets().deviation.trouble.empty(); }));
+    CHECK_FALSE(workspace.awaited(WorkKind::kDeviation));
     change([](Marks& marks) { marks.colour_by = ColourBy::kNothing; });
     workspace.update();
-    CHECK(workspace.assets.deviation.mesh == nullptr);
+    CHECK(workspace.assets().deviation.mesh == nullptr);
 }

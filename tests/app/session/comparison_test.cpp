@@ -389,19 +389,19 @@ TEST_CASE("a workspace makes them behind the document, and says why it cannot") 
     std::ofstream(file) << "1 3 0 0 0 2 -1\n2 3 0 0 20 2 1\n3 3 10 0 30 1 2\n4 3 -10 0 30 1.5 2\n";
     workspace.open(file);
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
-    CHECK_FALSE(workspace.comparing());
+    CHECK_FALSE(workspace.awaited(WorkKind::kComparison));
     const auto change = [&](const auto& how) {
-        Marks next = workspace.document.marks();
+        Marks next = workspace.document().marks();
         how(next);
-        workspace.document.change(next);
+        workspace.document().change(next);
     };
     change([](Marks& m) {
         m.comparison.mode = Mode::kSideBySide;
         m.comparison.surfaces = {Compared::kIsosurface, Compared::kTruncatedCones, Compared::kConvolutionSurface};
     });
-    CHECK(workspace.comparing());
-    REQUIRE(settle(workspace, [&] { return !workspace.comparing(); }));
-    CHECK(workspace.comparison_problem().empty());
+    CHECK(workspace.awaited(WorkKind::kComparison));
+    REQUIRE(settle(workspace, [&] { return !workspace.awaited(WorkKind::kComparison); }));
+    CHECK(workspace.problem(WorkKind::kComparison).empty());
     CHECK(workspace.surfaces().of(Compared::kConvolutionSurface) == workspace.shown().mesh);
     const auto whole = workspace.surfaces().of(Compared::kIsosurface);
     const auto cones = workspace.surfaces().of(Compared::kTruncatedCones);
@@ -411,7 +411,7 @@ TEST_CASE("a workspace makes them behind the document, and says why it cannot") 
     // The cones and the isosurface of the tree's own voxels follow what is hidden.
     change([](Marks& m) { set_state(m, std::vector<int>{2}, render::BranchState::kHidden); });
     CHECK(workspace.surfaces().of(Compared::kTruncatedCones) == cones); // until the others are there
-    REQUIRE(settle(workspace, [&] { return !workspace.busy() && !workspace.comparing(); }));
+    REQUIRE(settle(workspace, [&] { return !workspace.busy() && !workspace.awaited(WorkKind::kComparison); }));
     CHECK(workspace.surfaces().of(Compared::kTruncatedCones) != cones);
     const auto iso = workspace.surfaces().of(Compared::kIsosurface);
     REQUIRE(iso);
@@ -419,17 +419,17 @@ TEST_CASE("a workspace makes them behind the document, and says why it cannot") 
 
     std::ofstream(folder.path() / "bad.nii") << "this is no mask";
     change([&](Marks& m) { m.comparison.mask = (folder.path() / "bad.nii").string(); });
-    REQUIRE(settle(workspace, [&] { return !workspace.comparing(); }));
-    CHECK(workspace.comparison_problem().find("bad.nii") != std::string::npos);
+    REQUIRE(settle(workspace, [&] { return !workspace.awaited(WorkKind::kComparison); }));
+    CHECK(workspace.problem(WorkKind::kComparison).find("bad.nii") != std::string::npos);
     CHECK(workspace.surfaces().of(Compared::kIsosurface) == iso); // what was there before
     change([&](Marks& m) { m.comparison.mask = write_mask(folder.path() / "mask.nii").string(); });
-    REQUIRE(settle(workspace, [&] { return !workspace.comparing(); }));
-    CHECK(workspace.comparison_problem().empty());
+    REQUIRE(settle(workspace, [&] { return !workspace.awaited(WorkKind::kComparison); }));
+    CHECK(workspace.problem(WorkKind::kComparison).empty());
     const auto masked = workspace.surfaces().of(Compared::kIsosurface);
     CHECK(masked != iso);
     // That of a mask's file knows no branches.
     change([](Marks& m) { set_state(m, std::vector<int>{2}, render::BranchState::kNormal); });
-    REQUIRE(settle(workspace, [&] { return !workspace.busy() && !workspace.comparing(); }));
+    REQUIRE(settle(workspace, [&] { return !workspace.busy() && !workspace.awaited(WorkKind::kComparison); }));
     CHECK(workspace.surfaces().of(Compared::kIsosurface) == masked);
 
     change([](Marks& m) { m.comparison.mode = Mode::kOff; });

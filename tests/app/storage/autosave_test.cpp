@@ -27,6 +27,7 @@ Snapshot snapshot_of(const fs::path& tree) {
     snapshot.session.tree = {tree, "0123456789abcdef"};
     snapshot.session.marks.selection = {2, 5};
     snapshot.session.marks.lesions = {{1.5, -2.25, 1.0 / 3.0, 10.0}};
+    number_objects(snapshot.session.marks);
     snapshot.session.camera.position = {0.1, 1.0 / 3.0, -7e-5};
     snapshot.file = tree.parent_path() / "plan.ramus.json";
     snapshot.changes = 14;
@@ -342,14 +343,14 @@ TEST_CASE("recovering opens everything as it was, unsaved; and refuses a tree th
     Workspace workspace({});
     workspace.recover(snapshot);
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (!workspace.document.tree() && std::chrono::steady_clock::now() < end) {
+    while (!workspace.document().tree() && std::chrono::steady_clock::now() < end) {
         workspace.update();
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    CHECK(workspace.document.session() == snapshot.session);
-    CHECK(workspace.document.modified());
-    CHECK(workspace.document.has_unsaved_work());
-    CHECK(workspace.document.unsaved_changes() == 3);
+    CHECK(workspace.document().session() == snapshot.session);
+    CHECK(workspace.document().modified());
+    CHECK(workspace.document().has_unsaved_work());
+    CHECK(workspace.document().unsaved_changes() == 3);
     const auto opened = workspace.take_opened();
     REQUIRE(opened);
     CHECK(opened->recovered);

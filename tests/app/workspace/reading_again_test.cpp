@@ -26,7 +26,7 @@ double height_mm(const Workspace& workspace) {
 
 void run(Workspace& workspace, const std::vector<std::string>& words) {
     test::TestPicture picture;
-    ActionContext context{.document = workspace.document, .picture = picture, .assets = workspace.assets};
+    ActionContext context{.document = workspace.document(), .picture = picture, .assets = workspace.assets()};
     const auto done = run_command(context, words);
     REQUIRE_MESSAGE(done, (done ? std::string() : done.error().message()));
     workspace.update();
@@ -44,23 +44,25 @@ TEST_CASE("the surface is that of the tree as it is read now, also after undo an
     CHECK(height > 30.0);
     run(workspace, {"read-as", "units", "cm"});
     CHECK(height_mm(workspace) == doctest::Approx(10.0 * height).epsilon(1e-3));
-    CHECK(workspace.current_assets().tree == workspace.document.tree());
-    CHECK(workspace.document.modified());
+    CHECK(workspace.current_assets().tree == workspace.document().tree());
+    CHECK(workspace.document().modified());
     run(workspace, {"undo"});
     CHECK(height_mm(workspace) == doctest::Approx(height).epsilon(1e-3));
     run(workspace, {"redo"});
     CHECK(height_mm(workspace) == doctest::Approx(10.0 * height).epsilon(1e-3));
 
     const auto session = folder.path() / "s.ramus.json";
-    REQUIRE(write_session(workspace.document.session(), session));
+    REQUIRE(write_session(workspace.document().session(), session));
     Workspace other({});
     other.open(session);
     REQUIRE(settle(other, [&] { return other.surface_ready(); }));
     CHECK(height_mm(other) == doctest::Approx(10.0 * height).epsilon(1e-3));
-    CHECK_FALSE(other.document.modified());
+    CHECK_FALSE(other.document().modified());
     // Who says something else when it is opened is heard.
     Workspace said({});
-    said.reading.unit = io::length_unit("mm");
+    io::ReadOptions in_mm;
+    in_mm.unit = io::length_unit("mm");
+    said.set_reading(in_mm);
     said.open(session);
     REQUIRE(settle(said, [&] { return said.surface_ready(); }));
     CHECK(height_mm(said) == doctest::Approx(height).epsilon(1e-3));

@@ -56,7 +56,7 @@ TEST_CASE("a tree opens with its cones, then its surface; undo finds the surface
     const TemporaryFolder folder;
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
-    REQUIRE(settle(workspace, [&] { return workspace.document.tree() != nullptr; }));
+    REQUIRE(settle(workspace, [&] { return workspace.document().tree() != nullptr; }));
     // Its cones, unless something better was as quick.
     REQUIRE(workspace.shown().mesh);
     CHECK(workspace.shown().mesh->triangle_count() > 100);
@@ -65,12 +65,12 @@ TEST_CASE("a tree opens with its cones, then its surface; undo finds the surface
     const auto first = workspace.shown().mesh;
     CHECK(first->triangle_count() > 100);
 
-    Marks finer = workspace.document.marks();
+    Marks finer = workspace.document().marks();
     finer.options.detail = 24;
-    workspace.document.change(finer);
+    workspace.document().change(finer);
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
     CHECK(workspace.shown().mesh->triangle_count() > first->triangle_count());
-    REQUIRE(workspace.document.undo());
+    REQUIRE(workspace.document().undo());
     workspace.update();
     CHECK(workspace.shown().mesh == first);
 }
@@ -85,10 +85,10 @@ TEST_CASE("hidden branches go from the surface, and undo finds them again") {
         return !workspace.shown().mesh->positions([&](int b) { return b == branch; }).empty();
     };
     CHECK(seen(2));
-    Marks without = workspace.document.marks();
+    Marks without = workspace.document().marks();
     const std::vector<int> leaf{2};
     set_state(without, leaf, render::BranchState::kHidden);
-    workspace.document.change(without);
+    workspace.document().change(without);
     workspace.update();
     CHECK(workspace.shown().mesh); // the old one until the other is there
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
@@ -96,12 +96,12 @@ TEST_CASE("hidden branches go from the surface, and undo finds them again") {
     CHECK(seen(1));
     Marks none = without;
     set_state(none, std::vector<int>{0, 1, 2}, render::BranchState::kHidden);
-    workspace.document.change(none);
+    workspace.document().change(none);
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
     CHECK(workspace.shown().mesh->triangle_count() == 0);
     CHECK(workspace.surface_problem().empty());
-    REQUIRE(workspace.document.undo());
-    REQUIRE(workspace.document.undo());
+    REQUIRE(workspace.document().undo());
+    REQUIRE(workspace.document().undo());
     workspace.update();
     CHECK(workspace.surface_ready());
     CHECK(workspace.shown().mesh == all);
@@ -112,12 +112,12 @@ TEST_CASE("options that are tried change the picture and not the session") {
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
-    mesh::SurfaceOptions wide = workspace.document.marks().options;
+    mesh::SurfaceOptions wide = workspace.document().marks().options;
     wide.width = 2.0;
     workspace.try_options(wide);
     REQUIRE(settle(workspace, [&] { return workspace.shown().request.options.width == 2.0 && !workspace.busy(); }));
     CHECK_FALSE(workspace.surface_ready());
-    CHECK_FALSE(workspace.document.modified());
+    CHECK_FALSE(workspace.document().modified());
     workspace.try_options({});
     workspace.update();
     CHECK(workspace.surface_ready());
@@ -128,13 +128,13 @@ TEST_CASE("a file that cannot be read leaves the old tree as it was") {
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
-    const auto tree = workspace.document.tree();
+    const auto tree = workspace.document().tree();
     const auto mesh = workspace.shown().mesh;
     workspace.open(folder.write("bad.swc", "1 3 0 0 0 nan -1\n"));
     std::optional<Error> error;
     REQUIRE(settle(workspace, [&] { return (error = workspace.take_error()).has_value(); }));
     CHECK(error->message().find("bad.swc") != std::string::npos);
-    CHECK(workspace.document.tree() == tree);
+    CHECK(workspace.document().tree() == tree);
     CHECK(workspace.shown().mesh == mesh);
 }
 
@@ -185,16 +185,16 @@ TEST_CASE("distances to lesions that are meshes are measured behind the window's
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
-    REQUIRE(load_lesion_mesh(workspace.assets, file.string()));
+    REQUIRE(load_lesion_mesh(workspace.assets(), file.string()));
 
-    Document& document = workspace.document;
+    Document& document = workspace.document();
     Marks marks = document.marks();
     add_lesion(marks, {.file = file.string()});
     marks.cuts = {{0, 0.5}};
     document.change(marks);
     // Who must not wait sees the mesh and the cut at once, but no distances yet.
     const auto current_plan = [&] { return workspace.current_assets().plan; };
-    const auto awaited = [&] { return lesions_awaited(workspace.assets, document.marks(), GridIs::kMadeAhead); };
+    const auto awaited = [&] { return lesions_awaited(workspace.assets(), document.marks(), GridIs::kMadeAhead); };
     REQUIRE(awaited());
     auto plan = current_plan();
     CHECK(plan->measuring);
@@ -208,7 +208,7 @@ TEST_CASE("distances to lesions that are meshes are measured behind the window's
     REQUIRE(plan->lesion_distances_mm.size() == 3);
     CHECK(plan->lesion_distances_mm[0] == doctest::Approx(4.0).epsilon(0.01)); // 9 - 3 - 2
     // What pictures colour by is there before they do.
-    CHECK(workspace.assets.lesion_grid.fits(plan->lesions, widest_margin_mm(marks.planning)));
+    CHECK(workspace.assets().lesion_grid.fits(plan->lesions, widest_margin_mm(marks.planning)));
     // A cut more takes the distances over, other margins too; another lesion needs them anew.
     marks.cuts.push_back({1, 0.5});
     document.change(marks);
@@ -221,13 +221,13 @@ TEST_CASE("distances to lesions that are meshes are measured behind the window's
     CHECK(current_plan()->bands.size() == 1);
     REQUIRE(awaited());
     REQUIRE(settle(workspace, [&] { return !awaited(); }));
-    CHECK(workspace.assets.lesion_grid.reach_mm == 7.0);
-    marks.lesions = {{0, -9, 5, 3}};
+    CHECK(workspace.assets().lesion_grid.reach_mm == 7.0);
+    add_lesion(marks, {.sphere = {0, -9, 5, 3}});
     document.change(marks);
     CHECK(awaited());
     CHECK(current_plan()->lesion_distances_mm.size() == 3); // of the sphere alone
     // Who asks for all of it waits.
-    complete_lesions(workspace.assets, document);
+    complete_lesions(workspace.assets(), document);
     CHECK(current_plan()->lesion_distances_mm[0] == doctest::Approx(4.0).epsilon(0.01));
     CHECK_FALSE(awaited());
 }
@@ -285,8 +285,16 @@ TEST_CASE("centerlines of a large tree are made beside the window's thread, and 
     refresh(alone, document);
     refresh(assets, document);
     CHECK_FALSE(assets.centerlines.lines);
-    CenterlinesMaker maker({});
-    while (!maker.update(assets, document.marks().options)) std::this_thread::yield();
+    std::vector<ComparedSurface> compared;
+    const auto works = background_works({}, compared);
+    BackgroundWork& maker = *works[static_cast<std::size_t>(WorkKind::kCenterlines)];
+    std::deque<Error> errors;
+    const ReadySurface shown;
+    const auto follow = [&] {
+        return maker.follow({.document = document, .request = surface_request(document.marks()), .shown = shown},
+                            assets, errors);
+    };
+    while (!follow()) std::this_thread::yield();
     REQUIRE(assets.centerlines.lines);
     CHECK(assets.centerlines.lines->points == alone.centerlines.lines->points);
     const auto before = assets.centerlines.lines;
@@ -298,10 +306,10 @@ TEST_CASE("centerlines of a large tree are made beside the window's thread, and 
     refresh(assets, document);
     CHECK(assets.centerlines.lines == before);
     CHECK(centerlines_awaited(assets, marks.options));
-    while (!maker.update(assets, marks.options)) std::this_thread::yield();
+    while (!follow()) std::this_thread::yield();
     CHECK_FALSE(centerlines_awaited(assets, marks.options));
     CHECK(assets.centerlines.lines->points == alone.centerlines.lines->points);
-    CHECK_FALSE(maker.update(assets, marks.options));
+    CHECK_FALSE(follow());
 }
 
 TEST_CASE("nobody waits for what is shown of an edited tree, and who keeps a picture may") {
@@ -310,7 +318,7 @@ TEST_CASE("nobody waits for what is shown of an edited tree, and who keeps a pic
     workspace.open(folder.write("fork.swc", kFork));
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
     const auto edit = [&] {
-        REQUIRE(workspace.document.edit_tree({.kind = tree::Edit::Kind::kScale, .branches = {1}, .value = 0.5}));
+        REQUIRE(workspace.document().edit_tree({.kind = tree::Edit::Kind::kScale, .branches = {1}, .value = 0.5}));
     };
     const auto before = workspace.shown().mesh;
     edit();
@@ -328,8 +336,8 @@ TEST_CASE("nobody waits for what is shown of an edited tree, and who keeps a pic
     workspace.await_tree();
     CHECK_FALSE(workspace.between_trees());
     CHECK(workspace.shown().mesh);
-    CHECK(workspace.assets.tree == workspace.document.tree());
-    CHECK(workspace.assets.centerlines.lines);
+    CHECK(workspace.assets().tree == workspace.document().tree());
+    CHECK(workspace.assets().centerlines.lines);
 }
 
 TEST_CASE("a task that throws ends, and says so") {
@@ -349,31 +357,31 @@ TEST_CASE("a file that arrives while unsaved work went on waits to be let in") {
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
-    const auto first = workspace.document.tree();
+    const auto first = workspace.document().tree();
     const fs::path other = folder.write("other.swc", "1 3 0 0 0 2 -1\n2 3 0 0 20 2 1\n");
     const auto change = [&](const char* name) {
-        Marks marks = workspace.document.marks();
+        Marks marks = workspace.document().marks();
         marks.names[1] = name;
-        workspace.document.change(marks);
+        workspace.document().change(marks);
     };
     workspace.open(other);
     change("right branch");
     REQUIRE(settle(workspace, [&] { return workspace.arrival_waits(); }));
-    CHECK(workspace.document.tree() == first);
-    workspace.send_away();
+    CHECK(workspace.document().tree() == first);
+    workspace.discard_arrival();
     REQUIRE(settle(workspace, [&] { return !workspace.busy(); }));
-    CHECK(workspace.document.tree() == first);
-    CHECK(workspace.document.marks().names.at(1) == "right branch");
+    CHECK(workspace.document().tree() == first);
+    CHECK(workspace.document().marks().names.at(1) == "right branch");
     CHECK(workspace.surface_ready());
 
     workspace.open(other);
     change("left branch");
     REQUIRE(settle(workspace, [&] { return workspace.arrival_waits(); }));
-    workspace.let_in();
+    workspace.accept_arrival();
     CHECK_FALSE(workspace.arrival_waits());
-    CHECK(workspace.document.tree() != first);
+    CHECK(workspace.document().tree() != first);
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready() && !workspace.busy(); }));
-    CHECK(workspace.document.marks().names.empty());
+    CHECK(workspace.document().marks().names.empty());
     // Without such work it comes in by itself.
     CHECK(workspace.take_opened()); // what was let in
     workspace.open(other);

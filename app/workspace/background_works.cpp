@@ -1,0 +1,279 @@
+#include "app/workspace/background_works.h"
+
+#include "app/workspace/deviation_maker.h"
+#include "app/workspace/validation_maker.h"
+
+#include <filesystem>
+#include <utility>
+
+namespace ramus::app {
+
+namespace {
+
+using Tree = std::shared_ptr<const tree::VesselTree>;
+
+template <class Wanted> std::function<std::string(const Wanted&)> titled(std::string title) {
+    return [title = std::move(title)](const Wanted&) { return title; };
+}
+
+template <class Wanted, class Made>
+std::unique_ptr<BackgroundWork> work_of(const std::function<void()>& wake, WorkRow<Wanted, Made> row) {
+    return std::make_unique<WorkOf<Wanted, Made>>(wake, std::move(row));
+}
+
+bool after_surface(const WorkView& view) { return view.surface_busy; }
+
+// Reads meshes of lesions and measures the distances to them, on a copy of the assets. It looks at no job.
+struct LesionWork {
+    PlannedMarks of;
+    Marks marks;
+    Assets assets;
+    bool operator==(const LesionWork& other) const {
+        return of == other.of && assets.tree == other.assets.tree && marks.lesions == other.marks.lesions;
+    }
+};
+
+std::unique_ptr<BackgroundWork> lesion_work(const std::function<void()>& wake) {
+    return work_of<LesionWork, Assets>(
+        wake, {.kind = WorkKind::kLesions,
+               .title = titled<LesionWork>("Measuring distances"),
+               .missing = [](const WorkView& view, const Assets& assets) -> std::vector<LesionWork> {
+                   const Marks& marks = view.document.marks();
+                   if (!lesions_awaited(assets, marks, GridIs::kMadeAhead)) return {};
+                   return {{planned(marks), marks, assets}};
+               },
+               .make = [](const LesionWork& work, Job&) -> Result<Assets> {
+                   Assets copy = work.assets;
+                   complete_lesions(copy, work.marks, GridIs::kMadeAhead);
+                   return copy;
+               },
+               .put = [](const LesionWork&, const Assets& copy, Assets& assets) { merge(assets, copy); },
+               .finishes = true});
+}
+
+std::unique_ptr<BackgroundWork> context_work(const std::function<void()>& wake) {
+    using Shape = Loaded<ContextShape>;
+    return work_of<ContextSource, Shape>(
+        wake,
+        {.kind = WorkKind::kContext,
+         .title =
+             [](const ContextSource& source) {
+                 return "Reading " + std::filesystem::path(source.file).filename().string();
+             },
+         .missing =
+             [](const WorkView& view, const Assets& assets) {
+                 std::vector<ContextSource> missing;
+                 for (const ContextItem& item : view.document.marks().context)
+                     if (item.visible && !assets.context_shapes.contains(source_of(item)))
+                         missing.push_back(source_of(item));
+                 return missing;
+             },
+         .make = [](const ContextSource& source, Job& job) -> Result<Shape> {
+             return read_context_shape(source, nullptr, job);
+         },
+         .put = [](const ContextSource& source, const Shape& shape, Assets& assets) { assets.put(source, shape); },
+         .refused =
+             [](const ContextSource& source, const std::string& problem, Assets& assets) {
+                 assets.put(source, {{}, fail(problem, source.file)});
+             },
+         .trouble = [](const Shape& shape) { return shape.value ? std::nullopt : std::optional(shape.value.error()); },
+         .finishes = true});
+}
+
+struct ComparisonWork {
+    Tree tree;
+    ComparedRequest request;
+    bool operator==(const ComparisonWork&) const = default;
+};
+
+std::unique_ptr<BackgroundWork> comparison_work(const std::function<void()>& wake,
+                                                std::vector<ComparedSurface>& compared) {
+    return work_of<ComparisonWork, ComparedSurface>(
+        wake,
+        {.kind = WorkKind::kComparison,
+         .title =
+             [](const ComparisonWork& work) { return "Computing the " + std::string(row_of(work.request.kind).noun); },
+         .missing =
+             [&compared](const WorkView& view, const Assets&) {
+                 std::vector<ComparisonWork> missing;
+                 if (!view.document.tree()) return missing;
+                 for (ComparedRequest& request : compared_requests(view.document.marks()))
+                     if (std::ranges::find(compared, request, &ComparedSurface::request) == compared.end())
+                         missing.push_back({view.document.tree(), std::move(request)});
+                 return missing;
+             },
+         .make = [](const ComparisonWork& work, Job& job) { return make_compared(*work.tree, work.request, job); },
+         .put =
+             [&compared](const ComparisonWork& work, const ComparedSurface& made, Assets&) {
+                 std::erase_if(compared, [&](const auto& one) { return one.request.same_place(work.request); });
+                 compared.push_back(made);
+             },
+         .tidy =
+             [&compared](const WorkView& view, Assets&) {
+                 if (compared_surfaces(view.document.marks().comparison).empty()) compared.clear();
+             },
+         .waits = after_surface});
+}
+
+// Of the surface that is shown, once it is more than provisional.
+std::vector<DeviationWork> missing_deviation(const WorkView& view, const Assets& assets) {
+    const Marks& marks = view.document.marks();
+    if (!view.of_this_tree || marks.colour_by != ColourBy::kDeviation || !view.shown.mesh || view.surface_failed)
+        return {};
+    const mesh::SurfaceOptions& options = view.request.options;
+    DeviationOf of = deviation_of(view.document.tree(), marks, options);
+    const SurfaceDeviation& have = assets.deviation;
+    if (have.of == of && !have.trouble.empty()) return {};
+    if (have.fits(of, view.shown.mesh) && (have.preview == view.shown.preview || !view.shown.preview)) return {};
+    return {{std::move(of), options.threads, options.memory_bytes, view.shown.mesh, view.shown.preview}};
+}
+
+std::unique_ptr<BackgroundWork> deviation_work(const std::function<void()>& wake) {
+    return work_of<DeviationWork, SurfaceDeviation>(
+        wake,
+        {.kind = WorkKind::kDeviation,
+         .title = titled<DeviationWork>("Measuring the deviation"),
+         .missing = missing_deviation,
+         .make =
+             [](const DeviationWork& work, Job& job) {
+                 return make_deviation(work.of, work.threads, work.memory_bytes, work.mesh, work.preview, job);
+             },
+         .put = [](const DeviationWork&, const SurfaceDeviation& made, Assets& assets) { assets.deviation = made; },
+         .refused =
+             [](const DeviationWork& work, const std::string& problem, Assets& assets) {
+                 assets.deviation = {};
+                 assets.deviation.of = work.of;
+                 assets.deviation.trouble = problem;
+             },
+         .tidy =
+             [](const WorkView& view, Assets& assets) {
+                 if (view.document.marks().colour_by != ColourBy::kDeviation) assets.deviation = {};
+             },
+         .waits = [](const WorkView& view) { return view.surface_busy || !view.surface_final; }});
+}
+
+// After the surface that is shown, which it makes again with all branches.
+std::unique_ptr<BackgroundWork> validation_work(const std::function<void()>& wake) {
+    return work_of<ValidationOf, TreeValidation>(
+        wake, {.kind = WorkKind::kValidation,
+               .title = titled<ValidationOf>("Validating the surface"),
+               .missing = [](const WorkView& view, const Assets& assets) -> std::vector<ValidationOf> {
+                   if (!view.validation_wanted || !view.of_this_tree || view.tried) return {};
+                   ValidationOf of = validation_of(view.document.tree(), view.document.marks());
+                   if (assets.validation.fits(of)) return {};
+                   return {std::move(of)};
+               },
+               .make = make_validation,
+               .put = [](const ValidationOf&, const TreeValidation& made, Assets& assets) { assets.validation = made; },
+               .waits = after_surface});
+}
+
+struct ContactWork {
+    Tree tree;
+    mesh::SurfaceOptions options;
+    bool operator==(const ContactWork&) const = default;
+};
+
+bool contacts_are_wanted(const WorkView& view) { return view.contacts_wanted || view.document.marks().contact_marks; }
+
+// When there is nothing better to do, and at once where they are wanted; those of large trees only then.
+std::unique_ptr<BackgroundWork> contact_work(const std::function<void()>& wake) {
+    constexpr std::size_t kMostUnasked = 1'000'000; // points of the tree
+    return work_of<ContactWork, TreeContacts>(
+        wake, {.kind = WorkKind::kContacts,
+               .title = titled<ContactWork>("Looking for contacts"),
+               .missing = [](const WorkView& view, const Assets& assets) -> std::vector<ContactWork> {
+                   const mesh::SurfaceOptions& options = view.request.options;
+                   if (!view.of_this_tree || assets.contacts.fits(options)) return {};
+                   if (!contacts_are_wanted(view) && view.document.tree()->points.size() > kMostUnasked) return {};
+                   return {{view.document.tree(), options}};
+               },
+               .make = [](const ContactWork& work, Job&) -> Result<TreeContacts> {
+                   return contacts_of(*work.tree, work.options);
+               },
+               .put =
+                   [](const ContactWork& work, const TreeContacts& found, Assets& assets) {
+                       if (assets.tree == work.tree) assets.contacts = found;
+                   },
+               .waits = [](const WorkView& view) { return view.surface_busy && !contacts_are_wanted(view); },
+               .finishes = true,
+               .quiet = true});
+}
+
+struct CenterlineWork {
+    Tree tree;
+    mesh::SurfaceOptions options;
+    bool operator==(const CenterlineWork& other) const {
+        return tree == other.tree && options.smooth_passes == other.options.smooth_passes &&
+               options.prune_ratio == other.options.prune_ratio;
+    }
+};
+
+// Of large trees: until they are there pictures have those before, as they have the surface before.
+std::unique_ptr<BackgroundWork> centerline_work(const std::function<void()>& wake) {
+    return work_of<CenterlineWork, SurfaceCenterlines>(
+        wake, {.kind = WorkKind::kCenterlines,
+               .title = titled<CenterlineWork>("Making centerlines"),
+               .missing = [](const WorkView& view, const Assets& assets) -> std::vector<CenterlineWork> {
+                   if (!centerlines_awaited(assets, view.request.options)) return {};
+                   return {{assets.tree, view.request.options}};
+               },
+               .make = [](const CenterlineWork& work, Job&) -> Result<SurfaceCenterlines> {
+                   return centerlines_of(*work.tree, work.options);
+               },
+               .put =
+                   [](const CenterlineWork& work, const SurfaceCenterlines& made, Assets& assets) {
+                       if (assets.tree == work.tree) assets.centerlines = made;
+                   },
+               .quiet = true});
+}
+
+struct ConesWork {
+    std::shared_ptr<const render::Centerlines> lines;
+    DrawnWidth width;
+    bool operator==(const ConesWork&) const = default;
+};
+
+// What the processor draws while the view moves (render/caster/fitted_cones.h). Until it is there pictures take what
+// was there before, where that is of the same centerlines.
+std::unique_ptr<BackgroundWork> cones_work(const std::function<void()>& wake) {
+    using Cones = std::shared_ptr<const render::caster::FittedCones>;
+    return work_of<ConesWork, Cones>(
+        wake, {.kind = WorkKind::kCones,
+               .title = titled<ConesWork>("Fitting cones"),
+               .missing = [](const WorkView& view, const Assets& assets) -> std::vector<ConesWork> {
+                   const mesh::SurfaceOptions& options = view.request.options;
+                   const SurfaceCenterlines& now = assets.centerlines;
+                   const DrawnWidth width = drawn_width(options, options.method);
+                   if (!view.cones_wanted || assets.tree != view.document.tree() || !now.fits(options) ||
+                       !drawn_along_lines(options, options.method) || now.cones_fit(width))
+                       return {};
+                   return {{now.lines, width}};
+               },
+               .make = [](const ConesWork& work, Job&) -> Result<Cones> {
+                   return render::caster::fitted_cones(work.lines, work.width.width, work.width.beyond_ends);
+               },
+               .put =
+                   [](const ConesWork& work, const Cones& made, Assets& assets) {
+                       if (assets.centerlines.lines == work.lines) assets.centerlines.cones = made;
+                   },
+               .quiet = true});
+}
+
+} // namespace
+
+std::vector<std::unique_ptr<BackgroundWork>> background_works(const std::function<void()>& wake,
+                                                              std::vector<ComparedSurface>& compared) {
+    std::vector<std::unique_ptr<BackgroundWork>> works;
+    works.push_back(lesion_work(wake));
+    works.push_back(context_work(wake));
+    works.push_back(comparison_work(wake, compared));
+    works.push_back(deviation_work(wake));
+    works.push_back(validation_work(wake));
+    works.push_back(contact_work(wake));
+    works.push_back(centerline_work(wake));
+    works.push_back(cones_work(wake));
+    return works;
+}
+
+} // namespace ramus::app
