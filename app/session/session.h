@@ -54,7 +54,6 @@ struct Marks : SceneObjects {
     std::vector<tree::Edit> edits;           // of the file's tree, in order; ids below are those of the tree after them
     std::vector<int> selection;              // branch ids, ascending
     std::vector<render::BranchState> states; // by branch id; branches beyond its end are normal
-    std::vector<Lesion> lesions;             // spheres first, then meshes; a lesion's number is its place, from 1
     std::vector<std::pair<int, double>> cuts; // branch, and where: of its length from the parent's end
     std::map<int, std::string> names;
     std::vector<int> subtree_names;    // ids of `names`, ascending: these are also what depends on the branch is called

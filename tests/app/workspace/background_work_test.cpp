@@ -53,11 +53,7 @@ struct Doubler {
     bool follow() { return work.follow(view(), assets, errors); }
     [[nodiscard]] bool awaited() const { return work.awaited(view(), assets); }
     void finish() {
-        while (work.worker().busy()) {
-            follow();
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
-        follow();
+        for (follow(); work.worker().busy(); follow()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
 };
 
