@@ -67,7 +67,7 @@ Result<Outcome> shot(ActionContext& context, Arguments arguments) {
         then.say("Picture saved: " + full.string());
         return {};
     };
-    if (const auto coming = context.picture.coming_picture())
+    if (const auto coming = context.picture.deferred_picture())
         return Pending{"Drawing " + full.filename().string(),
                        [take = coming->take, full, say](Job& job) -> Result<Continuation> {
                            RAMUS_TRY(image, take());

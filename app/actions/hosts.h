@@ -27,11 +27,11 @@ namespace ramus::app {
 struct ToolSettings; // app/tools/tool.h
 
 // What was asked for and may not be there yet.
-template <class Value> struct Coming {
+template <class Value> struct Deferred {
     std::function<bool()> ready; // does not wait
     std::function<Value()> take; // once; waits
 };
-template <class Value> [[nodiscard]] Coming<Value> here(Value value) {
+template <class Value> [[nodiscard]] Deferred<Value> known_now(Value value) {
     auto kept = std::make_shared<Value>(std::move(value));
     return {[] { return true; }, [kept] { return std::move(*kept); }};
 }
@@ -62,10 +62,10 @@ public:
     virtual Result<render::BranchPicture> branch_picture();
     // The same, and what write_picture() writes, where a window must not wait for what another thread draws; any thread
     // may take the second. Nothing: write_picture() does it.
-    [[nodiscard]] virtual Coming<Result<render::BranchPicture>> coming_branch_picture() {
-        return here(branch_picture());
+    [[nodiscard]] virtual Deferred<Result<render::BranchPicture>> deferred_branch_picture() {
+        return known_now(branch_picture());
     }
-    [[nodiscard]] virtual std::optional<Coming<Result<render::Image>>> coming_picture() { return {}; }
+    [[nodiscard]] virtual std::optional<Deferred<Result<render::Image>>> deferred_picture() { return {}; }
     // The document from another camera, with scale bar and cube, dressed as `options` say, for reports.
     virtual Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size,
                                                const FigureOptions& options);

@@ -88,7 +88,7 @@ Result<Outcome> lasso(ActionContext& context, Arguments arguments) {
     if (!context.document.tree()) return fail("there is no tree to lasso");
     const LassoView view{context.document.session().camera, context.picture.picture_size()};
     if (!wanted.visible) return outcome_of(select_inside(context, wanted, view, nullptr));
-    const auto coming = context.picture.coming_branch_picture();
+    const auto coming = context.picture.deferred_branch_picture();
     const auto select = [coming, wanted, view](ActionContext& then) -> Result<void> {
         RAMUS_TRY(picture, coming.take());
         return select_inside(then, wanted, view, &picture);

@@ -7,7 +7,7 @@
 #include "app/session/numbers.h"
 #include "app/session/reading_options.h"
 #include "app/session/session_file.h"
-#include "app/storage/tree_source.h"
+#include "app/storage/opening_files.h"
 #include "core/io/trees/tree_file.h"
 #include "core/io/volumes/volume_file.h"
 

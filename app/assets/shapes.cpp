@@ -1,6 +1,6 @@
 #include "app/assets/shapes.h"
 
-#include "app/session/of_file.h"
+#include "app/session/error_context.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/io/volumes/volume_unit.h"
@@ -44,13 +44,13 @@ Result<mesh::TriangleMesh> read_surface(const ContextSource& source, ContextShap
     selection.isovalue = source.isovalue;
     if (!source.label.none()) {
         selection.labels = {source.label};
-        const auto numbers = of_file(volume::label_numbers(*volume, selection.labels), source.file);
+        const auto numbers = with_file(volume::label_numbers(*volume, selection.labels), source.file);
         if (!numbers) return tl::unexpected(numbers.error());
         if (const volume::LabelName* name = volume::name_of_label(*volume, numbers->front())) shape.label = *name;
     }
     volume::IsosurfaceOptions options;
     if (!source.exact) options.steps = volume::VoxelSteps::kSmoothed;
-    auto surface = of_file(volume::isosurface(std::move(*volume), selection, options, job), source.file);
+    auto surface = with_file(volume::isosurface(std::move(*volume), selection, options, job), source.file);
     if (surface && !source.exact) mesh::smooth_normals(*surface, kSmoothPasses);
     return surface;
 }

@@ -13,7 +13,7 @@
 #include "app/session/quantity.h"
 #include "app/session/smoothing_text.h"
 #include "app/session/systems.h"
-#include "app/storage/tree_source.h"
+#include "app/storage/opening_files.h"
 #include "core/base/error.h"
 #include "core/base/printable.h"
 #include "core/io/standard_input.h"

@@ -5,7 +5,7 @@
 #include "app/session/session_file.h"
 #include "app/session/systems.h"
 #include "app/session/tree_edits.h"
-#include "app/storage/tree_source.h"
+#include "app/storage/opening_files.h"
 #include "core/io/standard_input.h"
 #include "core/io/volumes/volume_file.h"
 

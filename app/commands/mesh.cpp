@@ -10,8 +10,8 @@
 #include "app/commands/write_surface.h"
 #include "app/picture/surface_names.h"
 #include "app/session/comparison.h"
+#include "app/session/error_context.h"
 #include "app/session/numbers.h"
-#include "app/session/of_file.h"
 #include "app/session/surface_options.h"
 #include "core/base/stopwatch.h"
 #include "core/io/meshes/mesh_file.h"
@@ -77,7 +77,7 @@ Result<WrittenSurface> mesh_of_mask(const std::string& file, const MaskFlags& ma
     load_s = watch.lap();
     const volume::IsosurfaceOptions options{static_cast<double>(flags.surface.memory_bytes), flags.surface.threads};
     const auto make = [&](Job& job) {
-        return of_file(volume::isosurface(std::move(read), mask.selection, options, job), file);
+        return with_file(volume::isosurface(std::move(read), mask.selection, options, job), file);
     };
     RAMUS_TRY(surface, with_progress("surface", make, kNothingWritten));
     WrittenSurface written;
@@ -285,8 +285,8 @@ Result<int> run_mesh(const MeshFlags& flags) {
         return tl::unexpected(known.error());
     const double load_s = watch.seconds();
 
-    RAMUS_TRY(written, of_file(write_surface(*opened.tree, opened.session.marks.options, hidden, target),
-                               opened.session.tree.path.string()));
+    RAMUS_TRY(written, with_file(write_surface(*opened.tree, opened.session.marks.options, hidden, target),
+                                 opened.session.tree.path.string()));
     tell_what_was_done(flags, written);
     warn_of_intersections(flags, written);
     warn_of_shape(flags, written, opened.session.marks.options.blend);

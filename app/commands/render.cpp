@@ -18,8 +18,8 @@
 #include "app/picture/fit.h"
 #include "app/picture/video_file.h"
 #include "app/session/colour_by.h"
+#include "app/session/error_context.h"
 #include "app/session/numbers.h"
-#include "app/session/of_file.h"
 #include "app/window/headless_interface.h"
 #include "app/window/pace.h"
 #include "core/base/stopwatch.h"
@@ -295,7 +295,7 @@ Result<int> run_render(const RenderFlags& flags) {
     if (flags.transparent) viewing.ground = Ground::kTransparent;
     viewing.notes = flags.notes;
     PictureStage stage(document, flags.common, viewing);
-    if (auto made = of_file(stage.make_surface(), document.session().tree.path.string()); !made)
+    if (auto made = with_file(stage.make_surface(), document.session().tree.path.string()); !made)
         return tl::unexpected(made.error());
     if (!document.tree())
         if (auto read = stage.complete_assets(); !read) return tl::unexpected(read.error());

@@ -11,8 +11,8 @@
 #include "app/ratings/rating_order.h"
 #include "app/ratings/rating_sheet.h"
 #include "app/session/checksum.h"
+#include "app/session/error_context.h"
 #include "app/session/numbers.h"
-#include "app/session/of_file.h"
 #include "app/workspace/compared_surfaces.h"
 #include "core/io/output_file.h"
 #include "core/io/output_folder.h"
@@ -248,7 +248,7 @@ Result<int> run_study(const StudyFlags& flags) {
     RAMUS_TRY(chosen, branches_of(whole_tree, Marks(), flags.common.systems, flags.file));
     const bool all = std::ranges::find(chosen, 0) == chosen.end();
     const tree::VesselTree tree = all ? std::move(whole_tree) : tree::part_of(whole_tree, chosen);
-    RAMUS_TRY(surfaces, of_file(make_surfaces(flags, tree), flags.file));
+    RAMUS_TRY(surfaces, with_file(make_surfaces(flags, tree), flags.file));
     const auto context = render::make_headless_context(render::Backend::kOsMesa, std::nullopt);
     if (!context) return tl::unexpected(context.error());
     RAMUS_TRY(renderer, render::Renderer::create());

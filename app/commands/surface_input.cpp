@@ -2,7 +2,7 @@
 
 #include "app/commands/inputs.h"
 #include "app/commands/progress.h"
-#include "app/session/of_file.h"
+#include "app/session/error_context.h"
 #include "core/io/length_unit.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/volume_file.h"
@@ -61,14 +61,14 @@ Result<SurfaceInput> surface_of_mask(const std::string& file, const SurfaceFlags
     if (voxels != nullptr) {
         RAMUS_TRY(
             inside, with_progress("voxels", [&](Job& job) {
-                return of_file(volume::inside(volume, {mask.labels, std::nullopt}, JobRange(job, 0.0F, 1.0F)), file);
+                return with_file(volume::inside(volume, {mask.labels, std::nullopt}, JobRange(job, 0.0F, 1.0F)), file);
             }));
         *voxels = {std::move(inside), volume.to_patient};
     }
     const volume::IsosurfaceOptions options{static_cast<double>(flags.surface.memory_bytes), flags.surface.threads};
     RAMUS_TRY(
         surface, with_progress("isosurface", [&](Job& job) {
-            return of_file(volume::isosurface(std::move(volume), {mask.labels, std::nullopt}, options, job), file);
+            return with_file(volume::isosurface(std::move(volume), {mask.labels, std::nullopt}, options, job), file);
         }));
     made.mesh = std::move(surface);
     return made;
@@ -92,7 +92,7 @@ Result<SurfaceInput> load_surface(const std::string& file, const SurfaceFlags& f
     if (!tree && !io::names_tree(file) && std::filesystem::exists(file, missing))
         return fail(tree.error().what, tree.error().where, "give " + surface_input_kinds());
     if (!tree) return tl::unexpected(tree.error());
-    return of_file(surface_of_tree(*tree, flags), file);
+    return with_file(surface_of_tree(*tree, flags), file);
 }
 
 } // namespace ramus::app

@@ -8,8 +8,8 @@
 #include "app/commands/validate_kernels.h"
 #include "app/commands/validate_report.h"
 #include "app/commands/validate_text.h"
+#include "app/session/error_context.h"
 #include "app/session/numbers.h"
-#include "app/session/of_file.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/volume_file.h"
 
@@ -35,7 +35,7 @@ void check_count(const std::string& name, std::size_t count, std::size_t trees) 
 Result<int> run_kernels(const ValidateFlags& flags) {
     RAMUS_TRY(trees, read_all(flags));
     if (auto printed =
-            of_file(print_kernels(flags.trees[0], trees[0], flags.surface.surface, flags.json), flags.trees[0]);
+            with_file(print_kernels(flags.trees[0], trees[0], flags.surface.surface, flags.json), flags.trees[0]);
         !printed)
         return tl::unexpected(printed.error());
     return kDone;

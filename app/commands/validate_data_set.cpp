@@ -2,8 +2,8 @@
 
 #include "app/commands/inputs.h"
 #include "app/commands/progress.h"
+#include "app/session/error_context.h"
 #include "app/session/numbers.h"
-#include "app/session/of_file.h"
 #include "app/workspace/compared_surfaces.h"
 #include "core/field/kernel.h"
 #include "core/io/checksum.h"
@@ -31,8 +31,8 @@ Result<mesh::TriangleMesh> surface_to_validate(const ValidateFlags& flags, std::
     const std::string file = flags.mesh(n);
     if (!file.empty() && !io::is_mesh(file) && io::is_volume(file))
         return fail("this is a mask, not a surface", file, "give it to --mask, which takes its isosurface");
-    RAMUS_TRY(loaded, file.empty() ? of_file(surface_of_tree(tree, flags.surface), flags.trees[n])
-                                   : of_file(load_mesh(file, flags.mesh_axes), file));
+    RAMUS_TRY(loaded, file.empty() ? with_file(surface_of_tree(tree, flags.surface), flags.trees[n])
+                                   : with_file(load_mesh(file, flags.mesh_axes), file));
     if (loaded.mesh.triangles.empty()) return fail("there is no surface in it", file.empty() ? flags.trees[n] : file);
     warn_of_stated_axes(file, loaded, flags.mesh_axes);
     if (loaded.is_mesh)
@@ -168,7 +168,7 @@ Result<std::vector<tree::VesselTree>> read_all(const ValidateFlags& flags) {
     for (const std::string& file : flags.masks)
         if (auto mask = load_volume(file, with_units(silent, flags.labels)); !mask) return tl::unexpected(mask.error());
     for (const std::string& file : flags.meshes)
-        if (auto mesh = of_file(io::read_mesh(file, io::Holes::kAllowed), file); !mesh)
+        if (auto mesh = with_file(io::read_mesh(file, io::Holes::kAllowed), file); !mesh)
             return tl::unexpected(mesh.error());
     return trees;
 }

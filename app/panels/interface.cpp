@@ -118,7 +118,7 @@ bool Interface::dismiss() {
         volume = {};
     } else {
         const std::array below{&palette.open,  &recovery.open,   &open_dialog.open, &help_open,     &rename.open,
-                               &radius.open,   &fly.open,        &unsaid.open,      &warnings.open, &doctor.open,
+                               &radius.open,   &fly.open,        &units_panel.open, &warnings.open, &doctor.open,
                                &contacts.open, &validation.open, &welcome.open,     &written.open};
         const auto top = std::ranges::find_if(below, [](const bool* open) { return *open; });
         if (top == below.end()) return false;
@@ -186,7 +186,7 @@ void draw_interface(InterfaceContext& context) {
     draw_side_panel(context);
     draw_welcome(context);
     draw_doctor(context);
-    draw_unsaid(context);
+    draw_units_panel(context);
     draw_warnings(context);
     draw_contacts(context);
     draw_validation(context);

@@ -4,9 +4,9 @@
 
 #include "app/actions/command_runner.h"
 #include "app/panels/branch_list.h"
-#include "app/panels/life_dialogs.h"
 #include "app/panels/open_dialog.h"
 #include "app/panels/overview.h"
+#include "app/panels/recovery_dialogs.h"
 #include "app/panels/slider_row.h"
 #include "app/panels/volume_dialog.h"
 #include "app/panels/widgets.h"
@@ -175,7 +175,7 @@ struct ContextMenu {
 };
 
 // The panel that asks for what a file does not say.
-struct Unsaid {
+struct UnitsPanel {
     bool open = false;
     std::string unit = "open"; // a name, "voxels", or "open": nobody says it
     std::array<char, 64> voxel{};
@@ -264,7 +264,7 @@ struct Interface {
     Welcome welcome;
     Doctor doctor;
     WarningsPanel warnings;
-    Unsaid unsaid;
+    UnitsPanel units_panel;
     ContactList contacts;
     ValidationList validation;
     std::optional<GlassLook> tried_glass;                  // while a slider is held
@@ -296,7 +296,8 @@ struct Interface {
     }
     // One panel lies over the picture's left edge at a time; null: none.
     void open_left_panel(bool* panel) {
-        for (bool* each : {&welcome.open, &doctor.open, &contacts.open, &unsaid.open, &warnings.open, &validation.open})
+        for (bool* each :
+             {&welcome.open, &doctor.open, &contacts.open, &units_panel.open, &warnings.open, &validation.open})
             *each = each == panel;
     }
     // Whether left and right lead from menu to menu.
@@ -346,7 +347,7 @@ void draw_branch_window(InterfaceContext& context);                   // the lis
 void draw_overview(InterfaceContext& context);
 void draw_fly(InterfaceContext& context);
 void draw_doctor(InterfaceContext& context);
-void draw_unsaid(InterfaceContext& context);
+void draw_units_panel(InterfaceContext& context);
 void draw_warnings(InterfaceContext& context);
 // The mark in the status bar, left of what begins at `right_edge`; returns where it begins itself.
 [[nodiscard]] float draw_warning_mark(InterfaceContext& context, float right_edge);

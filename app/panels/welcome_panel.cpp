@@ -4,7 +4,7 @@
 #include "app/panels/left_panel.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
-#include "app/storage/tree_source.h"
+#include "app/storage/opening_files.h"
 
 #include <imgui.h>
 #include <utility>

@@ -19,12 +19,13 @@ std::vector<Warning> warnings_of(const tree::VesselTree& tree, const std::string
         std::string what =
             kind + ", " + topic_label(group.topic) + ": " + window_words(tree.notes[group.notes.front()].text);
         if (group.notes.size() > 1) what += "; and " + grouped(group.notes.size() - 1) + " more";
-        const bool unsaid =
+        const bool units_panel =
             (group.topic == "units" && !tree.claims.has_unit()) || (group.topic == "axes" && !tree.claims.has_sides());
         found.push_back({std::move(what), file,
-                         unsaid ? "say it: View, Orientation and unit"
-                                : "look at it in the import doctor, and read the file in another way if it is wrong",
-                         unsaid ? "orientation" : "doctor", true});
+                         units_panel
+                             ? "say it: View, Orientation and unit"
+                             : "look at it in the import doctor, and read the file in another way if it is wrong",
+                         units_panel ? "orientation" : "doctor", true});
     }
     return found;
 }

@@ -49,7 +49,7 @@ public:
         return future;
     }
     // The same, for who looks whether it is there; any thread may take it.
-    template <class Work> [[nodiscard]] auto later(Work work) -> Coming<std::invoke_result_t<Work&>> {
+    template <class Work> [[nodiscard]] auto later(Work work) -> Deferred<std::invoke_result_t<Work&>> {
         const auto future = std::make_shared<std::future<std::invoke_result_t<Work&>>>(begin(std::move(work)));
         return {[this, future] { return done(*future, 0.0); }, [future] { return future->get(); }};
     }

@@ -82,9 +82,9 @@ void PictureDrawer::present(unsigned framebuffer, glm::ivec2 at, glm::ivec2 size
     sheets_->present(framebuffer, at.x, at.y);
 }
 
-Coming<std::optional<render::Pick>> PictureDrawer::pick(glm::dvec2 at) {
+Deferred<std::optional<render::Pick>> PictureDrawer::pick(glm::dvec2 at) {
     const bool same = asked_.answer && asked_.of == seen_ && glm::distance(asked_.at, at) < 1.0;
-    if (!idle() && same) return here(asked_.answer);
+    if (!idle() && same) return known_now(asked_.answer);
     return thread_.later([this, at, of = seen_] { return sheets_->pick(at, of); });
 }
 

@@ -43,7 +43,7 @@ public:
 
     // As of SheetRenderer. The first is of the picture that is shown now, whatever is drawn until it is there; none: by
     // then it is not known any more.
-    [[nodiscard]] Coming<std::optional<render::Pick>> pick(glm::dvec2 at);
+    [[nodiscard]] Deferred<std::optional<render::Pick>> pick(glm::dvec2 at);
     [[nodiscard]] glm::ivec2 shown_size() const { return seen_.outline.size; }
     void request_pick(glm::dvec2 at);
     [[nodiscard]] std::optional<render::Pick> poll_pick();

@@ -29,7 +29,7 @@ Viewing PictureView::viewing() const {
     viewing.notes = interface.doctor.open && interface.doctor.mark;
     viewing.note = interface.doctor.current;
     if (const auto& tree = state_.workspace.document().tree())
-        viewing.axes = interface.unsaid.axes(tree->claims, state_.workspace.document().marks().reading);
+        viewing.axes = interface.units_panel.axes(tree->claims, state_.workspace.document().marks().reading);
     if (interface.tool)
         if (const auto moved = interface.tool->moved_measurement())
             viewing.measurement = state_.workspace.document().marks().measurements[*moved].id;
@@ -338,7 +338,7 @@ render::Sheet PictureView::sheet_for_keeping(glm::ivec2 size) {
                          {.size = size, .pixel_ratio = state_.scale});
 }
 
-Coming<Result<render::Image>> PictureView::picture_for_keeping() {
+Deferred<Result<render::Image>> PictureView::picture_for_keeping() {
     const auto draw = [sheet = sheet_for_keeping(state_.layout.view_size), seconds = keeping_seconds()](
                           render::Renderer&, render::SheetRenderer& sheets) -> Result<render::Image> {
         if (const auto drawn = sheets.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());
@@ -354,7 +354,7 @@ Result<void> PictureView::write_picture(const std::filesystem::path& path) {
 }
 
 // A script goes on when the file is there.
-std::optional<Coming<Result<render::Image>>> PictureView::coming_picture() {
+std::optional<Deferred<Result<render::Image>>> PictureView::deferred_picture() {
     if (!state_.watched()) return {};
     return picture_for_keeping();
 }
@@ -385,7 +385,7 @@ Result<render::Image> PictureView::draw_picture(const render::Camera& camera, gl
     });
 }
 
-Coming<Result<render::BranchPicture>> PictureView::coming_branch_picture() {
+Deferred<Result<render::BranchPicture>> PictureView::deferred_branch_picture() {
     const auto draw = [frame = frame_for_keeping(state_.workspace.document().session().camera, picture_size())](
                           render::Renderer& renderer, render::SheetRenderer&) -> Result<render::BranchPicture> {
         if (const auto drawn = renderer.draw(frame); !drawn) return tl::unexpected(drawn.error());

@@ -31,7 +31,7 @@ public:
 
     // Pixels of the picture as it is in the window, which may show one of another size yet. The first is of the one
     // that is shown now, or none where it is not known any more; the answer to the second comes a frame or two later.
-    [[nodiscard]] Coming<std::optional<render::Pick>> pick(glm::dvec2 at) { return drawer_.pick(in_shown(at)); }
+    [[nodiscard]] Deferred<std::optional<render::Pick>> pick(glm::dvec2 at) { return drawer_.pick(in_shown(at)); }
     void request_pick(glm::dvec2 at) { drawer_.request_pick(in_shown(at)); }
     [[nodiscard]] std::optional<render::Pick> poll_pick() { return drawer_.poll_pick(); }
 
@@ -56,9 +56,9 @@ public:
     // PictureHost
     [[nodiscard]] glm::ivec2 picture_size() const override { return state_.viewport_size(); }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override;
-    Result<render::BranchPicture> branch_picture() override { return coming_branch_picture().take(); }
-    [[nodiscard]] Coming<Result<render::BranchPicture>> coming_branch_picture() override;
-    [[nodiscard]] std::optional<Coming<Result<render::Image>>> coming_picture() override;
+    Result<render::BranchPicture> branch_picture() override { return deferred_branch_picture().take(); }
+    [[nodiscard]] Deferred<Result<render::BranchPicture>> deferred_branch_picture() override;
+    [[nodiscard]] std::optional<Deferred<Result<render::Image>>> deferred_picture() override;
     Result<void> write_picture(const std::filesystem::path& path) override;
     Result<void> write_figure(const FigureRequest& request, Job& job) override;
     [[nodiscard]] glm::ivec2 whole_size() const override { return state_.layout.view_size; }
@@ -110,7 +110,7 @@ private:
     void tell_nothing_in_view();
     [[nodiscard]] std::optional<render::Scale> scale_now() const;
     [[nodiscard]] render::Sheet sheet_for_keeping(glm::ivec2 size);
-    [[nodiscard]] Coming<Result<render::Image>> picture_for_keeping();
+    [[nodiscard]] Deferred<Result<render::Image>> picture_for_keeping();
     [[nodiscard]] render::Frame frame_for_keeping(const render::Camera& camera, glm::ivec2 size);
 
     ViewerState& state_;

@@ -22,7 +22,7 @@ constexpr double kQuestionSeconds = 0.02;
 // What the lists of notes and of contacts say, and where one has gone from them; and what was measured.
 void add_lists(nlohmann::json& status, const Interface& interface, const Workspace& workspace) {
     status["doctor"] = {{"open", interface.doctor.open}, {"note", interface.doctor.current + 1}};
-    status["unsaid"] = interface.unsaid.open;
+    status["units_panel"] = interface.units_panel.open;
     status["warnings"] = {{"open", interface.warnings.open},
                           {"unread", interface.warnings.list.unread()},
                           {"count", interface.warnings.list.all().size()}};

@@ -3,7 +3,7 @@
 #include "app/panels/theme.h"
 #include "app/picture/fit.h"
 #include "app/session/reading_options.h"
-#include "app/storage/tree_source.h"
+#include "app/storage/opening_files.h"
 #include "core/io/volumes/volume_file.h"
 
 #include <algorithm>
@@ -124,14 +124,14 @@ void Viewer::begin_tree(const Workspace::Opened& opened) {
     state_.tree = document.tree();
     state_.interface.doctor = {};
     state_.interface.doctor.open = state_.tree && could_mislead(*state_.tree, document.marks().reading);
-    state_.interface.unsaid = {};
+    state_.interface.units_panel = {};
     // Who opens a session has been asked when it was made.
     if (state_.persons_window && state_.tree && !state_.tree->claims.complete() && !opened.has_camera) {
-        state_.interface.unsaid.show(document.marks().reading);
+        state_.interface.units_panel.show(document.marks().reading);
         state_.interface.doctor.open = false;
     }
     if (document.subject() != demo_tree().value_or(std::filesystem::path())) state_.interface.welcome.open = false;
-    for (bool* panel : {&state_.interface.doctor.open, &state_.interface.unsaid.open})
+    for (bool* panel : {&state_.interface.doctor.open, &state_.interface.units_panel.open})
         if (*panel) state_.interface.open_left_panel(panel);
     state_.interface.doctor.of_mask = state_.tree && io::is_volume(document.session().tree.path);
 }

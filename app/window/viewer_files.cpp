@@ -2,8 +2,8 @@
 
 #include "app/picture/video_file.h"
 #include "app/session/reading_options.h"
+#include "app/storage/opening_files.h"
 #include "app/storage/recent_files.h"
-#include "app/storage/tree_source.h"
 #include "app/storage/user_folders.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/recognise.h"

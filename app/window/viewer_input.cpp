@@ -260,7 +260,7 @@ void ViewerInput::look_up(glm::dvec2 in_picture, const std::function<void(const 
     if (!picture_.shows_tree())
         return state_.await([this] { return picture_.shows_tree(); },
                             [this, in_picture, then] { look_up(in_picture, then); });
-    const Coming<std::optional<render::Pick>> pick = picture_.pick(in_picture);
+    const Deferred<std::optional<render::Pick>> pick = picture_.pick(in_picture);
     state_.await(pick.ready, [this, pick, then, tree = state_.workspace.document().tree()] {
         if (state_.workspace.document().tree() != tree) return; // an edit gives branches other ids
         if (const auto found = pick.take()) return then(*found);

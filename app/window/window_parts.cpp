@@ -19,7 +19,7 @@ void WindowParts::toggle(std::string_view part) {
     else if (part == "warnings")
         interface.open_left_panel(interface.warnings.open ? nullptr : &interface.warnings.open);
     else if (part == "orientation")
-        show_unsaid(!interface.unsaid.open);
+        show_units_panel(!interface.units_panel.open);
     else if (part == "contacts")
         show_contacts(!interface.contacts.open);
     else if (part == "branches")
@@ -49,7 +49,7 @@ bool WindowParts::shows(std::string_view part) const {
            : part == "help"        ? interface.help_open
            : part == "palette"     ? interface.palette.open
            : part == "doctor"      ? interface.doctor.open
-           : part == "orientation" ? interface.unsaid.open
+           : part == "orientation" ? interface.units_panel.open
            : part == "warnings"    ? interface.warnings.open
            : part == "contacts"    ? interface.contacts.open
            : part == "branches"    ? interface.list.apart
@@ -115,10 +115,10 @@ void WindowParts::read_warnings() {
     state_.redraw();
 }
 
-void WindowParts::show_unsaid(bool open) {
+void WindowParts::show_units_panel(bool open) {
     Interface& interface = state_.interface;
     interface.open_left_panel(nullptr);
-    if (open) interface.unsaid.show(said_of(state_.workspace.document()));
+    if (open) interface.units_panel.show(said_of(state_.workspace.document()));
 }
 
 void WindowParts::show_contacts(bool open) {

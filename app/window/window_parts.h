@@ -37,7 +37,7 @@ public:
 private:
     void show_contacts(bool open);
     void open_page(std::string_view name);
-    void show_unsaid(bool open);
+    void show_units_panel(bool open);
     void show_validation(bool open);
 
     ViewerState& state_;

@@ -1,6 +1,6 @@
 #include "app/workspace/compared_surfaces.h"
 
-#include "app/session/of_file.h"
+#include "app/session/error_context.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/mesh/coarse_mesh.h"
 #include "core/volume/isosurface.h"
@@ -58,7 +58,7 @@ Result<mesh::TriangleMesh> isosurface_of(const tree::VesselTree& tree, const Com
     made.voxel_diagonal_mm = glm::length(volume::spacing_mm(read.to_patient));
     made.notes = read.notes;
     made.notes.insert(made.notes.end(), read.suspicions.begin(), read.suspicions.end());
-    return of_file(volume::isosurface(std::move(read), {request.labels, std::nullopt}, options, job), request.mask);
+    return with_file(volume::isosurface(std::move(read), {request.labels, std::nullopt}, options, job), request.mask);
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 #include "app/workspace/deviation_maker.h"
 
 #include "app/assets/half_turn.h"
-#include "app/session/of_file.h"
+#include "app/session/error_context.h"
 #include "app/workspace/compared_surfaces.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/measure/deviation/deviation.h"

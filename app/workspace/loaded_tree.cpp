@@ -6,7 +6,7 @@
 #include "app/session/systems.h"
 #include "app/session/tree_edits.h"
 #include "app/session/usual_sizes.h"
-#include "app/storage/tree_source.h"
+#include "app/storage/opening_files.h"
 #include "core/base/stopwatch.h"
 #include "core/io/volumes/volume_file.h"
 

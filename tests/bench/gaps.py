@@ -381,7 +381,7 @@ def explore(program, screen, folder, tree, name):
     print(f"{name}: step, longest gap in s of the thread, at what, longest by the clock, at what")
     explorer = Explorer(program, screen, folder, tree)
     try:
-        if explorer.window.status()["unsaid"]:
+        if explorer.window.status()["units_panel"]:
             explorer.key("answer about units", "Escape")
         for part in (turn_and_zoom, mark, hide_subtrees, use_tools, colour_and_view, plan, look_up, sort_the_list, travel,
                      change_surface, compare, add_context, edit, put_out, resize):

@@ -61,9 +61,9 @@ def near(a, b, tolerance=1e-6):
 
 def units(window):
     """The doctor's panel is there by itself; cm make the radii right, and what is seen stays."""
-    window.wait("the question for the unit", lambda s: s["surface_ready"] and s["unsaid"])
+    window.wait("the question for the unit", lambda s: s["surface_ready"] and s["units_panel"])
     click(window, "Leave open")
-    status = window.wait("the doctor", lambda s: not s["unsaid"])
+    status = window.wait("the doctor", lambda s: not s["units_panel"])
     check(status["doctor"]["open"], "the doctor comes by itself: sizes are those of cm")
     check(near(thickest(status), 0.5), "the radii are taken as mm")
     before = project(status, (0, 0, 4))
@@ -160,9 +160,9 @@ def without_radii(program, screen, folder):
         window.xdotool("key", "Return")
         status = window.wait("the tree", lambda s: s["surface_ready"] and not s["error"])
         check(near(thickest(status), 2.5) and status["reading"] == {"radius_mm": 2.5}, "it opens with the radius that was typed")
-        if status["unsaid"]:
+        if status["units_panel"]:
             click(window, "Leave open")
-        status = window.wait("the doctor", lambda s: not s["unsaid"] and s["doctor"]["open"])
+        status = window.wait("the doctor", lambda s: not s["units_panel"] and s["doctor"]["open"])
         check(status["doctor"]["open"], "the doctor comes by itself: nobody measured the radii")
         click(window, MISSING)
         window.wait("the row's field", lambda s: s["typing"])

@@ -47,9 +47,9 @@ def opened(program, screen, folder, *arguments):
     tree = folder / "small tree.swc"
     tree.write_text(SMALL_TREE)
     window = Window(program, screen, folder, [tree, *arguments])
-    if window.wait("the surface", ready)["unsaid"]:
+    if window.wait("the surface", ready)["units_panel"]:
         window.xdotool("key", "Escape")
-        window.wait("no question", lambda s: not s["unsaid"])
+        window.wait("no question", lambda s: not s["units_panel"])
     return window
 
 

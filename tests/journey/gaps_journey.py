@@ -52,7 +52,7 @@ def answers_in_time(program, screen, folder):
     os.environ["XDG_CACHE_HOME"] = str(folder / "nothing in it")
     window = Window(program, screen, folder, [tree])
     try:
-        if window.wait("the surface", rested)["unsaid"]:
+        if window.wait("the surface", rested)["units_panel"]:
             window.xdotool("key", "Escape")
         longest = {"the start": window.wait("the first rest", rested)["longest_gap"]["processor_seconds"]}
         for name, take in steps(window):

@@ -22,7 +22,7 @@ def cube_of(window):
 
 
 def question(window):
-    status = window.wait("the question", lambda s: s["surface_ready"] and s["unsaid"])
+    status = window.wait("the question", lambda s: s["surface_ready"] and s["units_panel"])
     check(status["claims"] == {"units": "unknown", "orientation": "unknown"}, "nothing is claimed of a bare file")
     neutral = cube_of(window)
     choose(window, SIDES["x"], "posterior (P)")
@@ -38,7 +38,7 @@ def question(window):
     check(window.status()["claims"]["orientation"] == "unknown", "which claims nothing yet")
     click(window, "Take")
     status = window.wait("the answer", lambda s: s["claims"] == {"units": "mm", "orientation": "RAS"} and s["surface_ready"])
-    check(status["reading"] == {"orientation": "PIR", "units": "cm"} and not status["unsaid"], "the answer is taken")
+    check(status["reading"] == {"orientation": "PIR", "units": "cm"} and not status["units_panel"], "the answer is taken")
     check(status["undo"].startswith("read as"), "as one step of undo")
     window.xdotool("key", "ctrl+z")
     window.wait("nothing said", lambda s: s["claims"]["orientation"] == "unknown" and s["surface_ready"])
@@ -100,7 +100,7 @@ def orientation(program, screen, folder):
     window = Window(program, screen, folder, [session, "--size", "1200x800"])
     try:
         status = window.wait("the session", lambda s: s["surface_ready"])
-        check(status["claims"] == {"units": "mm", "orientation": "RAS"} and not status["unsaid"],
+        check(status["claims"] == {"units": "mm", "orientation": "RAS"} and not status["units_panel"],
               "it opens with both, and does not ask again")
         check(window.quit() == 0, "and closes again")
     finally:

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/picture/compose.h"
-#include "app/storage/tree_source.h"
+#include "app/storage/opening_files.h"
 #include "app/workspace/workspace.h"
 #include "core/io/meshes/mesh_file.h"
 #include "tests/support/command_stage.h"

@@ -131,7 +131,7 @@ TEST_CASE("what is asked for later is looked at without waiting, and who waits f
     const auto thread = thread_of(told);
     CHECK(thread->run([] { return 1; }) == 1);
     CHECK(thread->waits() == 0); // for nothing but its own
-    ramus::app::Coming<int> coming;
+    ramus::app::Deferred<int> coming;
     {
         const Held held(*thread);
         coming = thread->later([] { return 3; });

@@ -182,8 +182,8 @@ TEST_CASE("an export that cannot be says why, and writes nothing") {
 
 TEST_CASE("in a window a picture of it is written behind it, as it was when it was asked for") {
     struct PictureElsewhere final : test::TestPicture {
-        std::optional<app::Coming<Result<render::Image>>> coming_picture() override {
-            return app::here<Result<render::Image>>(render::Image(30, 20));
+        std::optional<app::Deferred<Result<render::Image>>> deferred_picture() override {
+            return app::known_now<Result<render::Image>>(render::Image(30, 20));
         }
     } host;
     ExportStage stage;

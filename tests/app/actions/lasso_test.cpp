@@ -247,7 +247,7 @@ struct LassoPicture final : test::TestPicture {
 // The same, drawn elsewhere.
 struct ComingPicture final : test::TestPicture {
     bool there = false;
-    Coming<Result<render::BranchPicture>> coming_branch_picture() override {
+    Deferred<Result<render::BranchPicture>> deferred_branch_picture() override {
         const auto take = []() -> Result<render::BranchPicture> {
             return render::BranchPicture{100, 100, std::vector<int>(10000, 2)};
         };

@@ -1,6 +1,6 @@
 // The import doctor's commands: going to what it found, and reading the file again.
 #include "app/session/session_file.h"
-#include "app/storage/tree_source.h"
+#include "app/storage/opening_files.h"
 #include "core/io/trees/tree_file.h"
 #include "tests/support/command_stage.h"
 #include "tests/support/nifti_file.h"

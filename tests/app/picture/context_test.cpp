@@ -4,7 +4,7 @@
 #include "app/picture/compose.h"
 #include "app/session/colour_by.h"
 #include "app/session/session_file.h"
-#include "app/storage/tree_source.h"
+#include "app/storage/opening_files.h"
 #include "app/workspace/workspace.h"
 #include "core/io/meshes/mesh_file.h"
 #include "render/scene/bounds.h"

@@ -1,6 +1,6 @@
 #include "app/assets/shapes.h"
 #include "app/session/session_file.h"
-#include "app/storage/tree_source.h"
+#include "app/storage/opening_files.h"
 #include "app/workspace/workspace.h"
 #include "core/base/worker.h"
 #include "core/io/meshes/mesh_file.h"

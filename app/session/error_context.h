@@ -1,4 +1,4 @@
-// Errors of functions that do not know the file that they work on.
+// Errors of functions that do not know the file that they work on: the caller names it.
 #pragma once
 
 #include "core/base/error.h"
@@ -9,7 +9,7 @@
 namespace ramus::app {
 
 // The same, and an error that does not say where names `file`.
-template <class T> [[nodiscard]] Result<T> of_file(Result<T> result, const std::string& file) {
+template <class T> [[nodiscard]] Result<T> with_file(Result<T> result, const std::string& file) {
     if (!result && result.error().where.empty()) result.error().where = io::input_name(file);
     return result;
 }

@@ -1,4 +1,4 @@
-#include "app/storage/tree_source.h"
+#include "app/storage/opening_files.h"
 
 #include "core/io/json_text.h"
 #include "core/io/trees/branch_table.h"

@@ -1,4 +1,4 @@
-#include "app/panels/life_dialogs.h"
+#include "app/panels/recovery_dialogs.h"
 
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"

@@ -32,37 +32,37 @@ std::string side_words(io::Side side) {
     return std::string(io::name_of(side)) + " (" + std::string(1, io::letter_of(side)) + ")";
 }
 
-void draw_unit_row(Unsaid& unsaid, const tree::Claims& claims) {
+void draw_unit_row(UnitsPanel& units_panel, const tree::Claims& claims) {
     const char* by_itself = claims.unit == tree::SaidBy::kFile ? "As the file says" : "Not known";
-    if (const auto unit = widgets::choice_row("Unit", "What one unit of the file's numbers is", unsaid.unit,
+    if (const auto unit = widgets::choice_row("Unit", "What one unit of the file's numbers is", units_panel.unit,
                                               {{kOpen, by_itself},
                                                {"mm", "Millimetres (mm)"},
                                                {"cm", "Centimetres (cm)"},
                                                {"um", "Micrometres (um)"},
                                                {"m", "Metres (m)"},
                                                {kVoxelSize, "Voxels\xE2\x80\xA6"}}))
-        unsaid.unit = *unit;
-    if (unsaid.unit != kVoxelSize) return;
+        units_panel.unit = *unit;
+    if (units_panel.unit != kVoxelSize) return;
     widgets::begin_row("Voxel", "The size of a voxel in mm, or three");
-    ImGui::InputTextWithHint("##size", "mm: 0.62 or 0.3x0.3x0.6", unsaid.voxel.data(), unsaid.voxel.size());
+    ImGui::InputTextWithHint("##size", "mm: 0.62 or 0.3x0.3x0.6", units_panel.voxel.data(), units_panel.voxel.size());
     ImGui::PopID();
 }
 
 // Sides on a line that another axis has taken are not offered: the choice is possible whatever is chosen.
-void draw_axis_row(Unsaid& unsaid, std::size_t axis, const tree::Claims& claims) {
+void draw_axis_row(UnitsPanel& units_panel, std::size_t axis, const tree::Claims& claims) {
     constexpr std::array kNames{"x", "y", "z"};
     Entries entries{{kOpen, claims.orientation == tree::SaidBy::kFile ? "As the file says" : "Not known"}};
     for (const io::Side side : io::kSides) {
         const bool taken = [&] {
-            for (std::size_t other = 0; other < unsaid.sides.size(); ++other)
-                if (other != axis && unsaid.sides.at(other) &&
-                    io::line_of(*unsaid.sides.at(other)) == io::line_of(side))
+            for (std::size_t other = 0; other < units_panel.sides.size(); ++other)
+                if (other != axis && units_panel.sides.at(other) &&
+                    io::line_of(*units_panel.sides.at(other)) == io::line_of(side))
                     return true;
             return false;
         }();
         if (!taken) entries.emplace_back(std::string(1, io::letter_of(side)), side_words(side));
     }
-    std::optional<io::Side>& mine = unsaid.sides.at(axis);
+    std::optional<io::Side>& mine = units_panel.sides.at(axis);
     const std::string now = mine ? std::string(1, io::letter_of(*mine)) : kOpen;
     const std::string help = "Which side of the patient " + std::string(kNames.at(axis)) + " leads to";
     const auto chosen = widgets::choice_row(kNames.at(axis), help.c_str(), now, entries);
@@ -71,11 +71,11 @@ void draw_axis_row(Unsaid& unsaid, std::size_t axis, const tree::Claims& claims)
     mine = *chosen == kOpen || side == io::kSides.end() ? std::nullopt : std::optional(*side);
 }
 
-void draw_axes(Unsaid& unsaid, const tree::Claims& claims) {
-    for (std::size_t axis = 0; axis < unsaid.sides.size(); ++axis) draw_axis_row(unsaid, axis, claims);
-    const auto chosen = unsaid.orientation();
+void draw_axes(UnitsPanel& units_panel, const tree::Claims& claims) {
+    for (std::size_t axis = 0; axis < units_panel.sides.size(); ++axis) draw_axis_row(units_panel, axis, claims);
+    const auto chosen = units_panel.orientation();
     if (!chosen) {
-        const bool none = std::ranges::none_of(unsaid.sides, [](const auto& side) { return side.has_value(); });
+        const bool none = std::ranges::none_of(units_panel.sides, [](const auto& side) { return side.has_value(); });
         widgets::quiet_wrapped(none ? "Without sides the cube shows the axes x, y, z."
                                     : "Choose a side for each of the three axes.");
     } else if (chosen->mirrors()) {
@@ -91,22 +91,23 @@ void draw_axes(Unsaid& unsaid, const tree::Claims& claims) {
 }
 
 // The words of read-as; none: nothing is to be changed.
-std::vector<std::string> answers(const Unsaid& unsaid, const io::ReadOptions& options) {
+std::vector<std::string> answers(const UnitsPanel& units_panel, const io::ReadOptions& options) {
     std::vector<std::string> words;
     const auto add = [&](const char* key, std::string value) { words.insert(words.end(), {key, std::move(value)}); };
-    const std::string unit = unsaid.unit == kVoxelSize ? std::string(unsaid.voxel.data())
-                             : unsaid.unit == kOpen    ? "auto"
-                                                       : unsaid.unit;
+    const std::string unit = units_panel.unit == kVoxelSize ? std::string(units_panel.voxel.data())
+                             : units_panel.unit == kOpen    ? "auto"
+                                                            : units_panel.unit;
     if (unit != (options.unit ? spelled(*options.unit) : "auto")) add("units", unit);
-    const auto orientation = unsaid.orientation();
+    const auto orientation = units_panel.orientation();
     if (orientation && orientation != options.orientation) add("orientation", orientation->letters());
     if (!orientation && options.orientation) add("orientation", "auto");
     return words;
 }
 
-bool is_whole(const Unsaid& unsaid) {
-    const auto chosen = std::ranges::count_if(unsaid.sides, [](const auto& side) { return side.has_value(); });
-    return (chosen == 0 || chosen == 3) && (unsaid.unit != kVoxelSize || io::length_unit(unsaid.voxel.data()));
+bool is_whole(const UnitsPanel& units_panel) {
+    const auto chosen = std::ranges::count_if(units_panel.sides, [](const auto& side) { return side.has_value(); });
+    return (chosen == 0 || chosen == 3) &&
+           (units_panel.unit != kVoxelSize || io::length_unit(units_panel.voxel.data()));
 }
 
 } // namespace
@@ -120,12 +121,12 @@ io::ReadOptions said_of(const Document& document) {
     return said;
 }
 
-std::optional<io::Orientation> Unsaid::orientation() const {
+std::optional<io::Orientation> UnitsPanel::orientation() const {
     if (!sides[0] || !sides[1] || !sides[2]) return std::nullopt;
     return io::Orientation::leading_to({*sides[0], *sides[1], *sides[2]});
 }
 
-void Unsaid::show(const io::ReadOptions& options) {
+void UnitsPanel::show(const io::ReadOptions& options) {
     open = true;
     unit = options.unit ? spelled(*options.unit) : kOpen;
     voxel = {};
@@ -138,7 +139,7 @@ void Unsaid::show(const io::ReadOptions& options) {
         sides.at(static_cast<std::size_t>(axis)) = options.orientation->side(axis);
 }
 
-std::optional<render::AxisNames> Unsaid::axes(const tree::Claims& claims, const io::ReadOptions& options) const {
+std::optional<render::AxisNames> UnitsPanel::axes(const tree::Claims& claims, const io::ReadOptions& options) const {
     const auto chosen = orientation();
     if (!open || !chosen || claims.orientation == tree::SaidBy::kFile) return std::nullopt;
     const io::Orientation now = options.orientation.value_or(io::Orientation::ras());
@@ -156,10 +157,10 @@ std::optional<render::AxisNames> Unsaid::axes(const tree::Claims& claims, const 
     return names;
 }
 
-void draw_unsaid(InterfaceContext& context) {
-    Unsaid& unsaid = context.interface.unsaid;
+void draw_units_panel(InterfaceContext& context) {
+    UnitsPanel& units_panel = context.interface.units_panel;
     const Document& document = context.workspace.document();
-    if (!unsaid.open || !document.has_scene()) return;
+    if (!units_panel.open || !document.has_scene()) return;
     const tree::Claims& claims = document.claims();
     const io::ReadOptions options = said_of(document);
     begin_left_panel("what the file does not say", context);
@@ -169,7 +170,7 @@ void draw_unsaid(InterfaceContext& context) {
                                                : "What this file does not say");
     ImGui::Dummy({0.0F, 2.0F * theme::scale()});
     ImGui::BeginDisabled(context.commands.busy());
-    draw_unit_row(unsaid, claims);
+    draw_unit_row(units_panel, claims);
     if (tree && !claims.has_unit())
         for (const tree::Note& note : document.tree()->notes)
             if (note.kind == tree::Note::Kind::kSuspect && note.topic == "units")
@@ -179,17 +180,17 @@ void draw_unsaid(InterfaceContext& context) {
     else if (context.interface.doctor.of_mask)
         widgets::quiet_wrapped("The axes of a mask are those of its file.");
     else
-        draw_axes(unsaid, claims);
+        draw_axes(units_panel, claims);
     ImGui::Dummy({0.0F, 4.0F * theme::scale()});
     const float width = 104.0F * theme::scale();
     widgets::align_right(2.0F * width + ImGui::GetStyle().ItemSpacing.x);
-    const std::vector<std::string> words = answers(unsaid, options);
+    const std::vector<std::string> words = answers(units_panel, options);
     const bool later = ImGui::Button(words.empty() ? "Close" : "Leave open", {width, 0.0F});
     widgets::note_item("Leave open");
     widgets::tooltip("Nothing is claimed that nobody has said; View, Orientation and unit asks again", "Escape");
     ImGui::SameLine();
-    ImGui::BeginDisabled(words.empty() || !is_whole(unsaid));
-    const auto chosen = unsaid.orientation();
+    ImGui::BeginDisabled(words.empty() || !is_whole(units_panel));
+    const auto chosen = units_panel.orientation();
     const bool mirrored = chosen && chosen->mirrors() && chosen != options.orientation;
     const bool taken = widgets::button(mirrored ? "Apply mirrored" : "Apply", {width, 0.0F}, theme::kAccentDim);
     widgets::note_item("Take");
@@ -198,7 +199,7 @@ void draw_unsaid(InterfaceContext& context) {
     ImGui::EndDisabled();
     ImGui::End();
     if (!later && !taken) return;
-    unsaid.open = false;
+    units_panel.open = false;
     context.interface.doctor.open = tree && could_mislead(*document.tree(), options);
     if (taken && tree) context.perform("read-as", words);
     if (taken && !tree) context.perform("units", {words.back()});
