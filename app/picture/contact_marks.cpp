@@ -19,15 +19,16 @@ bool is_hidden(const render::Frame& frame, int branch) {
     return index < frame.states.size() && frame.states[index] == render::BranchState::kHidden;
 }
 
-// Each of the two in a colour of its own, which their being selected would hide: it is for as long as one looks at the
+// Each of the two vessels in a colour of its own, which a selection would hide: for as long as somebody looks at the
 // contact. Colours that vary along a branch stay.
-void tell_apart(render::Frame& frame, const tree::Contact& contact, std::size_t branches) {
+void colour_sides(render::Frame& frame, const tree::Contact& contact, std::size_t branches) {
     constexpr std::array<glm::vec3, 2> kSideColours{{{0.20F, 0.70F, 0.62F}, {0.66F, 0.48F, 0.90F}}};
     if (frame.scale.value != render::ColourScale::Value::kNone) return;
     frame.colours.resize(branches, frame.appearance.vessel);
     for (std::size_t side = 0; side < contact.sides.size(); ++side)
         for (const int branch : contact.sides[side].branches) {
-            frame.colours[static_cast<std::size_t>(branch)] = kSideColours[side];
+            if (static_cast<std::size_t>(branch) < branches)
+                frame.colours[static_cast<std::size_t>(branch)] = kSideColours[side];
             std::erase(frame.selected, branch);
         }
 }
@@ -47,7 +48,7 @@ void mark_contacts(render::Frame& frame, std::span<const tree::Contact> contacts
                                               kBeyondVessels * std::max(first.radius, second.radius),
                                               contact.gap < 0.0 ? kOverlapColour : kGapColour, is_current));
         const std::string number = std::to_string(n + 1);
-        if (is_current) tell_apart(frame, contact, branches);
+        if (is_current) colour_sides(frame, contact, branches);
         if (is_current)
             frame.labels.push_back({contact.at(), number + ": " + gap_text(contact, lengths)});
         else if (numbered)

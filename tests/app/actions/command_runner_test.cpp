@@ -402,8 +402,9 @@ TEST_CASE("it is known whether a file is being written, also one that waits its 
     const TemporaryFolder folder;
     test::CommandStage stage(twigs());
     Gate gate;
+    const Command slow = gate.select_slowly(3); // the runner refers to it
     CommandRunner runner({});
-    REQUIRE(runner.run(stage.context, gate.select_slowly(3)));
+    REQUIRE(runner.run(stage.context, slow));
     CHECK(runner.writing().empty());
     const std::string file = (folder.path() / "twigs.stl").string();
     REQUIRE(runner.run(stage.context, std::vector<std::string>{"export", "surface", file}));
