@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <type_traits>
+#include <utility>
 
 namespace ramus::app {
 
@@ -109,7 +110,7 @@ MarksEntry spheres_entry() {
                         element.is_object() && element.contains("sphere") ? element["sphere"] : element;
                     if (!sphere.is_array() || sphere.size() != 4) throw Refusal{"a lesion is not [x, y, z, radius]"};
                     for (std::size_t i = 0; i < 4; ++i)
-                        lesion.sphere[i] = number(sphere[i], "lesion", i == 3 ? 0.0 : -1e9, 1e9);
+                        lesion.sphere[i] = session_json::number(sphere[i], "lesion", i == 3 ? 0.0 : -1e9, 1e9);
                     add_lesion(marks, std::move(lesion));
                 }
                 number_objects(marks); // measurements name lesions
@@ -118,7 +119,7 @@ MarksEntry spheres_entry() {
 
 std::pair<int, double> cut_in(const json& value, const fs::path& /*folder*/) {
     if (!value.is_array() || value.size() != 2) throw Refusal{"a cut is not [branch id, fraction]"};
-    return {integer(value[0], "branch id of a cut", 0, kMostBranches), number(value[1], "cut", 0.0, 1.0)};
+    return {integer(value[0], "branch id of a cut", 0, kMostBranches), session_json::number(value[1], "cut", 0.0, 1.0)};
 }
 
 // A path, or an object that has more to say.
@@ -303,7 +304,7 @@ Pin pin_in(const json& value, const fs::path& /*folder*/) {
     const json at = list_in(value, "at");
     if (at.size() != 3) throw Refusal{"a pin is not at [x, y, z]"};
     for (int axis = 0; axis < 3; ++axis)
-        pin.at[axis] = number(at[static_cast<std::size_t>(axis)], "coordinate of a pin", -1e9, 1e9);
+        pin.at[axis] = session_json::number(at[static_cast<std::size_t>(axis)], "coordinate of a pin", -1e9, 1e9);
     return pin;
 }
 
