@@ -10,7 +10,8 @@
 
 namespace ramus::app {
 
-std::unique_ptr<Tool> make_pin_tool(); // pin_tool.cpp
+// Of pin_tool.cpp. NOLINTNEXTLINE(readability-redundant-declaration): where both are compiled as one file
+std::unique_ptr<Tool> make_pin_tool();
 
 namespace {
 
