@@ -42,8 +42,8 @@ template <auto Member> MarksRow row(MarksRow facts) {
     return facts;
 }
 
-template <auto Member> MarksRow option(std::vector<MarksEntry> entries, bool is_look) {
-    return row<Member>({.entries = std::move(entries), .place = MarksPlace::kOptions, .is_look = is_look});
+template <auto Member> MarksRow option(const std::vector<MarksEntry>& entries, bool is_look) {
+    return row<Member>({.entries = entries, .place = MarksPlace::kOptions, .is_look = is_look});
 }
 
 // A value that is left out where it is the default.
