@@ -5,7 +5,7 @@
 // centerline there, and its weights have the variance h^2 / 2. smooth() is this diffusion by arc length, with h a
 // voxel: the same filter where points are a voxel apart; hardly anything where they are far apart, as between points
 // that somebody placed; and over a voxel's length, not less, where they are closer. Lengths are counted in steps from
-// voxel to voxel, of which one leads to any of the 26 adjacent ones (docs/SMOOTHING.md has the derivation).
+// voxel to voxel, of which one leads to any of the 26 adjacent ones (core/tree/SMOOTHING.md has the derivation).
 //
 // Guarantees: a tree without voxels stays as it is. No point moves by more than half a voxel, nor by more than half of
 // its radius; no radius changes by more, whatever the number of passes. End points stay.
