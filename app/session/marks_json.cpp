@@ -25,9 +25,10 @@ constexpr std::array<std::pair<std::string_view, Measurement::Kind>, 4> kMeasure
 
 // "sphere 2", "mesh 1": counted from 1 among the lesions of the same shape; empty: none.
 static std::string lesion_json(int id, const Marks& marks) {
+    if (id == kNoObject) return {};
     const auto index = lesion_index(marks, id);
-    if (!index) return {};
     const std::size_t spheres = spheres_of(marks).size();
+    if (!index) return "sphere " + std::to_string(spheres + 1); // it stays one that there is not
     return *index < spheres ? "sphere " + std::to_string(*index + 1) : "mesh " + std::to_string(*index + 1 - spheres);
 }
 
@@ -42,7 +43,7 @@ static int lesion_in(const json& value, const Marks& marks) {
     int left = number;
     for (const Lesion& lesion : marks.lesions)
         if (lesion.is_mesh() == (shape == "mesh") && --left == 0) return lesion.id;
-    throw Refusal{"a measurement names the lesion \"" + wanted + "\", and there is none"};
+    return kLostObject;
 }
 
 static void read_lesions_of(const json& value, const Marks& marks, Measurement& found) {

@@ -20,7 +20,8 @@
 
 namespace ramus::app {
 
-inline constexpr int kNoObject = 0; // the id of none
+inline constexpr int kNoObject = 0;    // the id of none
+inline constexpr int kLostObject = -1; // of an object that a session file names and does not have
 
 // A sphere, or a closed mesh from a file.
 struct Lesion {

@@ -45,7 +45,7 @@ bool went_away(const Pointing& pointing, glm::dvec2 pressed_at) {
 // As the command `measure` takes it.
 std::vector<std::string> words_of(const Measurement& m, const Marks& marks) {
     const auto lesion = [&](std::size_t i) {
-        return "lesion:" + std::to_string(lesion_index(marks, m.lesions[i]).value_or(0) + 1);
+        return "lesion:" + std::to_string(lesion_index(marks, m.lesions[i]).value_or(marks.lesions.size()) + 1);
     };
     const auto end = [&](std::size_t i) {
         return (m.lesions[i] != kNoObject ? lesion(i) + "@" : "") + finely_spelled(m.points[i]);
