@@ -133,7 +133,7 @@ TEST_CASE("the title marks work that is not saved, and no other view of it") {
     marks.selection = {1};
     stage.workspace.document().change(marks);
     CHECK_FALSE(stage.viewer->title().starts_with("*"));
-    marks.lesions = {{0.0, 0.0, 0.0, 5.0}};
+    marks.lesions = {{.sphere = {0.0, 0.0, 0.0, 5.0}}};
     stage.workspace.document().change(marks);
     CHECK(stage.viewer->title().starts_with("*"));
 }

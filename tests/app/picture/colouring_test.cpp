@@ -163,7 +163,7 @@ TEST_CASE("margins follow the session's bands, and a branch has the colour of th
     Marks marks = stage.document.marks();
     const auto& tree = *stage.document.tree();
     const glm::dvec3 root = tree.points[tree.branches[0].points[0]].position;
-    marks.lesions = {{root.x, root.y, root.z, 3.0}};
+    marks.lesions = {{.sphere = {root.x, root.y, root.z, 3.0}}};
     marks.planning.bands_mm = {2.0, 30.0};
     marks.colour_by = ColourBy::kLesion;
     stage.document.change(marks);
@@ -189,7 +189,7 @@ TEST_CASE("beyond the margins systems stay distinguishable, and the legend says 
     for (std::size_t id = 0; id < tree.branches.size(); ++id) tree.branches[id].system = id % 2 == 0 ? 0 : 1;
     Marks marks = stage.document.marks();
     const glm::dvec3 root = tree.points[tree.branches[0].points[0]].position;
-    marks.lesions = {{root.x, root.y, root.z, 1.0}};
+    marks.lesions = {{.sphere = {root.x, root.y, root.z, 1.0}}};
     marks.planning.bands_mm = {2.0, 5.0};
     marks.colour_by = ColourBy::kLesion;
     Plan plan;

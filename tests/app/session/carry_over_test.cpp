@@ -60,7 +60,7 @@ TEST_CASE("marks go with their branches, and what has none left is counted") {
     set_state(marks, std::vector{lone, kept}, render::BranchState::kHidden);
     marks.cuts = {{kept, 0.25}, {lone, 0.5}};
     marks.names = {{kept, "portal"}, {lone, "else"}};
-    marks.lesions = {{1, 2, 3, 4}};
+    marks.lesions = {{.sphere = {1, 2, 3, 4}}};
     marks.measurements = {{.kind = Measurement::Kind::kPath, .places = {{{kept, 0.5}, {lone, 0.5}}}},
                           {.kind = Measurement::Kind::kDiameter, .places = {{{kept, 0.5}}}}};
     const CarriedOver carried = carried_over(marks, BranchMap::read_again(more, fork));

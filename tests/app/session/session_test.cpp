@@ -20,7 +20,7 @@ Session lively_session(const fs::path& folder) {
     set_state(session.marks, std::vector<int>{1, 4}, BranchState::kHighlighted);
     set_state(session.marks, std::vector<int>{3}, BranchState::kHidden);
     set_state(session.marks, std::vector<int>{7}, BranchState::kDefocused);
-    session.marks.lesions = {{1.5, -2.25, 3.0, 10.0}};
+    session.marks.lesions = {{.sphere = {1.5, -2.25, 3.0, 10.0}}};
     session.marks.cuts = {{4, 0.25}};
     session.marks.names = {{5, "right \"posterior\" branch"}, {6, "left"}};
     session.marks.subtree_names = {6};

@@ -26,7 +26,7 @@ Snapshot snapshot_of(const fs::path& tree) {
     Snapshot snapshot;
     snapshot.session.tree = {tree, "0123456789abcdef"};
     snapshot.session.marks.selection = {2, 5};
-    snapshot.session.marks.lesions = {{1.5, -2.25, 1.0 / 3.0, 10.0}};
+    snapshot.session.marks.lesions = {{.sphere = {1.5, -2.25, 1.0 / 3.0, 10.0}}};
     number_objects(snapshot.session.marks);
     snapshot.session.camera.position = {0.1, 1.0 / 3.0, -7e-5};
     snapshot.file = tree.parent_path() / "plan.ramus.json";

@@ -121,7 +121,7 @@ TEST_CASE("beside the vessels a lesion lies at the depth of the focal point; Esc
 TEST_CASE("a lesion is moved by its middle and sized by its outline") {
     ToolStage stage;
     Marks marks = stage.document.marks();
-    marks.lesions = {{0.0, 0.0, 30.0, 10.0}}; // 50 pixels around the middle of the picture
+    marks.lesions = {{.sphere = {0.0, 0.0, 30.0, 10.0}}}; // 50 pixels around the middle of the picture
     stage.document.change(marks);
     LesionTool tool;
     tool.press(stage.at(405, 300));
@@ -216,7 +216,7 @@ TEST_CASE("a drag from place to place measures, too; beside the vessels nothing 
 TEST_CASE("the distance tool snaps to lesions, and Shift takes the shortest distance") {
     ToolStage stage;
     Marks marks = stage.document.marks();
-    marks.lesions = {{50.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 70.0, 10.0}};
+    marks.lesions = {{.sphere = {50.0, 0.0, 0.0, 1.0}}, {.sphere = {0.0, 0.0, 70.0, 10.0}}};
     stage.document.change(marks);
     const auto at = [&](double x, bool shift = false) {
         Pointing pointing = stage.at(x, 1);
@@ -270,7 +270,7 @@ TEST_CASE("the distance tool snaps to lesions, and Shift takes the shortest dist
 TEST_CASE("an end that lies on a lesion is dragged over it and away from it") {
     ToolStage stage;
     Marks marks = stage.document.marks();
-    marks.lesions = {{0.0, 0.0, 70.0, 10.0}};
+    marks.lesions = {{.sphere = {0.0, 0.0, 70.0, 10.0}}};
     number_objects(marks);
     const int first = marks.lesions.front().id;
     marks.measurements = {{.points = {glm::dvec3(0, 10, 70), glm::dvec3(0, 3, 10)}, .lesions = {first, kNoObject}}};
@@ -325,7 +325,7 @@ TEST_CASE("what is undone while it is held is let go, and nothing is changed in 
     const Marks none = stage.document.marks();
     Marks both = none;
     both.measurements.push_back({.kind = Measurement::Kind::kPath, .places = {{{0, 0.25}, {0, 0.75}}}});
-    both.lesions = {{0.0, 0.0, 30.0, 10.0}};
+    both.lesions = {{.sphere = {0.0, 0.0, 30.0, 10.0}}};
     stage.under = pick_of(0, {0, 3, 0});
     for (const bool moves : {false, true}) {
         CAPTURE(moves);
