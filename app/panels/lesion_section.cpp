@@ -113,7 +113,7 @@ void draw_vessels(InterfaceContext& context, std::size_t lesion) {
 
 void draw_lesion_mesh(InterfaceContext& context, std::size_t index, const Lesion& lesion) {
     const std::string& file = lesion.file;
-    (void)plan_rows::object_row(context, lesion, index, std::filesystem::path(file).filename().string(), file.c_str());
+    (void)plan_rows::object_row(context, lesion, index, {std::filesystem::path(file).filename().string(), file});
     ImGui::PushID(file.c_str());
     const auto mesh = context.workspace.assets().lesion_mesh(file);
     if (mesh && mesh->axes != tree::SaidBy::kFile)

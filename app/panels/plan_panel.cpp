@@ -101,8 +101,9 @@ void draw_measurements(InterfaceContext& context) {
         std::string details = found ? found->what : found.error().message();
         if (found)
             for (const auto& [name, value] : found->details) details += "\n" + name + ": " + value;
-        (void)plan_rows::object_row(context, measurement, i, found ? found->kind : "cannot be measured",
-                                    details.c_str(), found ? found->value_text() : "");
+        const std::string value = found ? found->value_text() : "";
+        (void)plan_rows::object_row(context, measurement, i,
+                                    {found ? found->kind : "cannot be measured", details, value, !found});
     }
 }
 

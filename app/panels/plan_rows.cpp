@@ -24,7 +24,7 @@ int removable_row(const std::string& text, const ImVec4& colour, const char* hel
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     const std::string shown = widgets::fitted(text, width - of_value - 12.0F * theme::scale());
     ImGui::AlignTextToFramePadding();
-    if (ImGui::Selectable(shown.c_str(), false, 0, {width, 0.0F})) result = 1;
+    if (ImGui::Selectable(shown.c_str(), false, ImGuiSelectableFlags_AllowDoubleClick, {width, 0.0F})) result = 1;
     widgets::tooltip(shown == text ? help : text.c_str());
     const ImVec2 line = ImGui::GetItemRectMin();
     ImGui::GetWindowDrawList()->AddText({std::round(line.x + width - of_value - 4.0F * theme::scale()),
@@ -45,15 +45,16 @@ void object_eye(InterfaceContext& context, const std::string& kind, std::size_t 
 }
 
 bool object_row(InterfaceContext& context, const std::string& kind, std::size_t index, bool visible,
-                const std::string& what, const char* help, const std::string& value) {
+                const RowWords& words) {
     ImGui::PushID(static_cast<int>(index));
     object_eye(context, kind, index, visible);
-    const int done = removable_row(what, visible ? theme::kText : theme::kQuiet, help, value);
+    const ImVec4& colour = words.trouble ? theme::kTrouble : visible ? theme::kText : theme::kQuiet;
+    const int done = removable_row(words.what, colour, words.help.c_str(), words.value);
     const bool twice = done > 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     ImGui::PopID();
-    const std::vector<std::string> words{kind, std::to_string(index + 1)};
-    if (done < 0) context.perform("object-remove", words);
-    if (twice) context.perform("object-name", words);
+    const std::vector<std::string> which{kind, std::to_string(index + 1)};
+    if (done < 0) context.perform("object-remove", which);
+    if (twice) context.perform("object-name", which);
     return done > 0 && !twice;
 }
 

@@ -20,13 +20,18 @@ namespace plan_rows {
 // The same for an object of the scene, behind an eye that shows and hides it. Shown is the object's name, or `what`
 // where it has none. Hiding, removing and, by a double click, naming are done here; returns whether the line was
 // clicked.
+struct RowWords {
+    std::string what;
+    std::string help;
+    std::string value{};
+    bool trouble = false; // there is something wrong with it
+};
 bool object_row(InterfaceContext& context, const std::string& kind, std::size_t index, bool visible,
-                const std::string& what, const char* help, const std::string& value = {});
+                const RowWords& words);
 template <SceneObject T>
-bool object_row(InterfaceContext& context, const T& object, std::size_t index, const std::string& what,
-                const char* help, const std::string& value = {}) {
-    return object_row(context, std::string(T::kNoun), index, object.visible, object.name.empty() ? what : object.name,
-                      help, value);
+bool object_row(InterfaceContext& context, const T& object, std::size_t index, RowWords words) {
+    if (!object.name.empty()) words.what = object.name;
+    return object_row(context, std::string(T::kNoun), index, object.visible, words);
 }
 // The eye alone.
 void object_eye(InterfaceContext& context, const std::string& kind, std::size_t index, bool visible);

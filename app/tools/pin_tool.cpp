@@ -31,7 +31,8 @@ public:
     }
 
     void release(const Pointing& pointing) override {
-        const auto held = std::exchange(held_, std::nullopt);
+        const auto held = held_pin(pointing);
+        held_.reset();
         const render::Pick pick = pointing.pick();
         if (!shows_vessel(pick)) return;
         if (held && moved_)
@@ -50,7 +51,7 @@ public:
             if (const auto at = render::project(pointing.camera(), pointing.size, place))
                 drawing.circles.push_back({glm::dvec2(*at), points * pointing.pixel_ratio, kPinColour});
         };
-        if (const auto pin = held_ ? held_ : pin_under(pointing); pin && !moved_)
+        if (const auto pin = held_ ? held_pin(pointing) : pin_under(pointing); pin && !moved_)
             mark(pointing.document.marks().pins[*pin].at, 14.0);
         else if (shows_vessel(under_))
             mark(under_.position, 5.0);
@@ -63,6 +64,10 @@ public:
     }
 
 private:
+    // It may have been removed meanwhile, by an undo.
+    [[nodiscard]] std::optional<std::size_t> held_pin(const Pointing& pointing) const {
+        return held_ && *held_ < pointing.document.marks().pins.size() ? held_ : std::nullopt;
+    }
     // The nearest visible one under the pointer.
     static std::optional<std::size_t> pin_under(const Pointing& pointing) {
         const std::vector<Pin>& pins = pointing.document.marks().pins;
