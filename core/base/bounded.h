@@ -1,7 +1,7 @@
 // Work that keeps within what it may have: threads and memory.
 #pragma once
 
-#include "core/base/give_way.h"
+#include "core/base/thread_priority.h"
 
 #include <new>
 #include <oneapi/tbb/task_arena.h>
@@ -16,7 +16,7 @@ auto bounded(int threads, const AtMemoryEnd& at_memory_end, const Work& work) ->
     try {
         if (threads <= 0) return work();
         tbb::task_arena arena(threads);
-        const HelpersGiveWay helpers(arena);
+        const LowPriorityHelpers helpers(arena);
         return arena.execute(work);
     } catch (const std::bad_alloc&) {
         return tl::unexpected(at_memory_end());

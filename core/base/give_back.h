@@ -1,7 +1,7 @@
 // Memory that is given back without anybody's waiting for it.
 #pragma once
 
-#include "core/base/give_way.h"
+#include "core/base/thread_priority.h"
 
 #include <exception>
 #include <thread>
@@ -13,7 +13,7 @@ namespace ramus {
 template <class Work> void give_back_elsewhere(const Work& work) noexcept {
     try {
         std::thread([work] {
-            give_way();
+            lower_thread_priority();
             work();
         }).detach();
     } catch (const std::exception&) {

@@ -1,6 +1,6 @@
 #include "core/base/worker.h"
 
-#include "core/base/give_way.h"
+#include "core/base/thread_priority.h"
 
 namespace ramus {
 
@@ -64,8 +64,8 @@ void Worker::deliver(Delivery delivery) {
 }
 
 void Worker::work() {
-    give_way();
-    const HelpersGiveWay helpers;
+    lower_thread_priority();
+    const LowPriorityHelpers helpers;
     for (;;) {
         Order order;
         {

@@ -1,6 +1,6 @@
 #include "core/base/bounded.h"
 #include "core/base/give_back.h"
-#include "core/base/give_way.h"
+#include "core/base/thread_priority.h"
 #include "core/base/worker.h"
 
 #include <atomic>
@@ -17,23 +17,21 @@ using namespace ramus;
 
 namespace {
 
-enum class Helper { kNone, kStays, kGivesWay };
-
-// Whether one who gives way helps with work in parallel, within so many tries.
-bool helper_gives_way(int tries) {
+// Whether a helper thread with low priority takes part in parallel work within this number of tries.
+bool helper_has_low_priority(int tries) {
     const auto self = std::this_thread::get_id();
     std::atomic<bool> does = false;
     for (int i = 0; i < tries && !does; ++i)
         tbb::parallel_for(0, 8, [&](int) {
-            if (std::this_thread::get_id() != self && gives_way()) does = true;
+            if (std::this_thread::get_id() != self && has_low_priority()) does = true;
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         });
     return does;
 }
 
-bool helper_in_arena_gives_way(int tries) {
+bool arena_helper_has_low_priority(int tries) {
     const auto no_memory = [] { return Error{"no memory", {}, {}}; };
-    return bounded(2, no_memory, [&]() -> Result<bool> { return helper_gives_way(tries); }).value();
+    return bounded(2, no_memory, [&]() -> Result<bool> { return helper_has_low_priority(tries); }).value();
 }
 
 void run(Worker& worker, const std::function<void()>& work) {
@@ -44,34 +42,34 @@ void run(Worker& worker, const std::function<void()>& work) {
     }
 }
 
-// They go on to give way: a case shows what it is to where it has a process of its own, as ctest gives it.
+// Helper threads keep their low priority. So each case needs a process of its own, as it has under ctest.
 const bool kHasHelpers = std::thread::hardware_concurrency() > 1;
 
 } // namespace
 
-TEST_CASE("give way: a worker does so, and those who help with its work") {
-    const bool before = gives_way();
+TEST_CASE("thread priority: a worker lowers its own, and that of the threads which help with its work") {
+    const bool before = has_low_priority();
     Worker worker([] {});
     bool worker_does = false, helper_does = false;
     run(worker, [&] {
-        worker_does = gives_way();
-        helper_does = helper_gives_way(1000);
+        worker_does = has_low_priority();
+        helper_does = helper_has_low_priority(1000);
     });
     CHECK(worker_does);
-    CHECK(gives_way() == before);
+    CHECK(has_low_priority() == before);
     CHECK(helper_does == kHasHelpers);
 }
 
-TEST_CASE("give way: those who help in an arena do as who asked for it") {
+TEST_CASE("thread priority: helpers in an arena take that of the calling thread") {
     Worker worker([] {});
     bool helper_does = false;
-    run(worker, [&] { helper_does = helper_in_arena_gives_way(1000); });
+    run(worker, [&] { helper_does = arena_helper_has_low_priority(1000); });
     CHECK(helper_does == kHasHelpers);
 }
 
-TEST_CASE("give way: what gives memory back is done on another thread, which does so") {
+TEST_CASE("thread priority: memory is freed on another thread, which has a low one") {
     const auto done = std::make_shared<std::promise<std::pair<std::thread::id, bool>>>();
-    give_back_elsewhere([done] { done->set_value({std::this_thread::get_id(), gives_way()}); });
+    give_back_elsewhere([done] { done->set_value({std::this_thread::get_id(), has_low_priority()}); });
     const std::pair by = done->get_future().get();
     CHECK(by.first != std::this_thread::get_id());
     CHECK(by.second);
