@@ -1,6 +1,6 @@
 #include "core/base/shared_pages.h"
 
-#include "core/base/give_back.h"
+#include "core/base/free_in_background.h"
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -27,15 +27,15 @@ std::shared_ptr<const SharedPages> SharedPages::make(std::size_t bytes) {
 }
 
 SharedPages::~SharedPages() {
-    const auto give_back = [data = data_, bytes = bytes_, file = file_] {
+    const auto free_all = [data = data_, bytes = bytes_, file = file_] {
         munmap(data, bytes);
         close(file);
     };
     constexpr std::size_t kMany = std::size_t{16} << 20;
     if (bytes_ < kMany)
-        give_back();
+        free_all();
     else
-        give_back_elsewhere(give_back);
+        free_in_background(free_all);
 }
 
 void* SharedPages::mapped_again() const {

@@ -1,6 +1,6 @@
 #include "render/gl/gl_objects.h"
 
-#include "core/base/give_back.h"
+#include "core/base/free_in_background.h"
 #include "render/gl/gl_context.h"
 #include "render/gl/gl_floor.h"
 #include "render/gl/shader_text.h"
@@ -108,7 +108,7 @@ constexpr GLenum kOwnMemory = 0x9160; // GL_EXTERNAL_VIRTUAL_MEMORY_BUFFER_AMD
 // What was drawn from them is waited for.
 void GiveBackPages::operator()(void* pages) const {
     glFinish();
-    give_back_elsewhere([pages, all = bytes] { munmap(pages, all); });
+    free_in_background([pages, all = bytes] { munmap(pages, all); });
 }
 
 LargeBuffer::LargeBuffer(std::size_t bytes) {

@@ -1,6 +1,6 @@
 #include "render/scene/paged_mesh.h"
 
-#include "core/base/give_back.h"
+#include "core/base/free_in_background.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
@@ -329,7 +329,7 @@ std::shared_ptr<const PagedMesh> shared(PagedMesh mesh) {
         if (whole->triangle_count() < kLarge)
             let_go();
         else
-            give_back_elsewhere(let_go);
+            free_in_background(let_go);
     };
     return {new PagedMesh(std::move(mesh)), give_back};
 }

@@ -1,5 +1,6 @@
 #include "core/base/bounded.h"
-#include "core/base/give_back.h"
+#include "core/base/error.h"
+#include "core/base/free_in_background.h"
 #include "core/base/thread_priority.h"
 #include "core/base/worker.h"
 
@@ -69,7 +70,7 @@ TEST_CASE("thread priority: helpers in an arena take that of the calling thread"
 
 TEST_CASE("thread priority: memory is freed on another thread, which has a low one") {
     const auto done = std::make_shared<std::promise<std::pair<std::thread::id, bool>>>();
-    give_back_elsewhere([done] { done->set_value({std::this_thread::get_id(), has_low_priority()}); });
+    free_in_background([done] { done->set_value({std::this_thread::get_id(), has_low_priority()}); });
     const std::pair by = done->get_future().get();
     CHECK(by.first != std::this_thread::get_id());
     CHECK(by.second);
