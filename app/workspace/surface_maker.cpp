@@ -1,7 +1,7 @@
 #include "app/workspace/surface_maker.h"
 
-#include "core/base/bounded.h"
 #include "core/base/memory.h"
+#include "core/base/run_limited.h"
 #include "core/base/stopwatch.h"
 #include "core/field/drawn_surface.h"
 #include "core/mesh/check_kernel.h"
@@ -81,7 +81,7 @@ Result<ReadySurface> SurfaceMaker::next(const SurfaceRequest& request, Job& job)
         preview_of_.reset();
         return Error{"not enough memory for this surface", {}, "lower --detail, raise --cell or prune the tree"};
     };
-    return bounded(request.options.threads, give_up, [&] {
+    return run_limited(request.options.threads, give_up, [&] {
         return request.options.method == mesh::Method::kTruncatedCones ? next_cones(request, job)
                                                                        : next_surface(request, job);
     });

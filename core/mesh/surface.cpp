@@ -1,8 +1,8 @@
 #include "core/mesh/surface.h"
 
-#include "core/base/bounded.h"
 #include "core/base/disk_pages.h"
 #include "core/base/memory.h"
+#include "core/base/run_limited.h"
 #include "core/base/stopwatch.h"
 #include "core/field/drawn_surface.h"
 #include "core/field/exact_radii.h"
@@ -227,8 +227,8 @@ tl::unexpected<Error> empty_surface(double cell_mm) {
 Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                              std::span<const std::uint8_t> hidden) {
     if (auto takes = check_kernel(options); !takes) return tl::unexpected(takes.error());
-    return bounded(options.threads, at_memory_end,
-                   [&] { return make(source, options, job, hidden, MadeFor::kPictures); });
+    return run_limited(options.threads, at_memory_end,
+                       [&] { return make(source, options, job, hidden, MadeFor::kPictures); });
 }
 
 Result<Surface> make_untangled_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
@@ -237,8 +237,8 @@ Result<Surface> make_untangled_surface(const tree::VesselTree& source, const Sur
     std::shared_ptr<DiskPages> pages;
     if (!target.empty())
         pages = std::make_shared<DiskPages>(target, memory_limit(static_cast<double>(options.memory_bytes)));
-    return bounded(options.threads, at_memory_end,
-                   [&] { return make(source, options, job, hidden, MadeFor::kFile, pages); });
+    return run_limited(options.threads, at_memory_end,
+                       [&] { return make(source, options, job, hidden, MadeFor::kFile, pages); });
 }
 
 } // namespace ramus::mesh

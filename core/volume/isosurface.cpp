@@ -1,7 +1,7 @@
 #include "core/volume/isosurface.h"
 
-#include "core/base/bounded.h"
 #include "core/base/memory.h"
+#include "core/base/run_limited.h"
 #include "core/volume/slab_mesher.h"
 #include "core/volume/smooth_level.h"
 
@@ -102,7 +102,7 @@ Error at_memory_end() { return {"not enough memory for this surface", {}, "crop 
 template <class Done>
 Result<mesh::TriangleMesh> surface_of(const Volume& volume, const Selection& selection,
                                       const IsosurfaceOptions& options, Job& job, const Done& done_with_values) {
-    return bounded(options.threads, at_memory_end, [&]() -> Result<mesh::TriangleMesh> {
+    return run_limited(options.threads, at_memory_end, [&]() -> Result<mesh::TriangleMesh> {
         RAMUS_TRY(mask, inside(volume, selection, JobRange(job, 0.0F, 0.3F)));
         const JobRange rest(job, 0.3F, 1.0F);
         if (const auto isovalue = isovalue_of(volume, selection)) {
@@ -133,8 +133,8 @@ Result<mesh::TriangleMesh> isosurface(Volume&& volume, const Selection& selectio
 
 Result<mesh::TriangleMesh> mask_surface(const BitMask& mask, const glm::dmat4& to_patient,
                                         const IsosurfaceOptions& options, Job& job) {
-    return bounded(options.threads, at_memory_end,
-                   [&] { return of_labels(mask, to_patient, options, JobRange(job, 0.0F, 1.0F)); });
+    return run_limited(options.threads, at_memory_end,
+                       [&] { return of_labels(mask, to_patient, options, JobRange(job, 0.0F, 1.0F)); });
 }
 
 Result<void> check_mask_precision(const glm::ivec3& size, const glm::dmat4& to_patient) {

@@ -1,7 +1,7 @@
 #include "core/volume/skeletonize/skeletonize.h"
 
-#include "core/base/bounded.h"
 #include "core/base/memory.h"
+#include "core/base/run_limited.h"
 #include "core/tree/build_tree.h"
 #include "core/tree/note_summary.h"
 #include "core/volume/skeletonize/centerline.h"
@@ -197,7 +197,7 @@ Error at_memory_end() { return {"not enough memory for this skeleton", {}, "crop
 
 Result<tree::VesselTree> skeletonize(BitMask mask, const glm::dmat4& to_patient, const SkeletonizeOptions& options,
                                      Job& job, SkeletonizeFigures* figures) {
-    return bounded(0, at_memory_end, [&]() -> Result<tree::VesselTree> {
+    return run_limited(0, at_memory_end, [&]() -> Result<tree::VesselTree> {
         Masks masks;
         SparseMask sparse(mask);
         mask = BitMask(glm::ivec3(0));
@@ -210,7 +210,7 @@ Result<tree::VesselTree> skeletonize(BitMask mask, const glm::dmat4& to_patient,
 
 Result<tree::VesselTree> skeletonize(Volume&& volume, std::span<const SystemMask> systems,
                                      const SkeletonizeOptions& options, Job& job, SkeletonizeFigures* figures) {
-    return bounded(0, at_memory_end, [&]() -> Result<tree::VesselTree> {
+    return run_limited(0, at_memory_end, [&]() -> Result<tree::VesselTree> {
         Masks masks;
         const auto share = 1.0F / static_cast<float>(systems.size());
         for (std::size_t s = 0; s < systems.size(); ++s) {

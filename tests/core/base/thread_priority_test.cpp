@@ -1,6 +1,6 @@
-#include "core/base/bounded.h"
 #include "core/base/error.h"
 #include "core/base/free_in_background.h"
+#include "core/base/run_limited.h"
 #include "core/base/thread_priority.h"
 #include "core/base/worker.h"
 
@@ -32,7 +32,7 @@ bool helper_has_low_priority(int tries) {
 
 bool arena_helper_has_low_priority(int tries) {
     const auto no_memory = [] { return Error{"no memory", {}, {}}; };
-    return bounded(2, no_memory, [&]() -> Result<bool> { return helper_has_low_priority(tries); }).value();
+    return run_limited(2, no_memory, [&]() -> Result<bool> { return helper_has_low_priority(tries); }).value();
 }
 
 void run(Worker& worker, const std::function<void()>& work) {

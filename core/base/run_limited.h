@@ -1,4 +1,4 @@
-// Work that keeps within what it may have: threads and memory.
+// Runs work in a limited number of threads, and turns the end of memory into an error.
 #pragma once
 
 #include "core/base/thread_priority.h"
@@ -9,10 +9,10 @@
 
 namespace ramus {
 
-// In as many threads as asked for, all there are with 0, and with the error that `at_memory_end` makes instead of an
-// exception when memory ends.
+// Returns the result of `work`, a Result. Parallel work of TBB inside it uses at most `threads` threads (0: all cores).
+// Where `work` throws std::bad_alloc, returns the error that `at_memory_end` makes; other exceptions pass through.
 template <class AtMemoryEnd, class Work>
-auto bounded(int threads, const AtMemoryEnd& at_memory_end, const Work& work) -> decltype(work()) {
+auto run_limited(int threads, const AtMemoryEnd& at_memory_end, const Work& work) -> decltype(work()) {
     try {
         if (threads <= 0) return work();
         tbb::task_arena arena(threads);
