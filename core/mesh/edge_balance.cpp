@@ -1,6 +1,6 @@
 #include "core/mesh/edge_balance.h"
 
-#include "core/base/scattered.h"
+#include "core/base/splitmix64.h"
 
 #include <algorithm>
 #include <atomic>
@@ -53,7 +53,7 @@ Result<void> check_balance(const TriangleMesh& mesh) {
             for (int corner = 0; corner < 3; ++corner) {
                 const std::uint32_t from = mesh.triangles[n][corner], to = mesh.triangles[n][(corner + 1) % 3];
                 const auto [low, high] = std::minmax(from, to);
-                const std::uint64_t edge = scattered(std::uint64_t{low} << 32 | high);
+                const std::uint64_t edge = splitmix64(std::uint64_t{low} << 32 | high);
                 shared.add(low >> kPlaceBits, from < to ? edge : 0 - edge);
             }
     });

@@ -1,7 +1,7 @@
 #include "core/mesh/loops/surface_loops.h"
 
 #include "core/base/disjoint_sets.h"
-#include "core/base/scattered.h"
+#include "core/base/splitmix64.h"
 
 #include <algorithm>
 #include <functional>
@@ -108,7 +108,7 @@ SurfaceLoops::SurfaceLoops(const SurfaceGraph& graph, std::span<const std::uint8
 }
 
 LoopKind SurfaceLoops::label(std::size_t row) const {
-    if (edges_.size() > kBits) return {scattered(2 * row), scattered(2 * row + 1)};
+    if (edges_.size() > kBits) return {splitmix64(2 * row), splitmix64(2 * row + 1)};
     LoopKind bits{};
     bits[row / 64] = std::uint64_t{1} << row % 64;
     return bits;
