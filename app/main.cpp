@@ -9,7 +9,7 @@
 #include "app/window/run_window.h"
 #include "core/base/instruction_sets.h"
 #include "core/base/printable.h"
-#include "core/base/tight_limits.h"
+#include "core/base/resource_limits.h"
 #include "core/io/standard_input.h"
 
 #include <algorithm>
@@ -159,6 +159,6 @@ int run_caught(int argc, char** argv) {
 int main(int argc, char** argv) {
     // Writing beyond `ulimit -f` is an error that a command reports, not a signal that kills it.
     std::signal(SIGXFSZ, SIG_IGN);
-    ramus::explain_want_of_memory();
-    return ramus::with_usual_stacks([=] { return ramus::app::run_caught(argc, argv); });
+    ramus::explain_out_of_memory();
+    return ramus::run_with_usual_stacks([=] { return ramus::app::run_caught(argc, argv); });
 }

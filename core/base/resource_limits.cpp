@@ -1,4 +1,4 @@
-#include "core/base/tight_limits.h"
+#include "core/base/resource_limits.h"
 
 #include <csignal>
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace ramus {
 
 namespace {
 
-constexpr std::size_t kUsualStack = std::size_t{8} << 20; // bytes, as systems give
+constexpr std::size_t kUsualStack = std::size_t{8} << 20; // bytes, the default of Linux
 
 struct Begun {
     const std::function<int()>* work;
@@ -27,16 +27,17 @@ void* run_begun(void* what) {
     return nullptr;
 }
 
-const char* want_of_memory = ""; // what is said, made while there is memory
+const char* out_of_memory_message = ""; // composed in advance, while there is memory
 
-extern "C" void say_want_of_memory(int /*number*/) {
-    [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, want_of_memory, std::strlen(want_of_memory));
+extern "C" void report_out_of_memory(int /*number*/) {
+    [[maybe_unused]] const ssize_t ignored =
+        ::write(STDERR_FILENO, out_of_memory_message, std::strlen(out_of_memory_message));
     ::_exit(EXIT_FAILURE);
 }
 
 } // namespace
 
-int with_usual_stacks(const std::function<int()>& work) {
+int run_with_usual_stacks(const std::function<int()>& work) {
     rlimit limit{};
     if (::getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= kUsualStack) return work();
     pthread_attr_t attributes;
@@ -52,7 +53,7 @@ int with_usual_stacks(const std::function<int()>& work) {
                      std::strerror(code));
         return EXIT_FAILURE;
     }
-    // Signals are for threads that know what to do with them.
+    // The other threads handle signals.
     sigset_t all;
     sigfillset(&all);
     ::pthread_sigmask(SIG_BLOCK, &all, nullptr);
@@ -60,14 +61,14 @@ int with_usual_stacks(const std::function<int()>& work) {
     return begun.status;
 }
 
-void explain_want_of_memory() {
+void explain_out_of_memory() {
     rlimit limit{};
     if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
     static const std::string text =
         "ramus: most likely a library needed more memory than the " + std::to_string(limit.rlim_cur >> 20U) +
         " MiB that this process may have; nothing was written. Raise the limit (ulimit -v)\n";
-    want_of_memory = text.c_str();
-    for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGILL, SIGFPE}) std::signal(number, say_want_of_memory);
+    out_of_memory_message = text.c_str();
+    for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGILL, SIGFPE}) std::signal(number, report_out_of_memory);
 }
 
 } // namespace ramus
