@@ -70,7 +70,7 @@ void DiskPages::deallocate(void* memory) noexcept {
     mapped_.erase(at);
 }
 
-void DiskPages::rest() const {
+void DiskPages::release_resident() const {
     const std::lock_guard lock(mutex_);
     for (const auto& [memory, bytes] : mapped_) madvise(memory, bytes, MADV_NORMAL);
     drop();

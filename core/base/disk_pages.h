@@ -30,8 +30,9 @@ public:
     // All bytes 0. Throws a std::runtime_error, an Error's message, where the disk has no space or no file can be made.
     [[nodiscard]] void* allocate(std::size_t bytes) override;
     void deallocate(void* memory) noexcept override;
-    // Drops what is resident. Arrays have been written: what has left the system's cache will be read ahead.
-    void rest() const;
+    // Drops all mapped pages from resident memory, and lets the system read ahead. To be called once the arrays are
+    // written, before they are read.
+    void release_resident() const;
 
 private:
     void drop() const; // under the mutex

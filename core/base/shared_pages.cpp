@@ -38,12 +38,12 @@ SharedPages::~SharedPages() {
         free_in_background(free_all);
 }
 
-void* SharedPages::mapped_again() const {
+void* SharedPages::map_private_copy() const {
     void* again = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_NORESERVE, file_, 0);
     return again == MAP_FAILED ? nullptr : again;
 }
 
-// Of a shared mapping only the entries go, and the bytes stay in their file.
-void SharedPages::rest() const { madvise(data_, bytes_, MADV_DONTNEED); }
+// On a shared mapping MADV_DONTNEED drops only page table entries; the bytes stay in their file.
+void SharedPages::release_resident() const { madvise(data_, bytes_, MADV_DONTNEED); }
 
 } // namespace ramus

@@ -1,6 +1,5 @@
-// SharedPages: bytes that are written once and then read, by the process and by whoever maps them as well. Another
-// mapping may be written: what is written there is its own from then on, in whole pages of the system, and all else
-// takes memory once. So a copy that differs in little costs little.
+// SharedPages: bytes that are written once and then shared by copy-on-write copies. A write to a copy duplicates only
+// the page that it touches, so a copy that differs little takes little memory.
 #pragma once
 
 #include <cstddef>
@@ -10,21 +9,21 @@ namespace ramus {
 
 class SharedPages {
 public:
-    // At least so many bytes, all of them 0; null: the system has none of the kind.
+    // Maps at least `bytes` bytes, all 0. Null: `bytes` is 0, or the system cannot map them.
     [[nodiscard]] static std::shared_ptr<const SharedPages> make(std::size_t bytes);
     SharedPages(const SharedPages&) = delete;
     SharedPages& operator=(const SharedPages&) = delete;
     ~SharedPages();
 
-    // To be written by who made them, before anybody else maps them.
+    // Written by the creator only, before the first map_private_copy().
     [[nodiscard]] std::byte* data() const { return data_; }
     [[nodiscard]] std::size_t bytes() const { return bytes_; } // whole pages
 
-    // The same bytes, to be read and written by somebody else, until munmap() of bytes(); they outlast this. Null: the
-    // system does not map more.
-    [[nodiscard]] void* mapped_again() const;
-    // Until bytes are read here the next time, they do not count as this mapping's.
-    void rest() const;
+    // Maps a copy-on-write copy for reading and writing. The caller owns it and ends it with munmap() of bytes(); it may
+    // outlive this object. Null: the system cannot map it.
+    [[nodiscard]] void* map_private_copy() const;
+    // Drops the pages of this mapping from the resident memory of the process. The content stays; reading maps it again.
+    void release_resident() const;
 
 private:
     SharedPages(int file, std::byte* data, std::size_t bytes) : file_(file), data_(data), bytes_(bytes) {}

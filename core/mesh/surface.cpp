@@ -38,7 +38,7 @@ tl::unexpected<Error> too_many_vertices() {
 
 // What the surface may take: the limit is for the process, which has a tree already.
 PolygonizeOptions polygonize_options(const SurfaceOptions& options, const std::shared_ptr<DiskPages>& pages = {}) {
-    if (pages != nullptr) pages->rest(); // they would count
+    if (pages != nullptr) pages->release_resident(); // they would count
     PolygonizeOptions chosen;
     chosen.disk = pages;
     chosen.detail = options.detail;

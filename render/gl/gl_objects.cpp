@@ -126,7 +126,7 @@ LargeBuffer::LargeBuffer(std::size_t bytes) {
 }
 
 LargeBuffer::LargeBuffer(const SharedPages& pages, bool& shared) {
-    void* again = gl_takes_own_memory() ? pages.mapped_again() : nullptr;
+    void* again = gl_takes_own_memory() ? pages.map_private_copy() : nullptr;
     shared = again != nullptr;
     if (!shared) {
         *this = LargeBuffer(pages.bytes());

@@ -216,7 +216,7 @@ PagedMesh PagedMesh::edited(const mesh::TriangleMesh& mesh, const mesh::SurfaceE
             next.triangle_pages_[triangles[i - vertices.size()]] =
                 make_triangle_page(source, triangles[i - vertices.size()], memory);
     });
-    if (memory) memory->vertices->rest(), memory->triangles->rest();
+    if (memory) memory->vertices->release_resident(), memory->triangles->release_resident();
     next.summarise();
     return next;
 }

@@ -46,10 +46,10 @@ TEST_CASE(
     CHECK(std::all_of(pages->data(), pages->data() + pages->bytes(), [](std::byte b) { return b == std::byte{0}; }));
     std::memset(pages->data(), 7, pages->bytes());
     const double written = process_memory();
-    pages->rest();
+    pages->release_resident();
     CHECK(written - process_memory() > 60e6); // they are still there, and not counted
 
-    auto* const again = static_cast<std::byte*>(pages->mapped_again());
+    auto* const again = static_cast<std::byte*>(pages->map_private_copy());
     REQUIRE(again != nullptr);
     const double before = process_memory();
     CHECK(std::all_of(again, again + pages->bytes(), [](std::byte b) { return b == std::byte{7}; }));
