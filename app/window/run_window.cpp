@@ -213,7 +213,7 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
 } // namespace
 
 int run_window(const WindowOptions& options) {
-    fork_small_processes();
+    start_fork_server();
     std::vector<ScriptLine> script;
     if (!options.commands.empty()) {
         auto read = read_script(options.commands);

@@ -118,7 +118,7 @@ std::string receive_all(int from, std::uint64_t bytes) {
 
 } // namespace
 
-void fork_small_processes() {
+void start_fork_server() {
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) return;
     const pid_t server = ::fork();

@@ -7,7 +7,7 @@
 int main(int argument_count, char** arguments) {
 #ifdef __SANITIZE_ADDRESS__
     // A fork beside other threads leaves the child an allocator of the sanitizer that one of them holds locked.
-    ramus::fork_small_processes();
+    ramus::start_fork_server();
 #endif
     doctest::Context context(argument_count, arguments);
     return context.run();

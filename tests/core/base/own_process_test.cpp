@@ -143,7 +143,7 @@ TEST_CASE("what happens in a process of its own stays there, and limits hold") {
 }
 
 TEST_CASE("a small process forks in place of a large one, and where it is gone the large one does") {
-    fork_small_processes();
+    start_fork_server();
     const pid_t server = parent_of_own_process();
     REQUIRE(server > 0);
     REQUIRE(server != ::getpid());
@@ -160,7 +160,7 @@ TEST_CASE("a process that forks for another ends with it, and keeps none of its 
     REQUIRE(::pipe(pipe.data()) == 0);
     const pid_t large = ::fork();
     if (large == 0) {
-        fork_small_processes();
+        start_fork_server();
         const pid_t server = parent_of_own_process();
         std::_Exit(::write(pipe[1], &server, sizeof(server)) == sizeof(server) ? 0 : 1);
     }
