@@ -1,4 +1,4 @@
-// Bounds: an axis-aligned box around what it was given; around nothing, its least corner is above its greatest.
+// Bounds: an axis-aligned bounding box, closed on all sides. An empty box has `least` above `most` on every axis.
 #pragma once
 
 #include <glm/common.hpp>
@@ -10,6 +10,7 @@ template <class Vector> struct Bounds {
     using Number = typename Vector::value_type;
     Vector least{std::numeric_limits<Number>::max()}, most{std::numeric_limits<Number>::lowest()};
 
+    // Grows the box around a point, a ball of radius `reach`, or another box.
     void hold(const Vector& point) {
         least = glm::min(least, point);
         most = glm::max(most, point);
@@ -22,7 +23,7 @@ template <class Vector> struct Bounds {
         least = glm::min(least, other.least);
         most = glm::max(most, other.most);
     }
-    // What two boxes share; where they do not meet, its least corner is above its greatest along some axis.
+    // The intersection of two boxes. Where they do not meet, `least` is above `most` on at least one axis.
     [[nodiscard]] Bounds common(const Bounds& other) const {
         return {glm::max(least, other.least), glm::min(most, other.most)};
     }

@@ -1,5 +1,6 @@
-// BoxTree: boxes in the order in which they are given, and boxes around ever more of these. Boxes that come after each
-// other should lie beside each other; then it takes time as the number of boxes found to find those that meet another.
+// BoxTree: a bounding-volume hierarchy over boxes that are already in spatial order, eight children to a node. It finds
+// all boxes that meet a query box. If consecutive boxes are near each other in space, a query takes time in proportion
+// to the boxes that it finds; otherwise use HalvedBoxes (halved_boxes.h). The result is correct for any order.
 #pragma once
 
 #include "core/base/eight_boxes.h"
@@ -29,11 +30,11 @@ public:
         }
     }
 
-    // Of the lowest level.
+    // The box at `place` of the lowest level, in the given order.
     [[nodiscard]] Box box(std::size_t place) const {
         return levels_.front()[place / EightBoxes::kCount].box(place % EightBoxes::kCount);
     }
-    // Calls call(place) for the boxes of the lowest level that meet this one, ascending.
+    // Calls call(place) for every box of the lowest level that meets `box`, in ascending order.
     template <class Call> void for_each_meeting(const Box& box, const Call& call) const {
         if (!levels_.front().empty()) look(levels_.size() - 1, 0, box, call);
     }

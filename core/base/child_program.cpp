@@ -52,17 +52,17 @@ std::vector<std::string> environment_with(const std::vector<std::string>& more) 
     return all;
 }
 
-// A program for a process to become.
+// The arguments of execve() and what the new process needs before it.
 struct Start {
     const char* program;
     char* const* words;
     char* const* environment;
-    int input = -1, says = -1;   // its own ends; -1: nowhere
-    bool ends_with_this = false; // the process that starts it
+    int input = -1, says = -1;   // descriptors of standard input and error; -1: /dev/null
+    bool ends_with_this = false; // gets SIGTERM when the thread that starts it ends
 };
 
-// As the process begins. It shares the memory of the one that starts it: nothing here may allocate or lock. Returns
-// where it cannot become the program.
+// The entry point of the new process. It shares its parent's memory, so nothing here may allocate or lock. Returns only
+// if execve() fails.
 int become(void* what) {
     const Start& start = *static_cast<const Start*>(what);
     if (start.ends_with_this) ::prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -79,16 +79,15 @@ int become(void* what) {
 }
 
 using Stack = std::vector<std::byte>;
-constexpr std::size_t kStackBytes = std::size_t{1} << 16; // a multiple of what stacks are aligned to
+constexpr std::size_t kStackBytes = std::size_t{1} << 16; // a multiple of the alignment of stacks
 
-// A process that runs in this one's memory while the calling thread waits, until it becomes a program or ends. fork(2)
-// would copy the tables of all pages, and every thread that needs a page waits meanwhile: 0.15 s beside a large
-// surface.
+// Starts a process that shares this one's memory; the calling thread waits until the process calls execve() or ends.
+// fork(2) would copy the page tables, and block every thread that needs a page meanwhile: 0.15 s with a large surface.
 pid_t clone_in(Stack& stack, int (*run)(void*), void* what) {
     return ::clone(run, stack.data() + stack.size(), CLONE_VM | CLONE_VFORK | SIGCHLD, what);
 }
 
-// Without signals until it is another program: handlers would run in the memory of both.
+// Blocks signals until execve(): a handler in the child would run in the memory of both processes.
 pid_t start_process(int (*run)(void*), void* what) {
     Stack stack(kStackBytes);
     sigset_t all, before;
@@ -101,7 +100,7 @@ pid_t start_process(int (*run)(void*), void* what) {
     return process;
 }
 
-// A program that belongs to nobody: whoever has started it has ended.
+// A program whose parent has ended, so that nobody has to wait for it.
 struct Orphan {
     Start start;
     Stack stack;
@@ -137,7 +136,7 @@ Result<ChildProgram> ChildProgram::start(const std::vector<std::string>& words,
     const fs::path program = path_of(words.front());
     if (program.empty()) return cannot_start(words.front(), ENOENT);
     std::array<int, 2> input{}, says{};
-    // A socket, for writing to a program that has ended must be an error and no signal.
+    // A socket, because writing to a program that has ended must be an error, and no signal.
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input.data()) != 0)
         return cannot_start(program.string(), errno);
     if (::pipe2(says.data(), O_CLOEXEC) != 0) {
@@ -188,7 +187,7 @@ Result<void> ChildProgram::write(std::string_view bytes) const {
 
 Result<void> ChildProgram::wait(Job& job, const Hear& hear) {
     using Clock = std::chrono::steady_clock;
-    constexpr std::chrono::seconds kPolite{3}; // between being asked to end and being made to
+    constexpr std::chrono::seconds kPolite{3}; // between SIGTERM and SIGKILL
     constexpr std::size_t kLongestLine = 4096;
     close_input();
     std::string line, complaint;

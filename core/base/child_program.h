@@ -1,5 +1,9 @@
-// Another program that runs beside this one: it is given words and perhaps bytes, what it says on standard error is
-// heard line by line, and it ends when this process does. Nothing goes through a shell.
+// Runs another program as a child process: arguments and standard input go in, standard error comes back line by line,
+// standard output is discarded. The child gets SIGTERM when the thread that started it ends. No shell is involved.
+//
+//     auto program = ChildProgram::start({"ffmpeg", "-i", "-", "film.mp4"});
+//     program->write(bytes);
+//     program->wait(job);
 #pragma once
 
 #include "core/base/error.h"
@@ -14,38 +18,39 @@
 
 namespace ramus {
 
-// Where PATH has a program of this name; empty: nowhere.
+// The absolute path of the first executable of this name in PATH. Empty: there is none.
 [[nodiscard]] std::filesystem::path find_program(const std::string& name);
 
 class ChildProgram {
 public:
-    // `words`: the program's path or name, and what it is given. `environment`: "NAME=value" beside what this process
-    // has. Fails where it cannot be started.
+    // `words`: the program's path, or its name in PATH, and its arguments. `environment`: "NAME=value", in addition to
+    // or instead of the variables of this process. Fails if there is no such program or no process can be created.
     [[nodiscard]] static Result<ChildProgram> start(const std::vector<std::string>& words,
                                                     const std::vector<std::string>& environment = {});
     ChildProgram(ChildProgram&& other) noexcept;
     ChildProgram& operator=(ChildProgram&&) = delete;
-    ~ChildProgram(); // one that has not ended is stopped
+    ~ChildProgram(); // kills the program if it has not ended
 
-    // On its standard input. Fails once it does not read any more.
+    // Writes to its standard input, and waits until it takes all bytes. Fails once the program has closed its input.
     [[nodiscard]] Result<void> write(std::string_view bytes) const;
 
-    // Closes its input and waits until it ends. `hear` gets the lines that it says and returns true for those that are
-    // no complaint. Fails with the last complaint, where its status is not 0, or where the job is cancelled: it is then
-    // asked to end, and after a while made to.
+    // Closes its input and waits until it ends. `hear` gets each line of its standard error, and returns true for a
+    // line that is not an error. Fails if its exit status is not 0, with the last error line, and if `job` is
+    // cancelled. A cancelled program gets SIGTERM, and SIGKILL 3 s later.
     using Hear = std::function<bool(std::string_view line)>;
     [[nodiscard]] Result<void> wait(Job& job, const Hear& hear = {});
 
 private:
     ChildProgram(pid_t process, int input, int words) : process_(process), input_(input), words_(words) {}
     void close_input();
-    [[nodiscard]] int reap() const; // its status
+    [[nodiscard]] int reap() const; // as waitpid() gives it
 
     pid_t process_;
     int input_, words_; // descriptors; -1: closed
 };
 
-// Starts a program and forgets it, as a desktop does: it outlives this process. Fails where it cannot be started.
+// Starts a program that outlives this process, in a session of its own, as a desktop does. Fails if there is no such
+// program or no process can be created. Does not tell whether the program then runs.
 [[nodiscard]] Result<void> start_and_leave(const std::vector<std::string>& words);
 
 } // namespace ramus

@@ -1,5 +1,9 @@
-// ChunkedArray: plain values in chunks, for long arrays of which only a part is in use at a time. Growing moves no
-// value, and the chunks of values that are done with serve those that come next, while they are still in the caches.
+// ChunkedArray: an array in chunks, for plain values of which only a part is in use at a time. No value ever moves. The
+// chunks of released values are reused for the next ones, while they are still in the processor's caches.
+//
+//     array.resize(count);       // no memory yet
+//     array.provide(0, 1000);    // memory for these, unset
+//     array.release(0, 512);     // these will not be used again
 #pragma once
 
 #include "core/base/large_array.h"
@@ -15,12 +19,12 @@ template <class T> class ChunkedArray {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
 public:
-    // How many there may be; they have no memory yet.
+    // Sets the number of values, without memory for them.
     void resize(std::size_t count) {
         count_ = count;
         chunks_.resize((count + kChunk - 1) / kChunk);
     }
-    // Memory for the values from `first` up to `end`, unset where they have none. For one thread.
+    // Allocates memory for the values in [first, end) that have none, and leaves them unset. Not thread-safe.
     void provide(std::size_t first, std::size_t end) {
         assert(end <= count_);
         for (std::size_t c = first / kChunk; c * kChunk < end; ++c) {
@@ -30,7 +34,8 @@ public:
             spare_.pop_back();
         }
     }
-    // These are done with, each for the first time. For one thread.
+    // Ends the use of the values in [first, end). Each value may be released once. A chunk is reused when all of its
+    // values are released. Not thread-safe.
     void release(std::size_t first, std::size_t end) {
         assert(end <= count_);
         while (first < end) {

@@ -8,7 +8,7 @@
 namespace ramus {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-    // Rows of the table of distances between beginnings of a and of b: the one being filled, and the two before it.
+    // Rows of the table of distances between prefixes of a and of b: the row being filled, and the two before it.
     std::vector<std::size_t> row(b.size() + 1), last(row), last_but_one(row);
     std::iota(row.begin(), row.end(), std::size_t{0});
     for (std::size_t i = 1; i <= a.size(); ++i) {

@@ -1,4 +1,4 @@
-// What a mistyped word was meant to be: one of a list of names, for "did you mean --detail?".
+// Finds the name that a mistyped word most likely stands for, as in "did you mean --detail?".
 #pragma once
 
 #include <cstddef>
@@ -8,12 +8,13 @@
 
 namespace ramus {
 
-// How many letters have to be put in, left out, exchanged for others, or swapped with their neighbour, to make one word
-// of the other (the Damerau-Levenshtein distance in which no letter is touched twice). In bytes.
+// The number of insertions, deletions, substitutions and swaps of neighbours that turn one word into the other, in
+// bytes (the optimal string alignment distance: Damerau-Levenshtein where no letter is edited twice).
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 
-// The candidate nearest to `word`, the first of several; empty where none is near: at most one edit for every three
-// letters of the longer word. A candidate that begins with `word` (three letters at least) counts as one edit away.
+// The candidate with the smallest edit distance to `word`, the first of several. Empty: every candidate needs more than
+// one edit for every three letters of the longer word. A candidate that begins with `word` (at least three letters)
+// counts as one edit away.
 [[nodiscard]] std::string closest_word(std::string_view word, std::span<const std::string> candidates);
 
 } // namespace ramus

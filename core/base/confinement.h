@@ -1,16 +1,18 @@
-// What a process may still do that reads a file with somebody else's library: compute, take memory, and answer.
+// Confines a process that reads a file with a third-party library: it may compute, allocate memory and answer.
 #pragma once
 
 #include <sys/types.h>
 
 namespace ramus {
 
-// From here on this process ends with `parent`, has no descriptor but this one and the standard ones, can win no
-// rights, and, where the kernel has seccomp, is refused (EPERM) all that is not computing: it opens and makes no files,
-// has no network, starts no program, process or thread, and touches no other process. Memory that can be written cannot
-// be run. To be called in a process that has one thread.
+// Confines the calling process for good. It must have one thread, and `parent` as its parent. From then on
+// - it is killed when `parent` ends,
+// - it has no open descriptor except `descriptor` and the three standard ones,
+// - it cannot gain privileges,
+// - with seccomp, all system calls that are not for computing fail with EPERM: it cannot open or create files, use the
+//   network, start a program, process or thread, affect another process, or map executable memory.
 //
-// A kernel without seccomp leaves the last part out; the limits of ProcessLimits hold there, too.
+// Not guaranteed: the last point on a kernel without seccomp. The limits of ProcessLimits hold there too.
 void confine_this_process(int descriptor, pid_t parent);
 
 } // namespace ramus

@@ -1,5 +1,4 @@
-// Descriptors of the operating system: one that is closed with its owner, files without a name, and all of a text at
-// once.
+// Owns file descriptors, opens files without a name, and writes whole texts to files and sockets.
 #pragma once
 
 #include <filesystem>
@@ -9,6 +8,7 @@
 
 namespace ramus {
 
+// Closes its descriptor when it goes out of scope. A negative number is no descriptor.
 class Descriptor {
 public:
     explicit Descriptor(int number) : number_(number) {}
@@ -28,14 +28,15 @@ private:
     int number_;
 };
 
-// A file without a name in a folder, for reading and writing by this user: however the process ends, nothing is left of
-// it. -1: errno says why.
+// Opens a new file without a name in `folder`, readable and writable by this user only. Nothing is left of it once the
+// process ends. Returns -1 on failure, with errno set.
 [[nodiscard]] int open_without_name(const std::filesystem::path& folder);
 
-// False: not all of it could be written; errno says why.
+// Writes all bytes. False: not all of them could be written; errno says why.
 [[nodiscard]] bool write_all(int descriptor, std::string_view bytes);
 
-// Waits until the socket has taken all. False: its other end is closed, or it is none; no signal is raised then.
+// Sends all bytes, and waits as long as the socket does not take them. False: the other end is closed, or `socket` is
+// no socket. Raises no SIGPIPE.
 [[nodiscard]] bool send_all(int socket, std::string_view bytes);
 
 } // namespace ramus

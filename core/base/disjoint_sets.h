@@ -1,4 +1,5 @@
-// DisjointSets: things numbered from 0, joined into sets; more may come at any time. The lowest of a set stands for it.
+// DisjointSets: union-find over elements numbered from 0, which can grow. The lowest element of a set represents it, so
+// representatives do not depend on the order of the joins. Not thread-safe.
 #pragma once
 
 #include "core/base/large_array.h"
@@ -14,17 +15,18 @@ public:
     explicit DisjointSets(std::size_t count, const LargeAllocator<std::uint32_t>& memory = {}) : stands_(memory) {
         add(count);
     }
-    // More things, each a set of its own.
+    // Adds `count` elements, each a set of its own.
     void add(std::size_t count) {
         const std::size_t first = stands_.size();
         stands_.resize(first + count);
         for (std::size_t n = first; n < stands_.size(); ++n) stands_[n] = static_cast<std::uint32_t>(n);
     }
+    // The representative of the set of `n`.
     std::uint32_t find(std::uint32_t n) {
         while (stands_[n] != n) n = stands_[n] = stands_[stands_[n]];
         return n;
     }
-    // Whether they were apart.
+    // Joins two sets. False: they were one set already.
     bool join(std::uint32_t a, std::uint32_t b) {
         a = find(a);
         b = find(b);
@@ -36,7 +38,7 @@ public:
     [[nodiscard]] std::size_t count() const { return stands_.size() - joined_; } // of sets
 
 private:
-    LargeArray<std::uint32_t> stands_; // another of the same set, lower unless it is the lowest itself
+    LargeArray<std::uint32_t> stands_; // parent of each element: lower, or the element itself if it is the lowest
     std::size_t joined_ = 0;
 };
 

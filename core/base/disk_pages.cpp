@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A look comes late where threads have all cores (measured: by up to 50 ms, on two): most of the room is for what they
-// bring back in the meantime.
+// The watching thread can run late while other threads use all cores (measured: by up to 50 ms, on two cores). Most of
+// the room is for the pages that they map meanwhile.
 constexpr std::chrono::milliseconds kBetweenLooks(5);
 constexpr double kShare = 0.25; // of the room that other memory leaves
 
@@ -50,12 +50,12 @@ void* DiskPages::allocate(std::size_t bytes) {
     int code = EINTR;
     while (code == EINTR) code = ::posix_fallocate(file.number(), 0, static_cast<off_t>(bytes));
     if (code != 0) {
-        file.close(); // with what there was space for
+        file.close(); // frees the part that was reserved, before refuse() looks at the free space
         refuse(bytes, code);
     }
     void* const memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file.number(), 0);
     if (memory == MAP_FAILED) refuse(bytes, errno);
-    // Read ahead, a new file gets large pages in the system's cache, and then one byte maps megabytes (Linux 6.18).
+    // With read-ahead a new file gets large pages in the system's cache, and one byte then maps megabytes (Linux 6.18).
     madvise(memory, bytes, MADV_RANDOM);
     const std::lock_guard lock(mutex_);
     mapped_.emplace(memory, bytes);

@@ -1,11 +1,13 @@
-// DiskPages: memory for arrays larger than what the process may take, in files without a name.
+// DiskPages: memory for arrays that are larger than the process may take, in mapped files without a name.
 //
-// The bytes are mapped from the disk of a given file. A thread watches the resident memory of the process; near a limit
-// it drops all mapped pages. They keep their content, and return when something uses them again: from the system's
-// cache, or from the disk where the machine needs its memory otherwise. Dropping is safe while other threads read and
-// write. Guaranteed: disk space is reserved before it is used, so that a full disk is an error and never a signal, and
-// nothing is left behind, however the program ends. Not guaranteed: the limit, where other memory of the process comes
-// near it, or where many cores bring back in a few milliseconds what is between.
+// A thread watches the resident memory of the process. Near the limit it drops all mapped pages. Dropped pages keep
+// their content; the next access maps them again, from the system's cache or from the disk. Dropping is safe while
+// other threads read and write.
+//
+// Guaranteed: disk space is reserved before it is used, so a full disk is an error and never a signal. Nothing is left
+// behind, however the program ends.
+// Not guaranteed: the limit. Other memory of the process may come near it, and many cores may map more pages within a
+// few milliseconds than the limit leaves.
 //
 //     const auto pages = std::make_shared<DiskPages>("liver.stl", 0.8e9);
 //     LargeArray<float> radii(1'000'000'000, LargeAllocator<float>(pages)); // core/base/large_array.h
@@ -23,15 +25,17 @@ namespace ramus {
 
 class DiskPages final : public ArrayMemory {
 public:
-    // `target`: the file that the bytes will end in. A device has no disk: then $TMPDIR, or /var/tmp. No file is made
-    // before the first allocation.
+    // The files lie in the folder of `target`, the file that will be written. If `target` exists and is no regular
+    // file, they lie in $TMPDIR, or /var/tmp. `most_bytes`: limit of the resident memory of the whole process. The
+    // first allocation creates the first file.
     DiskPages(std::filesystem::path target, double most_bytes);
 
-    // All bytes 0. Throws a std::runtime_error, an Error's message, where the disk has no space or no file can be made.
+    // All bytes are 0. Throws std::runtime_error with the message of an Error if the disk is full or no file can be
+    // created.
     [[nodiscard]] void* allocate(std::size_t bytes) override;
     void deallocate(void* memory) noexcept override;
-    // Drops all mapped pages from resident memory, and lets the system read ahead. To be called once the arrays are
-    // written, before they are read.
+    // Drops all mapped pages from resident memory, and lets the system read ahead in the present arrays. To be called
+    // when these are completely written.
     void release_resident() const;
 
 private:

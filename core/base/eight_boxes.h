@@ -1,5 +1,5 @@
-// EightBoxes: boxes side by side in memory, so that a box is compared with all of them by vectors. Trees of boxes are
-// made of these.
+// EightBoxes: eight boxes as a structure of arrays, so that SIMD vectors compare a box with all of them. A node of
+// BoxTree (box_tree.h).
 #pragma once
 
 #include "core/base/bounds.h"
@@ -18,7 +18,7 @@ public:
     static constexpr std::size_t kCount = 8;
     using Box = Bounds<glm::vec3>;
 
-    EightBoxes() { // around nothing
+    EightBoxes() { // all empty
         for (auto& row : least_) row.fill(std::numeric_limits<float>::max());
         for (auto& row : most_) row.fill(std::numeric_limits<float>::lowest());
     }
@@ -31,12 +31,13 @@ public:
     [[nodiscard]] Box box(std::size_t n) const {
         return {{least_[0][n], least_[1][n], least_[2][n]}, {most_[0][n], most_[1][n], most_[2][n]}};
     }
+    // The bounding box of all eight.
     [[nodiscard]] Box around() const {
         Box all;
         for (std::size_t n = 0; n < kCount; ++n) all.hold(box(n));
         return all;
     }
-    // Which of them meet a box: a bit each.
+    // Bit n is set if box n meets `box`. Boxes that only touch meet.
     [[nodiscard]] unsigned meeting(const Box& box) const {
         const Bits low = meeting(0, Bits{1, 2, 4, 8}, box), high = meeting(kLanes, Bits{16, 32, 64, 128}, box);
         const Bits bits = low | high;
@@ -44,12 +45,13 @@ public:
     }
 
 private:
-    // Compilers make no vectors of a loop over all boxes. Any processor has vectors of this size.
+    // Explicit vectors, because compilers do not vectorize a loop over all boxes. Any processor has vectors of this
+    // size.
     static constexpr std::size_t kLanes = 4;
     using Numbers [[gnu::vector_size(kLanes * sizeof(float))]] = float;
     using Bits [[gnu::vector_size(kLanes * sizeof(std::int32_t))]] = std::int32_t;
 
-    // Of the boxes from `first` on: their bits where they meet the box, 0 elsewhere.
+    // For the four boxes from `first` on: the given bit if the box meets, else 0.
     [[nodiscard]] Bits meeting(std::size_t first, Bits bits, const Box& box) const {
         const auto numbers = [&](const std::array<float, kCount>& row) {
             Numbers some;

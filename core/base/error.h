@@ -1,5 +1,6 @@
-// What a function that can fail on its input hands back: a value, or an Error that says what is wrong, where, and what
-// the user can do about it. Bad input is data; programmer mistakes assert; exceptions are for dead ends only.
+// Result<T>, the return type of a function that can fail on its input: a value, or an Error that says what is wrong,
+// where, and what the user can do about it. Programmer mistakes assert. Exceptions are for dead ends: no memory, no
+// disk.
 #pragma once
 
 #include <string>
@@ -28,7 +29,7 @@ inline tl::unexpected<Error> fail(std::string what, std::string where = {}, std:
 
 } // namespace ramus
 
-// Declares `name`, the value of a Result, or returns its error from the function that this stands in.
+// Evaluates a Result. Declares `name` as a reference to its value, or returns its error from the enclosing function.
 #define RAMUS_TRY(name, ...)                                                                                           \
     auto name##_or_error = __VA_ARGS__;                                                                                \
     if (!name##_or_error) return tl::unexpected(std::move(name##_or_error).error());                                   \

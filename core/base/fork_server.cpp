@@ -19,10 +19,10 @@ namespace ramus {
 
 namespace {
 
-std::atomic<int> server_socket{-1}; // of this process; the server ends when nobody holds it any more
+std::atomic<int> server_socket{-1}; // this process's end; the server ends when no process holds it open
 
-// What is asked of the server, with the socket on which the input comes and the answer goes. A function has the same
-// place in both: one is a fork of the other.
+// A request to the server. It comes with the socket that carries the input and the answer. The address of the function
+// is valid in both processes, because one is a fork of the other.
 struct Request {
     OwnWork work = nullptr;
     ProcessLimits limits;
@@ -79,7 +79,7 @@ std::string receive_all(int from, std::uint64_t bytes) {
     while (at < input.size()) {
         const ssize_t count = ::read(from, input.data() + at, input.size() - at);
         if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) std::_Exit(EXIT_FAILURE); // the one who asked is gone
+        if (count <= 0) std::_Exit(EXIT_FAILURE); // the requesting process is gone
         at += static_cast<std::size_t>(count);
     }
     return input;
@@ -94,7 +94,7 @@ std::string receive_all(int from, std::uint64_t bytes) {
     }
 }
 
-// Nothing of the process that it comes from stays open in it: whoever reads that one's output must see its end.
+// Closes all descriptors of the parent first: a program that reads the parent's output must see its end.
 [[noreturn]] void serve(int socket) {
     constexpr int kSocket = 3;
     ::prctl(PR_SET_NAME, "ramus-readers");
@@ -112,7 +112,7 @@ std::string receive_all(int from, std::uint64_t bytes) {
             ::close(kSocket);
             answer(request, asked, self);
         }
-        ::close(asked); // where there is no process, the one who asked sees an answer without an end
+        ::close(asked); // if fork() failed, the requesting process sees an incomplete answer
     }
 }
 
@@ -140,7 +140,7 @@ std::optional<Result<std::string>> run_at_fork_server(OwnWork work, std::string_
     Request request{work, limits, input.size()};
     if (!Message(request).send(server, other.number())) return std::nullopt;
     other.close();
-    (void)send_all(own.number(), input); // a process that does not take it gives no answer either
+    (void)send_all(own.number(), input); // if this fails, the answer is incomplete too
     return read_answer(own.number(), limits);
 }
 

@@ -8,8 +8,8 @@
 
 namespace ramus {
 
-// Runs `work`, which frees memory and must not throw, on a detached thread with low priority and returns at once: freeing
-// many pages takes the system long. Runs it on the calling thread where the system provides no more threads.
+// Runs `work`, which frees memory and must not throw, on a detached thread with low priority and returns at once:
+// freeing many pages takes the system long. Runs it on the calling thread where the system provides no more threads.
 template <class Work> void free_in_background(const Work& work) noexcept {
     try {
         std::thread([work] {

@@ -1,4 +1,5 @@
-// Grouped: things by the number of their group, those of a group side by side, all in one array.
+// Grouped: values by the number of their group, in one array where the values of a group are adjacent (a counting sort;
+// the layout of compressed sparse rows).
 #pragma once
 
 #include <cstdint>
@@ -11,8 +12,8 @@ namespace ramus {
 template <class T> class Grouped {
 public:
     Grouped() = default;
-    // `for_each(put)` calls put(group, thing) for every one of them. It is called twice and must do the same again;
-    // within a group things keep that order.
+    // `for_each(put)` must call put(group, value) for every value. It is called twice and must make the same calls both
+    // times. Within a group the values keep the order of the calls.
     template <class ForEach> Grouped(std::size_t groups, const ForEach& for_each) : first_(groups + 1, 0) {
         for_each([&](std::size_t group, const T&) { ++first_[group + 1]; });
         std::partial_sum(first_.begin(), first_.end(), first_.begin());

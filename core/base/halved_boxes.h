@@ -1,6 +1,5 @@
-// A tree of boxes over numbered things, for what is looked for by its place: each box is around all of its things, and
-// its halves are those on either side of the middle thing, along its longest side. For things that lie in an order that
-// is close in space, BoxTree (box_tree.h) takes less time.
+// HalvedBoxes: a binary bounding-volume hierarchy over numbered things in any order. Each node is split at the median
+// along the longest side of its box. For things that are already in spatial order, BoxTree (box_tree.h) is faster.
 #pragma once
 
 #include "core/base/bounds.h"
@@ -15,17 +14,18 @@ namespace ramus {
 
 struct BoxNode {
     Bounds<glm::dvec3> box;
-    std::uint32_t first = 0; // a leaf: its first thing, by order; else its second child, the first one follows it
-    std::uint32_t count = 0; // of things; 0: not a leaf
+    std::uint32_t first =
+        0; // leaf: index of its first thing in `order`; else its second child. The first child is next
+    std::uint32_t count = 0; // things of a leaf; 0: not a leaf
 };
 
 struct HalvedBoxes {
-    std::vector<BoxNode> nodes;       // the root is the first; none: there are no things
-    std::vector<std::uint32_t> order; // of the things, in that of the leaves
+    std::vector<BoxNode> nodes;       // the top node first; empty: there are no things
+    std::vector<std::uint32_t> order; // the numbers of the things, leaf by leaf
 };
 
-// Of `count` things. hold(box, thing) makes a box hold one of them; middle(thing, axis) is a number that goes up along
-// the axis.
+// Builds the hierarchy of `count` things. hold(box, thing) grows a box around a thing. middle(thing, axis) is the key
+// of the median split, as a rule the coordinate of the thing's centre.
 template <class Hold, class Middle>
 HalvedBoxes halved_boxes(std::uint32_t count, const Hold& hold, const Middle& middle) {
     constexpr std::uint32_t kLeaf = 4; // tuned on triangles: 1 and 2 are no quicker

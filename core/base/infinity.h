@@ -1,4 +1,4 @@
-// Farther, longer, larger than anything that is measured.
+// kInfinity: infinity in double precision, as the start value of a minimum.
 #pragma once
 
 #include <limits>

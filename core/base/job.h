@@ -1,5 +1,6 @@
-// A Job is how slow work talks to whoever waits for it: it reports progress and learns that it should stop.
-// All members may be called from any thread. A default Job is silent and never cancelled.
+// Job: progress and cancellation of slow work. The work reports progress to it and asks it whether to stop; the caller
+// reads the progress and cancels. All members may be called from any thread. A default Job has no observer and is never
+// cancelled unless cancel() is called. Cancelling only sets a flag: the work has to ask.
 #pragma once
 
 #include <atomic>
@@ -9,8 +10,8 @@ namespace ramus {
 class Job {
 public:
     Job() = default;
-    // A step of another job, which outlives it, for what takes a Job: its progress is this part of the other's, and it
-    // is cancelled with it.
+    // A step of another job, which must outlive it, for a function that takes a Job. Its progress maps to [begin, end]
+    // of the other job, and it is cancelled with the other job.
     Job(Job& whole, float begin, float end) : whole_(&whole), begin_(begin), share_(end - begin) {}
 
     // Fraction of the whole job that is done, 0 to 1.
@@ -32,13 +33,14 @@ private:
     std::atomic<bool> cancelled_{false};
 };
 
-// A part of a job's progress, for a step that does not know what else the job does.
+// The part [begin, end] of a job's progress, for a step that does not know the other steps. The job must outlive it.
 class JobRange {
 public:
     JobRange(Job& job, float begin, float end) : job_(job), begin_(begin), share_(end - begin) {}
-    void report(float fraction) const { job_.report(begin_ + share_ * fraction); } // of this part
+    // Fraction of this part that is done, 0 to 1.
+    void report(float fraction) const { job_.report(begin_ + share_ * fraction); }
     [[nodiscard]] bool cancelled() const { return job_.cancelled(); }
-    // A part of this part.
+    // The part [begin, end] of this part.
     [[nodiscard]] JobRange part(float begin, float end) const {
         return {job_, begin_ + share_ * begin, begin_ + share_ * end};
     }

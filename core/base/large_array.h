@@ -1,8 +1,7 @@
-// LargeArray: a std::vector for plain values that spends nothing on setting elements which will all be written before
-// they are read (resize leaves them unset). Its memory comes from TBB's allocator, which keeps what is given back for
-// what any thread asks for next: a surface made anew is written where the one before it was. An array can be given
-// another ArrayMemory (core/base/disk_pages.h): its elements are there unless they are few, and so are those of its
-// copies.
+// LargeArray: a std::vector for plain values whose resize() leaves new elements unset. The caller must write them
+// before reading them. Its memory comes from TBB's allocator, which keeps freed memory for the next allocation of any
+// thread: a new surface reuses the pages of the previous one. An array can have another ArrayMemory
+// (core/base/disk_pages.h); the array and its copies then use it for allocations of more than 1 MiB.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +14,14 @@
 
 namespace ramus {
 
-// Where arrays are.
+// A source of memory for arrays. Must be thread-safe.
 class ArrayMemory {
 public:
     ArrayMemory() = default;
     ArrayMemory(const ArrayMemory&) = delete;
     ArrayMemory& operator=(const ArrayMemory&) = delete;
     virtual ~ArrayMemory() = default;
-    [[nodiscard]] virtual void* allocate(std::size_t bytes) = 0; // throws where it has none
+    [[nodiscard]] virtual void* allocate(std::size_t bytes) = 0; // throws if it has no memory
     virtual void deallocate(void* memory) noexcept = 0;
 };
 

@@ -22,7 +22,7 @@ struct Registry {
     std::size_t made = 0;
 };
 
-// Outlives everything, for a thread may end the process while another one does away with what it has.
+// Never destroyed, because a thread may end the process while another one removes its leftovers.
 Registry& registry() {
     static Registry& one = *new Registry;
     return one;
@@ -38,7 +38,7 @@ void remove_now(const fs::path& path, LeftoverKind what) {
 
 } // namespace
 
-// Absolute: the folder that the process works in may change.
+// Absolute, because the working directory may change.
 Leftover::Leftover(const fs::path& path, LeftoverKind what) : path_(fs::absolute(path)), what_(what) {
     const auto held = hold_leftovers();
     number_ = ++registry().made;
@@ -74,7 +74,7 @@ void Leftover::remove() {
 std::unique_lock<std::recursive_mutex> hold_leftovers() { return std::unique_lock(registry().mutex); }
 
 void end_by_signal(int number) {
-    registry().mutex.lock(); // for ever: nobody begins or finishes anything now
+    registry().mutex.lock(); // never unlocked: no leftover is created or kept from now on
     for (auto one = registry().all.rbegin(); one != registry().all.rend(); ++one)
         remove_now(one->second.path, one->second.what);
     std::signal(number, SIG_DFL);
@@ -83,7 +83,7 @@ void end_by_signal(int number) {
     sigaddset(&this_one, number);
     ::pthread_sigmask(SIG_UNBLOCK, &this_one, nullptr);
     std::raise(number);
-    std::_Exit(EXIT_FAILURE); // a signal that ends nothing
+    std::_Exit(EXIT_FAILURE); // only if the signal does not end a process by default
 }
 
 } // namespace ramus

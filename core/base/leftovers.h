@@ -1,5 +1,6 @@
-// What nobody wants once its owner is gone, however that one ends: unfinished files, folders for a while. An object
-// goes with its scope; where a signal ends the process there is no such end, and end_by_signal() sees to it.
+// Leftover: a file or folder on disk that is removed when its owner ends: an unfinished file, a scratch folder. The
+// destructor removes it. When a signal ends the process, no destructor runs, and end_by_signal() removes all of them.
+// Not guaranteed: removal after a crash, SIGKILL, or where the system refuses it (errors are ignored).
 #pragma once
 
 #include <filesystem>
@@ -14,14 +15,14 @@ enum class LeftoverKind {
 
 class Leftover {
 public:
-    Leftover() = default; // none
+    Leftover() = default; // owns nothing
     Leftover(const std::filesystem::path& path, LeftoverKind what);
     Leftover(Leftover&& other) noexcept;
     Leftover& operator=(Leftover&& other) noexcept;
-    ~Leftover(); // removes it
+    ~Leftover(); // removes it from the disk
 
-    void keep();                                                              // it is none any more
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; } // empty: none
+    void keep();                                                              // gives up ownership; it stays on disk
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; } // absolute; empty: owns nothing
 
 private:
     void remove();
@@ -31,11 +32,12 @@ private:
     LeftoverKind what_ = LeftoverKind::kFile;
 };
 
-// While it lives end_by_signal() waits: for steps that belong together, as making a file and making it a Leftover.
+// Locks the list of leftovers. end_by_signal() waits for the lock, so steps under it are not interrupted: for example
+// creating a file and making it a Leftover.
 [[nodiscard]] std::unique_lock<std::recursive_mutex> hold_leftovers();
 
-// Removes every Leftover of this process, the youngest first, and ends it by the signal, as a shell expects of what is
-// interrupted. Not for signal handlers.
+// Removes every Leftover of this process, the youngest first, and ends the process by the signal, as a shell expects of
+// an interrupted program. Must not be called from a signal handler.
 [[noreturn]] void end_by_signal(int number);
 
 } // namespace ramus

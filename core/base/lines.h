@@ -1,4 +1,4 @@
-// Where a straight piece is nearest to a point, in two dimensions and in three.
+// The nearest point of a line segment to a point, in two and three dimensions.
 #pragma once
 
 #include <algorithm>
@@ -6,13 +6,15 @@
 
 namespace ramus {
 
-// The share of the way along a line at which it is nearest to a point `from` its start; 0 where it has no length.
+// The parameter, in [0, 1], of the nearest point on a segment. `line`: from its start to its end. `from`: from its
+// start to the query point. 0 for a segment of length 0.
 template <class Vector> [[nodiscard]] auto share_along(const Vector& from, const Vector& line) {
     using Number = typename Vector::value_type;
     const Number squared = glm::dot(line, line);
     return squared > Number(0) ? std::clamp(glm::dot(from, line) / squared, Number(0), Number(1)) : Number(0);
 }
 
+// The distance from p to the segment ab.
 template <class Vector> [[nodiscard]] auto distance_to_line(const Vector& p, const Vector& a, const Vector& b) {
     return glm::distance(p, a + share_along(p - a, b - a) * (b - a));
 }

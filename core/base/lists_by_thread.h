@@ -1,5 +1,5 @@
-// ListsByThread: what several threads find, each in a list of its own, put together in an order that does not depend on
-// them.
+// ListsByThread: a list for each thread, for the results of parallel work without locks. sorted() merges the lists in
+// an order that does not depend on the threads.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@ namespace ramus {
 
 template <class T> class ListsByThread {
 public:
-    [[nodiscard]] std::vector<T>& local() { return lists_.local(); } // of the thread that asks
-    // All of them, ascending, once no thread adds to its own.
+    [[nodiscard]] std::vector<T>& local() { return lists_.local(); } // the list of the calling thread
+    // The values of all lists, ascending. No thread may change its list meanwhile.
     [[nodiscard]] std::vector<T> sorted() const {
         std::vector<T> all;
         for (const std::vector<T>& list : lists_) all.insert(all.end(), list.begin(), list.end());

@@ -15,7 +15,7 @@ std::size_t whole_pages(std::size_t bytes) { return (bytes + kPage - 1) / kPage 
 } // namespace
 
 void* map_pages(std::size_t bytes) {
-    // Not all that is asked for is written at the same time, so none is set aside.
+    // No memory is reserved, because most pages are never written.
     constexpr int kFlags = MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE;
     void* memory = mmap(nullptr, whole_pages(bytes), PROT_READ | PROT_WRITE, kFlags, -1, 0);
     if (memory == MAP_FAILED) throw std::bad_alloc();

@@ -1,5 +1,5 @@
-// Whole pages mapped from the system, for arrays of plain values of which much is never written. Untouched, they take
-// no memory; what is mapped is zero.
+// SparseArray: a std::vector for plain values of which most are never written. Its pages come directly from the system:
+// they are 0, and take no memory before the first write.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,17 @@
 
 namespace ramus {
 
-// At least so many bytes, in small pages, for one value in a large page would fill all of it. Throws std::bad_alloc.
+// Maps at least `bytes` bytes, all 0. Uses small pages: a single value would fill all of a large one. Throws
+// std::bad_alloc. The system may find no memory at a later write, because none is reserved.
 [[nodiscard]] void* map_pages(std::size_t bytes);
 void unmap_pages(void* memory, std::size_t bytes);
-// Whole pages among these bytes, of whatever memory, go back to the system; what was in them is lost. They may be
-// written again.
+// Returns the whole pages within these bytes to the system. Their content is lost; they read as 0 and may be written
+// again. For private memory of any allocator.
 void empty_pages(void* memory, std::size_t bytes);
 
-// SparseArray: a std::vector for plain values most of which are 0. What has not been written since it was made by one
-// resize() is 0 and takes no memory, by pages of 4 KB; reading there takes none either. Who fills it leaves zeros out.
+// After a single resize() of an empty array, all values are 0, and a page of 4 KB takes no memory before the first
+// write to it. Reading takes none either. So code that fills the array should skip zeros (copy_sparsely()). A second
+// resize() that moves the array copies all pages.
 template <class T> class SparseAllocator {
 public:
     using value_type = T;
@@ -37,7 +39,7 @@ public:
 
 template <class T> using SparseArray = std::vector<T, SparseAllocator<T>>;
 
-// Writes `count` values of another type into fresh zeros at `to`, without touching what stays 0.
+// Converts `count` values into `to`, which must be all 0. Does not write blocks of 4 KB that stay 0.
 template <class To, class From> void copy_sparsely(const From* from, std::size_t count, To* to) {
     constexpr std::size_t kAtOnce = 4096 / sizeof(To);
     for (std::size_t first = 0; first < count; first += kAtOnce) {

@@ -14,12 +14,12 @@
 
 namespace ramus {
 
-// What the allocator keeps of large arrays, of any size, until release_unused_memory(): a surface that is made again
-// finds its pages, which the system would have to clear anew.
+// Makes the allocator keep freed arrays of any size until release_unused_memory(). A new surface then reuses pages that
+// the system would otherwise have to clear.
 [[maybe_unused]] static const int kHugeArraysKept = scalable_allocation_mode(TBBMALLOC_SET_HUGE_SIZE_THRESHOLD, 0);
 
 std::string megabytes(double bytes) {
-    constexpr double kMostTold = 1e15; // beyond, digits say nothing, and whole numbers end
+    constexpr double kMostTold = 1e15; // above, llround() would overflow soon, and the digits carry no meaning
     return (bytes < 1e6 * kMostTold ? std::to_string(std::llround(bytes / 1e6)) : in_digits(bytes / 1e6, 3)) + " MB";
 }
 
@@ -34,9 +34,9 @@ double memory_limit(double asked) {
 
 namespace {
 
-// Pages of the process: all, resident, of files.
+// Bytes of the process. `which`: 0 all, 1 resident, 2 resident pages of files.
 double pages_of_process(std::size_t which) {
-    // No stream: DiskPages asks often.
+    // No stream, because DiskPages calls this every few milliseconds.
     const Descriptor statm(::open("/proc/self/statm", O_RDONLY | O_CLOEXEC));
     std::array<char, 128> text{};
     std::array<double, 3> pages{};
@@ -53,16 +53,16 @@ double process_file_memory() { return pages_of_process(2); }
 
 double memory_left(double asked) {
     const double limit = memory_limit(asked);
-    if (process_memory() > 0.5 * limit) release_unused_memory(); // it would count as in use
+    if (process_memory() > 0.5 * limit) release_unused_memory(); // unused memory counts as resident
     return std::max(1.0, limit - process_memory());
 }
 
 void release_unused_memory() {
-    // Before the allocator's first block the command reads a key of thread-local data that may be another library's.
+    // Without a first allocation, the command reads an uninitialized key of thread-local data.
     scalable_free(scalable_malloc(1));
     (void)scalable_allocation_command(TBBMALLOC_CLEAN_ALL_BUFFERS, nullptr);
 #ifdef __GLIBC__
-    malloc_trim(0); // what lies between blocks in use as well
+    malloc_trim(0); // also frees pages between blocks in use
 #endif
 }
 

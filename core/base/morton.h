@@ -1,4 +1,4 @@
-// The Morton curve: places that are near each other along it are near each other in space.
+// The Morton curve (Z-order): positions with near codes are mostly near each other in space.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace ramus {
 
-// Interleaves the lowest ten bits of three numbers, those of x lowest.
+// Interleaves the lowest ten bits of each coordinate; x has the lowest bit of each triple.
 inline std::uint32_t morton(const glm::uvec3& n) {
     const auto spread = [](std::uint32_t b) {
         b = (b | b << 16U) & 0x030000FFU;

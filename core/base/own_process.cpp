@@ -22,7 +22,7 @@ namespace ramus {
 
 namespace {
 
-constexpr char kComplete = '.'; // behind a whole answer
+constexpr char kComplete = '.'; // the last byte of a complete answer
 
 std::uint64_t own_address_space() {
     std::ifstream statm("/proc/self/statm");
@@ -39,7 +39,7 @@ void limit(decltype(RLIMIT_AS) what, std::uint64_t most) {
 } // namespace
 
 void work_and_end(OwnWork work, std::string_view input, const ProcessLimits& limits, int answer, pid_t parent) {
-    // Crashes are expected: silent, without the handlers of this program.
+    // Crashes are expected, so they must be silent: without the signal handlers of this program.
     for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGINT, SIGTERM, SIGPIPE})
         std::signal(number, SIG_DFL);
     sigset_t none;
@@ -58,7 +58,7 @@ void work_and_end(OwnWork work, std::string_view input, const ProcessLimits& lim
     } catch (...) { // most likely out of memory
         done = false;
     }
-    std::_Exit(done ? EXIT_SUCCESS : EXIT_FAILURE); // nothing that belongs to the other process is closed or written
+    std::_Exit(done ? EXIT_SUCCESS : EXIT_FAILURE); // flushes no buffer that is a copy of the parent's
 }
 
 Result<std::string> read_answer(int descriptor, const ProcessLimits& limits) {
@@ -69,7 +69,7 @@ Result<std::string> read_answer(int descriptor, const ProcessLimits& limits) {
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0) break;
         answer.append(part.data(), static_cast<std::size_t>(count));
-        if (answer.size() > limits.answer + 1) // with the mark behind it
+        if (answer.size() > limits.answer + 1) // with kComplete
             return fail("the work in a process of its own has too long an answer");
     }
     if (!answer.ends_with(kComplete)) return fail("the work in a process of its own did not come to its end");

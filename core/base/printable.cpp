@@ -8,7 +8,7 @@ namespace {
 
 bool is_continuation(unsigned char byte) { return (byte & 0xC0U) == 0x80U; }
 
-// How many bytes a character that begins so should have; 0: none begins so.
+// The number of bytes of a character with this first byte; 0: no character begins with it.
 std::size_t length_of(unsigned char first) {
     if (first < 0x80) return 1;
     if (first < 0xC2 || first > 0xF4) return 0;

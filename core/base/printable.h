@@ -1,4 +1,4 @@
-// Text from files and names on its way to people: nothing in it can steer a terminal or fake a line.
+// Makes text from files safe to print: the result cannot control a terminal or start a line of its own.
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 
 namespace ramus {
 
-// Control characters become "\u001b", as JSON writes them; so do the controls that UTF-8 spells in two bytes, and
-// bytes that are no UTF-8 and that a terminal takes for such. All else stays: words of any language, and what has been
-// through this before.
+// Replaces control characters (U+0000 to U+001F, U+007F to U+009F) and bytes that are not part of a UTF-8 sequence by
+// escapes such as "\u001b". All other text stays. Idempotent. Surrogates and overlong sequences of three and four bytes
+// are not checked.
 [[nodiscard]] std::string printable(std::string_view text);
 
-// The same for a text of several lines: line ends and tabs stay.
+// The same, but line feeds and tabs stay.
 [[nodiscard]] std::string printable_lines(std::string_view text);
 
 } // namespace ramus

@@ -1,4 +1,4 @@
-// Both ends of a process of its own: the work, and whoever waits for its answer.
+// The two ends of a separate process (own_process.h): the side that works, and the side that reads its answer.
 #pragma once
 
 #include "core/base/own_process.h"
@@ -7,11 +7,11 @@
 
 namespace ramus {
 
-// In the process that is there for it, a child of `parent`: does the work, answers on this descriptor, and ends.
+// Called in the child of `parent`: confines the process, does the work, writes the answer to `answer`, and ends.
 [[noreturn]] void work_and_end(OwnWork work, std::string_view input, const ProcessLimits& limits, int answer,
                                pid_t parent);
 
-// In the other one. Fails where the answer has no end, or is longer than the limit.
+// Called in the parent: reads the answer. Fails if the answer is incomplete or longer than the limit.
 [[nodiscard]] Result<std::string> read_answer(int descriptor, const ProcessLimits& limits);
 
 } // namespace ramus

@@ -1,4 +1,4 @@
-// A folder of its own for files that nobody shall see, gone with all that is in it when the object goes.
+// ScratchFolder: a temporary folder that is removed, with its content, when the object is destroyed (leftovers.h).
 #pragma once
 
 #include "core/base/error.h"
@@ -10,7 +10,7 @@ namespace ramus {
 
 class ScratchFolder {
 public:
-    // Below TMPDIR, for this user alone.
+    // A new folder in TMPDIR, or /tmp, that only this user can access.
     [[nodiscard]] static Result<ScratchFolder> create();
     [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
 

@@ -19,10 +19,11 @@ public:
     [[nodiscard]] std::byte* data() const { return data_; }
     [[nodiscard]] std::size_t bytes() const { return bytes_; } // whole pages
 
-    // Maps a copy-on-write copy for reading and writing. The caller owns it and ends it with munmap() of bytes(); it may
-    // outlive this object. Null: the system cannot map it.
+    // Maps a copy-on-write copy for reading and writing. The caller owns it and ends it with munmap() of bytes(); it
+    // may outlive this object. Null: the system cannot map it.
     [[nodiscard]] void* map_private_copy() const;
-    // Drops the pages of this mapping from the resident memory of the process. The content stays; reading maps it again.
+    // Drops the pages of this mapping from the resident memory of the process. The content stays; reading maps it
+    // again.
     void release_resident() const;
 
 private:

@@ -1,4 +1,4 @@
-// sort_unique(): ascending, each thing once.
+// sort_unique(): sorts a vector and removes duplicates.
 #pragma once
 
 #include <algorithm>

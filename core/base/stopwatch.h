@@ -1,4 +1,4 @@
-// Stopwatch: seconds for people and statistics, by a clock that nobody sets.
+// Stopwatch: elapsed time in seconds, by the monotonic clock.
 #pragma once
 
 #include <chrono>
@@ -8,13 +8,13 @@ namespace ramus {
 
 class Stopwatch {
 public:
-    // Seconds since the last call, or since it was made.
+    // Seconds since the last lap() or the construction. Starts a new lap.
     double lap() {
         const auto now = std::chrono::steady_clock::now();
         return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
     }
 
-    // Likewise, and the watch goes on.
+    // The same without a new lap.
     [[nodiscard]] double seconds() const {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }

@@ -1,4 +1,4 @@
-// Words of commands, options and sessions: taken apart, read as numbers, and put together.
+// Text helpers for commands, options and sessions: parsing and writing numbers, splitting, joining, shortening.
 #pragma once
 
 #include <algorithm>
@@ -13,20 +13,21 @@
 
 namespace ramus {
 
-// All of the word as a number, whatever the locale is; `base` as of std::from_chars.
+// Parses the whole word as a number, independent of the locale. `base` as for std::from_chars. None: it is no number of
+// this type.
 template <class Number, class... Base> [[nodiscard]] std::optional<Number> parsed(std::string_view word, Base... base) {
     Number number{};
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number, base...);
     return error == std::errc{} && end == word.data() + word.size() ? std::optional(number) : std::nullopt;
 }
 
-// At most so many digits, whatever the locale is: as short as they come, with a power of ten where that is shorter.
+// Writes a number with at most `digits` significant digits, as printf("%g") does, independent of the locale.
 [[nodiscard]] inline std::string in_digits(double value, int digits = 6) {
     std::array<char, 32> text{};
     return {text.data(), std::to_chars(text.begin(), text.end(), value, std::chars_format::general, digits).ptr};
 }
 
-// UTF-8 of at most `most` bytes, ending in an ellipsis where some was left out.
+// Cuts UTF-8 text to at most `most` bytes, between characters. Text that was cut gets an ellipsis, 3 bytes more.
 [[nodiscard]] inline std::string shortened(std::string text, std::size_t most = 32) {
     if (text.size() <= most) return text;
     std::size_t end = most;
@@ -34,13 +35,13 @@ template <class Number, class... Base> [[nodiscard]] std::optional<Number> parse
     return text.substr(0, end) + "\xE2\x80\xA6";
 }
 
-// What a table of pairs has for a name, or for whatever else stands first.
+// The second member of the pair in `table` whose first member is `first`. None: there is no such pair.
 template <class Table, class First> [[nodiscard]] auto paired(const Table& table, const First& first) {
     const auto found = std::ranges::find_if(table, [&](const auto& pair) { return pair.first == first; });
     return found == std::end(table) ? std::nullopt : std::optional(found->second);
 }
 
-// What stands between commas: one part at least, which may be empty.
+// Splits at commas. At least one part; parts may be empty.
 [[nodiscard]] inline std::vector<std::string_view> parts_of(std::string_view text) {
     std::vector<std::string_view> parts;
     for (std::size_t from = 0, end = 0; from <= text.size(); from = end + 1) {
@@ -50,7 +51,7 @@ template <class Table, class First> [[nodiscard]] auto paired(const Table& table
     return parts;
 }
 
-// The words that things have, one after the other with `between` between.
+// Concatenates word_of(thing) for all things, separated by `between`.
 template <class Things, class Word = std::identity>
 [[nodiscard]] std::string joined(Things&& things, std::string_view between = ", ", const Word& word_of = {}) {
     std::string text;

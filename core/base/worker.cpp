@@ -78,7 +78,7 @@ void Worker::work() {
         try {
             if (!order.job->cancelled())
                 order.task(*order.job, [&](Result result) { deliver({order.job, std::move(result)}); });
-        } catch (const std::exception& exception) { // a dead end of the task's, not of the program's
+        } catch (const std::exception& exception) { // ends the task, not the program
             deliver({order.job, [this, what = std::string(exception.what())] { failure_ = what; }});
         }
         deliver({order.job, {}});

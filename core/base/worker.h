@@ -1,6 +1,7 @@
-// Worker: one thread for slow work and one queue back. A task runs on the thread with its own Job; what it posts is run
-// by drain() on the thread that owns the Worker (the window's), to which it gives way. The newest task wins: starting
-// another cancels the one that runs, and nothing that a cancelled task posts is ever run.
+// Worker: one thread for slow work, and a queue of results for its owner. A task runs on the worker's thread, with low
+// priority (thread_priority.h) and its own Job. It posts results; drain() runs them on the thread that owns the Worker
+// (the window's). The newest task wins: start() cancels the running task, and results of a cancelled task are
+// discarded. All public members are for the owner's thread.
 #pragma once
 
 #include "core/base/job.h"
@@ -24,7 +25,7 @@ public:
     using Post = std::function<void(Result)>; // callable on the worker's thread
     using Task = std::function<void(Job&, const Post&)>;
 
-    // `wake` is called on the worker's thread whenever there is something to drain.
+    // The worker's thread calls `wake` whenever there is a result to drain.
     explicit Worker(std::function<void()> wake);
     ~Worker(); // cancels and waits
     Worker(const Worker&) = delete;
@@ -33,13 +34,13 @@ public:
     void start(std::string title, Task task);
     void cancel();
     void drain();
-    // Waits until there is something to drain, at most so long.
+    // Waits until there is a result to drain, at most `most`.
     void wait(std::chrono::milliseconds most);
 
     [[nodiscard]] bool busy() const { return current_ != nullptr; }
     [[nodiscard]] const std::string& title() const { return title_; } // of the running task
     [[nodiscard]] float progress() const { return current_ ? current_->progress() : 1.0F; }
-    // Why a task ended by an exception, once; empty: none did.
+    // The message of the exception that ended the last failed task, and forgets it. Empty: no task failed.
     [[nodiscard]] std::string take_failure() { return std::exchange(failure_, {}); }
 
 private:
