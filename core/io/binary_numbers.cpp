@@ -24,7 +24,7 @@ template <class From, class To> std::vector<To> converted(std::string_view bytes
 }
 
 template <class To> std::vector<To> converted(std::string_view bytes, NumberType type, std::endian order) {
-    // As `NumberType`.
+    // In the order of NumberType.
     constexpr std::array kAll{converted<std::int8_t, To>,   converted<std::uint8_t, To>,  converted<std::int16_t, To>,
                               converted<std::uint16_t, To>, converted<std::int32_t, To>,  converted<std::uint32_t, To>,
                               converted<std::int64_t, To>,  converted<std::uint64_t, To>, converted<float, To>,

@@ -1,4 +1,4 @@
-// Numbers as they lie in binary files, of any type and either byte order.
+// Decodes numbers of binary files, of any type and either byte order, and base64.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ enum class NumberType : std::uint8_t {
     return kSizes[static_cast<std::size_t>(type)];
 }
 
-// The number that begins at `bytes`, which has sizeof(T) of them.
+// Decodes the number at `bytes`, which must have sizeof(T) bytes.
 template <class T> [[nodiscard]] T number_at(const char* bytes, std::endian order) {
     char ordered[sizeof(T)];
     std::memcpy(ordered, bytes, sizeof(T));
@@ -40,12 +40,13 @@ template <class T> [[nodiscard]] T number_at(const char* bytes, std::endian orde
     return value;
 }
 
-// All whole numbers in `bytes`; what is left over at the end is left out.
+// Decodes all numbers in `bytes`. Ignores bytes at the end that are less than a number. In whole_numbers_in(), a float
+// or double of 9e15 or more, or NaN, becomes the smallest std::int64_t; other fractions are truncated.
 [[nodiscard]] std::vector<double> numbers_in(std::string_view bytes, NumberType type, std::endian order);
 [[nodiscard]] std::vector<std::int64_t> whole_numbers_in(std::string_view bytes, NumberType type, std::endian order);
 
-// None: a character that is no base64. Blanks are passed over; several texts may follow each other, each with its own
-// padding. At most `limit` bytes of result, for those who need only the beginning.
+// Decodes base64. Skips blanks; several texts may follow each other, each with its own padding. Stops after `limit`
+// decoded bytes. None: the text is no base64.
 [[nodiscard]] std::optional<std::string> base64_decoded(std::string_view text, std::size_t limit);
 
 [[nodiscard]] std::string base64_encoded(std::string_view bytes);

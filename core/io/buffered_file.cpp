@@ -44,7 +44,6 @@ void BufferedFile::keep_error(int result) {
     if (result != 0 && first_error_ == 0) first_error_ = errno;
 }
 
-// All of it, however many calls that takes.
 void BufferedFile::put(const std::byte* bytes, std::size_t count) {
     flushed_ += count;
     while (count > 0 && first_error_ == 0) {

@@ -1,5 +1,5 @@
-// BufferedFile: bytes on their way to a file, a megabyte at a time.
-// The first failure is kept, so that writers need not ask at every number. One thread at a time per file.
+// BufferedFile: writes bytes and numbers to a file through a buffer of 1 MiB. Keeps the first error, so callers check
+// failed() once and not after each write. Not thread-safe. Base class of OutputFile (output_file.h).
 #pragma once
 
 #include "core/base/error.h"
@@ -22,9 +22,9 @@ public:
         used_ += count;
     }
     void write(std::string_view text) { write(text.data(), text.size()); }
-    // As it lies in memory.
+    // Binary, in this machine's byte order.
     template <class T> void write_value(const T& value) { write(&value, sizeof value); }
-    // As text, whatever the locale: the shortest that reads back exactly.
+    // As text, independent of the locale: the shortest digits that read back exactly.
     template <class T> void write_number(T value) {
         char digits[32];
         write({digits, std::to_chars(digits, digits + sizeof digits, value).ptr});
@@ -40,8 +40,8 @@ protected:
     ~BufferedFile(); // closes
 
     void flush();
-    void close();                // at the end of all that is written
-    void keep_error(int result); // of a system call: errno unless it is 0 or there is an error already
+    void close();                // flushes first
+    void keep_error(int result); // `result` of a system call; if not 0, keeps errno unless an error is kept already
 
     int file_descriptor_;
     int first_error_ = 0; // errno
@@ -55,7 +55,7 @@ private:
     std::uint64_t flushed_ = 0;
 };
 
-// `code`, an errno, told to a person.
+// An error for people that says why `target` cannot be written. `code`: an errno.
 [[nodiscard]] tl::unexpected<Error> write_error(const std::filesystem::path& target, int code);
 
 } // namespace ramus::io

@@ -27,7 +27,7 @@ public:
     void add(std::string_view bytes) {
         good_ = good_ && EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()) == 1;
     }
-    // Empty where libcrypto refuses.
+    // Empty: libcrypto failed.
     [[nodiscard]] std::string digits() {
         std::array<unsigned char, EVP_MAX_MD_SIZE> sum{};
         unsigned size = 0;
@@ -77,9 +77,9 @@ std::string without_blanks(std::string_view text) {
     return rest;
 }
 
-// The file that a header of NRRD or MetaImage says that its values are in; empty: none.
+// The file of values that a header of NRRD or MetaImage names. Empty: it names none.
 std::string values_of(const fs::path& header) {
-    constexpr int kMostLines = 200; // more has no header
+    constexpr int kMostLines = 200; // headers are shorter
     std::ifstream stream(header, std::ios::binary);
     std::string line;
     std::array<char, 4096> text{};

@@ -1,5 +1,5 @@
-// SHA-256 (FIPS 180-4) of what is read, so that a report says of which files it is; and which files those are. The sums
-// are those that `sha256sum` prints; libcrypto makes them.
+// SHA-256 (FIPS 180-4, by libcrypto) of input files, so that a report identifies its inputs. Equal to the output of
+// `sha256sum`.
 #pragma once
 
 #include "core/base/error.h"
@@ -10,12 +10,14 @@
 
 namespace ramus::io {
 
-// 64 digits, of the bytes as they lie on the disk. Of a folder: the sum of one line for each file below it, "SUM  NAME"
-// as `sha256sum` writes them, by name. Fails when something cannot be read.
+// The checksum of the bytes on the disk (not decompressed), as 64 hexadecimal digits. For a folder: the checksum of a
+// list with the line "SUM  NAME", as `sha256sum` writes it, for each file below it, by name. Fails if a file cannot be
+// read.
 [[nodiscard]] Result<std::string> sha256_of(const std::filesystem::path& path);
 
-// The files that are read when `path` is: itself or the files of the folder, the other table of a pair
-// (core/io/trees/csv_pair.h), the values that a header of NRRD or MetaImage names. Those that exist.
+// The existing files that a reader of `path` reads: the file itself or all files of the folder, the other table of a
+// pair (core/io/trees/csv_pair.h), and the file of values that a header of NRRD or MetaImage names. Not included: the
+// files of a list or pattern in a header (core/io/volumes/value_files.h), and descriptions of labels next to a mask.
 [[nodiscard]] std::vector<std::filesystem::path> files_read_with(const std::filesystem::path& path);
 
 } // namespace ramus::io

@@ -1,6 +1,6 @@
-// What every row of the tables of file formats says: of trees (trees/tree_file.h), of meshes (meshes/mesh_file.h) and
-// of volumes (volumes/volume_file.h). Readers, writers, dialogs, messages and help texts go through the tables, so that
-// a new format is a pair of files and a row. Which format a file has is decided in recognise.h alone.
+// FileFormat: the common columns of the tables of file formats, for trees (trees/tree_file.h), meshes
+// (meshes/mesh_file.h) and volumes (volumes/volume_file.h). Readers, writers, dialogs, messages and help texts use
+// these tables, so a new format needs a reader or writer and a row. Only recognise.h decides which format a file has.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace ramus::io {
 
-// How surely a signature tells that a file has a format.
+// How reliably a signature identifies a format, the most reliable first.
 enum class Certainty : std::uint8_t {
     kMark,     // bytes that no other format has at that place
     kHeader,   // fields or words that say what kind of object the file holds
@@ -21,27 +21,27 @@ enum class Certainty : std::uint8_t {
 struct FileFormat {
     std::string_view name;                    // "NIfTI"
     std::vector<std::string_view> extensions; // ".nii", ".nii.gz": lower case, the usual one first
-    // Whether a file that begins with these bytes (uncompressed, up to kHeadBytes) is one; null: its content does not
-    // tell.
+    // Whether a file of this format begins with these bytes (uncompressed, up to kHeadBytes). Null: the content does
+    // not identify the format.
     bool (*has_signature)(std::string_view head) = nullptr;
     Certainty certainty = Certainty::kMark; // of has_signature
-    bool states_unit = false;               // else coordinates are taken as mm
-    bool states_orientation = false;        // else axes are taken as RAS
+    bool states_unit = false;               // false: readers assume mm
+    bool states_orientation = false;        // false: readers assume RAS
     std::string_view help;                  // what is in such a file, in one sentence
 };
 
 inline constexpr std::size_t kHeadBytes = 4096;
 
-// Of "liver.swc.gz" what "liver.swc" is called.
+// "liver.swc" for "liver.swc.gz"; other paths unchanged.
 [[nodiscard]] std::filesystem::path without_gz(const std::filesystem::path& path);
 
-// How long the longest of the format's extensions is that the name ends in, in capitals or not; 0: it has none of them.
+// The length of the format's longest extension that the file name ends with, case-insensitive. 0: none.
 [[nodiscard]] std::size_t extension_length(const std::filesystem::path& path, const FileFormat& format);
 
 // "a, b or c".
 [[nodiscard]] std::string listed(const std::vector<std::string_view>& words);
 
-// The format whose extension `path` has, of several the longest: ".mrk.json" says more than ".json". Null: none.
+// The format with the longest extension that `path` ends with: ".mrk.json" wins over ".json". Null: none.
 template <class Format>
 const Format* format_by_name(const std::vector<Format>& formats, const std::filesystem::path& path) {
     const Format* found = nullptr;
@@ -52,7 +52,7 @@ const Format* format_by_name(const std::vector<Format>& formats, const std::file
     return found;
 }
 
-// The extensions of the formats that are read; of those that are written.
+// The extensions of all formats that can be read, and of all that can be written.
 template <class Format> std::vector<std::string_view> readable_extensions(const std::vector<Format>& formats) {
     std::vector<std::string_view> words;
     for (const Format& format : formats)

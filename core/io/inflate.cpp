@@ -34,7 +34,7 @@ Result<std::string> inflated(std::string_view bytes, std::uint64_t limit, const 
     std::array<char, 1 << 16> part{};
     while (true) {
         const std::size_t feed = std::min<std::size_t>(bytes.size(), std::numeric_limits<uInt>::max());
-        // zlib's interface is older than const; it does not write there.
+        // zlib's interface lacks const; it does not write to its input.
         stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
         stream.avail_in = static_cast<uInt>(feed);
         stream.next_out = reinterpret_cast<Bytef*>(part.data());
@@ -47,7 +47,7 @@ Result<std::string> inflated(std::string_view bytes, std::uint64_t limit, const 
                         "if it is a tree nevertheless, decompress it first");
         text.append(part.data(), made);
         if (result == Z_STREAM_END) {
-            if (!is_gzip(bytes)) return text; // what may follow is padding
+            if (!is_gzip(bytes)) return text; // other bytes that follow are padding
             if (inflateReset(&stream) != Z_OK) return damaged(where, "cannot be read");
         } else if (result == Z_BUF_ERROR || (result == Z_OK && bytes.empty() && made == 0)) {
             return damaged(where, "end too early");

@@ -1,4 +1,4 @@
-// Bytes that gzip or zlib compressed, as they were before, in memory.
+// Decompresses gzip and zlib in memory, with a limit on the result. For streams see volumes/byte_source.h.
 #pragma once
 
 #include "core/base/error.h"
@@ -11,13 +11,14 @@ namespace ramus::io {
 
 [[nodiscard]] bool is_gzip(std::string_view bytes);
 
-// gzip (also several files one behind the other) or zlib. `where` names the place in messages. Fails on damaged or
-// truncated bytes, and on more than `limit` bytes of result.
+// Decompresses gzip (also several concatenated files) or zlib. `where`: the place in messages. Ignores other bytes
+// after the end. Fails on damaged or truncated bytes, and on a result of more than `limit` bytes.
 [[nodiscard]] Result<std::string> inflated(std::string_view bytes, std::uint64_t limit, const std::string& where);
 
-inline constexpr std::uint64_t kMostInflation = 1032; // no byte that zlib compressed stands for more
+inline constexpr std::uint64_t kMostInflation = 1032; // largest possible ratio of zlib
 
-// What text of so many compressed bytes may grow to: more is not a tree, but an attempt to fill the memory.
+// A sensible limit for text of so many compressed bytes: 200 times as many, at least 16 MiB, at most 2 GiB. A file that
+// exceeds it is most likely an attempt to exhaust the memory.
 [[nodiscard]] std::uint64_t inflation_limit(std::uint64_t compressed);
 
 } // namespace ramus::io

@@ -29,10 +29,10 @@ Result<void> check_input(const std::filesystem::path& path) {
     if (status.type() == std::filesystem::file_type::not_found) return fail("no such file", name, "check the path");
     if (std::filesystem::is_directory(status))
         return fail("this is a directory, not a file", name, "name a file in it");
-    // Devices give bytes without end, or none before somebody types.
+    // A device may provide bytes without end, or wait for a keyboard.
     if (status.type() == std::filesystem::file_type::block || status.type() == std::filesystem::file_type::character)
         return fail("this is a device, not a file", name, "name a file, or a pipe");
-    // Not opened here: a pipe can be opened but once.
+    // Not opened here, because a pipe can be opened only once.
     if (::access(path.c_str(), R_OK) != 0) return cannot_open(name, errno);
     return {};
 }
@@ -57,7 +57,7 @@ Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t 
         if (!error && size > limit) return too_large();
         if (!error) text.reserve(size);
     }
-    // Read until the end rather than trust a size: pipes have none, and files may grow.
+    // Reads to the end instead of trusting a size: pipes have none, and files may grow.
     char buffer[1 << 16];
     while (file.read(buffer, sizeof(buffer)) || file.gcount() > 0) {
         text.append(buffer, static_cast<std::size_t>(file.gcount()));

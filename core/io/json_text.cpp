@@ -13,17 +13,18 @@ using nlohmann::json;
 
 constexpr std::size_t kLargestJson = std::size_t{2} << 30;
 
-// About what a value takes with GCC's library and glibc: its place in a list that doubles, and what it points to.
+// Approximate size of a value with GCC's library and glibc: its element in a list that grows by doubling, and the
+// memory it points to.
 constexpr std::size_t kValueBytes = 24, kTextBytes = 48, kListBytes = 64, kMemberBytes = 96;
 
 class JsonBuilder : public nlohmann::json_sax<json> {
 public:
     explicit JsonBuilder(const JsonLists& lists) : lists_(lists) {
-        levels_.reserve(kDeepestJson + 1); // values are built in levels, which must not move
+        levels_.reserve(kDeepestJson + 1); // levels hold values under construction and must not move
     }
 
     struct Wrong {
-        std::size_t byte = 0; // behind what is wrong
+        std::size_t byte = 0; // offset just after the error
         bool is_number = false;
         std::string token;
     };
@@ -60,8 +61,8 @@ private:
     struct Level {
         json* value = nullptr;
         JsonElements take;
-        std::size_t bytes = 0;  // of everything, when it began
-        json element = nullptr; // that is built to be taken
+        std::size_t bytes = 0;  // bytes_ when the level began
+        json element = nullptr; // under construction for the consumer
     };
 
     json* put(json value) {
@@ -89,7 +90,7 @@ private:
         keys_.pop_back();
         return hand_over();
     }
-    // A value is whole.
+    // Called when a value is complete.
     bool hand_over() {
         const bool few = bytes_ <= kMostJsonBytes;
         if (few && !levels_.empty() && levels_.back().take) {
@@ -138,7 +139,7 @@ private:
     int depth_ = 0;
 };
 
-// Where it nests too deep; found before anything is made of it.
+// The offset where the text nests too deep, found before it is parsed.
 std::optional<std::size_t> beyond_deepest(std::string_view text) {
     int depth = 0;
     bool quoted = false;

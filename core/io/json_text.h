@@ -1,5 +1,5 @@
-// The way JSON comes in, and the way it goes out to people and programs. Files of trees have more on top of it
-// (trees/json_input.h); what must be told apart to the byte, as names in sessions, is written by who needs that.
+// Parses JSON within limits of depth and memory, and prints it as valid UTF-8. trees/json_input.h adds helpers for
+// files of trees. Not for texts that must keep invalid UTF-8, such as names in sessions: printing replaces it.
 #pragma once
 
 #include "core/base/error.h"
@@ -14,31 +14,34 @@
 
 namespace ramus::io {
 
-// Lists and objects in each other. Copying and writing a value call themselves for each level; formats here have ten.
+// Most levels of nested lists and objects. The library copies and prints recursively; formats in ramus have at most ten
+// levels.
 inline constexpr int kDeepestJson = 64;
 
-// What the values of a text may take in memory, without lists that are taken as they are read. Two characters of text,
-// "1,", are 24 bytes as a value, and "{}," are 88.
+// Most memory of the parsed values, estimated, without lists that are consumed while reading. Needed because values are
+// larger than their text: "1," takes 24 bytes, and "{}," 88.
 inline constexpr std::size_t kMostJsonBytes = std::size_t{128} << 20;
 
-// The keys that lead to a list; "" stands for an element of another list.
+// The keys that lead from the root to a list; "" stands for an element of another list.
 using JsonPath = std::span<const std::string>;
-// Receives the elements of a list one by one. They are not kept: the list that is in the result is empty. An element
-// that is a list, and taken itself, is empty as well. May throw.
+// Consumes the elements of a list one by one. The result then has an empty list in their place. An element that is
+// itself a consumed list arrives empty. May throw.
 using JsonElements = std::function<void(nlohmann::json& element)>;
-// Asked at the beginning of each list (of one that is there twice, twice: the last one counts). Empty: it is kept.
+// Called at the beginning of each list; returns its consumer, or an empty function to keep the list. A list whose key
+// is there twice is asked for twice; the result keeps the last.
 using JsonLists = std::function<JsonElements(JsonPath list)>;
 
-// Fails on what is no JSON, on what nests deeper than kDeepestJson, on numbers that no double can hold, and when more
-// than kMostJsonBytes would be needed at once. What `lists` or its functions throw goes through.
+// Parses a whole text. `name`: the file in messages. Fails, with the line where there is one, on invalid or empty text,
+// on nesting deeper than kDeepestJson, on numbers beyond double precision, and on values of more than kMostJsonBytes at
+// a time. Passes on exceptions of `lists` and its consumers.
 [[nodiscard]] Result<nlohmann::json> parsed_json(std::string_view text, const std::string& name,
                                                  const JsonLists& lists = {});
 
-// The names at the top of a JSON object, in their order; nothing else is kept. Empty: it is no object, or no valid
-// JSON.
+// The keys of a JSON object at its top level, in their order. Keeps nothing else in memory. Empty: the text is no
+// object, no valid JSON, or has more than 1,000 keys.
 [[nodiscard]] std::vector<std::string> json_names(std::istream& text);
 
-// As text, whatever bytes its names hold: those that are no UTF-8 are replaced. `indent` below 0: on one line.
+// Prints a value; replaces bytes that are not UTF-8. `indent`: blanks for each level; below 0: everything on one line.
 [[nodiscard]] std::string printed_json(const nlohmann::json& value, int indent = 2);
 [[nodiscard]] std::string printed_json(const nlohmann::ordered_json& value, int indent = 2);
 

@@ -1,4 +1,4 @@
-// Units of length as files and people name them: the one table of them.
+// Parses and names units of length. The only table of units in ramus.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -8,16 +8,17 @@
 
 namespace ramus::io {
 
-// How many mm one unit of the file is, along each axis: for voxels that are no cubes they differ.
+// The length of one unit of a file in mm, along each axis. The axes differ if the unit is an anisotropic voxel.
 struct LengthUnit {
     glm::dvec3 mm{1.0};
     bool operator==(const LengthUnit&) const = default;
 };
 
-// mm in a unit that has a name: "mm", "um", "cm", "m", "nm", "in" and their long names, in any case. None: it is none.
+// The length in mm of the unit "mm", "um", "cm", "m", "nm" or "in", or its long name, case-insensitive. None: unknown.
 [[nodiscard]] std::optional<double> named_unit_mm(std::string_view name);
 
-// A unit by its name, or a size of voxels in mm: "0.62" or "0.3x0.3x0.6". None: it is none of these.
+// Parses the name of a unit, or a voxel size in mm such as "0.62" or "0.3x0.3x0.6", with or without "mm" after it.
+// None: the text is neither.
 [[nodiscard]] std::optional<LengthUnit> length_unit(std::string_view text);
 [[nodiscard]] std::string name_of(const LengthUnit& unit); // "cm"; "0.3 x 0.3 x 0.6 mm"
 

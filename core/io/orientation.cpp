@@ -57,7 +57,7 @@ glm::dvec3 Orientation::to_file(const glm::dvec3& in_patient) const {
 }
 
 bool Orientation::mirrors() const {
-    // Both an exchange of two lines and a change of sign turn the hand.
+    // An exchange of two axes and a change of sign each reverse the handedness.
     bool odd = false;
     for (int a = 0; a < 3; ++a) {
         odd ^= !is_positive(side(a));

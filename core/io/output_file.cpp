@@ -25,16 +25,16 @@ fs::path folder_of(const fs::path& target) {
     return folder.empty() ? fs::path(".") : folder;
 }
 
-// Where the bytes finally lie: a link is followed, whether there is a file behind it or not, so that it stays a link.
-// Of links in a circle, one of them.
+// The path behind a symbolic link, whether that file exists or not: the output replaces the file and keeps the link. If
+// links form a cycle, returns one of the links.
 fs::path final_path(const fs::path& target) {
-    constexpr int kMostLinks = 40; // as Linux
+    constexpr int kMostLinks = 40; // the limit of Linux
     std::error_code code;
     fs::path path = fs::absolute(target, code);
     for (int links = 0; links < kMostLinks && fs::is_symlink(path, code); ++links) {
         const fs::path next = fs::read_symlink(path, code);
         if (code) break;
-        // The folder as it is: ".." of a link's folder is that of the folder behind it.
+        // Canonical, because ".." after a linked folder refers to the parent of the folder behind the link.
         const fs::path folder = fs::canonical(path.parent_path(), code);
         path = code ? path.parent_path() / next : folder / next;
     }
@@ -51,9 +51,9 @@ bool is_device(const fs::path& path) {
 
 struct OutputFile::State {
     fs::path asked;        // as the user named it, for messages
-    fs::path target;       // where it goes
-    Leftover unfinished;   // what is written until then; none for a device, and for what has no name yet
-    bool nameless = false; // until all is written: however the process ends, nothing is left of it
+    fs::path target;       // final path
+    Leftover unfinished;   // the temporary file; empty for a device, and while the file has no name
+    bool nameless = false; // the file has no name until finish(), so nothing is left of it however the process ends
 
     [[nodiscard]] bool has_name() const { return !unfinished.path().empty(); }
     [[nodiscard]] bool rename() {
@@ -67,11 +67,12 @@ struct OutputFile::State {
         return ::renameat2(AT_FDCWD, unfinished.path().c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) == 0;
     }
 
-    // Has make(name) give the file a name beside the target that is free; an errno.
+    // Calls make(name) with unused names in the folder of the target until it succeeds. Returns 0 or an errno.
     template <class Make> int name_by(const Make& make) {
-        // Of fixed length, so that a long target name leaves room; others in case an earlier process left its own.
+        // The name does not contain the target's, which may be as long as a name can be. Several attempts, in case an
+        // earlier process left a file.
         constexpr int kAttempts = 100;
-        const auto held = hold_leftovers(); // whoever ends the process finds what there is
+        const auto held = hold_leftovers(); // end_by_signal() must not run before the file is a Leftover
         int code = EEXIST;
         for (int attempt = 0; attempt < kAttempts && code == EEXIST; ++attempt) {
             const std::string name =
@@ -86,7 +87,7 @@ struct OutputFile::State {
 
 namespace {
 
-// Not every file system has files without names, and without /proc they could get none; -1.
+// -1: the file system has no files without names, or /proc, which is needed to name them, is missing.
 int open_nameless(const fs::path& folder) {
 #ifdef O_TMPFILE
     if (::access("/proc/self/fd", X_OK) == 0) return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
@@ -146,8 +147,8 @@ Result<OutputFile> OutputFile::create(const fs::path& target, InputKind kind) {
         if (const int code = state->name_by(open_named); code != 0) return write_error(target, code);
     forget_input(descriptor);
     OutputFile file(descriptor, std::move(state));
-    // A file that is replaced keeps its permissions, as far as this user may set them. Whose identity it ran with was
-    // for what it held.
+    // The new file gets the permissions of the file that it replaces, as far as this user may set them. Not setuid and
+    // setgid: these were granted to the old content.
     struct stat old {};
     if (::stat(file.state_->target.c_str(), &old) == 0) [[maybe_unused]]
         const int ignored = ::fchmod(descriptor, old.st_mode & 0777);
@@ -187,7 +188,7 @@ Result<void> commit_both(OutputFile& first, OutputFile& second) {
     if (second.failed()) return write_error(two->asked, second.first_error_);
     const auto held = hold_leftovers();
     const bool first_ours = is_ours_to_make(one->target);
-    // An older first file takes the name of the unfinished one meanwhile, where the file system can exchange names.
+    // Exchanges the names, if the file system can, so that an existing first file can be put back.
     const bool named = one->has_name(), exchanged = named && one->exchange();
     if (named && !exchanged) {
         first.keep_error(one->rename() ? 0 : -1);
@@ -201,7 +202,7 @@ Result<void> commit_both(OutputFile& first, OutputFile& second) {
     if (exchanged)
         (void)one->exchange();
     else if (named)
-        ::unlink(one->target.c_str()); // nothing was there, or nothing that could be exchanged
+        ::unlink(one->target.c_str()); // no file was there, or names cannot be exchanged
     return write_error(two->asked, second.first_error_);
 }
 
@@ -236,7 +237,7 @@ Result<void> OutputSet::commit() {
             file.write(part.data(), static_cast<std::size_t>(got));
             left -= static_cast<std::uint64_t>(got);
         }
-        file.finish(); // open files are few
+        file.finish(); // closes it: the number of open files is limited
         files.push_back(std::move(file));
     }
     return commit_all(files);

@@ -1,10 +1,15 @@
-// The one way an output reaches the disk: written beside its target without a name, or under another one where the file
-// system wants that, every write checked, flushed to the disk, and only then renamed over the target. Whatever fails,
-// an older target stays as it was and nothing else is left behind, also where a signal ends the process
-// (core/base/leftovers.h). Devices and pipes (/dev/stdout) are written as they are, for there is nothing to rename. A
-// file that this run has read is never replaced, but for a session by a session (run_inputs.h).
+// OutputFile: the only way in which ramus writes output files. The bytes go to a file without a name in the folder of
+// the target (or to a temporary name, where the file system needs one), and reach the disk before the file is renamed
+// over the target.
 //
-// Failures on the way (a full disk, `ulimit -f`) are told by commit().
+// Guarantees: the target is never half written. If anything fails, or a signal ends the process
+// (core/base/leftovers.h), an existing target stays as it was and nothing else is left behind. A file that this run has
+// read is never replaced, except a session by a session (run_inputs.h). Not guaranteed: the same for devices and pipes
+// (/dev/stdout), which are written directly.
+//
+//     RAMUS_TRY(file, OutputFile::create(target));
+//     file.write(text);
+//     return file.commit(); // reports the first error of any write
 #pragma once
 
 #include "core/base/descriptor.h"
@@ -20,9 +25,8 @@
 
 namespace ramus::io {
 
-// Can a file be made there? Asked before long work starts: fails when the folder is missing or not writable, when
-// `target` is a folder itself, a file that this run has read so far, or one that must stay (run_inputs.h). `kind`: of
-// what is written.
+// Checks before long work whether `target` can be written. Fails if its folder is missing or not writable, or if it is
+// a folder, a file that this run has read, or a file that must stay (run_inputs.h). `kind`: of the output.
 [[nodiscard]] Result<void> check_output(const std::filesystem::path& target, InputKind kind = InputKind::kFile);
 
 class OutputFile : public BufferedFile {
@@ -31,9 +35,9 @@ public:
                                                    InputKind kind = InputKind::kFile);
 
     OutputFile(OutputFile&&) noexcept;
-    ~OutputFile(); // without commit(): as if nothing had been written
+    ~OutputFile(); // discards the file if commit() was not called
 
-    // Puts the file in its place. The first error of any write is told here; the file is then gone.
+    // Renames the file over its target. Fails with the first error of any write; the file is then discarded.
     [[nodiscard]] Result<void> commit();
 
 private:
@@ -41,23 +45,24 @@ private:
     friend Result<void> commit_all(std::span<OutputFile> files);
     friend class OutputSet;
     struct State;
-    void finish(); // all but its name; once
+    void finish(); // writes all to the disk and closes; does not rename yet
     [[nodiscard]] Result<void> put_in_place();
     OutputFile(int descriptor, std::unique_ptr<State> state);
 
     std::unique_ptr<State> state_;
 };
 
-// Two files that are worth nothing without each other: both come to their places, or none does, and older ones stay as
-// they were. Only a machine that stops between two renamings leaves the first alone.
+// Commits two files that are useless without each other: both or none. If one fails, existing targets stay as they
+// were. Exceptions: the machine stops between the two renamings, or the file system cannot exchange names; then the
+// first target can be replaced or removed although the second failed.
 [[nodiscard]] Result<void> commit_both(OutputFile& first, OutputFile& second);
 
-// Files that belong together: none comes to its place before all of them are whole on the disk, the last one last. Only
-// a renaming that fails after that leaves some new beside old ones.
+// Commits files that belong together, in order: no file is renamed before all are completely on the disk. If a renaming
+// then fails, the files before it are new and the others old.
 [[nodiscard]] Result<void> commit_all(std::span<OutputFile> files);
 
-// Files that belong together and come one after the other, as pictures of a turn: they are kept in one file without a
-// name, so that nothing is left of a process that is killed, and come to their places with commit().
+// OutputSet: files that belong together and are produced one after the other, such as the pictures of a turntable. They
+// are collected in one file without a name, of which nothing is left if the process is killed, and written by commit().
 class OutputSet {
 public:
     [[nodiscard]] Result<void> add(const std::filesystem::path& target, std::string_view text);
@@ -72,7 +77,7 @@ private:
     std::vector<One> files_;
 };
 
-// A whole file at once.
+// Creates, writes and commits a file.
 [[nodiscard]] Result<void> write_file(const std::filesystem::path& target, std::string_view text,
                                       InputKind kind = InputKind::kFile);
 

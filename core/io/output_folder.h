@@ -1,4 +1,4 @@
-// A folder for outputs. Folders that had to be made for it go again where nothing has come into them.
+// OutputFolder: a folder for outputs. The destructor removes the folders that it created, if they are empty.
 #pragma once
 
 #include "core/base/error.h"
@@ -11,7 +11,7 @@ namespace ramus::io {
 
 class OutputFolder {
 public:
-    // With those above it. Fails where it cannot be made, or is a file.
+    // Creates the folder and missing folders above it. Fails if they cannot be created, or `folder` is a file.
     [[nodiscard]] static Result<OutputFolder> make(const std::filesystem::path& folder);
     OutputFolder(OutputFolder&&) noexcept = default;
     OutputFolder& operator=(OutputFolder&&) = delete;

@@ -15,7 +15,7 @@ namespace ramus::io {
 
 namespace {
 
-// Gives `visit` the formats of all tables that are read, or known by their content, with what each is recognised as.
+// Calls visit(format, recognised) for all formats of trees and meshes that can be read, and for all formats of volumes.
 template <class Visit> void for_each_known(const Visit& visit) {
     for (const TreeFormat& format : tree_formats())
         if (is_read(format)) visit(format, Recognised{&format, nullptr, nullptr, false});
@@ -24,7 +24,7 @@ template <class Visit> void for_each_known(const Visit& visit) {
         if (is_read(format)) visit(format, Recognised{nullptr, nullptr, &format, false});
 }
 
-// Lets `found` be what else a file may be, too, that `as` fits.
+// Adds the formats of `as` to `found` where it has none of that kind.
 void add(Recognised& found, const Recognised& as) {
     if (found.tree == nullptr) found.tree = as.tree;
     if (found.volume == nullptr) found.volume = as.volume;
@@ -42,7 +42,7 @@ Recognised by_content(std::string_view head, Certainty certainty) {
     return found;
 }
 
-// Of several extensions the longest: ".mrk.json" says more than ".json".
+// The longest extension wins: ".mrk.json" over ".json".
 Recognised by_name(const std::filesystem::path& name) {
     const std::filesystem::path plain = without_gz(name);
     Recognised found;
@@ -61,7 +61,7 @@ Recognised folder_at(const std::filesystem::path& path) {
     return {};
 }
 
-// The first bytes, uncompressed. Empty: they cannot be read.
+// The first bytes, uncompressed. Empty: the stage cannot be read.
 std::string head_from(std::unique_ptr<ByteStage> stage) {
     std::string head(kHeadBytes, '\0');
     head.resize(stage->read(head.data(), head.size()).value_or(0));

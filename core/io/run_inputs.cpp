@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 struct Identity {
     std::uint64_t device = 0, inode = 0;
-    std::int64_t born_ns = 0; // 0 where the file system does not tell
+    std::int64_t born_ns = 0; // 0: the file system does not tell
     bool operator<(const Identity& other) const {
         return std::tie(device, inode, born_ns) < std::tie(other.device, other.inode, other.born_ns);
     }
@@ -40,7 +40,7 @@ Register& inputs_of_this_run() {
     return known;
 }
 
-// Of a regular file. `name` is empty: that of the descriptor.
+// The identity of a regular file. If `name` is empty, that of the descriptor.
 std::optional<Identity> identity_of(int folder_or_descriptor, const char* name) {
     struct statx found {};
     if (::statx(folder_or_descriptor, name, AT_EMPTY_PATH, STATX_BASIC_STATS | STATX_BTIME, &found) != 0 ||

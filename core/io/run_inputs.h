@@ -1,9 +1,9 @@
-// The files that this run has read, so that nothing it writes replaces one of them: OutputFile asks here. A file is
-// known by device, inode and time of birth, so that a link, another spelling of its name and a hard link are the same
-// file. May be called from any thread.
+// Registers the files that this run has read, so that no output replaces one of them (OutputFile checks). A file is
+// identified by device, inode and time of birth, so symbolic links, hard links and other spellings of its name count as
+// the same file. Thread-safe.
 //
-// Who opens a file that a user named says so, once for each file, or once for a whole folder of images. The program's
-// own files (settings, recovery) are not among them. Pipes and devices are nobody's to lose.
+// Code that opens a file which a user named must call note_input(), once for each file. Not registered: the program's
+// own files (settings, recovery), pipes and devices.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,21 @@
 
 namespace ramus::io {
 
-// What may be written over an input. A session may be saved over a session: that is what saving means.
+// A session may be written over a session that was read: that is how sessions are saved.
 enum class InputKind : std::uint8_t { kFile, kSession };
 
-// A file that is noted as both is a file. Does nothing for what is not there, and for no name.
+// Registers an input. A file that is registered as both kinds counts as kFile. Does nothing for an empty or missing
+// path.
 void note_input(const std::filesystem::path& file, InputKind kind = InputKind::kFile);
 
-// As which file `target` was read, if writing it would lose what was read. `kind`: of what is written.
+// The input that an output of `kind` to `target` would overwrite, by the path that it was read from. None: no input.
 [[nodiscard]] std::optional<std::filesystem::path> input_lost_by(const std::filesystem::path& target, InputKind kind);
 
-// For a file that was just made: an older one that is gone may have had its number.
+// Removes a newly created file from the inputs: a deleted input may have had the same inode.
 void forget_input(int descriptor);
 
-// While one lives, no output replaces a file that this run has not made itself: commands may come from somebody else.
-// Of the whole process: what another thread writes meanwhile counts as well.
+// While such an object with keep = true exists, outputs may only replace files that this run has created: a commands
+// file may come from somebody else. Applies to all threads of the process.
 class KeepExistingFiles {
 public:
     explicit KeepExistingFiles(bool keep);
@@ -38,9 +39,10 @@ private:
 };
 [[nodiscard]] bool keeps_existing_files();
 
-// Whether `target` is a file that must stay as it is now.
+// Whether `target` is a file that KeepExistingFiles protects.
 [[nodiscard]] bool must_stay(const std::filesystem::path& target);
-// Whether `target` is missing, or was made by this run: what comes to its place is then noted by note_made().
+// Whether `target` is missing, no regular file, or created by this run. The caller that then replaces it must call
+// note_made().
 [[nodiscard]] bool is_ours_to_make(const std::filesystem::path& target);
 void note_made(const std::filesystem::path& file);
 

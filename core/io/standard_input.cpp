@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* kName = "standard input";
 
-// As many bytes as there are, up to `bytes`; -1 with errno.
+// Reads up to `bytes` bytes; fewer only at the end. -1: failed, with errno set.
 ssize_t read_full(char* into, std::size_t bytes) {
     std::size_t done = 0;
     while (done < bytes) {
@@ -41,7 +41,7 @@ Result<void> copy_to(int file, const std::string& folder) {
             return fail(std::string("cannot be read: ") + std::strerror(errno), kName, "name a file, or use a pipe");
         const auto count = static_cast<std::size_t>(got);
         if (done == 0 && count == 0) return fail("nothing came", kName, "check the program before the pipe");
-        // Nobody waits for gigabytes that nobody can read.
+        // Checked after the first block, so that gigabytes of an unknown format are not copied.
         if (done == 0 && !recognised_alone(std::string_view(buffer.data(), count)))
             return fail("its first bytes do not tell what it is", kName,
                         "through a pipe come trees, masks and meshes that are recognised by their content; write it "
@@ -71,7 +71,7 @@ Result<void> settle_standard_input() {
     struct stat status {};
     if (::fstat(STDIN_FILENO, &status) != 0) return fail("is closed", kName, "name a file, or use a pipe");
     if (S_ISDIR(status.st_mode)) return fail("is a folder", kName, "name the folder instead of -");
-    // Whoever opens /dev/stdin begins at its first byte.
+    // Opening /dev/stdin again begins at the first byte, so a file that is read in part must be copied.
     if (S_ISREG(status.st_mode) && ::lseek(STDIN_FILENO, 0, SEEK_CUR) == 0) return {};
     if (::isatty(STDIN_FILENO) != 0)
         std::fputs("ramus: waiting for standard input; Ctrl-D ends it, Ctrl-C stops\n", stderr);

@@ -13,7 +13,7 @@ Result<void> check_xml(std::string_view text, const std::string& name) {
             bytes += kAttribute;
         } else if (text[at] == '<') {
             if (!text.substr(at + 1).starts_with('/')) bytes += kNode;
-        } else { // words between elements are a node, blanks are none
+        } else { // text between elements is a node, unless it is blank
             const std::size_t next = std::min(text.find_first_not_of(" \t\r\n", at + 1), text.size());
             if (next < text.size() && text[next] != '<') bytes += kNode;
             at = next - 1;

@@ -1,4 +1,5 @@
-// Text of XML before pugixml makes a document of it: how much memory that takes, and where its lines are.
+// Checks of XML text before pugixml parses it: the memory that the document will take, and line numbers of its
+// elements.
 #pragma once
 
 #include "core/base/error.h"
@@ -10,25 +11,25 @@
 
 namespace ramus::io {
 
-// What a document may take in memory whatever its text is, and how often its text where that is more. Trees take five
-// to eight times their text; `<a/>`, four characters, is 64 bytes as an element.
+// Most memory of a document: kMostXmlBytes, or kMostXmlGrowth times its text if that is more. Files of trees take five
+// to eight times their text; but `<a/>`, four characters, takes 64 bytes.
 inline constexpr std::size_t kMostXmlBytes = std::size_t{128} << 20;
 inline constexpr std::size_t kMostXmlGrowth = 10;
 
-// Fails where a document would take more.
+// Fails if the document would take more memory than allowed.
 [[nodiscard]] Result<void> check_xml(std::string_view text, const std::string& name);
 
-// The line of any place in a text, in a time that does not depend on how long the text is, and in little memory.
+// Finds the line number of any offset in a text in constant time. Takes 8 bytes for each 256 bytes of text.
 class LineIndex {
 public:
     LineIndex() = default;
-    explicit LineIndex(std::string_view text);                // which must outlive this
-    [[nodiscard]] std::size_t line(std::size_t offset) const; // from 1
+    explicit LineIndex(std::string_view text);                // `text` must outlive this
+    [[nodiscard]] std::size_t line(std::size_t offset) const; // counted from 1
 
 private:
     static constexpr std::size_t kBlock = 256; // bytes
     std::string_view text_;
-    std::vector<std::size_t> before_; // by block: lines that end before it
+    std::vector<std::size_t> before_; // by block: number of lines that end before it
 };
 
 } // namespace ramus::io
