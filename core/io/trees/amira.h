@@ -1,6 +1,6 @@
-// Amira's and Avizo's SpatialGraph (.am): vertices, edges between them, points along the edges, and arrays of any of
-// the three. Read as text and as binary of either byte order, plain or compressed. An array is found by the mark that
-// its declaration gives it. "thickness" is a radius in Amira itself and a diameter in some other programs.
+// Reads SpatialGraph files of Amira and Avizo (.am): vertices, edges between them, points along the edges, and arrays
+// of any of the three; as text or as binary of either byte order, plain or compressed. The width "thickness" is a
+// radius in Amira and a diameter in some other programs; it is taken as a radius, with a note.
 #pragma once
 
 #include "core/io/trees/tree_file.h"

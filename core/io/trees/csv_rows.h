@@ -1,5 +1,4 @@
-// The rows of a table in a text, cell by cell. Cells may stand in quotes, with any line breaks and doubled quotes
-// within.
+// CsvRows: iterates over the rows of a CSV text. Quoted cells may contain separators, line breaks and doubled quotes.
 #pragma once
 
 #include "core/base/error.h"
@@ -13,15 +12,15 @@ namespace ramus::io {
 
 class CsvRows {
 public:
-    // The separator is what parts the cells of the first line: a semicolon, a comma or a tab.
+    // The first line decides the separator: semicolon, comma or tab. `text` must outlive this.
     CsvRows(std::string_view text, std::string name);
 
-    // The cells of the next row that is not blank, without blanks around them; false: there is none. They stay as
-    // they are until the next call. An apostrophe that keeps a spreadsheet from taking the cell for a formula is none
-    // of its text. Fails where a quote does not end.
+    // Gets the trimmed cells of the next row that is not blank, valid until the next call. False: end of the table.
+    // Removes the apostrophe that protects a cell from being taken for a formula by a spreadsheet. Fails on a quote
+    // that does not end.
     [[nodiscard]] Result<bool> next(std::vector<std::string_view>& cells);
 
-    [[nodiscard]] std::size_t line() const { return line_; } // of the row last taken
+    [[nodiscard]] std::size_t line() const { return line_; } // of the last row
     [[nodiscard]] std::string place() const { return name_ + ":" + std::to_string(line_); }
 
 private:

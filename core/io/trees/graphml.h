@@ -1,7 +1,6 @@
-// GraphML (.graphml) as VesselVio writes it through igraph, or NetworkX: nodes with X, Y, Z, edges with radius_avg.
-// Keys say what a piece of data is called; columns of other names are those of core/io/trees/node_graph.h. What is
-// written has a node for each point of the tree, with its radius, and says its unit and axes; read again it is the same
-// tree.
+// Reads and writes GraphML (.graphml) as VesselVio (through igraph) and NetworkX write it: nodes with X, Y, Z, edges
+// with radius_avg. Keys name the data; node_graph.h lists the names. A written file has a node with its radius for each
+// point of the tree, states unit and axes, and reads back as the same tree.
 #pragma once
 
 #include "core/io/trees/tree_file.h"
@@ -13,7 +12,7 @@ namespace ramus::io {
 [[nodiscard]] Result<void> write_graphml(const tree::VesselTree& tree, const std::filesystem::path& file,
                                          const std::vector<std::string>& comments);
 
-// The data of the whole graph by which a file says where it stands.
+// Keys of the graph's own data that state unit and axes.
 inline constexpr std::string_view kGraphmlUnits = "units", kGraphmlSpace = "space";
 
 } // namespace ramus::io

@@ -1,7 +1,7 @@
-// Morphologies in HDF5, as MorphIO and its relatives write them: /points (x, y, z, diameter), /structure (first point
-// and type of each section) and /connectivity (parent and child section), or a third column of /structure with the
-// parent. The library that parses HDF5 was not made for damaged files: it runs in a process of its own
-// (core/base/own_process.h) and is given plain tables only, whose claims fit the size of the file.
+// Reads morphologies in HDF5 as MorphIO and related programs write them: /points (x, y, z, diameter), /structure (first
+// point and type of each section) and /connectivity (parent and child section), or the parent in a third column of
+// /structure. The HDF5 library may crash on damaged files, so it runs in a separate process (core/base/own_process.h).
+// Only plain tables are read whose declared sizes fit the size of the file.
 #pragma once
 
 #include "core/io/trees/tree_file.h"

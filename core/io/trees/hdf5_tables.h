@@ -1,4 +1,4 @@
-// Tables of numbers out of HDF5 files.
+// Reads tables of numbers from HDF5 files, in a separate process (core/base/own_process.h).
 #pragma once
 
 #include "core/base/error.h"
@@ -18,8 +18,9 @@ struct Hdf5Table {
     [[nodiscard]] double at(std::size_t row, std::size_t column) const { return values[row * columns + column]; }
 };
 
-// The two-dimensional datasets of these names in the root group, of the file whose bytes are `file`. Fails on anything
-// but plain integers and floats that lie in the file itself, and on sizes that the file cannot have.
+// Reads the two-dimensional datasets `names` of the root group. `file`: the bytes of the file; `where`: its name in
+// messages. A missing dataset has present = false. Fails on anything but plain integers and floats in the file itself,
+// and on declared sizes that the file cannot hold.
 [[nodiscard]] Result<std::vector<Hdf5Table>>
 read_hdf5_tables(std::string_view file, const std::vector<std::string>& names, const std::string& where);
 

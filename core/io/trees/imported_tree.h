@@ -1,7 +1,7 @@
-// What the reader of a tree format finds, in the file's own numbers, and the one step that makes a VesselTree of it:
-// unit, axes, radius or diameter, radii that belong to edges, polylines that meet or repeat each other. Readers only
-// say what stands in the file; what it means is decided here, so that every format is treated alike, and whatever the
-// file does not say becomes a note that tells how to change it.
+// ImportedTree: the content of a tree file in the file's own numbers, as its reader finds it; and tree_of(), which
+// converts it to a VesselTree. A reader only reports what the file says. tree_of() decides what it means, in the same
+// way for all formats: unit, axes, radius or diameter, radii of edges, polylines that meet or repeat each other. Each
+// assumption becomes a note that tells how to change it.
 #pragma once
 
 #include "core/base/error.h"
@@ -24,62 +24,62 @@ namespace ramus::io {
 
 enum class RadiusIs : std::uint8_t { kRadius, kDiameter };
 
-// How a segmentation mask becomes a tree; what is none is as usual.
+// How a segmentation mask becomes a tree. None: the default.
 struct MaskReading {
-    // Those of each system; empty: all of them together are one. None: each is a system of its own.
+    // The labels of each system. Empty: all labels are one system. None: each label is a system of its own.
     std::optional<std::vector<std::vector<volume::LabelChoice>>> labels;
     // As in volume::SkeletonizeOptions.
     std::optional<double> bulge_size, islands_mm;
     std::optional<bool> fill_holes;
-    std::optional<double> isovalue; // of a scan: what is at least that is vessel; its values are no labels then
+    std::optional<double> isovalue; // of a scan: voxels of at least this value are vessel; values are not labels then
     std::optional<glm::dvec3> root;
     bool operator==(const MaskReading&) const = default;
 };
 
-// What a person says about a file, against what it says or is taken for.
+// Options of a person for reading a file. They override the file's statements and the reader's assumptions.
 struct ReadOptions {
     tree::Repair repair = tree::Repair::kUsual;
     std::optional<LengthUnit> unit;
     std::optional<RadiusIs> radius_is;
-    std::optional<Orientation> orientation;     // where the file's axes lead
-    std::optional<double> radius_mm;            // of points whose radius the file does not give
-    std::map<std::string, std::string> columns; // of tables: what is read (x, y, z, radius, from, to) by its column
-    std::string data_checksum;                  // its SHA-256 (core/io/checksum.h); empty: any
-    std::string data;                           // a table of further data of branches (branch_table.h); empty: none
+    std::optional<Orientation> orientation;     // of the file's axes
+    std::optional<double> radius_mm;            // for points without a radius in the file
+    std::map<std::string, std::string> columns; // of tables: the column for each of id, x, y, z, radius, from, to
+    std::string data_checksum;                  // SHA-256 of `data` (core/io/checksum.h); empty: not checked
+    std::string data;                           // path of a table of branch data (branch_table.h); empty: none
     MaskReading mask;
     bool operator==(const ReadOptions&) const = default;
 };
 
-// How polylines that have points of their own hang together.
+// How the polylines of a file are connected.
 enum class Joining : std::uint8_t {
-    kByIndex,          // they share points
-    kAtCoincidingEnds, // where an end of one lies at a point of another
-    kAtAnyPoint,       // where points lie at the same place
+    kByIndex,          // by shared points
+    kAtCoincidingEnds, // where the end of a polyline has the position of a point of another one
+    kAtAnyPoint,       // where any two points have the same position
 };
 
 struct ImportedTree {
-    tree::Graph graph;                      // positions, radii and edges as they stand in the file
-    std::vector<double> edge_radii;         // where radii belong to edges: one for each of graph.edges; else empty
-    std::optional<LengthUnit> unit;         // that the file states
-    std::optional<Orientation> orientation; // that the file states
+    tree::Graph graph;                      // positions, radii and edges in the file's own numbers
+    std::vector<double> edge_radii;         // for each of graph.edges, if radii belong to edges; else empty
+    std::optional<LengthUnit> unit;         // stated by the file
+    std::optional<Orientation> orientation; // stated by the file
     RadiusIs radius_is = RadiusIs::kRadius;
-    std::string radius_name; // "thickness": what the file calls it, where that leaves open which of both it is
+    std::string radius_name; // the file's name for the width ("thickness"), if it can mean radius or diameter
     Joining joining = Joining::kByIndex;
-    bool edges_are_vessels = false;    // also where several connect the same two points: none of them repeats another
-    bool pieces_are_meant = false;     // what the file leaves apart is apart: open ends are not joined
-    bool may_repeat_trunks = false;    // polylines may each begin at the root, as VMTK's centerlines do
-    std::string unit_hint;             // what speaks for another unit than mm, where the file states none; may be empty
-    std::optional<glm::dmat3> voxel;   // of the mask that the tree was made of: its edges, in the file's own numbers
-    std::vector<std::string> left_out; // names of arrays that are no single numbers: texts, vectors
+    bool edges_are_vessels = false;    // parallel edges between the same two points are different vessels
+    bool pieces_are_meant = false;     // unconnected pieces are intended: open ends are not joined
+    bool may_repeat_trunks = false;    // polylines may all begin at the root, as VMTK's centerlines do
+    std::string unit_hint;             // evidence for another unit than mm, if the file states none; may be empty
+    std::optional<glm::dmat3> voxel;   // edges of a voxel of the source mask, one a column, in the file's own numbers
+    std::vector<std::string> left_out; // names of arrays that are not one number each: texts, vectors
     std::vector<tree::Note> notes;
-    std::string source;                                 // the file that the tree came from first, where it says so
-    std::function<std::string(std::uint32_t)> place_of; // of a point of `graph`, for messages: "liver.swc:41"
+    std::string source;                                 // the original file of the tree, if the file states it
+    std::function<std::string(std::uint32_t)> place_of; // place of a point of `graph` in messages: "liver.swc:41"
 
     void assume(std::string topic, std::string text) {
         notes.push_back({tree::Note::Kind::kAssumed, std::move(topic), std::move(text), {}});
     }
 
-    // The file is one that ramus wrote of a tree: nothing is left open but what was open then. The words are those of
+    // For files that ramus wrote: unit and axes are as stated, also if stated as unknown. The words are those of
     // tree::Claims.
     void take_as_written(std::string_view unit_word = "mm", std::string_view axes_word = "RAS") {
         unit = unit_word == "mm" ? std::optional(LengthUnit{}) : std::nullopt;
@@ -88,7 +88,8 @@ struct ImportedTree {
     }
 };
 
-// Fails like tree::build_tree, on numbers of the wrong length, and on a radius that no point has.
+// Converts to a tree in mm and RAS (unless unknown), with notes and claims. Fails like tree::build_tree(), and on
+// arrays of a wrong length and edges to missing points.
 [[nodiscard]] Result<tree::VesselTree> tree_of(ImportedTree imported, const ReadOptions& options);
 
 } // namespace ramus::io

@@ -1,4 +1,5 @@
-// JSON files of trees: read as a whole, with the line of what is wrong, and their numbers without trust.
+// Safe access to parsed JSON of tree files: missing members and values of another type give null, none or an empty
+// text.
 #pragma once
 
 #include "core/io/json_text.h"
@@ -13,20 +14,20 @@
 
 namespace ramus::io {
 
-// Whether what begins so may be a JSON object.
+// Whether text that begins with `head` may be a JSON object.
 [[nodiscard]] bool begins_json_object(std::string_view head);
 
-// The member of an object; null: it has none, or is no object.
+// The member `key`. Null: `object` has none, or is no object.
 [[nodiscard]] const nlohmann::json* json_member(const nlohmann::json& object, const char* key);
-// The same where it is a list.
+// The member `key` if it is a list, else null.
 [[nodiscard]] const nlohmann::json* json_list(const nlohmann::json& object, const char* key);
-// Its text; empty: there is none.
+// The text of the member `key`. Empty: it is missing or no text.
 [[nodiscard]] std::string json_text(const nlohmann::json& object, const char* key);
-// A list of three numbers.
+// A list of three numbers as a position. None: null, or another value.
 [[nodiscard]] std::optional<glm::dvec3> json_position(const nlohmann::json* value);
-// A number; none where it is missing, or no number at all.
+// A number. None: null, or another value.
 [[nodiscard]] std::optional<double> json_real(const nlohmann::json* value);
-// A whole number from 0 to below kNoJsonIndex; kNoJsonIndex: it is none.
+// A whole number from 0 to kNoJsonIndex - 1; kNoJsonIndex for any other value.
 inline constexpr std::uint32_t kNoJsonIndex = std::numeric_limits<std::uint32_t>::max();
 [[nodiscard]] std::uint32_t json_index(const nlohmann::json& value);
 

@@ -1,5 +1,5 @@
-// The tree of a segmentation mask, the same for all commands and the window: which labels become which systems, what
-// the tree says of its unit and axes, and the notes of the mask, which become the tree's.
+// Makes the tree of a segmentation mask, in the same way for all commands and the window: assigns labels to systems,
+// sets the tree's claims about unit and axes, and keeps the notes of the mask.
 #pragma once
 
 #include "core/base/error.h"
@@ -13,10 +13,10 @@
 
 namespace ramus::io {
 
-// Makes the tree of `mask`, which was read from `path` with `options.unit`. Each label is a system of its own unless
-// `options.mask` says otherwise. `memory_bytes`: most that the process may take; 0 = half of the machine's. Fails like
-// volume::systems_of() and volume::skeletonize(), with `path` as the place, and where `options` give axes, which are
-// those of the file. `figures`: what was found on the way; may be null.
+// `mask` must have been read from `path` with `options.unit`. Each label is a system of its own unless `options.mask`
+// says otherwise. `memory_bytes`: limit for the process; 0: half of the machine's memory. `figures`: statistics; may be
+// null. Fails like volume::systems_of() and volume::skeletonize(), with `path` as the place, and if `options` state an
+// orientation, because the mask's file states it.
 [[nodiscard]] Result<tree::VesselTree> tree_of_mask(volume::Volume&& mask, const std::filesystem::path& path,
                                                     const ReadOptions& options, double memory_bytes, Job& job,
                                                     volume::SkeletonizeFigures* figures = nullptr);

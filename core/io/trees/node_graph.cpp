@@ -13,19 +13,19 @@ namespace {
 
 using ColumnNames = std::span<const std::string_view>;
 
-// The names that programs use, in small letters: VesselGraph and Voreen (pos_x, node1id, avgRadiusAvg), VesselVio
-// (X, source, radius_avg), and what people write by hand.
+// Lower-case names of columns: of VesselGraph and Voreen (pos_x, node1id, avgRadiusAvg), of VesselVio (X, source,
+// radius_avg), and common names in handwritten tables.
 constexpr std::string_view kIdNames[] = {"id", "node_id", "nodeid", "vertex_id", "index", ""};
 constexpr std::string_view kXNames[] = {"pos_x", "x", "posx", "position_x", "coord_x", "x_mm"};
 constexpr std::string_view kYNames[] = {"pos_y", "y", "posy", "position_y", "coord_y", "y_mm"};
 constexpr std::string_view kZNames[] = {"pos_z", "z", "posz", "position_z", "coord_z", "z_mm"};
 constexpr std::string_view kFromNames[] = {"node1id", "node1", "source", "from", "node1_id", "id1", "start", "vertex1"};
 constexpr std::string_view kToNames[] = {"node2id", "node2", "target", "to", "node2_id", "id2", "end", "vertex2"};
-// Files give least and largest radii, and how they vary, beside the mean.
+// Names of the mean radius; files may also have the least and largest radius and the deviation.
 constexpr std::string_view kMeanRadiusNames[] = {"radius",      "avgradiusavg", "radius_avg", "avg_radius",
                                                  "mean_radius", "radius_mean",  "radius_mm"};
 
-// The column that a person named, whatever else there is; else the first of the names that there is.
+// The column that a person chose for `key`, else the first column with one of the `known` names.
 std::size_t column_called(const std::vector<std::string>& names, const ReadOptions& options, const std::string& key,
                           ColumnNames known) {
     const auto index = [&](std::string_view wanted, bool exactly) {
@@ -53,7 +53,7 @@ std::size_t radius_column(const std::vector<std::string>& names, const ReadOptio
     return chosen->index;
 }
 
-// The columns that mean nothing else. A second column of widths, the least or the largest, is data.
+// The columns without another meaning. Further columns of widths, such as the least or the largest, are data.
 template <class Columns> DataAt data_columns(const std::vector<std::string>& names, const Columns& columns) {
     DataAt data;
     for (std::size_t c = 0; c < names.size() && data.at.size() < tree::kMostArrays; ++c) {
@@ -172,7 +172,7 @@ Result<void> NodeGraph::add_node(const NodeRow& row, std::size_t line, std::span
     return add_marks(row, line);
 }
 
-// What only files have that this program wrote.
+// Reads columns that only files written by ramus have.
 Result<void> NodeGraph::add_marks(const NodeRow& row, std::size_t line) {
     tree::Graph& graph = imported_.graph;
     if (is_yes(trimmed(row[cell(NodeCell::kRoot)])))
@@ -210,10 +210,10 @@ Result<void> NodeGraph::add_edge(const EdgeRow& row, std::size_t line, std::span
         ++rings_;
         return {};
     }
-    // Radii of nodes say more.
+    // Radii of edges are ignored if nodes have radii, which are more precise.
     if (edges_.at[cell(EdgeCell::kRadius)] != kNoColumn && nodes_.at[cell(NodeCell::kRadius)] == kNoColumn) {
         RAMUS_TRY(radius, number(row[cell(EdgeCell::kRadius)], "the radius", line));
-        if (!std::isfinite(radius) || (radius < 0.0 && radius != -1.0)) // which means that it was not measured
+        if (!std::isfinite(radius) || (radius < 0.0 && radius != -1.0)) // -1: not measured
             return fail("the radius " + shown(row[cell(EdgeCell::kRadius)]) + " is not positive", place(line),
                         "correct the file");
         edge_radii_.push_back(radius);
@@ -265,7 +265,7 @@ void NodeGraph::keep_systems() {
         }
 }
 
-// Positions that are all whole or half numbers are those of voxels.
+// Positions that are all whole or half numbers are most likely voxel indices.
 void NodeGraph::suspect_voxels() {
     constexpr std::size_t kFewNodes = 20;
     if (!whole_positions_ || imported_.unit || input_.options.unit || imported_.graph.points.size() < kFewNodes) return;

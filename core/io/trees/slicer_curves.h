@@ -1,5 +1,5 @@
-// The curves of a file of markups (slicer.h), taken as they are read, so that memory holds their numbers and never a
-// value of JSON for each control point. Internal to the reader.
+// Consumes the curves of a markups file (slicer.h) while it is parsed, so memory holds their numbers and no JSON value
+// for each control point. Internal to the reader.
 #pragma once
 
 #include "core/io/json_text.h"
@@ -20,31 +20,31 @@ struct MarkupsMeasurement {
 struct MarkupsCurve {
     std::size_t number = 0; // among all markups
     bool closed = false;
-    bool has_points = false;         // the list is there
-    std::string unit;                // as written; empty: it does not say
-    std::optional<std::string> axes; // as written; none: it does not say
-    // None: without a place, which the file says itself.
+    bool has_points = false;         // the list of control points exists
+    std::string unit;                // as written; empty: not stated
+    std::optional<std::string> axes; // as written; none: not stated
+    // None: the file says that the control point has no position.
     std::vector<std::optional<glm::dvec3>> points;
-    std::optional<std::size_t> bad_point; // the first whose position is none
+    std::optional<std::size_t> bad_point; // the first with an invalid position
     std::vector<MarkupsMeasurement> measurements;
 };
 
-// What this program writes next to the curves; lists of what is no index have kNoJsonIndex.
+// The member "ramus", which ramus writes in addition to the curves. Invalid indices are kNoJsonIndex.
 struct MarkupsOwn {
     std::vector<std::uint32_t> roots, systems_of_curves;
-    std::vector<std::int64_t> points; // of the curves, one curve behind the other
-    std::vector<std::size_t> ends;    // by curve: behind its last
+    std::vector<std::int64_t> points; // indices in the tree of the control points, curve by curve
+    std::vector<std::size_t> ends;    // by curve: one past its last element of `points`
     std::vector<int> labels;
-    bool good = true; // as this program writes it
+    bool good = true; // has the structure that ramus writes
 };
 
 class MarkupsLists {
 public:
     std::vector<MarkupsCurve> curves;
-    std::size_t markups = 0, others = 0; // of all kinds; those that are no curves
+    std::size_t markups = 0, others = 0; // number of markups of all kinds, and of those that are not curves
     MarkupsOwn own;
 
-    // For parsed_json().
+    // The `lists` argument of parsed_json().
     [[nodiscard]] JsonElements taker_of(JsonPath list);
 
 private:
@@ -53,7 +53,7 @@ private:
     void take_markup(const nlohmann::json& markup);
     JsonElements own_taker(JsonPath list);
 
-    MarkupsCurve curve_; // that is read
+    MarkupsCurve curve_; // the current one
     std::vector<double> values_;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kLongestName = 80; // bytes
 
-// The same for a name that has been through this before, with a number behind it or not.
+// Printable and of limited length. Idempotent, also for a result with a number after it.
 std::string tidy_name(std::string_view name) {
     using nlohmann::json;
     const std::string utf8 = json::parse(json(name).dump(-1, ' ', false, json::error_handler_t::replace));

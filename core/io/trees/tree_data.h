@@ -1,5 +1,5 @@
-// Named numbers (core/tree/data_array.h) in the files of trees: columns of tables, and what is kept of what a file
-// gives. Readers put arrays into the graph of an ImportedTree as they stand in the file; settle_data() decides.
+// Collects the data arrays (core/tree/data_array.h) of a tree file: named numbers for points and edges. Readers collect
+// all arrays of a file with DataColumns or SparseData; settle_data() then decides which of them the tree keeps.
 #pragma once
 
 #include "core/io/trees/imported_tree.h"
@@ -15,12 +15,12 @@
 
 namespace ramus::io {
 
-// Columns of a table as they come, row by row. A column where a cell is no number is no array.
+// Collects the columns of a table row by row. A column with a cell that is no number does not become an array.
 class DataColumns {
 public:
     explicit DataColumns(std::vector<std::string> names = {});
     [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
-    // One for each column. An empty cell, "nan" and "NA" are unknown.
+    // The cells of a row, in the order of names(). See data_value() for unknown values.
     void add_row(std::span<const std::string_view> cells);
     // The columns of numbers; the names of the others are added to `left_out`.
     [[nodiscard]] tree::DataArrays arrays(std::vector<std::string>& left_out) const;
@@ -31,15 +31,15 @@ private:
     std::vector<std::uint8_t> is_text_;
 };
 
-// Values that come one by one, of points or edges that do not all have them.
+// Collects single values for points or edges that do not all have them.
 class SparseData {
 public:
     static constexpr std::size_t kNoArray = std::numeric_limits<std::size_t>::max();
-    // The array with this name, a new one if there is none yet; kNoArray where there are kMostArrays already.
+    // The index of the array with this name; creates it if needed. kNoArray: there are kMostArrays already.
     [[nodiscard]] std::size_t array(std::string_view name);
-    // `index`: of a point or an edge; nothing happens to kNoArray.
+    // `index`: of a point or an edge. Does nothing if `array` is kNoArray.
     void set(std::size_t array, std::size_t index, double value);
-    // With `count` values each. Notes that there were too many.
+    // All arrays, with `count` values each. Adds a note to `imported` if there were too many arrays.
     [[nodiscard]] tree::DataArrays arrays(std::size_t count, ImportedTree& imported) &&;
 
 private:
@@ -47,16 +47,16 @@ private:
     bool too_many_ = false;
 };
 
-// The value of a cell; an unknown one is kUnknownValue. None: it is no number.
+// The value of a cell. kUnknownValue: empty, "NA", "n/a", "null", "none", or not finite. None: it is no number.
 [[nodiscard]] std::optional<double> data_value(std::string_view cell);
 
-// Checks that arrays have a value for each point or edge, gives each a printable name of its own, sorts them by it, and
-// leaves out what is known of nothing, and what is beyond kMostArrays. What is left out is noted, with what the reader
-// left out.
+// Makes the names of the arrays printable and unique, sorts the arrays by name, and removes arrays without a known
+// value and those beyond kMostArrays. Notes the arrays beyond kMostArrays, and those that the reader left out. Fails if
+// an array does not have one value for each point or edge.
 [[nodiscard]] Result<void> settle_data(ImportedTree& imported);
 
-// The names of a tree's arrays in a file whose format gives some names (`taken`, in small letters) a meaning: those get
-// "_data" behind them.
+// The name of an array in a file whose format gives the lower-case names `taken` a meaning: these get the suffix
+// "_data".
 [[nodiscard]] std::string name_in_file(const std::string& name, std::span<const std::string_view> taken);
 
 } // namespace ramus::io

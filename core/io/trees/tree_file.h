@@ -1,6 +1,6 @@
-// Vessel trees from and to files: the formats, one row each, and the functions that read and write them all. A new
-// format is a pair of files beside this and a row in tree_file.cpp. The content of a file says which format it has, and
-// where it does not, the extension. Files of any format may be compressed by gzip.
+// Reads and writes vessel trees in all formats. The table of formats is in tree_file.cpp; a new format is a row there
+// and a reader or writer in this folder. recognise.h decides the format of a file. Files of any format may be
+// compressed by gzip.
 #pragma once
 
 #include "core/base/error.h"
@@ -15,25 +15,25 @@
 
 namespace ramus::io {
 
-// What a reader is given: all bytes of the file, uncompressed, and how to name it in messages.
+// The input of a reader: all bytes of the file, uncompressed, and its name in messages.
 struct TreeInput {
     std::string_view text;
     std::string name;
     const ReadOptions& options;
-    std::filesystem::path path; // where it lies, for formats of two files; empty: nowhere
+    std::filesystem::path path; // for formats of two files; empty: none
 };
 
-// Which arrays (core/tree/data_array.h) a file has a place for.
+// Which data arrays (core/tree/data_array.h) a format can hold.
 enum class WritesData : std::uint8_t { kNone, kOfPoints, kAll };
 
 struct TreeFormat : FileFormat {
-    // What stands in the file; null: it is not read. Fails with place and remedy on whatever is wrong with it.
+    // Reads the file. Fails with place and remedy. Null: the format is not read.
     Result<ImportedTree> (*parse)(const TreeInput&) = nullptr;
-    // `comments` stand at the head of formats that can hold them; null: it is not written.
+    // Writes the tree, with `comments` at the head if the format can hold them. Null: the format is not written.
     Result<void> (*write)(const tree::VesselTree&, const std::filesystem::path&,
                           const std::vector<std::string>& comments) = nullptr;
     WritesData writes_data = WritesData::kNone;
-    // The same in these axes, which the file states; null: it has no word for them that programs look for.
+    // The same in `axes`, which the file states. Null: the format has no common way to state them.
     Result<void> (*write_in)(const tree::VesselTree&, const std::filesystem::path&,
                              const std::vector<std::string>& comments, const Orientation& axes) = nullptr;
 };
@@ -43,31 +43,31 @@ struct TreeFormat : FileFormat {
 
 [[nodiscard]] const std::vector<TreeFormat>& tree_formats();
 
-// ".swc or .json": of the formats that are read, and of those that are written.
+// The extensions of the formats that are read, and of those that are written: ".swc or .json".
 [[nodiscard]] std::string readable_tree_extensions();
 [[nodiscard]] std::string writable_tree_extensions();
 
-// Whether the name is that of a tree that can be read.
+// Whether the extension is that of a tree format that can be read.
 [[nodiscard]] bool names_tree(const std::filesystem::path& path);
 
-// The tree in `path`, in mm, RAS. Fails with file, line and remedy on whatever is wrong with the file.
+// Reads a tree in mm, RAS (as far as known: tree::Claims). Fails with file, line and remedy.
 [[nodiscard]] Result<tree::VesselTree> read_tree(const std::filesystem::path& path, const ReadOptions& options = {});
 
-// The same of the bytes of a file that is called `name`.
+// The same for the bytes of a file called `name`.
 [[nodiscard]] Result<tree::VesselTree> parse_tree(std::string_view text, const std::string& name,
                                                   const ReadOptions& options = {});
 
-// Asked before long work starts: is there a format for this extension, which can state `axes`, and
-// can a file be made there?
+// Checks before long work whether the extension has a format that can state `axes`, and whether the file can be
+// created.
 [[nodiscard]] Result<void> check_tree_output(const std::filesystem::path& file,
                                              const std::optional<Orientation>& axes = {});
 
-// What of the tree's data a file of this name has no place for, in a sentence; empty: nothing.
+// A sentence about the data of the tree that the format of `file` cannot hold. Empty: it can hold all.
 [[nodiscard]] std::string data_left_out(const tree::VesselTree& tree, const std::filesystem::path& file);
 
-// In the format of the extension. `comments` stand at the head of formats that can hold them. `axes` (none: as usual
-// for the format, RAS but for 3D Slicer's curves): fails where the format cannot state them, and where nobody has said
-// where the tree's axes lead.
+// Writes in the format of the extension, with `comments` at the head if the format can hold them. `axes`: none for the
+// default of the format, RAS except for 3D Slicer's curves. Fails if the format cannot state `axes`, and if they are
+// not RAS and the tree's own axes are unknown.
 [[nodiscard]] Result<void> write_tree(const tree::VesselTree& tree, const std::filesystem::path& file,
                                       const std::vector<std::string>& comments = {},
                                       const std::optional<Orientation>& axes = {});

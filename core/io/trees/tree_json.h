@@ -1,5 +1,5 @@
-// ramus's own tree file: JSON, versioned, lossless. What is written reads back as the very same VesselTree, branch ids
-// included; networks with loops and several components are kept.
+// Reads and writes ramus's own tree format: JSON, versioned, lossless. A written file reads back as an equal
+// VesselTree, with its branch ids, also for networks with loops and several components.
 //
 //   {"format": "ramus-tree", "version": 2, "units": "mm", "orientation": "RAS", "source": "liver.swc",
 //    "points": [[x, y, z, radius], ...],
@@ -13,19 +13,19 @@
 //    "roots": [0, ...],
 //    "notes": [{"kind": "repaired", "topic": "zero-radii", "text": "...", "at": [x, y, z]}, ...]}
 //
-// Reading trusts nothing: every type, index and number is checked, and the tree is built anew from the branches.
+// The reader checks every type, index and number, and builds the tree anew from the branches.
 #pragma once
 
 #include "core/io/trees/tree_file.h"
 
 namespace ramus::io {
 
-// Whether a file that begins like this says that it is one.
+// Whether a file that begins with `head` states this format.
 [[nodiscard]] bool is_tree_json(std::string_view head);
 
 [[nodiscard]] Result<ImportedTree> parse_tree_json(const TreeInput& input);
 
-// The format has no comments: what they say stands in the tree itself.
+// `comments` are ignored: the format has none, and the tree's own source and notes are written.
 [[nodiscard]] Result<void> write_tree_json(const tree::VesselTree& tree, const std::filesystem::path& file,
                                            const std::vector<std::string>& comments = {});
 

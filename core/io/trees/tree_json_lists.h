@@ -1,5 +1,5 @@
-// The lists of a ramus tree (tree_json.h) that are as long as the tree. They are taken as they are read, so that memory
-// holds their numbers and never a value of JSON for each. Internal to the reader.
+// Consumes the long lists of a ramus tree file (tree_json.h) while it is parsed, so memory holds their numbers and no
+// JSON value for each. Internal to the reader.
 #pragma once
 
 #include "core/base/error.h"
@@ -21,12 +21,12 @@ inline constexpr std::pair<tree::Note::Kind, const char*> kNoteKinds[] = {{tree:
                                                                           {tree::Note::Kind::kRepaired, "repaired"},
                                                                           {tree::Note::Kind::kSuspect, "suspect"}};
 
-// Unwinds to parse_tree_json(), where it becomes the Error that it carries; the checks are many and deep.
+// An exception, because the checks are many and deep. parse_tree_json() catches it and returns its Error.
 struct RefusedTreeJson {
     Error error;
 };
 
-// Values, or a refusal that names their place.
+// Gets typed values; throws RefusedTreeJson with the place of a value of another type.
 class TreeJsonValues {
 public:
     explicit TreeJsonValues(const std::string& name) : name_(name) {}
@@ -63,19 +63,19 @@ public:
 
     std::vector<tree::Point> points;
     std::vector<int> labels;
-    std::vector<std::uint32_t> roots, branch_systems;                   // kNoJsonIndex: no index
-    std::map<std::string, std::vector<double>> point_data, branch_data; // of each name up to kMostArrays + 1
+    std::vector<std::uint32_t> roots, branch_systems;                   // kNoJsonIndex: invalid index
+    std::map<std::string, std::vector<double>> point_data, branch_data; // at most kMostArrays + 1 names
     std::vector<tree::Note> notes, repairs;
-    std::optional<Error> wrong; // the first that is; nothing is taken after it
+    std::optional<Error> wrong; // the first error; nothing is read after it
 
     [[nodiscard]] std::size_t branches() const { return ends_.size(); }
-    // Indices of its points.
+    // The indices of the branch's points.
     [[nodiscard]] std::span<const std::uint32_t> branch(std::size_t number) const {
         const std::size_t first = number == 0 ? 0 : ends_[number - 1];
         return std::span(vertices_).subspan(first, ends_[number] - first);
     }
 
-    // For parsed_json(). Lists that are no part of a tree are dropped.
+    // The `lists` argument of parsed_json(). Unknown lists are dropped.
     [[nodiscard]] JsonElements taker_of(JsonPath list);
 
 private:
@@ -91,7 +91,7 @@ private:
     void take_note(const nlohmann::json& note);
 
     const TreeJsonValues& values_;
-    std::array<double, 4> coordinates_{}; // of the point that is read
+    std::array<double, 4> coordinates_{}; // of the current point
     std::size_t coordinate_ = 0;
     std::vector<std::uint32_t> vertices_;
     std::vector<std::size_t> ends_; // by branch

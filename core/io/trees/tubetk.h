@@ -1,7 +1,7 @@
-// TubeTK's .tre (MetaIO): a scene of tubes, each with a header of names and values and a table of points, as text or
-// binary. PointDim names the columns. A tube may name the tube that it leaves from (ParentID) and the point there
-// (ParentPoint). Positions are multiplied by ElementSpacing and the radius by its first number, as ITK does; axes are
-// those of ITK, left, posterior, superior. Arteries and veins are systems where a file has both.
+// Reads TubeTK's .tre files (MetaIO): a scene of tubes, each with header fields and a table of points, as text or
+// binary. PointDim names the columns. A tube may name its parent tube (ParentID) and the point where it leaves it
+// (ParentPoint). As in ITK, positions are multiplied by ElementSpacing and the radius by its first number, and the axes
+// are LPS. Arteries and veins become systems if a file has both.
 #pragma once
 
 #include "core/io/trees/tree_file.h"

@@ -1,6 +1,6 @@
-// Voreen's vessel graphs (.vvg), as JSON: nodes with a radius, and edges whose skeleton's voxels know their distance to
-// the vessel's surface. The mean distance is the radius; voxels that know none (Voreen says Infinity) take it from
-// their neighbours along the vessel.
+// Reads Voreen's vessel graphs (.vvg, JSON): nodes with a radius, and edges with skeleton voxels that have distances to
+// the vessel's surface. The mean distance is the radius. Voxels without one (Infinity) get it from their neighbours
+// along the vessel.
 #pragma once
 
 #include "core/io/trees/tree_file.h"

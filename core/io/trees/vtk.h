@@ -1,7 +1,6 @@
-// VTK's files of lines (core/io/vtk): PolyData (.vtp), unstructured grids (.vtu) and the legacy format (.vtk), as VMTK,
-// SimVascular, ParaView and Slicer write centerlines. Read in all their encodings: text, base64, raw, compressed by
-// zlib, either byte order, several pieces. Widths are an array of points or of cells; which one is decided in
-// vtk_tree.cpp.
+// Reads and writes trees as lines in VTK's files (core/io/vtk): PolyData (.vtp), unstructured grids (.vtu) and the
+// legacy format (.vtk), as VMTK, SimVascular, ParaView and Slicer write centerlines. Widths are an array of points or
+// of cells; vtk_tree.cpp decides which.
 #pragma once
 
 #include "core/io/trees/tree_file.h"
@@ -12,12 +11,12 @@ namespace ramus::io {
 [[nodiscard]] Result<ImportedTree> parse_vtk_xml(const TreeInput& input);
 [[nodiscard]] Result<ImportedTree> parse_vtk_legacy(const TreeInput& input);
 
-// One polyline a branch, from the root outward, which share the points at their nodes. Arrays as VMTK names them:
-// MaximumInscribedSphereRadius of points; of cells GroupIds (the branch), CenterlineIds (the way from a root to a leaf
-// that it belongs to; of several the first), TractIds (its place on that way) and Blanking (0: no branch is the inside
-// of a bifurcation). Beside them labels of points, systems with their names, the roots, the tree's own data, and the
-// axes, RAS or LPS, as Slicer looks for them. Data of one of VMTK's names stands there instead of what this program
-// computes. Numbers are binary in base64, as they are in memory, so that nothing is lost.
+// Writes PolyData with a polyline for each branch, from the root outward; polylines share the points at nodes. Arrays
+// have VMTK's names. Of points: MaximumInscribedSphereRadius. Of cells: GroupIds (branch id), CenterlineIds (the first
+// path from a root to a leaf through the branch), TractIds (position of the branch on that path), Blanking (always 0:
+// no branch is the inside of a bifurcation). In addition: labels of points, systems with their names, roots, the tree's
+// own data, and the axes, RAS or LPS, in the form that Slicer reads. Data of the tree with one of VMTK's names replaces
+// the computed array. Numbers are base64, in full precision.
 [[nodiscard]] Result<void> write_vtp(const tree::VesselTree& tree, const std::filesystem::path& file,
                                      const std::vector<std::string>& comments, const Orientation& axes);
 

@@ -1,5 +1,4 @@
-// What files call the width of a vessel, and what their words say about it: which of several names is the surest, and
-// whether it is that of a radius or of a diameter.
+// Finds the array of vessel widths in a file by its name, and whether the name means a radius or a diameter.
 #pragma once
 
 #include "core/io/trees/imported_tree.h"
@@ -14,11 +13,11 @@ namespace ramus::io {
 struct WidthName {
     std::string_view name;
     RadiusIs is = RadiusIs::kRadius;
-    bool open = false; // the name does not say which of both
+    bool open = false; // the name can mean both
 };
 
-// The surest first. VMTK: MaximumInscribedSphereRadius; its network extraction and Slicer's extension: Radius; Amira:
-// thickness.
+// The most reliable first. VMTK: MaximumInscribedSphereRadius; VMTK's network extraction and Slicer's extension:
+// Radius; Amira: thickness.
 inline constexpr WidthName kWidthNames[] = {
     {"maximuminscribedsphereradius", RadiusIs::kRadius, false},
     {"radius", RadiusIs::kRadius, false},
@@ -29,7 +28,7 @@ inline constexpr WidthName kWidthNames[] = {
     {"width", RadiusIs::kDiameter, true},
 };
 
-// What `name` says, in capitals or not; none: it does not speak of widths.
+// The meaning of `name`, case-insensitive. None: it is no name of a width.
 [[nodiscard]] std::optional<WidthName> width_by_word(std::string_view name);
 
 struct ChosenWidth {
@@ -38,8 +37,8 @@ struct ChosenWidth {
     bool open = false;
 };
 
-// The name that a person asked for as the column "radius", else the surest of them, of equal ones the first. None: no
-// name is that one, or speaks of widths.
+// The name that a person chose as the column "radius", else the most reliable one, the first of equals. None: the
+// chosen name is not there, or no name is that of a width.
 [[nodiscard]] std::optional<ChosenWidth> choose_width(const std::vector<std::string>& names,
                                                       const ReadOptions& options);
 

@@ -1,5 +1,5 @@
-// Files of XML, parsed by pugixml, with the lines where their elements stand. Entities that a file declares itself are
-// not replaced, so that none can grow; whoever goes through the elements does it without recursion.
+// Parses XML files with pugixml and finds the lines of elements for messages. Entities that a file declares are not
+// expanded, so they cannot grow. Callers must traverse the elements without recursion.
 #pragma once
 
 #include "core/base/error.h"
@@ -13,7 +13,8 @@ namespace ramus::io {
 
 class XmlInput {
 public:
-    // Fails with the line of what is not XML, and where check_xml() does. `text` and `name` must outlive this.
+    // Fails on invalid XML, with its line, and like check_xml() (core/io/xml_text.h). `text` and `name` must outlive
+    // this.
     [[nodiscard]] Result<void> parse(std::string_view text, const std::string& name);
 
     [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
@@ -26,7 +27,7 @@ private:
     LineIndex lines_;
 };
 
-// Whether the first element of the file is called so; what stands before it is of no account.
+// Whether the first element of the file is called `name`. Ignores text before it.
 [[nodiscard]] bool begins_with_element(std::string_view head, std::string_view name);
 
 } // namespace ramus::io

@@ -1,5 +1,5 @@
-// The compressed blocks of VTK's XML files: zlib, LZ4 and LZMA, as VTK and ParaView write them. What a block claims to
-// grow to is believed only as far as its bytes allow.
+// Decompresses the blocks of VTK's XML files: zlib, LZ4 and LZMA, as VTK and ParaView write them. can_grow_to() checks
+// a declared size before memory is allocated for it.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@ namespace ramus::io {
 
 enum class VtkCompressor : std::uint8_t { kNone, kZlib, kLz4, kLzma };
 
-// By the attribute "compressor"; empty: kNone. Nothing: it is not known.
+// The compressor named by the attribute "compressor"; kNone for an empty name. None: unknown.
 [[nodiscard]] std::optional<VtkCompressor> vtk_compressor(std::string_view name);
 
-// Whether a block of so many bytes can have been `size` bytes.
+// Whether a block of `packed` compressed bytes can decompress to `size` bytes.
 [[nodiscard]] bool can_grow_to(VtkCompressor compressor, std::uint64_t packed, std::uint64_t size);
 
-// The block as it was. Nothing: it is damaged, or has not exactly `size` bytes. Takes memory for these, and up to 100
-// MB in addition for LZMA. `size` is one that can_grow_to() accepts.
+// Decompresses a block. None: it is damaged, or does not have exactly `size` bytes. can_grow_to() must accept `size`.
+// Takes `size` bytes of memory, and for LZMA up to 100 MB in addition.
 [[nodiscard]] std::optional<std::string> unpacked_block(VtkCompressor compressor, std::string_view packed,
                                                         std::uint64_t size);
 

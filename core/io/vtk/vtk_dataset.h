@@ -1,7 +1,6 @@
-// What a VTK file holds, whichever of its formats it has: PolyData (.vtp), unstructured grids (.vtu) and the legacy
-// format (.vtk), in all their encodings: text, base64, raw, compressed by zlib, either byte order, several pieces.
-// Files of trees and of surfaces are read through it. It has points, lines, faces where they are wanted, and the arrays
-// that are of use.
+// Reads VTK files into a VtkDataset: points, lines, optionally faces, and arrays. Formats: PolyData (.vtp),
+// unstructured grids (.vtu) and the legacy format (.vtk), in all their encodings: text, base64, raw, compressed, either
+// byte order, several pieces. Trees (trees/vtk.h) and surfaces (meshes/vtk_surface.h) are read through it.
 #pragma once
 
 #include "core/base/error.h"
@@ -17,9 +16,9 @@
 
 namespace ramus::io {
 
-// Of field data: 3D Slicer's word about the axes, "LPS" or "RAS"; in legacy files it stands in the title, SPACE=LPS.
+// Field data: 3D Slicer's word for the axes, "LPS" or "RAS". In legacy files it is in the title: SPACE=LPS.
 inline constexpr std::string_view kVtkSpace = "SPACE";
-// Of field data: files that this program wrote have them.
+// Field data and arrays of files written by ramus.
 inline constexpr std::string_view kVtkMark = "RamusUnits"; // "mm", "RAS"; either may be "unknown"
 inline constexpr std::string_view kVtkRoots = "RamusRoots";
 inline constexpr std::string_view kVtkSystemNames = "SystemNames";
@@ -39,7 +38,7 @@ struct VtkArray {
     std::string name;
     VtkOf of = VtkOf::kPoints;
     std::size_t components = 1;
-    std::vector<double> values; // empty: not read, as nothing needs it
+    std::vector<double> values; // empty: not read, because nothing needs it
     std::vector<std::string> texts;
 };
 
@@ -52,17 +51,16 @@ struct VtkDataset {
     std::vector<glm::dvec3> points;
     std::vector<std::uint32_t> line_points;
     std::vector<VtkLine> lines;
-    std::vector<std::vector<std::uint32_t>>
-        faces; // where they are wanted: the corners of each, strips cut into triangles
+    std::vector<std::vector<std::uint32_t>> faces; // if wanted: the corners of each; strips are cut into triangles
     std::size_t cells = 0, vertex_cells = 0, surface_cells = 0, volume_cells = 0;
-    std::vector<std::string> left_out; // names of arrays that are no single numbers
-    std::vector<VtkArray> arrays;      // as many values as there are points or cells, times components
+    std::vector<std::string> left_out; // names of arrays that are not one number each
+    std::vector<VtkArray> arrays;      // with one value for each point or cell and component
 
-    [[nodiscard]] const VtkArray* find(VtkOf of, std::string_view name) const; // in capitals or not
-    [[nodiscard]] std::optional<Orientation> space() const;                    // what kVtkSpace says
+    [[nodiscard]] const VtkArray* find(VtkOf of, std::string_view name) const; // case-insensitive; null: none
+    [[nodiscard]] std::optional<Orientation> space() const;                    // stated by kVtkSpace
 
-    // A cell of an unstructured grid or a kind of cells of poly data. The corners of curved faces come before the
-    // points on their sides, of which kCurvedFace has as many.
+    // The kind of a cell. The corners of curved faces come before the points on their sides; kCurvedFace has as many
+    // side points as corners.
     enum class Cell : std::uint8_t {
         kLine,
         kQuadraticLine,
@@ -76,7 +74,8 @@ struct VtkDataset {
         kCurvedFace,
         kVolume
     };
-    // `keeps_faces`: else they are counted. The points of what is kept are checked.
+    // Adds a cell of points `corners`. `keeps_faces`: false to only count faces. Fails if a cell that is kept refers to
+    // a missing point.
     [[nodiscard]] Result<void> add_cell(Cell kind, const std::vector<std::int64_t>& corners, std::size_t first_point,
                                         bool keeps_faces, const std::string& where);
 
@@ -84,24 +83,24 @@ private:
     void add_face(Cell kind, const std::vector<std::uint32_t>& corners);
 };
 
-// The kind of an unstructured grid's cell, by VTK's number for it.
+// The kind of a cell of an unstructured grid, from VTK's cell type number.
 [[nodiscard]] VtkDataset::Cell vtk_cell(int type);
 
 struct VtkInput {
     std::string_view text;
     const std::string& name; // of the file, for messages
-    // Whether an array of this name may have a meaning of its own; others are data, which may be left out.
+    // Whether an array of this name may have a meaning. Other arrays are data, which may be left out.
     std::function<bool(std::string_view)> needs;
     bool faces = false;          // whether faces are wanted
-    std::size_t most_arrays = 0; // so many are read, of those that are but data
+    std::size_t most_arrays = 0; // no further data arrays are read when there are so many arrays
     [[nodiscard]] bool has_room(const VtkDataset& data) const { return data.arrays.size() < most_arrays; }
 };
 
-// Fail with place and remedy on files that are damaged, or hold other data than points and cells.
+// Fail with place and remedy on damaged files, and on datasets that are not points and cells.
 [[nodiscard]] Result<VtkDataset> read_vtk_xml(const VtkInput& input);
 [[nodiscard]] Result<VtkDataset> read_vtk_legacy(const VtkInput& input);
 
-// An element of field data: characters by their numbers, each text with a 0 behind it.
+// An XML element of field data with texts: the code of each character, and a 0 after each text.
 [[nodiscard]] std::string vtk_text_array(std::string_view name, const std::vector<std::string>& texts);
 
 } // namespace ramus::io

@@ -1,5 +1,5 @@
-// The numbers of VTK's XML files, however they are written: text, base64 in place, or appended to the end as base64 or
-// raw, compressed block by block or not. Sizes that a file claims are believed only as far as there are bytes for them.
+// Decodes the numbers of VTK's XML files in all encodings: text, inline base64, or appended as base64 or raw, with
+// compressed blocks or not. Declared sizes are checked against the available bytes before memory is allocated.
 #pragma once
 
 #include "core/base/error.h"
@@ -19,14 +19,15 @@ namespace ramus::io {
 
 class VtkXmlData {
 public:
-    // Cuts off what is appended behind the XML, and parses that. `text` must outlive this.
+    // Separates the appended data from the XML, and parses the XML. `text` must outlive this.
     [[nodiscard]] static Result<VtkXmlData> parse(std::string_view text, const std::string& name);
 
     [[nodiscard]] const pugi::xml_document& document() const { return *document_; }
-    // "liver.vtp:12", where an element stands.
+    // The place of an element in messages: "liver.vtp:12".
     [[nodiscard]] std::string place(const pugi::xml_node& node) const;
 
-    // The values of a DataArray. Fails before more than `most` of them are decompressed, and more than a megabyte.
+    // The values of a DataArray. If it is compressed, fails before more than `most` values, and more than 1 MiB, are
+    // decompressed. Otherwise the caller must check the number of values.
     static constexpr std::uint64_t kAnyNumber = std::uint64_t{1} << 58;
     [[nodiscard]] Result<std::vector<double>> numbers(const pugi::xml_node& array,
                                                       std::uint64_t most = kAnyNumber) const;
@@ -49,7 +50,7 @@ private:
     std::endian order_ = std::endian::little;
     NumberType header_ = NumberType::kUInt32;
     VtkCompressor compressor_ = VtkCompressor::kNone;
-    mutable std::uint64_t unpacked_ = 0; // bytes that compressed blocks claim to be, so far
+    mutable std::uint64_t unpacked_ = 0; // declared size of all compressed blocks so far, in bytes
 };
 
 } // namespace ramus::io
