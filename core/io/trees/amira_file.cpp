@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kAmiraBlanks = " \t\r\n,";
 constexpr std::string_view kAmiraSigns = "{}[]()@=";
-constexpr std::size_t kMostAmiraArrays = 1000; // each is looked for among all
+constexpr std::size_t kMostAmiraArrays = 1000; // because each lookup is linear
 constexpr const char* kAmiraIncomplete = "the file is incomplete or damaged; get it again";
 
 std::optional<NumberType> amira_type(std::string_view word) {
@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    // What else files of this format hold, by what they define.
+    // Other kinds of Amira files, by the words that they define.
     static constexpr std::pair<std::string_view, std::string_view> kAmiraKinds[] = {
         {"Lattice", "a lattice of voxels (labels or grey values)"},
         {"Tetrahedra", "a tetrahedral grid (HxTetraGrid)"},
@@ -73,7 +73,7 @@ private:
         return at == 0 || before == std::string_view::npos || text_[before] == '\n';
     }
 
-    // A word, a text in quotes with both of them, or a sign; empty at the end. Comments are passed over.
+    // The next word, quoted text (with its quotes) or sign; empty at the end. Skips comments.
     std::string_view next() {
         at_ = std::min(text_.find_first_not_of(kAmiraBlanks, at_), text_.size());
         if (at_ == text_.size()) return {};
@@ -121,7 +121,7 @@ private:
             file_.counts[what] = number;
             return {};
         }
-        if (!take("{")) return {}; // of a kind that no tree needs
+        if (!take("{")) return {}; // a kind of element that trees do not have
         if (word == "Parameters") return read_parameters();
         return read_declaration(std::string(word));
     }
@@ -182,7 +182,7 @@ private:
         return {};
     }
 
-    // How many bytes an array takes in a binary file; more than there are is as good as any other such number.
+    // The bytes of an array in a binary file, limited to avoid an overflow.
     Result<std::uint64_t> size_in_file(const AmiraArray& array) {
         if (!array.codec.empty()) return array.coded_size;
         const auto counted_things = file_.counts.find(array.of);
@@ -233,7 +233,8 @@ private:
     AmiraFile file_;
 };
 
-// Runs: a byte counts the repetitions of the next one, or, with its highest bit set, the bytes that follow as they are.
+// Run-length encoding: a byte is the number of repetitions of the next byte, or, with its highest bit set, the number
+// of literal bytes that follow.
 Result<std::string> amira_runs(std::string_view bytes, std::uint64_t size, const std::string& where) {
     std::string plain;
     for (std::size_t at = 0; at < bytes.size();) {
@@ -278,7 +279,7 @@ Result<std::vector<double>> amira_numbers(const AmiraFile& file, const AmiraArra
     const auto place = [&](std::size_t at) {
         return file.binary ? name : name + ":" + std::to_string(line_at(text, offset + at));
     };
-    // Each number takes a byte at least, or a share of one where it is compressed.
+    // Each number takes at least a byte, or if compressed a fraction of a byte.
     const std::uint64_t most = array.codec.empty() ? array.data.size() : inflation_limit(array.data.size());
     if (things > most / array.components) return wrong_count(array, "fewer", things, place(0));
     const std::uint64_t count = things * array.components;

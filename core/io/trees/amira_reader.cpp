@@ -23,7 +23,7 @@ struct AmiraData {
     std::vector<double> values;
 };
 
-// The numbers of the arrays that a tree needs, as the file declares them.
+// The values of the arrays that a tree needs.
 struct AmiraGraph {
     std::vector<double> vertices, corners, inner_counts, points; // three, two, one and three for each
     std::vector<double> widths;
@@ -106,7 +106,7 @@ private:
             std::move(vertices), std::move(corners), std::move(inner_counts), std::move(points), {}, nullptr, {}};
     }
 
-    // Of points first, then of edges and of vertices.
+    // Looks among the arrays of points first, then of edges, then of vertices.
     Result<void> choose_widths(const AmiraFile& file, AmiraGraph& graph) {
         std::vector<const AmiraArray*> arrays;
         std::vector<std::string> names;
@@ -132,7 +132,7 @@ private:
         return {};
     }
 
-    // All arrays that nothing else is made of. Those of points and of vertices with the same name are one.
+    // All arrays without another meaning. Arrays of points and of vertices with the same name become one.
     Result<void> read_data(const AmiraFile& file, AmiraGraph& graph) {
         constexpr std::string_view kRead[] = {"VertexCoordinates", "EdgeConnectivity", "NumEdgePoints",
                                               "EdgePointCoordinates"};
@@ -170,7 +170,7 @@ private:
         return {values[3 * index], values[3 * index + 1], values[3 * index + 2]};
     }
 
-    // One radius for each edge, which all its points repeat?
+    // Whether all points of each edge have the same radius.
     static bool constant_along_edges(const AmiraGraph& graph) {
         std::size_t first = 0;
         for (const double count : graph.inner_counts) {
@@ -191,7 +191,7 @@ private:
             take_data(graph, "VERTEX", v, v);
             least = glm::min(least, points.back().position), most = glm::max(most, points.back().position);
         }
-        // As near as the numbers of text files are exact.
+        // The precision of numbers in text files.
         near_ = vertices_ > 0 ? 1e-6 * glm::length(most - least) : 0.0;
         by_edge_ = graph.width_array->of == "EDGE" || (graph.width_array->of == "POINT" && constant_along_edges(graph));
         std::size_t first = 0;
@@ -251,7 +251,7 @@ private:
         connect(to);
     }
 
-    // The point at this end of an edge is that of the vertex, which gets the largest width of all edges: a joint lies
+    // The point at this end of an edge is the vertex. It gets the largest width of its edges, because a joint lies
     // inside the widest vessel.
     void take_end(const AmiraGraph& graph, std::vector<std::size_t>& along, std::uint32_t vertex, std::size_t point) {
         tree::Point& joint = imported_.graph.points[vertex];

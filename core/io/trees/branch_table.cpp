@@ -22,7 +22,7 @@ std::size_t id_column(const std::vector<std::string>& names) {
     return 0;
 }
 
-// "1,5" between semicolons.
+// Whether the text is a number with a decimal comma: "1,5".
 bool has_decimal_comma(std::string_view cell) {
     const std::size_t comma = cell.find(',');
     if (comma == std::string_view::npos) return false;

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kNodeWords[] = {"vertices", "nodes", "vertex", "node", "points"};
 constexpr std::string_view kEdgeWords[] = {"edges", "edge", "segments", "links"};
 
-// `word` in the capitals that `like` has.
+// `word` with the capitalisation of `like`.
 std::string in_case_of(std::string_view like, std::string word) {
     const auto upper = [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; };
     const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
@@ -66,7 +66,7 @@ Result<CsvTable> other_table(const TreeInput& input, bool nodes) {
     return table;
 }
 
-// Gives `take` the cells of each row that `columns` name.
+// Calls `take` with the cells of each row that `columns` selects.
 template <class Row, class Columns, class Take>
 Result<void> for_each_row(std::string_view text, const std::string& name, const Columns& columns, const Take& take) {
     CsvRows rows(text, name);
@@ -120,7 +120,7 @@ std::vector<fs::path> partner_names(const fs::path& path, bool nodes) {
         replace(kEdgeWords, kNodeWords);
     std::vector<fs::path> paths;
     for (const std::string& one : stems) paths.push_back(path.parent_path() / (one + ending));
-    // The one may be compressed, the other not.
+    // One of the files may be compressed and the other not.
     const bool packed = lower.ends_with(".gz");
     for (const std::string& one : stems)
         paths.push_back(path.parent_path() / (one + (packed ? ending.substr(0, ending.size() - 3) : ending + ".gz")));

@@ -9,8 +9,8 @@ namespace ramus::io {
 
 namespace {
 
-// In quotes where it must. A name that spreadsheets would take for a formula has an apostrophe in front, which readers
-// remove (csv_rows.h).
+// Quoted if necessary. A name that spreadsheets would take for a formula gets an apostrophe in front, which CsvRows
+// removes.
 std::string csv_text(const std::string& text) {
     const bool formula = begins_formula(text);
     if (!formula && text.find_first_of(",;\t\"\r\n") == std::string::npos && text == trimmed(text)) return text;
@@ -19,7 +19,7 @@ std::string csv_text(const std::string& text) {
     return quoted + "\"";
 }
 
-// Numbers of a row, each behind a separator.
+// Writes numbers, each after a separator.
 void write_cells(OutputFile& output, std::initializer_list<double> values) {
     for (const double value : values) {
         output.write(";");
@@ -27,7 +27,7 @@ void write_cells(OutputFile& output, std::initializer_list<double> values) {
     }
 }
 
-// Names of a row, and its values, each behind a separator. What is not known stays empty.
+// Write names, and values, each after a separator. An unknown value is an empty cell.
 void write_names(OutputFile& output, const tree::DataArrays& arrays) {
     for (const tree::DataArray& array : arrays) output.write(";" + csv_text(name_in_file(array.name, kTakenByNodes)));
 }

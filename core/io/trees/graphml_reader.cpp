@@ -9,7 +9,7 @@ namespace ramus::io {
 
 namespace {
 
-// What a key declares.
+// The declaration of a key.
 struct GraphmlKey {
     std::string id, name;
     std::string_view fallback; // the value where an element has none
@@ -32,7 +32,7 @@ std::vector<std::string> names_of(const std::vector<GraphmlKey>& keys) {
     return names;
 }
 
-// Puts the data of an element into the cells that they are for, however many more an element has.
+// Puts the data of an element into their cells; ignores other data.
 template <class Row> class GraphmlRows {
 public:
     template <class Columns> GraphmlRows(const std::vector<GraphmlKey>& keys, const Columns& columns) {
@@ -81,7 +81,7 @@ Result<void> add_graphml_nodes(const XmlInput& xml, const pugi::xml_node& of, co
     const std::vector<GraphmlKey> keys = keys_of(xml.root(), "node");
     NodeColumns columns = node_columns(names_of(keys), input.options);
     std::size_t& id = columns.at[static_cast<std::size_t>(NodeCell::kId)];
-    id = keys.size(); // no datum: it is an attribute
+    id = keys.size(); // the id is an attribute and no datum
     if (auto good = graph.begin_nodes(columns, input.name); !good) return good;
     const GraphmlRows<NodeRow> rows(keys, columns);
     for (const pugi::xml_node& node : of.children("node")) {

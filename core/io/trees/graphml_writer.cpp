@@ -9,7 +9,7 @@ namespace ramus::io {
 
 namespace {
 
-// As the text of an element or an attribute; what no XML may hold becomes a blank.
+// Escapes text for an element or an attribute. Characters that XML forbids become blanks.
 std::string xml_text(std::string_view text) {
     std::string safe;
     for (const char c : text) {
@@ -101,7 +101,7 @@ private:
     static std::string data_name(const tree::DataArray& array) {
         return xml_text(name_in_file(array.name, kTakenByNodes));
     }
-    // What is not known has no element.
+    // An unknown value has no element.
     void data(std::string_view prefix, const tree::DataArrays& arrays, std::size_t of) {
         for (const tree::DataArray& array : arrays)
             if (tree::is_known(array.values[of])) number(prefix, data_name(array), array.values[of]);

@@ -28,7 +28,7 @@ std::string_view gxl_end(const pugi::xml_node& edge, const char* name) {
     return attribute ? attribute.value() : edge.child_value(name);
 }
 
-// The attributes of edges that are no radius, as columns of data.
+// The attributes of edges other than the radius, as columns of data.
 std::vector<std::string> gxl_data_names(const pugi::xml_node& file, std::string_view radius) {
     std::vector<std::string> names;
     for (const pugi::xml_node& edge : file.children("edge"))

@@ -31,7 +31,8 @@ Result<std::vector<Section>> sections_of(const Hdf5Table& structure, std::size_t
     return sections;
 }
 
-// From the last point of the parent to the first of the child; where both are at the same place, they are joined later.
+// Connects the last point of the parent with the first of the child. If both have the same position, tree_of() joins
+// them.
 Result<void> connect_sections(double parent, double child, const std::vector<Section>& sections,
                               const std::string& where, tree::Graph& graph) {
     for (const double section : {parent, child})

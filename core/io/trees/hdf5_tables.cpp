@@ -32,8 +32,8 @@ private:
     herr_t (*close_)(hid_t);
 };
 
-// Whether the values lie in the file itself, and only filters touch them that cannot make much of little. `plain`: none
-// does.
+// Whether the values are in the file itself, and use only filters whose expansion is limited. `plain`: set to whether
+// none of the filters compresses.
 bool is_stored_plainly(hid_t dataset, bool& plain) {
     const Hdf5Handle properties(H5Dget_create_plist(dataset), H5Pclose);
     if (!properties.good() || H5Pget_external_count(properties.id()) != 0) return false;
@@ -90,7 +90,7 @@ Result<Hdf5Table> read_hdf5_table(hid_t file, const std::string& name, std::uint
 
 Result<std::vector<Hdf5Table>> read_all_tables(std::string_view bytes, const std::vector<std::string>& names) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    H5PLset_loading_state(0); // no code from elsewhere
+    H5PLset_loading_state(0); // loads no plugins
     const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     // The library copies the bytes; it does not write to them.
     if (H5Pset_fapl_core(access.id(), std::size_t{1} << 16, 0) < 0 ||
@@ -106,15 +106,15 @@ Result<std::vector<Hdf5Table>> read_all_tables(std::string_view bytes, const std
     return tables;
 }
 
-// What one process tells the other: a letter, then a message in two lines, or for each table its rows, its columns and
-// its numbers, as they lie in memory.
+// The answer of the process: a letter, then a message of two lines, or for each table its number of rows, of columns
+// and its values, binary.
 constexpr char kHdf5Error = 'E', kHdf5Tables = 'T';
 
 void append_bytes(std::string& bytes, const void* data, std::size_t size) {
     bytes.append(static_cast<const char*>(data), size);
 }
 
-// `input`: the tables' names, a line each, an empty line, and the file's bytes.
+// `input`: the names of the tables, one a line, an empty line, and the bytes of the file.
 std::string answer_with_tables(std::string_view input) {
     std::vector<std::string> names;
     while (true) {

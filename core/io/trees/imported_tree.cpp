@@ -34,7 +34,7 @@ Result<void> check_lengths(const ImportedTree& imported) {
     return {};
 }
 
-// Thickest vessel and longest side of the box around all points, in the file's numbers.
+// The largest radius, and the longest side of the bounding box of all points, in the units of the graph.
 std::pair<double, double> sizes_of(const tree::Graph& graph) {
     double radius = 0.0;
     glm::dvec3 least(HUGE_VAL), most(-HUGE_VAL);
@@ -46,16 +46,16 @@ std::pair<double, double> sizes_of(const tree::Graph& graph) {
     return {radius, std::max({side.x, side.y, side.z, 0.0})};
 }
 
-// No vessel of any animal is wider than the one, no tree reaches farther than the other; no vessel that carries cells
-// of blood is thinner than the third, and nothing so short as the fourth was traced. No whole tree of an adult's large
-// vessels is so small as the rest say: thresholds of a suspicion, not of a decision.
+// Thresholds in mm of suspicions about the unit, not of decisions. No vessel of any animal is wider than the first and
+// no tree longer than the second. No vessel that carries blood cells is thinner than the third, and no traced tree is
+// shorter than the fourth. The others: no whole tree of an adult's large vessels is that small.
 constexpr double kWidestRadius = 25.0, kFarthest = 1000.0, kThinnestRadius = 0.001, kShortest = 0.02;
 constexpr double kNarrowestRadius = 0.6, kNearest = 100.0, kRadiusInMetres = 0.02, kNearestInMetres = 1.5;
-// The same where something speaks for cm: those of an adult's aorta and its branches in cm.
+// The same if there is evidence for cm: an adult's aorta and its branches in cm.
 constexpr double kNarrowestHinted = 2.5, kNearestHinted = 60.0;
 constexpr std::size_t kManyPoints = 100; // fewer may all have whole coordinates by hand
 
-// A file that keeps notes may have it already.
+// A file that stores notes may have the note already.
 void add_once(ImportedTree& imported, Note note) {
     if (std::ranges::find(imported.notes, note) == imported.notes.end()) imported.notes.push_back(std::move(note));
 }
@@ -64,7 +64,7 @@ void suspect(ImportedTree& imported, std::string text) {
     add_once(imported, {Note::Kind::kSuspect, "units", std::move(text), {}});
 }
 
-// What a file keeps of an assumption that somebody has answered since.
+// Removes stored notes about an assumption that a person has settled since.
 void forget(ImportedTree& imported, std::string_view topic) {
     std::erase_if(imported.notes,
                   [&](const Note& note) { return note.topic == topic && note.kind != Note::Kind::kRepaired; });
@@ -75,7 +75,7 @@ std::string sizes_text(double radius, double side) {
            " mm wide";
 }
 
-// Of a unit that was assumed.
+// Checks the size of a tree whose unit was assumed.
 void suspect_unit(ImportedTree& imported) {
     const auto [radius, side] = sizes_of(imported.graph);
     const std::string spans = "if a unit is 1 mm, " + sizes_text(radius, side);
@@ -93,7 +93,7 @@ void suspect_unit(ImportedTree& imported) {
                           "voxel in mm, as 0.62 or 0.3x0.3x0.6");
 }
 
-// Of one that the file states, or that was asked for: the tree is in mm by now. A file that keeps notes has said it.
+// Checks the size of a tree, in mm, whose unit the file or a person states. Skipped if the file stores such a note.
 void suspect_sizes(ImportedTree& imported, const LengthUnit& unit) {
     for (const Note& note : imported.notes)
         if (note.kind == Note::Kind::kSuspect && note.topic == "units") return;
@@ -109,7 +109,7 @@ double radius_factor(const LengthUnit& unit) {
     return mm.x == mm.y && mm.y == mm.z ? mm.x : std::cbrt(mm.x * mm.y * mm.z);
 }
 
-// -1 and NaN are what programs write for a radius that was not measured.
+// Programs write -1 or NaN for a radius that was not measured.
 void mark_unmeasured(ImportedTree& imported) {
     const auto mark = [](double& radius) {
         if (radius == -1.0 || std::isnan(radius)) radius = tree::kNotMeasured;
@@ -118,7 +118,7 @@ void mark_unmeasured(ImportedTree& imported) {
     for (double& radius : imported.edge_radii) mark(radius);
 }
 
-// In the file's numbers. Radii that the file has stay.
+// Sets missing radii, in the file's unit. Radii of the file stay.
 void apply_radius(ImportedTree& imported, const ReadOptions& options) {
     if (!options.radius_mm) return;
     const std::string mm = short_number(*options.radius_mm) + " mm";
@@ -219,8 +219,7 @@ void apply_radius_meaning(ImportedTree& imported, const ReadOptions& options) {
     for (double& radius : imported.edge_radii) radius *= 0.5;
 }
 
-// Of several vessels that run straight between the same two points, all but the first get a point in their middle, by
-// which they stay what they are.
+// Parallel edges between the same two points would become one. So all but the first get a point in their middle.
 void keep_parallel_vessels(ImportedTree& imported) {
     tree::Graph& graph = imported.graph;
     if (!imported.edges_are_vessels) return;
@@ -235,7 +234,7 @@ void keep_parallel_vessels(ImportedTree& imported) {
     std::ranges::stable_sort(order, [&](std::size_t x, std::size_t y) { return key(x) < key(y); });
     std::vector<bool> again(count, false);
     for (std::size_t n = 1; n < count; ++n) again[order[n]] = key(order[n]) == key(order[n - 1]);
-    std::vector<std::uint32_t> beside; // by new point: one that was there
+    std::vector<std::uint32_t> beside; // by new point: an old neighbour, for messages
     for (std::size_t e = 0; e < count; ++e) {
         const auto [a, b] = graph.edges[e];
         if (a == b || !again[e]) continue;
@@ -255,8 +254,8 @@ void keep_parallel_vessels(ImportedTree& imported) {
     };
 }
 
-// The radius of an edge is that of the point where flow along it ends, so that each stands at one point at least: the
-// edges of a spanning tree from the roots (or each component's thickest end) are followed.
+// Moves the radius of each edge to the point at its downstream end, along a spanning tree from the roots (or from each
+// component's thickest end).
 Result<void> move_radii_to_points(ImportedTree& imported) {
     tree::Graph& graph = imported.graph;
     if (imported.edge_radii.empty()) return {};
@@ -304,7 +303,7 @@ std::string counted_points(std::size_t count) { return std::to_string(count) + (
 
 Result<void> join(ImportedTree& imported, tree::Repair repair) {
     tree::Graph& graph = imported.graph;
-    bool repeats_points = false; // trunks that repeat each other point by point are one after this
+    bool repeats_points = false; // trunks with equal points were merged by join_coincident()
     if (imported.joining != Joining::kByIndex) {
         tree::Joined joined = tree::join_coincident(graph, imported.joining == Joining::kAtCoincidingEnds);
         imported.place_of = [place = std::move(imported.place_of), first = std::move(joined.first)](std::uint32_t p) {
@@ -350,10 +349,10 @@ Result<tree::VesselTree> tree_of(ImportedTree imported, const ReadOptions& optio
         imported.pieces_are_meant ? tree::without(options.repair, tree::Repair::kOpenEnds) : options.repair;
     auto tree = tree::build_tree(std::move(imported.graph), repair, imported.place_of);
     if (!tree) return tree;
-    for (tree::DataArrays* arrays : {&tree->point_data, &tree->branch_data}) // of points and edges that were left out
+    for (tree::DataArrays* arrays : {&tree->point_data, &tree->branch_data}) // their points and edges were left out
         std::erase_if(*arrays, [](const tree::DataArray& array) { return range_of(array).known == 0; });
     if (tree->source.empty()) tree->source = std::move(imported.source);
-    // What is known already, from a file that keeps notes, is not told twice.
+    // A file that stores notes may have some of the new ones already.
     std::set<std::string> known;
     for (const Note& note : imported.notes) known.insert(note.text);
     for (std::vector<Note>* notes : {&imported.notes, &tree->notes})

@@ -22,7 +22,7 @@ Note threshold_note(double isovalue) {
             {}};
 }
 
-// What is told of the file, and of what becomes of its labels.
+// The notes about the file and about the use of its labels.
 std::vector<Note> notes_on(const volume::Volume& mask, const MaskReading& reading, std::size_t systems) {
     std::vector<Note> notes;
     for (const std::string& note : mask.notes) notes.push_back({Note::Kind::kAssumed, "mask", note, {}});
@@ -38,7 +38,7 @@ std::vector<Note> notes_on(const volume::Volume& mask, const MaskReading& readin
     return notes;
 }
 
-// What the reading says of labels, or a threshold.
+// The systems that the options select, by labels or by a threshold.
 Result<std::vector<volume::SystemMask>> systems_in(const volume::Volume& mask, const MaskReading& reading) {
     if (reading.isovalue && reading.labels && !reading.labels->empty())
         return fail("labels and a threshold are asked for at once", {}, "leave out one of them");

@@ -12,14 +12,14 @@ namespace {
 
 using nlohmann::json;
 
-// The code of a unit: "mm", or its first word where it is coded: ["mm", "UCUM", "millimeter"].
+// The code of a unit: a text, or the first element of a list such as ["mm", "UCUM", "millimeter"].
 std::string mrk_unit(const json& object, const char* key) {
     const json* list = json_list(object, key);
     if (list != nullptr && !list->empty() && list->front().is_string()) return list->front().get<std::string>();
     return json_text(object, key);
 }
 
-// Whether these keys lead to the list; "" is any element of a list.
+// Whether the path of a list consists of these keys; "" is any element of a list.
 bool leads(JsonPath list, std::initializer_list<std::string_view> keys) {
     return std::equal(list.begin(), list.end(), keys.begin(), keys.end());
 }
@@ -100,7 +100,7 @@ JsonElements MarkupsLists::taker_of(JsonPath list) {
         values_.clear();
         return [this](const json& value) { values_.push_back(json_real(&value).value_or(tree::kUnknownValue)); };
     }
-    return [](json& /*value*/) {}; // how curves look in 3D Slicer
+    return [](json& /*value*/) {}; // display properties in 3D Slicer
 }
 
 } // namespace ramus::io

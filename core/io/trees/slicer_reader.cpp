@@ -130,7 +130,7 @@ private:
         return fail("its coordinateSystem is " + shown(text), place_, "LPS and RAS are read");
     }
 
-    // One for each control point; 0: not known.
+    // A radius for each control point; 0: unknown.
     Result<std::vector<double>> radii_of(const MarkupsCurve& curve) {
         const auto found = std::ranges::find(curve.measurements, measurement_, &MarkupsMeasurement::name);
         if (measurement_.empty() || found == curve.measurements.end()) {
@@ -148,7 +148,7 @@ private:
         return radii;
     }
 
-    // Other measurements of a curve whose points all have a place, as data of points.
+    // Takes other measurements as data of points, if all points of the curve have a position.
     void read_data(const MarkupsCurve& curve, std::size_t first) {
         const std::size_t count = curve.points.size();
         if (imported_.graph.points.size() != first + count) return;
@@ -159,7 +159,7 @@ private:
         }
     }
 
-    // What this program wrote beside the curves; false, and nothing taken, where it does not fit them.
+    // Takes the member "ramus". False, without any change, if it does not fit the curves.
     bool take_own(const nlohmann::json& own) {
         const std::vector<std::int64_t>& stands = lists_.own.points; // by point that was read: the tree's
         const std::vector<std::size_t>& ends = lists_.own.ends;
@@ -179,7 +179,7 @@ private:
         for (std::uint32_t p = 0; p < stands.size(); ++p) {
             std::uint32_t& first = first_of[static_cast<std::size_t>(stands[p])];
             if (first != std::numeric_limits<std::uint32_t>::max() && read.points[first] != read.points[p])
-                return false; // it was moved
+                return false; // the point was moved
             first = std::min(first, p);
             graph.points[static_cast<std::size_t>(stands[p])] = read.points[p];
         }

@@ -31,12 +31,12 @@ public:
     }
 
 private:
-    // Names may hold bytes that are not UTF-8.
+    // Names may contain bytes that are not UTF-8.
     static std::string mrk_quoted(const std::string& text) {
         return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     }
 
-    // `[a, b]`: what `one` writes of each.
+    // Writes a list `[a, b]`; one(element) writes each element.
     template <class List> void mrk_list(const List& values, const auto& one) {
         output_.write("[");
         bool first = true;
@@ -125,8 +125,8 @@ private:
 
     const tree::VesselTree& tree_;
     OutputFile& output_;
-    // Slicer takes a file that says nothing for mm. It has no word for axes that lead nowhere known: numbers stand as
-    // they are then, and "ramus" says so.
+    // Slicer assumes mm if the file states no unit. It has no word for unknown axes: then positions are written
+    // unchanged, and the member "ramus" says so.
     bool unit_;
     Orientation axes_;
 };

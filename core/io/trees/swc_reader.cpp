@@ -26,7 +26,7 @@ struct Row {
 
 constexpr const char* kLayout = "a line is: id type x y z radius parent";
 
-// Where a line has each of the seven values.
+// The column of each of the seven values.
 enum SwcValue : std::size_t { kSwcId, kSwcType, kSwcX, kSwcY, kSwcZ, kSwcRadius, kSwcParent, kSwcValueCount };
 struct SwcColumns {
     std::array<std::size_t, kSwcValueCount> at{kSwcId, kSwcType, kSwcX, kSwcY, kSwcZ, kSwcRadius, kSwcParent};
@@ -36,7 +36,7 @@ struct SwcColumns {
     std::vector<std::size_t> data_at;
 };
 
-// What pandas, navis and CATMAID call the columns, in small letters.
+// Lower-case names of columns in files of pandas, navis and CATMAID.
 constexpr std::pair<std::string_view, SwcValue> kSwcColumnNames[] = {{"id", kSwcId},
                                                                      {"n", kSwcId},
                                                                      {"node_id", kSwcId},
@@ -56,7 +56,7 @@ constexpr std::pair<std::string_view, SwcValue> kSwcColumnNames[] = {{"id", kSwc
                                                                      {"parent_id", kSwcParent},
                                                                      {"parent_node_id", kSwcParent}};
 
-// None: these are not the names of all that a point needs. A file that names no radius has none, and each is 0.
+// The columns by these names. None: a necessary column is missing. Without a column for it, every radius is 0.
 std::optional<SwcColumns> swc_columns_named(const std::vector<std::string_view>& fields) {
     constexpr std::size_t kMissing = 0xFFFFFFFFU;
     SwcColumns columns{{}, fields.size(), true, {}, {}};
@@ -81,13 +81,13 @@ std::optional<SwcColumns> swc_columns_named(const std::vector<std::string_view>&
 
 bool looks_binary(std::string_view text) { return text.substr(0, 4096).find('\0') != std::string_view::npos; }
 
-// The lines that hold something besides a comment.
+// Iterates over the lines that are more than a comment.
 class SwcLines {
 public:
     explicit SwcLines(std::string_view text) : text_(text) {
         if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
     }
-    // The next one, in words; false: there is none.
+    // Splits the next such line into words. False: end of the text.
     bool next() {
         for (fields.clear(); fields.empty() && at_ < text_.size();) {
             std::size_t end = text_.find_first_of("\r\n", at_); // a lone CR ends a line too: old Macintosh files
@@ -111,7 +111,7 @@ private:
     std::size_t at_ = 0;
 };
 
-// Ids of 18 digits are beyond what a double tells apart.
+// Parsed as integers, because doubles cannot distinguish ids of 18 digits.
 std::optional<std::int64_t> to_id(std::string_view field) {
     const auto exact = parsed<std::int64_t>(field);
     return exact ? exact : to_whole(field);
@@ -121,7 +121,7 @@ Result<Row> row_of(const SwcLines& line, const SwcColumns& columns, const std::s
     const std::vector<std::string_view>& fields = line.fields;
     const std::string expected = "expected " + std::to_string(columns.count) + " columns, found ";
     if (fields.size() < columns.count) return fail(expected + std::to_string(fields.size()), where, kLayout);
-    // Some programs add columns of their own, but a comma in one too many is more likely half a number.
+    // Some programs add columns of their own, but a comma in an extra column is more likely a decimal comma.
     if (fields.size() > columns.count && line.content.find(',') != std::string_view::npos)
         return fail(expected + std::to_string(fields.size()) + " columns between commas", where,
                     std::string(kLayout) + "; numbers take a decimal point");
@@ -142,7 +142,7 @@ Result<Row> row_of(const SwcLines& line, const SwcColumns& columns, const std::s
         const auto number = to_real(field(value));
         const std::string named = std::string("the ") + name + " " + shown(field(value));
         if (!number) return fail(named + " is not a number", where, kLayout);
-        const bool is_radius = value == kSwcRadius; // one that was not measured may be NaN
+        const bool is_radius = value == kSwcRadius; // NaN means: not measured
         if (!std::isfinite(*number) && !(is_radius && std::isnan(*number)))
             return fail(named + " is not finite", where,
                         is_radius ? "write a positive radius" : "correct or remove the point");
@@ -151,7 +151,7 @@ Result<Row> row_of(const SwcLines& line, const SwcColumns& columns, const std::s
     return row;
 }
 
-// The usual columns, and further ones of the first point under the names that the comment above it gives them.
+// The usual columns, and further columns of the first point, with the names in the comment above it.
 SwcColumns usual_columns(const SwcLines& lines) {
     SwcColumns usual;
     std::vector<std::string_view> words;
@@ -166,8 +166,8 @@ SwcColumns usual_columns(const SwcLines& lines) {
     return usual;
 }
 
-// The columns that the first line names, which is taken then, or the usual ones. pandas may write the number of the
-// row in front, without a name.
+// The columns that the first line names, which is then consumed, or the usual columns. pandas may write an unnamed
+// column of row numbers first.
 SwcColumns take_columns(SwcLines& lines) {
     auto columns = swc_columns_named(lines.fields);
     if (!columns) return usual_columns(lines);
@@ -178,7 +178,7 @@ SwcColumns take_columns(SwcLines& lines) {
     return *columns;
 }
 
-// What stands in further columns, for DataColumns: empty where a line has none.
+// The cells of further columns, for DataColumns; empty if a line has none.
 std::vector<std::string_view> data_of(const SwcLines& line, const SwcColumns& columns) {
     std::vector<std::string_view> cells;
     for (const std::size_t at : columns.data_at)
@@ -221,7 +221,7 @@ std::optional<std::uint32_t> find_cycle(const std::vector<std::uint32_t>& parent
     return std::nullopt;
 }
 
-// Points, labels, roots, and edges from every parent. `line_of(point)` says where a point stands.
+// Points, labels, roots, and an edge from every parent. `line_of(point)`: the line of a point.
 template <class LineOf>
 Result<tree::Graph> graph_of(const std::vector<Row>& rows, const LineOf& line_of, tree::Repair repair,
                              std::vector<tree::Note>& notes) {

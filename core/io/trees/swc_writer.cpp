@@ -34,8 +34,8 @@ std::vector<std::uint32_t> parents_of(const tree::VesselTree& tree) {
     return parents;
 }
 
-// Would a reader that takes points as they stand find the same branches under the same ids? It needs parents before
-// their children, and roots and the branches of a node in ascending order.
+// Whether the present order of points preserves branch ids when the file is read. It needs parents before their
+// children, and roots and the branches of a node in ascending order.
 bool order_keeps_ids(const tree::VesselTree& tree, const std::vector<std::uint32_t>& parents) {
     if (!std::ranges::is_sorted(tree.roots)) return false;
     for (std::uint32_t p = 0; p < parents.size(); ++p)

@@ -22,7 +22,7 @@ std::string tidy_name(std::string_view name) {
     constexpr std::size_t kNumber = 16;
     if (tidy.size() > kLongestName + kNumber) {
         std::size_t end = kLongestName;
-        while (end > 0 && (static_cast<unsigned char>(tidy[end]) & 0xC0U) == 0x80U) --end; // within a character
+        while (end > 0 && (static_cast<unsigned char>(tidy[end]) & 0xC0U) == 0x80U) --end; // not inside a character
         tidy = std::string(trimmed(std::string_view(tidy).substr(0, end)));
     }
     return tidy.empty() ? "unnamed" : tidy;
@@ -120,7 +120,7 @@ Result<void> settle_data(ImportedTree& imported) {
             for (int n = 2; !names.insert(array.name).second; ++n) array.name = name + "_" + std::to_string(n);
             kept.push_back(std::move(array));
         }
-        std::ranges::stable_sort(kept, {}, &tree::DataArray::name); // as JSON has them
+        std::ranges::stable_sort(kept, {}, &tree::DataArray::name); // the order of keys in JSON
         *arrays = std::move(kept);
     }
     if (too_many > 0)

@@ -42,13 +42,13 @@ tl::unexpected<Error> no_tree(const Recognised& found, const std::filesystem::pa
 Result<tree::VesselTree> parse(const TreeFormat& format, const TreeInput& input) {
     auto imported = format.parse(input);
     auto tree = imported ? tree_of(std::move(*imported), input.options) : tl::unexpected(std::move(imported).error());
-    if (!tree && tree.error().where.empty()) tree.error().where = input.name; // what is wrong with all of it
+    if (!tree && tree.error().where.empty()) tree.error().where = input.name; // an error of the whole file
     return tree;
 }
 
 Result<tree::VesselTree> read_any(const std::filesystem::path& path, const ReadOptions& options) {
     const std::string name = input_name(path);
-    // Before gigabytes are read for nothing.
+    // Checked before gigabytes are read for nothing.
     if (const Recognised begins = recognised(path); begins && begins.tree == nullptr) {
         std::error_code error;
         const bool is_folder = std::filesystem::is_directory(path, error);
@@ -57,7 +57,7 @@ Result<tree::VesselTree> read_any(const std::filesystem::path& path, const ReadO
     }
     if (std::error_code error; std::filesystem::is_directory(path, error))
         return fail("this folder holds no DICOM image, and other folders are not read", name, "name a file in it");
-    // What is wrong with the file itself comes before what is wrong with its name.
+    // An error of the file is more useful than an error of its name.
     RAMUS_TRY(text, read_file(path));
     if (text.empty()) return fail("the file is empty", name, "choose another file");
     if (is_gzip(text)) { // whatever the name says

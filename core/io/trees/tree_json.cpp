@@ -42,15 +42,14 @@ public:
         if (version > kVersion)
             refuse("version", "is " + version.dump() + ", and this ramus reads up to " + std::to_string(kVersion),
                    "use a newer ramus");
-        // Every version so far is in mm and RAS, or does not know; a file that says otherwise would be misread
-        // silently.
+        // All versions are in mm and RAS, or unknown. Another value would be misread silently.
         if (const std::string units = text("units"); units != "mm" && units != tree::kNotSaid)
             refuse("units", "are '" + units + "', not 'mm'", "convert the coordinates to mm");
         if (const std::string orientation = text("orientation"); orientation != "RAS" && orientation != tree::kNotSaid)
             refuse("orientation", "is '" + orientation + "', not 'RAS'", "convert the coordinates to RAS");
     }
 
-    // Once. What is wrong with a list comes behind the header: of a newer version it may be right.
+    // Called once. Errors of lists are reported after those of the header: in a newer version the lists may be valid.
     [[nodiscard]] tree::Graph graph() {
         if (lists_.wrong) throw RefusedTreeJson{*lists_.wrong};
         for (const char* key : {"points", "branches", "roots"}) check_list(key);
@@ -93,7 +92,7 @@ public:
         return voxel;
     }
 
-    // Once.
+    // Called once.
     [[nodiscard]] std::vector<tree::Note> notes() {
         const bool old = document_.contains("repairs");
         if (old || document_.contains("notes")) check_list(old ? "repairs" : "notes");
@@ -185,7 +184,7 @@ template <class List> void write_list(const List& values, BufferedFile& file) {
     file.write("]");
 }
 
-// A list with a line for each of `values`, which `write_one` writes.
+// Writes a list with a line for each of `values`; write_one(value) writes the line.
 template <class T, class Write>
 void write_lines(const std::vector<T>& values, BufferedFile& file, const Write& write_one) {
     file.write("[");
@@ -195,7 +194,7 @@ void write_lines(const std::vector<T>& values, BufferedFile& file, const Write& 
     }
 }
 
-// Quoted; names of files may hold bytes that are not UTF-8.
+// Quoted. Names of files may contain bytes that are not UTF-8.
 std::string quoted(const std::string& text) { return json(text).dump(-1, ' ', false, json::error_handler_t::replace); }
 
 void write_note(const tree::Note& note, BufferedFile& file) {

@@ -18,7 +18,7 @@ namespace ramus::io {
 namespace {
 
 constexpr std::array<std::string_view, 4> kRadiusNames = {"r", "rad", "radius", "s"};
-// Columns that are no data of the vessel: normals and tangents, which follow from the points, colours, numbers.
+// Columns that are not kept as data: normals and tangents (they follow from the points), colours, numbers.
 constexpr std::string_view kGeometryColumns[] = {"x",  "y",  "z",  "v1x", "v1y",   "v1z",  "v2x",   "v2y", "v2z",
                                                  "tx", "ty", "tz", "red", "green", "blue", "alpha", "id"};
 constexpr std::size_t kMostLookedAt = 2'000'000'000; // points, a few seconds
@@ -58,7 +58,7 @@ public:
     explicit TreReader(const TreeInput& input) : input_(input), words_(input.text, input.name) {}
 
     Result<ImportedTree> read() {
-        bool inside_unknown = false; // data of an object that is no tube
+        bool inside_unknown = false; // inside an object that is no tube
         Tube tube;
         tube.place = input_.name;
         while (words_.left() > 0) {
@@ -175,7 +175,7 @@ private:
         return {};
     }
 
-    // Where x, y, z and the radius stand in a row.
+    // The columns of x, y, z and the radius.
     [[nodiscard]] Result<std::array<std::size_t, 4>> columns_of(const Tube& tube) const {
         const std::string place = words_.place();
         std::array<std::size_t, 4> found{};
@@ -214,7 +214,7 @@ private:
         RAMUS_TRY(columns, columns_of(tube));
         const std::vector<std::size_t> arrays = data_columns(tube, columns[3]);
         tube.first_point = static_cast<std::uint32_t>(imported_.graph.points.size());
-        std::vector<double> row(tube.columns.size() + 1, 0.0); // one more, for what tubes lack
+        std::vector<double> row(tube.columns.size() + 1, 0.0); // one more, for missing columns
         std::string_view bytes;
         const std::size_t size = tube.columns.size() * size_of(tube.number);
         if (tube.binary) {
@@ -260,7 +260,7 @@ private:
         places_.push_back(tube.binary ? 0 : words_.line_number());
     }
 
-    // From each tube to the point of its parent that it leaves from.
+    // Connects each tube with the point of its parent that it leaves from.
     Result<void> connect() {
         tree::Graph& graph = imported_.graph;
         if (graph.points.size() >= std::numeric_limits<std::uint32_t>::max())
@@ -311,7 +311,7 @@ private:
         return nearest;
     }
 
-    // Only where there are both, and neither leaves from the other.
+    // Only if there are both, and neither is the parent of the other.
     void make_systems() {
         if (std::ranges::all_of(tubes_, [&](const Tube& tube) { return tube.artery == tubes_.front().artery; })) return;
         std::vector<int> systems;

@@ -127,7 +127,7 @@ private:
             return fail("the index " + std::to_string(*index) + " is there twice", place(),
                         "give each vertex an index of its own");
         imported_.graph.points.push_back({{values[0], values[1], values[2]}, values[3]});
-        std::size_t attribute = 4; // the format gives those beyond the radius no names
+        std::size_t attribute = 4; // the format has no names for values after the radius
         for (std::string_view more = words.next(); !more.empty(); more = words.next()) {
             const auto value = data_value(more);
             if (!value) return fail("the attribute " + shown(more) + " is not a number", place(), kVmvLayout);
@@ -157,7 +157,7 @@ private:
     const std::string& name_;
     WordScanner lines_;
     std::size_t line_ = 1;
-    bool own_ = false;  // this program wrote the file
+    bool own_ = false;  // ramus wrote the file
     std::string block_; // that is open: "VERT_LIST"
     std::int64_t rows_ = 0;
     std::map<std::string, std::int64_t> parameters_;

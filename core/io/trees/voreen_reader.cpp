@@ -16,8 +16,7 @@ namespace {
 
 constexpr const char* kVvgRemedy = "write the file anew with Voreen";
 
-// Voreen writes numbers that JSON does not have. What is not said otherwise is null: of the same length or not, on the
-// same line.
+// Voreen writes numbers that JSON does not have. They are replaced by null, on the same line.
 std::string vvg_without_infinity(std::string_view text) {
     constexpr std::string_view kNoNumbers[] = {"-Infinity", "Infinity", "-inf", "inf", "NaN", "-nan", "nan"};
     std::string plain;
@@ -43,8 +42,8 @@ std::string vvg_without_infinity(std::string_view text) {
     return plain;
 }
 
-// Objects are taken as they are read, so that memory holds their numbers and never a value of JSON for each voxel.
-// Nodes come first, edges in a second reading: a file may have them in either order.
+// Consumes objects while the file is parsed, so memory holds their numbers and no JSON value for each voxel. The file
+// is parsed twice, first for nodes and then for edges, because it may have them in either order.
 class VvgReader {
 public:
     explicit VvgReader(const TreeInput& input) : name_(input.name) {
@@ -89,7 +88,7 @@ private:
         return wrong_ ? Result<void>(tl::unexpected(*wrong_)) : Result<void>();
     }
 
-    // After the first error nothing is taken any more.
+    // Does nothing after the first error.
     template <class Read> JsonElements checked(const Read& read) {
         return [this, read](const nlohmann::json& value) {
             if (wrong_) return;
@@ -97,7 +96,7 @@ private:
         };
     }
 
-    // Of an object's lists only its position is needed; which voxels a node has takes most of a file.
+    // Keeps only the position of the lists of an object: the lists of voxels of nodes are most of a file.
     static bool is_position(JsonPath list) { return list.back() == "pos"; }
 
     JsonElements node_taker(JsonPath list) {
@@ -116,7 +115,7 @@ private:
         return list.front() == "edges" && is_position(list) ? JsonElements() : [](auto&) {};
     }
 
-    // A distance that is one; else 0.
+    // A valid distance, else 0.
     static double vvg_radius(const nlohmann::json* value) {
         const double radius = json_real(value).value_or(0.0);
         return std::isfinite(radius) && radius > 0.0 ? radius : 0.0;
@@ -141,7 +140,7 @@ private:
         return id->get<std::int64_t>();
     }
 
-    // What else an object says in numbers: data of points, or of edges.
+    // The other numbers of an object, as data of points or edges.
     void read_data(const nlohmann::json& object, SparseData& data, std::size_t first, std::size_t end) const {
         constexpr std::string_view kNoData[] = {"id", "pos", "radius", "length"}; // read, or follow from the points
         for (const auto& [key, value] : object.items()) {
@@ -191,8 +190,8 @@ private:
         return {};
     }
 
-    // Points that know no radius take it from their neighbours: a node the largest of the nearest ones along its
-    // edges, voxels what lies between the nearest ones on both sides.
+    // Fills in missing radii: a node gets the largest of the nearest ones along its edges, a voxel an interpolated one
+    // from the nearest ones on both sides.
     void complete_radii() {
         std::vector<tree::Point>& points = imported_.graph.points;
         const auto unknown = [](const tree::Point& point) { return point.radius <= 0.0; };

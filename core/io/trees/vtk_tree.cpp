@@ -12,11 +12,11 @@ namespace ramus::io {
 
 namespace {
 
-// Arrays of VMTK's centerlines, each of which runs from the inlet to one outlet.
+// Arrays of VMTK's centerlines; each centerline runs from the inlet to one outlet.
 constexpr std::string_view kCenterlineNames[] = {"MaximumInscribedSphereRadius", "CenterlineIds", "GroupIds",
                                                  "TractIds", "Blanking"};
 
-// Arrays that only SimVascular writes, whose models are in cm.
+// Arrays that only SimVascular writes; its models are in cm.
 constexpr std::string_view kSimVascularNames[] = {"BranchId",    "BifurcationId",         "CenterlineId",
                                                   "BranchIdTmp", "CenterlineSectionArea", "GlobalNodeId"};
 
@@ -29,7 +29,7 @@ struct WidthArray {
     WidthName name{};
 };
 
-// The array that a person named, else the surest; null: there is none.
+// The array of widths that a person chose, else the most reliable one. Null: none.
 Result<WidthArray> find_widths(const VtkDataset& data, const TreeInput& input) {
     if (const auto asked = input.options.columns.find("radius"); asked != input.options.columns.end()) {
         for (const VtkOf of : {VtkOf::kPoints, VtkOf::kCells})
@@ -73,7 +73,7 @@ bool has_any(const VtkDataset& data, std::span<const std::string_view> names) {
     });
 }
 
-// What arrays that one program alone writes say about the unit; empty: there are none.
+// Evidence about the unit from arrays that only one program writes. Empty: none.
 std::string hint_of_arrays(const VtkDataset& data) {
     std::vector<std::string_view> found;
     for (const std::string_view name : kSimVascularNames)
@@ -84,7 +84,7 @@ std::string hint_of_arrays(const VtkDataset& data) {
     return "its arrays (" + names + ") are those of SimVascular, whose models are in cm as a rule";
 }
 
-// Whether several lines begin where no other ends: lines that share their points begin at one root.
+// Whether several lines begin where no other line ends. Lines that share points begin at one root.
 bool begins_several_times(const tree::Graph& graph) {
     std::vector<bool> in(graph.points.size(), false), out(graph.points.size(), false);
     for (const auto& [a, b] : graph.edges) out[a] = true, in[b] = true;
@@ -105,7 +105,7 @@ void set_widths(const VtkDataset& data, const WidthArray& widths, ImportedTree& 
         for (std::size_t i = line.begin + 1; i < line.end; ++i) imported.edge_radii.push_back(values[line.cell]);
 }
 
-// Arrays that mean nothing else. Of a file that this program wrote, those that it says are the tree's own.
+// Arrays without another meaning. For files written by ramus: the arrays that the file lists as the tree's own.
 void keep_data(const VtkDataset& data, const VtkArray* widths, ImportedTree& imported) {
     const bool own = data.find(VtkOf::kWhole, kVtkMark) != nullptr;
     const VtkArray* listed = data.find(VtkOf::kWhole, kVtkData);
@@ -127,7 +127,7 @@ void keep_data(const VtkDataset& data, const VtkArray* widths, ImportedTree& imp
     if (!own) imported.left_out = data.left_out;
 }
 
-// What only files that this program wrote have.
+// Reads arrays that only files written by ramus have.
 Result<void> read_own_arrays(const VtkDataset& data, const std::string& name, ImportedTree& imported) {
     const VtkArray* marks = data.find(VtkOf::kWhole, kVtkMark);
     if (marks == nullptr) return {};
@@ -196,7 +196,7 @@ static Result<ImportedTree> tree_of_vtk(const VtkDataset& data, const TreeInput&
     return imported;
 }
 
-// What a tree needs of a file.
+// The arrays that a tree needs.
 static VtkInput vtk_input(const TreeInput& input) {
     const auto asked = input.options.columns.find("radius");
     const std::string column = asked == input.options.columns.end() ? std::string() : asked->second;

@@ -19,7 +19,7 @@ public:
         output_.write(std::endian::native == std::endian::big ? "BigEndian" : "LittleEndian");
         output_.write("\" header_type=\"UInt64\">\n");
         for (std::string comment : comments) {
-            // What ends a comment in XML, and what no text of XML may hold.
+            // The end mark of a comment, and characters that XML forbids.
             std::ranges::replace_if(
                 comment, [](char c) { return (c >= '\0' && c < ' ') || c == '\x7f'; }, ' ');
             for (std::size_t at = comment.find("--"); at != std::string::npos; at = comment.find("--"))
@@ -66,10 +66,10 @@ private:
     }
 
     OutputFile& output_;
-    bool whole_ = false; // arrays of the whole set say how long they are
+    bool whole_ = false; // field data, whose arrays state their lengths
 };
 
-// By branch: the first of the ways from a root to a leaf that run through it.
+// By branch: the first path from a root to a leaf through it.
 std::vector<std::int32_t> centerline_ids(const tree::VesselTree& tree) {
     std::vector<std::int32_t> ids(tree.branches.size(), 0);
     std::vector<std::uint32_t> order(tree.branches.size());
@@ -93,7 +93,7 @@ template <class Value> std::vector<std::int32_t> by_branch(const tree::VesselTre
     return values;
 }
 
-// What arrays of data may not be called, since it has a meaning; in small letters.
+// Lower-case names that arrays of data cannot have, because they have a meaning.
 constexpr std::string_view kVtkTaken[] = {"maximuminscribedsphereradius", "label", "systemid"};
 
 void write_data_arrays(VtpWriter& vtp, const tree::DataArrays& arrays) {
