@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/io/text_numbers.h"
 #include "core/io/volumes/byte_source.h"
-#include "core/io/volumes/voxel_numbers.h"
+#include "core/io/volumes/voxel_data.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -4,7 +4,7 @@
 #include "core/io/length_unit.h"
 #include "core/io/volumes/header_text.h"
 #include "core/io/volumes/value_files.h"
-#include "core/io/volumes/voxel_numbers.h"
+#include "core/io/volumes/voxel_data.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #include "core/base/memory.h"
 #include "core/io/text_numbers.h"
 #include "core/io/volumes/nifti_extensions.h"
-#include "core/io/volumes/voxel_numbers.h"
+#include "core/io/volumes/voxel_data.h"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 #include "core/io/volumes/nrrd_space.h"
 #include "core/io/volumes/slicer_segments.h"
 #include "core/io/volumes/value_files.h"
-#include "core/io/volumes/voxel_numbers.h"
+#include "core/io/volumes/voxel_data.h"
 
 #include <algorithm>
 #include <array>

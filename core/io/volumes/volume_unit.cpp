@@ -1,7 +1,7 @@
 #include "core/io/volumes/volume_unit.h"
 
 #include "core/io/text_numbers.h"
-#include "core/io/volumes/voxel_numbers.h"
+#include "core/io/volumes/voxel_data.h"
 
 #include <algorithm>
 

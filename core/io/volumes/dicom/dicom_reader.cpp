@@ -5,7 +5,7 @@
 #include "core/io/volumes/dicom/dicom_pixels.h"
 #include "core/io/volumes/dicom/dicom_segments.h"
 #include "core/io/volumes/dicom/dicom_stack.h"
-#include "core/io/volumes/voxel_numbers.h"
+#include "core/io/volumes/voxel_data.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +72,7 @@ Result<volume::Volume> read_series(const std::vector<DicomImage>& images, const 
         if (slice.frame == 0)
             if (auto fits = check_pixels(images[slice.image], memory); !fits) return tl::unexpected(fits.error());
     const glm::ivec3 size(first.columns, first.rows, static_cast<int>(stack.slices.size()));
-    if (auto fits = check_claim({size, 0.0, 0.0, memory}, name); !fits) return tl::unexpected(fits.error());
+    if (auto fits = check_declared_size({size, 0.0, 0.0, memory}, name); !fits) return tl::unexpected(fits.error());
     volume::VoxelStore store(size, memory, name);
     const JobRange range(job, kHeaders, 1.0F);
     if (auto read = PixelLoop(images, stack, range).run(store); !read) return tl::unexpected(read.error());

@@ -3,7 +3,7 @@
 #include "core/base/memory.h"
 #include "core/io/volumes/dicom/dicom_pixels.h"
 #include "core/io/volumes/dicom/dicom_stack.h"
-#include "core/io/volumes/voxel_numbers.h"
+#include "core/io/volumes/voxel_data.h"
 #include "core/volume/overlap_table.h"
 #include "core/volume/voxel_store.h"
 
@@ -39,7 +39,7 @@ public:
         if (auto placed = place_frames(); !placed) return tl::unexpected(placed.error());
         if (auto fits = check_pixels(image_, memory_bytes_); !fits) return tl::unexpected(fits.error());
         const glm::ivec3 size(image_.columns, image_.rows, slices_);
-        if (auto fits = check_claim({size, 0.0, 0.0, memory_bytes_}, image_.file.name); !fits)
+        if (auto fits = check_declared_size({size, 0.0, 0.0, memory_bytes_}, image_.file.name); !fits)
             return tl::unexpected(fits.error());
         auto sound = check_affine(to_patient_, size, "geometry (positions and orientation of its frames)",
                                   "export it again", image_.file.name);

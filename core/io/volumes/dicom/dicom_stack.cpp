@@ -1,6 +1,6 @@
 #include "core/io/volumes/dicom/dicom_stack.h"
 
-#include "core/io/volumes/voxel_numbers.h"
+#include "core/io/volumes/voxel_data.h"
 
 #include <algorithm>
 #include <array>

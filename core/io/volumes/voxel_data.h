@@ -40,11 +40,11 @@ struct VoxelLayout {
 
 // Whether voxels that take so many bytes in the file can come from those that are there, and may be kept in memory; in
 // numbers that do not overflow.
-struct VoxelClaim {
+struct DeclaredVoxels {
     glm::ivec3 size;
     double file_bytes, most_bytes, memory_bytes;
 };
-[[nodiscard]] Result<void> check_claim(const VoxelClaim& claim, const std::string& name);
+[[nodiscard]] Result<void> check_declared_size(const DeclaredVoxels& declared, const std::string& name);
 
 // The voxels of `layout`, `offset` bytes ahead of where the source is, with size, values and range. What they claim is
 // checked first.

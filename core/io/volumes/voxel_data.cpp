@@ -1,4 +1,4 @@
-#include "core/io/volumes/voxel_numbers.h"
+#include "core/io/volumes/voxel_data.h"
 
 #include "core/base/memory.h"
 #include "core/io/volumes/slicer_segments.h"
@@ -159,18 +159,18 @@ Result<glm::ivec3> checked_size(const std::vector<std::int64_t>& extents, const 
     return size;
 }
 
-Result<void> check_claim(const VoxelClaim& claim, const std::string& name) {
-    const glm::ivec3& size = claim.size;
+Result<void> check_declared_size(const DeclaredVoxels& declared, const std::string& name) {
+    const glm::ivec3& size = declared.size;
     const double voxels = count_of(size);
     const std::string words = "its header claims " + std::to_string(size.x) + " x " + std::to_string(size.y) + " x " +
                               std::to_string(size.z) + " voxels";
-    if (claim.file_bytes > claim.most_bytes)
+    if (declared.file_bytes > declared.most_bytes)
         return fail(words + ", more than the file can hold", name, "copy or write it again");
     // Whatever they are, what is inside takes a bit for each.
     const double bytes = voxels / 8.0;
-    if (bytes > claim.memory_bytes)
+    if (bytes > declared.memory_bytes)
         return fail(words + ", which take " + megabytes(bytes) + " of memory or more; " +
-                        megabytes(claim.memory_bytes) + " are left to them",
+                        megabytes(declared.memory_bytes) + " are left to them",
                     name, "crop it, or allow more with --memory");
     return {};
 }
@@ -178,7 +178,7 @@ Result<void> check_claim(const VoxelClaim& claim, const std::string& name) {
 Result<volume::Volume> read_voxels(ByteSource& source, std::uint64_t offset, const VoxelLayout& layout,
                                    double memory_bytes, Job& job) {
     const double needed = static_cast<double>(offset) + bytes_in_file(layout);
-    if (auto fits = check_claim({layout.size, needed, source.most_bytes(), memory_bytes}, source.name()); !fits)
+    if (auto fits = check_declared_size({layout.size, needed, source.most_bytes(), memory_bytes}, source.name()); !fits)
         return tl::unexpected(fits.error());
     volume::VoxelStore store(layout.size, memory_bytes, source.name());
     if (auto skipped = source.skip(offset); !skipped) return tl::unexpected(skipped.error());
