@@ -22,8 +22,7 @@ namespace ramus::io {
 
 namespace {
 
-// The library's way to files: there are none. What it reads it has in memory, and nothing that stands in there leads to
-// another file: no materials, no pictures.
+// Gives the library no access to files. It reads from memory and opens no materials or images.
 class NoFiles final : public Assimp::IOSystem {
 public:
     [[nodiscard]] bool Exists(const char* /*file*/) const override { return false; }
@@ -32,7 +31,7 @@ public:
     void Close(Assimp::IOStream* /*stream*/) override {}
 };
 
-// Only the readers of that one format: others would take a file that is not what its name says.
+// Only the reader of this format: another reader would accept a file of another format.
 bool keep_only(Assimp::Importer& importer, const std::string& extension) {
     bool found = false;
     for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
@@ -49,9 +48,9 @@ bool keep_only(Assimp::Importer& importer, const std::string& extension) {
     return found;
 }
 
-// What one process tells the other, as it lies in memory: how many positions there are, the positions, and for each
-// polygon how many corners it has and which. Nothing: the file is damaged.
-constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max(); // that a corner names
+// The answer of the process, binary: the number of positions, the positions, and for each polygon the number of its
+// corners and their indices. Empty: the file is damaged.
+constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max(); // an invalid corner
 
 template <class T> void append_numbers(std::string& bytes, const std::vector<T>& numbers) {
     bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T));
@@ -62,7 +61,7 @@ struct SoupNumbers {
     std::vector<std::uint32_t> polygons;
 };
 
-// `place`: from the mesh's own axes to those of the scene.
+// `place`: from the axes of the mesh to those of the scene.
 void add_part(const aiMesh& part, const aiMatrix4x4t<double>& place, SoupNumbers& numbers) {
     const auto first = static_cast<std::uint32_t>(numbers.positions.size() / 3);
     for (unsigned v = 0; v < part.mNumVertices; ++v) {
@@ -94,7 +93,7 @@ std::string soup_bytes(const aiScene& scene) {
     return bytes;
 }
 
-// Hears what the library says of triangles that it leaves out, and of which it says nothing to its caller.
+// Detects that the library leaves triangles out, which it reports only in its log.
 class LeftOut final : public Assimp::LogStream {
 public:
     explicit LeftOut(bool& any) : any_(any) {}
@@ -106,13 +105,13 @@ private:
     bool& any_;
 };
 
-// `input`: the format's extension, a line's end, and the file's text.
+// `input`: the format's extension, a line feed, and the bytes of the file.
 std::string read_with_assimp(std::string_view input) {
     const std::size_t line = input.find('\n');
     const std::string extension(input.substr(0, line));
     const std::string_view text = input.substr(line + 1);
     try {
-        bool left_out = false; // this process is the library's own, and so is its one logger
+        bool left_out = false; // the library has one logger for each process, and this process runs it once
         Assimp::DefaultLogger::create(nullptr, Assimp::Logger::NORMAL, 0);
         Assimp::DefaultLogger::get()->attachStream(new LeftOut(left_out), Assimp::Logger::Warn); // which owns it
         Assimp::Importer importer;
@@ -125,7 +124,7 @@ std::string read_with_assimp(std::string_view input) {
     }
 }
 
-// Takes a number of `T` off the front; none: there are too few bytes.
+// Removes a number of type T from the front. None: there are too few bytes.
 template <class T> std::optional<T> take_number(std::string_view& bytes) {
     if (bytes.size() < sizeof(T)) return std::nullopt;
     T number{};
@@ -134,7 +133,7 @@ template <class T> std::optional<T> take_number(std::string_view& bytes) {
     return number;
 }
 
-// None: these are no bytes of soup_bytes().
+// The inverse of soup_bytes(). None: the bytes are invalid.
 std::optional<PolygonSoup> soup_of(std::string_view bytes) {
     const auto count = take_number<std::uint64_t>(bytes);
     if (!count || *count > bytes.size() / sizeof(glm::dvec3)) return std::nullopt;
@@ -155,10 +154,10 @@ std::optional<PolygonSoup> soup_of(std::string_view bytes) {
 
 } // namespace
 
-// The library's steps after reading trust the numbers in the file: none of them is asked for. Reading itself crashes on
-// some damaged files, so it has a process of its own.
+// The library's post-processing trusts the numbers in the file, so none is used. Reading itself crashes on some damaged
+// files, so it runs in a separate process.
 Result<PolygonSoup> parse_with_assimp(std::string_view text, const std::string& extension, const std::string& name) {
-    constexpr std::uint64_t kMostGrowth = 64; // of a byte of text: objects of the library for every short line
+    constexpr std::uint64_t kMostGrowth = 64; // memory for each byte of text: the library keeps objects for short lines
     ProcessLimits limits;
     limits.memory += kMostGrowth * text.size();
     limits.answer += kMostGrowth * text.size();

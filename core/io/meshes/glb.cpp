@@ -81,7 +81,7 @@ public:
         json_["accessors"] = std::move(accessors_);
         json_["bufferViews"] = std::move(views_);
         json_["buffers"] = Json::array({Json::object({{"byteLength", bytes_}})});
-        // A name from a file may hold anything.
+        // A name from a file may contain any bytes.
         std::string text = json_.dump(-1, ' ', false, Json::error_handler_t::replace);
         text.resize((text.size() + 3) / 4 * 4, ' ');
         return text;
@@ -171,7 +171,7 @@ private:
     std::uint64_t bytes_ = 0;
 };
 
-// What is asked for may not be there: the surface of a mask has no branches, many trees have no systems.
+// The requested parts may be missing: the surface of a mask has no branches, many trees have no systems.
 PartsBy possible(const mesh::TriangleMesh& mesh, const MeshNames& names) {
     if (!names_all(names, mesh.branches)) return PartsBy::kNone;
     return names.by == PartsBy::kSystem && names.systems.empty() ? PartsBy::kNone : names.by;

@@ -1,8 +1,8 @@
-// GLB: glTF 2.0 in one binary file, for browsers and for Blender. Positions stay in mm and RAS (or LPS), to the bit;
-// the node above all others has the rotation and the scale that make metres of them, with +Y up and the patient's front
-// toward +Z, as glTF wants. Below it is one node for each system, for each branch (below its system, where there are
-// any), or for the whole; each with its name, a mesh of its own vertices, and the material of its colour. Vertices
-// where two parts meet are in both, so that what is shown together shows no seam.
+// Reads and writes GLB: glTF 2.0 in one binary file, for browsers and Blender. Written positions stay in mm and RAS (or
+// LPS), exactly; the top node has the rotation and scale to glTF's metres, with +Y up and the patient's front toward
+// +Z. Below it is a node for the whole mesh, for each system, or for each branch (below its system, if there are
+// systems). Each node has a name, a mesh with vertices of its own, and the material of its colour. Vertices between two
+// parts are in both, with equal positions and normals, so no seam is visible.
 #pragma once
 
 #include "core/base/error.h"
@@ -17,13 +17,13 @@ namespace ramus::io {
 
 [[nodiscard]] bool is_glb(std::string_view head);
 
-// The triangles of the scene, where its nodes place them, from metres with +Y up back to mm, RAS. Only what ramus wrote
-// states its axes: glTF has no word for the sides of a patient. Fails on what is damaged, and on triangles that are
-// compressed or in another file.
+// Reads the triangles of the scene with the transforms of its nodes, and converts metres with +Y up to mm, RAS. Only
+// files written by ramus state the axes: glTF has no word for the sides of a patient. Fails on damaged files, and on
+// triangles that are compressed or in another file.
 [[nodiscard]] Result<PolygonSoup> parse_glb(std::string_view text, const std::string& name);
 
-// POSITION, and where the mesh has them NORMAL and _RADIUS (mm); indices of 32 bits. Fails, before anything is written,
-// on more than the 4 GiB that such a file can have; `where` is what the error names. Little-endian.
+// Writes POSITION, and NORMAL and _RADIUS (mm) if the mesh has them; indices have 32 bits. Fails, before anything is
+// written, if the file would exceed the 4 GiB of the format. `where`: the place in the error.
 [[nodiscard]] Result<void> write_glb(const mesh::TriangleMesh& mesh, const MeshNames& names, const std::string& where,
                                      BufferedFile& file);
 

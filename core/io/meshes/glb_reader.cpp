@@ -17,7 +17,7 @@ std::string_view glb_description(std::string_view text) {
     return text.substr(kHeaders, number_at<std::uint32_t>(text.data() + 12, std::endian::little));
 }
 
-// What this program writes, it writes of a tree's axes, and its nodes lead from these to glTF's.
+// Files written by ramus state the tree's axes; the transform of their top node leads to glTF's axes.
 std::optional<Orientation> glb_orientation(std::string_view description) {
     if (description.find(R"("generator":"ramus)") == std::string_view::npos) return {};
     constexpr std::string_view kKey = R"("orientation":")";

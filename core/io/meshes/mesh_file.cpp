@@ -98,7 +98,7 @@ std::vector<MeshFormat> formats_of_triangles() {
     };
 }
 
-// Those that hold more than triangles.
+// Formats with names and colours.
 std::vector<MeshFormat> formats_of_scenes() {
     return {
         {{.name = "VTP surface",
@@ -166,7 +166,7 @@ bool is_mesh(const std::filesystem::path& path) {
     const Recognised found = recognised(path);
     if (found.mesh == nullptr || found.tree == nullptr) return found.mesh != nullptr;
     std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) return false; // a pipe can be read but once
+    if (!std::filesystem::is_regular_file(path, error)) return false; // a pipe can be read only once
     if (const auto by_counts = vtk_surface_by_counts(head_of(path))) return *by_counts;
     constexpr std::uintmax_t kMostTreeBytes = std::uintmax_t{4} << 30; // more than a mesh may have
     const auto text = uncompressed(path, kMostTreeBytes);

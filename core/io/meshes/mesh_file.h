@@ -1,11 +1,10 @@
-// Triangle meshes from and to files: the formats, one row each, and the functions that read and write them all. A new
-// format is a pair of files beside this and a row in mesh_file.cpp. Coordinates are mm, RAS, in memory, and in files
-// unless they say otherwise as 3D Slicer's do: SPACE=LPS. Arrays that a mesh lacks are left out of what is written; the
-// same mesh gives the same bytes.
+// Reads and writes triangle meshes in all formats. The table of formats is in mesh_file.cpp; a new format is a row
+// there and a reader or writer in this folder. Coordinates are mm, RAS in memory, and also in files unless they state
+// other axes as 3D Slicer does: SPACE=LPS. The same mesh gives the same bytes.
 //
-// What is read is tidied: polygons are cut into triangles, vertices at one position become one, triangles without an
-// area go, and all triangles are turned the same way round, outward. Then every edge must have exactly two triangles: a
-// surface with holes has no inside.
+// Meshes that are read are cleaned: polygons are triangulated, vertices with equal positions are merged, degenerate
+// triangles are removed, and triangles are oriented outward. Unless holes are allowed, every edge must then have
+// exactly two triangles.
 #pragma once
 
 #include "core/base/error.h"
@@ -28,37 +27,37 @@
 
 namespace ramus::io {
 
-// Most vertices or triangles of a mesh file: PLY's indices are signed.
+// Largest number of vertices or triangles in a mesh file, because indices in PLY are signed.
 inline constexpr std::uint64_t kMostInFile = std::numeric_limits<std::int32_t>::max();
 
 struct PolygonSoup {
     std::vector<glm::dvec3> positions;
-    std::vector<std::vector<std::uint32_t>> polygons; // every index is that of a position
-    std::optional<Orientation> orientation;           // of the positions, where the file states it; none mirrors
+    std::vector<std::vector<std::uint32_t>> polygons; // indices of positions, all valid
+    std::optional<Orientation> orientation;           // of the positions, if the file states it; never mirrors
 };
 
-// What a mesh file has.
+// The content of a mesh file that is written.
 struct MeshCounts {
     std::uint64_t vertices = 0, triangles = 0;
     bool normals = true, radii = true, branches = true;
-    tree::Claims claims = {}; // of the tree that it is the surface of
-    Orientation axes = {};    // that the vertices are written in
-    // "mm, RAS; SPACE=RAS", as far as that is known: for people, and for 3D Slicer.
+    tree::Claims claims = {}; // of the tree whose surface it is
+    Orientation axes = {};    // of the written vertices
+    // Unit and axes as far as known, for people and for 3D Slicer: "mm, RAS; SPACE=RAS".
     [[nodiscard]] std::string claims_text() const;
 };
 
 struct MeshFormat : FileFormat {
-    // `text`: all bytes of the file called `name`; null: it is not read.
+    // Reads a file called `name` with the bytes `text`. Null: the format is not read.
     Result<PolygonSoup> (*parse)(std::string_view text, const std::string& name) = nullptr;
-    // A file is the header, what each of `vertices` (null: nothing) writes, one after the other, and the triangles.
+    // A file consists of the header, the outputs of the functions in `vertices` (null: none), and the triangles.
     std::string (*header)(const MeshCounts&) = nullptr;
     void (*triangles)(std::span<const glm::uvec3>, const mesh::VertexSpan&, BufferedFile&) = nullptr;
     std::array<void (*)(const mesh::VertexSpan&, BufferedFile&), 2> vertices{};
-    // Instead of these: a format that has names and colours too. `where`: what errors name.
+    // Writes a whole file instead, for formats with names and colours. `where`: the place in errors.
     Result<void> (*whole)(const mesh::TriangleMesh&, const MeshNames&, const std::string& where,
                           BufferedFile&) = nullptr;
-    bool has_parts = false; // objects of their own, with names and colours
-    double unit_mm = 1.0;   // what programs take the file's unit for, once they have heeded what it says
+    bool has_parts = false; // several objects, with names and colours
+    double unit_mm = 1.0;   // length of the unit in which other programs see the file, in mm
 };
 
 [[nodiscard]] inline bool is_read(const MeshFormat& format) { return format.parse != nullptr; }
@@ -69,49 +68,47 @@ struct MeshFormat : FileFormat {
 
 [[nodiscard]] const std::vector<MeshFormat>& mesh_formats();
 
-// ".ply, .stl or .obj": of the formats that are read, and of those that are written.
+// The extensions of the formats that are read, and of those that are written: ".ply, .stl or .obj".
 [[nodiscard]] std::string readable_mesh_extensions();
 [[nodiscard]] std::string writable_mesh_extensions();
 
-// Whether the name is that of a mesh that can be read.
+// Whether the extension is that of a mesh format that can be read.
 [[nodiscard]] bool names_mesh(const std::filesystem::path& path);
 
-// Whether the file at `path` has a format that meshes have (core/io/recognise.h): read_mesh_file() says what else it
-// is.
+// Whether the file at `path` has a format of meshes (core/io/recognise.h). Files of VTK may hold a tree instead.
 [[nodiscard]] bool may_be_mesh(const std::filesystem::path& path);
 
-// Whether there is a mesh at `path`. Files of VTK, which trees have too, are read for it: those
-// without lines are meshes.
+// Whether the file at `path` is a mesh. Reads files of VTK, which may also be trees: those without lines are meshes.
 [[nodiscard]] bool is_mesh(const std::filesystem::path& path);
 
-// The format in which `file` will be written; fails on any extension that has none.
+// The format for writing `file`, by its extension. Fails if no written format has the extension.
 [[nodiscard]] Result<const MeshFormat*> mesh_format(const std::filesystem::path& file);
 
 inline constexpr std::uintmax_t kMostMeshBytes = std::uintmax_t{256} << 20;
 
-// kAllowed: for meshes that are only looked at.
+// kAllowed: for meshes that are only displayed.
 enum class Holes : std::uint8_t { kRefused, kAllowed };
 
-// What a person says about a mesh's file.
+// Options for reading a mesh.
 struct MeshReading {
     Holes holes = Holes::kRefused;
-    std::optional<Orientation> orientation; // of a file that does not state it: RAS or LPS; none: RAS is assumed
+    std::optional<Orientation> orientation; // RAS or LPS, used if the file states none; none: RAS is assumed
 };
 
 struct MeshFile {
     mesh::TriangleMesh mesh;           // positions, triangles and unit normals per vertex; mm, RAS
-    std::optional<Orientation> stated; // by the file
+    std::optional<Orientation> stated; // axes that the file states
     tree::SaidBy axes = tree::SaidBy::kNobody;
 };
 
-// The content of the file says which format it has, and where it does not, the extension. Fails, with the file's name,
-// on what is no such file, is damaged, too large, empty or open, and on coordinates that make no sense in mm.
+// Reads a mesh of at most kMostMeshBytes. recognise.h decides the format. Fails, with the file's name, if the file is
+// no mesh, damaged, too large, empty or (unless allowed) open, and on coordinates that are impossible in mm.
 [[nodiscard]] Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const MeshReading& reading);
-// The mesh alone.
+// The same; returns the mesh alone.
 [[nodiscard]] Result<mesh::TriangleMesh> read_mesh(const std::filesystem::path& path, Holes holes = Holes::kRefused);
 
-// In the format of the extension, in the axes of `names`, whose other members are for formats that have a place for
-// them. The mesh is turned into the axes in place: pass by std::move what is not needed any more.
+// Writes in the format of the extension and in the axes of `names`. Its other members are written if the format can
+// hold them. Takes the mesh by value because it converts the axes in place: move a mesh that is not needed any more.
 [[nodiscard]] Result<void> write_mesh(mesh::TriangleMesh mesh, const std::filesystem::path& file,
                                       const MeshNames& names = {});
 

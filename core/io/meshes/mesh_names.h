@@ -1,5 +1,5 @@
-// What the branches of a surface are called and look like, for mesh formats that can say so: GLB has a node for each
-// system or branch, VTP arrays and the names of systems. A mesh file without it has triangles and nothing to call them.
+// MeshNames: names and colours of the parts of a surface, for mesh formats that can hold them: GLB (a node for each
+// system or branch) and VTP (arrays and names of systems).
 #pragma once
 
 #include "core/io/orientation.h"
@@ -14,7 +14,7 @@
 
 namespace ramus::io {
 
-// What is an object of its own in formats that have several. What a mesh has none of is not divided by it.
+// The parts that become separate objects in formats that have several. A mesh without such parts is one object.
 enum class PartsBy : std::uint8_t { kNone, kSystem, kBranch };
 
 using Colour = std::array<std::uint8_t, 3>; // sRGB
@@ -23,21 +23,21 @@ struct MeshNames {
     struct Branch {
         std::string name;
         Colour colour{};
-        int system = 0; // index into `systems`, where there are any
+        int system = 0; // index into `systems`, if there are any
     };
-    std::string name = "surface"; // of the whole
-    Colour colour{204, 73, 60};   // of what has none of its own
+    std::string name = "surface"; // of the whole mesh
+    Colour colour{204, 73, 60};   // of parts without their own colour
     PartsBy by = PartsBy::kNone;
     std::vector<tree::System> systems; // of the tree; empty: none
-    std::vector<Branch> branches;      // by branch id; empty: not known
-    tree::Claims claims;               // of the tree that the surface is of
-    Orientation axes;                  // of the file; others than RAS only where the claims have sides
+    std::vector<Branch> branches;      // by branch id; empty: unknown
+    tree::Claims claims;               // of the tree whose surface it is
+    Orientation axes;                  // of the file; RAS unless the claims state the tree's axes
 };
 
-// Whether it names every branch that is in `vertex_branches`, and that has any.
+// Whether `vertex_branches` is not empty and `names` has every branch in it.
 [[nodiscard]] bool names_all(const MeshNames& names, std::span<const std::int32_t> vertex_branches);
 
-// The branch of a triangle: that of two corners at least; of three different ones the first corner's.
+// The branch of a triangle: the branch of at least two corners, or of the first corner if all three differ.
 [[nodiscard]] std::int32_t branch_of(const glm::uvec3& triangle, std::span<const std::int32_t> vertex_branches);
 
 } // namespace ramus::io

@@ -7,8 +7,8 @@ namespace ramus::io {
 
 namespace {
 
-// Gives the section vertices of its own, in place of those of the mesh that its triangles name. `last_section` and
-// `numbers`: by vertex of the mesh, the section that took it last (counted from 1), and its number there.
+// Gives a section its own vertices and renumbers its triangles. `last_section` and `numbers`: by vertex of the mesh,
+// the last section that has it (counted from 1), and its number there.
 void take_vertices(MeshSections& cut, std::size_t which, const mesh::TriangleMesh& mesh,
                    LargeArray<std::uint32_t>& last_section, LargeArray<std::uint32_t>& numbers) {
     MeshSections::Section& section = cut.sections[which];

@@ -1,4 +1,4 @@
-// A mesh cut into sections that have vertices of their own: what formats with several objects need.
+// Divides a mesh into sections with vertices of their own, for formats with several objects.
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
@@ -17,13 +17,13 @@ struct MeshSections {
         std::size_t first_triangle = 0, triangles = 0;
         glm::vec3 least{0.0F}, most{0.0F}; // of the positions
     };
-    std::vector<Section> sections;      // as many as asked for; those without a triangle have no vertices
-    LargeArray<std::uint32_t> vertices; // of all sections, one after the other: which vertex of the mesh each is
-    LargeArray<glm::uvec3> triangles;   // the same; corners count from the section's first vertex
+    std::vector<Section> sections;      // `count` sections; one without triangles has no vertices
+    LargeArray<std::uint32_t> vertices; // section by section: the vertex of the mesh
+    LargeArray<glm::uvec3> triangles;   // section by section; corners count from the section's first vertex
 };
 
-// `section_of(triangle)` is below `count`. Vertices and triangles of a section stay in the order in which triangles
-// name them. Linear; takes about 24 bytes for a triangle.
+// `section_of(triangle)` must be below `count`. A section keeps its triangles in order, and its vertices in the order
+// in which triangles use them. Linear time; takes about 24 bytes for each triangle.
 [[nodiscard]] MeshSections sections_of(const mesh::TriangleMesh& mesh, std::size_t count,
                                        const std::function<std::size_t(const glm::uvec3&)>& section_of);
 

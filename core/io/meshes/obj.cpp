@@ -24,7 +24,7 @@ void write_vectors(std::string_view name, std::span<const glm::vec3> vectors, Bu
     }
 }
 
-// What the library takes for the end of a line.
+// The characters that the library treats as line ends.
 constexpr std::string_view kLineEnds("\n\r\f\0", 4);
 
 bool says_shape(std::string_view line) {
@@ -34,7 +34,7 @@ bool says_shape(std::string_view line) {
     return std::ranges::find(kShape, line.substr(0, line.find_first_of(kBlanks))) != kShape.end();
 }
 
-// A line that ends with a backslash goes on in the next one.
+// A line that ends with a backslash continues on the next line.
 void join_continued_lines(std::string& text) {
     for (std::size_t at = text.find('\\'); at != std::string::npos; at = text.find('\\', at + 1)) {
         text[at] = ' ';
@@ -46,7 +46,7 @@ void join_continued_lines(std::string& text) {
     }
 }
 
-// What the comments before the first vertex state.
+// The axes that the comments before the first vertex state.
 std::optional<Orientation> obj_orientation(std::string_view text) {
     while (!text.empty()) {
         const std::string_view line = text.substr(0, text.find_first_of(kLineEnds));

@@ -1,6 +1,6 @@
-// OBJ: text, written with the shortest numbers that read back exactly, and with vertex normals. Of what is read,
-// vertices and faces alone are looked at, and the comments before them, which may say SPACE=LPS, as 3D Slicer's do:
-// materials, pictures and other files that it names are not.
+// Reads and writes OBJ. Written numbers are the shortest that read back exactly; vertices have normals. The reader uses
+// vertices, faces, and comments before them that state the axes as 3D Slicer does (SPACE=LPS). It ignores materials,
+// images and other files.
 #pragma once
 
 #include "core/io/meshes/mesh_file.h"
@@ -9,10 +9,10 @@ namespace ramus::io {
 
 [[nodiscard]] Result<PolygonSoup> parse_obj(std::string_view text, const std::string& name);
 
-// Whether a position follows nothing but comments, names and other vertices.
+// Whether a vertex position comes first, after at most comments, names and other kinds of vertices.
 [[nodiscard]] bool is_obj(std::string_view head);
 
-// The lines that say where a shape is (v, vt, vn, f), continued lines joined.
+// Only the lines of the shape (v, vt, vn, f), with continued lines joined.
 [[nodiscard]] std::string obj_shape(std::string_view text);
 
 [[nodiscard]] std::string obj_header(const MeshCounts& counts);

@@ -1,7 +1,7 @@
-// PLY. Read: text and binary of either byte order, vertices and polygons; anything else in the file is skipped. Every
-// count in the file is checked against what the file holds before anything is done with it. (Damaged files make assimp
-// work for minutes, or worse.) Written: binary little-endian, vertex x y z nx ny nz radius (float) branch (int), faces
-// as lists of uchar and int.
+// Reads and writes PLY. The reader accepts text and binary of either byte order, and skips all but vertices and
+// polygons. It checks every count against the size of the file before it allocates memory. (assimp is not used, because
+// damaged files can occupy it for minutes.) The writer writes binary little-endian: vertices x y z nx ny nz radius
+// (float) branch (int), faces as lists of uchar and int.
 #pragma once
 
 #include "core/io/meshes/mesh_file.h"
@@ -10,7 +10,7 @@ namespace ramus::io {
 
 [[nodiscard]] bool is_ply(std::string_view head);
 
-// `name` is what errors say.
+// `name`: of the file, for errors.
 [[nodiscard]] Result<PolygonSoup> parse_ply(std::string_view text, const std::string& name);
 
 [[nodiscard]] std::string ply_header(const MeshCounts& counts);

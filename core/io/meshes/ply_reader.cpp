@@ -15,12 +15,12 @@ namespace {
 
 enum class Format { kText, kLittle, kBig };
 
-// Numbers one after the other.
+// Reads consecutive numbers.
 class Numbers {
 public:
     Numbers(std::string_view text, Format format) : text_(text), format_(format) {}
 
-    // A T, or of a text file whatever number stands there.
+    // A number of type T; in a text file, any number.
     template <class T> std::optional<double> next() {
         if (format_ == Format::kText) return from_text();
         if (text_.size() < sizeof(T)) return {};
@@ -85,7 +85,7 @@ struct Header {
     std::optional<Orientation> orientation; // that a comment states
 };
 
-// Takes the header off `text`; nothing when it is none.
+// Parses the header and removes it from `text`. None: there is no valid header.
 std::optional<Header> take_header(std::string_view& text) {
     Header header;
     bool format = false;

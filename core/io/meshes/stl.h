@@ -1,12 +1,13 @@
-// STL: written as binary, one unshared triangle after the other, with the normals of the triangles; text is read too.
-// The header, of 80 bytes in binary files and the first line of text, may say SPACE=LPS, as 3D Slicer's does.
+// Reads and writes STL. Written files are binary: independent triangles with their normals. Text is read too. The
+// header (80 bytes in binary files, the first line of text) may state the axes as 3D Slicer does: SPACE=LPS.
 #pragma once
 
 #include "core/io/meshes/mesh_file.h"
 
 namespace ramus::io {
 
-// Whether it is text that begins with a solid, or a whole triangle follows a header of 80 bytes and a count.
+// Whether `head` is text that begins with "solid" and has a facet, or a header of 80 bytes, a count and valid
+// triangles.
 [[nodiscard]] bool is_stl(std::string_view head);
 [[nodiscard]] Result<PolygonSoup> parse_stl(std::string_view text, const std::string& name);
 

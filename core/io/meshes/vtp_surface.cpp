@@ -16,7 +16,7 @@ static_assert(std::endian::native == std::endian::little, "numbers are written a
 
 namespace {
 
-// Elements come first, with the place of their numbers among all; the numbers follow when all elements are there.
+// Writes the XML elements first, with the offsets of their numbers, and the numbers after the last element.
 class AppendedArrays {
 public:
     // `write`: `count` tuples of `parts` numbers of `type`, each `size` bytes long.

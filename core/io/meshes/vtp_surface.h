@@ -1,5 +1,4 @@
-// VTP: the surface as VTK's PolyData, for ParaView, 3D Slicer and VMTK. Numbers are appended raw, as they lie in
-// memory.
+// Writes a surface as VTP (VTK's PolyData), for ParaView, 3D Slicer and VMTK, with raw appended binary data.
 #pragma once
 
 #include "core/io/buffered_file.h"
@@ -8,9 +7,9 @@
 
 namespace ramus::io {
 
-// Triangles; of points Normals, Radius (mm) and GroupIds (the branch, as VMTK names it), where the mesh has them; of
-// cells GroupIds and, of trees with systems, SystemId. Field data say the unit and the axes, and what the systems are
-// called, as in files of trees (core/io/vtk/vtk_dataset.h).
+// Writes triangles; point arrays Normals, Radius (mm) and GroupIds (branch id, VMTK's name) if the mesh has them; cell
+// arrays GroupIds and, for trees with systems, SystemId. Field data state the unit, the axes and the names of systems,
+// as in files of trees (core/io/vtk/vtk_dataset.h).
 void write_vtp_surface(const mesh::TriangleMesh& mesh, const MeshNames& names, BufferedFile& file);
 
 } // namespace ramus::io

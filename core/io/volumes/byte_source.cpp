@@ -46,7 +46,7 @@ Result<ByteSource> ByteSource::open(const std::filesystem::path& path, Unpack un
     if (!stage) return fail(stage.error().what, input_name(path), stage.error().hint);
     state->stage = std::move(*stage);
     note_input(path);
-    // Of pipes and devices nothing is known.
+    // The size of pipes and devices is unknown.
     std::error_code error;
     const double bytes = std::filesystem::is_regular_file(path, error)
                              ? static_cast<double>(std::filesystem::file_size(path, error))
@@ -88,7 +88,7 @@ Result<void> ByteSource::begin(double file_bytes, Unpack unpack) {
     return {};
 }
 
-// When all of the buffer is used. An empty one means the end.
+// Fills the buffer again when all of it is used. An empty buffer then means the end.
 Result<void> ByteSource::fill() {
     state_->buffer.resize(kBuffer);
     state_->at = 0;

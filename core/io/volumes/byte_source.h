@@ -1,6 +1,6 @@
-// ByteSource: the bytes of a file, compressed by gzip or not, one after the other. Compression is seen by the content,
-// not by the name; of files that are compressed behind a header only, the reader says where that begins. Damage shows
-// where it is met: a checksum at the end of all bytes.
+// ByteSource: reads the bytes of a file in order, and decompresses gzip. Compression is recognised by the content, not
+// by the name. For files with compressed data after a plain header, the reader calls inflate_rest(). Damage is reported
+// when the damaged bytes are read; a wrong checksum only at the end (check_end()).
 #pragma once
 
 #include "core/base/error.h"
@@ -17,14 +17,15 @@ namespace ramus::io {
 
 class ByteStage;
 
-enum class Unpack { kGzip, kNothing }; // gzip is seen and undone, or bytes come as they are
+enum class Unpack { kGzip, kNothing }; // decompress gzip if recognised, or return the bytes as they are
 
 class ByteSource {
 public:
     [[nodiscard]] static Result<ByteSource> open(const std::filesystem::path& path, Unpack unpack = Unpack::kGzip);
-    // Bytes that outlive the source, as if they were a file of that name; it has no path, and so no files beside it.
+    // Reads `bytes`, which must outlive the source, as if they were a file of that name. The source has no path, so a
+    // header in it cannot name other files.
     [[nodiscard]] static Result<ByteSource> of_memory(std::string_view bytes, std::string name);
-    // What a stage gives, `most_bytes` at the most.
+    // Reads from a stage that gives at most `most_bytes` bytes.
     [[nodiscard]] static Result<ByteSource> of_stage(std::unique_ptr<ByteStage> stage, std::string name,
                                                      double most_bytes);
     ByteSource(ByteSource&&) noexcept;
@@ -32,29 +33,28 @@ public:
     ~ByteSource();
 
     [[nodiscard]] const std::string& name() const { return name_; }
-    // Empty: of memory or standard input, with no files beside it.
+    // Empty: memory or standard input.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    // Whether all of the file is compressed.
+    // Whether the whole file is compressed.
     [[nodiscard]] bool is_gzip() const { return gzip_; }
-    // The first bytes of the file, up to kHeadBytes, whatever has been read since.
+    // The first bytes of the file, up to kHeadBytes, independent of the current position.
     [[nodiscard]] std::string_view head() const { return head_; }
-    // More than this cannot come any more, so far as the size of the file tells: gzip takes 1032 bytes for one at the
-    // most.
+    // An upper bound of the bytes that are left, from the size of the file. For gzip, 1032 times the compressed bytes.
     [[nodiscard]] double most_bytes() const { return most_bytes_ - static_cast<double>(used_); }
-    // How many come, where that is known: not of what is compressed, nor of pipes.
+    // The number of bytes that are left. None: unknown, for compressed data and pipes.
     [[nodiscard]] std::optional<std::uint64_t> exact_bytes() const;
 
-    // Exactly so many bytes, or an error.
+    // Reads exactly `bytes` bytes. Fails if there are fewer.
     [[nodiscard]] Result<void> read(void* into, std::size_t bytes);
-    // So many, or fewer at the end of the file.
+    // Reads up to `bytes` bytes; fewer only at the end of the file.
     [[nodiscard]] Result<std::size_t> read_some(void* into, std::size_t bytes);
-    // The text up to the next line feed, without it and a carriage return before it; false: there is no more. Fails on
-    // lines above `limit` bytes.
+    // Reads up to the next line feed, and removes it and a carriage return before it. False: end of the file. Fails on
+    // lines of more than `limit` bytes.
     [[nodiscard]] Result<bool> read_line(std::string& line, std::size_t limit);
     [[nodiscard]] Result<void> skip(std::uint64_t bytes);
-    // From here on the file is compressed, by gzip or zlib: what is read is what was compressed.
+    // The rest of the file is compressed by gzip or zlib: decompresses it from here on.
     void inflate_rest();
-    // After the last byte that is wanted: whether the file's own checksum agrees, if it ends here.
+    // To be called after the last needed byte. If the file ends there, checks its own checksum.
     [[nodiscard]] Result<void> check_end();
 
 private:

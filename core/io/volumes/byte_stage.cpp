@@ -88,7 +88,7 @@ private:
         return got > 0;
     }
 
-    // Behind the end of one stream of gzip another may follow; other bytes there belong to no one.
+    // After a gzip stream another may follow. Other bytes there are padding.
     Result<bool> another_begins() {
         RAMUS_TRY(some, more_input());
         if (!some || *stream_.next_in != 0x1f) return false;

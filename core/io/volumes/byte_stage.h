@@ -1,4 +1,4 @@
-// Where the bytes of a ByteSource come from: a file, memory, or another stage whose bytes are compressed.
+// ByteStage: a stream of bytes for ByteSource: a file, memory, or the decompressed bytes of another stage.
 #pragma once
 
 #include "core/base/error.h"
@@ -17,15 +17,15 @@ public:
     ByteStage(const ByteStage&) = delete;
     ByteStage& operator=(const ByteStage&) = delete;
     virtual ~ByteStage() = default;
-    // As many bytes as there are, up to `bytes`; 0 at the end alone. Errors come without the name of the file.
+    // Reads up to `bytes` bytes; 0 only at the end. Errors do not name the file.
     [[nodiscard]] virtual Result<std::size_t> read(char* into, std::size_t bytes) = 0;
 };
 
 [[nodiscard]] Result<std::unique_ptr<ByteStage>> file_stage(const std::filesystem::path& path);
 [[nodiscard]] std::unique_ptr<ByteStage> memory_stage(std::string_view bytes);
 
-// What `first` and then `rest` are, undone: gzip (also several one behind the other) or zlib. Fails on bytes that make
-// no sense, on a wrong checksum, and where the file ends before the compressed stream does.
+// Decompresses `first` followed by `rest`: gzip (also several concatenated streams) or zlib. read() fails on damaged
+// bytes, on a wrong checksum, and on a truncated stream.
 [[nodiscard]] std::unique_ptr<ByteStage> inflate_stage(std::string first, std::unique_ptr<ByteStage> rest);
 
 } // namespace ramus::io

@@ -77,11 +77,11 @@ Result<std::filesystem::path> values_path(const ByteSource& source, const std::s
     if (!std::filesystem::exists(path, error))
         return fail("its values are in " + path.string() + ", and there is no such file", source.name(),
                     "put it there, beside the header");
-    // Devices and pipes could give bytes without end.
+    // Devices and pipes could provide bytes without end.
     if (!std::filesystem::is_regular_file(path, error))
         return fail("its values are in " + path.string() + ", which is no regular file", source.name(),
                     "correct the header");
-    // A header that comes from somewhere must not make a volume of any file of this machine, by a link neither.
+    // A header of unknown origin must not read any file of this machine, not even through a link.
     const std::filesystem::path target = std::filesystem::canonical(path, error);
     const std::filesystem::path inside = std::filesystem::canonical(folder, error);
     if (error || *path.lexically_relative(folder).begin() == ".." || *target.lexically_relative(inside).begin() == "..")

@@ -1,5 +1,5 @@
-// Headers of volumes that are text: fields, one a line, and the numbers and words in them; and files of values that a
-// header names.
+// Parses text headers of volumes (NRRD, MetaImage): fields, one a line, with numbers; and opens the file of values that
+// a header names.
 #pragma once
 
 #include "core/base/error.h"
@@ -17,20 +17,20 @@
 
 namespace ramus::io {
 
-// Numbers with blanks between; nothing if one of the words is none. "nan" and "inf" are numbers.
+// Parses blank-separated numbers; "nan" and "inf" are numbers. None: a word is no number.
 [[nodiscard]] std::optional<std::vector<double>> numbers_in(std::string_view text);
 [[nodiscard]] std::optional<std::vector<std::int64_t>> whole_numbers_in(std::string_view text);
 
-// Fields by their names. Those that are given several times have their last value.
+// Fields by their names. A field that is given several times has its last value.
 struct HeaderText {
     std::string file; // for errors
     std::map<std::string, std::string> fields;
 
-    // The first of these fields that is there; null: none is.
+    // The first of these fields that exists. Null: none.
     [[nodiscard]] const std::string* find(std::initializer_list<const char*> names) const;
-    // What errors say of a field that is there and makes no sense, or is missing.
+    // An error about an invalid or missing field.
     [[nodiscard]] tl::unexpected<Error> refused(const std::string& field, const std::string& why) const;
-    // Of a field that is there, or nothing.
+    // The numbers of the first of these fields that exists. None: there is none. Fail on other counts and on text.
     [[nodiscard]] Result<std::optional<std::vector<double>>> numbers(std::initializer_list<const char*> names,
                                                                      std::size_t count) const;
     [[nodiscard]] Result<std::optional<std::int64_t>> whole_number(std::initializer_list<const char*> names) const;
@@ -39,12 +39,13 @@ struct HeaderText {
 // kBinary or kSwapped.
 [[nodiscard]] Encoding binary_encoding(bool big_endian);
 
-// Where a file lies that the header in `source` names: a regular file in its folder or below, or an error.
+// The path of a file that the header in `source` names. Fails unless it is a regular file in the header's folder or
+// below: a header of unknown origin must not read other files of this machine.
 [[nodiscard]] Result<std::filesystem::path> values_path(const ByteSource& source, const std::string& name);
-// The bytes of that file, as they are.
+// The bytes of that file, not decompressed.
 [[nodiscard]] Result<ByteSource> open_values(const ByteSource& source, const std::string& name);
 
-// Most that a header may take; those of segmentations tell much of every segment.
+// Largest header, in bytes. Headers of segmentations are long.
 inline constexpr std::size_t kMostHeaderBytes = std::size_t{16} << 20;
 
 } // namespace ramus::io

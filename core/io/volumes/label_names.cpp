@@ -37,7 +37,7 @@ std::optional<Colour> colour_in_words(const std::array<std::string_view, 3>& wor
     return colour;
 }
 
-// Label 0 is what lies around all others.
+// Label 0 is the background.
 std::vector<LabelName> in_order(std::vector<LabelName> names) {
     std::erase_if(names, [](const LabelName& name) { return name.label == 0; });
     std::ranges::stable_sort(names, {}, &LabelName::label);
@@ -61,7 +61,7 @@ std::optional<LabelName> snap_line(std::string_view line) {
     return LabelName{.label = *label, .name = std::string(line.substr(open + 1, close - open - 1)), .colour = colour};
 }
 
-// 1 portal_vein 0 151 206 255: blanks of the name are underscores, or stand as they are.
+// 1 portal_vein 0 151 206 255: the name has underscores for blanks, or blanks.
 std::optional<LabelName> slicer_line(std::string_view line) {
     std::vector<std::string_view> words;
     split_words(line, " \t", words);
@@ -130,7 +130,7 @@ void take_described_names(const std::filesystem::path& mask, volume::Volume& vol
           "-label.txt", ".ctbl", "_ColorTable.ctbl", "_ColorTable.txt", "-label_ColorTable.ctbl", ".txt"}) {
         const std::filesystem::path file = stem.string() + ending;
         std::error_code error;
-        // What can be read once alone, a pipe, is nobody's label description.
+        // Not from a pipe, because reading would consume it.
         if (!std::filesystem::is_regular_file(file, error)) continue;
         const auto text = read_file(file, kMostBytes);
         auto names = text ? described_names(*text) : std::nullopt;

@@ -36,7 +36,7 @@ constexpr std::array<MetaType, 13> kMetaTypes = {{{"MET_CHAR", VoxelType::kInt8}
                                                   {"MET_FLOAT", VoxelType::kFloat32},
                                                   {"MET_DOUBLE", VoxelType::kFloat64}}};
 
-// The fields up to ElementDataFile, behind which the values begin.
+// The fields up to ElementDataFile, after which the values begin.
 Result<HeaderText> meta_header(ByteSource& source) {
     HeaderText header{source.name(), {}};
     std::string line;
@@ -56,7 +56,7 @@ Result<HeaderText> meta_header(ByteSource& source) {
     return header;
 }
 
-// "True" and "False"; false when it is not there.
+// Whether a field is "True". False if it is missing.
 bool is_true(const HeaderText& header, std::initializer_list<const char*> names) {
     const std::string* text = header.find(names);
     return text != nullptr && (text->starts_with('T') || text->starts_with('t') || *text == "1");
@@ -88,8 +88,8 @@ Result<std::vector<std::int64_t>> meta_extents(const HeaderText& header) {
     return std::move(*extents);
 }
 
-// Three letters that say where the axes come from, as "RAI": from right, anterior, inferior, which are the axes of LPS.
-// Nothing: "???", or no such letters.
+// Three letters for the sides where the axes begin: "RAI" means from right, anterior, inferior, which is LPS. None:
+// "???", or other text.
 std::optional<glm::dmat3> axes_from_letters(const std::string& letters) {
     constexpr std::string_view kFrom = "RAILPS";
     glm::dmat3 axes(0.0);
@@ -104,7 +104,7 @@ std::optional<glm::dmat3> axes_from_letters(const std::string& letters) {
     return used == 7 ? std::optional(axes) : std::nullopt;
 }
 
-// Directions of the axes in LPS, one a column; `axes`: how many the file has.
+// The directions of the axes in LPS, one in each column. `axes`: their number in the file.
 Result<glm::dmat3> meta_directions(const HeaderText& header, std::size_t axes, std::vector<std::string>& notes) {
     RAMUS_TRY(matrix, header.numbers({"TransformMatrix", "Rotation", "Orientation"}, axes * axes));
     const std::string* letters = header.find({"AnatomicalOrientation"});
@@ -114,7 +114,7 @@ Result<glm::dmat3> meta_directions(const HeaderText& header, std::size_t axes, s
         for (std::size_t axis = 0; axis < std::min<std::size_t>(axes, 3); ++axis)
             for (std::size_t row = 0; row < std::min<std::size_t>(axes, 3); ++row)
                 directions[static_cast<int>(axis)][static_cast<int>(row)] = (*matrix)[axis * axes + row];
-        // Many writers give letters that nobody has looked at; other programs go by the matrix, too.
+        // Many writers set wrong letters. Other programs use the matrix too.
         bool agree = !lettered || axes < 3;
         for (int axis = 0; axis < 3 && !agree; ++axis) {
             if (!(glm::dot(directions[axis], (*lettered)[axis]) > 0.0)) break;
@@ -131,7 +131,7 @@ Result<glm::dmat3> meta_directions(const HeaderText& header, std::size_t axes, s
     return directions;
 }
 
-// In mm; none: the header names none that is known.
+// The length of the unit in mm. None: the header names no known unit.
 std::optional<double> meta_unit(const HeaderText& header) {
     const std::string* unit = header.find({"DistanceUnits"});
     return unit == nullptr ? std::nullopt : named_unit_mm(trimmed(*unit));
@@ -162,7 +162,7 @@ Result<glm::dmat4> meta_affine(const HeaderText& header, const glm::ivec3& size,
     return affine;
 }
 
-// Where in `values` they begin: bytes to skip.
+// The number of bytes to skip in `values`.
 Result<std::uint64_t> meta_begin(const HeaderText& header, bool in_other_file, double bytes, ByteSource& values) {
     RAMUS_TRY(size, header.whole_number({"HeaderSize"}));
     const bool compressed = is_true(header, {"CompressedData"});
@@ -171,7 +171,7 @@ Result<std::uint64_t> meta_begin(const HeaderText& header, bool in_other_file, d
         const auto there = values.exact_bytes();
         if (offset != -1 || compressed || !there)
             return header.refused("HeaderSize", "makes no sense here: " + std::to_string(offset));
-        // The last bytes of the file. Those that are missing are found missing later.
+        // The values are the last bytes of the file. Missing bytes are detected later.
         const auto left = static_cast<double>(*there);
         return left > bytes ? *there - static_cast<std::uint64_t>(bytes) : std::uint64_t{0};
     }

@@ -1,4 +1,4 @@
-// Extensions of a NIfTI header: what stands between the header and the voxels. Only names of labels are taken.
+// Reads names of labels from the extensions of a NIfTI file, which are between its header and the voxels.
 #pragma once
 
 #include "core/volume/volume.h"
@@ -9,13 +9,13 @@
 
 namespace ramus::io {
 
-// `bytes`: from the four bytes behind the header, which say whether there are extensions, to the first voxel.
-// `swapped`: the file has the other byte order. The names of the first extension that holds a LabelTable, of any code;
-// a note says so, and that an extension is damaged, which is no error: it says nothing of the voxels.
+// The names in the first extension, of any code, that holds a LabelTable (label_names.h). `bytes`: from the four bytes
+// after the header, which say whether there are extensions, to the first voxel. `swapped`: the file has the other byte
+// order. Adds a note about the names, or about a damaged extension; that is no error, because the voxels are intact.
 [[nodiscard]] std::vector<volume::LabelName> extension_names(std::string_view bytes, bool swapped,
                                                              std::vector<std::string>& notes);
 
-// Most bytes of extensions that are looked at.
+// Extensions are read up to this number of bytes.
 inline constexpr std::size_t kMostExtensionBytes = std::size_t{16} << 20;
 
 } // namespace ramus::io

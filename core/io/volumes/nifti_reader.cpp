@@ -42,7 +42,7 @@ template <class Raw> Result<Header> header_of(Raw raw, int version, const std::s
     const auto offset = static_cast<double>(raw.vox_offset);
     if (!(offset >= 0.0 && offset < 9e15))
         return fail("its header says that the voxels begin nowhere in the file", name, "write the file again");
-    // Some writers leave 0, and mean: right behind the header.
+    // Some writers set 0 if the voxels directly follow the header.
     header.offset = std::max(static_cast<std::int64_t>(offset), static_cast<std::int64_t>(sizeof(Raw)));
     header.slope = raw.scl_slope;
     header.intercept = raw.scl_inter;
@@ -81,7 +81,7 @@ Result<glm::ivec3> size_of(const Header& header, const std::string& name) {
     return checked_size({header.dim.begin() + 1, header.dim.begin() + 1 + dimensions}, name);
 }
 
-// Voxel sizes that the qform, or their having to do alone, makes use of. Axes that are not there have one voxel.
+// Voxel sizes, for the qform or if there is no form. Missing axes have size 1.
 Result<glm::dvec3> voxel_size(const Header& header, const std::string& name) {
     glm::dvec3 spacing(1.0);
     for (int axis = 0; axis < 3; ++axis) {
@@ -142,7 +142,7 @@ std::optional<double> unit_of(const Header& header) {
     }
 }
 
-// In mm, and such that it can be turned round.
+// The affine to mm, invertible.
 Result<glm::dmat4> affine_of(const Header& header, const glm::ivec3& size, const std::string& name) {
     auto matrix = matrix_of(header, name);
     if (!matrix) return matrix;
@@ -156,7 +156,7 @@ Result<glm::dmat4> affine_of(const Header& header, const glm::ivec3& size, const
     return matrix;
 }
 
-// A note where both forms are there and place a corner of the volume more than a tenth of a voxel apart.
+// A note if the volume has both forms and they differ by more than a tenth of a voxel at a corner.
 std::optional<std::string> forms_differ(const Header& header, const glm::ivec3& size, const std::string& name) {
     if (header.sform <= 0 || header.qform <= 0) return std::nullopt;
     const auto qform = qform_of(header, name);
@@ -175,7 +175,7 @@ std::optional<std::string> forms_differ(const Header& header, const glm::ivec3& 
 }
 
 Result<volume::Scaling> scaling_of(const Header& header, const std::string& name) {
-    // A slope of 0 means that there is none, and so do other programs take one that is no number.
+    // A slope of 0 means no scaling. Other programs treat NaN in the same way.
     if (header.slope == 0.0 || !std::isfinite(header.slope)) return volume::Scaling{};
     if (!std::isfinite(header.intercept))
         return fail("the intercept of its values (scl_inter) is no number", name, "write the file again");
@@ -218,7 +218,7 @@ Result<VoxelType> type_of(const Header& header, const std::string& name) {
     }
 }
 
-// What stands between the header and the voxels, and how many bytes of the file were read for that.
+// The bytes between the header and the voxels, and how many bytes of the file were read for them.
 struct Extensions {
     std::vector<volume::LabelName> names;
     std::vector<std::string> notes;
@@ -241,7 +241,7 @@ Result<Extensions> extensions_of(const Header& header, ByteSource& source) {
 } // namespace
 
 int nifti_version(std::string_view head) {
-    nifti_set_debug_level(0); // it would speak on standard error
+    nifti_set_debug_level(0); // or the library writes to standard error
     return nifti_header_version(head.data(), head.size());
 }
 

@@ -1,7 +1,7 @@
-// NIfTI-1 and NIfTI-2 in one file, compressed or not, of either byte order. What lies where follows the standard
-// (nifti1.h, "3D IMAGE (VOLUME) ORIENTATION AND LOCATION IN SPACE"): the sform when its code is above 0, else the qform
-// when its code is, else voxel sizes alone. Units other than metre and micron count as mm. Every number in the header
-// is a claim: nothing is allocated before it has been held against the size of the file and the memory allowed.
+// Reads NIfTI-1 and NIfTI-2 in one file, compressed or not, of either byte order. The position of the voxels follows
+// the standard (nifti1.h, "3D IMAGE (VOLUME) ORIENTATION AND LOCATION IN SPACE"): the sform if its code is above 0,
+// else the qform if its code is above 0, else voxel sizes alone. Units other than metre and micron count as mm.
+// Declared sizes are checked against the size of the file and the allowed memory before anything is allocated.
 #pragma once
 
 #include "core/base/error.h"
@@ -17,8 +17,8 @@ namespace ramus::io {
 [[nodiscard]] int nifti_version(std::string_view head);
 [[nodiscard]] inline bool is_nifti(std::string_view head) { return nifti_version(head) >= 0; }
 
-// Integers of every width, single and double precision, one volume. Fails on all else with a word: complex numbers,
-// colours, several volumes in time, values that are not finite, an affine that cannot be inverted.
+// Reads one volume of integers or floating-point numbers of any size. Fails on complex numbers, colours, several
+// volumes in time, infinite values, and an affine that cannot be inverted.
 [[nodiscard]] Result<volume::Volume> read_nifti(ByteSource& source, const ReadVolumeOptions& options, Job& job);
 
 } // namespace ramus::io

@@ -45,7 +45,7 @@ Result<VoxelType> nrrd_type(const HeaderText& header) {
     return header.refused("type", "is not known: " + *text);
 }
 
-// The fields: names without blanks, as the format has them with and without ("data file", "datafile").
+// The fields, with names without blanks: the format allows "data file" and "datafile".
 Result<HeaderText> nrrd_header(ByteSource& source) {
     HeaderText header{source.name(), {}};
     std::string line;
@@ -67,7 +67,7 @@ Result<HeaderText> nrrd_header(ByteSource& source) {
         std::string key = (own ? ":" : "") + lower_case(line.substr(0, colon));
         std::erase(key, ' ');
         header.fields[key] = trimmed(std::string_view(line).substr(colon + (own ? 2 : 1)));
-        // Names of files are all that follows.
+        // Only names of files follow.
         if (key == "datafile" && lower_case(header.fields[key]).starts_with("list")) break;
     }
     return header;
@@ -87,7 +87,7 @@ Result<NrrdEncoding> nrrd_encoding(const HeaderText& header) {
     return header.refused("encoding", "is not known: " + *text);
 }
 
-// Where values of several bytes are: in which order, and what is assumed.
+// The byte order of values of several bytes; adds assumptions to `notes`.
 Result<Encoding> nrrd_byte_order(const HeaderText& header, NrrdEncoding encoding, VoxelType type,
                                  std::vector<std::string>& notes) {
     if (encoding == NrrdEncoding::kText) return Encoding::kText;
@@ -100,7 +100,7 @@ Result<Encoding> nrrd_byte_order(const HeaderText& header, NrrdEncoding encoding
     return binary_encoding(false);
 }
 
-// Goes to where the values begin; returns how many bytes of them to skip.
+// Moves to the beginning of the values; returns the number of bytes to skip after it.
 Result<std::uint64_t> nrrd_begin(const HeaderText& header, NrrdEncoding encoding, double bytes, ByteSource& source) {
     RAMUS_TRY(lines, header.whole_number({"lineskip"}));
     RAMUS_TRY(skip, header.whole_number({"byteskip"}));
@@ -116,7 +116,7 @@ Result<std::uint64_t> nrrd_begin(const HeaderText& header, NrrdEncoding encoding
     const auto there = source.exact_bytes();
     if (offset != -1 || encoding != NrrdEncoding::kRaw || !there)
         return header.refused("byte skip", "makes no sense with this encoding: " + std::to_string(offset));
-    // The last bytes of the file. Those that are missing are found missing later.
+    // The values are the last bytes of the file. Missing bytes are detected later.
     const auto left = static_cast<double>(*there);
     return left > bytes ? *there - static_cast<std::uint64_t>(bytes) : std::uint64_t{0};
 }

@@ -1,7 +1,7 @@
-// NRRD (teem.sourceforge.net/nrrd/format.html): a header of text, and values behind it (.nrrd) or in a file beside it
-// (.nhdr), as they are, compressed by gzip, or as text. Where voxels lie comes from space, space directions and space
-// origin, or from spacings. Every number in the header is a claim, held against the size of the file and the memory
-// allowed before anything is allocated.
+// Reads NRRD (teem.sourceforge.net/nrrd/format.html): a text header, and values after it (.nrrd) or in other files
+// (.nhdr); binary, compressed by gzip, or as text. The fields space, space directions and space origin, or else
+// spacings, give the position of the voxels. Declared sizes are checked against the size of the file and the allowed
+// memory before anything is allocated.
 #pragma once
 
 #include "core/io/volumes/volume_file.h"
@@ -12,8 +12,9 @@ namespace ramus::io {
 
 [[nodiscard]] inline bool is_nrrd(std::string_view head) { return head.starts_with("NRRD0"); }
 
-// One volume of single numbers. Fails with a word on axes of colours, vectors or several volumes, on blocks, on
-// encodings by bzip2 and as hexadecimal digits, and on values in more than one file.
+// Reads one volume with a single number for each voxel, or the layers of a segmentation (slicer_segments.h). Fails on
+// axes of colours, vectors or several volumes, on blocks, on the encodings bzip2 and hex, and on several files of
+// values with headers or as text.
 [[nodiscard]] Result<volume::Volume> read_nrrd(ByteSource& source, const ReadVolumeOptions& options, Job& job);
 
 } // namespace ramus::io

@@ -13,7 +13,7 @@ namespace ramus::io {
 
 namespace {
 
-// An axis of the file: where a step along it leads, if it is one of space.
+// An axis of the file, and the step along it if it is spatial.
 struct NrrdAxis {
     std::int64_t extent = 1;
     std::string kind; // lower case; empty: not said
@@ -21,7 +21,7 @@ struct NrrdAxis {
     std::optional<glm::dvec3> direction;
 };
 
-// The first three numbers of "(1,0,0)", as many as there may be; of spaces with time, the fourth is time.
+// The first three numbers of "(1,0,0)". In spaces with time, the fourth is time.
 std::optional<glm::dvec3> vector_in(std::string_view text) {
     if (text.size() < 2 || text.front() != '(' || text.back() != ')') return std::nullopt;
     std::string inner(text.substr(1, text.size() - 2));
@@ -56,7 +56,7 @@ Result<void> read_directions(const HeaderText& header, const std::string& text, 
     return {};
 }
 
-// Kinds of axes along which the place changes; all others hold what belongs to one place, or to another time.
+// Kinds of spatial axes. All others hold several values of one position, or another time.
 bool is_kind_of_space(const std::string& kind) {
     return kind.empty() || kind == "???" || kind == "none" || kind == "domain" || kind == "space";
 }
@@ -87,7 +87,7 @@ Result<std::vector<NrrdAxis>> nrrd_axes(const HeaderText& header) {
     return axes;
 }
 
-// Layers along the first axis; 1: it is none of layers.
+// The number of layers along the first axis. 1: it has no layers.
 std::size_t layers_of(const std::vector<NrrdAxis>& axes, ListAxis list) {
     constexpr std::int64_t kMostLayers = 4096;
     const NrrdAxis& first = axes.front();
@@ -128,11 +128,11 @@ Result<glm::dvec3> signs_of_space(const HeaderText& header, std::vector<std::str
     return glm::dvec3(1, 1, 1);
 }
 
-// mm in the unit of the file; none: it names none that is known.
+// The length of the file's unit in mm. None: it names no known unit.
 std::optional<double> unit_of_space(const HeaderText& header, std::vector<std::string>& notes) {
     const std::string* text = header.find({"spaceunits", "units"});
     std::string_view left = text == nullptr ? std::string_view() : *text;
-    // Of words in quotes, one for each axis, the first that names a unit.
+    // The first known unit among the quoted words, one for each axis.
     while (!left.empty()) {
         const std::size_t begin = left.find('"');
         const std::size_t end = begin == std::string_view::npos ? begin : left.find('"', begin + 1);
@@ -148,7 +148,7 @@ std::optional<double> unit_of_space(const HeaderText& header, std::vector<std::s
     return std::nullopt;
 }
 
-// Directions and origin from spacings and the least coordinates of the axes, where there are no directions.
+// Directions and origin from spacings and axis minima, if the file has no directions.
 Result<glm::dvec3> take_spacings(const HeaderText& header, std::vector<NrrdAxis>& axes,
                                  const std::vector<std::size_t>& of_space, std::vector<std::string>& notes) {
     RAMUS_TRY(spacings, header.numbers({"spacings"}, axes.size()));
@@ -166,7 +166,7 @@ Result<glm::dvec3> take_spacings(const HeaderText& header, std::vector<NrrdAxis>
         const double spacing = given ? (*spacings)[axis] : 1.0;
         axes[axis].direction = glm::dvec3(0.0);
         (*axes[axis].direction)[row] = spacing;
-        // The least coordinate is that of the voxel's border, unless its values are those of points.
+        // The axis minimum is at the border of the first voxel, unless the values are centred on nodes.
         const bool of_points = axis < centers.size() && lower_case(centers[axis]) == "node";
         if (least && std::isfinite((*least)[axis])) origin[row] = (*least)[axis] + (of_points ? 0.0 : 0.5 * spacing);
     }

@@ -1,4 +1,4 @@
-// Which axes of an NRRD file are those of space, and where its voxels lie.
+// Determines the spatial axes of an NRRD file and the position of its voxels.
 #pragma once
 
 #include "core/base/error.h"
@@ -14,16 +14,16 @@ namespace ramus::io {
 
 struct NrrdSpace {
     glm::ivec3 size{1};
-    std::size_t layers = 1;        // numbers of each voxel, one after the other in the file
-    std::optional<double> unit_mm; // that the file states
-    glm::dmat4 to_patient{1.0};    // checked
+    std::size_t layers = 1;        // numbers for each voxel, adjacent in the file
+    std::optional<double> unit_mm; // stated by the file
+    glm::dmat4 to_patient{1.0};    // voxel indices to mm, RAS; accepted by check_affine()
 };
 
-// How a first axis of a file may be taken whose numbers belong to one place.
+// Whether a first axis of the kind "list" is refused, or accepted as the layers of a segmentation.
 enum class ListAxis { kRefused, kLayers };
 
-// What is assumed is added to `notes`. Fails on more than one number for each place, naming the axis, except for layers
-// along a first axis of the kind "list" where these are allowed.
+// Adds assumptions to `notes`. Fails, naming the axis, on more than one number for each voxel, except for layers if
+// `list` accepts them.
 [[nodiscard]] Result<NrrdSpace> nrrd_space(const HeaderText& header, ListAxis list, std::vector<std::string>& notes);
 
 } // namespace ramus::io

@@ -24,9 +24,9 @@ std::optional<std::array<std::uint8_t, 3>> slicer_colour(const std::string& text
     return colour;
 }
 
-// The labels of segments in layers: their values where these differ, else their places in the list.
+// Whether the values of the segments can be their labels: all different and small.
 bool are_labels(const std::vector<SlicerSegment>& segments) {
-    constexpr std::int32_t kMostLabel = 60000; // with those behind them, numbers stay below 2^16
+    constexpr std::int32_t kMostLabel = 60000; // so that also values without a segment and overlaps stay below 2^16
     std::set<std::int32_t> values;
     return std::ranges::all_of(segments, [&](const SlicerSegment& segment) {
         return segment.value <= kMostLabel && values.insert(segment.value).second;

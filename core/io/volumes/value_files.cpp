@@ -22,7 +22,7 @@ tl::unexpected<Error> too_many(const std::string& name) {
     return fail("its values are in more than 65,536 files", name, "write it as one file");
 }
 
-// "slice%03d.raw" with a number. None: the pattern is not one of a single whole number.
+// Inserts a number into "slice%03d.raw". None: the pattern is not for a single whole number.
 std::optional<std::string> numbered(std::string_view pattern, std::int64_t number) {
     const std::size_t percent = pattern.find('%');
     if (percent == std::string_view::npos) return std::nullopt;
@@ -47,7 +47,7 @@ Result<std::vector<std::string>> names_of_pattern(const ByteSource& header, cons
     };
     std::vector<std::string_view> words;
     split_words(field, " \t", words);
-    // A fourth number says how many axes a file has, which the sizes tell.
+    // An optional fourth number is the number of axes in a file. It follows from the sizes.
     if (words.size() < 4 || words.size() > 5) return refused();
     const auto first = parsed<std::int64_t>(words[1]), last = parsed<std::int64_t>(words[2]),
                step = parsed<std::int64_t>(words[3]);
@@ -66,7 +66,7 @@ Result<std::vector<std::string>> names_of_pattern(const ByteSource& header, cons
     return names;
 }
 
-// Goes on with the next file where one ends.
+// Concatenates the files. Fails if one does not have exactly `each` bytes.
 class FileListStage : public ByteStage {
 public:
     FileListStage(std::vector<std::filesystem::path> files, std::uint64_t each, bool compressed)
@@ -151,7 +151,7 @@ Result<ByteSource> open_listed_values(const ByteSource& header, const std::vecto
         paths.push_back(std::move(path));
     }
     auto stage = std::make_unique<FileListStage>(std::move(paths), static_cast<std::uint64_t>(each), compressed);
-    constexpr double kDeflated = 1032.0; // of gzip, at most
+    constexpr double kDeflated = 1032.0; // largest ratio of gzip
     return ByteSource::of_stage(std::move(stage), header.name(), compressed ? kDeflated * there : there);
 }
 

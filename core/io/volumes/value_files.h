@@ -1,4 +1,4 @@
-// The files of values that a detached header names: one, a list of them (LIST), or a pattern with numbers.
+// Reads values from several files that a detached header names, as a list (LIST) or as a pattern with numbers.
 #pragma once
 
 #include "core/base/error.h"
@@ -9,13 +9,13 @@
 
 namespace ramus::io {
 
-// The names in `field`, what a header says of its files: those on the lines behind it for "LIST", those of the pattern
-// for "slice%03d.raw 1 66 1". None: the field is the name of one file. Fails on a pattern that is none of one whole
-// number, and on more than 65,536 files.
+// The names of files that the header's `field` means: for "LIST" the lines that follow in `header`, for
+// "slice%03d.raw 1 66 1" the names of the pattern (first, last, step). Empty: the field is the name of one file. Fails
+// on an invalid pattern, and on more than 65,536 files.
 [[nodiscard]] Result<std::vector<std::string>> listed_files(ByteSource& header, const std::string& field);
 
-// The bytes of all these files, one after the other; each is a regular file in the folder of `header` or below, and
-// holds as many bytes as all others: `bytes` in all, undone by gzip or zlib first if `compressed`.
+// The concatenated bytes of these files. Each must be a regular file in the folder of `header` or below, and all must
+// hold equally many bytes, `bytes` in total. `compressed`: each is compressed by gzip or zlib.
 [[nodiscard]] Result<ByteSource> open_listed_values(const ByteSource& header, const std::vector<std::string>& names,
                                                     double bytes, bool compressed);
 

@@ -56,7 +56,7 @@ const std::vector<VolumeFormat>& volume_formats() {
           .states_orientation = true,
           .help = "NIfTI-1 and NIfTI-2 in one file, compressed or not."},
          read_nifti},
-        // One of these alone says too little; the reader says what to do.
+        // Refused with a message: one file of a pair is not enough.
         {{.name = "pair of files (.hdr and .img)",
           .extensions = {".hdr", ".img"},
           .help = "ANALYZE 7.5, or NIfTI in two files: known, but not read."}},

@@ -1,5 +1,5 @@
-// Volumes from files: the formats, one row each, and one function that reads them all. A new format is a pair of files
-// beside this and a row in volume_file.cpp. Formats without a reader are known, to be refused by name.
+// Reads volumes in all formats. The table of formats is in volume_file.cpp; a new format is a row there and a reader in
+// this folder. A row without a reader is for a format that is refused with its name.
 #pragma once
 
 #include "core/base/error.h"
@@ -17,14 +17,15 @@
 namespace ramus::io {
 
 struct ReadVolumeOptions {
-    double memory_bytes = 0.0;           // most that the process shall take; 0 = half of the machine's
-    std::optional<LengthUnit> unit = {}; // against what the file says
+    double memory_bytes = 0.0;           // memory limit of the process; 0: half of the machine's memory
+    std::optional<LengthUnit> unit = {}; // overrides the file's unit
 };
 
 struct VolumeFormat : FileFormat {
-    // null: not yet read.
+    // Null: the format cannot be read.
     Result<volume::Volume> (*read)(ByteSource& source, const ReadVolumeOptions&, Job&) = nullptr;
-    // Of formats whose volumes are folders: whether this one holds such a volume, and the reader; null: of others.
+    // For formats whose volumes are folders: whether a folder holds such a volume, and its reader. Null for other
+    // formats.
     bool (*is_folder)(const std::filesystem::path& folder) = nullptr;
     Result<volume::Volume> (*read_folder)(const std::filesystem::path& folder, const ReadVolumeOptions&,
                                           Job&) = nullptr;
@@ -34,19 +35,18 @@ struct VolumeFormat : FileFormat {
 
 [[nodiscard]] const std::vector<VolumeFormat>& volume_formats();
 
-// ".nii or .nii.gz": of the formats that are read.
+// The extensions of the formats that are read: ".nii or .nii.gz".
 [[nodiscard]] std::string readable_volume_extensions();
 
-// Whether the name is that of a volume, read or not.
+// Whether the extension is that of a volume format, also of one that cannot be read.
 [[nodiscard]] bool names_volume(const std::filesystem::path& path);
 
-// Whether there is a volume at `path`: a file, or a folder of DICOM files (core/io/recognise.h).
+// Whether `path` is a volume: a file, or a folder of DICOM files (core/io/recognise.h).
 [[nodiscard]] bool is_volume(const std::filesystem::path& path);
 
-// The volume in `path`, in mm, RAS. The content of the file says which format it has. Where it states no unit of
-// length, and none is asked for, a volume whose size looks like another than mm gets a suspicion. Fails with the file's
-// name and a remedy on whatever is wrong with it, on what would take more memory than allowed, before that is taken,
-// and when `job` is cancelled (what == "cancelled").
+// Reads a volume in mm, RAS. recognise.h decides the format. If neither the file nor `options` state a unit, mm is
+// assumed, and a suspicion is added if the size suggests another unit. Fails with the file's name and a remedy, before
+// it takes more memory than allowed, and when `job` is cancelled (what == "cancelled").
 [[nodiscard]] Result<volume::Volume> read_volume(const std::filesystem::path& path, const ReadVolumeOptions& options,
                                                  Job& job);
 

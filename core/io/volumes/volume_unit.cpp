@@ -9,8 +9,8 @@ namespace ramus::io {
 
 namespace {
 
-// Of a patient's volume in mm: no longest side is shorter than the first nor longer than the last, and none as short
-// has pixels as coarse as they are in metres or fine enough only in cm. Thresholds of a suspicion, not of a decision.
+// Thresholds in mm of suspicions about the unit, not of decisions. The longest side of a patient's volume is between
+// kShortestInMm and kLongest. A shorter volume with voxels finer than kFineStep is most likely in cm, or in metres.
 constexpr double kShortestInMm = 60.0, kShortestInCm = 2.0, kLongest = 3000.0, kFineStep = 0.2;
 
 void suspect_unit(volume::Volume& volume) {

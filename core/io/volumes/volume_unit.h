@@ -1,5 +1,5 @@
-// The unit of a volume's lengths: what its file states, what a person says, and a word where its size looks like
-// another.
+// Settles the unit of length of a volume, from its file and the options of a person, and warns if its size suggests
+// another unit.
 #pragma once
 
 #include "core/base/error.h"
@@ -11,13 +11,13 @@
 
 namespace ramus::io {
 
-// Puts a volume whose lengths count in the unit that its file states (mm where it states none) into the unit that a
-// person asks for, along each of the patient's axes, as trees are. Adds what is assumed and suspected to its notes.
-// Fails where voxels would then lie where no patient can be.
+// Converts a volume to mm with the unit `asked`, along each of the patient's axes. The volume must be in mm by the unit
+// that its file states (mm if it states none). Without `asked` the volume stays as it is. Adds notes and suspicions.
+// Fails if voxels would be where no patient can be.
 [[nodiscard]] Result<void> apply_unit(volume::Volume& volume, const std::optional<LengthUnit>& asked,
                                       const std::string& name);
 
-// Of a tree that is made of the volume, read with the unit that a person asked for.
+// The claims of a tree that is made from the volume, which was read with the unit `asked`.
 [[nodiscard]] tree::Claims claims_of(const volume::Volume& volume, const std::optional<LengthUnit>& asked);
 
 } // namespace ramus::io

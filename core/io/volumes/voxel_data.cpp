@@ -37,7 +37,7 @@ template <class Raw> void swap_bytes(std::vector<Raw>& raw, std::size_t count) {
     }
 }
 
-// A megabyte at a time, for even one slice may be a claim too large.
+// Reads a megabyte at a time, because even the declared size of one slice may be too large.
 constexpr std::size_t kAtOnce = std::size_t{1} << 20;
 
 template <class Raw> Result<void> read_binary(const Reading& reading, volume::VoxelStore& store) {
@@ -56,8 +56,8 @@ template <class Raw> Result<void> read_binary(const Reading& reading, volume::Vo
 
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ','; }
 
-// Numbers that `text` begins with, up to `count`, and how much of it they are. The last may go on behind it, unless
-// that is all there is.
+// Parses up to `count` numbers at the beginning of `text`, and returns the number of bytes used. Unless `is_all`,
+// leaves the last word, which may continue after `text`.
 template <class Raw>
 Result<std::size_t> parse_numbers(std::string_view text, bool is_all, std::vector<Raw>& raw, std::size_t count) {
     std::size_t used = 0;
@@ -131,7 +131,7 @@ double count_of(const glm::ivec3& size) { return double(size.x) * double(size.y)
 
 std::size_t layers_of(const VoxelLayout& layout) { return layout.layers == nullptr ? 1 : layout.layers->count(); }
 
-// Text takes a digit and a blank for each number; the last needs no blank.
+// Least bytes in the file. Text needs a digit and a blank for each number; the last needs no blank.
 double bytes_in_file(const VoxelLayout& layout) {
     const double numbers = static_cast<double>(layers_of(layout)) * count_of(layout.size);
     return layout.encoding == Encoding::kText ? 2.0 * numbers - 1.0
@@ -166,7 +166,7 @@ Result<void> check_declared_size(const DeclaredVoxels& declared, const std::stri
                               std::to_string(size.z) + " voxels";
     if (declared.file_bytes > declared.most_bytes)
         return fail(words + ", more than the file can hold", name, "copy or write it again");
-    // Whatever they are, what is inside takes a bit for each.
+    // A mask takes at least a bit for each voxel, whatever their values.
     const double bytes = voxels / 8.0;
     if (bytes > declared.memory_bytes)
         return fail(words + ", which take " + megabytes(bytes) + " of memory or more; " +

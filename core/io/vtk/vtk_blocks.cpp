@@ -17,7 +17,7 @@ constexpr std::pair<std::string_view, VtkCompressor> kVtkCompressors[] = {
     {"vtkLZ4DataCompressor", VtkCompressor::kLz4},
     {"vtkLZMADataCompressor", VtkCompressor::kLzma}};
 
-constexpr std::uint64_t kMostLz4 = 255;            // bytes for one: each byte of a length counts so many at most
+constexpr std::uint64_t kMostLz4 = 255;            // largest ratio: each byte of a length adds at most 255
 constexpr std::uint64_t kLzmaMemory = 100'000'000; // the strongest preset needs 65 MiB
 
 bool unpack_lz4(std::string_view packed, std::string& plain) {
@@ -41,7 +41,7 @@ bool unpack_lzma(std::string_view packed, std::string& plain) {
 
 std::optional<VtkCompressor> vtk_compressor(std::string_view name) { return paired(kVtkCompressors, name); }
 
-// A few bytes of LZMA may stand for megabytes: what all arrays of a file may take is limited elsewhere.
+// No limit for LZMA: a few bytes may decompress to megabytes. VtkXmlData limits the sum of all arrays.
 bool can_grow_to(VtkCompressor compressor, std::uint64_t packed, std::uint64_t size) {
     switch (compressor) {
     case VtkCompressor::kNone:

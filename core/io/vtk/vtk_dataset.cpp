@@ -105,7 +105,7 @@ Result<void> VtkDataset::add_cell(Cell kind, const std::vector<std::int64_t>& co
         add_face(kind, along);
         return {};
     }
-    // Curved lines name their two ends first.
+    // Curved lines have their two ends first.
     if (kind != Cell::kLine && along.size() > 2) std::rotate(along.begin() + 1, along.begin() + 2, along.end());
     lines.push_back({line_points.size(), line_points.size() + along.size(), cell});
     line_points.insert(line_points.end(), along.begin(), along.end());

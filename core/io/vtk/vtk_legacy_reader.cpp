@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kLegacyMark = "# vtk DataFile Version";
 
-// A type's name in the file; "bit" and "string" are dealt with where they stand.
+// The number type of a name in the file, except "bit" and "string".
 std::optional<NumberType> legacy_type(std::string_view name) {
     constexpr std::pair<std::string_view, NumberType> kTypes[] = {
         {"char", NumberType::kInt8},
@@ -29,13 +29,13 @@ std::optional<NumberType> legacy_type(std::string_view name) {
         {"unsigned_long", NumberType::kUInt64},
         {"vtktypeint64", NumberType::kInt64},
         {"vtktypeuint64", NumberType::kUInt64},
-        {"vtkidtype", NumberType::kInt32}, // so it is written, whatever it is in memory
+        {"vtkidtype", NumberType::kInt32}, // its type in files, whatever it is in memory
         {"float", NumberType::kFloat},
         {"double", NumberType::kDouble}};
     return paired(kTypes, lower_case(name));
 }
 
-// Names stand with %20 for a blank.
+// Decodes a name: it has %20 for a blank.
 std::string legacy_name(std::string_view encoded) {
     std::string name;
     for (std::size_t i = 0; i < encoded.size(); ++i) {
@@ -59,7 +59,7 @@ public:
     explicit VtkLegacyReader(const VtkInput& input) : input_(input), words_(input.text, input.name) {}
 
     Result<VtkDataset> read() {
-        static_cast<void>(words_.line()); // the version: what differs between them is told by what stands there
+        static_cast<void>(words_.line()); // the version: the content shows the differences
         if (const auto space = space_in(words_.line()))
             data_.arrays.push_back({std::string(kVtkSpace), VtkOf::kWhole, 1, {}, {space->letters()}});
         const std::string encoding = lower_case(words_.next());
@@ -93,7 +93,7 @@ private:
         if (keyword == "cell_types") return read_types();
         if (keyword == "point_data" || keyword == "cell_data") {
             of_ = keyword == "point_data" ? VtkOf::kPoints : VtkOf::kCells;
-            // Arrays are checked as they come: a file may announce values of things and have none.
+            // Arrays are checked one by one: a file may announce data and have none.
             RAMUS_TRY(count, words_.whole("the number of values"));
             if (count < 0) return fail("the number of values is negative", words_.place(), "correct the file");
             things_ = static_cast<std::size_t>(count);
@@ -108,7 +108,7 @@ private:
         return read_attribute(keyword);
     }
 
-    // Data of so many tuples, by keyword. The sizes that follow a keyword differ from each other.
+    // Reads data of points or cells by keyword. The arguments differ between keywords.
     Result<void> read_attribute(const std::string& keyword) {
         if (keyword == "field") return read_fields();
         if (keyword == "lookup_table") {
@@ -211,7 +211,8 @@ private:
         return values;
     }
 
-    // An array that no tree needs, for which none is refused.
+    // Reads an array that is not needed, without failing on its content: words that are no numbers become unknown
+    // values.
     Result<void> read_data(VtkArray& array, std::size_t count, NumberType type) {
         if (binary_) {
             RAMUS_TRY(values, numbers(count, type, {}));
@@ -244,7 +245,7 @@ private:
         return values;
     }
 
-    // From the line after this one on.
+    // From the next line on.
     Result<std::string_view> binary(std::size_t count, NumberType type) {
         if (count == 0) return std::string_view{};
         static_cast<void>(words_.line());
@@ -265,7 +266,7 @@ private:
         return {};
     }
 
-    // Of a text, a line each; in binary files its length comes first, in 6 to 62 bits as the first two say.
+    // Texts, one a line; in binary files each after its length, in 6 to 62 bits according to the first two bits.
     Result<void> skip_texts(std::size_t count) {
         static_cast<void>(words_.line());
         for (std::size_t i = 0; i < count; ++i) {
@@ -303,7 +304,7 @@ private:
         std::string place;
     };
 
-    // Since version 5.1 as offsets and connectivity, before that as the number of each cell's points and those.
+    // Since version 5.1 as offsets and connectivity, before as the number of points of each cell and the points.
     Result<void> read_cells(Cells& cells) {
         RAMUS_TRY(first, words_.count("the number of cells"));
         RAMUS_TRY(second, words_.count("the size of the cells"));
@@ -365,7 +366,7 @@ private:
         return {};
     }
 
-    // In the order in which VTK numbers them, so that arrays of cells fit.
+    // In VTK's order of cells, which cell arrays follow.
     Result<void> add_cells() {
         using Cell = VtkDataset::Cell;
         if (auto good = add(vertices_, [](std::size_t) { return Cell::kVertex; }); !good) return good;

@@ -23,12 +23,12 @@ std::optional<NumberType> xml_type(std::string_view name) {
     return paired(kTypes, name);
 }
 
-// Bytes in base64 or as they are, taken one piece after the other. Each piece has its own padding.
+// Reads consecutive pieces of bytes, raw or in base64. Each piece of base64 has its own padding.
 class EncodedBytes {
 public:
     EncodedBytes(std::string_view data, bool base64) : data_(data), base64_(base64) {}
 
-    // None: there are not so many, or they are no base64.
+    // The next `count` bytes. None: there are fewer, or they are no base64.
     std::optional<std::string> take(std::uint64_t count) {
         if (count > (base64_ ? data_.size() / 4 * 3 + 3 : data_.size())) return std::nullopt;
         if (!base64_) {
@@ -46,15 +46,15 @@ public:
         held_.erase(0, count);
         return bytes;
     }
-    // What comes next begins with a piece of its own.
+    // The next byte begins a new piece.
     void next_piece() { held_.clear(); }
 
 private:
-    // Whole groups of four digits, until there are `count` bytes.
+    // Decodes whole groups of four digits, until there are `count` bytes.
     std::optional<std::string> decode(std::size_t count) {
         std::string bytes;
         while (bytes.size() < count && !data_.empty()) {
-            // Padding ends a piece, so that groups are not always three bytes: try, then go on.
+            // Because of padding, a group may have fewer than three bytes: decode, then continue if needed.
             std::size_t end = 0, digits = 0;
             const std::size_t wanted = (count - bytes.size() + 2) / 3 * 4;
             while (end < data_.size() && digits < wanted && data_[end] != '<') {
@@ -148,7 +148,7 @@ Result<std::string> VtkXmlData::decoded(std::string_view data, bool base64, std:
     if (!packed) return ends();
     bytes.next_piece();
     std::string all;
-    constexpr std::uint64_t kSmall = std::uint64_t{1} << 20; // which the reader tells more about
+    constexpr std::uint64_t kSmall = std::uint64_t{1} << 20; // for smaller arrays the reader has a better message
     most = std::max(most, kSmall);
     for (std::uint64_t b = 0; b < count; ++b) {
         const std::int64_t last = sizes->at(1), full = sizes->at(0);
@@ -158,7 +158,7 @@ Result<std::string> VtkXmlData::decoded(std::string_view data, bool base64, std:
             return fail("a block of this array claims a size that it cannot have", where, kGetVtkAgain);
         if (static_cast<std::uint64_t>(size) > most - all.size())
             return fail("this array holds more values than the file declares", where, kGetVtkAgain);
-        // Of all arrays: several may name the same bytes.
+        // The sum over all arrays, because several may refer to the same bytes.
         unpacked_ += static_cast<std::uint64_t>(size);
         if (unpacked_ > inflation_limit(text_.size()))
             return fail("the compressed data grow, with this array, beyond " +

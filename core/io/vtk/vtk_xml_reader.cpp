@@ -12,7 +12,7 @@ namespace ramus::io {
 
 namespace {
 
-constexpr std::size_t kMostVtkCells = std::size_t{1} << 40; // so that sums of claims stay numbers
+constexpr std::size_t kMostVtkCells = std::size_t{1} << 40; // so that sums of declared counts do not overflow
 
 bool head_has_vtk_type(std::string_view head, std::string_view type) {
     const std::size_t tag = head.find("<VTKFile");
@@ -38,7 +38,7 @@ public:
         if (auto good = read_fields(body.child("FieldData")); !good) return tl::unexpected(good.error());
         for (const pugi::xml_node& piece : body.children("Piece"))
             if (auto good = read_piece(piece, type == "PolyData"); !good) return tl::unexpected(good.error());
-        // Of several pieces, some may lack an array: then nobody has it.
+        // An array that some pieces lack is left out.
         for (VtkArray& array : data_.arrays) {
             const std::size_t things = array.of == VtkOf::kPoints ? data_.points.size() : data_.cells;
             if (array.of != VtkOf::kWhole && array.values.size() != things * array.components) array.values.clear();
@@ -79,7 +79,7 @@ private:
         return static_cast<std::size_t>(*number);
     }
 
-    // Connectivity and offsets: the points of every cell. `cell_of(n)` is the kind of the nth.
+    // Reads connectivity and offsets, the points of every cell. `cell_of(n)`: the kind of cell n.
     template <class KindOf>
     Result<void> read_cells(const pugi::xml_node& cells, std::size_t count, std::size_t first_point,
                             const KindOf& kind_of) {
@@ -167,7 +167,7 @@ private:
                 continue;
             }
             auto read = xml_.numbers(array, things);
-            if (!is_needed && (!read || read->size() != things)) { // of no use, and no reason to refuse the tree
+            if (!is_needed && (!read || read->size() != things)) { // not needed, so no reason to fail
                 leave_out(name);
                 continue;
             }
@@ -195,7 +195,7 @@ private:
             RAMUS_TRY(values, xml_.numbers(array));
             if (!is_text) {
                 field.values = std::move(values);
-            } else { // characters by their numbers, each text with a 0 at its end
+            } else { // codes of characters, with a 0 after each text
                 std::string text;
                 for (const double value : values) {
                     if (value != 0.0)

@@ -1,5 +1,5 @@
-// The elements of a DICOM data set that readers of images need, as dicom_layout.h finds them, with their values. What
-// is not there or makes no sense is empty.
+// DicomSet: the values of those elements of a DICOM data set that readers of images need. Missing and invalid values
+// are empty or none. dicom_layout.h fills it.
 #pragma once
 
 #include <cstddef>
@@ -16,15 +16,15 @@ class DicomSet {
 public:
     explicit DicomSet(bool big_endian = false) : big_endian_(big_endian) {}
 
-    // Only elements that anybody asks for are worth keeping.
+    // Whether readers need the element; others are not kept.
     [[nodiscard]] static bool wants(std::uint32_t tag);
-    void put(std::uint32_t tag, std::string_view value); // the first counts
-    // The items of a sequence, to be added; until the next call.
+    void put(std::uint32_t tag, std::string_view value); // keeps the first value of a tag
+    // The items of a sequence, for adding. The reference is valid until the next call.
     std::vector<DicomSet>& sequence(std::uint32_t tag);
 
     [[nodiscard]] std::string text(std::uint32_t tag) const; // without padding
     [[nodiscard]] std::vector<double> decimals(std::uint32_t tag) const;
-    // Of two bytes, unsigned; `place`: which one of several.
+    // An unsigned number of two bytes; `place`: its index, if the element has several.
     [[nodiscard]] std::optional<int> number(std::uint32_t tag, std::size_t place = 0) const;
     [[nodiscard]] const std::vector<DicomSet>& items(std::uint32_t tag) const;
 

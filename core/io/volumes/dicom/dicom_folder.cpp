@@ -75,7 +75,7 @@ std::vector<DicomSeries> series_of(std::vector<DicomImage> images) {
     }
     std::vector<DicomSeries> all;
     for (auto& [key, series] : groups) all.push_back(std::move(series));
-    // Of equal ones the scan before what was marked in it.
+    // Among equals, a scan comes before its segmentation.
     std::ranges::stable_sort(all, [](const DicomSeries& a, const DicomSeries& b) {
         const bool marks_a = a.images.front().segments != SegmentKind::kNone;
         const bool marks_b = b.images.front().segments != SegmentKind::kNone;

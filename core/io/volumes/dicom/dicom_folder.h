@@ -1,4 +1,4 @@
-// The DICOM images in a folder, and which of them belong together.
+// Reads the headers of all DICOM images in a folder, and groups them into series.
 #pragma once
 
 #include "core/base/job.h"
@@ -10,24 +10,24 @@
 
 namespace ramus::io {
 
-// Whether the file's first bytes are those of DICOM.
+// Whether the file's first bytes identify it as DICOM.
 [[nodiscard]] bool begins_as_dicom(const std::filesystem::path& file);
 
 struct DicomFolder {
     std::vector<DicomImage> images; // by the names of their files
-    std::vector<Error> unreadable;  // of files that begin as DICOM does
+    std::vector<Error> unreadable;  // of damaged DICOM files
 };
 
-// Headers of all DICOM images that lie in the folder itself, read by all cores. Fails if it cannot be listed, and when
-// cancelled.
+// Reads the headers of all DICOM images directly in the folder, in parallel. Fails if the folder cannot be listed, and
+// when cancelled.
 [[nodiscard]] Result<DicomFolder> read_dicom_headers(const std::filesystem::path& folder, const JobRange& job);
 
-// Images that make one volume: those of a series; files with several frames, and segmentations, each for itself.
+// Images of one volume: those of a series. A file with several frames and a segmentation are volumes of their own.
 struct DicomSeries {
     std::vector<DicomImage> images;
-    std::size_t slices = 0; // of segmentations: places where a frame lies
+    std::size_t slices = 0; // number of frames; of a segmentation: of different positions
 };
-// The largest first.
+// Sorted by the number of slices, the largest first; among equals images before segmentations.
 [[nodiscard]] std::vector<DicomSeries> series_of(std::vector<DicomImage> images);
 
 } // namespace ramus::io

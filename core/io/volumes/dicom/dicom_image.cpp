@@ -20,8 +20,8 @@ std::optional<glm::dvec3> vector_of(const std::vector<double>& numbers, std::siz
     return glm::dvec3(numbers[from], numbers[from + 1], numbers[from + 2]);
 }
 
-// What a set of elements says of a frame, over what is known of it already: the data set of a file with one image, or
-// an item of a functional group.
+// Overrides the known properties of a frame by those in a set of elements: the data set of a file with one image, or an
+// item of a functional group.
 void take_position(const DicomSet& set, DicomFrame& frame) {
     if (const auto position = vector_of(set.decimals(0x00200032), 0)) frame.position = position;
 }

@@ -1,5 +1,5 @@
-// What a DICOM file says of the images in it: one, or a frame after the other. Read from the
-// elements that dicom_layout.h finds.
+// Reads the description of the image in a DICOM file, which may have several frames, from the elements that
+// dicom_layout.h finds.
 #pragma once
 
 #include "core/io/volumes/dicom/dicom_layout.h"
@@ -15,14 +15,14 @@
 
 namespace ramus::io {
 
-// Where a frame lies, in mm, LPS, as far as the file says.
+// The position of a frame in mm, LPS, as far as the file states it.
 struct DicomFrame {
     std::optional<glm::dvec3> position;                 // of the centre of its first pixel
-    std::optional<std::array<glm::dvec3, 2>> direction; // of rows (along which columns count) and of columns
-    std::optional<glm::dvec2> spacing;                  // from column to column, from row to row
-    double between_slices = 0.0, thickness = 0.0;       // 0: not said
+    std::optional<std::array<glm::dvec3, 2>> direction; // along a row, and along a column
+    std::optional<glm::dvec2> spacing;                  // between columns, and between rows
+    double between_slices = 0.0, thickness = 0.0;       // 0: not stated
     volume::Scaling scaling;
-    int segment = 0; // of segmentations
+    int segment = 0; // its number, for segmentations
 };
 
 enum class SegmentKind { kNone, kBinary, kFractional, kLabels };
@@ -38,15 +38,15 @@ struct DicomImage {
     std::vector<DicomFrame> frames;
 
     SegmentKind segments = SegmentKind::kNone;
-    int most_fraction = 255; // of fractions: what stands for 1
+    int most_fraction = 255; // for fractions: the pixel value that means 1
     std::vector<volume::LabelName> segment_names;
 };
 
-// The image's series, its number and what it shows, for people: number 4, "Thorax 1.0", CT.
+// The series of the image for people: number 4, "Thorax 1.0", CT.
 [[nodiscard]] std::string series_name(const DicomImage& image);
 
-// Nothing: DICOM, but no image (a report, a plan, a list of files). Fails on damage, and on what no volume is made of:
-// colours, frames without a place.
+// None: a DICOM file without an image (a report, a plan, a list of files). Fails on damaged files, and on images that
+// make no volume: colours, frames without a position.
 [[nodiscard]] Result<std::optional<DicomImage>> read_dicom_image(const DicomBytes& file);
 
 } // namespace ramus::io

@@ -1,7 +1,6 @@
-// Where what lies in a DICOM file (PS3.5, chapters 7 and A): the elements of its header, and the pixels behind it.
-// Every length in the file is held against the bytes that are there, sequences in sequences included, before anybody
-// allocates by it. GDCM, which decodes pixels (dicom_pixels.h), does not read headers: damaged ones end the program
-// there.
+// Parses the structure of a DICOM file (PS3.5, chapters 7 and A): the elements of its header, and the position of its
+// pixels. Every length, also in nested sequences, is checked against the available bytes before memory is allocated.
+// GDCM is used only to decode pixels (dicom_pixels.h), because damaged headers crash it.
 #pragma once
 
 #include "core/base/error.h"
@@ -16,10 +15,10 @@
 
 namespace ramus::io {
 
-// The bytes of a DICOM file: in a file, or in memory.
+// A DICOM file, on the disk or in memory.
 struct DicomBytes {
     std::filesystem::path path;               // empty: in memory
-    std::shared_ptr<const std::string> bytes; // null: in the file
+    std::shared_ptr<const std::string> bytes; // null: on the disk
     std::string name;                         // for errors
 
     [[nodiscard]] Result<std::unique_ptr<std::istream>> open() const;
@@ -31,16 +30,17 @@ inline constexpr std::string_view kDicomBigEndian = "1.2.840.10008.1.2.2"; // ex
 struct DicomLayout {
     std::string transfer_syntax; // its UID
     std::uint64_t header_bytes = 0;
-    std::uint64_t pixel_begin = 0, pixel_bytes = 0; // of the values; of compressed ones, all fragments
+    std::uint64_t pixel_begin = 0, pixel_bytes = 0; // of the values, or of all fragments if compressed
     bool has_pixels = false, encapsulated = false;
-    DicomSet elements; // those that readers of images want
+    DicomSet elements; // those that readers of images need
 };
 
-// Whether a file begins as DICOM does: with its mark, or, as some old ones, with a first element right away.
+// Whether a file begins as DICOM: with its magic number, or, as some old files, directly with a plausible first
+// element.
 [[nodiscard]] bool is_dicom(std::string_view head);
 
-// Fails on files that end early, lengths that lead out of what they are part of, sequences deeper than anybody needs,
-// data sets that are compressed as a whole, and more items than an image has.
+// Fails on truncated files, on lengths that exceed the enclosing element, on too deeply nested sequences, on data sets
+// that are compressed as a whole, and on too many items.
 [[nodiscard]] Result<DicomLayout> dicom_layout(const DicomBytes& file);
 
 } // namespace ramus::io

@@ -22,7 +22,7 @@ double claimed_bytes(const DicomImage& image) {
            static_cast<double>(image.frames.size());
 }
 
-// Of the bits of each number those that are stored, in this machine's byte order.
+// Extracts the stored bits of each number, in this machine's byte order.
 template <class Number> void keep_stored_bits(const DicomImage& image, std::string& pixels) {
     const std::size_t count = pixels.size() / sizeof(Number);
     auto* numbers = reinterpret_cast<Number*>(pixels.data());
@@ -37,7 +37,7 @@ template <class Number> void keep_stored_bits(const DicomImage& image, std::stri
     constexpr int kBits = 8 * static_cast<int>(sizeof(Number));
     const int left = kBits - 1 - image.high_bit;
     const int right = kBits - image.bits_stored;
-    // Shifted to the left and back, signed numbers get back their sign.
+    // Shifting to the left and back extends the sign of signed numbers.
     for (std::size_t n = 0; n < count; ++n)
         numbers[n] =
             static_cast<Number>(static_cast<Number>(static_cast<Bits>(static_cast<Bits>(numbers[n]) << left)) >> right);
@@ -69,7 +69,8 @@ const PixelType* pixel_type(const DicomImage& image) {
     return nullptr;
 }
 
-// `input`: how many bytes the pixels take, and the file. Nothing: they are other than the header says, or damaged.
+// `input`: the expected number of bytes of the pixels, and the file. Empty: the pixels differ from the header, or are
+// damaged.
 std::string decode(std::string_view input) {
     std::uint64_t bytes = 0;
     std::memcpy(&bytes, input.data(), sizeof(bytes));
@@ -109,7 +110,7 @@ const char* number_type_name(const DicomImage& image) {
 Result<void> check_pixels(const DicomImage& image, double memory_bytes) {
     const std::string& name = image.file.name;
     const double claimed = claimed_bytes(image);
-    // Of compressed pixels: an empty slice in JPEG 2000 or JPEG-LS takes a few dozen bytes.
+    // An empty slice in JPEG 2000 or JPEG-LS takes a few dozen bytes.
     constexpr double kMostCompression = 1e5;
     const double possible =
         static_cast<double>(image.layout.pixel_bytes) * (image.layout.encapsulated ? kMostCompression : 1.0);
@@ -134,7 +135,7 @@ Result<std::string> read_pixel_bytes(const DicomImage& image, std::uint64_t begi
 }
 
 Result<std::string> decode_pixels(const DicomImage& image) {
-    // Damage makes GDCM and its decoders end the program that they are in.
+    // On damaged pixels GDCM and its decoders can end the process.
     ProcessLimits limits;
     const std::uint64_t bytes = frame_bytes(image) * image.frames.size();
     limits.memory += 4 * bytes;

@@ -1,5 +1,5 @@
-// Pixels of DICOM images: uncompressed ones straight from the file, others (JPEG, JPEG-LS, JPEG 2000, RLE) through GDCM
-// in a process of its own; as numbers of which only the bits that are stored count.
+// Reads the pixels of DICOM images: uncompressed ones directly, others (JPEG, JPEG-LS, JPEG 2000, RLE) through GDCM in
+// a separate process (core/base/own_process.h). Of each number only the stored bits are used.
 #pragma once
 
 #include "core/io/volumes/dicom/dicom_image.h"
@@ -9,20 +9,21 @@
 
 namespace ramus::io {
 
-[[nodiscard]] std::uint64_t frame_bytes(const DicomImage& image); // of whole bytes for each pixel, decoded
+[[nodiscard]] std::uint64_t frame_bytes(const DicomImage& image); // of a decoded frame, with whole bytes for each pixel
 [[nodiscard]] const char* number_type_name(const DicomImage& image);
 
-// Whether as many pixels can be there as its header claims, before anything is allocated for them.
+// Fails if the file cannot hold the declared pixels, or they take more than `memory_bytes`. Allocates nothing.
 [[nodiscard]] Result<void> check_pixels(const DicomImage& image, double memory_bytes);
 
-// Bytes `begin` to `begin + bytes` of uncompressed pixels.
+// Reads bytes `begin` to `begin + bytes` of uncompressed pixels.
 [[nodiscard]] Result<std::string> read_pixel_bytes(const DicomImage& image, std::uint64_t begin, std::uint64_t bytes);
-// All frames of compressed pixels, one after the other.
+// Decodes all frames of compressed pixels, in order.
 [[nodiscard]] Result<std::string> decode_pixels(const DicomImage& image);
-// One frame; `decoded`: all frames, if they are compressed.
+// The bytes of one frame. `decoded`: the result of decode_pixels(); must not be null for compressed images of several
+// frames.
 [[nodiscard]] Result<std::string> frame_pixels(const DicomImage& image, std::size_t frame, const std::string* decoded);
 
-// Puts a frame's numbers, scaled, behind what `store` holds. Changes the bytes.
+// Appends the scaled numbers of a frame to `store`. Changes `pixels`.
 [[nodiscard]] Result<void> append_frame(const DicomImage& image, const volume::Scaling& scaling, std::string& pixels,
                                         volume::VoxelStore& store);
 

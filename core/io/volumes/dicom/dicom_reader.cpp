@@ -18,16 +18,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr float kHeaders = 0.1F; // share of the work, about
+constexpr float kHeaders = 0.1F; // approximate share of the work
 
-// Frames in the order of the stack, some at a time on all cores.
+// Reads frames in the order of the stack, some at a time in parallel.
 class PixelLoop {
 public:
     PixelLoop(const std::vector<DicomImage>& images, const DicomStack& stack, const JobRange& job)
         : images_(images), stack_(stack), job_(job) {}
 
     Result<void> run(volume::VoxelStore& store) {
-        // Of many compressed frames in one file, all come at once.
+        // All compressed frames of a file are decoded at once.
         const DicomImage& first = images_[stack_.slices[0].image];
         std::string decoded;
         const bool at_once = first.layout.encapsulated && first.frames.size() > 1;
@@ -94,7 +94,8 @@ Result<volume::Volume> read_images(const std::vector<DicomImage>& images, const 
 
 std::string files_text(std::size_t count) { return std::to_string(count) + (count == 1 ? " file" : " files"); }
 
-// Damage to other files is said beside a volume. Where there is none, because slices are missing, it is the reason.
+// Reports damaged files of the folder as a note. If the volume failed, the damaged files, which leave slices out, are
+// the likely reason: returns their error instead.
 Result<volume::Volume> with_damage(Result<volume::Volume> volume, const std::vector<Error>& unreadable) {
     if (unreadable.empty() || (!volume && volume.error().what == "cancelled")) return volume;
     if (!volume) return tl::unexpected(unreadable.front());
@@ -103,7 +104,7 @@ Result<volume::Volume> with_damage(Result<volume::Volume> volume, const std::vec
     return volume;
 }
 
-// All bytes of a source that no file stands for.
+// All bytes of a source that is not a plain file.
 Result<DicomBytes> bytes_of_source(ByteSource& source, double memory_bytes) {
     auto bytes = std::make_shared<std::string>();
     constexpr std::size_t kAtOnce = std::size_t{1} << 20;
@@ -138,7 +139,7 @@ Result<volume::Volume> read_dicom(ByteSource& source, const ReadVolumeOptions& o
     for (const DicomSeries& series : series_of(std::move(folder.images)))
         if (std::ranges::any_of(series.images, [&](const DicomImage& image) { return image.file.path == file.path; }))
             return with_damage(read_images(series.images, name, options, job), folder.unreadable);
-    return read_images({*named}, name, options, job); // it has gone meanwhile
+    return read_images({*named}, name, options, job); // the file was removed meanwhile
 }
 
 Result<volume::Volume> read_dicom_folder(const fs::path& folder, const ReadVolumeOptions& options, Job& job) {

@@ -58,8 +58,8 @@ private:
         return static_cast<std::size_t>(image_.rows) * static_cast<std::size_t>(image_.columns);
     }
 
-    // The step from slice to slice, in mm: what the file says, if the frames agree, or the least that parts two of
-    // them.
+    // The step between slices in mm: as the file states it, if the frames agree with it, or the least distance between
+    // two frames.
     double step_mm(const std::vector<double>& places) {
         const DicomFrame& first = image_.frames.front();
         double least = 0.0;
@@ -76,7 +76,7 @@ private:
         return std::abs(steps - std::round(steps)) <= kOffSlice && (least == 0.0 || steps > 0.5) ? said : least;
     }
 
-    // In which slice each frame lies.
+    // The slice of each frame.
     Result<void> place_frames() {
         const DicomFrame& first = image_.frames.front();
         for (const DicomFrame& frame : image_.frames) {
@@ -94,7 +94,7 @@ private:
         if (!(last < kMostSlices))
             return fail("its frames lie further apart than a patient is tall", image_.file.name, "export it again");
         slices_ = static_cast<int>(last) + 1;
-        // A tilted gantry shifts slices along with their normal.
+        // A tilted gantry shifts slices in their plane.
         const auto lowest = static_cast<std::size_t>(std::ranges::min_element(unsorted) - unsorted.begin());
         const auto highest = static_cast<std::size_t>(std::ranges::max_element(unsorted) - unsorted.begin());
         const glm::dvec3 origin = *image_.frames[lowest].position;
@@ -208,7 +208,7 @@ private:
 
 Result<volume::Volume> read_segments(const DicomImage& image, const ReadVolumeOptions& options, const JobRange& job) {
     const double memory = memory_left(options.memory_bytes);
-    // A slice of labels is held beside the volume.
+    // One slice of labels is needed in addition to the volume.
     if (4.0 * image.rows * image.columns > memory)
         return fail("its slices are larger than the memory that is left", image.file.name, "allow more with --memory");
     return Segments(image, memory, job).run();

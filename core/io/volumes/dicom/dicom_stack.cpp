@@ -13,10 +13,10 @@ namespace ramus::io {
 
 namespace {
 
-// Slices nearer than these are at one place; in parts of the distance from slice to slice, and in mm.
+// Slices nearer than these count as the same position; as a fraction of the slice distance, and in mm.
 constexpr double kSamePlace = 0.01, kSamePlaceLeast = 1e-3;
-// How far slices may be from where even steps put them, in parts of a step: without a word, as positions are rounded;
-// with a word. Tuned on nothing but sense: beyond a quarter, one is missing.
+// Allowed deviation of slices from even steps, as a fraction of a step: without a note (rounded positions), and with a
+// note. Not tuned on data: beyond a quarter, a slice is most likely missing.
 constexpr double kEven = 0.01, kUneven = 0.25;
 
 std::string length_text(double mm) {
@@ -65,7 +65,7 @@ private:
                image_a.bits_allocated == image_b.bits_allocated && lie_alike(frame_of(a), frame_of(b));
     }
 
-    // The largest group of slices that lie alike.
+    // The largest group of slices with the same direction and spacing.
     Result<void> pick() {
         const bool only_localizers = std::ranges::all_of(images_, &DicomImage::localizer);
         std::vector<std::vector<DicomSlice>> groups;
