@@ -62,8 +62,9 @@ double radius_of(const Slab& slab, const glm::dvec3& along, double least) {
 
 class Tracer {
 public:
-    Tracer(const VoxelGraph& graph, const VoxelSet& set, const Territories& territories)
-        : graph_(graph), set_(set), territories_(territories), degrees_(graph.degrees()), courses_(graph.lines.size()) {
+    Tracer(const VoxelGraph& graph, const VoxelSet& set, const BranchVoxels& branch_voxels)
+        : graph_(graph), set_(set), branch_voxels_(branch_voxels), degrees_(graph.degrees()),
+          courses_(graph.lines.size()) {
         const glm::dvec3& s = set.spacing();
         voxel_ = std::cbrt(s.x * s.y * s.z);
         largest_ = std::max({s.x, s.y, s.z});
@@ -84,7 +85,7 @@ public:
         for (int n = 0; n < kCentrings; ++n) {
             for_lines(n, [&](std::size_t l) {
                 if (n == 0) begin(l);
-                const std::vector<Slab> slabs = slabs_of(courses_[l], territories_.of(l), set_);
+                const std::vector<Slab> slabs = slabs_of(courses_[l], branch_voxels_.of(l), set_);
                 shift(l, shifts_to_centroids(courses_[l], slabs));
             });
         }
@@ -186,7 +187,7 @@ private:
     [[nodiscard]] Bounds<glm::dvec3> room_of(std::size_t l) const {
         Bounds<glm::dvec3> room;
         for (const glm::dvec3& at : courses_[l].at) room.hold(at);
-        for (const Territories::Member& member : territories_.of(l)) {
+        for (const BranchVoxels::Member& member : branch_voxels_.of(l)) {
             const glm::dvec3 middle = set_.spacing() * glm::dvec3(set_.voxel(member.at));
             room.hold({middle - 0.5 * set_.spacing(), middle + 0.5 * set_.spacing()});
         }
@@ -214,7 +215,7 @@ private:
     void finish(std::size_t l) {
         Course& course = courses_[l];
         const VoxelGraph::Line& line = graph_.lines[l];
-        std::vector<Slab> slabs = slabs_of(course, territories_.of(l), set_);
+        std::vector<Slab> slabs = slabs_of(course, branch_voxels_.of(l), set_);
         measure_radii(course, slabs, line);
         if (line.from == line.to) return;
         if (is_end(line.to)) reach_end(course, slabs);
@@ -309,7 +310,7 @@ private:
 
     const VoxelGraph& graph_;
     const VoxelSet& set_;
-    const Territories& territories_;
+    const BranchVoxels& branch_voxels_;
     std::vector<int> degrees_;
     std::vector<Course> courses_;
     double voxel_, largest_;
@@ -347,9 +348,9 @@ void add_course(tree::Graph& graph, const Course& course, std::uint32_t from, st
 
 } // namespace
 
-tree::Graph centerlines_of(const VoxelGraph& graph, const VoxelSet& set, const Territories& territories,
+tree::Graph centerlines_of(const VoxelGraph& graph, const VoxelSet& set, const BranchVoxels& branch_voxels,
                            const JobRange& job) {
-    Tracer tracer(graph, set, territories);
+    Tracer tracer(graph, set, branch_voxels);
     tracer.run(job);
     tree::Graph result;
     if (job.cancelled()) return result;

@@ -57,7 +57,7 @@ std::size_t nearest_from(const std::vector<glm::dvec3>& at, std::size_t i, const
 
 } // namespace
 
-std::vector<Slab> slabs_of(const Course& course, std::span<const Territories::Member> members, const VoxelSet& set) {
+std::vector<Slab> slabs_of(const Course& course, std::span<const BranchVoxels::Member> members, const VoxelSet& set) {
     std::vector<Slab> slabs(course.at.size());
     for (std::size_t i = 0; i < slabs.size(); ++i)
         for (const std::size_t next : {i - 1, i + 1})
@@ -68,7 +68,7 @@ std::vector<Slab> slabs_of(const Course& course, std::span<const Territories::Me
     const glm::ivec3 parts = glm::clamp(glm::ivec3(glm::round(spacing / least)), 1, 4);
     const glm::dvec3 part = spacing / glm::dvec3(parts);
     const double volume = part.x * part.y * part.z;
-    for (const Territories::Member& member : members) {
+    for (const BranchVoxels::Member& member : members) {
         const glm::dvec3 corner = spacing * (glm::dvec3(set.voxel(member.at)) - 0.5) + 0.5 * part;
         std::size_t i = course.point_of[member.point];
         for (int z = 0; z < parts.z; ++z)

@@ -1,7 +1,7 @@
 // A line of a skeleton as its centerline is worked out: points at equal distances along it.
 #pragma once
 
-#include "core/volume/skeletonize/territory.h"
+#include "core/volume/skeletonize/branch_voxels.h"
 #include "core/volume/skeletonize/voxel_graph.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ struct Slab {
     double length = 0.0;    // mm of the course
 };
 
-[[nodiscard]] std::vector<Slab> slabs_of(const Course& course, std::span<const Territories::Member> members,
+[[nodiscard]] std::vector<Slab> slabs_of(const Course& course, std::span<const BranchVoxels::Member> members,
                                          const VoxelSet& set);
 
 // Calls `call(j, weight)` for the points within 2.5 `sigma` (in points) of point `i`, with the weights of a Gaussian.

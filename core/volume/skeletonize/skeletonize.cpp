@@ -112,7 +112,7 @@ tree::Graph graph_of_mask(SparseMask mask, const glm::dmat4& to_patient, const S
     VoxelGraph graph = graph_of(thinned.skeleton, set, distances);
     if (options.fill_holes) close_loops_of(graph, to_patient, notes);
     prune_bulges(graph, options.bulge_size, spacing);
-    tree::Graph lines = centerlines_of(graph, set, Territories(set, thinned, graph), job.part(0.85F, 1.0F));
+    tree::Graph lines = centerlines_of(graph, set, BranchVoxels(set, thinned, graph), job.part(0.85F, 1.0F));
     const std::vector<VolumeCut> cuts = extend_to_border(lines, set, size);
     for (tree::Point& point : lines.points) point.position = in_patient(point.position, to_patient);
     // Of a plane, also where axes shear.

@@ -1,4 +1,4 @@
-#include "core/volume/skeletonize/territory.h"
+#include "core/volume/skeletonize/branch_voxels.h"
 
 #include <algorithm>
 #include <utility>
@@ -10,7 +10,7 @@ namespace {
 using Address = VoxelSet::Address;
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-// Points of all lines, one after the other, and where they are on their line.
+// A point of a line. places_of() numbers the points of all lines.
 struct Place {
     std::uint32_t line, point;
 };
@@ -30,7 +30,7 @@ std::vector<Place> places_of(const VoxelGraph& graph, LargeArray<std::uint32_t>&
     return places;
 }
 
-// What stands in the skeleton but on no line takes the place of its neighbours.
+// Voxels of the skeleton that are on no line get the place of their nearest neighbour along the skeleton.
 void spread_along(const SparseMask& skeleton, const VoxelSet& set, LargeArray<std::uint32_t>& place_of) {
     std::vector<Address> open;
     const auto for_neighbours = [&](Address at, const auto& call) {
@@ -54,7 +54,7 @@ void spread_along(const SparseMask& skeleton, const VoxelSet& set, LargeArray<st
 
 } // namespace
 
-Territories::Territories(const VoxelSet& set, const Thinned& thinned, const VoxelGraph& graph)
+BranchVoxels::BranchVoxels(const VoxelSet& set, const Thinned& thinned, const VoxelGraph& graph)
     : firsts_(graph.lines.size() + 1, 0) {
     LargeArray<std::uint32_t> place_of(set.count(), kNone);
     const std::vector<Place> places = places_of(graph, place_of);
@@ -69,7 +69,7 @@ Territories::Territories(const VoxelSet& set, const Thinned& thinned, const Voxe
             number = set.number(at);
         }
         for (const std::uint32_t passed : way) place_of[passed] = place_of[number];
-        // A piece of one voxel, or of a mask that was left early, has no line.
+        // No line: a piece of one voxel, or thinning was cancelled.
         if (place_of[number] == kNone) return;
         ++firsts_[places[place_of[number]].line + 1];
     });
