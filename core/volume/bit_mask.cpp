@@ -52,7 +52,7 @@ template <class T> bool all_zero(const T* values, std::size_t count) {
 
 template <class T, class Inside>
 void fill_row(const T* values, std::size_t count, std::span<std::uint64_t> row, const Inside& is_inside) {
-    // Most rows of a vessel mask are nothing but outside.
+    // Most rows of a vessel mask are completely outside.
     const bool skip_zeros = !is_inside(T(0));
     if (skip_zeros && all_zero(values, count)) return;
     for (std::size_t word = 0, first = 0; first < count; ++word) {
@@ -186,7 +186,7 @@ auto fill(const Volume& volume, const Values& values, const Inside& is_inside, c
     return std::move(kept).finish();
 }
 
-// For each value of a type of at most two bytes, by its bits: whether it is one of the labels.
+// A lookup table for a type of at most two bytes: whether the value with these bits is one of the labels.
 template <class T> std::vector<std::uint8_t> table_of(const std::vector<std::int32_t>& labels) {
     std::vector<std::uint8_t> table(std::size_t{1} << (8 * sizeof(T)), labels.empty() ? 1 : 0);
     if (labels.empty()) table[0] = 0;
@@ -215,7 +215,7 @@ tl::unexpected<Error> not_there(const Volume& volume, std::int32_t label) {
 template <class T, class Kept, class Values>
 auto fill_labels(const Volume& volume, const Values& values, std::vector<std::int32_t> labels, const JobRange& job)
     -> Result<decltype(std::declval<Kept>().finish())> {
-    // A label is there by itself, or together with others.
+    // A voxel can have a label alone, or together with others (overlaps).
     const auto is_there = [&](std::int32_t value) {
         return std::in_range<T>(value) && holds(values, static_cast<T>(value));
     };

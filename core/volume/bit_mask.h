@@ -1,4 +1,5 @@
-// BitMask: which voxels of a volume are inside, one bit each: an eighth of what the smallest volume takes.
+// BitMask: a mask with one bit for each voxel of a volume; and inside(), which makes a mask from labels or a threshold.
+// For thin structures in large volumes, SparseMask (sparse_mask.h) takes less memory.
 #pragma once
 
 #include "core/base/error.h"
@@ -16,16 +17,16 @@ namespace ramus::volume {
 
 class BitMask {
 public:
-    explicit BitMask(const glm::ivec3& size); // nothing set
+    explicit BitMask(const glm::ivec3& size); // all voxels outside
 
     [[nodiscard]] const glm::ivec3& size() const { return size_; }
-    [[nodiscard]] bool test(const glm::ivec3& voxel) const; // outside of everything beyond the border too
+    [[nodiscard]] bool test(const glm::ivec3& voxel) const; // false beyond the border of the volume
     void set(const glm::ivec3& voxel);                      // one thread at a time per row
-    void clear(const glm::ivec3& voxel);                    // likewise
+    void clear(const glm::ivec3& voxel);                    // one thread at a time per row
     [[nodiscard]] std::uint64_t count() const;
 
-    // A row along x in words, one bit of outside before the first voxel and at least one behind the last: voxel i is
-    // bit (i + 1) % 64 of word (i + 1) / 64.
+    // The words of a row along x. Voxel i is bit (i + 1) % 64 of word (i + 1) / 64. The bit before the first voxel and
+    // at least one bit after the last are 0.
     [[nodiscard]] std::size_t row_words() const { return row_words_; }
     [[nodiscard]] std::span<std::uint64_t> row(int j, int k) { return {words_.data() + first_of(j, k), row_words_}; }
     [[nodiscard]] std::span<const std::uint64_t> row(int j, int k) const {
@@ -45,19 +46,23 @@ private:
     LargeArray<std::uint64_t> words_;
 };
 
-// What of a volume is inside: some labels, or what is at least an isovalue. Neither: every voxel that is not 0 when
-// values are whole numbers, 0.5 and more when they are fractions from 0 to 1.
+// Which voxels of a volume are inside: those with some labels, or those with at least an isovalue. Neither: voxels that
+// are not 0 for whole numbers, and voxels of at least 0.5 for fractions from 0 to 1.
 struct Selection {
     std::vector<LabelChoice> labels;
     std::optional<double> isovalue;
 };
 
-// Voxels of several labels are inside each of them. Fails when labels are asked of values that are not whole numbers,
-// when one of them is not there, when an isovalue is asked of labels that overlap, when nothing or no default is a
-// sensible choice, when nothing is inside, and when `job` is cancelled (what == "cancelled").
+// The mask of a selection. A voxel with several labels (Volume::overlaps) is inside if one of them is selected. Fails
+// if
+// - labels are selected and values are not whole numbers, or no voxel has one of the labels,
+// - an isovalue is selected and labels overlap,
+// - nothing is selected and the volume does not look like a mask,
+// - no voxel is inside,
+// - `job` is cancelled (what == "cancelled").
 [[nodiscard]] Result<BitMask> inside(const Volume& volume, const Selection& selection, const JobRange& job);
 
-// The isovalue of a surface of `selection`; none for labels, whose surface runs midway between voxels.
+// The isovalue of the surface of `selection`. None: labels, whose surface is midway between voxels.
 [[nodiscard]] std::optional<double> isovalue_of(const Volume& volume, const Selection& selection);
 
 } // namespace ramus::volume

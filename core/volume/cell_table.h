@@ -1,15 +1,17 @@
-// What the surface does in a cell of eight voxel centres, for all 256 ways that these can be inside or outside: derived
-// at compile time from three rules, not copied from anywhere.
+// The marching cubes table: the triangles in a cell of eight voxel centres, for all 256 cases of inside and outside
+// corners. Derived at compile time from three rules:
 //
-//   1. On a face of the cell, each run of outside corners is cut off from the rest by one line. So insides that meet
-//      across a face's diagonal are joined, and both cells that share the face see it the same way.
-//   2. The lines of the six faces make loops, and each loop is closed by triangles. No edge inside a cell joins two
-//      vertices of the same face: the neighbour might have it too, and four triangles would share it.
-//   3. Where two opposite corners alone are inside, their two loops are joined by a tube instead.
+//   1. On a face of the cell, one line separates each run of outside corners from the rest. So inside corners on a
+//      diagonal of a face are connected, and both cells that share the face agree.
+//   2. The lines of the six faces form closed loops, and each loop is filled with triangles. No edge inside a cell
+//      connects two vertices of the same face: the neighbouring cell might have it too, and four triangles would share
+//      it.
+//   3. If only two opposite corners are inside, a tube connects their two loops instead.
 //
-// 1 and 3 are what is called (26, 6) in digital topology: voxels of the inside belong together when they share a
-// corner, those of the outside when they share a face. Every mesh made from the table is closed, and each vertex has
-// one ring of triangles, for in each of the four cells about its edge one loop runs through it.
+// Rules 1 and 3 implement (26, 6)-connectivity of digital topology: inside voxels are connected by faces, edges and
+// corners, outside voxels by faces.
+// Guaranteed: every mesh made from the table is closed, and each vertex has one ring of triangles, because one loop
+// passes through it in each of the four cells around its edge.
 #pragma once
 
 #include <array>
@@ -19,8 +21,9 @@
 
 namespace ramus::volume {
 
-// Corner c of a cell lies at (c & 1, c >> 1 & 1, c >> 2 & 1); bit c of a case is set where it is inside. Edge
-// 4 * axis + u + 2 * v leads along `axis` from the corner with u, v along the other two axes, the lower axis first.
+// Corner c of a cell is at (c & 1, c >> 1 & 1, c >> 2 & 1); bit c of a case is set if it is inside. Edge
+// 4 * axis + u + 2 * v is parallel to `axis` and begins at the corner with coordinates u, v along the other two axes,
+// the lower axis first.
 struct CellEdge {
     int axis, from, to; // corners
 };
@@ -35,8 +38,9 @@ constexpr CellEdge cell_edge(int edge) {
 struct CellCase {
     static constexpr int kMostTriangles = 6;
     std::uint8_t triangles = 0;
-    std::uint16_t edges = 0;                                // bit e: edge e is cut
-    std::array<std::uint8_t, 3 * kMostTriangles> corners{}; // of the triangles: edges, counter-clockwise from outside
+    std::uint16_t edges = 0; // bit e: the surface cuts edge e
+    std::array<std::uint8_t, 3 * kMostTriangles>
+        corners{}; // cut edges of the triangles, counter-clockwise from outside
 };
 
 namespace table {
@@ -49,7 +53,7 @@ constexpr int edge_between(int a, int b) {
     return -1;
 }
 
-// Bit 2 * axis + side for the two faces that an edge lies on.
+// The two faces of an edge, as bits 2 * axis + side.
 constexpr int faces_of(int edge) {
     const CellEdge ends = cell_edge(edge);
     int faces = 0;
@@ -58,7 +62,7 @@ constexpr int faces_of(int edge) {
     return faces;
 }
 
-// Twice the middle of an edge; and the squared distance of two.
+// The squared distance of the middles of two edges, in half cells.
 constexpr int distance2(int edge_a, int edge_b) {
     int sum = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -72,7 +76,7 @@ constexpr int distance2(int edge_a, int edge_b) {
     return sum;
 }
 
-// For each cut edge the next one on its loop, seen from outside counter-clockwise (rule 1).
+// For each cut edge the next one on its loop, counter-clockwise from outside (rule 1). -1: not cut.
 constexpr std::array<int, 12> next_edges(int inside) {
     std::array<int, 12> next{};
     next.fill(-1);
@@ -107,7 +111,7 @@ constexpr void add_triangle(CellCase& cell, int a, int b, int c) {
     for (const int edge : {a, b, c}) cell.corners[at++] = static_cast<std::uint8_t>(edge);
 }
 
-// Of all ways to cut a loop into triangles that keep rule 2, the one with the shortest cuts.
+// The triangulation of a loop with the shortest inner edges among those that keep rule 2, by dynamic programming.
 class Cutting {
 public:
     constexpr explicit Cutting(const Loop& loop) : loop_(loop) {
@@ -148,7 +152,7 @@ private:
     std::array<Best, 144> best_{};
 };
 
-// Rule 3: each edge of either loop makes a triangle with the vertex of the other loop that is on neither of its axes.
+// Rule 3: each edge of a loop forms a triangle with a vertex of the other loop: the one on the third axis.
 constexpr void put_tube(CellCase& cell, const Loop& one, const Loop& other) {
     for (const auto& [from, to] : {std::pair{&one, &other}, std::pair{&other, &one}}) {
         for (std::size_t n = 0; n < 3; ++n) {

@@ -4,7 +4,7 @@ namespace ramus::volume {
 
 namespace {
 
-// Room for every row of a slice and the two outside; what is in it is written anew.
+// Allocates all rows of a slice and the two outside rows. The caller must write every word.
 void make_room(Cuts& cuts, const BitMask& mask) {
     const std::size_t words = mask.row_words() * (static_cast<std::size_t>(mask.size().y) + 2);
     cuts.words.resize(words);
@@ -13,7 +13,7 @@ void make_room(Cuts& cuts, const BitMask& mask) {
 
 void put(Cuts& cuts, std::size_t at, std::uint64_t word, std::uint64_t& count) {
     cuts.words[at] = word;
-    cuts.before[at] = static_cast<std::uint32_t>(count); // more than that leads to no mesh
+    cuts.before[at] = static_cast<std::uint32_t>(count); // with more than 32 bits of cut edges there is no mesh
     if (word != 0) count += count_bits(word);
 }
 

@@ -1,5 +1,5 @@
-// Which edges between neighbouring voxels the surface cuts, a slice or a layer at a time, and the number of each among
-// them: vertices are welded by counting bits, without any search.
+// Finds the edges between neighbouring voxels that the surface cuts, for one slice or layer at a time, and numbers
+// them. The number of an edge is its vertex, so vertices are shared without a search: by counting bits.
 #pragma once
 
 #include "core/base/count_bits.h"
@@ -12,17 +12,18 @@
 
 namespace ramus::volume {
 
-// One bit for each edge along one axis, rows as in BitMask but with a row of outside at either end: row j + 1.
+// One bit for each edge along one axis. Rows are as in BitMask, with an outside row at either end: row j of the mask is
+// row j + 1 here.
 struct Cuts {
     std::vector<std::uint64_t> words;
-    std::vector<std::uint32_t> before; // by word: cut edges of the slice or layer before its first
+    std::vector<std::uint32_t> before; // by word: number of cut edges of the slice or layer before it
 
     [[nodiscard]] std::uint32_t number_of(std::size_t word, std::size_t bit) const {
         return before[word] + count_bits(words[word] & ((std::uint64_t{1} << bit) - 1));
     }
 };
 
-// Rows of a mask that go on beyond its border with outside.
+// The rows of a mask, and outside rows beyond its border.
 class PaddedRows {
 public:
     explicit PaddedRows(const BitMask& mask) : mask_(mask), outside_(mask.row_words(), 0) {}
@@ -51,13 +52,13 @@ struct LayerCuts {
     void find(const PaddedRows& rows, int k);
 };
 
-// A word of a row as the right neighbours of its voxels see it.
+// The right neighbours of the voxels in a word of a row.
 [[nodiscard]] inline std::uint64_t right_of(const std::uint64_t* row, std::size_t word, std::size_t words) {
     return row[word] >> 1 | (word + 1 < words ? row[word + 1] << 63 : 0);
 }
 
-// Calls visit(row, word, bit, inside) for every cell between the slices k and k + 1 through which the surface runs, in
-// order; the cell's lowest corner is bit `bit` of word `word` in padded row `row`, `inside` the case (cell_table.h).
+// Calls visit(row, word, bit, inside) in order for every cell between the slices k and k + 1 that the surface cuts. The
+// cell's lowest corner is bit `bit` of word `word` in row `row` of Cuts; `inside` is its case (cell_table.h).
 template <class Visit> void for_cut_cells(const PaddedRows& rows, int k, const Visit& visit) {
     const std::size_t words = rows.mask().row_words();
     for (int j = -1; j < rows.mask().size().y; ++j) {

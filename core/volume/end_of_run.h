@@ -1,5 +1,5 @@
-// Where values end to be equal: neighbours in masks are alike as a rule, so that going through them run by run is
-// quick.
+// Finds the end of a run of equal values. Neighbouring values of masks are mostly equal, so processing them run by run
+// is fast.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace ramus::volume {
 
-// The first value behind `first` that is not the one there, or `end`; eight bytes at a time.
+// The index of the first value after `first` that differs from it, or `end`. Compares eight bytes at a time.
 template <class T> [[nodiscard]] std::size_t end_of_run(const T* values, std::size_t first, std::size_t end) {
     constexpr std::size_t kWordBytes = 8, kAtOnce = kWordBytes / sizeof(T);
     std::array<T, kAtOnce> alike;

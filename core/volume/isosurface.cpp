@@ -14,13 +14,13 @@ namespace ramus::volume {
 namespace {
 
 struct Midway {
-    static constexpr double kLeast = 0.5; // nearest that a vertex comes to a voxel centre
+    static constexpr double kLeast = 0.5; // least distance of a vertex from a voxel centre, in voxels
     [[nodiscard]] double at(int, const glm::ivec3&) const { return 0.5; }
 };
 
-// Where a line between the values of two voxels has the isovalue.
+// The position of the isovalue by linear interpolation between two voxels.
 template <class Values> struct Interpolated {
-    // Samples at the isovalue itself would let all vertices around them fall into one place.
+    // Otherwise all vertices around a voxel with exactly the isovalue would coincide.
     static constexpr double kLeast = 1.0 / 256.0;
     const Volume& volume;
     const Values& values;
@@ -29,7 +29,7 @@ template <class Values> struct Interpolated {
     [[nodiscard]] double at(int axis, const glm::ivec3& voxel) const {
         glm::ivec3 next = voxel;
         ++next[axis];
-        if (voxel[axis] < 0 || next[axis] >= volume.size[axis]) return 0.5; // outside has no value
+        if (voxel[axis] < 0 || next[axis] >= volume.size[axis]) return 0.5; // no value beyond the border
         const double here = value(voxel);
         return std::clamp((isovalue - here) / (value(next) - here), kLeast, 1.0 - kLeast);
     }
@@ -41,9 +41,9 @@ template <class Values> struct Interpolated {
     }
 };
 
-// Where a line between two voxels crosses level 0.
+// The position of level 0 between two voxels.
 struct Smoothed {
-    static constexpr double kLeast = 1.0 / 64.0; // far more than single precision loses, and not seen
+    static constexpr double kLeast = 1.0 / 64.0; // far more than the rounding of single precision, and not visible
     const SmoothLevel& level;
 
     [[nodiscard]] double at(int axis, const glm::ivec3& voxel) const {
@@ -54,7 +54,7 @@ struct Smoothed {
     }
 };
 
-// Whether single precision, in which meshes are, has enough steps where the volume lies.
+// Fails if the resolution of single precision, which meshes use, is too low at the position of the volume.
 Result<void> check_precision(const glm::ivec3& size, const glm::dmat4& to_patient, double least) {
     double farthest = 0.0;
     for (int corner = 0; corner < 8; ++corner) {
@@ -65,7 +65,7 @@ Result<void> check_precision(const glm::ivec3& size, const glm::dmat4& to_patien
     }
     const glm::dvec3 spacing = spacing_mm(to_patient);
     const double widest =
-        std::max({spacing.x * spacing.y, spacing.y * spacing.z, spacing.z * spacing.x}); // of a voxel's faces
+        std::max({spacing.x * spacing.y, spacing.y * spacing.z, spacing.z * spacing.x}); // largest face of a voxel
     const double step = farthest * static_cast<double>(std::numeric_limits<float>::epsilon());
     if (4.0 * step < least * voxel_volume_mm3(to_patient) / widest) return {};
     return fail("its voxels are too small, or too far from the origin, for single precision", {},
@@ -98,7 +98,7 @@ Result<mesh::TriangleMesh> of_labels(const BitMask& mask, const glm::dmat4& to_p
 
 Error at_memory_end() { return {"not enough memory for this surface", {}, "crop the volume"}; }
 
-// `done_with_values` is called when they are not asked for any more but there is work to do.
+// Calls `done_with_values` once the values are not needed any more, if that is before the mesh is built.
 template <class Done>
 Result<mesh::TriangleMesh> surface_of(const Volume& volume, const Selection& selection,
                                       const IsosurfaceOptions& options, Job& job, const Done& done_with_values) {

@@ -10,7 +10,7 @@ namespace ramus::volume {
 
 namespace {
 
-// Capitals, blanks and underscores do not tell names apart.
+// The form of a name for comparison: without capitals, blanks and underscores.
 std::string folded(std::string_view name) {
     std::string text(name);
     for (char& c : text) c = c == '_' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

@@ -1,5 +1,5 @@
-// LabelChoice: a label of a mask as a person chooses it, by its number or by its name: 3, "portal vein". Which number a
-// name stands for only the mask can say.
+// LabelChoice: a label of a mask that a person chooses by number or by name (3, "portal vein"). label_numbers() looks
+// the names up in the mask.
 #pragma once
 
 #include "core/base/error.h"
@@ -26,13 +26,13 @@ struct LabelChoice {
     auto operator<=>(const LabelChoice&) const = default; // NOLINT(modernize-use-nullptr): the rule mistakes it
 };
 
-// The number of each choice, in the order of the choices. A name is one of `volume.label_names`: exactly, or else the
-// only one that differs in capitals, blanks and underscores alone. Fails on a name that no label or several labels
-// have; the error lists the names there are. Whether a voxel has a number is not checked.
+// The number of each choice, in the order of the choices. A name matches `volume.label_names` exactly, or else the only
+// one that is equal except for capitals, blanks and underscores. Fails on a name that no label or several labels have;
+// the error lists the names. Does not check whether a voxel has the number.
 [[nodiscard]] Result<std::vector<std::int32_t>> label_numbers(const Volume& volume,
                                                               const std::vector<LabelChoice>& choices);
 
-// "3", "portal vein"; a name that could be mistaken, for a number or for several labels, in double quotes.
+// The choice as text: 3, portal vein. A name that could be read as a number or as several labels is in double quotes.
 [[nodiscard]] std::string spelled(const LabelChoice& choice);
 
 } // namespace ramus::volume

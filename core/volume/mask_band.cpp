@@ -11,7 +11,7 @@ namespace ramus::volume {
 
 namespace {
 
-constexpr int kThinVoxels = 4; // voxels; what is thinner would shrink, or grow together, where it bends little
+constexpr int kThinVoxels = 4; // smoothing would shrink thinner parts, and close thinner gaps
 
 BitMask with_border(const BitMask& mask, int width) {
     BitMask wider(mask.size() + 2 * width);
@@ -27,7 +27,7 @@ BitMask with_border(const BitMask& mask, int width) {
     return wider;
 }
 
-// Of each word of voxels, combine(it, the neighbours' along x, y and z).
+// Applies combine(word, words of the six neighbours) to each word of voxels.
 template <class Combine> BitMask of_neighbours(const BitMask& mask, const Combine& combine) {
     BitMask result(mask.size());
     const PaddedRows rows(mask);
@@ -70,7 +70,7 @@ BitMask shrunk_by_one(const BitMask& mask) {
     });
 }
 
-// Each word of a row, and of those of the kThinVoxels - 1 next ones along all axes, combined; ahead or back.
+// Combines each voxel with the kThinVoxels - 1 next (step 1) or previous (step -1) ones along all axes.
 template <class Combine> BitMask of_box(const BitMask& mask, int step, const Combine& combine) {
     const std::size_t words = mask.row_words();
     BitMask along_x(mask.size());
@@ -109,8 +109,8 @@ BitMask of_words(const BitMask& a, const BitMask& b, const auto& combine) {
     return result;
 }
 
-// Voxels of what no cube of kThinVoxels voxels fits into, inside or outside, but for roughness: what is next to where
-// one fits.
+// Parts of the inside and of the outside into which no cube of kThinVoxels voxels fits (morphological opening and
+// closing), and their surroundings. Voxels near a place where a cube fits are roughness and do not count.
 BitMask thin_parts(const BitMask& mask) {
     const auto all = std::bit_and<std::uint64_t>();
     const auto any = std::bit_or<std::uint64_t>();

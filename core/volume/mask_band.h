@@ -1,5 +1,5 @@
-// The voxels next to the boundary of a mask, two on either side of it along each axis, numbered row by row. Voxels
-// beyond the border of the volume are outside of the mask and belong to the band as others do.
+// MaskBand: the voxels near the boundary of a mask, two on either side along each axis, numbered row by row. Voxels
+// beyond the border of the volume count as outside and can belong to the band.
 #pragma once
 
 #include "core/base/count_bits.h"
@@ -17,32 +17,32 @@ namespace ramus::volume {
 
 class MaskBand {
 public:
-    explicit MaskBand(const BitMask& mask); // counts
+    explicit MaskBand(const BitMask& mask); // finds and counts the voxels
 
     [[nodiscard]] std::size_t size() const { return size_; }
 
-    // By number, which voxels lie before and behind along x, y and z; size() for one that is not in the band.
+    // The numbers of the previous and next voxel along x, y and z; size() if not in the band.
     using Neighbours = std::array<std::uint32_t, 6>;
     struct Numbered {
         LargeArray<Neighbours> neighbours;
         LargeArray<std::uint8_t> inside; // 1 or 0
-        // 1: within two voxels of a part that is thinner than four voxels and not mere roughness, or of a gap so
-        // narrow.
+        // 1: within two voxels of a part of the mask, or a gap, that is thinner than four voxels and more than
+        // roughness.
         LargeArray<std::uint8_t> thin;
     };
-    // Of a band of fewer voxels than 32 bits tell apart.
+    // Data of all voxels by number. The band must have fewer than 2^32 voxels.
     [[nodiscard]] Numbered numbered() const;
 
-    // The number of a voxel that is in the band.
+    // The number of a voxel, which must be in the band.
     [[nodiscard]] std::uint32_t number_of(const glm::ivec3& voxel) const { return number_at(voxel + kBeyond); }
     [[nodiscard]] bool has(const glm::ivec3& voxel) const { return band_.test(voxel + kBeyond); }
-    // Calls visit(number, voxel) for each, slices in parallel.
+    // Calls visit(number, voxel) for each voxel, with slices in parallel.
     template <class Visit> void for_each(const Visit& visit) const {
         for_padded([&](std::uint32_t number, const glm::ivec3& at) { visit(number, at - kBeyond); });
     }
 
 private:
-    static constexpr int kBeyond = 2; // voxels that the band may reach beyond the border of the volume
+    static constexpr int kBeyond = 2; // width of the padding around the volume, in voxels
 
     template <class Visit> void for_padded(const Visit& visit) const {
         tbb::parallel_for(0, band_.size().z, [&](int k) {
@@ -57,7 +57,7 @@ private:
         });
     }
 
-    // Voxels are counted from the corner of the padded volume on.
+    // These functions use indices in the padded volume.
     [[nodiscard]] std::size_t first_word(int j, int k) const {
         return band_.row_words() *
                (static_cast<std::size_t>(j) + static_cast<std::size_t>(band_.size().y) * static_cast<std::size_t>(k));
@@ -72,9 +72,9 @@ private:
         return band_.test(padded) ? number_at(padded) : static_cast<std::uint32_t>(size_);
     }
 
-    BitMask padded_; // the mask, with voxels of outside around it
+    BitMask padded_; // the mask with outside voxels around it
     BitMask band_;
-    std::vector<std::uint32_t> before_; // by word of the band: voxels before its first
+    std::vector<std::uint32_t> before_; // by word of the band: number of voxels before it
     std::size_t size_ = 0;
 };
 

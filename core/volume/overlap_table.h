@@ -1,7 +1,6 @@
-// OverlapTable: numbers for sets of labels, so that one whole number for each voxel also says which voxels belong to
-// several segments. A voxel of one label has the label's number; a set of two or more labels has a number of its own
-// above all labels. Masks, counts and marching cubes see such a volume like any other: only the choice of labels looks
-// the sets up.
+// OverlapTable: numbers sets of labels, so that one whole number for each voxel can express several labels. A voxel
+// with one label has the label's number; each set of two or more labels gets a number above all labels. Code that does
+// not choose labels can treat such a volume like any other.
 #pragma once
 
 #include "core/base/error.h"
@@ -15,15 +14,15 @@ namespace ramus::volume {
 
 class OverlapTable {
 public:
-    // Sets are numbered from `first` on, which is above every label.
+    // Numbers sets from `first` on, which must be above every label.
     explicit OverlapTable(std::int32_t first) : first_(first) {}
 
-    // The value of a voxel that has `value` so far (0: no label), and now belongs to `label`, too. Fails when there are
-    // more than 4,096 different sets, or more than 64 labels at one voxel: no person draws such segments, and pairs of
-    // them could not be listed.
+    // The value of a voxel that had `value` (0: no label) and now also has `label`. Fails on more than 4,096 different
+    // sets, or more than 64 labels at one voxel. Real segmentations have fewer, and pairs of labels could not be
+    // listed.
     [[nodiscard]] Result<std::int32_t> with(std::int32_t value, std::int32_t label);
 
-    // Gives `volume` the sets that have a voxel, and its range without them.
+    // Sets Volume::overlaps to the sets that have a voxel, and the range of `volume` to that of its labels.
     void finish(Volume& volume) &&;
 
 private:
@@ -31,7 +30,7 @@ private:
 
     std::int32_t first_;
     std::vector<Overlap> sets_;                            // set i has the value first_ + i
-    std::unordered_map<std::uint64_t, std::int32_t> next_; // of a value and a label
+    std::unordered_map<std::uint64_t, std::int32_t> next_; // cache of with(), by value and label
 };
 
 } // namespace ramus::volume

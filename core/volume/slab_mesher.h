@@ -1,6 +1,11 @@
-// SlabMesher: makes the mesh of a mask slab by slab, many at a time. Slabs are always of the same thickness and put
-// their vertices and triangles where those before them end, so that threads change nothing. `Crossing` tells where an
-// edge is cut: at(axis, voxel), the part of the way from `voxel` to the next one along `axis`, in (0, 1).
+// SlabMesher: builds the marching cubes mesh of a mask in parallel slabs. Slabs have a fixed thickness, and each writes
+// its vertices and triangles after those of the previous slabs, so the result does not depend on threads. `Crossing`
+// gives the position of vertices: at(axis, voxel) is the fraction, in (0, 1), of the way from `voxel` to the next one
+// along `axis`.
+//
+//     SlabMesher mesher(mask, to_patient, crossing, job);
+//     mesher.count();              // then check vertices() and memory
+//     auto mesh = mesher.make();
 #pragma once
 
 #include "core/base/error.h"
@@ -27,17 +32,17 @@ public:
     SlabMesher(const BitMask& mask, const glm::dmat4& to_patient, Crossing crossing, const JobRange& job)
         : rows_(mask), to_patient_(to_patient), crossing_(std::move(crossing)), mirrors_(mirrors(to_patient)),
           job_(job) {
-        const int layers = mask.size().z + 1; // from the one below the first slice
+        const int layers = mask.size().z + 1; // the first layer is below the first slice
         slabs_.resize(static_cast<std::size_t>((layers + kLayers - 1) / kLayers));
         filled_.resize(static_cast<std::size_t>(mask.size().z));
         const glm::dmat3 outward = glm::transpose(glm::inverse(glm::dmat3(to_patient)));
-        // So small that it only tells when the triangles around a vertex cancel each other out.
+        // A tiny part of every normal, which only matters if the triangles around a vertex cancel each other out.
         const double least = 1e-3 * std::pow(voxel_volume_mm3(to_patient), 2.0 / 3.0);
         for (int axis = 0; axis < 3; ++axis)
             outward_[static_cast<std::size_t>(axis)] = glm::vec3(least * glm::normalize(outward[axis]));
     }
 
-    // Fills vertices() and triangles().
+    // Computes vertices() and triangles().
     void count() {
         tbb::parallel_for(std::size_t{0}, filled_.size(), [&](std::size_t k) {
             const auto words = rows_.mask().slice(static_cast<int>(k));
@@ -52,7 +57,7 @@ public:
     [[nodiscard]] std::uint64_t vertices() const { return slabs_.back().first_vertex + slabs_.back().vertices; }
     [[nodiscard]] std::uint64_t triangles() const { return slabs_.back().first_triangle + slabs_.back().triangles; }
 
-    // After count(), which must have found no more vertices than 32 bits tell apart.
+    // To be called after count(). vertices() must fit into 32 bits. Fails only when cancelled.
     [[nodiscard]] Result<mesh::TriangleMesh> make() {
         if (job_.cancelled()) return fail("cancelled");
         mesh_.positions.resize(vertices());
@@ -68,11 +73,11 @@ public:
 
 private:
     static constexpr int kLayers =
-        16; // of a slab; tuned: fewer look at more slices twice, more keep fewer threads busy
+        16; // of a slab; tuned: with fewer, more slices are scanned twice; with more, fewer threads are busy
 
     struct Slab {
         std::uint64_t vertices = 0, triangles = 0, first_vertex = 0, first_triangle = 0;
-        std::vector<glm::vec3> beyond; // what its triangles add to the normals of the next slab's first vertices
+        std::vector<glm::vec3> beyond; // contributions to the normals of the next slab's first vertices
     };
 
     template <class Work> void for_slabs(float begin, float end, const Work& work) {
@@ -113,11 +118,11 @@ private:
         SliceCuts lower;
         SliceCuts upper;
         LayerCuts layer;
-        int lower_is = -2; // the slice that `lower` is of
+        int lower_is = -2; // the slice of `lower`
         auto vertex = static_cast<std::uint32_t>(slabs_[n].first_vertex);
         auto* triangle = mesh_.triangles.data() + slabs_[n].first_triangle;
         for_layers(n, [&](int k) {
-            // Of slices that are all outside no edge is cut, and none is asked for.
+            // A slice that is completely outside has no cut edges, and they are not looked up.
             if (lower_is != k) {
                 lower.count = 0;
                 if (filled(k)) lower.find(rows_, k);
@@ -217,8 +222,8 @@ private:
     Crossing crossing_;
     bool mirrors_;
     const JobRange& job_;
-    std::array<glm::vec3, 3> outward_{}; // along each axis, seen by the patient
-    std::vector<std::uint8_t> filled_;   // by slice: something is inside
+    std::array<glm::vec3, 3> outward_{}; // normal of each axis in the patient's space
+    std::vector<std::uint8_t> filled_;   // by slice: 1 if a voxel is inside
     std::vector<Slab> slabs_;
     mesh::TriangleMesh mesh_;
 };

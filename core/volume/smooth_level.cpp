@@ -17,22 +17,22 @@ namespace ramus::volume {
 
 namespace {
 
-// Nearest that level 0 comes to the centre of a voxel, in parts of its thinnest side; tuned: a larger one leaves
-// notches where the true boundary runs past a centre.
+// Least distance of level 0 from the centre of a voxel, in thinnest sides of a voxel. Tuned: a larger one leaves
+// notches where the true boundary passes near a centre.
 constexpr float kMargin = 0.05F;
-// Second differences of the distance to a boundary, in voxels: 0 at flat walls, 1 and more across what is four voxels
-// thin, 0.46 along the wall of a rod of one voxel.
+// Limit of the second difference of the distance to the boundary, in voxels. It is 0 at flat walls, at least 1 across a
+// part of four voxels, and 0.46 along the wall of a rod of one voxel.
 constexpr float kKink = 0.4F;
-// Tuned on ellipsoids with slices four times as thick as their pixels are wide: sweeps at each resolution, and how many
-// coarser resolutions there are. Twice the sweeps take off another 1 degree of the largest 5 % of the angles.
+// Sweeps at each resolution, and number of coarser resolutions. Tuned on ellipsoids with slices four times as thick as
+// their pixels are wide. Twice the sweeps reduce the largest 5 % of the angles by only 1 degree more.
 constexpr int kSweeps = 40, kCoarser = 2;
-// Beyond so many voxels from the other side a distance is not needed: the thickest slices' next but one are no farther.
+// Largest distance from the other side that is needed, in voxels: the second next slice of the thickest slices.
 constexpr int kMostReach = 8;
 constexpr std::uint8_t kAllAxes = 7;
 
 using Offset = glm::vec<3, std::int8_t>;
 struct Nearest {
-    Offset offset{0}; // to a voxel of the other side
+    Offset offset{0}; // in voxels, to a voxel of the other side
     float length = std::numeric_limits<float>::infinity();
 };
 
@@ -41,7 +41,7 @@ struct Bending {
     MaskBand::Numbered voxels;
     glm::vec3 spacing; // mm
     LargeArray<float> least, most;
-    LargeArray<float> values;       // and 0 after the last
+    LargeArray<float> values;       // with a 0 after the last, for neighbours that are not in the band
     LargeArray<std::uint8_t> bends; // a bit for each axis along which the second difference counts
 
     [[nodiscard]] std::size_t count() const { return voxels.inside.size(); }
@@ -59,8 +59,8 @@ template <class Each> void for_band(std::size_t count, const Each& each) {
     });
 }
 
-// Of each voxel the least length(offset), of offsets in voxels to those of the other side: voxels learn from their
-// neighbours which there are, `reach` times.
+// For each voxel the least length(offset) over the offsets to voxels of the other side. Offsets propagate between
+// neighbours in `reach` passes.
 template <class Length>
 LargeArray<float> least_to_other_side(const MaskBand::Numbered& voxels, int reach, const Length& length) {
     const std::size_t count = voxels.inside.size();
@@ -89,8 +89,8 @@ LargeArray<float> least_to_other_side(const MaskBand::Numbered& voxels, int reac
     return lengths;
 }
 
-// The boundary runs between voxel centres: no farther than the nearest centre of the other side, and no nearer than
-// the cells between centres that have one of these at a corner.
+// The boundary is between voxel centres: not farther than the nearest centre of the other side, and not nearer than the
+// nearest cell of voxel centres that has a corner on the other side.
 void set_bounds(Bending& state) {
     const std::size_t count = state.count();
     const glm::vec3& spacing = state.spacing;
@@ -134,7 +134,7 @@ void relax(Bending& state, const JobRange& job) {
     const std::size_t count = state.count();
     const glm::vec3 weights = 1.0F / (state.spacing * state.spacing * state.spacing * state.spacing);
     const float step =
-        1.0F / (16.0F * (weights.x + weights.y + weights.z)); // 16: of a second difference's own, at most
+        1.0F / (16.0F * (weights.x + weights.y + weights.z)); // 16: largest eigenvalue of a squared second difference
     LargeArray<glm::vec3> differences(count + 1);
     differences[count] = glm::vec3(0.0F);
     LargeArray<float> before = state.values, ahead = state.values;
@@ -175,14 +175,14 @@ BitMask every_second(const BitMask& mask, const glm::ivec3& steps) {
     return coarse;
 }
 
-// Voxels that are in both resolutions are held to what the finer one knows of them.
+// Applies the bounds of the finer resolution to the voxels that are in both.
 void hold_to_finer(Bending& state, const Bending& finer, const glm::ivec3& steps) {
     state.band.for_each([&](std::uint32_t n, const glm::ivec3& voxel) {
         if (!finer.band.has(voxel * steps)) return;
         const std::uint32_t fine = finer.band.number_of(voxel * steps);
         float least = std::max(state.least[n], finer.least[fine]);
         float most = std::min(state.most[n], finer.most[fine]);
-        // What is smaller than the coarse voxels may have no place in both.
+        // For parts that are smaller than the coarse voxels, the two intervals may be disjoint.
         if (least > most) least = finer.least[fine], most = finer.most[fine];
         state.least[n] = least;
         state.most[n] = most;
@@ -190,7 +190,7 @@ void hold_to_finer(Bending& state, const Bending& finer, const glm::ivec3& steps
     });
 }
 
-// None where voxels are not in the band, or what they belong to is thin.
+// None: a voxel is not in the coarse band, or belongs to a thin part.
 std::optional<float> interpolated(const Bending& coarse, const glm::ivec3& voxel, const glm::ivec3& steps) {
     const glm::ivec3 lower = (voxel + 2 * steps) / steps - 2; // rounds down: the band begins at -2
     const glm::vec3 part = glm::vec3(voxel - lower * steps) / glm::vec3(steps);
@@ -225,12 +225,12 @@ Result<Bending> solve(const BitMask& mask, const glm::vec3& spacing, int coarser
     choose_differences(state);
     if (coarser > 0) {
         const float thinnest = std::min({spacing.x, spacing.y, spacing.z});
-        // Axes with thick slices wait until the others are as coarse.
+        // Axes with thick slices keep their resolution until the others are as coarse.
         const glm::ivec3 steps = 1 + glm::ivec3(glm::lessThan(spacing, glm::vec3(1.5F * thinnest)));
         RAMUS_TRY(coarse, solve(every_second(mask, steps), spacing * glm::vec3(steps), coarser - 1, memory_bytes,
                                 job.part(0.0F, 0.4F), &state, steps));
         state.band.for_each([&](std::uint32_t n, const glm::ivec3& voxel) {
-            if (state.voxels.thin[n] != 0) return; // every second voxel may miss it
+            if (state.voxels.thin[n] != 0) return; // the coarser mask may miss thin parts
             if (const auto value = interpolated(coarse, voxel, steps))
                 state.values[n] = std::clamp(*value, state.least[n], state.most[n]);
         });

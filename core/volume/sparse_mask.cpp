@@ -7,7 +7,7 @@ namespace ramus::volume {
 
 namespace {
 
-// So many words are always kept, 32 MB, and any number of which a fourth holds voxels.
+// All words are stored if there are at most so many (32 MB), or if a fourth of them hold voxels.
 constexpr std::size_t kFewWords = std::size_t{1} << 22U;
 constexpr std::size_t kMostPerFilled = 4;
 

@@ -1,6 +1,6 @@
-// SparseMask: a BitMask whose memory follows the words that hold voxels, for vessels that run thinly through a large
-// volume. Rows are as in BitMask. Where most words hold voxels, or the volume is small, all words are kept, and looking
-// one up takes no more than in a BitMask.
+// SparseMask: a mask that stores only the words that hold voxels, for thin vessels in a large volume. Rows are as in
+// BitMask. If many words hold voxels, or the volume is small, all words are stored, and a lookup is as fast as in a
+// BitMask.
 #pragma once
 
 #include "core/base/count_bits.h"
@@ -21,7 +21,7 @@ class SparseMask {
 public:
     static constexpr std::size_t kNone = ~std::size_t{0};
 
-    // Takes the words that hold voxels, in ascending order; the last one may come several times.
+    // Collects words in ascending order; the last one may be added several times.
     class Builder {
     public:
         explicit Builder(const glm::ivec3& size);
@@ -36,23 +36,23 @@ public:
         void begin(std::size_t word);
         glm::ivec3 size_;
         std::size_t last_ = 0;
-        std::vector<std::uint32_t> filled_; // of each group: which words
+        std::vector<std::uint32_t> filled_; // of each group: a bit for each word that holds voxels
         std::vector<std::uint64_t> words_;
     };
 
-    explicit SparseMask(const glm::ivec3& size); // nothing set
+    explicit SparseMask(const glm::ivec3& size); // all voxels outside
     explicit(false) SparseMask(const BitMask& mask);
 
     [[nodiscard]] const glm::ivec3& size() const { return size_; }
     [[nodiscard]] std::size_t row_words() const { return row_words_; }
-    [[nodiscard]] std::size_t first_of(int j, int k) const { // word of a row
+    [[nodiscard]] std::size_t first_of(int j, int k) const { // first word of a row
         return row_words_ *
                (static_cast<std::size_t>(j) + static_cast<std::size_t>(size_.y) * static_cast<std::size_t>(k));
     }
-    [[nodiscard]] bool test(const glm::ivec3& voxel) const; // outside of everything beyond the border too
+    [[nodiscard]] bool test(const glm::ivec3& voxel) const; // false beyond the border of the volume
     [[nodiscard]] std::uint64_t count() const;
 
-    // Where a word is among those that are kept; kNone: it is not, and 0. Copies keep the same words.
+    // The index of a word among the stored words. kNone: it is 0 and not stored. Copies store the same words.
     [[nodiscard]] std::size_t place(std::size_t word) const {
         if (groups_ == nullptr) return word;
         const Group& group = (*groups_)[word / kGroup];
@@ -65,27 +65,27 @@ public:
         const std::size_t found = place(word);
         return found == kNone ? 0 : words_[found];
     }
-    // Of a word that is kept.
+    // The word must be stored.
     void set_bit(std::uint64_t at) { words_[place(at / 64)] |= std::uint64_t{1} << at % 64; }
     void clear_bit(std::uint64_t at) { words_[place(at / 64)] &= ~(std::uint64_t{1} << at % 64); }
     void clear_bits(std::size_t place, std::uint64_t bits) { words_[place] &= ~bits; }
 
-    // call(word, bits) for every word that is not 0, in ascending order.
+    // Calls call(word, bits) for every word that is not 0, in ascending order.
     template <class Call> void for_words(const Call& call) const;
     [[nodiscard]] bool is_empty_row(int j, int k) const;
-    // The words of a row, in `scratch` where they are not kept as such.
+    // The words of a row. Copied to `scratch` if not all of them are stored.
     [[nodiscard]] std::span<const std::uint64_t> row(int j, int k, std::vector<std::uint64_t>& scratch) const;
 
 private:
     static constexpr std::size_t kGroup = 32; // words
     struct Group {
-        std::uint32_t first = 0;  // place of the first one that is kept
-        std::uint32_t filled = 0; // which are kept
+        std::uint32_t first = 0;  // place of the first stored word
+        std::uint32_t filled = 0; // a bit for each stored word
     };
 
     glm::ivec3 size_;
     std::size_t row_words_;
-    std::shared_ptr<const LargeArray<Group>> groups_; // null: all words are kept
+    std::shared_ptr<const LargeArray<Group>> groups_; // null: all words are stored
     LargeArray<std::uint64_t> words_;
 };
 
@@ -101,7 +101,7 @@ template <class Call> void SparseMask::for_words(const Call& call) const {
             if (words_[place] != 0) call(g * kGroup + static_cast<std::size_t>(std::countr_zero(left)), words_[place]);
 }
 
-// The same as inside() (bit_mask.h).
+// inside() (bit_mask.h) with another result type.
 [[nodiscard]] Result<SparseMask> inside_sparsely(const Volume& volume, const Selection& selection, const JobRange& job);
 
 } // namespace ramus::volume

@@ -17,7 +17,7 @@ constexpr std::uint64_t kMostJoined = 4'000'000; // voxels whose pieces are coun
 
 using BinCounts = std::vector<std::uint64_t>;
 
-// Which threshold is the greatest that a value reaches.
+// Finds the greatest threshold that a value reaches.
 class Bins {
 public:
     Bins(double first, double step, std::size_t count) : step_(step), thresholds_(count) {
@@ -28,7 +28,7 @@ public:
     [[nodiscard]] std::size_t of(double value) const {
         const double place = (value - thresholds_.front()) / step_;
         std::size_t bin = place > 0.0 ? std::min(static_cast<std::size_t>(place), count() - 1) : 0;
-        // As comparing with the threshold itself has it, whatever dividing rounds.
+        // Corrects the rounding of the division: the result must agree with a comparison of the value with thresholds.
         while (bin > 0 && value < thresholds_[bin]) --bin;
         while (bin + 1 < count() && value >= thresholds_[bin + 1]) ++bin;
         return bin;
@@ -45,7 +45,7 @@ Bins bins_of(const Volume& volume) {
         const double range = volume.maximum - volume.minimum, step = std::max(1.0, std::ceil((range + 1.0) / kMost));
         return {volume.minimum, step, static_cast<std::size_t>(range / step) + 1};
     }
-    // Fractions are kept in single precision; the range is that of the file's numbers.
+    // Fractions are stored in single precision, but the range in double precision.
     const double least = static_cast<float>(volume.minimum), most = static_cast<float>(volume.maximum);
     return {least, (most - least) / kMost, kMostThresholds};
 }
@@ -75,7 +75,7 @@ template <class T> BinCounts count_values(const RunsOf<T>& runs, const Bins& bin
     return counts;
 }
 
-// The bin from which on values are of the upper class.
+// The first bin of the upper class.
 std::size_t otsu_of(const BinCounts& counts) {
     double all = 0.0, sum = 0.0;
     for (std::size_t b = 0; b < counts.size(); ++b) {
@@ -133,7 +133,7 @@ template <class T> Grid grid_of(const Volume& volume, const RunsOf<T>& runs, con
     return grid;
 }
 
-// Sets of places that are joined to each other, by union-find with path halving.
+// Union-find with path halving.
 class Joined {
 public:
     explicit Joined(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
@@ -152,7 +152,7 @@ private:
     std::vector<std::uint32_t> parents_;
 };
 
-// Places in the order of their bins, the lowest first.
+// The voxels of the grid in ascending order of their bins.
 std::vector<std::uint32_t> ordered(const Grid& grid, std::size_t count) {
     std::vector<std::size_t> next(count + 1, 0);
     for (const std::uint16_t bin : grid.bins) ++next[bin + std::size_t{1}];
@@ -162,7 +162,7 @@ std::vector<std::uint32_t> ordered(const Grid& grid, std::size_t count) {
     return places;
 }
 
-// Voxels come in from the brightest on: each is a piece of its own until it touches another.
+// Adds voxels from the brightest on. Each begins as a piece of its own, and joins the pieces that it touches.
 Result<BinCounts> pieces_of(const Grid& grid, std::size_t count, const JobRange& job) {
     const std::vector<std::uint32_t> places = ordered(grid, count);
     const glm::ivec3 size = grid.size;
@@ -183,7 +183,7 @@ Result<BinCounts> pieces_of(const Grid& grid, std::size_t count, const JobRange&
             for (int j = from.y; j <= to.y; ++j)
                 for (int i = from.x; i <= to.x; ++i) {
                     const auto other = static_cast<std::uint32_t>(i + size.x * (j + size.y * k));
-                    // Of equal ones the one that came in first.
+                    // Among equal bins: whether the other voxel was added before.
                     const bool is_in =
                         grid.bins[other] > grid.bins[place] || (grid.bins[other] == grid.bins[place] && other > place);
                     if (is_in && joined.join(place, other)) --now;

@@ -54,7 +54,7 @@ double voxel_volume_mm3(const glm::dmat4& to_patient) { return std::abs(glm::det
 bool mirrors(const glm::dmat4& to_patient) { return glm::determinant(glm::dmat3(to_patient)) < 0.0; }
 
 std::string orientation(const glm::dmat4& to_patient) {
-    // The one assignment of the three axes to the patient's that turns them the least.
+    // The assignment of the three axes to the patient's axes with the least rotation.
     std::array<int, 3> order{0, 1, 2};
     std::array<int, 3> best = order;
     double most = -1.0;

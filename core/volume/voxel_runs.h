@@ -1,5 +1,5 @@
-// RunsOf: the values of a mask as runs of equal ones, one after the other. Vessels, organs and what lies around them
-// are long runs along a row, so that a mask of several labels takes less than its bits would.
+// RunsOf: run-length encoded values of a mask. Vessels, organs and the background are long runs along a row, so a mask
+// of several labels takes less memory than one bit for each voxel.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,14 @@ template <class T> class RunsOf {
 public:
     using Value = T;
 
-    // The next `count` values.
+    // Appends `count` equal values.
     void add(Value value, std::size_t count);
 
     [[nodiscard]] std::size_t size() const { return size_; } // values
     [[nodiscard]] double bytes() const { return static_cast<double>(sizeof(Run)) * static_cast<double>(runs_.size()); }
     [[nodiscard]] Value operator[](std::size_t n) const { return runs_[run_at(n)].value; }
 
-    // Calls `call(begin, end, value)` for all runs within these values, in order. A long run may come in parts.
+    // Calls `call(begin, end, value)` for all runs within [first, end), in order. A long run may be divided.
     template <class Call> void for_runs(std::size_t first, std::size_t end, const Call& call) const {
         if (first >= end) return;
         for (std::size_t r = run_at(first), at = first; at < end; ++r) {
@@ -31,7 +31,7 @@ public:
     }
 
 private:
-    // Runs begin anew with every block, so that where they begin takes two bytes, and any value is found at once.
+    // A new run begins with every block, so that its begin takes two bytes, and lookups are limited to a block.
     static constexpr std::size_t kBlock = std::size_t{1} << 16U;
     struct Run {
         std::uint16_t begin; // in its block
@@ -44,7 +44,7 @@ private:
     }
 
     std::vector<Run> runs_;
-    std::vector<std::size_t> firsts_; // of each block: its first run
+    std::vector<std::size_t> firsts_; // first run of each block
     std::size_t size_ = 0;
 };
 

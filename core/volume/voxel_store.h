@@ -1,6 +1,11 @@
-// VoxelStore: takes the values of a volume as they are read, of any type and some at a time. It keeps them as runs of
-// equal ones as long as these take less than values one by one, then in the smallest type that holds all so far. Values
-// that do not fit any more move what is there to a larger type.
+// VoxelStore: collects the values of a volume while a reader reads them, in pieces of any type. It stores runs of equal
+// values while these take less memory than single values, then an array of the smallest type that holds all values so
+// far. A value that does not fit converts the array to a larger type.
+//
+//     VoxelStore store(size, memory_bytes, name);
+//     store.append(values, count, scaling);   // for all values, in order
+//     store.settle_nan();                     // if the file can hold NaN
+//     std::move(store).finish(volume);
 #pragma once
 
 #include "core/base/error.h"
@@ -13,7 +18,7 @@
 
 namespace ramus::volume {
 
-// What a file says of its values: value = slope * number + intercept.
+// The scaling that a file states: value = slope * number + intercept.
 struct Scaling {
     double slope = 1.0, intercept = 0.0;
     [[nodiscard]] bool none() const { return slope == 1.0 && intercept == 0.0; }
@@ -21,16 +26,17 @@ struct Scaling {
 
 class VoxelStore {
 public:
-    // Room for `size` values, which takes no memory until they come. `memory_bytes`: most that they may take.
+    // For a volume of `size` voxels; takes no memory yet. `memory_bytes`: limit for the values. `name`: of the file,
+    // for errors.
     VoxelStore(const glm::ivec3& size, double memory_bytes, std::string name);
 
-    // The next values. NaN is outside: it becomes 0, or the least value where that is less. Fails on what is infinite
-    // or cannot be kept, naming the voxel.
+    // Appends values. NaN counts as outside: it becomes 0, or the least value if that is less. Fails, naming the voxel,
+    // on infinite values and on values that cannot be stored.
     template <class Raw> [[nodiscard]] Result<void> append(const Raw* raw, std::size_t count, const Scaling& scaling);
 
-    // After the last one, of a file that can hold NaN. Fails where all are NaN, and where it takes too much memory.
+    // Replaces NaN, after the last value. Fails if all values are NaN, and if it takes too much memory.
     [[nodiscard]] Result<void> settle_nan();
-    // All of them, with their range, and a note of how many were NaN.
+    // Moves the values and their range to `volume`, with a note of the number of NaN.
     void finish(Volume& volume) &&;
 
 private:
@@ -41,11 +47,11 @@ private:
     enum class Kind { kUint8, kUint16, kInt16, kInt32, kFloat }; // in the order of Voxels' arrays
 
     template <class Value> [[nodiscard]] Range range_of(const Value* values, std::size_t count) const;
-    // As many of them, from the first on, as can be kept as runs and are worth it.
+    // Stores values as runs, from the first on, while possible and worthwhile. Returns their number.
     template <class Raw> [[nodiscard]] std::size_t put_runs(const Raw* raw, std::size_t count, const Scaling& scaling);
     template <class Runs, class Raw>
     [[nodiscard]] std::size_t put_runs_in(Runs& runs, const Raw* raw, std::size_t count, const Scaling& scaling);
-    [[nodiscard]] std::optional<double> bytes_of_runs() const; // none: values are in an array
+    [[nodiscard]] std::optional<double> bytes_of_runs() const; // none: values are stored in an array
     [[nodiscard]] bool are_runs_worth_it(double slack_bytes) const;
     template <class Value> [[nodiscard]] Result<void> put(const Value* values, std::size_t count);
     template <class Raw> [[nodiscard]] Result<std::vector<std::int32_t>> in_32_bits(const Raw* raw, std::size_t count);
@@ -55,7 +61,7 @@ private:
     [[nodiscard]] Result<void> check_memory(double bytes) const;
     void move_to(Kind kind);
     template <class To> void move_to_array();
-    // The values with 0 for NaN, scaled.
+    // The scaled values, with 0 for NaN.
     template <class Raw>
     [[nodiscard]] std::vector<double> without_nan(const Raw* raw, std::size_t count, const Scaling& scaling);
     [[nodiscard]] std::string voxel_name(std::size_t at) const;
@@ -72,7 +78,7 @@ private:
     };
     std::vector<Stretch> nan_; // ascending
     std::size_t nan_count_ = 0;
-    LargeLabels large_; // of whole numbers that may have more than 32 bits
+    LargeLabels large_; // for whole numbers of more than 32 bits
 };
 
 } // namespace ramus::volume
