@@ -1,5 +1,6 @@
-// From lines of voxels to centerlines, by the volume around them: positions between voxels at the centroids of the
-// cross-sections, radii of circles of their area, ends where a vessel of the volume there ends.
+// Computes centerlines from the lines of a voxel graph and the volume around them: positions at the centroids of
+// cross-sections (between voxels), radii of circles with the area of the cross-section, and end points from the volume
+// of the ends.
 #pragma once
 
 #include "core/base/job.h"
@@ -9,7 +10,8 @@
 
 namespace ramus::volume {
 
-// Points and edges, in mm along the axes of the mask, from its first voxel.
+// Returns points and edges in mm along the axes of the mask, from its first voxel. Empty when cancelled. The result
+// does not depend on threads.
 [[nodiscard]] tree::Graph centerlines_of(const VoxelGraph& graph, const VoxelSet& set,
                                          const BranchVoxels& branch_voxels, const JobRange& job);
 

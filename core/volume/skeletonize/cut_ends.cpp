@@ -10,21 +10,21 @@ namespace ramus::volume {
 
 namespace {
 
-// In radii. So far from the tip a vessel is as it is farther on: nearer, an oblique cross-section draws the centerline
-// to its corner.
+// Lengths in radii. The base point is this far from the tip: nearer, an oblique cross-section pulls the centerline to
+// its corner.
 constexpr double kBeforeTip = 1.5;
-constexpr double kDirection = 1.0;   // the length that the direction is of
-constexpr double kFarthestOff = 3.5; // from there to the border: thinning stops up to a radius short of it
-constexpr double kOverWidth = 0.5;   // around the axis, that is the vessel's at the border
+constexpr double kDirection = 1.0;   // length of the part before the base that gives the direction
+constexpr double kFarthestOff = 3.5; // from the base to the border: thinning stops up to a radius before it
+constexpr double kOverWidth = 0.5;   // distance from the axis that the mask must cover at the border
 constexpr double kLeastCosine =
-    0.35; // between the vessel and the border's normal: more aslant it runs along the border
+    0.35; // of the angle between the vessel and the border's normal; below, the vessel is nearly parallel to the border
 
 bool is_set(const VoxelSet& set, const glm::ivec3& voxel) { return set.bits().test(voxel - set.origin()); }
 
-// The last part of a vessel, from its tip back.
+// The last part of a vessel.
 struct LastPart {
-    std::vector<std::uint32_t> points; // the tip first, and last the one that the vessel is as it is at
-    glm::dvec3 along{0.0};             // outward
+    std::vector<std::uint32_t> points; // from the tip to the base
+    glm::dvec3 along{0.0};             // unit direction outward
 };
 
 class Ends {
@@ -33,7 +33,7 @@ public:
         for (const auto& [a, b] : graph.edges) next_[a].push_back(b), next_[b].push_back(a);
     }
     [[nodiscard]] bool is_end(std::uint32_t point) const { return next_[point].size() == 1; }
-    // No farther than to the next node.
+    // The last part of the vessel that ends at `tip`, at most to the next node.
     [[nodiscard]] LastPart last_part(std::uint32_t tip) const {
         LastPart part{{tip}, {}};
         std::uint32_t at = next_[tip].front(), before = tip;
@@ -63,7 +63,7 @@ private:
     std::vector<std::vector<std::uint32_t>> next_;
 };
 
-// Whether the voxels of the layer at the border are set at the place, and half a radius around it.
+// Whether the voxels of the border layer are set at `place` and half a radius around it.
 bool vessel_is_cut_at(const VoxelSet& set, const glm::dvec3& place, int axis, int layer, double radius) {
     for (int side = 0; side < 5; ++side) {
         glm::dvec3 at = place;
@@ -100,7 +100,7 @@ std::vector<VolumeCut> extend_to_border(tree::Graph& graph, const VoxelSet& set,
             outward[axis] = upper ? 1.0 : -1.0;
         }
         if (outward == glm::dvec3(0.0)) continue;
-        // The points in between are spread over the rest of the way.
+        // Distributes the points of the last part evenly from the base to the border.
         const std::size_t count = part.points.size() - 1;
         for (std::size_t n = 0; n < count; ++n) {
             const double on = nearest * static_cast<double>(count - n) / static_cast<double>(count);

@@ -10,15 +10,15 @@ namespace ramus::volume {
 
 namespace {
 
-// Squared distances along a run of voxels of one line, `across` those that come from the other axes so far: the least
-// of across[m] + (step (n - m))^2 over all m, and of the outside right before and behind the run.
+// Squared distances along a run of voxels: the least of across[m] + (step (n - m))^2 over all m, and of the outside
+// voxels at both ends of the run. `across`: the squared distances from the previous axes.
 void sweep(const std::vector<float>& across, float step, std::vector<float>& least) {
     const auto count = static_cast<int>(across.size());
     least.resize(across.size());
     for (int n = 0; n < count; ++n) {
         const auto to_end = static_cast<float>(std::min(n + 1, count - n)) * step;
         float best = std::min(across[static_cast<std::size_t>(n)], to_end * to_end);
-        // Farther off than the best so far nothing is nearer.
+        // Stops when voxels farther away cannot be nearer than the best so far.
         for (int away = 1; away < count; ++away) {
             const float along = static_cast<float>(away) * step;
             if (along * along >= best) break;
@@ -35,7 +35,7 @@ struct Line {
     std::vector<std::uint64_t> row, before; // words
 };
 
-// All runs along y or z: those that begin in each row, where the voxel before them is outside.
+// Sweeps all runs along y or z. A run begins at a voxel whose predecessor along the axis is outside.
 void sweep_all(const VoxelSet& set, LargeArray<float>& squared, int axis) {
     const SparseMask& bits = set.bits();
     const VoxelSet::Address stride = axis == 1 ? set.row_bits() : set.slice_bits();

@@ -1,6 +1,7 @@
-// The exact Euclidean distance from every voxel of a set to the nearest voxel outside of it, centre to centre, in mm,
-// for voxels of any proportions (A. Meijster, J. Roerdink, W. Hesselink, "A general algorithm for computing distance
-// transforms in linear time", 2000: one axis after the other). Only voxels of the set are visited.
+// The exact Euclidean distance from every voxel of a set to the nearest voxel outside, centre to centre, in mm, also
+// for anisotropic voxels. Works on one axis after the other, as A. Meijster, J. Roerdink and W. Hesselink, "A general
+// algorithm for computing distance transforms in linear time", 2000. Not in linear time: the search along a line takes
+// up to the distance for each voxel. Visits only voxels of the set.
 #pragma once
 
 #include "core/base/large_array.h"
@@ -8,7 +9,7 @@
 
 namespace ramus::volume {
 
-// By number of the voxel.
+// The distances by number of the voxel (VoxelSet::number()).
 [[nodiscard]] LargeArray<float> distances_to_outside(const VoxelSet& set);
 
 } // namespace ramus::volume

@@ -12,7 +12,7 @@ namespace ramus::volume {
 
 namespace {
 
-// Two lines that meet at a node of their own become one.
+// Appends `second` to `first` at their common node, which becomes a point.
 void merge_at(VoxelGraph& graph, int node, VoxelGraph::Line& first, VoxelGraph::Line& second) {
     if (first.to != node) std::swap(first.from, first.to), std::ranges::reverse(first.points);
     if (second.from != node) std::swap(second.from, second.to), std::ranges::reverse(second.points);
@@ -62,11 +62,11 @@ private:
         VoxelGraph::Line& line = graph_.lines[l];
         if (line.from == line.to) return false;
         const bool from_ends = at(line.from).size() == 1, to_ends = at(line.to).size() == 1;
-        if (from_ends == to_ends) return false; // none, or all there is of a piece
+        if (from_ends == to_ends) return false; // no leaf, or the only line of a piece
         const int node = from_ends ? line.to : line.from;
         const MidPoint &root = graph_.nodes[static_cast<std::size_t>(node)],
                        &end = graph_.nodes[static_cast<std::size_t>(from_ends ? line.from : line.to)];
-        // Its thickness is that of its part beyond the ball.
+        // The thickness of its part beyond the ball.
         double thickness = end.distance;
         for (const MidPoint& point : line.points)
             if (glm::distance(point.position, root.position) > root.distance)
@@ -83,7 +83,7 @@ private:
         return !stands_out(end) && std::ranges::none_of(line.points, stands_out);
     }
 
-    // Points of the other lines at a node, as far as twice the ball there.
+    // The points of the other lines at a node, within twice the radius of its ball.
     std::vector<MidPoint> rest_around(std::size_t l, int node) {
         const MidPoint& root = graph_.nodes[static_cast<std::size_t>(node)];
         std::vector<MidPoint> rest{root};
@@ -112,7 +112,7 @@ private:
             for (const std::size_t other : at(node)) consider(other);
     }
 
-    // If there are two, and the node is no end of a ring.
+    // Merges the lines at a node if there are exactly two, and they are not the two ends of a ring.
     bool merge_lines_at(int node) {
         const std::vector<std::size_t> left = at(node);
         if (left.size() != 2 || left[0] == left[1]) return false;
@@ -128,7 +128,7 @@ private:
         std::vector<int> renumbered(graph_.nodes.size(), -1);
         for (const VoxelGraph::Line& line : graph_.lines)
             renumbered[static_cast<std::size_t>(line.from)] = renumbered[static_cast<std::size_t>(line.to)] = 0;
-        // A node without any line is a piece of one voxel, unless pruning emptied it.
+        // A node that had no line from the beginning is a piece of one voxel, and stays.
         for (std::size_t n = 0; n < at_.size(); ++n)
             if (alone_.contains(n)) renumbered[n] = 0;
         std::vector<MidPoint> kept;

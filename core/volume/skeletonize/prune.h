@@ -1,24 +1,24 @@
-// What of a skeleton's graph is no vessel: bulges of the wall, and loops where they are not wanted.
+// Removes from a skeleton's graph what is no vessel: spurs in bulges of the wall, and on request loops.
 #pragma once
 
 #include "core/volume/skeletonize/voxel_graph.h"
 
 namespace ramus::volume {
 
-// Lines that were left out of a loop.
+// A line that close_loops() removed.
 struct ClosedLoop {
-    glm::dvec3 at{0.0};    // its thinnest place
-    double distance = 0.0; // there, to the nearest voxel outside, mm
+    glm::dvec3 at{0.0};    // its thinnest point
+    double distance = 0.0; // of that point to the nearest outside voxel, mm
 };
 
-// Leaves out the lines that close loops, those with the thinnest place first: a bridge between vessels that touch, the
-// rim of a hole in the mask. What is left is the spanning forest with the widest ways.
+// Removes a line from each loop, the one with the thinnest point: a bridge between touching vessels, or the rim of a
+// hole in the mask. What remains is a maximum spanning forest with respect to the thinnest points.
 [[nodiscard]] std::vector<ClosedLoop> close_loops(VoxelGraph& graph);
 
-// Removes leaves that are bulges of the wall, the shortest first. A leaf is one when it reaches less than `bulge_size`
-// times its own thickness, and a voxel, beyond the ball around the node where it leaves; or nowhere that far, and the
-// depth of a surface that is rough by a voxel, beyond the balls along the other vessels there. Nodes that are left with
-// two lines become points of one. The last line of a piece stays. `spacing`: of the voxels, mm.
+// Removes leaf lines that are bulges of the wall, the shortest first. A leaf is a bulge if it extends less than
+// `bulge_size` times its own thickness plus one voxel beyond the inscribed ball of the node where it begins; or nowhere
+// that far, plus a voxel of roughness, beyond the balls along the other lines at that node. Merges the two lines of a
+// node that has only two left. Keeps the last line of a piece. `spacing`: of the voxels, mm.
 void prune_bulges(VoxelGraph& graph, double bulge_size, const glm::dvec3& spacing);
 
 } // namespace ramus::volume

@@ -1,6 +1,6 @@
-// Whether a voxel can be taken out of a set without any change of pieces, tunnels or cavities (G. Bertrand, G.
-// Malandain, "A new characterization of three-dimensional simple points", 1994): its neighbours in the set hang
-// together, and so does the outside next to it. Decided by spreading whole neighbourhoods of 27 bits at once.
+// is_simple(): whether a voxel can be removed from a set without changing its pieces, tunnels and cavities (G.
+// Bertrand, G. Malandain, "A new characterization of three-dimensional simple points", 1994). That is so if its
+// neighbours in the set are connected, and so are the outside voxels next to it. Uses flood fills on words of 27 bits.
 #pragma once
 
 #include "core/volume/skeletonize/voxel_set.h"
@@ -9,7 +9,7 @@ namespace ramus::volume {
 
 namespace simple_point {
 
-// The nine bits with x = 0 and so on.
+// Masks of a neighbourhood: the nine bits with x = 0 and so on.
 inline constexpr Neighbourhood kFirstX = 0b001001001'001001001'001001001U, kLastX = kFirstX << 2U;
 inline constexpr Neighbourhood kFirstY = 0b000000111'000000111'000000111U, kLastY = kFirstY << 6U;
 inline constexpr Neighbourhood kFaces = 1U << 4U | 1U << 10U | 1U << 12U | 1U << 14U | 1U << 16U | 1U << 22U;
@@ -23,7 +23,7 @@ constexpr Neighbourhood along_z(Neighbourhood n) { return (n | n << 9U | n >> 9U
 
 } // namespace simple_point
 
-// `around`: of the voxel in the set; its own bit does not matter.
+// `around`: the neighbourhood of the voxel in the set; the voxel's own bit does not matter.
 [[nodiscard]] constexpr bool is_simple(Neighbourhood around) {
     using namespace simple_point;
     const Neighbourhood inside = around & kNeighbours;

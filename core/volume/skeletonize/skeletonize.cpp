@@ -30,7 +30,7 @@ namespace {
 
 using tree::Note;
 
-// sRGB; the colours of systems in their order: vein, artery, and what may come.
+// Colours of systems in sRGB, in the order of the systems: vein, artery, others.
 constexpr std::array<std::array<std::uint8_t, 3>, 8> kColours = {{{86, 134, 212},
                                                                   {212, 92, 84},
                                                                   {224, 176, 76},
@@ -40,7 +40,7 @@ constexpr std::array<std::array<std::uint8_t, 3>, 8> kColours = {{{86, 134, 212}
                                                                   {214, 132, 176},
                                                                   {150, 150, 120}}};
 
-// Of more systems than there are colours those that come again are dark, then pale, so that no two of 24 are alike.
+// After the last colour, the colours repeat darker, then paler, so that 24 systems have different colours.
 std::array<std::uint8_t, 3> colour_of_system(std::size_t system) {
     auto colour = kColours[system % kColours.size()];
     const std::size_t round = system / kColours.size() % 3;
@@ -49,8 +49,7 @@ std::array<std::uint8_t, 3> colour_of_system(std::size_t system) {
     return colour;
 }
 
-// What the arrays by number of a voxel, those of the words of bits, and those of the volume's rows take, at most at one
-// time.
+// Peak memory of the arrays by voxel, of those by stored word of bits, and of those by row of the volume.
 constexpr double kBytesPerVoxel = 48.0, kBytesPerWord = 8.0 * 4 + 4.0, kBytesPerRow = 24.0;
 
 Result<void> check_memory(const SparseMask& mask, std::uint64_t voxels, const SkeletonizeOptions& options) {
@@ -64,7 +63,7 @@ Result<void> check_memory(const SparseMask& mask, std::uint64_t voxels, const Sk
     return {};
 }
 
-// Measured on masks of noise: what a piece or a loop takes in the tree, with its notes.
+// Memory of a piece or a loop in the tree, with its notes. Measured on masks of noise.
 constexpr double kBytesPerPiece = 1400.0;
 
 Result<void> check_memory(const Topology& topology, const SkeletonizeOptions& options) {
@@ -88,7 +87,7 @@ void close_loops_of(VoxelGraph& graph, const glm::dmat4& to_patient, std::vector
                          in_patient(loop.at, to_patient)});
 }
 
-// Points and edges of one mask, in mm, RAS. Empty: cancelled.
+// The points and edges of one mask, in mm, RAS. Empty: cancelled.
 tree::Graph graph_of_mask(SparseMask mask, const glm::dmat4& to_patient, const SkeletonizeOptions& options,
                           std::vector<Note>& notes, const JobRange& job) {
     const glm::dvec3 spacing = spacing_mm(to_patient);
@@ -96,7 +95,7 @@ tree::Graph graph_of_mask(SparseMask mask, const glm::dmat4& to_patient, const S
     const VoxelSet set(mask, spacing);
     mask = SparseMask(glm::ivec3(0)); // the set has its own
     job.report(0.1F);
-    // Ways along the vessels are found by one thread; distances are measured by the others meanwhile.
+    // find_tips() uses mostly one thread; the others compute the distances meanwhile.
     LargeArray<float> distances;
     tbb::task_group measuring;
     measuring.run([&] { distances = distances_to_outside(set); });
@@ -115,7 +114,7 @@ tree::Graph graph_of_mask(SparseMask mask, const glm::dmat4& to_patient, const S
     tree::Graph lines = centerlines_of(graph, set, BranchVoxels(set, thinned, graph), job.part(0.85F, 1.0F));
     const std::vector<VolumeCut> cuts = extend_to_border(lines, set, size);
     for (tree::Point& point : lines.points) point.position = in_patient(point.position, to_patient);
-    // Of a plane, also where axes shear.
+    // Transforms normals of planes, also if the axes shear.
     const glm::dmat3 of_normals = glm::transpose(glm::inverse(glm::dmat3(to_patient)));
     for (const VolumeCut& cut : cuts)
         notes.push_back({Note::Kind::kAssumed, std::string(tree::kCutEnds),
@@ -131,7 +130,7 @@ void append(tree::Graph& all, const tree::Graph& more, int system) {
     all.point_systems.resize(all.points.size(), system);
 }
 
-// The end nearest to where the root shall be.
+// Makes the end that is nearest to `wanted` the root.
 void choose_root(tree::Graph& graph, const glm::dvec3& wanted) {
     std::vector<int> degree(graph.points.size(), 0);
     for (const auto& [a, b] : graph.edges) ++degree[a], ++degree[b];
@@ -171,7 +170,7 @@ Result<tree::VesselTree> tree_of(Masks masks, const glm::dmat4& to_patient, cons
                                  SkeletonizeFigures* figures) {
     if (figures != nullptr) *figures = masks.figures;
     if (options.root) choose_root(masks.graph, *options.root);
-    // Pieces of the mask stay pieces.
+    // Without joining open ends: pieces of the mask stay pieces.
     constexpr auto kRepair = tree::without(tree::Repair::kUsual, tree::Repair::kOpenEnds);
     auto tree = tree::build_tree(std::move(masks.graph), kRepair, [](std::uint32_t point) {
         return "point " + std::to_string(point) + " of the skeleton";

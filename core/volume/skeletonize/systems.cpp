@@ -9,7 +9,7 @@ namespace ramus::volume {
 
 namespace {
 
-// More values are not those of vessels, but the greys of a scan.
+// A volume with more values is most likely a scan.
 constexpr std::size_t kMostSystems = 64;
 
 std::string name_of(const Volume& volume, const std::vector<std::int32_t>& labels) {
@@ -58,7 +58,7 @@ Result<std::vector<SystemMask>> systems_of(const Volume& volume, const LabelGrou
     std::vector<std::vector<std::int32_t>> labels;
     for (const std::vector<LabelChoice>& group : *groups) {
         RAMUS_TRY(numbers, label_numbers(volume, group));
-        std::ranges::sort(numbers); // whatever the order of their names
+        std::ranges::sort(numbers); // independent of the order of names
         labels.push_back(std::move(numbers));
     }
     if (auto good = check_groups(labels, counts); !good) return tl::unexpected(good.error());
@@ -72,7 +72,7 @@ Result<std::vector<SystemMask>> systems_of(const Volume& volume, const LabelGrou
                            .isovalue = std::nullopt,
                            .colour = first == nullptr ? std::nullopt : first->colour});
     }
-    // A lone label that nobody named needs no name.
+    // A single label without names in the file needs no name.
     if (systems.size() == 1 && volume.label_names.empty()) systems[0].name.clear();
     return systems;
 }

@@ -1,4 +1,4 @@
-// Which labels of a mask become which systems of a tree.
+// Assigns the labels of a mask to the systems of a tree.
 #pragma once
 
 #include "core/base/error.h"
@@ -13,19 +13,19 @@
 
 namespace ramus::volume {
 
-// One system of a tree: the part of a mask that it is made of, and how it is called.
+// One system of a tree: the labels or the isovalue that select its part of the mask, and its name and colour.
 struct SystemMask {
-    std::vector<LabelChoice> labels;                     // empty: everything that is inside
-    std::string name = {};                               // empty where it is the only one and the file does not name it
-    std::optional<double> isovalue{};                    // of a scan: what is at least that is inside
-    std::optional<std::array<std::uint8_t, 3>> colour{}; // sRGB, as the file has it
+    std::vector<LabelChoice> labels;                     // empty: all voxels inside
+    std::string name = {};                               // empty for a single system without a name in the file
+    std::optional<double> isovalue{};                    // of a scan: voxels of at least this value are inside
+    std::optional<std::array<std::uint8_t, 3>> colour{}; // sRGB, from the file
 };
 
-// Labels of each system; without any, each label is a system of its own. None: all labels are one system.
+// The labels of each system. Empty: each label is a system of its own. None: all labels are one system.
 using LabelGroups = std::optional<std::vector<std::vector<LabelChoice>>>;
 
-// A volume of fractions has but one system. Systems may overlap where labels do. Fails on a label that is not there, on
-// one that is in two groups, and when the volume looks like a scan.
+// The systems for `groups`. A volume of fractions has one system. Systems overlap where labels overlap. Fails on a
+// label without a voxel, on a label in two groups, on an empty mask, and if the volume looks like a scan.
 [[nodiscard]] Result<std::vector<SystemMask>> systems_of(const Volume& volume, const LabelGroups& groups);
 
 } // namespace ramus::volume

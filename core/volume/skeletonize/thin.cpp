@@ -30,7 +30,7 @@ public:
         for (const Address at : kept) flags_[set_.number(at)] = kKept;
         queue_border();
         for (level_ = 0; level_ < queue_.size() && !job.cancelled(); ++level_) {
-            // More may come to this level meanwhile.
+            // visit() may add voxels to this level.
             for (std::size_t n = 0; n < queue_[level_].size(); ++n) visit(queue_[level_][n]);
             std::vector<Address>().swap(queue_[level_]);
             job.report(static_cast<float>(level_) / static_cast<float>(queue_.size()));
@@ -40,7 +40,7 @@ public:
 
 private:
     enum Flag : std::uint8_t { kQueued = 1, kKept = 2 };
-    static constexpr float kLevels = 8.0F; // of the queue for each least voxel size
+    static constexpr float kLevels = 8.0F; // levels of the queue for the shortest side of a voxel
 
     void queue(Address at) {
         const std::uint32_t number = set_.number(at);
@@ -54,7 +54,7 @@ private:
     void queue_border() {
         const SparseMask& bits = set_.bits();
         const std::size_t row = bits.row_words(), slice = row * static_cast<std::size_t>(bits.size().y);
-        bits.for_words([&](std::size_t w, std::uint64_t word) { // none of the border's
+        bits.for_words([&](std::size_t w, std::uint64_t word) { // words of the box's border are 0
             const std::uint64_t before = word << 1 | bits.word(w - 1) >> 63;
             const std::uint64_t behind = word >> 1 | bits.word(w + 1) << 63;
             const std::uint64_t inner =
@@ -67,7 +67,7 @@ private:
     void visit(Address at) {
         flags_[set_.number(at)] &= static_cast<std::uint8_t>(~kQueued);
         const Neighbourhood around = neighbourhood(left_, at);
-        if (!is_simple(around)) return; // it is looked at again when a neighbour goes
+        if (!is_simple(around)) return; // queued again when a neighbour is removed
         left_.clear_bit(at);
         const float here = distances_[set_.number(at)];
         float steepest = -std::numeric_limits<float>::infinity();

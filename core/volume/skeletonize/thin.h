@@ -1,6 +1,6 @@
-// Thinning: voxels are taken out of a set one by one, those nearest to the outside first, as long as its topology
-// stays, until a skeleton of single voxels through its middle is left (C. Pudney, "Distance-ordered homotopic
-// thinning", 1998).
+// Thinning: removes simple points (simple_point.h) from a set, those nearest to the outside first, until a skeleton of
+// single voxels remains (C. Pudney, "Distance-ordered homotopic thinning", 1998). Guaranteed: the skeleton has the
+// topology of the set.
 #pragma once
 
 #include "core/base/job.h"
@@ -13,13 +13,14 @@ namespace ramus::volume {
 
 struct Thinned {
     SparseMask skeleton; // of the size of the set's box
-    // By number of the voxel: which of its neighbours, as a bit of a neighbourhood, stood the steepest way up when it
-    // was taken out; kCentreBit: it stayed. Every way of such steps ends in the skeleton, and no way leaves the vessel
-    // that its voxel is part of: vessels that touch part where the mask is thinnest between them.
+    // By number of the voxel: the neighbour, as a bit of a neighbourhood, with the steepest ascent of the distance when
+    // the voxel was removed; kCentreBit: the voxel is in the skeleton. Every path of such steps ends in the skeleton.
+    // Paths stay in their vessel: touching vessels are separated where the mask between them is thinnest.
     LargeArray<std::uint8_t> uphill;
 };
 
-// `kept` stay whatever they are, of the other voxels those that the topology needs. Cancelled: anything.
+// Keeps the voxels `kept`, and others only as far as the topology needs them. Returns an incomplete result when
+// cancelled.
 [[nodiscard]] Thinned thin(const VoxelSet& set, const LargeArray<float>& distances,
                            const std::vector<VoxelSet::Address>& kept, const JobRange& job);
 

@@ -16,10 +16,10 @@ namespace {
 using Address = VoxelSet::Address;
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
-// Lengths of ways through the set, by number of the voxel, from wherever spread() was told to begin.
+// Geodesic distances through the set, by number of the voxel, from the start of spread().
 class Ways {
 public:
-    // `open`: the set, from which a piece is gone once it is spread through.
+    // `open`: initially the set; spread() removes the pieces that it reaches.
     Ways(const VoxelSet& set, SparseMask& open, const JobRange& job)
         : set_(set), open_(open), job_(job), lengths_(set.count(), kFar) {
         for (int bit = 0; bit < 27; ++bit) {
@@ -31,9 +31,9 @@ public:
     [[nodiscard]] const LargeArray<float>& lengths() const { return lengths_; }
     [[nodiscard]] float length(Address at) const { return lengths_[set_.number(at)]; }
 
-    // Through the whole piece of `start`. Every voxel that is reached goes to `reached`, the nearest first; voxels
-    // equally far in the order of their addresses. Buckets one step wide: within one, no voxel can shorten another's
-    // way (E. Dijkstra; R. Dial).
+    // Dijkstra's algorithm with Dial's buckets, through the whole piece of `start`. `reached` gets all voxels of the
+    // piece in ascending order of distance, then of address. Buckets have the width of the shortest step, so within a
+    // bucket no voxel can shorten the path of another.
     void spread(Address start, std::vector<Address>& reached) {
         reached.clear();
         buckets_.assign(1, {start});
@@ -44,7 +44,7 @@ public:
             for (std::size_t n = 0; n < buckets_[b].size(); ++n) {
                 const Address at = buckets_[b][n];
                 const float here = length(at);
-                if (static_cast<std::size_t>(here / width_) != b) continue; // reached on a shorter way meanwhile
+                if (static_cast<std::size_t>(here / width_) != b) continue; // a shorter path was found meanwhile
                 reached.push_back(at);
                 open_.clear_bit(at);
                 relax(at, here);
@@ -86,11 +86,11 @@ private:
     std::vector<std::vector<Address>> buckets_;
 };
 
-// A part of a piece that lies farther from its start than all around it, as it grows from its farthest voxel.
+// A region around a local maximum of the distance from the start. It grows downwards from its farthest voxel.
 struct Summit {
     Address farthest;
-    float length;    // of the way there
-    float thickness; // greatest distance to the outside within
+    float length;    // distance of `farthest` from the start
+    float thickness; // greatest distance to the outside in the region
 };
 
 class Summits {
@@ -101,7 +101,8 @@ public:
           voxel_(static_cast<float>(std::max({set.spacing().x, set.spacing().y, set.spacing().z}))),
           summit_of_(set.count()) {}
 
-    // `order`: the voxels of a piece, the nearest to its start first. `done`: a mask without them; they are put there.
+    // `order`: the voxels of a piece, the nearest to its start first. `done`: a mask that must not have them; find()
+    // adds them.
     void find(const std::vector<Address>& order, SparseMask& done, std::vector<Address>& tips) {
         summits_.clear(), joined_.clear();
         for (auto next = order.rbegin(); next != order.rend(); ++next) {
@@ -135,7 +136,7 @@ private:
         while (joined_[n] != n) n = joined_[n] = joined_[joined_[n]];
         return n;
     }
-    // The lower of two summits ends where it meets the higher one, `saddle` from the start.
+    // Merges two summits that meet at distance `saddle` from the start. The lower one becomes a tip if it is prominent.
     std::uint32_t join(std::uint32_t a, std::uint32_t b, float saddle, std::vector<Address>& tips) {
         if (summits_[a].length < summits_[b].length) std::swap(a, b);
         const Summit& lower = summits_[b];
@@ -157,8 +158,8 @@ private:
 
 namespace {
 
-// The voxel of the piece of `first` most steps away, through corners too; the piece is cleared from `open`.
-// Whole words of neighbours at a time.
+// The voxel of the piece of `first` that is the most steps away (26-connected breadth-first search, on words of bits).
+// Removes the piece from `open`.
 Address farthest_from(Address first, const VoxelSet& set, SparseMask& open) {
     struct Word {
         std::size_t at;
@@ -193,8 +194,8 @@ Address farthest_from(Address first, const VoxelSet& set, SparseMask& open) {
     return last.at * 64 + static_cast<Address>(std::countr_zero(last.bits));
 }
 
-// Uphill from the farthest voxel, toward the middle of the vessel, until the ball around it reaches back to the end. A
-// little farther: from the rim of a flat end, the way goes along where the balls just touch it.
+// Moves a tip uphill in distance to the outside, toward the middle of the vessel, while the ball around it reaches back
+// to the end.
 constexpr float kReachBack = 1.0F;
 Address middle_of_end(Address tip, const VoxelSet& set, const LargeArray<float>& distances,
                       const LargeArray<float>& lengths) {
@@ -225,7 +226,7 @@ std::vector<Address> find_tips(const VoxelSet& set, const std::function<const La
         if (ways.length(first) < kFar || job.cancelled()) return;
         const Address start = farthest_from(first, set, open); // the end of a vessel
         ways.spread(start, reached);
-        if (job.cancelled()) return; // not all has its way: nothing further can be asked of it
+        if (job.cancelled()) return; // some voxels have no distance yet
         const std::size_t before = tips.size();
         if (!summits) summits.emplace(set, distances(), ways.lengths(), bulge_size);
         summits->find(reached, ahead, tips);

@@ -1,8 +1,8 @@
-// Where the vessels of a mask end. The way through the vessel from one of its ends has a farthest point at every other
-// end; how much farther it is than the place where the vessel leaves the rest (its prominence, as that of a summit
-// above the saddle to a higher one) is the length by which it stands out. A bulge stands out less than it is wide; a
-// vessel more. That ratio is the one parameter, after the bulge size of Drees et al. ("Scalable robust graph and
-// feature extraction for arbitrary vessel networks in large volumetric datasets", 2021).
+// Finds the ends (tips) of the vessels in a mask. The geodesic distance from one end of a piece has a local maximum at
+// every other end. Its prominence (height above the saddle to a higher maximum, as for summits) is the length by which
+// the vessel stands out. The prominence of a bulge is less than `bulge_size` times its thickness. This parameter
+// follows the bulge size of Drees et al. ("Scalable robust graph and feature extraction for arbitrary vessel networks
+// in large volumetric datasets", 2021).
 #pragma once
 
 #include "core/base/job.h"
@@ -14,8 +14,9 @@
 
 namespace ramus::volume {
 
-// `distances`: waits for those of distance_transform.h, which may be measured meanwhile. Every piece has at least one
-// tip, and two if it has several voxels. Stops early, with whatever was found, when `job` is cancelled.
+// `distances`: returns those of distance_transform.h, and may wait until they are computed. Every piece gets at least
+// one tip; a piece of several voxels at least two, which may be the same voxel. Returns an incomplete result when
+// cancelled.
 [[nodiscard]] std::vector<VoxelSet::Address> find_tips(const VoxelSet& set,
                                                        const std::function<const LargeArray<float>&()>& distances,
                                                        double bulge_size, const JobRange& job);

@@ -16,12 +16,12 @@ namespace ramus::volume {
 
 namespace {
 
-// Voxels of a row from `begin` to before `end`, and which piece they belong to.
+// The voxels [begin, end) of a row.
 struct Run {
     int begin, end;
 };
 
-// The runs of a mask's rows, inside or outside, joined where they touch: pieces without a number for every voxel.
+// The runs of a mask's rows, inside or outside, joined where they touch. Finds pieces without an array of voxels.
 class Runs {
 public:
     enum class Of : std::uint8_t { kInside, kOutside };
@@ -36,7 +36,7 @@ public:
             }
         first_.push_back(runs_.size());
         sets_.add(runs_.size());
-        const int reach = of == Of::kInside ? 1 : 0; // diagonal neighbours touch, or not
+        const int reach = of == Of::kInside ? 1 : 0; // whether diagonal neighbours touch
         for (int k = 0; k < size_.z; ++k)
             for (int j = 0; j < size_.y; ++j) {
                 join(j, k, j - 1, k, reach);
@@ -45,7 +45,7 @@ public:
             }
     }
 
-    // call(j, k, for_runs), where for_runs(call_of_run) has call_of_run(run, representative of its piece).
+    // Calls call(j, k, for_runs) for every row; for_runs(f) calls f(run, representative of its piece) for its runs.
     template <class Call> void for_rows(const Call& call) {
         for (int k = 0; k < size_.z; ++k)
             for (int j = 0; j < size_.y; ++j)
@@ -54,7 +54,7 @@ public:
                         call_of_run(runs_[r], sets_.find(static_cast<std::uint32_t>(r)));
                 });
     }
-    // call(run, j, k, representative of its piece)
+    // Calls call(run, j, k, representative of its piece) for every run.
     template <class Call> void for_each(const Call& call) {
         for_rows([&](int j, int k, const auto& for_runs) {
             for_runs([&](const Run& run, std::uint32_t piece) { call(run, j, k, piece); });
@@ -105,7 +105,7 @@ private:
     DisjointSets sets_;
 };
 
-// By representative: whether its piece of the outside reaches the border of the box.
+// By representative: whether the piece of the outside reaches the border of the box.
 std::vector<bool> open_pieces(Runs& outside, std::size_t count, const glm::ivec3& size) {
     std::vector<bool> open(count, false);
     outside.for_each([&](const Run& run, int j, int k, std::uint32_t piece) {
@@ -128,14 +128,14 @@ std::int64_t euler_number(const SparseMask& mask) {
         return is_empty(j, k) ? std::span<const std::uint64_t>(none) : mask.row(j, k, scratch[n]);
     };
     std::int64_t number = 0;
-    // Cells whose upper corner in y and z is that of voxel (j, k): each voxel, pair and four of rows once.
+    // Counts each cell once: at the row (j, k) that is the upper one in y and z among the rows that share the cell.
     for (int k = 0; k <= size.z; ++k)
         for (int j = 0; j <= size.y; ++j) {
             if (is_empty(j, k) && is_empty(j - 1, k) && is_empty(j, k - 1) && is_empty(j - 1, k - 1)) continue;
             const auto a = row(j, k, 0), b = row(j - 1, k, 1), c = row(j, k - 1, 2), d = row(j - 1, k - 1, 3);
             const auto upto = [&](std::size_t w, auto... rows) { return (std::uint64_t{0} | ... | rows[w]); };
             const auto count = [&](auto... rows) {
-                std::int64_t crossing = 0, within = 0; // cells at right angles to x, and along it
+                std::int64_t crossing = 0, within = 0; // cells perpendicular to x, and along x
                 std::uint64_t before = 0;
                 for (std::size_t w = 0; w < words; ++w) {
                     const std::uint64_t any = upto(w, rows...);
@@ -155,7 +155,7 @@ std::int64_t euler_number(const SparseMask& mask) {
     return number;
 }
 
-// Those that are not `counted` already.
+// The number of pieces that are not `counted` already.
 std::uint64_t count_pieces(Runs& runs, std::vector<bool> counted) {
     std::uint64_t pieces = 0;
     runs.for_each([&](const Run&, int, int, std::uint32_t piece) {

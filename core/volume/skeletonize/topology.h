@@ -1,5 +1,5 @@
-// What digital topology says of a mask, whose voxels are joined by faces, edges and corners (26) and whose outside is
-// joined by faces (6): pieces, tunnels, cavities. And the two changes of it that people ask for.
+// Counts the pieces, tunnels and cavities of a mask, fills cavities and removes small pieces. Inside voxels are
+// connected by faces, edges and corners (26), outside voxels by faces (6).
 #pragma once
 
 #include "core/volume/sparse_mask.h"
@@ -15,10 +15,11 @@ struct Topology {
 };
 [[nodiscard]] Topology topology_of(const SparseMask& mask);
 
-// Makes every part of the outside that no way leads out of part of the inside. Returns how many such parts there were.
+// Sets the voxels of all cavities: pieces of the outside that do not reach the border of the mask. Returns their
+// number.
 std::uint64_t fill_cavities(SparseMask& mask);
 
-// Removes pieces whose box is nowhere longer than `extent_mm`. Returns how many went.
+// Removes pieces whose bounding box has no side longer than `extent_mm`. Returns their number. `spacing`: mm.
 std::uint64_t drop_islands(SparseMask& mask, const glm::dvec3& spacing, double extent_mm);
 
 } // namespace ramus::volume

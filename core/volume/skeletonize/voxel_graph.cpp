@@ -13,8 +13,8 @@ namespace {
 
 using Address = VoxelSet::Address;
 
-// The cells of a closed cube by where they lie, as bits of a neighbourhood: itself, 6 faces, 12 edges, 8 corners. Of
-// each: the neighbours before the cube whose cubes hold it, too, and the sign of its dimension.
+// The cells of a closed cube (itself, 6 faces, 12 edges, 8 corners), indexed as bits of a neighbourhood. For each cell:
+// the neighbours before the cube whose cubes share the cell, and the sign of its dimension in the Euler number.
 constexpr auto kFirstOf = [] {
     std::array<Neighbourhood, 27> before{};
     for (int cell = 0; cell < 27; ++cell)
@@ -136,11 +136,12 @@ private:
         for (const std::uint32_t v : knot) node_of_[v] = node;
     }
 
-    // 1 - (vertices - edges + faces - cubes) of the union of the closed cubes. Knots do not touch each other.
+    // The number of loops in a knot: 1 - Euler number (vertices - edges + faces - cubes) of the union of its closed
+    // cubes. Knots do not touch each other.
     [[nodiscard]] int rings_in(const std::vector<std::uint32_t>& knot) const {
         if (knot.size() < 4) return 0;
         int number = 0;
-        for (const std::uint32_t v : knot) { // each cell is counted at the first of its voxels
+        for (const std::uint32_t v : knot) { // counts each cell at the first of its voxels
             const Neighbourhood mates = neighbourhood(knots_, addresses_[v]);
             for (int cell = 0; cell < 27; ++cell)
                 if ((mates & kFirstOf[static_cast<std::size_t>(cell)]) == 0)
@@ -149,8 +150,8 @@ private:
         return 1 - number;
     }
 
-    // Each voxel a node; a spanning tree, and as many connections more as there are rings: such as are no side of a
-    // triangle come first, for triangles are filled.
+    // Makes each voxel a node. Adds a spanning tree and one more connection for each loop. Connections that are no side
+    // of a triangle come first, because triangles are filled.
     void add_knot_with_rings(const std::vector<std::uint32_t>& knot, int rings) {
         for (const std::uint32_t v : knot) node_of_[v] = add_node(middles_[v]);
         struct Link {
@@ -169,7 +170,8 @@ private:
                 links.push_back({in_triangle, glm::distance(middles_[v].position, middles_[other].position), v, other});
             });
         std::ranges::stable_sort(links, {}, [](const Link& link) { return std::pair(link.in_triangle, link.length); });
-        // By place in the knot, whose voxels ascend: a set of all voxels for each knot would take quadratic time.
+        // Indexed by position in the knot, whose voxels ascend: an array of all voxels for each knot would take
+        // quadratic time.
         DisjointSets joined(knot.size());
         const auto place = [&](std::uint32_t v) {
             return static_cast<std::uint32_t>(std::ranges::lower_bound(knot, v) - knot.begin());
@@ -185,12 +187,12 @@ private:
             graph_.lines.push_back({node_of_[further[n].a], node_of_[further[n].b], {}});
     }
 
-    // An end has one way on. Where ends and a knot meet in threes, each beside both others, the shortest ways that
-    // connect them all.
+    // Connects each end with its neighbour. Where two ends and a knot, or three ends, are mutually adjacent, takes the
+    // shortest connections that join all of them.
     void connect_ends() {
         struct Link {
             double length;
-            std::uint32_t end, other; // of two ends the later one is first
+            std::uint32_t end, other; // of two ends, `end` is the later one
         };
         std::vector<Link> links;
         for_ends([&](std::uint32_t v) {
@@ -227,7 +229,7 @@ private:
             before = at, at = next;
         }
         line.to = node_of_[at];
-        if (line.to == line.from) { // with the voxels of the knot, or nothing would lie between
+        if (line.to == line.from) { // adds the voxels of the knot, so that the ring is not too short
             line.points.insert(line.points.begin(), middles_[from]);
             line.points.push_back(middles_[at]);
         }
@@ -253,11 +255,11 @@ private:
     }
 
     VoxelSet voxels_;
-    SparseMask knots_; // those of the voxels that are of a knot
+    SparseMask knots_; // the voxels that belong to a knot
     std::vector<Address> addresses_;
     std::vector<Kind> kinds_;
     std::vector<MidPoint> middles_;
-    DisjointSets joined_; // voxels of one knot, then also ends with what they connect to
+    DisjointSets joined_; // voxels of one knot, then also ends with their connections
     std::vector<int> node_of_;
     std::vector<bool> walked_;
     VoxelGraph graph_;

@@ -1,6 +1,6 @@
-// The graph of a skeleton of single voxels: nodes where it ends or parts, lines of voxels between them. It has exactly
-// the pieces and loops of the skeleton in (26, 6)-connectivity: voxels that meet in threes and fours are one node, and
-// a ring within such a knot stays a ring.
+// Converts a skeleton of single voxels to a graph: nodes at its ends and branchings, and lines of voxels between them.
+// Guaranteed: the graph has exactly the pieces and loops of the skeleton in (26, 6)-connectivity. Adjacent branching
+// voxels become one node; if they contain a loop, it is kept.
 #pragma once
 
 #include "core/base/large_array.h"
@@ -11,25 +11,25 @@
 
 namespace ramus::volume {
 
-// A place in the middle of a vessel: mm along the axes of the mask, from its first voxel.
+// A point of the skeleton. Positions are in mm along the axes of the mask, from its first voxel.
 struct MidPoint {
     glm::dvec3 position{0.0};
-    double distance = 0.0;   // to the nearest voxel outside, mm
-    std::uint32_t voxel = 0; // its number, or that of one of several
+    double distance = 0.0;   // to the nearest outside voxel, mm
+    std::uint32_t voxel = 0; // number of its voxel in the set, or of one of several
 };
 
 struct VoxelGraph {
     struct Line {
-        int from = 0, to = 0;         // nodes; equal: a ring
+        int from = 0, to = 0;         // nodes; equal for a ring
         std::vector<MidPoint> points; // between them
     };
     std::vector<MidPoint> nodes;
     std::vector<Line> lines;
 
-    [[nodiscard]] std::vector<int> degrees() const; // of each node: ends of lines there
+    [[nodiscard]] std::vector<int> degrees() const; // by node: number of line ends; a ring counts twice
 };
 
-// `skeleton`: a mask of the size of the box of `set`, of which `distances` are.
+// `skeleton`: a mask of the size of the box of `set`. `distances`: to the outside, by number in `set`.
 [[nodiscard]] VoxelGraph graph_of(const SparseMask& skeleton, const VoxelSet& set, const LargeArray<float>& distances);
 
 [[nodiscard]] double length_mm(const VoxelGraph& graph, const VoxelGraph::Line& line);

@@ -14,7 +14,7 @@ struct Box {
     glm::ivec3 least, most; // both within
 };
 
-// Of the bits that are set; empty: least > most.
+// The bounding box of the set bits. Empty: least > most.
 Box box_of(const SparseMask& mask) {
     Box box{mask.size(), glm::ivec3(-1)};
     const auto height = static_cast<std::size_t>(mask.size().y);
@@ -28,7 +28,7 @@ Box box_of(const SparseMask& mask) {
     return box;
 }
 
-// Of the box with a border of outside in y and z; rows have theirs in x.
+// The size of the box with an outside border in y and z. The border in x is part of each row.
 glm::ivec3 bordered(const Box& box) { return glm::max(box.most - box.least + 1, glm::ivec3(0)) + glm::ivec3(0, 2, 2); }
 
 } // namespace
