@@ -7,7 +7,7 @@
 
 namespace ramus {
 
-// Called in the child of `parent`: confines the process, does the work, writes the answer to `answer`, and ends.
+// Called in the child of `parent`: confines the process, runs `work`, writes the answer to `answer`, and ends.
 [[noreturn]] void work_and_end(OwnWork work, std::string_view input, const ProcessLimits& limits, int answer,
                                pid_t parent);
 

@@ -7,7 +7,7 @@ namespace ramus {
 
 namespace {
 
-constexpr int kBehind = 10; // niceness: a tenth of the time of a thread beside it that wants all
+constexpr int kBehind = 10; // niceness; about a tenth of the time of a busy thread with niceness 0
 
 } // namespace
 

@@ -79,7 +79,7 @@ std::string without_blanks(std::string_view text) {
 
 // The file of values that a header of NRRD or MetaImage names. Empty: it names none.
 std::string values_of(const fs::path& header) {
-    constexpr int kMostLines = 200; // headers are shorter
+    constexpr int kMostLines = 200; // searched, so that a file without a header is not read as a whole
     std::ifstream stream(header, std::ios::binary);
     std::string line;
     std::array<char, 4096> text{};

@@ -68,7 +68,7 @@ void fill_row(const T* values, std::size_t count, std::span<std::uint64_t> row, 
     }
 }
 
-// The bits of a slice, rows as in BitMask.
+// The bits of a slice, with rows as in BitMask.
 struct SliceBits {
     std::size_t columns, rows, row_words;
     std::span<std::uint64_t> words;
@@ -83,7 +83,7 @@ void fill_slice(const SparseArray<T>& values, int k, const SliceBits& slice, con
     }
 }
 
-// The voxels from `begin` to before `end`.
+// Sets the voxels [begin, end) of a row.
 void set_voxels(std::span<std::uint64_t> row, std::size_t begin, std::size_t end) {
     const std::size_t first = (begin + 1) / 64, last = end / 64; // bit i + 1 is voxel i
     const std::uint64_t from = ~std::uint64_t{0} << (begin + 1) % 64, upto = ~std::uint64_t{0} >> (63 - end % 64);
@@ -111,7 +111,7 @@ void fill_slice(const RunsOf<T>& runs, int k, const SliceBits& slice, const Insi
     });
 }
 
-// All slices of a mask that has all its words.
+// Collects all words of all slices.
 class AllWords {
 public:
     explicit AllWords(const glm::ivec3& size) : mask_(size) {}
@@ -127,7 +127,7 @@ private:
     BitMask mask_;
 };
 
-// The words that hold voxels, of some slices at a time.
+// Collects the words that hold voxels, some slices at a time.
 class FilledWords {
 public:
     explicit FilledWords(const glm::ivec3& size) : size_(size), builder_(size) {}

@@ -15,18 +15,19 @@ namespace ramus::volume {
 
 namespace {
 
-// Adding and taking away a number whose last bit counts ones leaves whole numbers as they are, and no others below it.
+// Adding and subtracting a number whose last bit has the value 1 rounds to whole numbers: whole numbers stay the same,
+// and fractions change.
 template <class Value> bool is_whole(Value value) {
     constexpr Value kOnes = std::is_same_v<Value, float> ? Value(12582912.0) : Value(6755399441055744.0);
     constexpr Value kAllWhole = kOnes / 3;
     return (std::abs(value) >= kAllWhole) | ((value + kOnes) - kOnes == value);
 }
 
-// Runs are worth it up to this share of what an array takes. Which shows after some of them only.
+// Runs are kept if they take at most this share of an array. The decision needs some runs first.
 constexpr double kRunsShare = 0.5, kRunsSlack = 1 << 18;
 constexpr std::array<double, 5> kBytesOfKind = {1, 2, 2, 4, 4};
 
-// Types of files that hold numbers of more than 32 bits.
+// Number types of files that can exceed 32 bits.
 template <class Raw>
 constexpr bool kMayBeLarge = std::is_integral_v<Raw> && (sizeof(Raw) > 4 || std::is_same_v<Raw, std::uint32_t>);
 
@@ -93,7 +94,7 @@ void VoxelStore::move_to(Kind kind) {
     (this->*kMoves[static_cast<std::size_t>(kind)])();
 }
 
-// Of the arrays.
+// The smallest kind of array that holds all values so far.
 VoxelStore::Kind VoxelStore::smallest_kind() const {
     const auto within = [&](double low, double high) { return whole_ && least_ >= low && most_ <= high; };
     if (within(0, 255)) return Kind::kUint8;
@@ -103,7 +104,7 @@ VoxelStore::Kind VoxelStore::smallest_kind() const {
     return Kind::kFloat;
 }
 
-// What is held once all are kept in arrays of that kind. While values move, they are there twice.
+// Peak memory if all values are stored in an array of this kind. During a conversion, the values exist twice.
 double VoxelStore::bytes_to_be(Kind kind) const {
     const double bytes = kBytesOfKind[static_cast<std::size_t>(kind)] * static_cast<double>(total_);
     if (static_cast<std::size_t>(kind) == voxels_.index()) return bytes;
@@ -195,7 +196,7 @@ template <class Raw> std::size_t VoxelStore::put_runs(const Raw* raw, std::size_
     const double value = scaling.none() ? static_cast<double>(raw[put])
                                         : scaling.slope * static_cast<double>(raw[put]) + scaling.intercept;
     if (!std::isfinite(value) || is_whole(value)) return put;
-    // From the first fraction on.
+    // Converts the runs at the first fraction.
     FractionRuns fractions;
     runs->for_runs(0, used_, [&](std::size_t begin, std::size_t end, VoxelRuns::Value whole) {
         fractions.add(static_cast<float>(whole), end - begin);
@@ -270,7 +271,7 @@ template Result<void> VoxelStore::append(const std::int64_t*, std::size_t, const
 template Result<void> VoxelStore::append(const float*, std::size_t, const Scaling&);
 template Result<void> VoxelStore::append(const double*, std::size_t, const Scaling&);
 
-// Where 0 is not the least value it could be inside, as of a scan.
+// If there are values below 0, as in a scan, 0 could be inside: NaN becomes the least value.
 Result<void> VoxelStore::settle_nan() {
     if (nan_count_ > 0 && nan_count_ == total_) return fail("all its values are NaN", name_, "choose another file");
     if (nan_.empty() || least_ >= 0.0) return {};
@@ -299,7 +300,7 @@ void VoxelStore::finish(Volume& volume) && {
                                " more than 32 bits: numbered anew, with the file's numbers as names");
         volume.label_names = std::move(large_).names();
     }
-    // Of few values even a few runs may be too many.
+    // For few values, even a few runs may take more than an array.
     if (bytes_of_runs() && !are_runs_worth_it(0.0) && bytes_to_be(smallest_kind()) <= memory_bytes_)
         move_to(smallest_kind());
     volume.size = size_;

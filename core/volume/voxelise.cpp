@@ -25,7 +25,7 @@ Box bounds_of(const tree::VesselTree& tree) {
     return tree.points.empty() ? Box{glm::dvec3(0.0), glm::dvec3(0.0)} : box;
 }
 
-// A grid of voxels: the middle of the first, and their sizes, mm.
+// A grid of voxels: the centre of the first, and their sizes, in mm.
 struct VoxelGrid {
     glm::dvec3 origin, voxel_mm;
 };
@@ -78,7 +78,7 @@ Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, const glm::dvec3& 
         if (!std::isfinite(voxel_mm[axis]) || voxel_mm[axis] <= 0.0)
             return fail("a voxel has no size", {}, "give millimetres, such as 0.5");
     const Box box = bounds_of(tree);
-    const glm::dvec3 sides = glm::floor(box.size() / voxel_mm) + 3.0; // one of outside all around
+    const glm::dvec3 sides = glm::floor(box.size() / voxel_mm) + 3.0; // with an outside voxel on each side
     const double bytes = sides.x * sides.y * sides.z / 8.0;
     const double most = memory_limit(memory_bytes);
     const std::string least = std::to_string(std::min({voxel_mm.x, voxel_mm.y, voxel_mm.z}));

@@ -53,7 +53,7 @@ std::string stl_header(const MeshCounts& counts) {
 void write_stl_facets(std::span<const glm::uvec3> triangles, const mesh::VertexSpan& vertices, BufferedFile& file) {
     for (const glm::uvec3& t : triangles) {
         const glm::vec3 &a = vertices.positions[t.x], &b = vertices.positions[t.y], &c = vertices.positions[t.z];
-        // In double precision: the square of a small triangle's area leaves single precision.
+        // In double precision, because the square of a small triangle's area underflows in single precision.
         const glm::dvec3 across = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
         const double length = glm::length(across);
         file.write_value(std::array{length > 0.0 ? glm::vec3(across / length) : glm::vec3(0.0F), a, b, c});

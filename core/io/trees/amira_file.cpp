@@ -145,7 +145,7 @@ private:
         return fail("the header ends inside of Parameters", place(), kAmiraIncomplete);
     }
 
-    // "VERTEX { float[3] VertexCoordinates } @1", behind the bracket.
+    // "VERTEX { float[3] VertexCoordinates } @1", from the text after the bracket.
     Result<void> read_declaration(const std::string& of) {
         AmiraArray array;
         array.of = of;

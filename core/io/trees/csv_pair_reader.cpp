@@ -110,7 +110,7 @@ std::vector<fs::path> partner_names(const fs::path& path, bool nodes) {
             for (const std::string_view other : others)
                 add(before + in_case_of(stem.substr(at, word.size()), std::string(other)) + after);
             if (!nodes && before.size() > 1 && std::string_view("_-. ").find(before.back()) != std::string_view::npos)
-                add(before.substr(0, before.size() - 1) + after); // of liver_edges: liver
+                add(before.substr(0, before.size() - 1) + after); // for liver_edges: liver
         }
         for (const std::string_view other : others) add(stem + "_" + std::string(other));
     };

@@ -60,7 +60,7 @@ Result<tree::VesselTree> read_any(const std::filesystem::path& path, const ReadO
     // An error of the file is more useful than an error of its name.
     RAMUS_TRY(text, read_file(path));
     if (text.empty()) return fail("the file is empty", name, "choose another file");
-    if (is_gzip(text)) { // whatever the name says
+    if (is_gzip(text)) { // independent of the name
         RAMUS_TRY(plain, inflated(text, inflation_limit(text.size()), name));
         text = std::move(plain);
     }

@@ -21,7 +21,7 @@ struct MetaType {
     std::string_view word;
     VoxelType number;
 };
-// "Long" has 4 bytes in this format, whatever the machine.
+// "Long" has 4 bytes in this format on all machines.
 constexpr std::array<MetaType, 13> kMetaTypes = {{{"MET_CHAR", VoxelType::kInt8},
                                                   {"MET_ASCII_CHAR", VoxelType::kInt8},
                                                   {"MET_UCHAR", VoxelType::kUint8},

@@ -27,7 +27,7 @@ std::vector<volume::LabelName> extension_names(std::string_view bytes, bool swap
     bytes.remove_prefix(kFlag);
     while (bytes.size() >= kHead) {
         const std::int32_t size = size_at(bytes, swapped);
-        // What is left behind the last extension is padding.
+        // Bytes after the last extension are padding.
         if (size == 0) break;
         if (size < static_cast<std::int32_t>(kHead) || static_cast<std::size_t>(size) > bytes.size()) {
             notes.emplace_back("an extension of its header is damaged, and was left out");

@@ -17,7 +17,7 @@ namespace ramus::io {
 
 namespace {
 
-// What a header says, in this machine's byte order.
+// The fields of a header, in this machine's byte order.
 struct Header {
     std::array<std::int64_t, 8> dim{};
     std::array<double, 4> pixdim{}; // [0]: the sign of qfac
@@ -108,7 +108,7 @@ Result<glm::dmat4> qform_of(const Header& header, const std::string& name) {
     glm::dmat4 matrix(1.0);
     RAMUS_TRY(spacing, voxel_size(header, name));
     const auto& [b, c, d] = header.quaternion;
-    constexpr double kRounding = 1e-3; // of single precision, generously
+    constexpr double kRounding = 1e-3; // generous tolerance for single precision
     if (!(b * b + c * c + d * d <= 1.0 + kRounding))
         return fail("the quaternion of its qform is no rotation", name, "write the file again, with an sform");
     const nifti_dmat44 rows =
@@ -128,7 +128,7 @@ Result<glm::dmat4> matrix_of(const Header& header, const std::string& name) {
     return matrix;
 }
 
-// In mm; none: the header names none.
+// The length of the unit in mm. None: the header names no unit.
 std::optional<double> unit_of(const Header& header) {
     switch (header.units) {
     case NIFTI_UNITS_MM:
@@ -160,7 +160,7 @@ Result<glm::dmat4> affine_of(const Header& header, const glm::ivec3& size, const
 std::optional<std::string> forms_differ(const Header& header, const glm::ivec3& size, const std::string& name) {
     if (header.sform <= 0 || header.qform <= 0) return std::nullopt;
     const auto qform = qform_of(header, name);
-    if (!qform) return std::nullopt; // nor is it used
+    if (!qform) return std::nullopt; // invalid, and not used
     const glm::dmat4 sform = sform_of(header);
     double most = 0.0;
     for (int corner = 0; corner < 8; ++corner) {

@@ -16,7 +16,7 @@ namespace ramus::io {
 namespace {
 
 constexpr std::uint64_t kPreamble = 128, kMark = 4;
-constexpr std::uint64_t kMostHeader = std::uint64_t{1} << 28; // bytes; none of any use is longer
+constexpr std::uint64_t kMostHeader = std::uint64_t{1} << 28; // bytes; useful headers are shorter
 constexpr std::uint32_t kUndefined = 0xffffffff;
 constexpr std::uint32_t kItem = 0xfffee000, kItemEnd = 0xfffee00d, kSequenceEnd = 0xfffee0dd;
 constexpr std::uint32_t kTransferSyntax = 0x00020010, kPixelData = 0x7fe00010;
@@ -27,20 +27,20 @@ constexpr std::string_view kImplicit = "1.2.840.10008.1.2", kDeflated = "1.2.840
 struct Element {
     std::uint32_t tag = 0, length = 0;
     std::array<char, 2> vr{}; // zeros: implicit
-    std::uint64_t value = 0;  // where it begins
+    std::uint64_t value = 0;  // offset of its first byte
 };
 
 struct Order {
     bool implicit = false, big = false;
 };
 
-// Bytes anywhere in a stream, some of them kept, for elements lie close together.
+// Random access to a stream with a buffer, because elements are close together.
 class Window {
 public:
     Window(std::istream& stream, std::uint64_t size) : stream_(stream), size_(size) {}
     [[nodiscard]] std::uint64_t size() const { return size_; }
 
-    // Nothing: so many are not there.
+    // None: there are fewer bytes.
     std::optional<std::string_view> at(std::uint64_t place, std::size_t bytes) {
         if (place > size_ || bytes > size_ - place) return std::nullopt;
         if (place < begin_ || place + bytes > begin_ + kept_.size()) {
@@ -73,7 +73,7 @@ std::uint32_t number(std::string_view bytes, bool big) {
 
 bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 
-// Value representations whose length has four bytes, behind two that mean nothing.
+// Value representations with a length of four bytes, after two reserved bytes.
 bool has_long_length(const std::array<char, 2>& vr) {
     constexpr std::array<std::string_view, 13> kLong = {"OB", "OD", "OF", "OL", "OV", "OW", "SQ",
                                                         "SV", "UC", "UN", "UR", "UT", "UV"};
@@ -87,7 +87,7 @@ bool is_known(const std::array<char, 2>& vr) {
     return has_long_length(vr) || std::ranges::find(kShort, std::string_view(vr.data(), vr.size())) != kShort.end();
 }
 
-// The element that begins at `place`; nothing: the file ends before, or this is none.
+// The element at `place`. None: the file ends before, or there is no element.
 std::optional<Element> element_at(Window& file, std::uint64_t place, const Order& order) {
     const auto start = file.at(place, 8);
     if (!start) return std::nullopt;
@@ -112,10 +112,10 @@ std::optional<Element> element_at(Window& file, std::uint64_t place, const Order
     return element;
 }
 
-// A sequence or an item that has begun: where it ends, how what is around it is written, and who keeps what is in it;
-// null: nobody.
+// An open sequence or item: its end, the encoding of the enclosing element, and the set that keeps its content (null:
+// it is not kept).
 struct Level {
-    std::uint64_t end; // kOpen: at its own mark
+    std::uint64_t end; // kOpen: at its delimiter
     Order outside;
     std::vector<DicomSet>* sequence = nullptr;
     DicomSet* item = nullptr;
@@ -164,7 +164,7 @@ private:
         return tag == kPixelData || tag == kFloatPixels || tag == kDoublePixels;
     }
 
-    // The group of elements that say how all others are written.
+    // The file meta information, which states the encoding of all other elements.
     Result<void> begin() {
         const auto mark = file_.at(kPreamble, kMark);
         at_ = mark && *mark == "DICM" ? kPreamble + kMark : 0;
@@ -180,7 +180,7 @@ private:
             }
             at_ = element->value + element->length;
         }
-        if (layout_.transfer_syntax.empty()) { // then it is one of two
+        if (layout_.transfer_syntax.empty()) { // not stated: one of two is possible
             const auto start = file_.at(at_, 6);
             layout_.transfer_syntax =
                 start && is_capital((*start)[4]) && is_capital((*start)[5]) ? kExplicit : kImplicit;
@@ -205,7 +205,7 @@ private:
         if (levels_.size() >= kDeepest) return damaged();
         Level level{element.length == kUndefined ? kOpen : element.value + element.length, order_};
         if (element.tag == kItem) {
-            constexpr std::size_t kMostItems = std::size_t{1} << 20; // some for each frame; they take memory
+            constexpr std::size_t kMostItems = std::size_t{1} << 20; // limits memory; an image has a few for each frame
             std::vector<DicomSet>* sequence = levels_.empty() ? nullptr : levels_.back().sequence;
             if (sequence != nullptr && ++items_ > kMostItems)
                 return fail("its header has more than a million items", name_, "export it again");
@@ -236,7 +236,7 @@ private:
         const bool unknown = element.vr[0] == 'U' && element.vr[1] == 'N';
         if (element.tag == kItem || (element.vr[0] == 'S' && element.vr[1] == 'Q')) return open(element, order_);
         if (undefined) return open(element, {order_.implicit || unknown, order_.big && !unknown});
-        // Without a word about what it is, an item at its beginning tells a sequence.
+        // Without a value representation, an item at its beginning shows that it is a sequence.
         if ((order_.implicit || unknown) && element.length >= 8) {
             const auto start = file_.at(element.value, 4);
             if (start && number(start->substr(0, 2), order_.big) == 0xfffe &&
@@ -250,7 +250,7 @@ private:
 
     [[nodiscard]] DicomSet* innermost() { return levels_.empty() ? &layout_.elements : levels_.back().item; }
 
-    // Of texts and numbers that make sense; these are short.
+    // Keeps only values of useful length: texts and numbers are short.
     void keep(const Element& element) {
         constexpr std::uint32_t kLongest = 1024;
         DicomSet* set = innermost();
@@ -271,7 +271,7 @@ private:
                 return fail("the file ends before all that its header promises", name_, "copy or export it again");
             return {};
         }
-        // An empty table of places, and fragments.
+        // An offset table, which may be empty, and fragments.
         for (at_ = element.value;;) {
             const auto fragment = element_at(file_, at_, {true, false});
             if (!fragment) return cut_short();
@@ -313,7 +313,7 @@ Result<std::uint64_t> DicomBytes::size() const {
 
 bool is_dicom(std::string_view head) {
     if (head.size() >= kPreamble + kMark && head.substr(kPreamble, kMark) == "DICM") return true;
-    // Group 8, of which a data set without a mark has the length, the character set or the kind first.
+    // A file without the magic number begins with group 8: its length, the character set, or the image type.
     return head.size() > 16 && head[0] == 8 && head[1] == 0 && head[3] == 0 &&
            (head[2] == 0 || head[2] == 1 || head[2] == 5 || head[2] == 8 || head[2] == 0x16) &&
            ((is_capital(head[4]) && is_capital(head[5])) || (head[6] == 0 && head[7] == 0));

@@ -84,7 +84,7 @@ std::string decode(std::string_view input) {
     return picture.GetBuffer(pixels.data()) ? pixels : std::string();
 }
 
-// What decode() takes.
+// The input of decode().
 Result<std::string> for_decoding(const DicomImage& image, std::uint64_t pixel_bytes) {
     RAMUS_TRY(size, image.file.size());
     RAMUS_TRY(stream, image.file.open());

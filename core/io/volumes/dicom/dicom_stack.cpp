@@ -104,7 +104,7 @@ private:
     glm::dvec3 between() {
         return (*frame(slices().size() - 1).position - *frame(0).position) / static_cast<double>(slices().size() - 1);
     }
-    // Of a single slice.
+    // The step of a single slice.
     glm::dvec3 of_one() {
         const DicomFrame& only = frame(0);
         const double said = only.between_slices > 0.0 ? only.between_slices : only.thickness;
@@ -135,7 +135,7 @@ private:
             note("its slices are not evenly spaced: " + length_text(sorted.front()) + " to " +
                  length_text(sorted.back()) + "; put " + length_text(along) + " apart, they are up to " +
                  length_text(worst) + " from where they were");
-        constexpr double kUpright = 0.1; // degrees; less is the rounding of positions
+        constexpr double kUpright = 0.1; // degrees; smaller angles come from rounded positions
         const double tilt = glm::degrees(std::acos(std::clamp(along / glm::length(step), -1.0, 1.0)));
         std::array<char, 32> text{};
         std::snprintf(text.data(), text.size(), "%.3g", tilt);
@@ -146,7 +146,7 @@ private:
     }
 
     Result<void> refuse_steps(const std::vector<double>& gaps, double usual, double least, double most) {
-        constexpr double kMissing = 1.5; // usual gaps
+        constexpr double kMissing = 1.5; // in usual gaps
         const auto widest = static_cast<std::size_t>(std::ranges::max_element(gaps) - gaps.begin());
         if (most > kMissing * usual)
             return fail("slices are missing: from " + file_of(widest) + " to " + file_of(widest + 1) + " it is " +
@@ -196,7 +196,7 @@ Result<void> check_frame(const DicomFrame& frame, const std::string& name) {
     if (!std::isfinite(glm::dot(*frame.position, *frame.position)))
         return fail("its position (ImagePositionPatient) is no number", name, "export it again");
     const auto& [row, column] = *frame.direction;
-    constexpr double kRounding = 1e-2; // of directions with few digits, generously
+    constexpr double kRounding = 1e-2; // generous tolerance for directions with few digits
     if (!(std::abs(glm::length(row) - 1.0) < kRounding && std::abs(glm::length(column) - 1.0) < kRounding &&
           std::abs(glm::dot(row, column)) < kRounding))
         return fail("its orientation (ImageOrientationPatient) is no pair of directions", name, "export it again");
