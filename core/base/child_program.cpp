@@ -181,7 +181,7 @@ int ChildProgram::reap() const {
 }
 
 Result<void> ChildProgram::write(std::string_view bytes) const {
-    if (!send_all(input_, bytes)) return fail("the program does not read any more");
+    if (!send_all(input_, bytes)) return fail("the program has closed its input");
     return {};
 }
 

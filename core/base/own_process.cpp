@@ -70,9 +70,9 @@ Result<std::string> read_answer(int descriptor, const ProcessLimits& limits) {
         if (count <= 0) break;
         answer.append(part.data(), static_cast<std::size_t>(count));
         if (answer.size() > limits.answer + 1) // with kComplete
-            return fail("the work in a process of its own has too long an answer");
+            return fail("the answer of a helper process is too long");
     }
-    if (!answer.ends_with(kComplete)) return fail("the work in a process of its own did not come to its end");
+    if (!answer.ends_with(kComplete)) return fail("a helper process ended early");
     answer.pop_back();
     return answer;
 }

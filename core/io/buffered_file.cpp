@@ -21,7 +21,7 @@ tl::unexpected<Error> write_error(const std::filesystem::path& target, int code)
     case EPERM:
         return fail("no permission to write there", where, "choose another folder or change its permissions");
     case EROFS:
-        return fail("the disk can only be read", where, "choose a folder on another disk");
+        return fail("the disk is read-only", where, "choose a folder on another disk");
     case ENAMETOOLONG:
         return fail("the file name is too long", where, "choose a shorter one");
     default:

@@ -174,7 +174,7 @@ Result<json> parsed_json(std::string_view text, const std::string& name, const J
         return fail("the file is empty", name, "choose another file");
     const auto place = [&](std::size_t at) { return name + ":" + std::to_string(line_at(text, at)); };
     if (const auto deep = beyond_deepest(text))
-        return fail("lists stand in lists, deeper than " + std::to_string(kDeepestJson) + " levels", place(*deep),
+        return fail("lists are nested deeper than " + std::to_string(kDeepestJson) + " levels", place(*deep),
                     "no format here does that; check the program that wrote it");
     JsonBuilder builder(lists);
     if (json::sax_parse(text, &builder)) return builder.take_root();

@@ -87,8 +87,8 @@ std::string axes_word(const Orientation& axes, const tree::Claims& claims) {
 
 Result<void> check_axes(const Orientation& axes, const tree::Claims& claims, const std::string& where) {
     if (axes == Orientation::ras() || claims.has_sides()) return {};
-    return fail("nobody has said where the axes of the tree lead: they cannot be turned into " + axes.letters(), where,
-                "say it with --orientation, as RAS");
+    return fail("the axes of the tree are unknown: they cannot be converted to " + axes.letters(), where,
+                "state them with --orientation, as RAS");
 }
 
 std::vector<Orientation> all_orientations() {

@@ -108,7 +108,7 @@ Result<void> check_output(const fs::path& target, InputKind kind) {
         return fail("would be lost: this run reads it" + (*input == target ? "" : " as " + input->string()), where,
                     "nothing was written to it; give the output another name");
     if (must_stay(place))
-        return fail("is there already, and a commands file replaces nothing that it did not make", where,
+        return fail("exists already, and a commands file may only replace files that it created", where,
                     "remove it, or give --overwrite if the commands are your own");
     if (fs::is_symlink(place, code)) return fail("is a link that leads to itself", where, "remove it");
     const fs::path folder = folder_of(place);

@@ -40,10 +40,10 @@ Result<void> copy_to(int file, const std::string& folder) {
         if (got < 0)
             return fail(std::string("cannot be read: ") + std::strerror(errno), kName, "name a file, or use a pipe");
         const auto count = static_cast<std::size_t>(got);
-        if (done == 0 && count == 0) return fail("nothing came", kName, "check the program before the pipe");
+        if (done == 0 && count == 0) return fail("is empty", kName, "check the program before the pipe");
         // Checked after the first block, so that gigabytes of an unknown format are not copied.
         if (done == 0 && !recognised_alone(std::string_view(buffer.data(), count)))
-            return fail("its first bytes do not tell what it is", kName,
+            return fail("its format is not recognised from its first bytes", kName,
                         "through a pipe come trees, masks and meshes that are recognised by their content; write it "
                         "to a file with its extension, and name that");
         done += count;

@@ -209,7 +209,7 @@ tl::unexpected<Error> not_there(const Volume& volume, std::int32_t label) {
     if (volume.segmentation && name != nullptr)
         return fail("segment " + std::to_string(label) + ", \"" + name->name + "\", has no voxels", {},
                     "choose another one; ramus info lists the labels");
-    return fail("label " + std::to_string(label) + " is not there", {}, "ramus info lists the labels");
+    return fail("no voxel has label " + std::to_string(label), {}, "ramus info lists the labels");
 }
 
 template <class T, class Kept, class Values>

@@ -142,7 +142,7 @@ Result<void> VoxelStore::make_room_for(const Range& range, bool exact) {
                         ", cannot be kept exactly",
                     name_, "number the labels anew, below 2147483648");
     if (kind == Kind::kFloat && std::max(std::abs(least_), std::abs(most_)) > std::numeric_limits<float>::max())
-        return fail("its values leave single precision", name_, "scale them");
+        return fail("its values exceed single precision", name_, "scale them");
     if (auto fits = check_memory(bytes_to_be(kind)); !fits) return fits;
     move_to(kind);
     return {};

@@ -324,7 +324,7 @@ class Bounds(Hostile):
                 endless.stdout.close()
                 endless.wait()
         self.assertEqual(result.returncode, 1, result.stderr)
-        self.assertIn("standard input: its first bytes do not tell what it is", result.stderr)
+        self.assertIn("standard input: its format is not recognised from its first bytes", result.stderr)
 
     def test_memory_is_kept_with_a_cell_that_is_larger_than_vessels(self):
         self.write("thin.swc", "0 2 0 0 0 1.5e-5 -1\n1 2 907 -408 0 1.5e-5 0\n2 2 0 1 0 1.5e-5 0\n")

@@ -94,7 +94,7 @@ class Segmentations(CommandLineTest):
         self.expect_failure(*mesh, "spleen", says=["seg.dcm", 'no label is called "spleen"', "liver (1)",
                                                    "portal vein (5)", "thrombus (7)"])
         self.expect_failure(*mesh, "thrombus", says=["thrombus", "has no voxels"])
-        self.expect_failure(*mesh, "9", says=["label 9 is not there"])
+        self.expect_failure(*mesh, "9", says=["no voxel has label 9"])
         self.expect_failure(*mesh, "1,,2", status=2, says=["numbers other than 0 and names"])
         self.expect_failure(*mesh[:-1], "--isovalue", "2", says=["overlap", "choose labels"])
         twins = self.write("twins.dcm", dicom_seg(SIZE, {1: ("vein", None), 2: ("vein", None)},

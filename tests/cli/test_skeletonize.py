@@ -189,7 +189,7 @@ class Skeletonize(CommandLineTest):
         self.expect_failure("skeletonize", "large.nii", "-o", "tree.json", "--memory", "10M", says=("--memory",))
 
     def test_what_is_wrong_is_said(self):
-        self.expect_failure("skeletonize", "mask.nii", "-o", "t.json", "--label", "7", says=("label 7 is not there",))
+        self.expect_failure("skeletonize", "mask.nii", "-o", "t.json", "--label", "7", says=("no voxel has label 7",))
         self.expect_failure("skeletonize", "mask.nii", "-o", "t.xyz", says=("t.xyz",))
         self.expect_failure("skeletonize", "mask.nii", "-o", "t.json", "--islands", "100", says=("lower --islands",))
         self.expect_failure("skeletonize", "nothing.nii", "-o", "t.json", says=("nothing.nii",))

@@ -113,8 +113,8 @@ class Input(Streams):
                           ["render", "-", "-o", "a.png"], ["validate", "/dev/fd/0"]):
             said = self.refused(bad, *arguments, says=["standard input:3: the radius"])
             self.assertNotIn("/dev", said)
-        self.refused(b"", "info", "-", says=["standard input: nothing came"])
-        self.refused("neither this nor that\n" * 9, "info", "-", says=["standard input: its first bytes do not tell"])
+        self.refused(b"", "info", "-", says=["standard input: is empty"])
+        self.refused("neither this nor that\n" * 9, "info", "-", says=["standard input: its format is not recognised"])
         self.refused(gzip.compress(GOOD.encode())[:40], "info", "-", says=["standard input"])
         self.refused(tube_mask()[:500], "info", "-", says=["standard input: "])
         self.refused(GOOD, "skeletonize", "-", "-o", "a.swc", says=["standard input: "])

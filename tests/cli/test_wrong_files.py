@@ -44,7 +44,7 @@ class WrongFiles(CommandLineTest):
                                     ("notes.txt", "files of type '.txt' cannot be read")):
                     self.expect_failure(*self.of_tree(command, file), says=[file + ": ", words])
         self.write("noname", "hello\nworld\n")
-        self.expect_failure("info", "noname", says=["do not tell what it is"])
+        self.expect_failure("info", "noname", says=["its format is not recognised"])
 
     def test_where_a_mask_is_wanted(self):
         for command in (["skeletonize", "FILE", "-o", "o.swc"], ["mesh", "FILE", "-o", "o.stl", "--method", "iso"],

@@ -187,7 +187,7 @@ private:
         if (!array.codec.empty()) return array.coded_size;
         const auto counted_things = file_.counts.find(array.of);
         if (counted_things == file_.counts.end())
-            return fail("nothing says how many " + array.of + " there are", name_, "add define " + array.of);
+            return fail("the number of " + array.of + " is not defined", name_, "add define " + array.of);
         return std::min<std::uint64_t>(counted_things->second, text_.size() + 1) * array.components *
                size_of(array.type);
     }
@@ -273,7 +273,7 @@ Result<std::vector<double>> amira_numbers(const AmiraFile& file, const AmiraArra
                                           const std::string& name) {
     const auto declared = file.counts.find(array.of);
     if (declared == file.counts.end())
-        return fail("nothing says how many " + array.of + " there are", name, "add define " + array.of);
+        return fail("the number of " + array.of + " is not defined", name, "add define " + array.of);
     const std::uint64_t things = declared->second;
     const auto offset = static_cast<std::size_t>(array.data.data() - text.data());
     const auto place = [&](std::size_t at) {

@@ -47,7 +47,7 @@ Result<BranchTable> parse_branch_table(std::string_view text, const std::string&
         return fail("the first line has numbers where the names of the columns should stand", rows.place(),
                     "begin the table with a line as branch,flow");
     if (names.size() < 2)
-        return fail("the table has one column alone", rows.place(),
+        return fail("the table has only one column", rows.place(),
                     "the ids of branches and a column of numbers, between commas, semicolons or tabs");
     if (names.size() > tree::kMostArrays + 1)
         return fail("the table has " + counted(names.size(), "column") + ", more than " +

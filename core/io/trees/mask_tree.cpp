@@ -41,7 +41,7 @@ std::vector<Note> notes_on(const volume::Volume& mask, const MaskReading& readin
 // The systems that the options select, by labels or by a threshold.
 Result<std::vector<volume::SystemMask>> systems_in(const volume::Volume& mask, const MaskReading& reading) {
     if (reading.isovalue && reading.labels && !reading.labels->empty())
-        return fail("labels and a threshold are asked for at once", {}, "leave out one of them");
+        return fail("labels and a threshold are given at once", {}, "leave out one of them");
     if (reading.isovalue) return std::vector<volume::SystemMask>{{.labels = {}, .isovalue = reading.isovalue}};
     volume::LabelGroups groups(std::in_place); // each label one
     if (reading.labels && reading.labels->empty())
@@ -64,7 +64,7 @@ volume::SkeletonizeOptions skeletonize_options(const MaskReading& mask, double m
 Result<tree::VesselTree> make_tree(volume::Volume&& mask, const ReadOptions& options, double memory_bytes, Job& job,
                                    volume::SkeletonizeFigures* figures) {
     if (options.orientation)
-        return fail("the axes of a mask are those of its file, and cannot be said otherwise", {},
+        return fail("the axes of a mask are those of its file, and cannot be changed", {},
                     "leave out --orientation, or write the mask anew with the program that made it");
     RAMUS_TRY(systems, systems_in(mask, options.mask));
     std::vector<Note> notes = notes_on(mask, options.mask, systems.size());

@@ -34,7 +34,7 @@ tl::unexpected<Error> no_tree(const Recognised& found, const std::filesystem::pa
         return fail("this is a surface mesh, not a tree", input_name(path),
                     "a tree needs centerlines; as a surface, --context of ramus render shows it");
     const std::string type = path.extension().string();
-    return fail(type.empty() ? "its first bytes do not tell what it is, nor does its name"
+    return fail(type.empty() ? "its format is not recognised, neither from its first bytes nor from its name"
                              : "files of type '" + type + "' cannot be read",
                 input_name(path), "use " + readable_tree_extensions());
 }

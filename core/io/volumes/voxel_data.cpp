@@ -71,7 +71,7 @@ Result<std::size_t> parse_numbers(std::string_view text, bool is_all, std::vecto
         Raw value{};
         const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, value);
         if (error != std::errc() || stop != text.data() + end)
-            return fail("what is no number of its type stands among its values: " +
+            return fail("one of its values is no number of its type: " +
                             std::string(text.substr(begin, std::min<std::size_t>(end - begin, 40))),
                         {}, "write the file again");
         raw.push_back(value);
@@ -88,7 +88,8 @@ template <class Raw> Result<void> read_text(const Reading& reading, volume::Voxe
         if (reading.job.cancelled()) return fail("cancelled");
         const std::size_t before = text.size();
         if (before > kAtOnce)
-            return fail("a word among its values has a million letters", reading.source.name(), "write the file again");
+            return fail("one of its values is longer than a million characters", reading.source.name(),
+                        "write the file again");
         text.resize(before + kAtOnce);
         RAMUS_TRY(got, reading.source.read_some(text.data() + before, kAtOnce));
         text.resize(before + got);
@@ -211,7 +212,7 @@ Result<void> check_affine(const glm::dmat4& affine, const glm::ivec3& size, cons
     constexpr double kLeastSpacing = 1e-12; // mm, far less than an atom
     if (!(std::min({spacing.x, spacing.y, spacing.z}) >= kLeastSpacing) ||
         !(volume::voxel_volume_mm3(affine) > kFlat * spacing.x * spacing.y * spacing.z))
-        return fail("its " + form + " presses all voxels into one plane", name, remedy);
+        return fail("its " + form + " puts all voxels into one plane", name, remedy);
     return {};
 }
 

@@ -130,7 +130,7 @@ private:
         if (keyword == "tensors") return read_array(name, of_, 9, things_);
         if (keyword == "tensors6") return read_array(name, of_, 6, things_);
         if (keyword == "global_ids" || keyword == "pedigree_ids") return read_array(name, of_, 1, things_);
-        return fail("the word " + shown(keyword) + " begins nothing that VTK files have", words_.place(),
+        return fail("the keyword " + shown(keyword) + " is unknown", words_.place(),
                     "the file is damaged; get it again");
     }
 
@@ -221,8 +221,7 @@ private:
         for (std::size_t i = 0; !binary_ && i < count; ++i) {
             const std::string_view word = words_.next();
             if (word.empty())
-                return fail("the file ends before an array of it does", words_.place(),
-                            "the file is incomplete; get it again");
+                return fail("the file ends within an array", words_.place(), "the file is incomplete; get it again");
             array.values.push_back(to_real(word).value_or(tree::kUnknownValue));
         }
         if (array.of == VtkOf::kPoints && count != data_.points.size()) {
@@ -261,8 +260,7 @@ private:
         }
         for (std::size_t i = 0; i < count; ++i)
             if (words_.next().empty())
-                return fail("the file ends before an array of it does", words_.place(),
-                            "the file is incomplete; get it again");
+                return fail("the file ends within an array", words_.place(), "the file is incomplete; get it again");
         return {};
     }
 

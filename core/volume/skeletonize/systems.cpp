@@ -27,11 +27,9 @@ Result<void> check_groups(const std::vector<std::vector<std::int32_t>>& groups, 
     for (const std::vector<std::int32_t>& group : groups)
         for (const std::int32_t label : group) {
             if (std::ranges::find(counts, label, &LabelCount::label) == counts.end())
-                return fail("label " + std::to_string(label) + " is not there", {},
-                            "ramus info lists the labels of a mask");
+                return fail("no voxel has label " + std::to_string(label), {}, "ramus info lists the labels of a mask");
             if (!seen.insert(label).second)
-                return fail("label " + std::to_string(label) + " is asked for twice", {},
-                            "a voxel belongs to one system");
+                return fail("label " + std::to_string(label) + " is given twice", {}, "a voxel belongs to one system");
         }
     return {};
 }

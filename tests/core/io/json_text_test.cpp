@@ -19,7 +19,7 @@ TEST_CASE("JSON nests so deep and no deeper") {
         const auto refused = io::parsed_json("{\"a\":\n" + nested(levels - 1, "[", "]") + "}", "a.json");
         REQUIRE_FALSE(refused);
         CHECK(refused.error().where == "a.json:2");
-        CHECK(refused.error().what == "lists stand in lists, deeper than 64 levels");
+        CHECK(refused.error().what == "lists are nested deeper than 64 levels");
     }
     CHECK_FALSE(io::parsed_json(std::string(1'000'000, '['), "a.json")); // never closed
     // Brackets in texts are text.

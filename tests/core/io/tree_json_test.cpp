@@ -184,8 +184,7 @@ TEST_CASE("what is wrong with a file is named with its place") {
         {replaced(kRing, "\"roots\"", std::string(kTwoSystems) + "[0,0,2,0], \"roots\""),
          "bad.json: branch_systems[2]: is not the index of a system"},
         {replaced(kRing, "[[0,1], [1,2,4], [1,3,4], [4,5]]", "[]"), "bad.json: points[0]: the tree has no segment"},
-        {std::string(200'000, '[') + std::string(200'000, ']'),
-         "bad.json:1: lists stand in lists, deeper than 64 levels"},
+        {std::string(200'000, '[') + std::string(200'000, ']'), "bad.json:1: lists are nested deeper than 64 levels"},
     };
     for (const auto& one : cases) {
         const std::string& text = one.text;

@@ -219,7 +219,7 @@ TEST_CASE("label sets are inside, all other labels outside") {
 
     const auto other = try_surface(volume, {{1, 9}, {}});
     REQUIRE_FALSE(other);
-    CHECK(other.error().what == "label 9 is not there");
+    CHECK(other.error().what == "no voxel has label 9");
     const auto nothing = try_surface(volume, {{}, 100.0});
     REQUIRE_FALSE(nothing);
     CHECK(nothing.error().what == "nothing is inside");

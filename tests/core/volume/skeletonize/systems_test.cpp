@@ -92,8 +92,8 @@ TEST_CASE("systems of a mask of many labels have colours of their own") {
 
 TEST_CASE("labels that are not there, or twice, and scans are refused") {
     const volume::Volume volume = two_tubes();
-    CHECK(volume::systems_of(volume, Groups{{5}}).error().what == "label 5 is not there");
-    CHECK(volume::systems_of(volume, Groups{{3}, {7, 3}}).error().what == "label 3 is asked for twice");
+    CHECK(volume::systems_of(volume, Groups{{5}}).error().what == "no voxel has label 5");
+    CHECK(volume::systems_of(volume, Groups{{3}, {7, 3}}).error().what == "label 3 is given twice");
     volume::Volume scan = two_tubes();
     SparseArray<std::int16_t> grey(static_cast<std::size_t>(kSize.x) * kSize.y * kSize.z, 0);
     for (std::size_t n = 0; n < grey.size(); ++n) grey[n] = static_cast<std::int16_t>(n % 900);
