@@ -30,7 +30,7 @@ public:
     // first allocation creates the first file.
     DiskPages(std::filesystem::path target, double most_bytes);
 
-    // All bytes are 0. Throws std::runtime_error with the message of an Error if the disk is full or no file can be
+    // All bytes are 0. Throws std::runtime_error with an Error's message if the disk is full or a file cannot be
     // created.
     [[nodiscard]] void* allocate(std::size_t bytes) override;
     void deallocate(void* memory) noexcept override;

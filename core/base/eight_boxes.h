@@ -45,8 +45,7 @@ public:
     }
 
 private:
-    // Explicit vectors, because compilers do not vectorize a loop over all boxes. Any processor has vectors of this
-    // size.
+    // Explicit vectors, because compilers do not vectorize a loop over all boxes. Any processor has this size.
     static constexpr std::size_t kLanes = 4;
     using Numbers [[gnu::vector_size(kLanes * sizeof(float))]] = float;
     using Bits [[gnu::vector_size(kLanes * sizeof(std::int32_t))]] = std::int32_t;

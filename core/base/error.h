@@ -1,6 +1,5 @@
 // Result<T>, the return type of a function that can fail on its input: a value, or an Error that says what is wrong,
-// where, and what the user can do about it. Programmer mistakes assert. Exceptions are for dead ends: no memory, no
-// disk.
+// where, and what the user can do. Programmer mistakes assert. Exceptions are for dead ends: no memory, no disk.
 #pragma once
 
 #include <string>

@@ -22,8 +22,7 @@ public:
     // Maps a copy-on-write copy for reading and writing. The caller owns it and ends it with munmap() of bytes(); it
     // may outlive this object. Null: the system cannot map it.
     [[nodiscard]] void* map_private_copy() const;
-    // Drops the pages of this mapping from the resident memory of the process. The content stays; reading maps it
-    // again.
+    // Drops the pages of this mapping from resident memory. The content stays; reading maps it again.
     void release_resident() const;
 
 private:

@@ -12,8 +12,7 @@ void lower_thread_priority();
 [[nodiscard]] bool has_low_priority(); // of the calling thread
 
 // Lowers the priority of TBB's worker threads that join parallel work of the constructing thread, or of an arena, while
-// this object lives. It does so only if the constructing thread itself has low priority. The workers keep it
-// afterwards.
+// this object lives. Does nothing unless the constructing thread has low priority. The workers keep the low priority.
 class LowPriorityHelpers : public tbb::task_scheduler_observer {
 public:
     LowPriorityHelpers() { observe(has_low_priority()); }

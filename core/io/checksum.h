@@ -10,9 +10,8 @@
 
 namespace ramus::io {
 
-// The checksum of the bytes on the disk (not decompressed), as 64 hexadecimal digits. For a folder: the checksum of a
-// list with the line "SUM  NAME", as `sha256sum` writes it, for each file below it, by name. Fails if a file cannot be
-// read.
+// The checksum of the bytes on the disk (not decompressed), as 64 hexadecimal digits. For a folder: of a list with the
+// line "SUM  NAME", as `sha256sum` writes it, for each file below it, by name. Fails if a file cannot be read.
 [[nodiscard]] Result<std::string> sha256_of(const std::filesystem::path& path);
 
 // The existing files that a reader of `path` reads: the file itself or all files of the folder, the other table of a

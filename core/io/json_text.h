@@ -14,8 +14,7 @@
 
 namespace ramus::io {
 
-// Most levels of nested lists and objects. The library copies and prints recursively; formats in ramus have at most ten
-// levels.
+// Most levels of nested lists and objects, because the library copies and prints recursively. Formats here have ten.
 inline constexpr int kDeepestJson = 64;
 
 // Most memory of the parsed values, estimated, without lists that are consumed while reading. Needed because values are

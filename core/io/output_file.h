@@ -2,10 +2,11 @@
 // the target (or to a temporary name, where the file system needs one), and reach the disk before the file is renamed
 // over the target.
 //
-// Guarantees: the target is never half written. If anything fails, or a signal ends the process
+// Guaranteed: the target is never half written. If anything fails, or a signal ends the process
 // (core/base/leftovers.h), an existing target stays as it was and nothing else is left behind. A file that this run has
-// read is never replaced, except a session by a session (run_inputs.h). Not guaranteed: the same for devices and pipes
-// (/dev/stdout), which are written directly.
+// read is never replaced, except a session by a session (run_inputs.h).
+//
+// Not guaranteed: the same for devices and pipes (/dev/stdout), which are written directly.
 //
 //     RAMUS_TRY(file, OutputFile::create(target));
 //     file.write(text);

@@ -42,8 +42,7 @@ struct Recognised {
 // that cannot be read are recognised by their names.
 [[nodiscard]] Recognised recognised(const std::filesystem::path& path);
 
-// The formats that have a signature, in the order in which recognised() tries them; formats that share a signature
-// once.
+// The formats with a signature, in the order in which recognised() tries them; each signature once.
 [[nodiscard]] std::vector<const FileFormat*> recognition_order();
 
 } // namespace ramus::io

@@ -15,8 +15,7 @@ namespace ramus::io {
 // A session may be written over a session that was read: that is how sessions are saved.
 enum class InputKind : std::uint8_t { kFile, kSession };
 
-// Registers an input. A file that is registered as both kinds counts as kFile. Does nothing for an empty or missing
-// path.
+// Registers an input. A file that is registered as both kinds counts as kFile. Does nothing for a missing file.
 void note_input(const std::filesystem::path& file, InputKind kind = InputKind::kFile);
 
 // The input that an output of `kind` to `target` would overwrite, by the path that it was read from. None: no input.

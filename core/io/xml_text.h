@@ -1,5 +1,4 @@
-// Checks of XML text before pugixml parses it: the memory that the document will take, and line numbers of its
-// elements.
+// Estimates the memory of an XML document before pugixml parses it, and finds line numbers.
 #pragma once
 
 #include "core/base/error.h"

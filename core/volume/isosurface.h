@@ -3,12 +3,10 @@
 //
 // Guarantees, for any voxels:
 // - The mesh is closed, also where the inside touches the border of the volume. Every edge has two triangles, the
-// triangles
-//   at every vertex form one ring, and no triangle is degenerate.
+//   triangles at every vertex form one ring, and no triangle is degenerate.
 // - Triangles are counter-clockwise seen from outside, also if the volume's axes mirror.
 // - Pieces, tunnels and cavities are those of (26, 6)-connectivity: inside voxels that share only a corner are
-// connected,
-//   outside voxels only if they share a face. So thin vessels stay connected.
+//   connected, outside voxels only if they share a face. So thin vessels stay connected.
 // - The result does not depend on the number of threads.
 #pragma once
 

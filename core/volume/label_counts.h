@@ -22,8 +22,7 @@ struct SharedCount {
     bool operator==(const SharedCount&) const = default;
 };
 
-// Every label that has a voxel, ascending. A voxel with several labels counts for each of them. Empty for volumes of
-// fractions.
+// Every label that has a voxel, ascending. A voxel with several labels counts for each. Empty for fractions.
 [[nodiscard]] std::vector<LabelCount> label_counts(const Volume& volume);
 
 // Every stored value except 0, ascending: labels, and values that stand for several labels (Volume::overlaps).

@@ -26,8 +26,7 @@ public:
     struct Numbered {
         LargeArray<Neighbours> neighbours;
         LargeArray<std::uint8_t> inside; // 1 or 0
-        // 1: within two voxels of a part of the mask, or a gap, that is thinner than four voxels and more than
-        // roughness.
+        // 1: within two voxels of a part or gap of the mask that is thinner than four voxels and not mere roughness.
         LargeArray<std::uint8_t> thin;
     };
     // Data of all voxels by number. The band must have fewer than 2^32 voxels.

@@ -18,8 +18,7 @@ public:
     explicit OverlapTable(std::int32_t first) : first_(first) {}
 
     // The value of a voxel that had `value` (0: no label) and now also has `label`. Fails on more than 4,096 different
-    // sets, or more than 64 labels at one voxel. Real segmentations have fewer, and pairs of labels could not be
-    // listed.
+    // sets, or more than 64 labels at one voxel: pairs of labels could not be listed, and real files have fewer.
     [[nodiscard]] Result<std::int32_t> with(std::int32_t value, std::int32_t label);
 
     // Sets Volume::overlaps to the sets that have a voxel, and the range of `volume` to that of its labels.

@@ -25,8 +25,7 @@ class SmoothLevel {
 public:
     SmoothLevel(MaskBand band, LargeArray<float> values) : band_(std::move(band)), values_(std::move(values)) {}
 
-    // The approximate signed distance to the boundary in mm. The voxel must have a neighbour along an axis on the other
-    // side.
+    // The approximate signed distance to the boundary in mm. A neighbour along an axis must be on the other side.
     [[nodiscard]] double value(const glm::ivec3& voxel) const { return values_[band_.number_of(voxel)]; }
 
 private:

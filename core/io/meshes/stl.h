@@ -6,8 +6,7 @@
 
 namespace ramus::io {
 
-// Whether `head` is text that begins with "solid" and has a facet, or a header of 80 bytes, a count and valid
-// triangles.
+// Whether `head` is text with "solid" and a facet, or a header of 80 bytes, a count and valid triangles.
 [[nodiscard]] bool is_stl(std::string_view head);
 [[nodiscard]] Result<PolygonSoup> parse_stl(std::string_view text, const std::string& name);
 

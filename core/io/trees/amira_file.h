@@ -39,8 +39,7 @@ struct AmiraFile {
 // Parses the header and locates each array in `text`, which must outlive the result. Decodes no number yet.
 [[nodiscard]] Result<AmiraFile> amira_file(std::string_view text, const std::string& name);
 
-// Decodes an array; the components of an element are adjacent. Fails if the file has fewer or more numbers than
-// declared.
+// Decodes an array; the components of an element are adjacent. Fails if the number of values is not as declared.
 [[nodiscard]] Result<std::vector<double>> amira_numbers(const AmiraFile& file, const AmiraArray& array,
                                                         std::string_view text, const std::string& name);
 

@@ -9,8 +9,7 @@ namespace ramus::io {
 
 namespace {
 
-// Quoted if necessary. A name that spreadsheets would take for a formula gets an apostrophe in front, which CsvRows
-// removes.
+// Quoted if necessary. An apostrophe, which CsvRows removes, protects a name that looks like a formula.
 std::string csv_text(const std::string& text) {
     const bool formula = begins_formula(text);
     if (!formula && text.find_first_of(",;\t\"\r\n") == std::string::npos && text == trimmed(text)) return text;

@@ -31,8 +31,7 @@ Result<std::vector<Section>> sections_of(const Hdf5Table& structure, std::size_t
     return sections;
 }
 
-// Connects the last point of the parent with the first of the child. If both have the same position, tree_of() joins
-// them.
+// Connects the last point of the parent with the first of the child. tree_of() joins points at the same position.
 Result<void> connect_sections(double parent, double child, const std::vector<Section>& sections,
                               const std::string& where, tree::Graph& graph) {
     for (const double section : {parent, child})

@@ -1,5 +1,4 @@
-// Safe access to parsed JSON of tree files: missing members and values of another type give null, none or an empty
-// text.
+// Safe access to parsed JSON of tree files: missing members and values of another type give null, none or "".
 #pragma once
 
 #include "core/io/json_text.h"

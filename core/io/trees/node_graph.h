@@ -27,8 +27,7 @@ using NodeRow = std::array<std::string_view, 9>;
 using EdgeRow = std::array<std::string_view, 3>;
 
 inline constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
-// The columns of further data: all without a meaning of their own, except kComputedColumns, which follow from the
-// geometry.
+// The columns of further data: all without another meaning, except kComputedColumns, which follow from the geometry.
 struct DataAt {
     std::vector<std::size_t> at;
     std::vector<std::string> names;
@@ -69,8 +68,7 @@ public:
 
     [[nodiscard]] Result<void> begin_nodes(const NodeColumns& columns, const std::string& file);
     [[nodiscard]] Result<void> begin_edges(const EdgeColumns& columns, const std::string& file);
-    // The id of a node without one is its number, from 0. A node without z has z = 0. `data`: the cells of the data
-    // columns.
+    // The id of a node without one is its number, from 0. A missing z is 0. `data`: the cells of the data columns.
     [[nodiscard]] Result<void> add_node(const NodeRow& row, std::size_t line,
                                         std::span<const std::string_view> data = {});
     [[nodiscard]] Result<void> add_edge(const EdgeRow& row, std::size_t line,

@@ -57,8 +57,7 @@ struct TreeFormat : FileFormat {
 [[nodiscard]] Result<tree::VesselTree> parse_tree(std::string_view text, const std::string& name,
                                                   const ReadOptions& options = {});
 
-// Checks before long work whether the extension has a format that can state `axes`, and whether the file can be
-// created.
+// Checks before long work whether the format of the extension can state `axes`, and the file can be created.
 [[nodiscard]] Result<void> check_tree_output(const std::filesystem::path& file,
                                              const std::optional<Orientation>& axes = {});
 

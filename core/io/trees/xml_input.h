@@ -13,8 +13,7 @@ namespace ramus::io {
 
 class XmlInput {
 public:
-    // Fails on invalid XML, with its line, and like check_xml() (core/io/xml_text.h). `text` and `name` must outlive
-    // this.
+    // Fails on invalid XML, with its line, and like check_xml() (xml_text.h). `text` and `name` must outlive this.
     [[nodiscard]] Result<void> parse(std::string_view text, const std::string& name);
 
     [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }

@@ -17,8 +17,7 @@ namespace ramus::io {
 [[nodiscard]] std::vector<volume::LabelName> label_table_names(std::string_view xml);
 
 // Parses an ITK-SNAP label description (IDX R G B A VIS MSH "LABEL" on each line) or a colour table of 3D Slicer
-// (IDX NAME R G B A). Skips empty lines and lines that begin with #. Ascending, each label once. None: the text is
-// neither.
+// (IDX NAME R G B A). Skips empty lines and lines that begin with #. Ascending, each label once. None: other text.
 [[nodiscard]] std::optional<std::vector<volume::LabelName>> described_names(std::string_view text);
 
 // If `volume` has no names of labels, reads them from a label description next to the mask: liver.label, liver.txt,

@@ -24,8 +24,7 @@ struct ReadVolumeOptions {
 struct VolumeFormat : FileFormat {
     // Null: the format cannot be read.
     Result<volume::Volume> (*read)(ByteSource& source, const ReadVolumeOptions&, Job&) = nullptr;
-    // For formats whose volumes are folders: whether a folder holds such a volume, and its reader. Null for other
-    // formats.
+    // For formats whose volumes are folders: whether a folder holds such a volume, and its reader. Else null.
     bool (*is_folder)(const std::filesystem::path& folder) = nullptr;
     Result<volume::Volume> (*read_folder)(const std::filesystem::path& folder, const ReadVolumeOptions&,
                                           Job&) = nullptr;

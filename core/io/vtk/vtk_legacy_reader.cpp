@@ -211,8 +211,7 @@ private:
         return values;
     }
 
-    // Reads an array that is not needed, without failing on its content: words that are no numbers become unknown
-    // values.
+    // Reads an array that is not needed. Does not fail on its content: words that are no numbers become unknown.
     Result<void> read_data(VtkArray& array, std::size_t count, NumberType type) {
         if (binary_) {
             RAMUS_TRY(values, numbers(count, type, {}));

@@ -1,7 +1,6 @@
 // BranchVoxels: assigns each voxel of a mask to a line of its skeleton, that is a future branch: the line that the
 // steepest ascent of the distance to the outside reaches (Thinned::uphill). The lines divide the mask without gap or
-// overlap, and vessels that touch keep their own voxels. Exception: a piece without a line (one voxel) has no
-// assignment.
+// overlap, and vessels that touch keep their own voxels. Exception: a piece of one voxel has no line.
 #pragma once
 
 #include "core/base/large_array.h"
@@ -21,8 +20,7 @@ public:
         std::uint32_t point; // of the line, where the ascent ends: 0 is its node `from`, then its points, then `to`
     };
 
-    // `thinned`: of `set`; `graph`: of its skeleton. The voxels of pruned lines belong to the nearest line along the
-    // skeleton.
+    // `thinned`: of `set`; `graph`: of its skeleton. Voxels of pruned lines belong to the nearest line of the skeleton.
     BranchVoxels(const VoxelSet& set, const Thinned& thinned, const VoxelGraph& graph);
 
     // The voxels of a line, in the order of their addresses.

@@ -120,8 +120,7 @@ private:
         return kEnd * ball;
     }
 
-    // If no point of a short leaf line is clear, tries half and a quarter of the distances, then takes the middle
-    // point.
+    // If no point of a short leaf line is clear, tries half and a quarter of the distances, then the middle point.
     void mark_clear(SampledLine& sampled, const VoxelGraph::Line& line) const {
         const bool leaf = is_end(line.from) || is_end(line.to);
         const std::array<std::pair<glm::dvec3, double>, 2> around = {

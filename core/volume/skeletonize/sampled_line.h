@@ -1,6 +1,5 @@
 // SampledLine: a line of a skeleton, resampled to points at equal distances, from which its centerline is computed.
-// Slab: the moments of the volume around each point. Lengths are in mm along the axes of the mask, from its first
-// voxel.
+// Slab: the moments of the volume around each point. Positions are in mm along the mask's axes, from its first voxel.
 #pragma once
 
 #include "core/volume/skeletonize/branch_voxels.h"

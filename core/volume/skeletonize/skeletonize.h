@@ -4,7 +4,9 @@
 // and corners, except what `fill_holes` and `islands_mm` remove. Cavities are filled first, because no centerline can
 // go around one. Positions are at the centroids of cross-sections, between voxels; a radius is that of the circle with
 // the area of the cross-section, also for anisotropic voxels. Each of `systems` is a system of its own, not connected
-// with others. Not guaranteed: that every branch is a vessel. Holes in the mask of a vessel become loops.
+// with others.
+//
+// Not guaranteed: that every branch is a vessel. Holes in the mask of a vessel become loops.
 //
 // The steps: distances to the outside (distance_transform.h), tips (tips.h), thinning (thin.h), graph (voxel_graph.h),
 // pruning (prune.h), centerlines (centerline.h), ends at the border (cut_ends.h). Each header names its source.

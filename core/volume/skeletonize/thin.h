@@ -19,8 +19,7 @@ struct Thinned {
     LargeArray<std::uint8_t> uphill;
 };
 
-// Keeps the voxels `kept`, and others only as far as the topology needs them. Returns an incomplete result when
-// cancelled.
+// Keeps the voxels `kept`, and others only as far as the topology needs them. The result is incomplete when cancelled.
 [[nodiscard]] Thinned thin(const VoxelSet& set, const LargeArray<float>& distances,
                            const std::vector<VoxelSet::Address>& kept, const JobRange& job);
 

@@ -15,8 +15,7 @@
 namespace ramus::volume {
 
 // `distances`: returns those of distance_transform.h, and may wait until they are computed. Every piece gets at least
-// one tip; a piece of several voxels at least two, which may be the same voxel. Returns an incomplete result when
-// cancelled.
+// one tip; a piece of several voxels at least two, which may be the same voxel. Incomplete when cancelled.
 [[nodiscard]] std::vector<VoxelSet::Address> find_tips(const VoxelSet& set,
                                                        const std::function<const LargeArray<float>&()>& distances,
                                                        double bulge_size, const JobRange& job);

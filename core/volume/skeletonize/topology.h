@@ -15,8 +15,7 @@ struct Topology {
 };
 [[nodiscard]] Topology topology_of(const SparseMask& mask);
 
-// Sets the voxels of all cavities: pieces of the outside that do not reach the border of the mask. Returns their
-// number.
+// Sets the voxels of all cavities (pieces of the outside that do not reach the border). Returns their number.
 std::uint64_t fill_cavities(SparseMask& mask);
 
 // Removes pieces whose bounding box has no side longer than `extent_mm`. Returns their number. `spacing`: mm.

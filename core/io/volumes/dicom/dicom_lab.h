@@ -6,8 +6,7 @@
 
 namespace ramus::io {
 
-// `lab`: 16-bit numbers for L* from 0 to 100, a* and b* from -128 to 127. Colours outside sRGB are clamped for each
-// component.
+// `lab`: 16-bit numbers for L* from 0 to 100, a* and b* from -128 to 127. Clamps each component to sRGB.
 [[nodiscard]] std::array<std::uint8_t, 3> srgb_of_dicom_lab(const std::array<int, 3>& lab);
 
 } // namespace ramus::io

@@ -35,8 +35,7 @@ struct DicomLayout {
     DicomSet elements; // those that readers of images need
 };
 
-// Whether a file begins as DICOM: with its magic number, or, as some old files, directly with a plausible first
-// element.
+// Whether a file begins as DICOM: with the magic number, or, as some old files, with a plausible first element.
 [[nodiscard]] bool is_dicom(std::string_view head);
 
 // Fails on truncated files, on lengths that exceed the enclosing element, on too deeply nested sequences, on data sets

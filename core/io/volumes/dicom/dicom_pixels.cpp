@@ -69,8 +69,7 @@ const PixelType* pixel_type(const DicomImage& image) {
     return nullptr;
 }
 
-// `input`: the expected number of bytes of the pixels, and the file. Empty: the pixels differ from the header, or are
-// damaged.
+// `input`: the expected number of bytes of the pixels, and the file. Empty: damaged, or different from the header.
 std::string decode(std::string_view input) {
     std::uint64_t bytes = 0;
     std::memcpy(&bytes, input.data(), sizeof(bytes));

@@ -19,8 +19,7 @@ namespace ramus::io {
 [[nodiscard]] Result<std::string> read_pixel_bytes(const DicomImage& image, std::uint64_t begin, std::uint64_t bytes);
 // Decodes all frames of compressed pixels, in order.
 [[nodiscard]] Result<std::string> decode_pixels(const DicomImage& image);
-// The bytes of one frame. `decoded`: the result of decode_pixels(); must not be null for compressed images of several
-// frames.
+// The bytes of one frame. `decoded`: the result of decode_pixels(), necessary for several compressed frames.
 [[nodiscard]] Result<std::string> frame_pixels(const DicomImage& image, std::size_t frame, const std::string* decoded);
 
 // Appends the scaled numbers of a frame to `store`. Changes `pixels`.
