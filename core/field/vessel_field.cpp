@@ -1,6 +1,6 @@
 #include "core/field/vessel_field.h"
 
-#include "core/field/apart/vessel_brick.h"
+#include "core/field/separation/vessel_brick.h"
 
 #include <algorithm>
 #include <array>

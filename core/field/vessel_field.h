@@ -10,9 +10,9 @@
 // nothing is given up the field is the plain sum, to the bit.
 #pragma once
 
-#include "core/field/apart/pieces.h"
 #include "core/field/convolution_field.h"
 #include "core/field/rims.h"
+#include "core/field/separation/pieces.h"
 #include "core/tree/contacts/contacts.h"
 
 #include <memory>

@@ -1,8 +1,8 @@
 // LocalContacts: which of the segments that reach a brick are kept apart.
 #pragma once
 
-#include "core/field/apart/pieces.h"
 #include "core/field/brick_field.h"
+#include "core/field/separation/pieces.h"
 
 #include <cstdint>
 #include <span>

@@ -1,4 +1,4 @@
-#include "core/field/apart/vessel_views.h"
+#include "core/field/separation/vessel_views.h"
 
 #include "core/tree/contacts/links.h"
 

@@ -1,5 +1,5 @@
 // Where in a brick vessels concern each other: the zone of its views.
-#include "core/field/apart/vessel_views.h"
+#include "core/field/separation/vessel_views.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/field/apart/wall.h"
+#include "core/field/separation/wall.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "core/field/apart/pieces.h"
+#include "core/field/separation/pieces.h"
 
 #include "core/tree/contacts/links.h"
 

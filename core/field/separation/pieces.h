@@ -2,8 +2,8 @@
 // and what presses on them.
 #pragma once
 
-#include "core/field/apart/axes.h"
 #include "core/field/kernel.h"
+#include "core/field/separation/axes.h"
 #include "core/field/skeleton.h"
 #include "core/tree/contacts/contacts.h"
 

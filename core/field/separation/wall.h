@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/base/bounds.h"
-#include "core/field/apart/vessel_views.h"
 #include "core/field/brick_field.h"
 #include "core/field/dominance.h"
+#include "core/field/separation/vessel_views.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>

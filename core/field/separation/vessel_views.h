@@ -1,10 +1,10 @@
 // VesselViews: what the vessels around one point make of it, where some are kept apart (vessel_field.h).
 #pragma once
 
-#include "core/field/apart/axes.h"
-#include "core/field/apart/contact_zone.h"
-#include "core/field/apart/local_contacts.h"
 #include "core/field/kernel.h"
+#include "core/field/separation/axes.h"
+#include "core/field/separation/contact_zone.h"
+#include "core/field/separation/local_contacts.h"
 #include "core/tree/contacts/contacts.h"
 
 #include <array>

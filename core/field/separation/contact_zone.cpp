@@ -1,4 +1,4 @@
-#include "core/field/apart/contact_zone.h"
+#include "core/field/separation/contact_zone.h"
 
 #include <cstddef>
 #include <glm/common.hpp>

@@ -1,4 +1,4 @@
-#include "core/field/apart/local_contacts.h"
+#include "core/field/separation/local_contacts.h"
 
 #include "core/base/sort_unique.h"
 

@@ -2,10 +2,10 @@
 // apart, and the rest of it elsewhere.
 #pragma once
 
-#include "core/field/apart/vessel_views.h"
-#include "core/field/apart/wall.h"
 #include "core/field/convolution_field.h"
 #include "core/field/rims.h"
+#include "core/field/separation/vessel_views.h"
+#include "core/field/separation/wall.h"
 
 #include <memory>
 #include <vector>

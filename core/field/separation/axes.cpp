@@ -1,9 +1,9 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/field/apart/axes.cpp"
+#define HWY_TARGET_INCLUDE "core/field/separation/axes.cpp"
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
 #include <hwy/foreach_target.h>
 // clang-format on
-#include "core/field/apart/axes.h"
+#include "core/field/separation/axes.h"
 
 #include <algorithm>
 #include <array>
