@@ -174,19 +174,20 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
     feet.marked.nearest = least_marked.of_all_lanes().axis;
 }
 
-void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apart, std::size_t count, double* left) {
+void find_left_out(const AxisFeet& feet, std::uint32_t own, const AxisRelations& relations, std::size_t count,
+                   double* left) {
     const Doubles d;
     const Real zero = hn::Zero(d), one = hn::Set(d, 1.0), two = hn::Set(d, 2.0), three = hn::Set(d, 3.0);
     const Vector foot = set(feet.foot(own));
     const Real radius = hn::Set(d, feet.of(own, kFootRadius));
     for (std::size_t n = 0; n < count; n += hn::Lanes(d)) {
-        const Real from = hn::LoadU(d, apart.row(kApart) + n);
+        const Real from = hn::LoadU(d, relations.row(kTogetherFrom) + n);
         hn::StoreU(zero, d, left + n);
         if (hn::AllFalse(d, hn::Gt(from, zero))) continue;
         const Vector between = minus(load(feet.rows, kFootX, n), foot);
         const Real radii = hn::Add(hn::LoadU(d, feet.rows.row(kFootRadius) + n), radius);
         const Real closeness = hn::Div(hn::Sqrt(dot(between, between)), radii);
-        const Real x = limited(hn::Mul(hn::Sub(from, closeness), hn::LoadU(d, apart.row(kFade) + n)), zero, one);
+        const Real x = limited(hn::Mul(hn::Sub(from, closeness), hn::LoadU(d, relations.row(kFade) + n)), zero, one);
         hn::StoreU(hn::Mul(hn::Mul(x, x), hn::NegMulAdd(two, x, three)), d, left + n);
     }
 }
@@ -196,10 +197,10 @@ HWY_INLINE hn::Mask<Doubles> is_set(const double* row, std::size_t n) {
     return hn::Gt(hn::LoadU(d, row + n), hn::Zero(d));
 }
 
-double least_relative2(const AxisFeet& feet, const ApartAxes& apart, std::size_t count) {
+double least_relative2(const AxisFeet& feet, const AxisRelations& relations, std::size_t count) {
     const Doubles d;
     const double* const near = feet.rows.row(kFootNear);
-    const double* const is_apart = apart.row(kIsApart);
+    const double* const is_apart = relations.row(kIsApart);
     Real least = hn::Set(d, std::numeric_limits<double>::infinity());
     for (std::size_t n = 0; n < count; n += hn::Lanes(d)) {
         const auto which = hn::And(is_set(near, n), is_set(is_apart, n));
@@ -209,7 +210,7 @@ double least_relative2(const AxisFeet& feet, const ApartAxes& apart, std::size_t
 }
 
 std::optional<glm::dvec3> find_counted_foot(const Axes& counted, const glm::dvec3& point, const AxisFeet& feet,
-                                            std::uint32_t own, const ApartAxes& apart) {
+                                            std::uint32_t own, const AxisRelations& relations) {
     const Doubles d;
     constexpr std::size_t kMostLanes = NumberRows<1>::kWidestVector;
     const std::size_t lanes = hn::Lanes(d);
@@ -220,9 +221,9 @@ std::optional<glm::dvec3> find_counted_foot(const Axes& counted, const glm::dvec
     bool any_moved = false;
     for (std::size_t n = 0; n < counted.count; n += lanes) {
         const auto is_near = is_set(near, n);
-        const auto counts = hn::And(is_near, is_set(apart.row(kInContact), n));
+        const auto counts = hn::And(is_near, is_set(relations.row(kInContact), n));
         if (hn::AllFalse(d, counts)) continue;
-        any_moved = any_moved || !hn::AllFalse(d, hn::And(is_near, is_set(apart.row(kIsMoved), n)));
+        any_moved = any_moved || !hn::AllFalse(d, hn::And(is_near, is_set(relations.row(kIsMoved), n)));
         least.see(counts, places_on(rows, n, p).distance2, hn::Iota(d, static_cast<double>(n)));
     }
     if (!any_moved) return std::nullopt;
@@ -340,17 +341,18 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
     HWY_DYNAMIC_DISPATCH(find_feet)(axes, point, radii, feet);
 }
 
-double least_relative2(const AxisFeet& feet, const ApartAxes& apart, std::size_t count) {
-    return HWY_DYNAMIC_DISPATCH(least_relative2)(feet, apart, count);
+double least_relative2(const AxisFeet& feet, const AxisRelations& relations, std::size_t count) {
+    return HWY_DYNAMIC_DISPATCH(least_relative2)(feet, relations, count);
 }
 
 std::optional<glm::dvec3> find_counted_foot(const Axes& counted, const glm::dvec3& point, const AxisFeet& feet,
-                                            std::uint32_t own, const ApartAxes& apart) {
-    return HWY_DYNAMIC_DISPATCH(find_counted_foot)(counted, point, feet, own, apart);
+                                            std::uint32_t own, const AxisRelations& relations) {
+    return HWY_DYNAMIC_DISPATCH(find_counted_foot)(counted, point, feet, own, relations);
 }
 
-void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apart, std::size_t count, double* left) {
-    HWY_DYNAMIC_DISPATCH(find_left_out)(feet, own, apart, count, left);
+void find_left_out(const AxisFeet& feet, std::uint32_t own, const AxisRelations& relations, std::size_t count,
+                   double* left) {
+    HWY_DYNAMIC_DISPATCH(find_left_out)(feet, own, relations, count, left);
 }
 
 Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range, const WayOut& way, double below) {

@@ -108,17 +108,18 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
 // two count as together, 0 where it leaves out nothing; by how much less than that they have to be apart for the one to
 // leave out the other wholly; and 1 where the two are apart at all. Of the others: 1 where the axis is of a piece in
 // contact, so that walls may be drawn as if it were elsewhere, and 1 where they are.
-enum ApartRow : std::uint8_t { kApart, kFade, kIsApart, kInContact, kIsMoved, kApartRows };
-using ApartAxes = NumberRows<kApartRows>;
+enum RelationRow : std::uint8_t { kTogetherFrom, kFade, kIsApart, kInContact, kIsMoved, kRelationRows };
+using AxisRelations = NumberRows<kRelationRows>;
 // Of what a vessel is apart from and what is near, the least distance in radii, squared.
-[[nodiscard]] double least_relative2(const AxisFeet& feet, const ApartAxes& apart, std::size_t count);
+[[nodiscard]] double least_relative2(const AxisFeet& feet, const AxisRelations& relations, std::size_t count);
 // Where some axis of the vessel is moved that is near: the nearest place to the point, in mm, on those of its axes that
 // are near and in contact, as they count; `own`, which is one of these, before others that are as near.
 [[nodiscard]] std::optional<glm::dvec3> find_counted_foot(const Axes& counted, const glm::dvec3& point,
                                                           const AxisFeet& feet, std::uint32_t own,
-                                                          const ApartAxes& apart);
+                                                          const AxisRelations& relations);
 // How much of each axis' term one of them leaves out, 0 to 1.
-void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apart, std::size_t count, double* left);
+void find_left_out(const AxisFeet& feet, std::uint32_t own, const AxisRelations& relations, std::size_t count,
+                   double* left);
 
 // What others press on: after an axis, how far its ends count as moved (core/tree/contacts/spread_axes.h) and the
 // larger way of the two, mm, and the closeness from which on it and the vessel that it is an obstacle to count as

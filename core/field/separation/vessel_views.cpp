@@ -22,8 +22,8 @@ bool VesselViews::enter(SegmentIndices list, const GridAxes& axes) {
     if (zone_.empty()) return false;
     list_axes();
     looked_ = terms_ready_ = false;
-    apart_ready_.assign(static_cast<std::size_t>(contacts_.piece_count()), 0);
-    if (apart_.size() < apart_ready_.size()) apart_.resize(apart_ready_.size());
+    relations_ready_.assign(static_cast<std::size_t>(contacts_.piece_count()), 0);
+    if (relations_.size() < relations_ready_.size()) relations_.resize(relations_ready_.size());
     return true;
 }
 
@@ -67,25 +67,25 @@ void VesselViews::list_counted_axes() {
     }
 }
 
-const ApartAxes& VesselViews::apart_from(int piece) {
+const AxisRelations& VesselViews::relations_of(int piece) {
     const auto of = static_cast<std::size_t>(piece);
-    ApartAxes& apart = apart_[of];
-    if (apart_ready_[of] != 0) return apart;
-    apart_ready_[of] = 1;
-    apart.resize(list_.size());
+    AxisRelations& relations = relations_[of];
+    if (relations_ready_[of] != 0) return relations;
+    relations_ready_[of] = 1;
+    relations.resize(list_.size());
     for (std::uint32_t n = 0; n < list_.size(); ++n) {
         const auto from = static_cast<double>(contacts_.apart_from(piece, this->piece(n)));
         if (from < 0.0)
-            apart.row(kInContact)[n] = in_contact_[n], apart.row(kIsMoved)[n] = moved_[n];
+            relations.row(kInContact)[n] = in_contact_[n], relations.row(kIsMoved)[n] = moved_[n];
         else
-            apart.row(kIsApart)[n] = 1.0;
+            relations.row(kIsApart)[n] = 1.0;
         if (!(from > 0.0)) continue;
         const double whole = 0.5 * (std::min(kernel_.limits.merged, from) + from);
         const double begin = std::min(whole, 1.12 * kernel_.limits.merged); // a little above, for more than two vessels
-        apart.row(kApart)[n] = from;
-        apart.row(kFade)[n] = 1.0 / std::max(from - begin, 1e-9);
+        relations.row(kTogetherFrom)[n] = from;
+        relations.row(kFade)[n] = 1.0 / std::max(from - begin, 1e-9);
     }
-    return apart;
+    return relations;
 }
 
 void VesselViews::look(const glm::dvec3& point) {
@@ -160,7 +160,7 @@ bool VesselViews::is_undisputed(float plain) {
     constexpr double kVessels = 4.0;
     const std::uint32_t own = nearest();
     const double other2 = piece(own) < 0 ? std::numeric_limits<double>::infinity()
-                                         : least_relative2(feet_, apart_from(piece(own)), list_.size());
+                                         : least_relative2(feet_, relations_of(piece(own)), list_.size());
     if (other2 < claim_radii2()) return false;
     const double most = kVessels * kernel_.long_vessel->value(kernel_, other2);
     return static_cast<double>(plain) - most >= kernel_.isovalue && !(shadow_on(own, 0.0).spare < 0.0);
@@ -195,9 +195,9 @@ VesselViews::Vessel& VesselViews::vessel(std::uint32_t place) {
 std::span<const double> VesselViews::left_out(Vessel& own) {
     if (own.knows_left_out) return own.left_out;
     own.knows_left_out = true;
-    own.left_out.resize(ApartAxes::padded(list_.size()));
+    own.left_out.resize(AxisRelations::padded(list_.size()));
     if (const int of = piece(own.place); of >= 0)
-        find_left_out(feet_, own.place, apart_from(of), list_.size(), own.left_out.data());
+        find_left_out(feet_, own.place, relations_of(of), list_.size(), own.left_out.data());
     else
         std::ranges::fill(own.left_out, 0.0);
     return own.left_out;
@@ -234,8 +234,8 @@ VesselView VesselViews::view(std::uint32_t own) {
 // What else a brick knows of changes nothing: bricks that a point belongs to agree.
 glm::dvec3 VesselViews::foot_as_it_counts(std::uint32_t own) {
     if (piece(own) < 0 || !any_moved_) return foot(own);
-    const ApartAxes& apart = apart_from(piece(own));
-    return find_counted_foot(counted_axes_, point_, feet_, own, apart).value_or(foot(own));
+    const AxisRelations& relations = relations_of(piece(own));
+    return find_counted_foot(counted_axes_, point_, feet_, own, relations).value_or(foot(own));
 }
 
 const WayOut& VesselViews::way_out(Vessel& own) {

@@ -129,7 +129,7 @@ private:
     [[nodiscard]] const PieceShape* shape_of(std::uint32_t place) const; // null: it is in contact with nothing
     void list_axes();
     void list_counted_axes();
-    [[nodiscard]] const ApartAxes& apart_from(int piece);              // of all axes
+    [[nodiscard]] const AxisRelations& relations_of(int piece);        // of all axes
     [[nodiscard]] bool nearer(std::uint32_t a, std::uint32_t b) const; // in radii; any is nearer than kNone
     void group_by_piece();
     [[nodiscard]] bool any_left_out(std::uint32_t nearest); // of what is near
@@ -163,8 +163,8 @@ private:
     Axes counted_axes_; // as they count, where any is moved
     SegmentTerms terms_;
     bool terms_ready_ = false;
-    std::vector<ApartAxes> apart_; // by piece, as far as asked for
-    std::vector<std::uint8_t> apart_ready_;
+    std::vector<AxisRelations> relations_; // by piece, as far as asked for
+    std::vector<std::uint8_t> relations_ready_;
 
     // Of the point.
     glm::dvec3 point_{0.0};
