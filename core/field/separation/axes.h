@@ -1,6 +1,9 @@
-// Axes: straight pieces of vessels' axes with linear radii, side by side in memory, for what is asked of many of them
-// at one point. All in double precision and in the tree's coordinates, so that the answers have the same bits whoever
-// asks.
+// Axes: geometric queries of one point against many straight vessel axes at once: nearest points, distances, weights of
+// partners, and shadows of obstacles.
+//
+// An axis is a line segment with a linear radius. Axes are stored as a structure of arrays and processed with SIMD.
+// Positions are in mm, in the coordinates of the tree, in double precision. The result for an axis does not depend on
+// the other axes in the list, so two bricks that share a point compute the same bits.
 #pragma once
 
 #include <cstddef>
@@ -13,26 +16,26 @@
 
 namespace ramus::field {
 
-// Rows of numbers that are read by whole vectors.
+// A matrix of doubles in rows. Rows are padded to whole SIMD vectors.
 template <std::size_t Rows> class NumberRows {
 public:
     static constexpr std::size_t kWidestVector = 8;
 
-    // The number of whole vectors' entries that holds so many.
+    // `count`, rounded up to whole vectors.
     static constexpr std::size_t padded(std::size_t count) {
         return (count + kWidestVector - 1) / kWidestVector * kWidestVector;
     }
-    // With room for so many, all of them 0.
+    // Sets the number of columns, and every number to 0.
     void resize(std::size_t most) {
         stride_ = padded(most);
         numbers_.assign(Rows * stride_, 0.0);
     }
-    // With room for so many, and nothing in particular in it.
+    // Sets the number of columns. The content is unspecified.
     void reserve(std::size_t most) {
         stride_ = padded(most);
         if (numbers_.size() < Rows * stride_) numbers_.resize(Rows * stride_);
     }
-    [[nodiscard]] std::size_t stride() const { return stride_; } // from a row to the next one
+    [[nodiscard]] std::size_t stride() const { return stride_; } // numbers from one row to the next
     [[nodiscard]] double* row(std::size_t n) { return numbers_.data() + n * stride_; }
     [[nodiscard]] const double* row(std::size_t n) const { return numbers_.data() + n * stride_; }
 
@@ -41,8 +44,8 @@ private:
     std::vector<double> numbers_;
 };
 
-// An axis: start (mm), unit direction, length (mm), radius at the start (mm) and its change per mm, and how far that
-// goes on beyond the ends (FieldSegment::beyond).
+// The rows of an axis: start (mm), unit direction, length (mm), radius at the start (mm), change of the radius per mm,
+// and how far the radius keeps changing beyond the ends (FieldSegment::beyond).
 enum AxisRow : std::uint8_t {
     kStartX,
     kStartY,
@@ -59,7 +62,7 @@ enum AxisRow : std::uint8_t {
 
 struct Axes {
     NumberRows<kAxisRows> rows;
-    NumberRows<1> marked; // not 0 where the axis is one of those that are told from the others
+    NumberRows<1> marked; // 1 where the axis was marked with mark_last(): find_feet() lists marked axes separately
     std::size_t count = 0;
 
     void clear(std::size_t most) { rows.resize(most), marked.resize(most), count = 0; }
@@ -68,9 +71,9 @@ struct Axes {
     void mark_last() { marked.row(0)[count - 1] = 1.0; }
 };
 
-// Of a point, on each of some axes: the nearest place (mm), how far it is from the point (mm^2), the radius there (mm),
-// and the distance in radii, squared.
-// kFootNear: 1 where the axis is among those that are near, else 0; of all axes.
+// The rows of a foot, the point of an axis that is nearest to a query point: its position (mm), its squared distance
+// from the query point (mm^2), the radius there (mm), and the squared distance in radii.
+// kFootNear: 1 where the axis is near, else 0. Only this row is valid for axes that are not near.
 enum FootRow : std::uint8_t {
     kFootX,
     kFootY,
@@ -82,48 +85,52 @@ enum FootRow : std::uint8_t {
     kFootRows
 };
 struct AxisFeet {
-    // Some axes, by their places.
+    // A list of axes, by index.
     struct Near {
-        std::vector<std::uint32_t> places; // scratch: those that are near come first; written by whole vectors
+        std::vector<std::uint32_t> places; // only the first `count` are valid; written by whole vectors
         std::size_t count = 0;
-        std::uint32_t nearest = 0; // in radii, the first of several; where there are any
+        std::uint32_t nearest = 0; // the least distance in radii; the lowest index of several. Valid if count > 0
         [[nodiscard]] std::span<const std::uint32_t> all() const { return std::span(places).first(count); } // ascending
     };
     NumberRows<kFootRows> rows;
-    // Those nearer than so many radii; beyond an end from which radii go on shrinking, of the radius that it has there:
-    // as far as the field reaches. Of these, the ones marked.
+    // `near`: the axes that are nearer than a number of radii. Beyond an end where the radius keeps shrinking, the
+    // shrunken radius counts, as in the field. `marked`: the marked axes of `near`.
     Near near, marked;
 
-    // With room for so many axes.
+    // Allocates room for `most` axes.
     void reserve(std::size_t most);
     [[nodiscard]] double of(std::uint32_t axis, FootRow row) const { return rows.row(row)[axis]; }
     [[nodiscard]] glm::dvec3 foot(std::uint32_t axis) const {
         return {of(axis, kFootX), of(axis, kFootY), of(axis, kFootZ)};
     }
 };
-// Overwrites `feet`, which have room for all axes: those of axes that are near, and of no others for sure.
+// Finds the axes that are nearer to `point` (mm) than `radii` radii, and their feet. `feet` must have room for all
+// axes.
 void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet);
 
-// Of some axes, how they are to a vessel (vessel_field.h). What it is kept apart from: the closeness from which on the
-// two count as together, 0 where it leaves out nothing; by how much less than that they have to be apart for the one to
-// leave out the other wholly; and 1 where the two are apart at all. Of the others: 1 where the axis is of a piece in
-// contact, so that walls may be drawn as if it were elsewhere, and 1 where they are.
+// The relation of each axis to the current vessel (vessel_field.h). For an axis that is kept apart from the vessel:
+// - kTogetherFrom: the closeness from which the two count as together again; 0 for a near miss, which is not left out.
+// - kFade: 1 / the range of closenesses below kTogetherFrom over which the weight of the axis falls from 1 to 0.
+// - kIsApart: 1.
+// For any other axis:
+// - kInContact: 1 where the piece of the axis has partners, in this brick or elsewhere.
+// - kIsMoved: 1 where the axis counts as moved when walls are drawn (core/tree/contacts/spread_axes.h).
 enum RelationRow : std::uint8_t { kTogetherFrom, kFade, kIsApart, kInContact, kIsMoved, kRelationRows };
 using AxisRelations = NumberRows<kRelationRows>;
-// Of what a vessel is apart from and what is near, the least distance in radii, squared.
+// The least squared distance in radii over the near axes that are apart from the vessel; infinity if there are none.
 [[nodiscard]] double least_relative2(const AxisFeet& feet, const AxisRelations& relations, std::size_t count);
-// Where some axis of the vessel is moved that is near: the nearest place to the point, in mm, on those of its axes that
-// are near and in contact, as they count; `own`, which is one of these, before others that are as near.
+// The point (mm) nearest to `point` on the vessel's near axes that are in contact, at their moved positions `counted`.
+// Prefers the axis `own` where several are equally near. Returns nothing where none of these axes is moved.
 [[nodiscard]] std::optional<glm::dvec3> find_counted_foot(const Axes& counted, const glm::dvec3& point,
                                                           const AxisFeet& feet, std::uint32_t own,
                                                           const AxisRelations& relations);
-// How much of each axis' term one of them leaves out, 0 to 1.
+// Writes to `left` the share of each axis' term, 0 to 1, that the view of the vessel of axis `own` leaves out.
 void find_left_out(const AxisFeet& feet, std::uint32_t own, const AxisRelations& relations, std::size_t count,
                    double* left);
 
-// What others press on: after an axis, how far its ends count as moved (core/tree/contacts/spread_axes.h) and the
-// larger way of the two, mm, and the closeness from which on it and the vessel that it is an obstacle to count as
-// together, and how near they come at least, mm.
+// The rows of an obstacle, a piece of vessel that casts a shadow on a partner. After the rows of an axis: how far its
+// ends count as moved (core/tree/contacts/spread_axes.h), the longer one of the two moves, the closeness from which
+// obstacle and vessel count as together, and a lower bound of the distance of the two axes. Lengths are in mm.
 enum ObstacleRow : std::uint8_t {
     kMoveStartX = kAxisRows,
     kMoveStartY,
@@ -138,28 +145,29 @@ enum ObstacleRow : std::uint8_t {
 };
 using ObstacleRows = NumberRows<kObstacleRows>;
 struct ObstacleRange {
-    std::size_t first = 0, count = 0; // from the start of a vector on; what pads the last one has kApartFrom 0
+    std::size_t first = 0, count = 0; // `first` begins a SIMD vector; padding entries have kApartFrom 0
 };
 
-// From an axis outward to a point.
+// The straight way from the axis of a vessel outward to a point.
 struct WayOut {
-    glm::dvec3 foot{0.0};      // where it begins, mm: on the axis as it counts
+    glm::dvec3 foot{0.0};      // where the way begins, mm: on the moved axis
     glm::dvec3 direction{0.0}; // unit
     double length = 0.0;       // mm
-    double radius = 0.0;       // of the vessel there, mm
-    glm::dvec3 axis_foot{0.0}; // on the axis as it is, mm
+    double radius = 0.0;       // of the vessel at axis_foot, mm
+    glm::dvec3 axis_foot{0.0}; // on the real axis, mm
 };
 
-// How far a point is from what lies behind an obstacle, seen from a vessel's axis: negative within.
+// The distance of a point from the shadow of an obstacle: the region behind the obstacle, seen from a vessel's axis.
 struct Shadow {
-    double spare = std::numeric_limits<double>::infinity(); // mm
-    std::size_t obstacle = 0;                               // by its place in the rows; none where spare is infinite
+    double spare = std::numeric_limits<double>::infinity(); // mm, to first order; negative within the shadow
+    std::size_t obstacle = 0;                               // column of ObstacleRows; none where spare is infinite
 };
-// The nearest where that is nearer than `below`; else it may be any that is not, or none.
+// The nearest shadow at the end of the way, if its distance is less than `below` mm. Otherwise the result has some
+// distance of at least `below`.
 [[nodiscard]] Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range, const WayOut& way,
                                     double below);
-// The unit vector in which the spare room of one of them grows least, and how far the point is beyond where what lies
-// behind the obstacle begins, mm; 0 before that.
+// The unit direction toward the shadow of one obstacle, along which Shadow::spare decreases fastest, and how far (mm)
+// the point lies beyond the beginning of the shadow along the way; 0 before the beginning.
 struct ShadowSide {
     glm::dvec3 toward{0.0};
     double beyond = 0.0;

@@ -1,4 +1,9 @@
-// VesselViews: what the vessels around one point make of it, where some are kept apart (vessel_field.h).
+// VesselViews: evaluates one point near contacts: which vessels reach the point, the view of each vessel, and which
+// vessel owns the point (vessel_field.h defines views, claims and owners).
+//
+// Order of calls: enter() for each brick, look() for each point, then queries about the point. Results are cached until
+// the next look(). A "place" is the index of a segment in the brick's list. Positions are in mm, in the coordinates of
+// the tree. Bricks that share a point agree on its value, and on its owner if both find one.
 #pragma once
 
 #include "core/field/kernel.h"
@@ -16,100 +21,101 @@
 
 namespace ramus::field {
 
-// The field as one vessel sees it.
+// The field at a point, as one vessel sees it.
 struct VesselView {
-    std::uint32_t place = 0; // of the vessel's segment that is nearest, in radii
+    std::uint32_t place = 0; // the vessel's segment that is nearest to the point, in radii
     double value = 0.0;
     glm::dvec3 gradient{0.0};
 };
 
-// Segments are named by their places in the brick's list.
 class VesselViews {
 public:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-    // `segments`: of the whole field.
+    // `segments`: all segments of the field.
     VesselViews(const Kernel& kernel, const FieldSegment* segments, const Pieces& pieces);
 
-    // Begins a brick. Whether vessels are kept apart there or nearby; only then the rest may be asked.
+    // Begins a brick. Returns whether vessels are kept apart there or nearby; if not, no other function may be called.
     bool enter(SegmentIndices list, const GridAxes& axes);
-    // Whether it makes a difference to look at a point: elsewhere the sight is plain, and no edge of the grid leads
-    // from one vessel to another that is kept apart from it.
+    // Whether the point is in the ContactZone of the brick. Elsewhere the sight is plain, and no edge of the grid
+    // connects two vessels that are kept apart.
     [[nodiscard]] bool in_zone(const glm::dvec3& point) const { return zone_.has(point); }
     [[nodiscard]] const LocalContacts& contacts() const { return contacts_; }
     [[nodiscard]] SegmentIndices list() const { return list_; }
     [[nodiscard]] float isovalue() const { return static_cast<float>(kernel_.isovalue); }
-    // From a value of the field how far out that is, and on the surface (LongVessel).
+    // The measure of distance that a field value stands for (LongVessel), and the measure on the surface.
     [[nodiscard]] LongVessel::Place place_of(double value) const { return kernel_.long_vessel->place(kernel_, value); }
     [[nodiscard]] double surface_measure() const { return surface_measure_; }
 
-    // The plain sum holds; it holds, but the point is behind another vessel, which takes it away; or parts of the sum
-    // are left out.
+    // kPlain: the field is the plain sum. kCut: the same, but the point is in a shadow and so outside of the vessel.
+    // kParted: some vessel's view leaves out parts of the sum.
     enum class Sight : std::uint8_t { kPlain, kCut, kParted };
-    // Looks at a point, given in mm; at that of the last time it knows what it saw.
+    // Sets the current point (mm). Keeps all cached results if the point is unchanged.
     void look(const glm::dvec3& point);
     [[nodiscard]] Sight sight();
     [[nodiscard]] const glm::dvec3& point() const { return point_; }
-    // The segments that reach it, ascending; whether none of them is kept apart from another one; the nearest in radii,
-    // or kNone.
+    // The segments that reach the point, ascending; whether none of them has a piece with partners; and the segment
+    // nearest in radii, or kNone.
     [[nodiscard]] std::span<const std::uint32_t> seen() const { return feet_.near.all(); }
     [[nodiscard]] bool alone() const { return feet_.marked.count == 0; }
     [[nodiscard]] std::uint32_t nearest() const { return seen().empty() ? kNone : feet_.near.nearest; }
-    // Whether the point may be a segment's: it is no farther away than vessels claim points.
+    // Whether the point is within claim_radii of a segment's axis.
     [[nodiscard]] bool may_claim(std::uint32_t place) const {
         return feet_.of(place, kFootRelative2) <= claim_radii2();
     }
-    // Of a plain sight: whether a vessel's way to the point may be cut nearby.
+    // After a plain sight(): whether the edge of a shadow is near the point.
     [[nodiscard]] bool beside_contact() const { return beside_contact_; }
 
-    // Of a point where the plain sum is known: whether the nearest vessel has it whatever is left out, since all that
-    // it is kept apart from is too far away to claim it, and too weak. Then nothing cuts it off either.
+    // A quick test, given the plain sum at the point. If true, the nearest vessel owns the point: the vessels that it
+    // is kept apart from are too far away to claim the point, their terms are too small to matter, and no shadow covers
+    // the point. False decides nothing.
     [[nodiscard]] bool is_undisputed(float plain);
 
-    // Of a segment: the distance of its axis in mm, the radius at the foot, and the foot.
+    // Of a segment: the distance of the point from its axis (mm), the radius at the foot (mm), and the foot (mm).
     [[nodiscard]] double distance(std::uint32_t place) const;
     [[nodiscard]] double radius(std::uint32_t place) const { return feet_.of(place, kFootRadius); }
-    [[nodiscard]] double tree_radius(std::uint32_t place) const; // the tree's there, not the kernel's
+    [[nodiscard]] double tree_radius(std::uint32_t place) const; // of the tree at the foot, not of the kernel
     [[nodiscard]] glm::dvec3 foot(std::uint32_t place) const { return feet_.foot(place); }
     [[nodiscard]] std::int32_t branch(std::uint32_t place) const { return segments_[list_[place]].branch; }
     [[nodiscard]] bool apart(std::uint32_t a, std::uint32_t b) const { return contacts_.apart(piece(a), piece(b)); }
 
-    // Evaluates the segments' terms where they are not known; returns how many it did. What follows needs them.
+    // Evaluates the kernels of all segments of the list at the point, once for each point. Returns the number of
+    // kernels evaluated. term(), view(), value(), judge() and is_within_another() need the terms.
     [[nodiscard]] std::uint64_t add_terms();
     [[nodiscard]] double term(std::uint32_t place) const {
         return static_cast<double>(terms_.row(SegmentTerms::kValue)[place]);
     }
-    // How much of each segment's term is left out where the field is seen from one of them, 0 to 1, by place.
+    // The share of each segment's term, 0 to 1, that the view of segment `own` leaves out, by place.
     [[nodiscard]] std::span<const double> left_out(std::uint32_t own) { return left_out(vessel(own)); }
     [[nodiscard]] VesselView view(std::uint32_t own);
     [[nodiscard]] double value(std::uint32_t own); // of the view
 
-    // How far a vessel's axis is from the point, as it counts where walls are drawn: the way from the nearest place.
+    // The vector (mm) to the point from the nearest point of the vessel's axis. Where walls are drawn the moved axis
+    // counts.
     [[nodiscard]] glm::dvec3 way_from(std::uint32_t own) { return point_ - way_out(vessel(own)).foot; }
-    // How far the point is from what lies behind an obstacle, seen from a vessel's axis: that is found where it is
-    // `below` so much.
+    // The nearest shadow on a vessel, if it is nearer than `below` mm (nearest_shadow() in axes.h).
     [[nodiscard]] Shadow shadow_on(std::uint32_t own, double below);
     [[nodiscard]] ShadowSide side_of(std::uint32_t own, const Shadow& shadow);
 
-    // One segment of each vessel that is seen, apart from each other: the nearest in radii first, up to so many radii,
-    // squared.
+    // Lists vessels that are pairwise kept apart, as one segment each: the nearest in radii first, at most
+    // kMostVessels, and none beyond a squared distance in radii.
     void list_vessels(double most_radii2 = std::numeric_limits<double>::infinity());
     [[nodiscard]] const std::vector<std::uint32_t>& vessels() const { return vessels_; }
-    // Lists the vessels that may claim the point: the one that it belongs to, and its view; or, outside all of them,
-    // the strongest view and kNone.
+    // The owner of the point and the value of its view. Outside of all vessels: kNone and the largest value. Lists the
+    // vessels that may claim the point.
     struct Verdict {
         std::uint32_t owner = kNone;
         double value = 0.0;
     };
     [[nodiscard]] Verdict judge();
-    // Whether a vessel that is kept apart from a segment's claims the point.
+    // Whether the point is within a vessel that is kept apart from the vessel of segment `own`.
     [[nodiscard]] bool is_within_another(std::uint32_t own);
-    // The nearest segment in radii that is not apart from the one given, or kNone.
+    // The nearest segment in radii that is not kept apart from `place`, or kNone.
     [[nodiscard]] std::uint32_t nearest_of_vessel(std::uint32_t place);
 
 private:
     static constexpr std::size_t kMostVessels = 6;
-    // What is known of a vessel at the point, by the segment that it is seen from.
+    // Cached results for one vessel at the point, by the segment that the vessel is seen from.
     struct Vessel {
         std::uint32_t place = kNone;
         bool knows_way = false, knows_left_out = false;
@@ -126,59 +132,59 @@ private:
     [[nodiscard]] int piece(std::uint32_t place) const { return contacts_.piece(place); }
     [[nodiscard]] glm::dvec3 foot_as_it_counts(std::uint32_t own);
     void find_zone(const GridAxes& axes);
-    [[nodiscard]] const PieceShape* shape_of(std::uint32_t place) const; // null: it is in contact with nothing
+    [[nodiscard]] const PieceShape* shape_of(std::uint32_t place) const; // null: the piece has no partners
     void list_axes();
     void list_counted_axes();
-    [[nodiscard]] const AxisRelations& relations_of(int piece);        // of all axes
-    [[nodiscard]] bool nearer(std::uint32_t a, std::uint32_t b) const; // in radii; any is nearer than kNone
+    [[nodiscard]] const AxisRelations& relations_of(int piece);
+    [[nodiscard]] bool nearer(std::uint32_t a, std::uint32_t b) const; // in radii; kNone is farthest
     void group_by_piece();
-    [[nodiscard]] bool any_left_out(std::uint32_t nearest); // of what is near
+    [[nodiscard]] bool any_left_out(std::uint32_t nearest); // among the axes near the point
     [[nodiscard]] bool leaves_out(std::uint32_t a, std::uint32_t b) const;
 
     [[nodiscard]] double claim_radii2() const { return kernel_.claim_radii * kernel_.claim_radii; }
 
     Kernel kernel_;
     double surface_measure_;
-    // In radii at the foot, what is looked at; less beyond ends from which radii go on shrinking. So far each segment
-    // is in the list of every brick around a point; what it may reach beyond ends from which they grow is next to
-    // nothing.
+    // The distance in radii up to which axes count as near: the support of the kernel. The list of every brick around a
+    // point contains all segments this near. Where the radius grows beyond an end, the field reaches insignificantly
+    // farther.
     double reach_radii_;
     const FieldSegment* segments_;
 
-    // Of the brick, by place.
+    // State of the brick, by place.
     LocalContacts contacts_;
     SegmentIndices list_;
     struct PieceReach {
-        Bounds<glm::dvec3> near, claims; // where a point is near, and where it may be the piece's or next to such a one
+        Bounds<glm::dvec3> near, claims; // points that are near, and points that the piece may claim, with a margin
         ContactZone::Cells near_cells, claimed_cells;
         double radius = 0.0;
     };
     std::vector<PieceReach> reach_; // by piece
     ContactZone zone_;
-    double beside_mm_ = 0.0; // so near to what is cut off a point may have to be moved
-    Axes axes_;
-    std::vector<std::uint8_t> in_contact_; // whether the axis is of a piece with partners, here or elsewhere
-    std::vector<std::uint8_t> moved_;      // whether it counts as moved, where walls are drawn
+    double beside_mm_ = 0.0;               // a point this near to a shadow may have to be moved away from it
+    Axes axes_;                            // marked: pieces with partners
+    std::vector<std::uint8_t> in_contact_; // whether the piece of the axis has partners, in the brick or elsewhere
+    std::vector<std::uint8_t> moved_;      // whether the axis counts as moved where walls are drawn
     bool any_moved_ = false;
-    Axes counted_axes_; // as they count, where any is moved
+    Axes counted_axes_; // the moved axes; filled only if any axis is moved
     SegmentTerms terms_;
     bool terms_ready_ = false;
-    std::vector<AxisRelations> relations_; // by piece, as far as asked for
+    std::vector<AxisRelations> relations_; // by piece, computed on first use
     std::vector<std::uint8_t> relations_ready_;
 
-    // Of the point.
+    // State of the point.
     glm::dvec3 point_{0.0};
     bool looked_ = false, terms_known_ = false;
     Sight sight_ = Sight::kPlain;
-    AxisFeet feet_; // marked: of pieces with partners here
+    AxisFeet feet_;
     bool sight_known_ = false, beside_contact_ = false, grouped_ = false;
-    std::vector<int> near_pieces_;                // of those kept apart
-    std::vector<std::uint32_t> nearest_of_piece_; // by piece, of those near
-    std::uint32_t nearest_of_others_ = kNone;     // of those that are not kept apart
+    std::vector<int> near_pieces_;                // pieces with partners that are near
+    std::vector<std::uint32_t> nearest_of_piece_; // by piece
+    std::uint32_t nearest_of_others_ = kNone;     // among segments without a piece
     std::vector<std::uint64_t> near_piece_bits_;  // scratch
-    VesselView whole_;                            // the terms of all, with their gradients once they are asked for
+    VesselView whole_;                            // the plain sum; its gradient only if gradient_known_
     bool gradient_known_ = false;
-    std::vector<std::uint32_t> vessels_, candidates_; // the second: scratch
+    std::vector<std::uint32_t> vessels_, candidates_; // candidates_ is scratch
     std::array<Vessel, kMostVessels + 2> known_vessels_;
     std::size_t known_count_ = 0;
 };
