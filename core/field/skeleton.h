@@ -21,7 +21,7 @@ namespace ramus::field {
 // E = beyond r: its slope does not jump there, so that the field's gradient does not either, and a cone cut in two
 // stays the cone that it was. With beyond = 0 it stays r, as in the paper.
 //
-// The tree's radius may be another one than the kernel's (exact_radii.h); `excess` is what it has more.
+// The tree's radius may be another one than the kernel's (kernel_radii.h); `excess` is what it has more.
 struct alignas(64) FieldSegment {
     double ax, ay, az;           // start point, mm
     float ux, uy, uz;            // unit direction

@@ -7,8 +7,8 @@
 
 namespace ramus::mesh {
 
-// Those of the tree, sharpened for the kernel (core/field/exact_radii.h), or what the kernel makes of the tree's, as in
-// the paper.
+// Those of the tree, sharpened for the kernel (core/field/kernel_radii.h), or what the kernel makes of the tree's, as
+// in the paper.
 enum class Radii : std::uint8_t { kPlain, kExact };
 
 // In the order of `Radii`.

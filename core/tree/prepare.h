@@ -17,7 +17,7 @@ struct PreparedTree {
     std::vector<std::uint32_t> segment_index;
     std::size_t source_segments = 0;
     Centerline centerline = Centerline::kLines;
-    // By point: the radius for the kernel, if it differs from the tree's (core/field/exact_radii.h); otherwise empty.
+    // By point: the radius for the kernel, if it differs from the tree's (core/field/kernel_radii.h); otherwise empty.
     std::vector<double> kernel_radii{};
 };
 

@@ -22,6 +22,6 @@ inline constexpr double kNarrowest = 0.4, kWidest = 1.25; // of the tree's radiu
 inline constexpr double kAmiss = 0.001;                   // of a radius
 
 // The same tree with `kernel_radii` for this kernel.
-[[nodiscard]] tree::PreparedTree with_exact_radii(tree::PreparedTree prepared, const Kernel& kernel);
+[[nodiscard]] tree::PreparedTree with_kernel_radii(tree::PreparedTree prepared, const Kernel& kernel);
 
 } // namespace ramus::field

@@ -1,4 +1,4 @@
-#include "core/field/exact_radii.h"
+#include "core/field/kernel_radii.h"
 
 #include <algorithm>
 #include <cmath>
@@ -188,7 +188,7 @@ private:
 
 } // namespace
 
-tree::PreparedTree with_exact_radii(tree::PreparedTree prepared, const Kernel& kernel) {
+tree::PreparedTree with_kernel_radii(tree::PreparedTree prepared, const Kernel& kernel) {
     std::vector<double> radii(prepared.tree.points.size());
     for (std::size_t p = 0; p < radii.size(); ++p) radii[p] = prepared.tree.points[p].radius;
     tbb::parallel_for(std::size_t(0), prepared.tree.branches.size(), [&](std::size_t id) {
