@@ -4,9 +4,9 @@
 #include "core/base/disk_pages.h"
 #include "core/base/memory.h"
 #include "core/base/stopwatch.h"
-#include "core/field/drawn_surface.h"
 #include "core/field/kernel.h"
 #include "core/field/kernel_radii.h"
+#include "core/field/surface_projector.h"
 #include "core/field/vessel_field.h"
 #include "core/mesh/check_kernel.h"
 #include "core/mesh/cones.h"
@@ -197,7 +197,7 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
             surface.statistics.evaluations += statistics.evaluations;
         }
         if (options.rims == field::Rims::kOverlapping)
-            surface.drawn = std::make_shared<const field::DrawnSurface>(std::move(fields));
+            surface.projector = std::make_shared<const field::SurfaceProjector>(std::move(fields));
     }
     if (surface.mesh.triangles.empty()) return empty_surface(options.cell_mm);
     surface.statistics.seconds = watch.seconds();

@@ -1,4 +1,4 @@
-#include "core/field/drawn_surface.h"
+#include "core/field/surface_projector.h"
 
 #include "core/base/bounds.h"
 
@@ -20,7 +20,7 @@ namespace ramus::field {
 
 namespace {
 
-using DrawnPlace = DrawnSurface::Point;
+using DrawnPlace = SurfaceProjector::Point;
 
 // The cubes that a point is looked at in: a brick of some cells, and a block of bricks whose segments are listed
 // together.
@@ -181,7 +181,7 @@ template <class Same> std::vector<std::size_t> stretches(std::span<const CubeOfP
 
 } // namespace
 
-DrawnSurface::DrawnSurface(std::vector<VesselField> fields) : fields_(std::move(fields)) {
+SurfaceProjector::SurfaceProjector(std::vector<VesselField> fields) : fields_(std::move(fields)) {
     if (fields_.size() < 2) return;
     for (std::size_t n = 0; n < fields_.size(); ++n) {
         const Skeleton& skeleton = fields_[n].skeleton();
@@ -193,12 +193,12 @@ DrawnSurface::DrawnSurface(std::vector<VesselField> fields) : fields_(std::move(
     }
 }
 
-std::size_t DrawnSurface::field_of(std::int32_t branch) const {
+std::size_t SurfaceProjector::field_of(std::int32_t branch) const {
     const auto n = static_cast<std::size_t>(std::max(branch, 0));
     return n < field_of_branch_.size() ? field_of_branch_[n] : 0;
 }
 
-void DrawnSurface::move(std::span<Point> points) const {
+void SurfaceProjector::move(std::span<Point> points) const {
     if (fields_.empty()) return;
     std::vector<CubeOfPoint> cubes(points.size());
     tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t n) {

@@ -1,6 +1,6 @@
-// DrawnSurface: the surface that a mesh for pictures is of, for places between the mesh's vertices. A picture of what
-// is near the eye divides triangles until no outline shows their edges (render/scene/near_surface.h); this moves the
-// new vertices onto the surface itself, so that outlines and creases are those of the field.
+// SurfaceProjector: the surface that a mesh for pictures is of, for places between the mesh's vertices. A picture of
+// what is near the eye divides triangles until no outline shows their edges (render/scene/near_surface.h); this moves
+// the new vertices onto the surface itself, so that outlines and creases are those of the field.
 //
 // Points beside contacts are put as rims are that overlap (rims.h): each vessel goes on along its own surface within
 // the other one. Results depend on the points alone, not on threads.
@@ -15,7 +15,7 @@
 
 namespace ramus::field {
 
-class DrawnSurface {
+class SurfaceProjector {
 public:
     // A point near the surface, in and out; mm.
     struct Point {
@@ -31,7 +31,7 @@ public:
     };
 
     // Of systems that have surfaces of their own, a field each.
-    explicit DrawnSurface(std::vector<VesselField> fields);
+    explicit SurfaceProjector(std::vector<VesselField> fields);
 
     // Moves points onto the surface, to what single precision tells of positions. From any thread.
     void move(std::span<Point> points) const;
