@@ -5,7 +5,8 @@
 // smoothly to exactly 0 at u = reach^2. The contribution of a segment is the integral of g along it, in closed form:
 //     h(p) = integral of g(q + x^2) dx from -t / r to (L - t) / r,   q = d^2 / r^2
 // with t, d and r as for the Gaussian (kernels/gaussian.h). r is the radius at the foot, and all lengths are in units
-// of r. A vessel of constant radius has the same field however it is divided into segments, since the integrals add up.
+// of r. A straight vessel of constant radius has the same field however it is divided into segments, since the
+// integrals add up.
 //
 // A Shape is constructed from a Kernel and has these members, for vectors and for packs of vectors:
 //     integral(d, y, q, room)    integral of g(q + x^2) for x from 0 to y, odd in y; room = reach^2 - q; y^2 <= room
