@@ -63,8 +63,8 @@ std::uint32_t place_in(const std::vector<std::uint32_t>& list, std::uint32_t thi
 
 } // namespace
 
-std::vector<MeetingPlace> meeting_places(const TriangleMesh& mesh, const TriangleBoxes& boxes,
-                                         std::span<const TrianglePair> pairs) {
+std::vector<IntersectionPlace> intersection_places(const TriangleMesh& mesh, const TriangleBoxes& boxes,
+                                                   std::span<const TrianglePair> pairs) {
     constexpr std::size_t kRemembered = 32; // pairs that follow each other have the same triangles around them
     DisjointSets together(pairs.size());
     std::unordered_map<std::uint32_t, std::uint32_t> pair_at; // by triangle, one that is around
@@ -83,7 +83,7 @@ std::vector<MeetingPlace> meeting_places(const TriangleMesh& mesh, const Triangl
             if (!fresh) together.join(n, at->second);
         });
     }
-    std::vector<MeetingPlace> places;
+    std::vector<IntersectionPlace> places;
     std::vector<std::uint32_t> place(pairs.size(), 0); // by the pair that stands for it
     for (std::uint32_t n = 0; n < pairs.size(); ++n) {
         const std::uint32_t first = together.find(n);
@@ -91,11 +91,11 @@ std::vector<MeetingPlace> meeting_places(const TriangleMesh& mesh, const Triangl
         places[place[first]].pairs.push_back(pairs[n]);
     }
     for (const auto& [triangle, pair] : pair_at) places[place[together.find(pair)]].triangles.push_back(triangle);
-    for (MeetingPlace& one : places) std::ranges::sort(one.triangles);
+    for (IntersectionPlace& one : places) std::ranges::sort(one.triangles);
     return places;
 }
 
-Patch patch_around(const TriangleMesh& mesh, const MeetingPlace& place) {
+Patch patch_around(const TriangleMesh& mesh, const IntersectionPlace& place) {
     Patch patch;
     for (const std::uint32_t n : place.triangles)
         for (int corner = 0; corner < 3; ++corner) patch.vertices.push_back(mesh.triangles[n][corner]);

@@ -38,7 +38,7 @@ LargeArray<Compared> suspects(const TriangleMesh& mesh, const Folds& folds, std:
                 const std::atomic_ref<Compared> one(suspected[n]);
                 if (one.load(std::memory_order_relaxed) != Compared::kNot) return; // no need of its box
                 if (all || boxes_meet(folds.boxes.box(n), places[place]))
-                    one.store(Compared::kApart, std::memory_order_relaxed);
+                    one.store(Compared::kNotAdjacent, std::memory_order_relaxed);
             });
         });
     });
@@ -112,16 +112,16 @@ void move(Patch& patch, std::span<const std::uint32_t> moving, const TriangleMes
 }
 
 // What meets after vertices have moved: nothing else had met before.
-MeetingTriangles meeting_at(const Patch& patch, std::span<const std::uint32_t> moved, Job& job) {
+IntersectingTriangles meeting_at(const Patch& patch, std::span<const std::uint32_t> moved, Job& job) {
     std::vector<std::uint8_t> is_moved(patch.vertices.size(), 0);
     for (const std::uint32_t vertex : moved) is_moved[vertex] = 1;
     std::vector<Compared> compared;
     compared.reserve(patch.triangles.size());
     for (const glm::uvec3& t : patch.triangles)
         compared.push_back((is_moved[t.x] | is_moved[t.y] | is_moved[t.z]) != 0 ? Compared::kWithAll : Compared::kNot);
-    MeetingLimits limits;
+    IntersectionLimits limits;
     limits.looks = kMostLooks;
-    return meeting_triangles(TriangleBoxes(patch.positions, patch.triangles), compared, limits, job);
+    return intersecting_triangles(TriangleBoxes(patch.positions, patch.triangles), compared, limits, job);
 }
 
 // A place after the best of some rounds, and how many pairs meet there.
@@ -131,7 +131,7 @@ struct Drawn {
     std::size_t left = 0;
 };
 
-Drawn draw(const TriangleMesh& mesh, const MeetingPlace& place, Job& job) {
+Drawn draw(const TriangleMesh& mesh, const IntersectionPlace& place, Job& job) {
     Drawn drawn{{}, {}, place.pairs.size()};
     if (place.pairs.size() > kMostPairs || place.triangles.size() > kMostTriangles) return drawn;
     Patch patch = patch_around(mesh, place);
@@ -142,7 +142,7 @@ Drawn draw(const TriangleMesh& mesh, const MeetingPlace& place, Job& job) {
         for (int round = 0; round < kRounds && drawn.left > 0; ++round) {
             const std::vector<std::uint32_t> moving = grown(patch, vertices_of(patch, pairs), way.rings);
             move(patch, moving, mesh, way, round);
-            MeetingTriangles now = meeting_at(patch, moving, job);
+            IntersectingTriangles now = meeting_at(patch, moving, job);
             if (!now.looked_at_all) break;
             pairs = std::move(now.pairs);
             if (pairs.size() < drawn.left) drawn.left = pairs.size(), drawn.positions = patch.positions;
@@ -156,11 +156,11 @@ Drawn draw(const TriangleMesh& mesh, const MeetingPlace& place, Job& job) {
 
 Untangled untangle(TriangleMesh& mesh, std::span<const TriangleBox> places, Job& job) {
     const Folds folds = find_folds(mesh);
-    const MeetingTriangles found =
-        meeting_triangles(folds.boxes, suspects(mesh, folds, places), {kMostListed, kMostLooks}, job);
+    const IntersectingTriangles found =
+        intersecting_triangles(folds.boxes, suspects(mesh, folds, places), {kMostListed, kMostLooks}, job);
     Untangled all{found.count, found.count, found.looked_at_all, {}};
     if (job.cancelled()) return all;
-    const std::vector<MeetingPlace> meeting = meeting_places(mesh, folds.boxes, found.pairs);
+    const std::vector<IntersectionPlace> meeting = intersection_places(mesh, folds.boxes, found.pairs);
     std::vector<Drawn> drawn(meeting.size());
     tbb::parallel_for(std::size_t{0}, meeting.size(), [&](std::size_t n) { drawn[n] = draw(mesh, meeting[n], job); });
     if (job.cancelled()) return all;

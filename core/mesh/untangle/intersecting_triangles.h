@@ -21,15 +21,15 @@ struct TrianglePair {
 
 // What a triangle is compared with: with none, with those that are compared as well and share no corner with it, or
 // with all.
-enum class Compared : std::uint8_t { kNot, kApart, kWithAll };
+enum class Compared : std::uint8_t { kNot, kNotAdjacent, kWithAll };
 
-struct MeetingLimits {
+struct IntersectionLimits {
     std::size_t pairs = std::numeric_limits<std::size_t>::max(); // that are listed
     // Comparisons of two triangles whose boxes meet, for some that follow each other, as many for each of them.
     std::size_t looks = std::numeric_limits<std::size_t>::max();
 };
 
-struct MeetingTriangles {
+struct IntersectingTriangles {
     std::vector<TrianglePair> pairs; // ascending; none where they are more than are listed
     std::size_t count = 0;           // of pairs, listed or not
     // False: somewhere there was too much to compare, and pairs are missing there; or the job is cancelled.
@@ -39,7 +39,8 @@ struct MeetingTriangles {
 // Of pairs that are compared (`compared`, by triangle) those that meet beyond the corners that they share
 // (exact_triangles.h). Where triangles lie beside few others, takes time as the number of those that are compared. The
 // same whatever the threads do, unless the job is cancelled.
-[[nodiscard]] MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const Compared> compared,
-                                                 const MeetingLimits& limits, Job& job);
+[[nodiscard]] IntersectingTriangles intersecting_triangles(const TriangleBoxes& boxes,
+                                                           std::span<const Compared> compared,
+                                                           const IntersectionLimits& limits, Job& job);
 
 } // namespace ramus::mesh

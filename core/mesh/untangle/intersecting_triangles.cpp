@@ -1,4 +1,4 @@
-#include "core/mesh/untangle/meeting_triangles.h"
+#include "core/mesh/untangle/intersecting_triangles.h"
 
 #include "core/base/lists_by_thread.h"
 #include "core/mesh/untangle/exact_triangles.h"
@@ -69,8 +69,8 @@ private:
 
 } // namespace
 
-MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const Compared> compared,
-                                   const MeetingLimits& limits, Job& job) {
+IntersectingTriangles intersecting_triangles(const TriangleBoxes& boxes, std::span<const Compared> compared,
+                                             const IntersectionLimits& limits, Job& job) {
     const std::span<const glm::uvec3> triangles = boxes.triangles();
     const std::size_t most_looks = limits.looks > std::numeric_limits<std::size_t>::max() / kBlock
                                        ? std::numeric_limits<std::size_t>::max()
@@ -119,7 +119,7 @@ MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const C
         },
         tbb::simple_partitioner());
     if (job.cancelled()) return {{}, 0, false};
-    MeetingTriangles meeting{{}, pairs, all};
+    IntersectingTriangles meeting{{}, pairs, all};
     if (meeting.count <= limits.pairs) meeting.pairs = found.sorted();
     return meeting;
 }
