@@ -1,4 +1,4 @@
-// Which triangles of a surface meet.
+// Finds the pairs of triangles of a surface that intersect.
 #pragma once
 
 #include "core/base/job.h"
@@ -12,7 +12,7 @@
 namespace ramus::mesh {
 
 struct TrianglePair {
-    std::uint32_t first = 0, second = 0; // triangles, by their places in the surface; the lower first
+    std::uint32_t first = 0, second = 0; // indices of triangles; first < second
     bool operator==(const TrianglePair&) const = default;
     [[nodiscard]] bool operator<(const TrianglePair& other) const {
         return first != other.first ? first < other.first : second < other.second;
@@ -24,15 +24,15 @@ struct TrianglePair {
 enum class Compared : std::uint8_t { kNot, kNotAdjacent, kWithAll };
 
 struct IntersectionLimits {
-    std::size_t pairs = std::numeric_limits<std::size_t>::max(); // that are listed
-    // Comparisons of two triangles whose boxes meet, for some that follow each other, as many for each of them.
+    std::size_t pairs = std::numeric_limits<std::size_t>::max(); // the largest number of pairs to list
+    // The largest number of exact comparisons per triangle, as a mean over blocks of consecutive triangles.
     std::size_t looks = std::numeric_limits<std::size_t>::max();
 };
 
 struct IntersectingTriangles {
-    std::vector<TrianglePair> pairs; // ascending; none where they are more than are listed
-    std::size_t count = 0;           // of pairs, listed or not
-    // False: somewhere there was too much to compare, and pairs are missing there; or the job is cancelled.
+    std::vector<TrianglePair> pairs; // ascending; empty if there are more than IntersectionLimits::pairs
+    std::size_t count = 0;           // number of pairs, listed or not
+    // False: some pairs are missing since IntersectionLimits::looks was exceeded somewhere, or the job was cancelled.
     bool looked_at_all = true;
 };
 

@@ -13,7 +13,7 @@ namespace ramus::mesh {
 
 namespace {
 
-constexpr float kReach = 4.0F; // sides, that a patch reaches beyond what meets
+constexpr float kReach = 4.0F; // how far a patch reaches beyond a pair, in the pair's longest side
 
 TriangleBox box_around(const TriangleMesh& mesh, const TrianglePair& pair) {
     TriangleBox box;
@@ -27,9 +27,10 @@ TriangleBox box_around(const TriangleMesh& mesh, const TrianglePair& pair) {
     return {box.least - kReach * longest, box.most + kReach * longest};
 }
 
-// Neighbours, ascending; and, since each edge of a closed surface has two triangles, what is at the end of the patch.
+// Fills in neighbours (ascending) and has_all. On a closed surface a vertex with an edge of only one triangle is at the
+// end of the patch.
 void connect(Patch& patch) {
-    // Of an edge both ends have the other one twice: for each of its triangles.
+    // Each triangle of an edge adds both ends to each other's list, so an inner edge is listed twice.
     Grouped<std::uint32_t> ends(patch.vertices.size(), [&](const auto& put) {
         for (const glm::uvec3& t : patch.triangles)
             for (int corner = 0; corner < 3; ++corner) {
@@ -56,7 +57,7 @@ void connect(Patch& patch) {
     });
 }
 
-// The places of things in an ascending list.
+// The index of a number in an ascending list.
 std::uint32_t place_in(const std::vector<std::uint32_t>& list, std::uint32_t thing) {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(list, thing) - list.begin());
 }
