@@ -181,7 +181,7 @@ int MeshDistance::winding(const glm::dvec3& point, const glm::dvec3& direction, 
             if (scale == 0.0) continue;
             const glm::dvec3 to_point = point - t[0];
             constexpr double kClose = 1e-10;
-            if (std::abs(volume) <= kClose * scale) { // seen from its edge: another ray knows, if it is there at all
+            if (std::abs(volume) <= kClose * scale) { // the ray nearly touches an edge: another ray decides
                 const glm::dvec3 normal = glm::cross(e1, e2);
                 const double off = glm::dot(to_point, normal);
                 if (off * off <= 1e-16 * square(normal) * (square(to_point) + scale)) grazed = true;

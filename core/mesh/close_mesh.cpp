@@ -110,14 +110,14 @@ Result<void> turn_alike(TriangleMesh& mesh, const LargeArray<HalfEdge>& edges, c
         if (turn[seed] != kOpen) continue;
         part.assign(1, seed);
         turn[seed] = kKept;
-        bool mended = false;
+        bool repaired = false;
         for (std::size_t i = 0; i < part.size(); ++i)
             for (const Neighbour& next : around[part[i]]) {
                 const std::uint8_t required = next.alike == (turn[part[i]] == kKept) ? kKept : kTurned;
                 std::uint8_t& now = turn[next.triangle];
                 if (now == kOpen) {
                     now = required;
-                    mended = mended || required == kTurned;
+                    repaired = repaired || required == kTurned;
                     part.push_back(next.triangle);
                 } else if (now != required) {
                     return fail("the surface has one side only and no inside", where, "give a closed surface");
@@ -128,7 +128,7 @@ Result<void> turn_alike(TriangleMesh& mesh, const LargeArray<HalfEdge>& edges, c
             if (turn[t] == kTurned) std::swap(mesh.triangles[t].y, mesh.triangles[t].z);
             volume += signed_volume(mesh, mesh.triangles[t]);
         }
-        if (mended && volume < 0.0) {
+        if (repaired && volume < 0.0) {
             for (const std::uint32_t t : part) std::swap(mesh.triangles[t].y, mesh.triangles[t].z);
             volume = -volume;
         }

@@ -101,7 +101,7 @@ private:
         const glm::dvec3 begin = at - reach * direction(i - 1), end = at + reach * direction(i);
         return glm::mix(glm::mix(begin, at, share), glm::mix(at, end, share), share);
     }
-    // Of an inner point with segments on both sides of it.
+    // Requires an inner point, with segments on both sides.
     [[nodiscard]] bool is_smooth(std::size_t i) const {
         return i > 0 && i + 1 < points_.size() && lengths_[i - 1] > 0.0 && lengths_[i] > 0.0;
     }

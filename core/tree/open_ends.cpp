@@ -62,7 +62,7 @@ void look_along(const VesselTree& tree, const std::vector<std::uint32_t>& places
 std::vector<OpenEnd> find_open_ends(const Graph& graph, DisjointSets& pieces) {
     const PreparedTree prepared = tree_of(graph);
     const Links links(prepared);
-    const TouchingLinks touching(links, 1.0, 1.0); // who is in another's tube touches it
+    const TouchingLinks touching(links, 1.0, 1.0); // an end inside a tube touches it
     const std::vector<std::uint32_t> places = places_along(prepared.tree);
     std::vector<OpenEnd> ends(graph.points.size());
     const auto look = [&](std::uint32_t point, const Link& other) {

@@ -67,7 +67,7 @@ std::optional<Note> check_invented(std::size_t invented, std::size_t points) {
                 {}};
 }
 
-std::vector<Note> check_radii(std::vector<Point>& points, const std::vector<Edge>& edges, bool mend) {
+std::vector<Note> check_radii(std::vector<Point>& points, const std::vector<Edge>& edges, bool repair) {
     const std::string topic(name_of(Repair::kRadiusJumps));
     std::vector<Note> notes;
     check_sizes(points, edges, notes);
@@ -86,7 +86,7 @@ std::vector<Note> check_radii(std::vector<Point>& points, const std::vector<Edge
             " mm";
         if (beside.count != 2) {
             suspect(notes, topic, found, points[p].position);
-        } else if (mend) {
+        } else if (repair) {
             const double mean = beside.sum / 2.0;
             notes.push_back(
                 {Note::Kind::kRepaired, topic, found + "; replaced by " + figure(mean), points[p].position});

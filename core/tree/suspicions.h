@@ -30,9 +30,9 @@ inline constexpr std::string_view kInventedRadii = "invented-radii";
 
 // Notes of suspicious radii: radii that differ from those of all neighbours by kRadiusJump (at ends: that are smaller
 // by kRadiusTaper) or from the next one by kRadiusStep; radii larger than the length of their whole piece; and radii
-// below kThinnestOfThickest of the thickest one. With `mend`, the radius of a point between two others that differs
+// below kThinnestOfThickest of the thickest one. With `repair`, the radius of a point between two others that differs
 // from both by kRadiusJump becomes their mean (topic "radius-jumps").
-[[nodiscard]] std::vector<Note> check_radii(std::vector<Point>& points, const std::vector<Edge>& edges, bool mend);
+[[nodiscard]] std::vector<Note> check_radii(std::vector<Point>& points, const std::vector<Edge>& edges, bool repair);
 
 // Notes of the branches that close a loop, one for each loop, and of all pieces but the longest one of each system.
 [[nodiscard]] std::vector<Note> check_network(const VesselTree& tree);

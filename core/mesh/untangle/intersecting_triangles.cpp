@@ -88,10 +88,10 @@ IntersectingTriangles intersecting_triangles(const TriangleBoxes& boxes, std::sp
             if (!is_compared(compared[other])) {
                 if (!block.with_all()) return;
             } else if (other < block.begin()) {
-                return; // it finds those of the block itself
+                return; // the block of `other` finds these pairs
             }
             block.for_each_meeting(boxes.box(other), [&](std::uint32_t one) {
-                if (one == other || (is_compared(compared[other]) && other < one)) return; // likewise
+                if (one == other || (is_compared(compared[other]) && other < one)) return; // each pair once
                 if (compared[one] != Compared::kWithAll && compared[other] != Compared::kWithAll &&
                     (!is_compared(compared[other]) || share_corner(triangles[one], triangles[other])))
                     return;

@@ -19,8 +19,8 @@ struct TrianglePair {
     }
 };
 
-// What a triangle is compared with: with none, with those that are compared as well and share no corner with it, or
-// with all.
+// The triangles with which a triangle is compared. kNot: none. kNotAdjacent: the triangles that are not kNot and share
+// no corner with it. kWithAll: all triangles.
 enum class Compared : std::uint8_t { kNot, kNotAdjacent, kWithAll };
 
 struct IntersectionLimits {
@@ -36,9 +36,9 @@ struct IntersectingTriangles {
     bool looked_at_all = true;
 };
 
-// Of pairs that are compared (`compared`, by triangle) those that meet beyond the corners that they share
-// (exact_triangles.h). Where triangles lie beside few others, takes time as the number of those that are compared. The
-// same whatever the threads do, unless the job is cancelled.
+// The compared pairs of triangles that intersect beyond their common corners (exact_triangles.h). `compared`: by
+// triangle. If triangles have few others nearby, takes time proportional to the number of compared triangles. The
+// result is the same for any number of threads, unless the job is cancelled.
 [[nodiscard]] IntersectingTriangles intersecting_triangles(const TriangleBoxes& boxes,
                                                            std::span<const Compared> compared,
                                                            const IntersectionLimits& limits, Job& job);
