@@ -3,7 +3,7 @@
 #include "core/base/memory.h"
 #include "core/base/run_limited.h"
 #include "core/base/stopwatch.h"
-#include "core/field/drawn_surface.h"
+#include "core/field/surface_projector.h"
 #include "core/mesh/check_kernel.h"
 #include "core/mesh/loops/match_tree.h"
 #include "core/mesh/systems.h"
@@ -37,9 +37,9 @@ std::vector<std::uint8_t> hidden_flags(std::span<const int> hidden, std::size_t 
 }
 
 std::shared_ptr<const render::PagedMesh> paged(const mesh::TriangleMesh& mesh, const tree::VesselTree& tree,
-                                               std::shared_ptr<const field::DrawnSurface> drawn) {
+                                               std::shared_ptr<const field::SurfaceProjector> projector) {
     render::PagedMesh made(mesh, render::bounds_of(tree).centre());
-    made.set_drawn(std::move(drawn));
+    made.set_projector(std::move(projector));
     return render::shared(std::move(made));
 }
 
@@ -51,7 +51,7 @@ Result<ReadySurface> make_ready(const tree::VesselTree& tree, const SurfaceReque
         ready.mesh = paged({}, tree);
     } else {
         RAMUS_TRY(made, mesh::make_surface(tree, as_drawn(request.options), job, hidden));
-        ready.mesh = paged(made.mesh, tree, made.drawn);
+        ready.mesh = paged(made.mesh, tree, made.projector);
     }
     ready.seconds = watch.seconds();
     return ready;
@@ -168,7 +168,7 @@ Result<void> SurfaceMaker::follow(Followed& followed, const std::vector<field::V
         return {};
     }
     followed.polygonizers.resize(fields.size());
-    followed.drawn = std::make_shared<const field::DrawnSurface>(fields);
+    followed.projector = std::make_shared<const field::SurfaceProjector>(fields);
     auto updated = fields.size() == 1 ? follow_one(followed, fields.front(), options, job)
                                       : follow_systems(followed, fields, options, job);
     if (!updated) {
@@ -189,10 +189,10 @@ Result<void> SurfaceMaker::follow_one(Followed& followed, const field::VesselFie
     // What polygonizing worked in is as large as its pages: they shall not come beside it.
     if (edit.whole && slots.triangles.size() >= kWorthReleasing) release_unused_memory();
     if (!followed.mesh) {
-        followed.mesh = paged(slots, *tree_, followed.drawn);
+        followed.mesh = paged(slots, *tree_, followed.projector);
     } else if (edit.whole || !edit.vertices.empty() || !edit.triangles.empty()) {
         render::PagedMesh edited = followed.mesh->edited(slots, edit);
-        edited.set_drawn(followed.drawn);
+        edited.set_projector(followed.projector);
         followed.mesh = render::shared(std::move(edited));
     }
     return {};
@@ -208,7 +208,7 @@ Result<void> SurfaceMaker::follow_systems(Followed& followed, const std::vector<
         static_cast<void>(polygonizer.take_edit()); // the mesh of all systems is put together anew
         mesh::append(all, polygonizer.slots());
     }
-    followed.mesh = paged(all, *tree_, followed.drawn);
+    followed.mesh = paged(all, *tree_, followed.projector);
     return {};
 }
 
@@ -237,7 +237,7 @@ void SurfaceMaker::match_loops(Followed& followed, const SurfaceRequest& request
         changed = mesh::match_tree(one, visible[system], walled, memory, job).changed() || changed;
         mesh::append(all, std::move(one));
     }
-    if (changed) followed.current = paged(all, *tree_, followed.drawn);
+    if (changed) followed.current = paged(all, *tree_, followed.projector);
 }
 
 void SurfaceFollower::open(std::shared_ptr<SurfaceMaker> maker, ReadySurface shown) {

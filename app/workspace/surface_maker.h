@@ -43,9 +43,9 @@ struct SurfaceRequest {
 }
 
 // A mesh of the tree as it is drawn: all of them have the same origin. `drawn`: what it is a mesh of.
-[[nodiscard]] std::shared_ptr<const render::PagedMesh> paged(const mesh::TriangleMesh& mesh,
-                                                             const tree::VesselTree& tree,
-                                                             std::shared_ptr<const field::DrawnSurface> drawn = {});
+[[nodiscard]] std::shared_ptr<const render::PagedMesh>
+paged(const mesh::TriangleMesh& mesh, const tree::VesselTree& tree,
+      std::shared_ptr<const field::SurfaceProjector> projector = {});
 
 // A surface that was computed, and what it cost.
 struct ReadySurface {
@@ -74,7 +74,7 @@ private:
     using Paged = std::shared_ptr<const render::PagedMesh>;
     struct Followed {
         std::vector<mesh::Polygonizer> polygonizers; // one, or one for each system
-        std::shared_ptr<const field::DrawnSurface> drawn;
+        std::shared_ptr<const field::SurfaceProjector> projector;
         Paged mesh;    // of the polygonizers' state
         Paged current; // what was asked for last
     };

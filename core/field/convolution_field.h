@@ -26,7 +26,7 @@ public:
     [[nodiscard]] const std::vector<FieldSegment>& segments() const { return skeleton_.segments(); }
     [[nodiscard]] const std::vector<std::uint32_t>& present() const { return skeleton_.present(); }
 
-    // As FieldModel asks.
+    // The functions of FieldModel.
     [[nodiscard]] const Skeleton& skeleton() const { return skeleton_; }
     [[nodiscard]] float isovalue() const { return static_cast<float>(kernel_.isovalue); }
     [[nodiscard]] double support_radii() const { return kernel_.support_radii; }
@@ -44,7 +44,7 @@ public:
 private:
     Kernel kernel_;
     Skeleton skeleton_;
-    std::shared_ptr<const std::vector<CullingSegment>> culling_; // of all segments, present or not
+    std::shared_ptr<const std::vector<CullingSegment>> culling_; // for all segments, present or not
 };
 
 } // namespace ramus::field

@@ -9,10 +9,10 @@ namespace ramus::field {
 
 namespace {
 
-// In radii. What lies farther from the end, or from its axis, belongs to another part of the vessel.
+// In radii. Vertices farther from the end, or from its axis, belong to another part of the vessel.
 constexpr double kFarthestCap = 4.0, kWidestCap = 1.6;
 constexpr double kSamePlace = 1e-4;
-constexpr double kLeastAslant = 0.1; // of vessels that leave more aslant nothing is cut
+constexpr double kLeastAslant = 0.1; // least cosine between axis and normal: more oblique ends get no cap
 
 } // namespace
 

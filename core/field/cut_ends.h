@@ -1,9 +1,9 @@
-// Ends of vessels that the border of a volume cuts: the surface ends there in a flat cap in the plane of the border.
+// Closes vessels that the border of a volume cuts with flat caps in the plane of the border. Lengths are in mm.
 //
-// The axis of such an end goes on beyond the plane, so that the vessel keeps its radius up to there. Vertices beyond
-// the plane go back onto it, along the axis, and the closer to the axis the farther out they were. No two of a convex
-// end come to the same place, and which triangles there are does not change: a closed surface stays closed. The rim is
-// as sharp as a cell is small.
+// The axis of a cut end is extended beyond the plane, so that the vessel keeps its radius up to the plane. Vertices
+// beyond the plane are projected onto it along the axis, and moved toward the axis the farther out they were. On a
+// convex end no two vertices coincide afterwards. Triangles do not change, so a closed surface stays closed. The rim of
+// the cap is as sharp as the cells are small.
 #pragma once
 
 #include "core/field/brick_field.h"
@@ -15,7 +15,7 @@
 
 namespace ramus::field {
 
-// How far the axis goes on, in radii: there a Gaussian of width 5 has 99 % of the radius at the plane.
+// The length of the extension, in radii. With it the Gaussian of width 5 has 99 % of the radius at the plane.
 inline constexpr double kBeyondCut = 0.5;
 
 struct CutEnd {
@@ -25,10 +25,10 @@ struct CutEnd {
     int branch = tree::kNoBranch;     // id in the source tree
 };
 
-// Notes about cut ends (tree::Note::outward) that stand at ends of the tree as it is.
+// The cut ends of a tree, from its notes (tree::Note::outward). Ignores notes that are not at an end of the tree.
 [[nodiscard]] std::vector<CutEnd> cut_ends_of(const tree::PreparedTree& prepared);
 
-// Moves those of `count` vertices that lie beyond the plane of an end of their branch.
+// Moves the vertices that lie beyond the plane of a cut end of their branch into the plane, and sets their normals.
 void flatten_ends(const std::vector<CutEnd>& ends, const SurfacePoints& vertices, std::size_t count);
 
 } // namespace ramus::field

@@ -14,7 +14,7 @@ double radii_at(const Kernel& kernel, double value) {
 }
 
 void find_reaches(Kernel& kernel) {
-    constexpr double kNear = 1.45, kClaim = 1.25; // at least, as of the Gaussian of width 5
+    constexpr double kNear = 1.45, kClaim = 1.25; // lower limits: the values of the Gaussian of width 5
     const double two = radii_at(kernel, kernel.isovalue / 2.0), four = radii_at(kernel, kernel.isovalue / 4.0);
     kernel.limits = {two, four, std::max(kNear, 0.5 * (1.0 + kernel.support_radii))};
     kernel.claim_radii = std::max(kClaim, four);

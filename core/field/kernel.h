@@ -1,9 +1,8 @@
-// Kernel: what one segment adds to a field around it, as a value: constants, and the functions that are compiled for
-// it.
+// Kernel: the contribution of one segment to the field, as a value: constants, and pointers to compiled functions.
 //
-// A kernel is written as a struct of vector operations, its profile (see kernels/gaussian-inl.h). plain_sum()
-// (sum/plain_sum-inl.h) makes of a profile all that summing it over segments takes, once for each instruction set. So a
-// kernel is one pair of files under kernels/ and a row of kernels/kernel_kind.cpp; nothing else knows about it.
+// A kernel is implemented as a struct of vector operations, its profile (see kernels/gaussian-inl.h). plain_sum()
+// (sum/plain_sum-inl.h) turns a profile into the functions that evaluate sums over segments, once for each instruction
+// set. So a kernel is a pair of files in kernels/ and a row of kernels/kernel_kind.cpp.
 #pragma once
 
 #include "core/field/brick_field.h"
@@ -22,18 +21,18 @@ namespace ramus::field {
 
 struct Kernel;
 
-// What culling reads of a segment, in single precision relative to one origin, side by side in memory.
+// The data of a segment that culling needs, in single precision relative to the middle of the field's frame, mm.
 struct CullingSegment {
     float ax, ay, az, ux, uy, uz;
     float length, radius, slope, beyond;
     float thickest; // as FieldSegment::thickest()
 };
 
-// Which segments to evaluate: kAllSegments takes every one everywhere, which gives the same values and measures what
-// choosing saves.
+// Which segments to evaluate at a point. kAllSegments gives the same values as kReaching; benchmarks use it to measure
+// how much the choice of reaching segments saves.
 enum class Choice { kReaching, kAllSegments };
 
-// Some segments as seen from one point, and what each adds to the field there: rows of numbers, one for each segment.
+// The contributions of several segments at one point, as a structure of arrays: rows of numbers, a column per segment.
 struct SegmentTerms {
     enum Numbers : std::uint8_t {
         kX,
@@ -49,17 +48,17 @@ struct SegmentTerms {
         kValue,
         kGradientX,
         kGradientY,
-        kGradientZ, // what it adds
+        kGradientZ, // the contribution: value, and gradient per mm
         kRows
     };
     std::size_t count = 0;
 
     [[nodiscard]] float* row(Numbers numbers) { return numbers_.data() + numbers * stride_; }
     [[nodiscard]] const float* row(Numbers numbers) const { return numbers_.data() + numbers * stride_; }
-    // Begins anew, with room for so many.
+    // Removes all segments, and allocates room for `most`.
     void clear(std::size_t most);
     void add(const FieldSegment& segment);
-    // Says from where all of them are seen, mm.
+    // Sets the point (mm) for all segments.
     void see_from(const glm::dvec3& point);
 
 private:
@@ -68,7 +67,8 @@ private:
     std::array<std::vector<double>, 3> starts_; // by axis, mm
 };
 
-// A sum of one kernel, for one instruction set. As in FieldModel (field.h).
+// The functions that evaluate the sum of one kernel, compiled for one instruction set. FieldModel (field.h) describes
+// in_brick() and bound_children(). find_terms() fills in values and gradients.
 struct PlainSum {
     const char* instruction_set; // such as "AVX3"
     std::unique_ptr<BrickField> (*in_brick)(const Kernel& kernel, const FieldSegment* segments, Choice choice);
@@ -77,11 +77,11 @@ struct PlainSum {
     void (*find_terms)(const Kernel& kernel, SegmentTerms& terms);
 };
 
-// What an endless straight vessel makes of a kernel's field, by the distance from its axis in radii; of one kernel.
+// The field of an infinitely long straight vessel, as a function of the distance from its axis in radii.
 struct LongVessel {
-    double (*value)(const Kernel& kernel, double radii2); // of the squared distance: 1 on the axis, the isovalue at 1
-    // From a value of the field, wherever it was found: a measure of how far out that is, nearly linear in the
-    // distance, and what the value falls by where the measure grows.
+    double (*value)(const Kernel& kernel, double radii2); // at a squared distance; 1 on the axis, the isovalue at 1
+    // For a value of the field: a measure that is nearly linear in the distance from the axis, and the amount by which
+    // the value falls per unit of the measure.
     struct Place {
         double measure, fall;
     };
@@ -89,18 +89,18 @@ struct LongVessel {
 };
 
 struct Kernel {
-    double width = 0.0; // how steep: the larger, the closer the surface stays to the radius where vessels meet
+    double width = 0.0; // the steepness: with a larger width the surface stays closer to the radii where vessels meet
     double isovalue = 0.0;
-    // In local radii: the distance from a segment at which the kernel has faded to exactly zero, and the distance from
-    // an end, along the axis, beyond which that end changes nothing to the last bit.
+    // In local radii: the distance from a segment at which the kernel is exactly zero; and the distance from an end,
+    // along the axis, beyond which the end does not change the value, to the last bit.
     double support_radii = 0.0, ends_radii = 0.0;
-    const PlainSum* sum = nullptr; // of the instruction set in use when the kernel was made
+    const PlainSum* sum = nullptr; // for the instruction set in use when the kernel was made
     const LongVessel* long_vessel = nullptr;
-    // At which closenesses its vessels meet; and how many radii from its axis no point is inside a vessel, four of
-    // whose kind meet there.
+    // The closenesses at which vessels merge; and the distance from a vessel's axis, in radii, beyond which the vessel
+    // claims no point (core/field/separation).
     tree::ContactLimits limits;
     double claim_radii = 0.0;
-    std::array<double, 8> numbers{}; // whatever else its profile is made of
+    std::array<double, 8> numbers{}; // further constants of the profile
 
     bool operator==(const Kernel&) const = default;
 };
@@ -108,8 +108,8 @@ struct Kernel {
 // The distance from a long vessel's axis, in radii, at which its field is `value`.
 [[nodiscard]] double radii_at(const Kernel& kernel, double value);
 
-// Fills in limits and claim_radii from the rest: two parallel vessels merge where each adds half the isovalue between
-// them, four where each adds a quarter, and one changes nothing at the other's surface where its support has ended.
+// Computes `limits` and `claim_radii` from the other members: two parallel vessels merge if each contributes half of
+// the isovalue midway, four if each contributes a quarter; a vessel does not change a surface beyond its support.
 void find_reaches(Kernel& kernel);
 
 } // namespace ramus::field

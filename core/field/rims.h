@@ -1,4 +1,4 @@
-// Rims: how the surface of a vessel ends where a wall between it and another vessel does.
+// Rims: how the surface of a vessel ends at the border of a wall (core/field/separation).
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,9 @@
 namespace ramus::field {
 
 enum class Rims : std::uint8_t {
-    kApart, // on its side of the wall, so that nothing meets
-    // It goes on along the vessel's own tube, by two cells at most, hidden in the other vessel: for pictures, where
-    // what is nearer to the eye then makes a clean crease of the rim, whatever the cells.
+    kApart, // each vessel ends on its side of the wall, so that surfaces do not intersect: for files
+    // The surface continues along the vessel's own tube by up to two cells, inside the other vessel: for pictures,
+    // where the depth test then draws a clean crease whatever the cell size.
     kOverlapping,
 };
 

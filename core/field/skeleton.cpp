@@ -19,7 +19,7 @@ double kernel_radius(const tree::PreparedTree& prepared, std::uint32_t point) {
     return prepared.kernel_radii.empty() ? prepared.tree.points[point].radius : prepared.kernel_radii[point];
 }
 
-// Where the segment ends or begins at the end, it goes on there.
+// Extends the segment beyond the cut end, at its start or its end.
 void go_on_beyond(FieldSegment& segment, const CutEnd& end) {
     const glm::dvec3 start(segment.ax, segment.ay, segment.az), along(segment.ux, segment.uy, segment.uz);
     const auto more = static_cast<float>(kBeyondCut * end.radius);
@@ -55,7 +55,7 @@ Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii) {
             const tree::Point& from = tree.points[branch.points[i - 1]];
             const tree::Point& to = tree.points[branch.points[i]];
             const double length = glm::distance(from.position, to.position);
-            // Smoothing may pull two points of a tight zigzag onto each other; such a segment has no integral.
+            // Smoothing may move two points of a tight zigzag to one position. A segment of length 0 has no integral.
             if (!(length > 0.0)) continue;
             const glm::dvec3 direction = (to.position - from.position) / length;
             const double radius = kernel_radius(prepared, branch.points[i - 1]);

@@ -1,6 +1,6 @@
 #include "core/field/vessel_field.h"
 
-#include "core/field/apart/vessel_brick.h"
+#include "core/field/separation/vessel_brick.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ std::optional<SegmentChanges> VesselField::changes_since(const VesselField& befo
     auto changes = sum_.changes_since(before.sum_);
     if (!changes || (contacts_->empty() && before.contacts_->empty())) return changes;
     if (contacts_->piece_of_segment != before.contacts_->piece_of_segment) return std::nullopt;
-    // Segments that stay where they are may have other partners, or the same with other shapes.
+    // Unchanged segments may have other partners, or partners with other shapes.
     std::vector<std::uint32_t> others;
     for (const std::uint32_t segment : skeleton().present())
         if (!pieces_->same_around(contacts_->piece_of_segment[segment], *before.pieces_)) others.push_back(segment);
@@ -48,7 +48,7 @@ ChildBounds VesselField::bound_children(SegmentIndices list, const ChildCubes& c
         there.clear();
         for (std::size_t n = 0; n < list.size(); ++n)
             if ((reaching[n] >> child & 1) != 0) there.push_back(list[n]);
-        // A wall may go through what is inside of both vessels.
+        // A wall may pass through a cube that is inside of both vessels.
         if (any_apart(*pieces_, there, scratch)) bounds.lower[child] = 0.0F;
     }
     return bounds;

@@ -1,5 +1,5 @@
-// Amount: how much of a tree something is, in the four figures that a surgeon asks for; and how much depends on each
-// branch (core/tree/dependency.h).
+// Amount: the size of a part of a tree in four numbers; and the amount that depends on each branch
+// (core/tree/dependency.h).
 #pragma once
 
 #include "core/measure/tree_measure.h"
@@ -13,7 +13,7 @@ struct Amount {
     int branches = 0;
     double length_mm = 0.0;
     double volume_mm3 = 0.0; // of the truncated cones between the points
-    int leaves = 0;          // branches that end freely: nothing else is joined to their far end
+    int leaves = 0;          // branches with a free end
 
     Amount& operator+=(const Amount& other) {
         branches += other.branches;
@@ -25,10 +25,10 @@ struct Amount {
     bool operator==(const Amount&) const = default;
 };
 
-// By branch: whether it ends freely.
+// By branch: whether its far end is free, that is, connected to no other branch.
 [[nodiscard]] std::vector<char> free_ends(const tree::VesselTree& tree);
 
-// By branch: all that depends on it, without itself. Linear in the number of branches.
+// By branch: the amount of its dependents, without the branch itself. Linear in the number of branches.
 [[nodiscard]] std::vector<Amount> dependent_amounts(const tree::VesselTree& tree, const TreeStatistics& statistics,
                                                     const tree::Dependency& dependency);
 

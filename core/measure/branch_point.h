@@ -1,6 +1,6 @@
-// Points along a branch's centerline: what the vessel is like at a fraction of its length, and how much of it lies
-// between two fractions. Fractions run from 0 at the parent's end to 1, by length; radii are linear between the points,
-// volumes those of the truncated cones between them. mm, mm3.
+// Position, direction and radius at a fraction of a branch, and length and volume between two fractions. Fractions are
+// of the branch's length, from 0 at the parent's end to 1. Radii are linear between the points; volumes are those of
+// the truncated cones between them. Units: mm, mm3.
 #pragma once
 
 #include "core/tree/vessel_tree.h"
@@ -9,21 +9,21 @@
 
 namespace ramus::measure {
 
-// A place on a centerline: a branch, and where on it, of its length from the parent's end.
+// A place on a centerline: a branch and a fraction.
 struct BranchPlace {
     int branch = tree::kNoBranch;
     double fraction = 0.5;
     bool operator==(const BranchPlace&) const = default;
 };
 
-// The centerline at one point of it.
+// A point of a centerline.
 struct BranchPoint {
     glm::dvec3 position{0.0};
-    glm::dvec3 direction{0.0, 0.0, 1.0}; // of the segment there, outward, unit length
+    glm::dvec3 direction{0.0, 0.0, 1.0}; // unit direction of its segment, away from the parent's end
     double radius_mm = 0.0;
 };
 
-// `fraction` outside 0 to 1 means the nearer end.
+// `fraction` is clamped to 0 to 1.
 [[nodiscard]] BranchPoint point_on(const tree::VesselTree& tree, int branch, double fraction);
 [[nodiscard]] inline BranchPoint point_on(const tree::VesselTree& tree, const BranchPlace& place) {
     return point_on(tree, place.branch, place.fraction);
@@ -37,7 +37,7 @@ struct BranchPart {
     double volume_mm3 = 0.0;
 };
 
-// Nothing when `from` is not below `to`.
+// The part of a branch between two fractions; zeros unless from < to.
 [[nodiscard]] BranchPart part_of(const tree::VesselTree& tree, int branch, double from, double to);
 
 } // namespace ramus::measure

@@ -15,9 +15,9 @@ namespace ramus::measure {
 
 namespace {
 
-constexpr double kOfRadius = 1e-4; // that distances to meshes may be off by
+constexpr double kOfRadius = 1e-4; // tolerance of distances to meshes, in radii
 
-// A place of a segment, 0 to 1, and (signed distance to the lesion) - (radius) there.
+// A place of a segment, 0 to 1, and (signed distance to the lesion) - (radius) there, mm.
 struct Gap {
     double at = 0.0, mm = kInfinity;
 };
@@ -29,8 +29,8 @@ tree::Point between(const tree::Point& a, const tree::Point& b, double t) {
     return place;
 }
 
-// A signed distance changes by no more than the way along the segment: what lies between two places is bounded by the
-// gaps there. Leaves out what is not below `best`.
+// Finds the least gap of a segment, if it is below `best`. A signed distance is Lipschitz continuous, so the gaps at
+// two places bound the gaps between them.
 class LeastGap {
 public:
     LeastGap(const Lesion& lesion, const tree::Point& a, const tree::Point& b, double best)
@@ -52,7 +52,8 @@ private:
         if (mm < best_.mm) best_ = {t, mm};
         return mm;
     }
-    // Where the wall of the cone that touches all balls of the segment stands square to the way to a sphere's centre.
+    // The place whose ball touches the segment's tangent cone where the cone is perpendicular to the way to the
+    // sphere's centre.
     [[nodiscard]] double at_foot() const {
         const double length = glm::distance(a_.position, b_.position);
         const double slope = length > 0.0 ? (b_.radius - a_.radius) / length : 0.0;
@@ -62,7 +63,7 @@ private:
         const double foot = glm::dot(c, along), off = glm::length(c - foot * along);
         return std::clamp((foot + slope * off / std::sqrt(1.0 - slope * slope)) / length, 0.0, 1.0);
     }
-    // NOLINTNEXTLINE(misc-no-recursion): as deep as halves come down to the slack
+    // NOLINTNEXTLINE(misc-no-recursion): the depth is limited, since halves shrink to the slack
     void search(double from, double at_from, double to, double at_to) {
         if (0.5 * (at_from + at_to - slope_ * (to - from)) >= best_.mm - slack_) return;
         const double middle = 0.5 * (from + to), there = look(middle);
@@ -88,12 +89,12 @@ double length_of(const tree::VesselTree& tree, const tree::Branch& branch) {
     return mm;
 }
 
-// A line across another one.
+// Any unit vector perpendicular to `axis`.
 glm::dvec3 any_across(const glm::dvec3& axis) {
     return glm::normalize(glm::cross(axis, std::abs(axis.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0)));
 }
 
-// A cross-section's wall against a lesion.
+// The circle of a cross-section's wall, compared with a lesion.
 class Rim {
 public:
     Rim(const Lesion& lesion, const glm::dvec3& centre, const glm::dvec3& axis, double radius_mm, double touch_mm)
@@ -216,12 +217,12 @@ private:
     double slope_, step_ = 0.0;
 };
 
-// Calls visit(i) for the segments from point i - 1 to i that may be nearer than `limit()` says, told by the distance at
-// their first points or by what is left of it on the way from there.
+// Calls visit(i) for each segment from point i - 1 to i that may be nearer than limit(). Uses a lower bound of the
+// distance at its first point: the last computed distance minus the length since then.
 void for_near_segments(const tree::VesselTree& tree, const tree::Branch& branch, const Lesion& lesion,
                        const auto& limit, const auto& visit) {
     if (branch.points.size() < 2) return;
-    double away = signed_distance(lesion, tree.points[branch.points.front()].position); // or less
+    double away = signed_distance(lesion, tree.points[branch.points.front()].position); // a lower bound
     bool exact = true;
     for (std::size_t i = 1; i < branch.points.size(); ++i) {
         const tree::Point& a = tree.points[branch.points[i - 1]];
@@ -279,7 +280,7 @@ NearestWall nearest_wall(const tree::VesselTree& tree, std::span<const int> bran
     found.fraction = length > 0.0 ? before / length : 0.0;
     found.distance_mm = std::max(best.mm, 0.0);
     found.overlap_mm = std::max(-best.mm, 0.0);
-    // Out of the lesion, there: the way from its surface to the place, turned round where the place lies inside.
+    // The outward direction of the lesion: from its surface to the place, reversed if the place lies inside.
     found.on_lesion = nearest_on(lesion, place.position);
     const double away = best.mm + place.radius;
     glm::dvec3 out = place.position - found.on_lesion;

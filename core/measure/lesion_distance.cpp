@@ -12,8 +12,8 @@ namespace ramus::measure {
 
 namespace {
 
-// The least of |c - p| - r over the segment: convex along it, and least where the wall of the cone that touches all its
-// balls stands square to the way to c.
+// The minimum of |c - p| - r over the segment. It is convex along the segment. At the minimum, the segment's tangent
+// cone is perpendicular to the way to c.
 double to_wall(const glm::dvec3& c, const tree::Point& a, const tree::Point& b) {
     const double at_a = glm::distance(c, a.position) - a.radius;
     const double at_b = glm::distance(c, b.position) - b.radius;
@@ -29,8 +29,7 @@ double to_wall(const glm::dvec3& c, const tree::Point& a, const tree::Point& b) 
     return std::min(ends, std::hypot(off, t - foot) - (a.radius + slope * t));
 }
 
-// Segments that cannot be nearer than `best` are passed over: along a segment a distance changes by no more than its
-// length.
+// Skips segments that cannot be nearer than `best`, since a distance changes by at most the length of a segment.
 double to_mesh(const tree::VesselTree& tree, const tree::Branch& branch, const MeshDistance& mesh, double best) {
     if (mesh.inside(tree.points[branch.points.front()].position)) return 0.0;
     double at_start = mesh.surface_distance(tree.points[branch.points.front()].position); // or less

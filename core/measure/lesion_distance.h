@@ -1,7 +1,7 @@
-// How far vessels lie from lesions, and which vessels lie within which margin. Lesions are spheres and closed meshes;
-// the distance goes from the lesion's surface to the vessel's wall: the least, over all places of the branch's
-// centerline, of (distance of the place to the lesion) - (radius there), and 0 where the two overlap. That is the exact
-// distance to the union of balls along the centerline; for meshes it is found to within rounding.
+// Distances (mm) of vessels from lesions, and the vessels within given margins. Lesions are spheres and closed meshes.
+// The distance between a lesion and a vessel's wall is the minimum of (distance of a place to the lesion) - (radius
+// there) over all places of the branch's centerline, and 0 if the two overlap. This is the exact distance to the union
+// of balls along the centerline, up to rounding.
 #pragma once
 
 #include "core/measure/amount.h"
@@ -21,10 +21,10 @@ struct Lesions {
     [[nodiscard]] bool empty() const { return spheres.empty() && meshes.empty(); }
 };
 
-// mm from the nearest lesion to a point; infinite without lesions.
+// The distance (mm) from a point to the nearest lesion; infinite without lesions.
 [[nodiscard]] double lesion_distance(const Lesions& lesions, const glm::dvec3& point);
 
-// By branch: mm from its wall to the nearest lesion. Infinite without lesions.
+// By branch: the distance (mm) from its wall to the nearest lesion; infinite without lesions.
 [[nodiscard]] std::vector<double> wall_distances(const tree::VesselTree& tree, const Lesions& lesions);
 
 struct BandRow {
@@ -34,14 +34,14 @@ struct BandRow {
     Amount dependents; // without the branch itself
 };
 
-// The branches of one margin: nearer than or at `to_mm`, farther than `from_mm` (the first band holds those at 0 too).
+// The branches of one margin: from_mm < distance <= to_mm. The first band also contains branches at distance 0.
 struct Band {
     double from_mm = 0.0;
     double to_mm = 0.0;
     std::vector<BandRow> rows; // by mean diameter, the thickest first; then by id
 };
 
-// One band for each of `bands_mm` (ascending). Branches beyond the last are in none.
+// One band for each of `bands_mm` (ascending). Branches beyond the last one are in no band.
 [[nodiscard]] std::vector<Band> band_table(std::span<const double> distances_mm, std::span<const double> bands_mm,
                                            const TreeStatistics& statistics, std::span<const Amount> dependents);
 

@@ -22,7 +22,7 @@ glm::dvec3 nearest_on_edge(const glm::dvec3& p, const glm::dvec3& a, const glm::
     return a + share_along(p - a, b - a) * (b - a);
 }
 
-// Triangles without an area are their edges.
+// A degenerate triangle is treated as its edges.
 glm::dvec3 nearest_on(const glm::dvec3& p, const Triangle& t) {
     const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
     const double area = square(normal);
@@ -42,10 +42,10 @@ double to_box(const glm::dvec3& p, const Box& box) {
     return square(glm::max(glm::max(box.least - p, p - box.most), glm::dvec3(0.0)));
 }
 
-// The least of (distance to something convex, whose nearest place `nearest` gives) - (radius there) along the segment,
-// or anything not below `best` where it is not below that. The gap is convex along the segment (a distance to a convex
-// set, less something linear), so it lies above its tangents: where those of both ends of an interval meet bounds what
-// is between, and is the next place to look.
+// The minimum of (distance to a convex set) - (radius) along the segment; nearest(p) is the point of the set nearest to
+// p. If the minimum is not below `best`, returns some value that is not below `best`. The gap is convex along the
+// segment, so it lies above its tangents. The intersection of the tangents at both ends of an interval is a lower bound
+// of the gap between them, and the next place to evaluate.
 double least_gap(const tree::Point& a, const tree::Point& b, double best, const auto& nearest) {
     const glm::dvec3 along = b.position - a.position;
     const double widening = b.radius - a.radius;
@@ -74,7 +74,7 @@ double least_gap(const tree::Point& a, const tree::Point& b, double best, const 
     return least;
 }
 
-// How far along a ray through the box it enters and leaves; the first is above the last where it does not meet it.
+// The parameters at which a ray enters and leaves the box; the first is larger than the second if it misses the box.
 std::pair<double, double> entry_and_exit(const Box& box, const glm::dvec3& from, const glm::dvec3& inverse) {
     const glm::dvec3 near = (box.least - from) * inverse, far = (box.most - from) * inverse;
     const glm::dvec3 enter = glm::min(near, far), leave = glm::max(near, far);
@@ -107,8 +107,8 @@ MeshDistance::MeshDistance(const mesh::TriangleMesh& mesh) {
     for (const std::uint32_t triangle : tree.order) corners_.push_back(triangles[triangle]);
 }
 
-// The least of `best` and of what of_triangle(triangle, best so far) says of any triangle, or the first that is not
-// above `enough`. of_box(box, best so far): not more than for any triangle in the box.
+// The minimum of `best` and of_triangle(triangle, best so far) over all triangles. Stops at the first value that is at
+// most `enough`. of_box(box, best so far) must be a lower bound for all triangles in the box.
 template <class ToBox, class ToTriangle>
 double MeshDistance::least(double best, double enough, const ToBox& of_box, const ToTriangle& of_triangle) const {
     const auto look = [&](std::uint32_t at) { return std::pair(at, of_box(nodes_[at].box, best)); };
@@ -181,7 +181,7 @@ int MeshDistance::winding(const glm::dvec3& point, const glm::dvec3& direction, 
             if (scale == 0.0) continue;
             const glm::dvec3 to_point = point - t[0];
             constexpr double kClose = 1e-10;
-            if (std::abs(volume) <= kClose * scale) { // seen from its edge: another ray knows, if it is there at all
+            if (std::abs(volume) <= kClose * scale) { // the ray nearly touches an edge: another ray decides
                 const glm::dvec3 normal = glm::cross(e1, e2);
                 const double off = glm::dot(to_point, normal);
                 if (off * off <= 1e-16 * square(normal) * (square(to_point) + scale)) grazed = true;
@@ -202,7 +202,7 @@ int MeshDistance::winding(const glm::dvec3& point, const glm::dvec3& direction, 
 
 bool MeshDistance::inside(const glm::dvec3& point) const {
     if (to_box(point, nodes_[0].box) > 0.0) return false;
-    // Along no axis and no diagonal, where meshes that people make have their edges.
+    // Not parallel to an axis or a diagonal, since edges of modelled meshes often are.
     constexpr std::array<glm::dvec3, 5> kDirections{{{0.8506508, 0.4472136, 0.2763932},
                                                      {-0.3090170, 0.7639320, -0.5665278},
                                                      {0.1836035, -0.5257311, 0.8305895},

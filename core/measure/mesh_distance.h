@@ -1,7 +1,8 @@
-// MeshDistance: how far things lie from a closed triangle mesh; 0 inside. A tree of boxes over the triangles answers in
-// microseconds. Inside is where the surface winds around the point (so solids may overlap, and a shell turned inward
-// makes a hole), told along a ray, and along another one where that grazes an edge. Immutable; any number of threads
-// may ask. Distances are those to the triangles, exact but for rounding; quick where `best` is near the answer.
+// MeshDistance: distances (mm) of points and vessel segments from a closed triangle mesh; 0 inside. A bounding-volume
+// hierarchy over the triangles answers a query in microseconds. A point is inside if its winding number is positive, so
+// solids may overlap, and a shell that faces inward is a cavity. The winding number is computed along a ray; if the ray
+// touches an edge, along another one. Immutable and safe for concurrent use. Distances are to the triangles, exact up
+// to rounding.
 #pragma once
 
 #include "core/base/bounds.h"
@@ -17,18 +18,18 @@ namespace ramus::measure {
 
 class MeshDistance {
 public:
-    // Of the mesh's positions and triangles; the mesh need not outlive it. The mesh has a triangle at least.
+    // Copies the triangles of the mesh, which must have at least one.
     explicit MeshDistance(const mesh::TriangleMesh& mesh);
 
-    // mm from the nearest point of the solid: 0 inside.
+    // The distance from the solid: 0 inside.
     [[nodiscard]] double distance(const glm::dvec3& point) const;
     [[nodiscard]] bool inside(const glm::dvec3& point) const;
-    // Of the surface, inside too.
+    // The distance from the surface, also for points inside.
     [[nodiscard]] double surface_distance(const glm::dvec3& point) const;
     [[nodiscard]] glm::dvec3 nearest_on_surface(const glm::dvec3& point) const;
-    // The least of `best` and, over all places of the segment, (surface distance) - (radius there, linear between the
-    // ends): negative where the vessel's wall goes through the surface. To within 1e-9 mm, but for rounding; quick
-    // where `best` is near the answer.
+    // The minimum of `best` and of (surface distance) - (radius, linear between the ends) over all places of the
+    // segment. Negative if the vessel's wall passes through the surface. The error is below 1e-9 mm, up to rounding.
+    // Fast if `best` is near the result.
     [[nodiscard]] double wall_distance(const tree::Point& a, const tree::Point& b, double best) const;
 
     using Box = Bounds<glm::dvec3>;

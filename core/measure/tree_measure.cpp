@@ -15,7 +15,7 @@ namespace ramus::measure {
 
 namespace {
 
-// The centerline between two fractions, in the order of the way.
+// The centerline between two fractions, from the first to the second.
 void append_places(const tree::VesselTree& tree, int branch, double from, double to, std::vector<glm::dvec3>& places) {
     const auto& points = tree.branches[static_cast<std::size_t>(branch)].points;
     const double length = tree::length_mm(tree, tree.branches[static_cast<std::size_t>(branch)]);
@@ -38,7 +38,7 @@ double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
 
 constexpr double kChordDiameters = 1.5; // tuned: beyond the voxels' noise, before most vessels bend away
 
-// From an end of the branch into it.
+// The chord direction from an end of the branch into the branch.
 glm::dvec3 chord(const tree::VesselTree& tree, int branch, bool from_end) {
     const tree::Branch& whole = tree.branches[static_cast<std::size_t>(branch)];
     const tree::Point& node = tree.points[from_end ? whole.points.back() : whole.points.front()];
@@ -55,7 +55,7 @@ glm::dvec3 chord(const tree::VesselTree& tree, int branch, bool from_end) {
 
 namespace {
 
-// The ways from one place to all nodes (Dijkstra's).
+// The shortest paths from one place to all nodes (Dijkstra).
 class Ways {
 public:
     Ways(const tree::VesselTree& tree, const BranchPlace& from)
@@ -76,11 +76,11 @@ public:
     }
 
     [[nodiscard]] double length_of(int branch) const { return length_[index(branch)]; }
-    // To an end of a branch, 0 its parent's; infinite: no way leads there.
+    // The distance to an end of a branch (0: the parent's end); infinite if it is not reachable.
     [[nodiscard]] double to_end(int branch, int end) const { return best_[index(node_at(branch, end))]; }
     [[nodiscard]] int node_at(int branch, int end) const { return network_.ends[index(branch)][index(end)]; }
-    // The branches on the way to a node, the last first, each with the fraction at which the way enters it; the first
-    // of all is where the way begins, with the end at which it leaves that.
+    // The branches of the path to a node, the last first, each with the fraction at which the path enters it. The final
+    // entry is the branch where the path begins, with the end at which the path leaves it.
     [[nodiscard]] std::vector<BranchPlace> back_from(int node) const {
         std::vector<BranchPlace> back;
         while (true) {

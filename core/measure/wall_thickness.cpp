@@ -17,8 +17,8 @@ namespace ramus::measure {
 
 namespace {
 
-// The cosine of the angle by which the two sides of a wall may lean toward each other, 10 degrees. Sides that lean more
-// meet nearby: there is the edge of a solid.
+// The cosine of the largest angle between the two sides of a wall, 10 degrees. Sides at a larger angle meet nearby, in
+// an edge of the solid.
 const double kFacesBack = std::cos(std::acos(-1.0) / 18.0);
 
 class Solid {
@@ -37,7 +37,7 @@ public:
         }
     }
 
-    // mm from a vertex straight inward to where the surface faces back; infinite where that tells no thickness.
+    // The thickness at a vertex, mm; infinite if it has none.
     [[nodiscard]] double thickness(std::size_t vertex) const {
         if (folded_[vertex] != 0) return kInfinity;
         const glm::dvec3 inward = -glm::dvec3(mesh_.normals[vertex]);
@@ -54,7 +54,7 @@ private:
     [[nodiscard]] std::array<glm::dvec3, 3> corners(const glm::uvec3& t) const {
         return {glm::dvec3(mesh_.positions[t.x]), glm::dvec3(mesh_.positions[t.y]), glm::dvec3(mesh_.positions[t.z])};
     }
-    // Between the normals of the corners, at a place on the triangle.
+    // The interpolated normal at a place on the triangle.
     [[nodiscard]] glm::dvec3 normal_at(const glm::uvec3& t, const glm::dvec3& place) const {
         const auto [a, b, c] = corners(t);
         const glm::dvec3 across = glm::cross(b - a, c - a);

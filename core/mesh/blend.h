@@ -1,4 +1,4 @@
-// Where vessels blend, one row each: the command line, sessions and commands read them here.
+// The table of blend modes (which vessels blend into each other), for the command line, sessions and commands.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 
 namespace ramus::mesh {
 
-// Along the tree and not across contacts (core/tree/contacts/contacts.h), or wherever they come close, as in the paper.
+// kTree: vessels blend along the tree and not across contacts (core/tree/contacts/contacts.h). kPaper: vessels blend
+// wherever they come close, as in the paper.
 enum class Blend : std::uint8_t { kTree, kPaper };
 
 struct BlendRow {

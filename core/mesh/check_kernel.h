@@ -1,4 +1,4 @@
-// Whether a surface can be made with the kernel that its options ask for.
+// Checks that a surface can be made with the kernel of its options.
 #pragma once
 
 #include "core/base/error.h"
@@ -6,10 +6,10 @@
 
 namespace ramus::mesh {
 
-// Fails where the kernel does not take the width, and where it blends so far that vessels cannot be kept apart: two
-// parallel ones merge at a closeness of more than kMostKeptApart. So far the walls between vessels are tried and hold
-// for every kernel (tests/core/mesh/kernels_test.cpp); beyond, thin vessels lose pieces beside thick ones. The Gaussian
-// is taken at every width.
+// Fails if the kernel does not allow the width. Also fails, with Blend::kTree, if the kernel blends so far that vessels
+// cannot be kept apart: two parallel vessels merge at a closeness above kMostKeptApart. Up to this limit tests cover
+// the walls of every kernel (tests/core/mesh/kernels_test.cpp). Beyond it, thin vessels lose pieces next to thick ones.
+// The Gaussian is accepted at every width.
 inline constexpr double kMostKeptApart = 1.5;
 [[nodiscard]] Result<void> check_kernel(const SurfaceOptions& options);
 

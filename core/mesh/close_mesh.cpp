@@ -11,7 +11,7 @@ namespace ramus::mesh {
 
 namespace {
 
-// Vertices at one place become the first of them in the order of x, y, z.
+// Welds vertices at one position.
 void weld(TriangleMesh& mesh) {
     std::vector<std::uint32_t> order(mesh.positions.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -88,7 +88,7 @@ double signed_volume(const TriangleMesh& mesh, const glm::uvec3& t) {
     return glm::dot(a, glm::cross(b, c)) / 6.0;
 }
 
-// Every edge has two triangles here.
+// Requires that every edge has two triangles.
 Result<void> turn_alike(TriangleMesh& mesh, const LargeArray<HalfEdge>& edges, const std::string& where) {
     struct Neighbour {
         std::uint32_t triangle = 0;
@@ -110,14 +110,14 @@ Result<void> turn_alike(TriangleMesh& mesh, const LargeArray<HalfEdge>& edges, c
         if (turn[seed] != kOpen) continue;
         part.assign(1, seed);
         turn[seed] = kKept;
-        bool mended = false;
+        bool repaired = false;
         for (std::size_t i = 0; i < part.size(); ++i)
             for (const Neighbour& next : around[part[i]]) {
                 const std::uint8_t required = next.alike == (turn[part[i]] == kKept) ? kKept : kTurned;
                 std::uint8_t& now = turn[next.triangle];
                 if (now == kOpen) {
                     now = required;
-                    mended = mended || required == kTurned;
+                    repaired = repaired || required == kTurned;
                     part.push_back(next.triangle);
                 } else if (now != required) {
                     return fail("the surface has one side only and no inside", where, "give a closed surface");
@@ -128,7 +128,7 @@ Result<void> turn_alike(TriangleMesh& mesh, const LargeArray<HalfEdge>& edges, c
             if (turn[t] == kTurned) std::swap(mesh.triangles[t].y, mesh.triangles[t].z);
             volume += signed_volume(mesh, mesh.triangles[t]);
         }
-        if (mended && volume < 0.0) {
+        if (repaired && volume < 0.0) {
             for (const std::uint32_t t : part) std::swap(mesh.triangles[t].y, mesh.triangles[t].z);
             volume = -volume;
         }
@@ -196,7 +196,7 @@ std::vector<glm::uvec3> cut_polygon(std::span<const glm::dvec3> corners) {
     const auto turn = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         return glm::dot(glm::cross(corners[b] - corners[a], corners[c] - corners[a]), normal);
     };
-    // An ear: a corner that juts out and whose triangle holds no other corner.
+    // An ear: a convex corner whose triangle contains no other corner.
     const auto is_ear = [&](std::size_t i) {
         const std::size_t n = left.size();
         const std::uint32_t a = left[(i + n - 1) % n], b = left[i], c = left[(i + 1) % n];

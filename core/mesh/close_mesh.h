@@ -1,5 +1,5 @@
-// From the loose triangles of a file to a surface with an inside: vertices at one position become one, all triangles
-// are turned the same way round, and every edge must then have exactly two triangles.
+// Turns the triangle soup of a file into a closed, oriented surface: welds vertices at one position, orients all
+// triangles consistently, and checks that every edge has exactly two triangles.
 #pragma once
 
 #include "core/base/error.h"
@@ -13,25 +13,26 @@
 
 namespace ramus::mesh {
 
-// Keeps positions and triangles of `loose`, without the triangles that two or three corners at one position have made a
-// line, and gives unit normals per vertex. A part that was turned the same way round already keeps its turn (a hole in
-// a solid is a shell turned inward), unless the whole mesh would be inside out; another part is turned outward. `where`
-// is what errors name. Fails when nothing is left, when an edge has another number of triangles than two (the message
-// says how many, and where the first is), and on a surface with one side only.
+// Welds the vertices of `loose`, removes triangles with two or three equal corners, and computes unit normals per
+// vertex. A part that is consistently oriented keeps its orientation (a cavity is a shell that faces inward), unless
+// the whole mesh would be inside out; other parts are oriented outward. `where` names the mesh in errors. Fails if no
+// triangle is left, if an edge has a number of triangles other than two (the message gives the number of such edges and
+// the position of the first), and if the surface is not orientable.
 [[nodiscard]] Result<TriangleMesh> closed_mesh(TriangleMesh loose, const std::string& where);
 
-// The same of a surface that is only looked at: one with holes, or whose edges have more triangles than two, stays as
-// it is but for the welding and the normals. Fails when nothing is left.
+// The same for a surface that is only displayed: a surface with holes or non-manifold edges is welded and gets normals,
+// and is not changed otherwise. Fails if no triangle is left.
 [[nodiscard]] Result<TriangleMesh> tidy_mesh(TriangleMesh loose, const std::string& where);
 
-// Fails unless every edge has two triangles, as closed_mesh() does, of a mesh whose vertices are welded already.
+// Fails unless every edge of a welded mesh has exactly two triangles.
 [[nodiscard]] Result<void> check_closed(const TriangleMesh& mesh, const std::string& where);
 
-// A flat polygon cut into triangles, dents included.
+// Triangulates a planar polygon, convex or not.
 //
-// Triples of indices into `corners`, turned as the polygon is; two fewer triangles than corners, whose edges inside the
-// polygon are shared by two each. A polygon that is not flat, or crosses itself, is cut somehow. Time grows with the
-// square of the corners, so from a thousand on it is cut as a fan.
+// Returns triples of indices into `corners`, with the orientation of the polygon: corners - 2 triangles, and each edge
+// inside the polygon is shared by two of them. For a polygon that is not planar, or intersects itself, the result is a
+// valid list of triangles of unspecified shape. Takes quadratic time, so polygons of a thousand corners or more become
+// fans.
 [[nodiscard]] std::vector<glm::uvec3> cut_polygon(std::span<const glm::dvec3> corners);
 
 } // namespace ramus::mesh

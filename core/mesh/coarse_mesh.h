@@ -1,4 +1,4 @@
-// A mesh with fewer triangles for while the view moves, and normals without the steps of voxels for surfaces of masks.
+// Simplifies a mesh for previews, and smooths the normals of surfaces of masks.
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
@@ -7,12 +7,13 @@
 
 namespace ramus::mesh {
 
-// About so many triangles, or fewer: vertices of one cell of a grid become one, in their middle (Rossignac and Borrel,
-// 1993). What is thinner than a cell may fall together; of a closed surface every edge is still met as often from one
-// side as from the other. Positions, normals and triangles.
+// A mesh with about `triangles` triangles or fewer, by vertex clustering: the vertices in one cell of a grid are merged
+// at their mean (Rossignac and Borrel, 1993). Parts thinner than a cell may collapse. In the result of a closed
+// surface, every edge still occurs as often in one direction as in the other. The result has positions, normals and
+// triangles only.
 [[nodiscard]] TriangleMesh coarse_mesh(const TriangleMesh& mesh, std::size_t triangles);
 
-// Each normal becomes the mean over the triangles around its vertex, so many times over. Positions stay.
+// Replaces each normal by the mean over the triangles around its vertex, `passes` times. Positions do not change.
 void smooth_normals(TriangleMesh& mesh, int passes);
 
 } // namespace ramus::mesh

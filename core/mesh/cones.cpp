@@ -18,8 +18,8 @@ struct Piece {
     std::int32_t branch;
 };
 
-// All pieces have the same rings, so their indices in the arrays are known beforehand:
-// pole, `cap` rings from pole to touching circle, the same mirrored at the other end.
+// All pieces have the same rings, so their indices are known in advance: a pole, `cap` rings from the pole to the
+// circle of tangency, and the same mirrored at the other end.
 struct Layout {
     int sides;
     int cap; // rings per end, the touching circle included
@@ -59,8 +59,8 @@ public:
         const glm::vec3 helper = std::abs(u.x) < 0.6F ? glm::vec3(1.0F, 0.0F, 0.0F) : glm::vec3(0.0F, 1.0F, 0.0F);
         const glm::vec3 v = glm::normalize(glm::cross(u, helper));
         const glm::vec3 w = glm::cross(u, v);
-        // The touching circles lie at this latitude of both balls. A ball that swallows the other is drawn whole: the
-        // circles then sit near its pole.
+        // The latitude of the circles of tangency on both spheres. If one sphere contains the other, it is drawn whole,
+        // and the circles are near its pole.
         const double sine = length > 0.0 ? std::clamp((piece.ra - piece.rb) / length, -0.999, 0.999) : 0.0;
         const double touching = std::asin(sine);
 

@@ -1,6 +1,6 @@
-// Truncated cones: the comparison method, and the picture that is there at once. One closed piece per segment: the cone
-// that touches the balls of its two end points, closed by the parts of the balls beyond the touching circles. Pieces
-// overlap; together they bound the union of all balls along the centerlines.
+// Truncated cones: the comparison method, and a fast preview. One closed piece per segment: the cone tangent to the
+// spheres of its two end points, closed by the parts of the spheres beyond the circles of tangency. Pieces overlap;
+// together they bound the union of all spheres along the centerlines.
 #pragma once
 
 #include "core/base/error.h"
@@ -9,8 +9,8 @@
 
 namespace ramus::mesh {
 
-// `detail`: sides of a cone; below 8 its ends are pyramids. Normals are exact, radius and branch per vertex as
-// everywhere. Fails when cancelled or when the mesh would not fit into 32-bit indices.
+// `detail`: the number of sides of a cone; below 8 its ends are pyramids. Normals are exact; every vertex has a radius
+// and a branch. Fails if cancelled, and if the mesh does not fit into 32-bit indices.
 [[nodiscard]] Result<TriangleMesh> cones(const PreparedTree& prepared, int detail, Job& job);
 
 } // namespace ramus::mesh

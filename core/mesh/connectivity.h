@@ -1,5 +1,6 @@
-// How a surface hangs together, beside the tree that it is made of: pieces, and loops. A vessel's closed surface has a
-// handle for each independent cycle of its graph; one more is a connection that the tree has not.
+// Counts the connected pieces and the loops (handles) of a surface and of a tree. A correct closed surface of a tree
+// has one handle for each independent cycle of the tree's graph; another handle is a connection that the tree does not
+// have.
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
@@ -17,13 +18,13 @@ struct Connectivity {
     bool operator==(const Connectivity&) const = default;
 };
 
-// How many connected pieces a mesh has, closed or not: triangles that share a vertex belong together. Vertices that no
-// triangle uses do not count, nor do triangles whose first two are one, here and below.
+// The number of connected pieces of a mesh, closed or not. Triangles that share a vertex are connected. All functions
+// here ignore vertices that no triangle uses, and triangles whose first two vertices are equal.
 [[nodiscard]] int component_count(const TriangleMesh& mesh);
 
-// By Euler's formula.
+// The pieces and loops of a closed mesh, by Euler's formula V - E + F = 2 (pieces - loops).
 [[nodiscard]] Connectivity connectivity_of(const TriangleMesh& closed);
-// Of what is left of a tree without the branches whose entry in `hidden` is not 0; it may be empty.
+// The pieces and loops of a tree without the branches whose entry in `hidden` is not 0; `hidden` may be empty.
 [[nodiscard]] Connectivity connectivity_of(const tree::VesselTree& tree, std::span<const std::uint8_t> hidden = {});
 
 } // namespace ramus::mesh

@@ -18,7 +18,7 @@ namespace {
 
 constexpr unsigned kPlaceBits = 10; // of the vertices of a place
 
-// Adds to one of several sums that threads share; those of the same one that follow each other at once.
+// Adds to sums that threads share. Combines consecutive additions to the same sum.
 class SharedSums {
 public:
     explicit SharedSums(std::span<std::uint64_t> sums) : sums_(sums) {}

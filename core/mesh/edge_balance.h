@@ -1,9 +1,10 @@
-// Whether a surface is closed, found in little memory.
+// Checks that a surface is closed, in little memory, by hashing edges.
 //
-// In a closed surface every edge that one triangle runs along in one direction, another one runs along in the other.
-// Each direction adds a number that is scattered from the edge's two vertices, or takes it away: the sum is 0. An open
-// surface has a sum of 0 by chance alone, once in 2^64. Guaranteed: a closed surface passes. Not found: an edge with
-// two triangles in each direction. Sums are kept for every thousand vertices, so that an error can say where.
+// In a closed oriented surface every directed edge of a triangle has an opposite edge in another triangle. Each
+// directed edge adds the hash of its two vertices, and the opposite direction subtracts it, so the sum is 0.
+// Guaranteed: a closed surface passes. An open surface passes with a probability of 2^-64. Not detected: an edge with
+// two triangles in each direction. There is one sum for every thousand vertices, so that an error can say where the
+// surface is open.
 #pragma once
 
 #include "core/base/error.h"
@@ -11,7 +12,7 @@
 
 namespace ramus::mesh {
 
-// The error says where the surface is open first, and how many other places there are.
+// The error gives the first open place, and the number of further ones.
 [[nodiscard]] Result<void> check_balance(const TriangleMesh& mesh);
 
 } // namespace ramus::mesh

@@ -1,4 +1,4 @@
-// Straight lines and boxes.
+// Intersection test of a line segment and an axis-aligned box.
 #pragma once
 
 #include "core/base/bounds.h"
@@ -8,7 +8,7 @@
 
 namespace ramus::mesh {
 
-// Whether a straight line has a point in a box.
+// Whether the segment from `from` to `to` has a point in the box.
 [[nodiscard]] inline bool line_meets_box(const glm::dvec3& from, const glm::dvec3& to, const Bounds<glm::dvec3>& box) {
     double begin = 0.0, end = 1.0; // shares of the line
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,6 +1,5 @@
-// What a surface has not: pieces of a tree, connected and hidden branches left out, of which not one vertex is on it.
-// They are far shorter than they are thick, so that the field of their axes never reaches the isovalue, or thinner than
-// the cells.
+// Finds lost pieces: connected components of the visible tree that have no vertex on the surface. Such a piece is far
+// shorter than it is thick, so that its field never reaches the isovalue, or it is thinner than the cells.
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
@@ -12,7 +11,7 @@
 
 namespace ramus::mesh {
 
-// Notes which branches vertices belong to, as a surface comes.
+// The set of branches that have vertices. Filled while a surface is written.
 class SeenBranches {
 public:
     explicit SeenBranches(std::size_t branches) : seen_(branches, 0) {}
@@ -23,8 +22,8 @@ private:
     std::vector<std::uint8_t> seen_;
 };
 
-// Branches of each such piece, ascending; the piece of the lowest branch first. `hidden`: by branch, not 0; may be
-// empty.
+// The branches of each lost piece, ascending; pieces in the order of their lowest branch. `hidden`: by branch, not 0 if
+// hidden; may be empty.
 [[nodiscard]] std::vector<std::vector<int>> lost_pieces(const tree::VesselTree& tree,
                                                         std::span<const std::uint8_t> hidden, const SeenBranches& seen);
 

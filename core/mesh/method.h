@@ -1,4 +1,4 @@
-// The ways to a surface of vessels, one row each: sessions, commands, the command line and the window read them here.
+// The table of methods that make a surface of vessels, for sessions, commands, the command line and the window.
 #pragma once
 
 #include <algorithm>
@@ -15,10 +15,10 @@ enum class Method : std::uint8_t { kConvolutionSurface, kTruncatedCones, kIsosur
 struct MethodRow {
     Method method;
     std::string_view key;   // in files, commands and on the command line
-    std::string_view label; // where it stands alone
-    std::string_view noun;  // within a sentence
+    std::string_view label; // for a list or a heading
+    std::string_view noun;  // for a sentence
     std::string_view help;
-    bool of_tree; // else of a mask
+    bool of_tree; // the input is a tree, not a mask
 };
 
 // In the order of `Method`.
@@ -37,7 +37,7 @@ inline constexpr std::array<MethodRow, 3> kMethods = {{
     return found == kMethods.end() ? std::nullopt : std::optional(found->method);
 }
 
-// "cs: convolution surface (default); cones: truncated cones"; of a mask too when `with_masks`.
+// "cs: convolution surface (default); cones: truncated cones"; with the methods for masks if `with_masks`.
 [[nodiscard]] inline std::string method_help(bool with_masks) {
     std::string text;
     for (const MethodRow& row : kMethods)

@@ -1,4 +1,4 @@
-// Which radii a surface has, one row each: the command line, sessions and commands read them here.
+// The table of modes of radii, for the command line, sessions and commands.
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 
 namespace ramus::mesh {
 
-// Those of the tree, sharpened for the kernel (core/field/exact_radii.h), or what the kernel makes of the tree's, as in
-// the paper.
+// kPlain: the kernel gets the radii of the tree, as in the paper, so the surface's radii deviate where radii change.
+// kExact: the kernel gets compensated radii, so that the surface has those of the tree (core/field/kernel_radii.h).
 enum class Radii : std::uint8_t { kPlain, kExact };
 
 // In the order of `Radii`.

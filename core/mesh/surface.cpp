@@ -4,9 +4,9 @@
 #include "core/base/memory.h"
 #include "core/base/run_limited.h"
 #include "core/base/stopwatch.h"
-#include "core/field/drawn_surface.h"
-#include "core/field/exact_radii.h"
 #include "core/field/kernel.h"
+#include "core/field/kernel_radii.h"
+#include "core/field/surface_projector.h"
 #include "core/field/vessel_field.h"
 #include "core/mesh/check_kernel.h"
 #include "core/mesh/cones.h"
@@ -114,7 +114,7 @@ field::ConvolutionField plain_sum(const tree::VesselTree& source, const SurfaceO
                                   const PreparedTree& prepared) {
     const field::Kernel kernel = kernel_of(options);
     const bool exact = options.radii == Radii::kExact;
-    const PreparedTree& ready = exact ? field::with_exact_radii(prepared, kernel) : prepared;
+    const PreparedTree& ready = exact ? field::with_kernel_radii(prepared, kernel) : prepared;
     if (!(options.prune_ratio > 0.0)) return {field::Skeleton(ready, kernel.support_radii), kernel};
     field::Frame frame = frame_of_all_parts(source, options, kernel.support_radii * (exact ? field::kWidest : 1.0));
     if (exact) frame.thinnest *= field::kNarrowest;
@@ -197,7 +197,7 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
             surface.statistics.evaluations += statistics.evaluations;
         }
         if (options.rims == field::Rims::kOverlapping)
-            surface.drawn = std::make_shared<const field::DrawnSurface>(std::move(fields));
+            surface.projector = std::make_shared<const field::SurfaceProjector>(std::move(fields));
     }
     if (surface.mesh.triangles.empty()) return empty_surface(options.cell_mm);
     surface.statistics.seconds = watch.seconds();

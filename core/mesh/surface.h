@@ -22,7 +22,7 @@ class DiskPages;
 } // namespace ramus
 
 namespace ramus::field {
-class DrawnSurface;
+class SurfaceProjector;
 class VesselField;
 } // namespace ramus::field
 
@@ -55,8 +55,9 @@ struct SurfaceStatistics {
 
 struct Surface {
     TriangleMesh mesh;
-    std::shared_ptr<const DiskPages> disk;            // where its arrays are; null: in memory
-    std::shared_ptr<const field::DrawnSurface> drawn; // what it is a mesh of, where it is for pictures; else null
+    std::shared_ptr<const DiskPages> disk; // where its arrays are; null: in memory
+    // What it is a mesh of, where it is for pictures; else null.
+    std::shared_ptr<const field::SurfaceProjector> projector;
     SurfaceStatistics statistics;
 };
 

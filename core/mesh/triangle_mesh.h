@@ -1,5 +1,5 @@
-// TriangleMesh: an indexed triangle surface in mm (RAS) whose vertices know where they came from. Arrays are either
-// empty or as long as `positions`. A plain value; large ones are shared as shared_ptr<const TriangleMesh>.
+// TriangleMesh: an indexed triangle mesh in mm (RAS), with a branch and a local radius for each vertex. Vertex arrays
+// are either empty or as long as `positions`. A plain value; large meshes are shared as shared_ptr<const TriangleMesh>.
 #pragma once
 
 #include "core/base/large_array.h"
@@ -21,7 +21,7 @@ struct VertexArrays {
     LargeArray<glm::vec3> normals;          // unit length, outward
     LargeArray<float> radii;                // local vessel radius in mm
     LargeArray<std::int32_t> branches;      // id of the dominating branch
-    LargeArray<field::Dominance> dominance; // how clearly it does; between vertices they say where branches end
+    LargeArray<field::Dominance> dominance; // by how much that branch dominates, to draw borders between branches
 
     template <class Call> void for_each_array(const Call& call) {
         call(positions), call(normals), call(radii), call(branches), call(dominance);
@@ -35,14 +35,14 @@ struct VertexArrays {
 struct TriangleMesh : VertexArrays {
     TriangleMesh() = default;
     explicit TriangleMesh(const LargeAllocator<std::byte>& memory) : VertexArrays(memory), triangles(memory) {}
-    // Where its arrays are, and arrays as large should be.
+    // The allocator of the arrays (memory or disk). Other arrays of the mesh's size should use it, too.
     [[nodiscard]] LargeAllocator<std::byte> memory() const { return triangles.get_allocator(); }
 
     LargeArray<glm::uvec3> triangles; // counter-clockwise seen from outside
     bool operator==(const TriangleMesh&) const = default;
 };
 
-// Some or all of a mesh's vertices, in whichever arrays they are.
+// A view of some or all vertices of a mesh.
 struct VertexSpan {
     std::span<const glm::vec3> positions, normals;
     std::span<const float> radii;
@@ -59,9 +59,9 @@ struct SlotRange {
     std::uint64_t first = 0, count = 0;
 };
 
-// Which parts of a mesh were rewritten, so that a copy of it (on the graphics card, say) can follow.
+// The parts of a mesh that were rewritten, so that a copy (such as that on the graphics card) can be updated.
 struct SurfaceEdit {
-    bool whole = false; // everything; the ranges do not matter
+    bool whole = false; // everything was rewritten; the ranges have no meaning
     std::vector<SlotRange> vertices, triangles;
 };
 

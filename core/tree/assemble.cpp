@@ -21,7 +21,7 @@ public:
 
     // Walks one component from its root, breadth first over branches, so that a branch's parent has a lower id.
     void grow_from(std::uint32_t root) {
-        // Nor is it one where nothing is, or where a branch of another root runs through it.
+        // A point without edges is no root, nor is one that a branch of another root has reached.
         if (reached_[root] || std::ranges::all_of(at_.of(root), [&](std::uint32_t edge) { return bool(used_[edge]); }))
             return;
         tree_.roots.push_back(root);
@@ -45,8 +45,8 @@ public:
     }
 
 private:
-    // Follows points of degree 2 from `from` along `edge`; returns the point where the branch ends. A root is a node
-    // whatever its degree: what hangs on either side of it depends on it separately.
+    // Follows points of degree 2 from `from` along `edge`; returns the point where the branch ends. A root is always a
+    // node, since each of its sides is a branch of its own.
     std::uint32_t walk(std::uint32_t from, std::uint32_t edge, int parent) {
         Branch branch;
         branch.parent = parent;

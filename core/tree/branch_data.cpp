@@ -10,7 +10,7 @@ namespace ramus::tree {
 
 namespace {
 
-// Lengths by value, of one branch.
+// The total length (mm) of each value along one branch.
 double settled(const std::map<double, double>& lengths, bool whole) {
     if (lengths.empty()) return kUnknownValue;
     if (whole || lengths.size() == 1)

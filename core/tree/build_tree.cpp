@@ -21,7 +21,7 @@ namespace {
 
 using SourceOf = std::function<std::string(std::uint32_t)>;
 
-// Notes of what was repaired, and the first thing that should not have been.
+// Collects notes of repairs, and the first repair that is not allowed.
 struct Repairs {
     Repair allowed;
     std::vector<Note> done;
@@ -86,7 +86,7 @@ std::vector<std::uint32_t> merge_repeated(const Graph& graph, Repairs& repairs, 
     return stands;
 }
 
-// Returns how many points got a radius that nobody measured.
+// Returns how many points got an interpolated radius.
 Result<std::size_t> fill_radii(std::vector<Point>& points, const std::vector<Edge>& edges, Repairs& repairs,
                                const SourceOf& source) {
     const std::vector<Point> read = points;
@@ -106,8 +106,8 @@ Result<std::size_t> fill_radii(std::vector<Point>& points, const std::vector<Edg
     return filled.points.size();
 }
 
-// The edges between the points that are left (`stands`: which stands for each), each once.
-// `left`: gets the index that each of them has in the graph.
+// The edges between the remaining points, each once. `stands`: by point, the point that represents it. `left` receives
+// the index of each edge in the graph.
 std::vector<Edge> distinct_edges(const Graph& graph, const std::vector<std::uint32_t>& stands, Repairs& repairs,
                                  const SourceOf& source, std::vector<std::size_t>& left) {
     std::vector<Edge> edges = graph.edges;
@@ -209,7 +209,7 @@ Result<VesselTree> build_tree(Graph graph, Repair repair, const SourceOf& source
     RAMUS_TRY(filled, fill_radii(graph.points, edges, repairs, source));
     if (repairs.refused) return tl::unexpected(std::move(*repairs.refused));
 
-    // Points that are left, renumbered in their old order.
+    // The remaining points, renumbered in their old order.
     std::vector<std::uint32_t> renumbered(graph.points.size(), 0), kept;
     for (std::uint32_t p = 0; p < graph.points.size(); ++p) {
         if (!connected[p]) continue;

@@ -1,4 +1,4 @@
-// From points and edges to a VesselTree: repairs what can be repaired, cuts the graph into branches, and finds the
+// Builds a VesselTree from points (mm) and edges: repairs damaged data, cuts the graph into branches, and finds the
 // hierarchy from the roots. Any graph is legal: loops, several components, nodes of any degree, chains of any length.
 #pragma once
 
@@ -14,18 +14,18 @@
 
 namespace ramus::tree {
 
-// What may be mended, as a set.
+// The repairs that are allowed, as a set of bits.
 enum class Repair : unsigned {
     kNone = 0,
     kZeroRadii = 1,         // a radius of 0 is interpolated from positive radii (core/tree/missing_radii.h)
-    kRepeatedPoints = 2,    // connected points at one place become one; connections named twice count once
-    kLonelyPoints = 4,      // points connected to nothing are left out
-    kRepeatedTrunks = 8,    // what several polylines trace alike becomes one vessel (core/tree/merge_trunks.h)
-    kRadiusJumps = 16,      // a radius far from those on both sides becomes their mean; else it is only told
-    kOrphans = 32,          // a point whose parent is missing becomes a root; else the file is refused
+    kRepeatedPoints = 2,    // connected points at one place become one; repeated connections count once
+    kLonelyPoints = 4,      // points without a connection are removed
+    kRepeatedTrunks = 8,    // a trunk that several polylines trace becomes one vessel (core/tree/merge_trunks.h)
+    kRadiusJumps = 16,      // a radius far from those on both sides becomes their mean; otherwise it is only reported
+    kOrphans = 32,          // a point whose parent is missing becomes a root; otherwise the file is refused
     kOpenEnds = 64,         // an end within a vessel of another piece is joined to it (core/tree/open_ends.h)
-    kUsual = 79,            // all that leaves measured numbers alone, and invents nothing that vessels do not show
-    kUnmeasuredRadii = 128, // so is a radius that was not measured; else the file is refused
+    kUsual = 79,            // the default: zero radii, repeated points, lonely points, repeated trunks, open ends
+    kUnmeasuredRadii = 128, // an unmeasured radius is interpolated as a zero radius is; otherwise the file is refused
     kAll = 255
 };
 [[nodiscard]] constexpr Repair operator|(Repair a, Repair b) {
@@ -38,7 +38,7 @@ enum class Repair : unsigned {
     return (static_cast<unsigned>(set) & static_cast<unsigned>(one)) != 0;
 }
 
-// The names that people use for single repairs.
+// The names of single repairs in files, commands and messages.
 inline constexpr std::pair<Repair, const char*> kRepairNames[] = {
     {Repair::kZeroRadii, "zero-radii"},       {Repair::kRepeatedPoints, "repeated-points"},
     {Repair::kLonelyPoints, "lonely-points"}, {Repair::kRepeatedTrunks, "repeated-trunks"},
@@ -46,8 +46,8 @@ inline constexpr std::pair<Repair, const char*> kRepairNames[] = {
     {Repair::kOpenEnds, "open-ends"},         {Repair::kUnmeasuredRadii, "unmeasured-radii"}};
 [[nodiscard]] std::string_view name_of(Repair one);
 
-// The radius of a point that was not measured, as the file says: -1 or NaN there. Below every radius, so that the
-// larger one of two radii is the measured one.
+// The radius of a point that the file marks as not measured, by -1 or NaN. It is below every radius, so the maximum of
+// two radii is the measured one.
 inline constexpr double kNotMeasured = -std::numeric_limits<double>::infinity();
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>; // points
@@ -64,31 +64,31 @@ struct Graph {
 
     // Adds a point at `share` of the way from point `a` to point `b`, with the label and the system of `a`.
     std::uint32_t add_point_between(std::uint32_t a, std::uint32_t b, double share);
-    // Leaves points out: `kept` are the others, ascending. Edges and roots keep the numbers that they had.
+    // Removes all points but `kept`, ascending. Edges and roots keep the old numbers of points.
     void keep_points(const std::vector<std::uint32_t>& kept);
 };
 
-// Largest coordinate and radius that make sense in mm; beyond, a file has the wrong unit or is damaged.
+// The largest plausible coordinate and radius, mm. A file with larger numbers has the wrong unit or is damaged.
 inline constexpr double kMaximumCoordinate = 1e7;
 inline constexpr double kMaximumRadius = 1e6;
 
-// `source(point)` says where a point came from, for messages ("liver.swc:41"). Fails on points that are not finite or
-// too far out, radii that are negative, too large, or zero everywhere, edges to points that do not exist, and graphs
-// without a segment, edges between systems; and on the first thing that needs a repair which `repair` does not allow.
-// The tree's notes are what was repaired, and what looks wrong (core/tree/suspicions.h): radii, loops, pieces.
+// `source(point)` names the origin of a point in messages ("liver.swc:41"). Fails on points that are not finite or too
+// far out; on radii that are negative, too large, or zero everywhere; on edges to points that do not exist, or between
+// systems; on graphs without a segment; and on the first damage whose repair is not allowed. The tree's notes list the
+// repairs, and suspicious radii, loops and pieces (core/tree/suspicions.h).
 [[nodiscard]] Result<VesselTree> build_tree(Graph graph, Repair repair,
                                             const std::function<std::string(std::uint32_t)>& source);
 
-// Cuts points and edges that are known to be good into branches with their hierarchy. Roots of the result are those of
-// `roots` that belong to a component with a segment; `point_systems` as in Graph.
+// Cuts valid points and edges into branches with their hierarchy. The roots of the result are those of `roots` that
+// belong to a component with a segment; `point_systems` as in Graph.
 [[nodiscard]] VesselTree assemble(std::vector<Point> points, std::vector<int> labels, const std::vector<Edge>& edges,
                                   const std::vector<std::uint32_t>& roots, const std::vector<int>& point_systems = {});
 
-// `roots`, and the thickest end (or point, where there is none) of every component that has no root yet.
+// `roots`, and for every component without a root its thickest end, or its thickest point if it has no end.
 [[nodiscard]] std::vector<std::uint32_t>
 complete_roots(const std::vector<Point>& points, const std::vector<Edge>& edges, std::vector<std::uint32_t> roots);
 
-// Notes what a tree of vessels has seldom: loops, and pieces that nothing connects; what was noted of them before goes.
+// Replaces the tree's notes about loops and unconnected pieces, which are rare in real vessels, by current ones.
 void note_network(VesselTree& tree);
 
 } // namespace ramus::tree

@@ -1,4 +1,4 @@
-// What runs between the points of a centerline, and how its radius does.
+// Centerline: how positions and radii are interpolated between the points of a centerline.
 #pragma once
 
 #include <array>
@@ -7,10 +7,10 @@
 
 namespace ramus::tree {
 
-// Smooth curves, or the straight lines of the paper with radii whose slope jumps at every point.
+// kSmooth: smooth curves (core/tree/curves.h). kLines: the straight segments with linear radii of the paper.
 enum class Centerline : std::uint8_t { kSmooth, kLines };
 
-// In the order of `Centerline`: what they are called in files, commands and on the command line.
+// The names in files, commands and on the command line, in the order of `Centerline`.
 inline constexpr std::array<std::string_view, 2> kCenterlines{"smooth", "lines"};
 
 [[nodiscard]] constexpr std::string_view name_of(Centerline centerline) {

@@ -11,20 +11,20 @@ namespace ramus::tree {
 
 namespace {
 
-constexpr double kRounded = 1.0;   // radii from a point, at most, that its corner is rounded
-constexpr double kShort = 0.4;     // radii: corners of segments of twice this length the kernel rounds by itself
+constexpr double kRounded = 1.0;   // radii: the farthest from a point that its corner is rounded
+constexpr double kShort = 0.4;     // radii: the kernel rounds corners of segments shorter than twice this length
 constexpr double kSlight = 5.0;    // degrees: a corner that turns by less stays
 constexpr double kPerPiece = 45.0; // degrees that a piece of half a corner stands for
-constexpr int kMostPieces = 3;     // of half a corner
-constexpr double kMeet = 1e-9;     // of a segment: two corners meet if no more than that is straight between them
+constexpr int kMostPieces = 3;     // for half a corner
+constexpr double kMeet = 1e-9;     // share of a segment: two corners meet if no more than this is straight between them
 
-// How an inner point is rounded.
+// The rounding of the corner at an inner point.
 struct Corner {
     double reach = 0.0; // mm along both segments; 0: it stays
-    int pieces = 0;     // of each half
+    int pieces = 0;     // for each half
 };
 
-// Of an inner point, per mm: of the radius, from its slopes before and behind it over segments so long.
+// The slope of the radius (per mm) at an inner point, from the slopes of the segments before and after it.
 double monotone_slope(double before, double behind, double length_before, double length_behind) {
     if (before * behind <= 0.0) return 0.0;
     const double a = 2.0 * length_behind + length_before, b = length_behind + 2.0 * length_before;
@@ -42,7 +42,7 @@ public:
 
     [[nodiscard]] const Corner& corner(std::size_t i) const { return corners_[i]; }
 
-    // The point of the curve that takes the place of a point.
+    // The point of the curve that replaces a point.
     [[nodiscard]] Point point(std::size_t i) const {
         const Corner& here = corner(i);
         return here.reach > 0.0 ? Point{on_corner(i, here.reach, 0.5), points_[i].radius} : points_[i];
@@ -55,12 +55,12 @@ public:
                 static_cast<std::uint8_t>(meet && first.reach > 0.0 && last.reach > 0.0 ? 0 : 1)};
     }
 
-    // Of a segment's curve in pieces: the end of each but the last.
+    // The ends of the pieces of a segment's curve, without the last one.
     [[nodiscard]] std::vector<Point> between(std::size_t i, const CurvePieces& pieces) const {
         std::vector<Point> ends;
         const Corner &first = corner(i), &last = corner(i + 1);
         const double length = lengths_[i];
-        // A corner that is not rounded may have pieces: pruning has moved its neighbours since they were counted.
+        // An unrounded corner may have pieces: pruning may have changed its neighbours since the pieces were counted.
         const double from = first.reach > 0.0 ? first.reach : std::min(points_[i].radius, 0.25 * length);
         const double to = last.reach > 0.0 ? last.reach : std::min(points_[i + 1].radius, 0.25 * length);
         for (int n = 1; n <= pieces.first; ++n) {
@@ -78,7 +78,7 @@ public:
         return ends;
     }
 
-    // Of a segment: how far along it the foot of a place is, from 0 to 1.
+    // The share, 0 to 1, of a segment at which the foot of a place lies.
     [[nodiscard]] double share_along(std::size_t i, const glm::dvec3& place) const {
         return std::clamp(glm::dot(place - points_[i].position, direction(i)) / lengths_[i], 0.0, 1.0);
     }
@@ -101,7 +101,7 @@ private:
         const glm::dvec3 begin = at - reach * direction(i - 1), end = at + reach * direction(i);
         return glm::mix(glm::mix(begin, at, share), glm::mix(at, end, share), share);
     }
-    // Of an inner point with segments on both sides of it.
+    // Requires an inner point, with segments on both sides.
     [[nodiscard]] bool is_smooth(std::size_t i) const {
         return i > 0 && i + 1 < points_.size() && lengths_[i - 1] > 0.0 && lengths_[i] > 0.0;
     }

@@ -1,11 +1,10 @@
-// Named numbers that the file of a tree gives, besides its geometry: flow, pressure, ids of another program. A list of
-// arrays belongs to points or to branches (of a graph: to edges), and every operation that derives a tree from a tree
-// carries both.
+// DataArray: a named array of numbers that a file gives for the points or branches of a tree (for a graph: its edges),
+// such as flow, pressure, or ids of another program. Every operation that derives a tree from a tree keeps both lists.
 //
-// Guarantees: a point that stays keeps its values; a point that is put between two others has the linear interpolation
-// of their values. A branch that is made of parts of others has their common value; where they differ, the mean by
-// length, or the value of the greatest length where all values of the array are whole numbers (such as ids, of which no
-// mean makes sense). What nothing is known of is kUnknownValue.
+// Guarantees: a point that stays keeps its values; a new point between two others has the linear interpolation of their
+// values. A branch made of parts of other branches has their common value. Where the values differ it has the mean
+// weighted by length; if all values of the array are whole numbers (such as ids), it has the value with the greatest
+// length. Unknown values are kUnknownValue.
 #pragma once
 
 #include <cmath>
@@ -24,13 +23,13 @@ inline constexpr std::size_t kMostArrays = 64; // of points and branches togethe
 
 struct DataArray {
     std::string name;           // unique among all arrays of a tree
-    std::vector<double> values; // no unit is claimed; kUnknownValue where there is none
+    std::vector<double> values; // in the file's unit, which is not known; kUnknownValue: no value
     // Unknown values are equal to each other.
     bool operator==(const DataArray& other) const;
 };
 using DataArrays = std::vector<DataArray>;
 
-[[nodiscard]] const DataArray* array_named(const DataArrays& arrays, const std::string& name); // null: there is none
+[[nodiscard]] const DataArray* array_named(const DataArrays& arrays, const std::string& name); // null: not found
 
 // The values at `indices`, in their order; kUnknownValue where an index is negative.
 template <class Indices> [[nodiscard]] DataArrays picked(const DataArrays& arrays, const Indices& indices) {
@@ -50,7 +49,7 @@ void append_between(DataArrays& arrays, std::size_t a, std::size_t b, double sha
 void append_copy(DataArrays& arrays, std::size_t of);
 void append_unknown(DataArrays& arrays);
 
-// What is known of an array: how many values, the least and the largest.
+// The numbers of known and unknown values of an array, and the least and largest known value.
 struct DataRange {
     std::size_t known = 0, unknown = 0;
     double least = kUnknownValue, largest = kUnknownValue;

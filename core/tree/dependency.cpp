@@ -42,9 +42,8 @@ Dependency::Dependency(const VesselTree& tree)
     number(outward);
 }
 
-// Every branch that closes a loop makes a ring of itself and the way through the hierarchy between its ends: none of
-// that is a bridge. What was found on a ring before is skipped, so that every branch is walked once however many rings
-// share it.
+// A branch that closes a loop forms a ring with the way through the hierarchy between its ends. No branch of a ring is
+// a bridge. Branches of earlier rings are skipped, so that every branch is visited once.
 void Dependency::find_bridges(const VesselTree& tree, std::span<const int> outward) {
     std::vector<int> depth(tree.branches.size(), 0);
     // The branch through which the hierarchy reaches a point; -2: none yet. Roots are reached through no branch.
@@ -66,7 +65,7 @@ void Dependency::find_bridges(const VesselTree& tree, std::span<const int> outwa
         else
             closing.push_back(static_cast<int>(b));
     }
-    // The nearest branch at or above one that is still a bridge, with the paths made short on the way.
+    // The nearest branch at or above `branch` that is still a bridge, with path compression.
     std::vector<int> above(tree.branches.size());
     for (std::size_t b = 0; b < above.size(); ++b) above[b] = static_cast<int>(b);
     const auto nearest_bridge = [&](int b) {

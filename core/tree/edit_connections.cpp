@@ -1,4 +1,4 @@
-// What connects vessels: joined, cut, taken away.
+// Edits of connections: join, cut and delete.
 #include "core/tree/edit_steps.h"
 
 #include <algorithm>
@@ -29,8 +29,8 @@ double radius_at(const VesselTree& tree, const Branch& branch, double mm) {
     return tree.points[branch.points.back()].radius;
 }
 
-// The root that two pieces keep when they become one: that which is not where they are joined, of the larger piece
-// (of more links) where both or neither are.
+// The root of two pieces that become one: the root that is not at the joint. If both are, or neither is, the root of
+// the piece with more links.
 void keep_one_root(EditGraph& graph, const std::vector<std::uint32_t>& pieces, std::uint32_t a, std::uint32_t b) {
     const auto root_of = [&](std::uint32_t at) {
         return std::ranges::find_if(graph.roots, [&](std::uint32_t root) { return pieces[root] == pieces[at]; });
@@ -47,7 +47,7 @@ void keep_one_root(EditGraph& graph, const std::vector<std::uint32_t>& pieces, s
     graph.roots.erase(keep_first ? second : first);
 }
 
-// The links of one branch between two lengths, without those outside; ends that are new are added.
+// The links of one branch between two lengths (mm). Adds points at the two ends where there are none.
 struct Kept {
     std::vector<EditLink> links;
     std::uint32_t first = 0, last = 0; // points
@@ -82,7 +82,7 @@ Kept part_between(EditGraph& graph, const VesselTree& tree, int id, double from,
     return kept;
 }
 
-// Pieces that have lost their root get it at one of `ends`, those of the cut, where they have one.
+// Gives each piece that has lost its root a root at one of `ends`, the ends of the cut, if it has one.
 void root_at_cut(EditGraph& graph, const std::vector<std::uint32_t>& ends) {
     const auto pieces = graph.pieces();
     const auto degrees = graph.degrees();
@@ -122,7 +122,7 @@ Result<EditedTree> join(const VesselTree& tree, const Edit& edit) {
         graph.links.push_back({end, place, kNoBranch});
         return std::move(graph).assembled(tree);
     }
-    // At one place already: one point stands for both.
+    // The two points coincide: one point represents both.
     graph.points[place].radius = std::max(graph.points[place].radius, graph.points[end].radius);
     std::ranges::replace(graph.roots, end, place);
     for (EditLink& link : graph.links) {

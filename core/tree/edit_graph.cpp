@@ -77,7 +77,7 @@ std::uint32_t EditGraph::point_at(const VesselTree& tree, int branch, double fra
     const Branch& along = tree.branches[static_cast<std::size_t>(branch)];
     if (fraction <= 0.0) return along.points.front();
     if (fraction >= 1.0) return along.points.back();
-    constexpr double kSame = 1e-9; // of the branch's length: closer, it is the point that is there
+    constexpr double kSame = 1e-9; // of the branch's length: an existing point this near is used
     const double length = length_mm(tree, along);
     const double wanted = fraction * length;
     double before = 0.0;

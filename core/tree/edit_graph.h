@@ -1,5 +1,5 @@
-// EditGraph: a tree taken apart into points and links, for edits to work on, and put together again. Links know which
-// branch they come from, so that what people have said of branches can follow.
+// EditGraph: a tree as points and links, which edits change and assembled() turns into a tree again. Each link knows
+// the branch that it comes from, so that names and colours of branches can be transferred.
 #pragma once
 
 #include "core/tree/build_tree.h"
@@ -25,16 +25,17 @@ struct EditGraph {
 
     explicit EditGraph(const VesselTree& tree);
 
-    // A point at `share` of the way from `a` to `b`, with the label of `a`.
+    // Adds a point at `share` of the way from `a` to `b`, with the label of `a`.
     std::uint32_t add_point_between(std::uint32_t a, std::uint32_t b, double share);
-    // By point: the lowest point of the piece that it belongs to.
+    // By point: the lowest point of the connected piece that contains it.
     [[nodiscard]] std::vector<std::uint32_t> pieces() const;
     [[nodiscard]] std::vector<int> degrees() const;
-    // The point at a fraction of the length of a branch of `tree`, whose links are untouched: put in where none is.
+    // The point at a fraction of the length of a branch of `tree`; added if there is none. The links of the branch must
+    // not have been changed.
     [[nodiscard]] std::uint32_t point_at(const VesselTree& tree, int branch, double fraction);
 
-    // The tree, with what else `before` has. A piece without a root gets its thickest end; points that no link uses are
-    // gone. There is a link.
+    // Builds the tree, with the systems, notes and other data of `before`. The root of a piece without a root is its
+    // thickest end. Removes points that no link uses. At least one link is required.
     [[nodiscard]] EditedTree assembled(const VesselTree& before) &&;
 };
 

@@ -1,4 +1,4 @@
-// Radii of whole branches.
+// Edits of radii: radius and scale, for whole branches.
 #include "core/tree/edit_steps.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ Result<EditedTree> change_radii(const VesselTree& tree, const Edit& edit) {
     EditGraph graph(tree);
     std::vector<bool> named(tree.branches.size(), false);
     for (const int id : edit.branches) named[static_cast<std::size_t>(id)] = true;
-    // What also belongs to somebody else stays.
+    // Points that also belong to other branches keep their radii.
     std::vector<bool> changes(tree.points.size(), false);
     for (const int id : edit.branches)
         for (const std::uint32_t p : tree.branches[static_cast<std::size_t>(id)].points) changes[p] = true;

@@ -1,4 +1,4 @@
-// Which way blood runs: from the root of a piece.
+// Edits of the flow direction: move root and flip.
 #include "core/tree/edit_steps.h"
 
 #include <algorithm>

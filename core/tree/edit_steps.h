@@ -1,4 +1,4 @@
-// The kinds of edits, one function each: for apply() alone, which has checked ids, fractions and numbers.
+// One function for each kind of edit. Only apply() calls them, after it has checked ids, fractions and numbers.
 #pragma once
 
 #include "core/tree/edit_graph.h"

@@ -1,9 +1,9 @@
-// Edits: what a person mends in a tree by hand, as values. A tree goes in, another comes out; nothing is changed in
-// place. An edit names branches by their ids, and places by fractions of a branch's length, in the tree as it is before
-// the edit: a list of edits applied in order to the tree of a file always gives the same tree.
+// Edits: manual corrections of a tree, as values. apply() takes a tree and returns another one. An edit refers to
+// branches by id, and to places by fractions of a branch's length, in the tree before the edit. So a list of edits,
+// applied in order to the tree of a file, always gives the same tree.
 //
-// Guarantees: the result keeps all that VesselTree promises; systems stay apart; branches that an edit does not touch
-// keep their points exactly. It does not look at the surface: that two vessels touch is for eyes.
+// Guarantees: the result keeps all guarantees of VesselTree; systems are never connected; branches that an edit does
+// not touch keep their points exactly. Not guaranteed: edits do not check whether vessels touch on the surface.
 #pragma once
 
 #include "core/base/error.h"
@@ -21,16 +21,16 @@ namespace ramus::tree {
 
 struct Edit {
     enum class Kind : std::uint8_t {
-        kJoin,     // branches[0] at its free end fractions[0] (0 or 1), with a place of branches[1], by one segment
-        kCut,      // takes `value` mm out of branches[0] around fractions[0]; 0: the diameter there
-        kDelete,   // takes `branches` away; a node left with two branches becomes an inner point of one
-        kMoveRoot, // the root of the piece is the free end of branches[0] nearer to fractions[0]
-        kFlip,     // blood runs the other way through branches[0]: the root moves to the thickest end beyond it
+        kJoin,     // connects the free end fractions[0] (0 or 1) of branches[0] with a place of branches[1]
+        kCut,      // removes `value` mm of branches[0] around fractions[0]; 0: the diameter there
+        kDelete,   // removes `branches`; a node that keeps two branches becomes an inner point of one
+        kMoveRoot, // moves the root of the piece to the free end of branches[0] nearer to fractions[0]
+        kFlip,     // reverses the flow through branches[0]: moves the root to the thickest end beyond it
         kRadius,   // `branches` get the radius `value`, mm
         kScale,    // the radii of `branches` are multiplied by `value`
     };
     Kind kind = Kind::kCut;
-    std::vector<int> branches;         // ids; ascending where order means nothing
+    std::vector<int> branches;         // ids; ascending where the order has no meaning
     std::array<double, 2> fractions{}; // of a branch's length from the parent's end
     double value = 0.0;
     bool operator==(const Edit&) const = default;
@@ -48,27 +48,27 @@ inline constexpr std::pair<Edit::Kind, std::string_view> kEditNames[] = {
 
 struct EditedTree {
     VesselTree tree;
-    // By branch of `tree`: the branches before the edit that it is made of, that with the longest share first. A
-    // branch of the new segment alone has none.
+    // By branch of `tree`: the branches before the edit that it is made of, the longest share first. A branch that
+    // consists of the new segment alone has none.
     std::vector<std::vector<int>> sources;
 };
 
-// A cut takes out what is left of less than a radius on either side as well; where nothing of the branch is left, a
-// false connection is gone whole. A part that has lost its root has its own where it was cut.
-// Radii: a node shared with other branches keeps its radius unless all branches there are named; a branch of two such
-// nodes gets a point between them.
-// Fails, and says why, where an id does not exist; join: the first place is no free end, the systems differ, or the
-// places are connected already; delete: other branches would be left hanging, or nothing at all; root, flip: there is
-// no free end; radius, scale: radii that are not positive or above kMaximumRadius.
+// Applies one edit.
+// Cut: also removes a rest of the branch of less than a radius on either side, up to the whole branch. A part that
+// loses its root gets a root at the cut. Radius, scale: a node shared with other branches keeps its radius unless all
+// branches there are named. A branch with no points but two such nodes gets a point between them. Fails, with a
+// message, if an id does not exist. Join fails if the first place is no free end, the systems differ, or the places are
+// already connected. Delete fails if it would disconnect other branches, or leave nothing. Root and flip fail if there
+// is no free end. Radius and scale fail if a radius is not positive or above kMaximumRadius.
 [[nodiscard]] Result<EditedTree> apply(const VesselTree& tree, const Edit& edit);
 
-// One after the other. `sources` as of one edit are of no use here, and left out.
+// Applies edits one after the other.
 [[nodiscard]] Result<VesselTree> apply_all(VesselTree tree, std::span<const Edit> edits);
 
-// How many segments end at each point. 1: a free end.
+// By point: the number of segments that end there. 1: a free end.
 [[nodiscard]] std::vector<int> degrees(const VesselTree& tree);
 
-// What a cut takes out: fractions of the branch's length, from and to.
+// The part of a branch that a cut removes, as fractions of the branch's length.
 struct CutRange {
     double from = 0.0, to = 1.0;
 };

@@ -16,9 +16,9 @@ namespace ramus::tree {
 
 namespace {
 
-// Ends of chains nearer than this are at one place: a millionth of the longest side of the box around all points,
-// single precision's grain, and never more than a hundredth of what usually lies between two points, wherever a stray
-// one is.
+// Ends of chains nearer than this coincide: a millionth of the longest side of the bounding box, which is the
+// resolution of single precision. At most a hundredth of the usual length of an edge, so that a stray point does not
+// matter.
 double same_place(const Graph& graph) {
     glm::dvec3 least(HUGE_VAL), most(-HUGE_VAL);
     for (const Point& p : graph.points) least = glm::min(least, p.position), most = glm::max(most, p.position);
@@ -30,13 +30,13 @@ double same_place(const Graph& graph) {
     std::ranges::nth_element(lengths, middle);
     const glm::dvec3 side = most - least;
     const double near = std::min(1e-6 * std::max({side.x, side.y, side.z}), 0.01 * *middle);
-    // Finer than the coordinates themselves, it could tell nothing apart.
+    // A tolerance finer than the resolution of the coordinates has no effect.
     const glm::dvec3 far = glm::max(glm::abs(least), glm::abs(most));
     return std::isfinite(near) && near > 1e-14 * std::max({far.x, far.y, far.z}) ? near : 0.0;
 }
 
-// Finds for each position the first one that lies within a distance of it and stands for itself, in constant time:
-// those are farther from each other than that, so that few share a cell of the grid.
+// Finds for each position the first representative within a distance, in constant time: representatives are farther
+// from each other than that distance, so that a cell of the grid contains few.
 class PlaceGrid {
 public:
     PlaceGrid(const std::vector<Point>& points, double near) : points_(points), near_(near), cell_(4.0 * near) {}
@@ -67,8 +67,8 @@ int system_of(const Graph& graph, std::uint32_t p) {
 
 using Groups = std::vector<std::vector<std::uint32_t>>; // of points, each in ascending order
 
-// Points of one system at the very same place, in the order of the file, whatever the coordinates are. Those too far
-// out for any vessel are left out, so that cells of a grid can be counted.
+// Groups points of one system with identical coordinates, in the order of the file. Skips points beyond any plausible
+// coordinate, so that indices of grid cells do not overflow.
 Groups exact_groups(const Graph& graph) {
     const std::vector<Point>& points = graph.points;
     std::vector<std::uint32_t> order(points.size());
@@ -94,9 +94,9 @@ Groups exact_groups(const Graph& graph) {
     return groups;
 }
 
-// Groups that hold an end of a chain and lie nearer to each other than single precision tells apart become one; not
-// those that an edge connects, for a short segment is one that was traced. `neighbour`: by point that is an end, the
-// other point of its edge, else the point itself.
+// Merges groups that contain an end of a chain and coincide within the resolution of single precision. Does not merge
+// groups that an edge connects, since a short segment is intended. `neighbour`: for a point that is an end, the other
+// point of its edge; otherwise the point itself.
 void join_near_ends(const Graph& graph, const std::vector<std::uint32_t>& neighbour, Groups& groups) {
     const double near = same_place(graph);
     if (!(near > 0.0)) return;
@@ -122,7 +122,7 @@ void join_near_ends(const Graph& graph, const std::vector<std::uint32_t>& neighb
     for (auto& group : groups) std::ranges::sort(group);
 }
 
-// New index of every point: those of each group of points at one place get that of the first.
+// The new index of every point. The points of a group share the index of the first one.
 std::vector<std::uint32_t> representatives(const Graph& graph, bool ends_only) {
     std::vector<std::uint32_t> degree(graph.points.size(), 0), stands(graph.points.size());
     for (const auto& [a, b] : graph.edges) ++degree[a], ++degree[b];
@@ -137,7 +137,7 @@ std::vector<std::uint32_t> representatives(const Graph& graph, bool ends_only) {
     const auto is_end = [&](std::uint32_t p) { return degree[p] < 2; };
     for (const std::vector<std::uint32_t>& group : groups) {
         if (group.size() < 2 || (ends_only && std::ranges::none_of(group, is_end))) continue;
-        // Of several that run through, ends join the first.
+        // If several chains run through the place, ends join the first one.
         const auto inner = std::ranges::find_if_not(group, is_end);
         const std::uint32_t first = ends_only && inner != group.end() ? *inner : group.front();
         for (const std::uint32_t p : group)
@@ -146,7 +146,7 @@ std::vector<std::uint32_t> representatives(const Graph& graph, bool ends_only) {
     return stands;
 }
 
-// Each pair of points once, the first time.
+// Keeps the first of several equal pairs of points.
 std::vector<Edge> drop_repeated(Graph& graph) {
     std::vector<Edge>& edges = graph.edges;
     std::vector<std::uint32_t> order(edges.size());
@@ -207,7 +207,8 @@ public:
     }
 
 private:
-    // No set of centerlines has more; each is compared with all that begin where it does.
+    // A limit on the work, since each chain is compared with all chains with the same beginning. No real set of
+    // centerlines has more.
     static constexpr std::size_t kMostChains = 20'000;
 
     [[nodiscard]] const Point& point(std::uint32_t p) const { return graph_.points[p]; }
@@ -239,7 +240,8 @@ private:
         return chains;
     }
 
-    // Those that begin at a root first, the longest first; then those that begin where these end, and so on.
+    // Chains that begin at a root come first, the longest before the others; then chains that begin where these end,
+    // and so on.
     void order_from_roots(std::vector<std::vector<std::uint32_t>>& chains, const std::vector<std::uint32_t>& in) const {
         std::ranges::stable_sort(chains, std::ranges::greater{}, [](const auto& chain) { return chain.size(); });
         const Grouped<std::uint32_t> from(graph_.points.size(), [&](const auto& put) {
@@ -263,7 +265,7 @@ private:
 
     [[nodiscard]] bool arrived_at(std::uint32_t p) const { return stands_[p] != p || !follows_[p].empty(); }
 
-    // A free beginning near that of another chain is the same one.
+    // A free beginning near the beginning of another chain counts as the same place.
     void adopt_start(std::uint32_t start) {
         for (const std::uint32_t other : starts_) {
             if (glm::distance(point(start).position, point(other).position) > kSameTrunk * point(other).radius)
@@ -283,7 +285,7 @@ private:
         return {from, to, glm::distance(at, a.position + t * along), a.radius + t * (b.radius - a.radius)};
     }
 
-    // Where `at` lies beside the vessels that follow `foot`; several ways, where they part.
+    // The positions near `at` on the vessels that follow `foot`; several where these diverge.
     void advance(const Foot& foot, const glm::dvec3& at, std::vector<Foot>& found) const {
         double fraction = 0.0;
         std::vector<std::uint32_t> open{foot.at};
@@ -298,8 +300,7 @@ private:
     }
     static constexpr std::size_t kMostAhead = 64; // points of one chain between two of another
 
-    // How many points at the beginning of `chain` repeat what is kept. The last of them becomes the point that it
-    // leaves from.
+    // How many points at the beginning of `chain` repeat a kept chain. The last of them is where the chain leaves it.
     std::size_t shared_points(std::vector<std::uint32_t>& chain) {
         if (follows_[chain.front()].empty()) return 0;
         std::vector<Foot> feet{{chain.front(), chain.front(), 0.0, point(chain.front()).radius}}, ahead;

@@ -1,5 +1,5 @@
-// Polylines that have points of their own become one network: what lies at one place is joined, and trunks that several
-// of them trace alike are kept once.
+// Merges polylines, each with its own points, into one network: joins coincident points, and keeps a trunk that several
+// polylines trace only once. Lengths are in the unit of the graph.
 #pragma once
 
 #include "core/tree/build_tree.h"
@@ -11,29 +11,30 @@
 namespace ramus::tree {
 
 struct Joined {
-    std::vector<std::uint32_t> first; // by point that is left: the old index of the first that it stands for
-    std::size_t points = 0;           // that went
-    std::size_t edges = 0;            // that were there twice, and went
-    std::optional<glm::dvec3> repeat; // the middle of one of those
+    std::vector<std::uint32_t> first; // by remaining point: the lowest old index among the points merged into it
+    std::size_t points = 0;           // number of removed points
+    std::size_t edges = 0;            // number of removed duplicate edges
+    std::optional<glm::dvec3> repeat; // the middle of one of these edges
 };
 
-// Joins points at the very same place: all of them, or (`ends_only`) only where one is an end of a chain. Two ends are
-// at one place within a millionth of the graph's extent, too. The larger of the radii stays, for a joint lies inside
-// the wider vessel. Systems stay apart.
+// Joins points with identical coordinates: all of them, or (`ends_only`) only if one of them is an end of a chain. Also
+// joins two ends of chains within a millionth of the graph's extent. The larger radius stays, since a joint lies inside
+// the wider vessel. Points of different systems are never joined.
 Joined join_coincident(Graph& graph, bool ends_only);
 
-// A stretch of one polyline that was left out, since another traces the same vessel.
+// A stretch of a polyline that was removed, since another polyline traces the same vessel.
 struct RepeatedTrunk {
     glm::dvec3 from{0.0}, to{0.0}; // in the graph's unit
     std::size_t points = 0;
 };
 
-inline constexpr double kSameTrunk = 0.35; // of the local radius; tuned: trunks of VMTK's centerlines differ by less
+inline constexpr double kSameTrunk = 0.35; // radii; tuned: trunks in centerlines of VMTK differ by less
 
-// Centerlines that all begin at the root repeat the trunk once for every outlet. Chains of edges (each from its first
-// point to its second) that begin where another one begins, or within kSameTrunk of the radius from there, follow it as
-// long as they stay so near and are connected to it where they leave; what they repeat goes. Overlaps of less than a
-// diameter stay: there two vessels part. Points that nothing uses any more stay in the graph, without edges.
+// Removes repeated trunks. Centerlines that all begin at the root repeat the trunk once for every outlet. A chain of
+// directed edges that begins where another chain begins, or within kSameTrunk radii from there, repeats that chain as
+// long as it stays within this distance. The repeated part is removed, and the rest is connected to the other chain
+// where it leaves. Overlaps of less than a diameter stay, since two vessels diverge there. Unused points stay in the
+// graph, without edges.
 [[nodiscard]] std::vector<RepeatedTrunk> merge_repeated_trunks(Graph& graph);
 
 } // namespace ramus::tree

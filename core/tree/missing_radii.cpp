@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t kNoPoint = 0xFFFFFFFFU;
 constexpr double kShortestEdge = 1e-9; // mm: conductances stay far from the largest number
 
-// One point without a radius, as the points beyond it in the search are eliminated: its radius is
+// One point without a radius, after the elimination of the points beyond it in the search. Its radius is
 // (flow + conductance_up * radius of `up`) / (conductance + conductance_up).
 struct Unknown {
     std::uint32_t up = kNoPoint;

@@ -1,5 +1,5 @@
-// Network: how the branches of a tree hang together at their ends, loops included, as plain arrays of numbers: what
-// walks along every way through a tree, and not only along its hierarchy, needs. Built in linear time.
+// Network: the graph of nodes and branches of a tree, loops included, as plain arrays. For algorithms that follow all
+// connections and not only the hierarchy. Built in linear time.
 #pragma once
 
 #include "core/base/grouped.h"
@@ -13,10 +13,10 @@
 namespace ramus::tree {
 
 struct Network {
-    std::vector<std::array<int, 2>> ends; // by branch: the node where it begins (the parent's end) and where it ends
+    std::vector<std::array<int, 2>> ends; // by branch: its first node (at the parent's end) and its last node
     std::vector<std::uint32_t> points;    // by node: its point
     std::vector<int> roots;               // nodes where a branch without a parent begins, each once
-    Grouped<int> around;                  // branches at each node, ascending; one that begins and ends there twice
+    Grouped<int> around;                  // by node: its branches, ascending; a branch from a node to itself twice
 
     explicit Network(const VesselTree& tree);
 

@@ -1,4 +1,4 @@
-// Notes of a tree in few words: noise in a mask leaves hundreds of thousands of them, each about another place.
+// Summarises the notes of a tree: noise in a mask causes hundreds of thousands of notes, each about another place.
 #pragma once
 
 #include "core/tree/vessel_tree.h"
@@ -14,19 +14,19 @@ namespace ramus::tree {
 struct NoteSummary {
     Note::Kind kind = Note::Kind::kAssumed;
     std::string topic;
-    std::string text;               // of the first note; of several followed by how many more there are
-    std::size_t count = 1;          // of notes
-    std::vector<glm::dvec3> places; // of the first few, mm, RAS
+    std::string text;               // the text of the first note, followed by how many more there are
+    std::size_t count = 1;          // number of notes
+    std::vector<glm::dvec3> places; // of the first few notes, mm, RAS
 };
 
 // In the order of note_groups().
 [[nodiscard]] std::vector<NoteSummary> summed_up(const VesselTree& tree);
 
-// The text and its places: "a loop was closed, and 2 more like it (the first at 1, 2, 3; 4, 5, 6; 7, 8, 9)".
+// The text with its places: "a loop was closed, and 2 more like it (the first at 1, 2, 3; 4, 5, 6; 7, 8, 9)".
 [[nodiscard]] std::string with_places(const NoteSummary& summary);
 
-// Where more than 1,000 notes of one kind and topic have places, all but the first 100 go, and one note says how many
-// there were. Notes of cut ends (Note::outward) all stay: surfaces depend on them.
+// If more than 1,000 notes of one kind and topic have places, removes all but the first 100 and adds a note with their
+// number. Keeps all notes of cut ends (Note::outward), since surfaces depend on them.
 void drop_repeated(std::vector<Note>& notes);
 
 } // namespace ramus::tree

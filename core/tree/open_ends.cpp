@@ -18,7 +18,7 @@ namespace ramus::tree {
 
 namespace {
 
-// An end and the segment of another vessel that it lies in.
+// An end, and the segment of another vessel that contains it.
 struct OpenEnd {
     double depth = 1.0; // of its distance from the other axis, in radii there
     std::uint32_t point = 0, from = 0, to = 0;
@@ -34,7 +34,7 @@ PreparedTree tree_of(const Graph& graph) {
     return prepared;
 }
 
-// Where each point is along its branch; of those at the ends of branches that says nothing.
+// By point: its place along its branch. Not meaningful for the ends of branches.
 std::vector<std::uint32_t> places_along(const VesselTree& tree) {
     std::vector<std::uint32_t> places(tree.points.size(), 0);
     for (const Branch& branch : tree.branches)
@@ -62,7 +62,7 @@ void look_along(const VesselTree& tree, const std::vector<std::uint32_t>& places
 std::vector<OpenEnd> find_open_ends(const Graph& graph, DisjointSets& pieces) {
     const PreparedTree prepared = tree_of(graph);
     const Links links(prepared);
-    const TouchingLinks touching(links, 1.0, 1.0); // who is in another's tube touches it
+    const TouchingLinks touching(links, 1.0, 1.0); // an end inside a tube touches it
     const std::vector<std::uint32_t> places = places_along(prepared.tree);
     std::vector<OpenEnd> ends(graph.points.size());
     const auto look = [&](std::uint32_t point, const Link& other) {
@@ -83,10 +83,10 @@ std::vector<OpenEnd> find_open_ends(const Graph& graph, DisjointSets& pieces) {
     return ends;
 }
 
-// Nearer than this to the other axis, in radii, an end is on it.
+// In radii: an end nearer than this to the other axis is on the axis.
 constexpr double kSamePlace = 1e-3;
 
-// Cuts segments at the places of ends that are joined, and connects these to them.
+// Divides segments at the places of joined ends, and connects the ends.
 class Joiner {
 public:
     explicit Joiner(Graph& graph) : graph_(graph), joined_(graph.points.size(), 0), edges_at_(graph.points.size()) {
@@ -107,7 +107,7 @@ public:
             add_edge({end.point, *near});
     }
 
-    // Of each piece the thickest root that is no joined end, or else the thickest.
+    // Keeps in each piece the thickest root that is no joined end, or else the thickest root.
     void choose_roots() {
         for (std::uint32_t& root : graph_.roots) root = standing(root);
         DisjointSets pieces(graph_.points.size());
@@ -131,7 +131,7 @@ public:
         graph_.roots = std::move(roots);
     }
 
-    // Points that others stand for are left out.
+    // Points that were merged into others are removed.
     void compact() {
         std::vector<std::uint32_t> number(graph_.points.size(), 0), kept;
         for (std::uint32_t p = 0; p < graph_.points.size(); ++p) {
@@ -162,7 +162,7 @@ private:
         edge = changed;
         place_edge(e);
     }
-    // `like`: an edge that it is a part of.
+    // `like`: the edge that contains the new edge.
     void add_edge(const Edge& edge, std::optional<std::uint32_t> like = {}) {
         graph_.edges.push_back(edge);
         like ? append_copy(graph_.edge_data, *like) : append_unknown(graph_.edge_data);
@@ -172,8 +172,7 @@ private:
     [[nodiscard]] bool is_on_axis(const OpenEnd& end, std::optional<std::uint32_t> near) const {
         return end.depth < kSamePlace || (near && graph_.points[*near].position == graph_.points[end.point].position);
     }
-    // If something that an end is connected to lies where a point lies already: then it keeps its own place between
-    // them.
+    // Whether a neighbour of the end has the position of the point. Then the end must keep its own place between them.
     [[nodiscard]] bool leads_to_place_of(std::uint32_t end, std::uint32_t point) const {
         return std::ranges::any_of(edges_at_[end], [&](std::uint32_t e) {
             const Edge& edge = graph_.edges[e];
@@ -182,7 +181,7 @@ private:
         });
     }
 
-    // A point of the segment, or where it was cut, that is about as near: no short segment is made beside it.
+    // An end point of the segment, or a point where it was divided, that is about as near. Avoids short segments.
     [[nodiscard]] std::optional<std::uint32_t> near_point(const OpenEnd& end) const {
         constexpr double kNear = 0.25; // of the radius there
         const Point& a = graph_.points[end.from];
@@ -201,12 +200,12 @@ private:
         return nearest;
     }
 
-    // An end that is on the other axis becomes the point there itself.
+    // An end on the other axis becomes the new point itself.
     void cut(const OpenEnd& end, bool same) {
         const Point& a = graph_.points[end.from];
         const Point& b = graph_.points[end.to];
         const double radius = glm::mix(a.radius, b.radius, end.share);
-        // The segment may have been cut before: then the part that the place is on.
+        // If the segment has been divided before, use the part that contains the place.
         std::vector<Cut>& cuts = cuts_[{end.from, end.to}];
         const auto next = std::ranges::upper_bound(cuts, end.share, {}, &Cut::share);
         const std::uint32_t before = next == cuts.begin() ? standing(end.from) : std::prev(next)->point;
@@ -225,8 +224,8 @@ private:
         add_edge({point, behind}, own);
     }
 
-    // An end that is at another point goes, and what it is connected to begins there: others that were joined to it,
-    // too.
+    // Merges an end into a point at the same place. Its neighbours, including ends joined to it, are connected to that
+    // point.
     void replace(std::uint32_t end, std::uint32_t host) {
         stands_[end] = host;
         const auto standing = [&](std::uint32_t point) { return point == end ? host : point; };

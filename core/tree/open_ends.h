@@ -1,5 +1,6 @@
-// Open ends: files whose vessels are not connected, though one ends within another (tracings of one vessel after the
-// other). An end that lies within the radius of a vessel of another piece is joined to it where it is nearest.
+// Joins open ends: in some files, vessels were traced one by one and are not connected, although one ends within
+// another. An end that lies within the radius of a vessel of another piece is joined to the nearest place of that
+// vessel.
 #pragma once
 
 #include "core/tree/build_tree.h"
@@ -9,10 +10,10 @@
 
 namespace ramus::tree {
 
-// Joins what may be joined in a graph known to be good, with a root for each piece: the deepest end first, pieces of
-// one system only, and never twice, so that no loop comes about. The place on the other vessel becomes a point where
-// none is near. Of the roots of pieces that are one now the thickest stays that is no joined end. Returns the ends that
-// were joined, ascending, by the numbers that they had before; one that was at a place of the other vessel is gone.
+// The graph must be valid, with a root for each piece. Joins the deepest end first. Joins only pieces of one system,
+// and only pieces that are not connected yet, so that no loop is created. Adds a point on the other vessel if none is
+// near. If pieces with roots are joined, the thickest root that is no joined end stays. Returns the joined ends,
+// ascending, by their old numbers. An end that coincides with a place of the other vessel is merged with it.
 [[nodiscard]] std::vector<std::uint32_t> join_open_ends(Graph& graph);
 
 } // namespace ramus::tree

@@ -25,7 +25,7 @@ VesselTree part_of(const VesselTree& tree, std::span<const std::uint8_t> kept) {
         if (is_kept(static_cast<int>(b)))
             for (const std::uint32_t point : tree.branches[b].points)
                 now[point] = 0, system_of[point] = tree.branches[b].system;
-    // Points stay in their order, and so do branches.
+    // Points and branches keep their order.
     std::vector<Point> points;
     std::vector<std::size_t> from;
     std::vector<int> labels, point_systems, edge_branches;
@@ -47,7 +47,7 @@ VesselTree part_of(const VesselTree& tree, std::span<const std::uint8_t> kept) {
         for (std::size_t i = 1; i < branch.points.size(); ++i)
             edges.emplace_back(now[branch.points[i - 1]], now[branch.points[i]]);
         edge_branches.resize(edges.size(), static_cast<int>(b));
-        // A root of its own, unless the piece has been reached from another by then.
+        // assemble() ignores this root if the piece has already been reached from another root.
         if (!is_kept(branch.parent)) roots.push_back(now[branch.points.front()]);
     }
     VesselTree part = assemble(std::move(points), std::move(labels), edges, roots, point_systems);

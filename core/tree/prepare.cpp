@@ -30,7 +30,7 @@ PreparedTree unpruned(const VesselTree& tree) {
     return result;
 }
 
-// Leaf branches of `tree` that are too short; ends that close a loop are no leaves.
+// The leaf branches of `tree` that are too short. A branch that closes a loop is no leaf.
 std::vector<bool> short_leaves(const VesselTree& tree, double ratio) {
     std::vector<int> degree(tree.points.size(), 0);
     for (const Branch& branch : tree.branches) ++degree[branch.points.front()], ++degree[branch.points.back()];

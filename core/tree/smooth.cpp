@@ -17,9 +17,9 @@ namespace ramus::tree {
 
 namespace {
 
-constexpr double kMostVoxels = 0.5; // that a point moves, in voxels
-constexpr double kMostRadii = 0.5;  // that a point moves, in its radii
-constexpr int kMostSteps = 64;      // from point to point within a voxel: a file may claim voxels of any size
+constexpr double kMostVoxels = 0.5; // the largest move of a point, in voxels
+constexpr double kMostRadii = 0.5;  // the largest move of a point, in its radii
+constexpr int kMostSteps = 64;      // points visited within one voxel: a file may claim voxels of any size
 
 // A point with its position counted in voxels.
 struct VoxelPoint {
@@ -27,7 +27,7 @@ struct VoxelPoint {
     double radius = 0.0; // mm
 };
 
-// As many steps between adjacent voxels, which may share a corner only: the paper's points are so far apart.
+// The number of steps between voxels that are adjacent by a face, an edge or a corner, as between the paper's points.
 double steps_between(const VoxelPoint& a, const VoxelPoint& b) {
     const glm::dvec3 way = glm::abs(a.at - b.at);
     return std::max({way.x, way.y, way.z});
@@ -64,12 +64,12 @@ public:
     }
 
 private:
-    // The centerline beside a point.
+    // One neighbour along the centerline.
     struct Beside {
         VoxelPoint point;
         double away = 1.0; // steps along the centerline, 1 at least
     };
-    // The next point, or what lies a voxel away where that is closer; the centerline ends where branches do.
+    // The next point, or the place a voxel away if that is farther. The centerline ends at nodes.
     [[nodiscard]] Beside beside(std::uint32_t from, std::uint32_t first) const {
         std::uint32_t before = from, here = first;
         double gone = steps_between(points_[from], points_[first]);

@@ -18,7 +18,7 @@ void suspect(std::vector<Note>& notes, std::string topic, std::string text, cons
     notes.push_back({Note::Kind::kSuspect, std::move(topic), std::move(text), at});
 }
 
-// The radii beside a point.
+// The radii of the neighbours of a point.
 struct Around {
     double least = HUGE_VAL, most = 0.0, sum = 0.0;
     int count = 0;
@@ -28,7 +28,8 @@ struct Around {
     }
 };
 
-// The thickest point of each piece that is thicker than the piece is long, and all points that are hardly there.
+// Notes the thickest point of each piece with a radius larger than the length of the piece, and all points with a
+// radius below kThinnestOfThickest of the thickest.
 void check_sizes(const std::vector<Point>& points, const std::vector<Edge>& edges, std::vector<Note>& notes) {
     DisjointSets pieces(points.size());
     for (const auto& [a, b] : edges) pieces.join(a, b);
@@ -66,7 +67,7 @@ std::optional<Note> check_invented(std::size_t invented, std::size_t points) {
                 {}};
 }
 
-std::vector<Note> check_radii(std::vector<Point>& points, const std::vector<Edge>& edges, bool mend) {
+std::vector<Note> check_radii(std::vector<Point>& points, const std::vector<Edge>& edges, bool repair) {
     const std::string topic(name_of(Repair::kRadiusJumps));
     std::vector<Note> notes;
     check_sizes(points, edges, notes);
@@ -85,7 +86,7 @@ std::vector<Note> check_radii(std::vector<Point>& points, const std::vector<Edge
             " mm";
         if (beside.count != 2) {
             suspect(notes, topic, found, points[p].position);
-        } else if (mend) {
+        } else if (repair) {
             const double mean = beside.sum / 2.0;
             notes.push_back(
                 {Note::Kind::kRepaired, topic, found + "; replaced by " + figure(mean), points[p].position});

@@ -17,7 +17,7 @@ std::size_t VesselTree::segment_count() const {
 std::string_view Claims::unit_word() const { return has_unit() ? "mm" : kNotSaid; }
 std::string_view Claims::axes_word() const { return has_sides() ? "RAS" : kNotSaid; }
 
-// The word alone, behind a blank or a bracket and before no letter, as texts have it; not within names of files.
+// Matches only the separate word: after a blank or a bracket, and not before a letter. Skips names of files.
 std::string Claims::worded(std::string_view text) const {
     std::string worded(text);
     if (has_unit()) return worded;

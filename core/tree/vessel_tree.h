@@ -1,11 +1,11 @@
-// VesselTree: the skeleton of a vessel system with a radius at every point, cut into branches, with the hierarchy that
-// blood flow from the root implies. A plain value: build it with build_tree(), derive new ones with smooth() and
-// prune().
+// VesselTree: the centerlines of vessels with a radius at every point, cut into branches, with the hierarchy of the
+// flow from the root. A plain value: build it with build_tree(), and derive others with smooth() and prune().
 //
+// Positions and radii are in mm, positions in RAS (see Claims for files that do not say so).
 // Guarantees (after build_tree): every branch has at least two points and positive length between consecutive points;
 // every radius is positive and finite; branch ids are indices into `branches`, stable for a given file; a branch's
 // points run from its parent's end outward. Networks with loops and several components are legal: the hierarchy is then
-// a spanning tree from the roots, and `loop_count` says how many branches close a loop.
+// a spanning tree from the roots, and `loop_count` is the number of branches that close a loop.
 #pragma once
 
 #include "core/tree/data_array.h"
@@ -49,23 +49,23 @@ struct System {
     bool operator==(const System&) const = default;
 };
 
-// Something that reading a tree assumed, changed, or found strange.
+// A note of the reader of a tree: an assumption, a repair, or a suspicious place.
 struct Note {
     enum class Kind : std::uint8_t { kAssumed, kRepaired, kSuspect };
     Kind kind = Kind::kAssumed;
     std::string topic;            // "units", "zero-radii": the option or repair that changes it
     std::string text;             // one sentence
-    std::optional<glm::dvec3> at; // mm, RAS; none: of the whole tree
-    // Of an end of a vessel that the border of its volume cuts (topic kCutEnds): the unit normal of the border there,
-    // outward. The border goes through `at`.
+    std::optional<glm::dvec3> at; // mm, RAS; none: the note is about the whole tree
+    // Topic kCutEnds only: the border of the volume cuts the end of a vessel at `at`. The outward unit normal of the
+    // border there.
     std::optional<glm::dvec3> outward{};
     bool operator==(const Note&) const = default;
 };
 
 inline constexpr std::string_view kCutEnds = "cut-ends";
 
-// Who says what a tree claims of the patient. Of what nobody says, the numbers are the file's own: they are counted as
-// mm and as RAS where a computation needs either, and neither a unit nor a side may be shown of them.
+// The source of the claim that lengths are mm, or that axes are RAS. Without a source (kNobody) the numbers are in the
+// file's own unit and axes. Computations then treat them as mm and RAS, but no unit and no side may be shown.
 enum class SaidBy : std::uint8_t { kFile, kPerson, kNobody };
 struct Claims {
     SaidBy unit = SaidBy::kFile;        // that lengths are mm
@@ -73,10 +73,10 @@ struct Claims {
     [[nodiscard]] bool has_unit() const { return unit != SaidBy::kNobody; }
     [[nodiscard]] bool has_sides() const { return orientation != SaidBy::kNobody; }
     [[nodiscard]] bool complete() const { return has_unit() && has_sides(); }
-    // As files say it: "mm" and "RAS", or kNotSaid.
+    // The words in files: "mm" and "RAS", or kNotSaid.
     [[nodiscard]] std::string_view unit_word() const;
     [[nodiscard]] std::string_view axes_word() const;
-    // A text for people whose lengths are in mm, "3 mm"; where nobody has said the unit, "3 units".
+    // Adapts a text for people with lengths in mm: "3 mm" becomes "3 units" if the unit is not known.
     [[nodiscard]] std::string worded(std::string_view text) const;
     bool operator==(const Claims&) const = default;
 };
@@ -84,25 +84,25 @@ inline constexpr std::string_view kNotSaid = "unknown";
 
 [[nodiscard]] std::string_view name_of(SaidBy who); // "file", "person", "nobody"
 
-// The grid of voxels that points come from (core/tree/voxels.h).
+// The grid of voxels that the points come from (core/tree/voxels.h).
 struct Voxels {
     glm::dmat3 edges_mm{0.0}; // columns: the three edges of a voxel
-    bool estimated = false;   // from the points, since the file does not say
+    bool estimated = false;   // estimated from the points, since the file does not contain it
     bool operator==(const Voxels&) const = default;
 };
 
 struct VesselTree {
     std::vector<Point> points;
-    std::vector<int> labels; // per point, as the file labels them (SWC type code); empty when it does not
+    std::vector<int> labels; // per point, the file's label (SWC type code); empty if the file has none
     std::vector<Branch> branches;
-    DataArrays point_data, branch_data; // what else the file gives of points and of branches
+    DataArrays point_data, branch_data; // further data of the file
     std::vector<std::uint32_t> roots;   // point index of the root of each component, in file order
     int loop_count = 0;                 // independent cycles (edges - nodes + components)
-    std::vector<System> systems;        // empty: all branches are of one system without a name
-    std::string source;                 // name of the file it came from first; empty when that is not known
-    std::vector<Note> notes;            // what reading assumed, repaired and suspects
-    Claims claims;                      // who says that all this is in mm and RAS
-    std::optional<Voxels> voxels;       // none: points are no voxels, or nothing is known of them
+    std::vector<System> systems;        // empty: all branches belong to one system without a name
+    std::string source;                 // name of the original file; empty if unknown
+    std::vector<Note> notes;            // assumptions, repairs and suspicions of the reader
+    Claims claims;                      // whether units and axes are known
+    std::optional<Voxels> voxels;       // none: the points do not come from voxels, or the voxels are unknown
 
     [[nodiscard]] std::size_t segment_count() const;
     bool operator==(const VesselTree&) const = default;
@@ -119,15 +119,14 @@ struct NoteGroup {
     std::string topic;
     std::vector<std::size_t> notes; // ascending
 };
-// All notes: what is suspect first, then what was repaired, then what was assumed; topics in the order of their first
-// note.
+// All notes: suspicions first, then repairs, then assumptions; topics in the order of their first note.
 [[nodiscard]] std::vector<NoteGroup> note_groups(const VesselTree& tree);
 
 // Length of one branch's centerline in mm.
 [[nodiscard]] double length_mm(const VesselTree& tree, const Branch& branch);
 
-// The branch and all that depends on it, that is, all that is reached only through it: ascending ids. Looks at the
-// whole tree; who asks more than once has core/tree/dependency.h.
+// The branch and its dependents (the branches that are reached only through it): ascending ids. Takes time linear in
+// the size of the tree. Callers that query repeatedly should use core/tree/dependency.h.
 [[nodiscard]] std::vector<int> subtree(const VesselTree& tree, int branch);
 
 } // namespace ramus::tree

@@ -12,11 +12,11 @@ namespace {
 
 constexpr double kRounding = 0.05; // of a step: files have rounded numbers
 constexpr double kNearlyAll = 0.95;
-constexpr double kTurning = 0.1;       // of all inner points: a straight line of points shows no grid
+constexpr double kTurning = 0.1;       // least share of inner points that turn: a straight line shows no grid
 constexpr std::size_t kFewest = 30;    // segments
 constexpr double kThinnestRadii = 0.4; // of a step, the median radius: a vessel is a voxel thick
 
-// From each point to the next one, branch by branch.
+// The vectors from each point to the next one, branch by branch.
 struct Steps {
     std::vector<glm::dvec3> all;
     std::size_t inner = 0, turning = 0; // points between two of a branch; those where its steps differ
@@ -37,7 +37,7 @@ Steps steps_of(const VesselTree& tree) {
     return steps;
 }
 
-// The step along one axis; 0: no step goes along it. None: steps along it are not all alike.
+// The step length along one axis; 0: no step changes this coordinate. None: the steps have different lengths.
 std::optional<double> step_along(const std::vector<glm::dvec3>& steps, int axis) {
     double longest = 0.0;
     for (const glm::dvec3& step : steps) longest = std::max(longest, std::abs(step[axis]));

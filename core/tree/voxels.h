@@ -1,9 +1,9 @@
-// The voxels that a tree's points come from, where they come from voxels: how long a step of the smoothing filter is
+// Determines the voxels that a tree's points come from. They give the step length of the smoothing filter
 // (core/tree/smooth.h).
 //
-// A tree that was made of a mask has the mask's voxels. Of other files, voxels are estimated from the points: where
-// centerlines go from voxel to adjacent voxel, all coordinates change by one step or not at all. Anything else (points
-// that are farther apart, that lie between voxels, straight lines) has no voxels.
+// A tree extracted from a mask has the voxels of the mask. For other files, voxels are estimated from the points: along
+// a centerline that goes from voxel to adjacent voxel, each coordinate changes by one step or not at all. Other trees
+// (points that are farther apart or lie between voxels, straight lines) have no voxels.
 #pragma once
 
 #include "core/tree/vessel_tree.h"
@@ -18,10 +18,10 @@ namespace ramus::tree {
 // The edge of a cube as large as a voxel, mm.
 [[nodiscard]] double mean_size_mm(const Voxels& voxels);
 
-// Of the tree's points as they are, whatever `tree.voxels` says; edges along x, y and z.
+// Estimates voxels with edges along x, y and z from the points alone; ignores `tree.voxels`.
 [[nodiscard]] std::optional<Voxels> estimated_voxels(const VesselTree& tree);
 
-// Whether three edges can be those of a voxel: finite, and far from lying in one plane.
+// Whether three edges can be the edges of a voxel: finite, and far from coplanar.
 [[nodiscard]] bool is_a_voxel(const glm::dmat3& edges_mm);
 
 } // namespace ramus::tree

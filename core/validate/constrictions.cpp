@@ -12,15 +12,15 @@ namespace ramus::validate {
 
 namespace {
 
-using RadiusAt = std::function<double(std::size_t)>; // of a place, by its number
+using RadiusAt = std::function<double(std::size_t)>; // by index of a place
 
-constexpr double kNarrow = 0.1;  // a minimum counts where the vessel is wider by this share on both sides of it
-constexpr double kAllowed = 0.1; // of the radius, or of the vessel next to it (Place::scale)
-constexpr double kBeside = 1.2;  // closeness of another vessel that changes what is measured
-constexpr double kEnd = 1.5;     // radii from a free end, likewise
+constexpr double kNarrow = 0.1;  // a minimum counts if the vessel is wider by this share on both sides
+constexpr double kAllowed = 0.1; // largest difference, in Place::scale
+constexpr double kBeside = 1.2;  // a closer vessel affects the measured radius
+constexpr double kEnd = 1.5;     // radii; a nearer free end affects the measured radius
 constexpr double kVoxels = 2.0;
 
-// The narrowest places of one branch, between places where it is wider by kNarrow.
+// The minima of the radius of one branch, between places that are wider by kNarrow.
 std::vector<std::size_t> narrow_places(std::size_t first, std::size_t end, const RadiusAt& radius) {
     std::vector<std::size_t> found;
     if (first == end) return found;
@@ -39,16 +39,16 @@ std::vector<std::size_t> narrow_places(std::size_t first, std::size_t end, const
     return found;
 }
 
-// A place that is narrower, by kNarrow, than halfway between the radii at the same distance to either side.
+// A place that is narrower by kNarrow than the mean of the radii at some distance before and after it.
 struct Dip {
     std::size_t at = 0;
-    double depth = 0.0; // how much wider the vessel would be there, as a share: the largest of all distances
-    double reach = 0.0; // that distance, mm
-    double trend = 0.0; // halfway between the radii, there
+    double depth = 0.0; // the mean over the radius at the place, minus 1; the largest over all distances
+    double reach = 0.0; // the distance of the largest depth, mm
+    double trend = 0.0; // the mean of the radii at this distance
 };
 
-// The deepest dips of one branch, none within the reach of a deeper one. On a vessel that tapers a narrow place may be
-// no minimum: what lies beyond is as narrow.
+// The deepest dips of one branch, none within the reach of a deeper one. Finds narrow places of tapering vessels, which
+// need not be minima.
 std::vector<Dip> dips_of(std::span<const Place> places, std::size_t first, const RadiusAt& radius) {
     constexpr double kFarthest = 8.0; // radii of the vessel: half of what a stenosis of five diameters needs, and more
     std::vector<double> radii;
@@ -80,8 +80,8 @@ std::vector<Dip> dips_of(std::span<const Place> places, std::size_t first, const
     return deepest;
 }
 
-// The mean over half a radius to either side: what is shorter, no mesh as coarse as is usual can show. Of a tree of
-// voxels over more than one to either side: a single voxel is no narrow place.
+// The mean over half a radius to either side, since meshes of usual coarseness show no shorter features. For a tree of
+// voxels at least over kVoxels to either side, since a single voxel is no narrow place.
 double around(const Reference& reference, std::size_t first, std::size_t end, std::size_t at, const RadiusAt& radius) {
     const std::vector<Place>& places = reference.places();
     const double reach = std::max(0.5 * places[at].radius, kVoxels * reference.grain_mm());
@@ -93,7 +93,7 @@ double around(const Reference& reference, std::size_t first, std::size_t end, st
     return sum / length;
 }
 
-// The radius of the narrowest of some sections through a place: in a bend the one across its chord is askew.
+// The least radius of several tilted sections through a place: in a bend the section across the chord is oblique.
 double narrowest(const Probe& probe, const Place& place) {
     const glm::dvec3& along = place.direction;
     const glm::dvec3 side = glm::normalize(
@@ -153,9 +153,10 @@ std::vector<Constriction> changed_constrictions(const Reference& reference, std:
                 if (counts(dip) && changed(dip.at) && std::ranges::none_of(at, is_it)) at.push_back(dip.at);
             }
         };
-        // What is filled is no wider than the vessel beside it: where the surface is, something else is there, too.
+        // A filled narrow place is no wider than the vessel next to it. If the surface is wider, it includes something
+        // else.
         take_dips(expected, [&](const Dip& dip) { return actual(dip.at) <= (1.0 + kAllowed) * dip.trend; });
-        // One that the surface alone has. Below half it is a lost stretch.
+        // A narrow place of the surface only. Below half of the radius it is a lost stretch.
         take_dips(actual, [&](const Dip& dip) {
             const double share = actual(dip.at) / expected(dip.at);
             return share < 1.0 - kAllowed && share >= 0.5;

@@ -29,7 +29,7 @@ std::vector<std::uint8_t> far_from_vessels(const Reference& reference, const mes
     return far;
 }
 
-// The vertices that are far and their edges: parts are what edges connect.
+// The graph of the vertices that are far from all vessels, and of their edges. A part is a connected component.
 class FarGraph {
 public:
     FarGraph(const mesh::TriangleMesh& surface, const std::vector<std::uint8_t>& far) : surface_(surface) {
@@ -51,7 +51,7 @@ public:
     [[nodiscard]] bool on_rim(std::uint32_t n) const { return rim_[n] != 0; }
     [[nodiscard]] const std::vector<std::uint32_t>& next(std::uint32_t n) const { return next_[n]; }
 
-    // mm along edges from the nearest of `sources` to all that is connected with them; `from`: the vertex before.
+    // Dijkstra's algorithm: distances (mm) along edges from the nearest of `sources`; `from`: the previous vertex.
     void spread(const std::vector<std::uint32_t>& sources, std::vector<double>& distance,
                 std::vector<std::uint32_t>& from) const {
         using Item = std::pair<double, std::uint32_t>;
@@ -72,10 +72,10 @@ private:
     const mesh::TriangleMesh& surface_;
     std::vector<std::uint32_t> vertices_;
     std::vector<std::vector<std::uint32_t>> next_;
-    std::vector<std::uint8_t> rim_; // beside what is near a vessel
+    std::vector<std::uint8_t> rim_; // whether a neighbour on the surface is near a vessel
 };
 
-// The vertices that are as far from the part's beginning as `n`, and connected with it: about a circle.
+// The connected vertices with about the same distance from the part's beginning as `n`, as a circle.
 struct Ring {
     glm::dvec3 middle{0.0};
     double radius = 0.0;
@@ -98,7 +98,7 @@ Ring ring_of(const FarGraph& graph, std::uint32_t n, const std::vector<double>& 
     return found;
 }
 
-// Ways along the surface, of all parts, found one part after the other.
+// The shortest paths along the surface in all parts, computed part by part.
 struct Ways {
     std::vector<double> distance;
     std::vector<std::uint32_t> from;
@@ -108,8 +108,8 @@ struct Ways {
     }
 };
 
-// The largest group of the part's vertices that lie side by side on its rim: where it leaves one vessel. A part that
-// leads from one vessel to another has two of them.
+// The largest connected group of the part's vertices on its rim, where the part leaves a vessel. A part that connects
+// two vessels has two such groups.
 std::vector<std::uint32_t> widest_rim(const FarGraph& graph, const std::vector<std::uint32_t>& part) {
     std::unordered_map<std::uint32_t, bool> taken;
     std::vector<std::uint32_t> widest;
@@ -129,7 +129,7 @@ std::vector<std::uint32_t> widest_rim(const FarGraph& graph, const std::vector<s
     return widest;
 }
 
-// How far it is from the axis of the vessel on whose side the part ends at `n` to there.
+// The distance from the axis of the adjacent vessel to vertex `n` on the rim of a part, mm.
 double from_axis(const Reference& reference, const FarGraph& graph, std::uint32_t n) {
     double edge = 0.0;
     for (const std::uint32_t other : graph.next(n))
@@ -139,16 +139,16 @@ double from_axis(const Reference& reference, const FarGraph& graph, std::uint32_
 
 struct Described {
     FalsePart part;
-    double outside_mm = 0.0; // of its length, what is far from all vessels
-    double radius = 0.0;     // in its middle
+    double outside_mm = 0.0; // the part of its length that is far from all vessels
+    double radius = 0.0;     // at its middle
 };
 
-// Of one part: how long it is as a branch, from the axis of the vessel that it stands on, and where its middle is.
+// Describes one part as a branch: its length from the axis of the vessel from which it leaves, and its middle.
 Described describe(const Reference& reference, const FarGraph& graph, const std::vector<std::uint32_t>& part,
                    Ways& ways) {
     std::vector<std::uint32_t> sources = widest_rim(graph, part);
     const bool stands_on = !sources.empty();
-    if (!stands_on) { // a piece of its own: from the end that is farthest from any of its vertices
+    if (!stands_on) { // a separate piece: begins at the vertex farthest from an arbitrary vertex
         graph.spread({part.front()}, ways.distance, ways.from);
         sources = {ways.farthest(part)};
         for (const std::uint32_t n : part) ways.distance[n] = kInfinity;
@@ -169,19 +169,19 @@ Described describe(const Reference& reference, const FarGraph& graph, const std:
     };
     const double whole = before + outside + after;
     const double radius = middle(whole).radius;
-    // Free ends are round: the centerline ends about a radius before the surface does.
+    // Free ends are round, so the centerline ends about a radius before the surface.
     const int free_ends = (stands_on ? 0 : 1) + (graph.on_rim(tip) ? 0 : 1);
     const double length = std::max(whole - free_ends * radius, 0.5 * whole);
     glm::dvec3 at = middle(length).middle;
-    if (before > 0.5 * length) { // within the vessel that it stands on
+    if (before > 0.5 * length) { // the middle is inside the vessel from which the part leaves
         const glm::dvec3 outward = middle(whole + outside).middle - at;
         if (glm::length(outward) > 0.0) at -= (before - 0.5 * length) * glm::normalize(outward);
     }
     return {{at, length}, outside, radius};
 }
 
-// What surrounds a centerline is that vessel, wider than it should be; what stands out of a vessel's wall by less than
-// the vessel's radius is a bulge of the wall.
+// Whether a part is a branch. A part around a centerline is a vessel that is too wide; a part that sticks out of a
+// vessel by less than the vessel's radius is a bulge of the wall.
 bool is_a_branch(const Reference& reference, const Described& found) {
     const glm::dvec3& at = found.part.at;
     const NearbyVessels& vessels = reference.vessels();
@@ -193,8 +193,8 @@ bool is_a_branch(const Reference& reference, const Described& found) {
     return found.outside_mm > 0.0 && found.outside_mm >= beside.radius;
 }
 
-// Whether a part is the wall of a vessel that runs elsewhere: around the vessel itself, or a short part next to where
-// it should be, as at bends.
+// Whether a part is the wall of a moved vessel: around the vessel itself, or a short part near its expected place, as
+// at bends.
 bool is_of_moved(const Reference& reference, std::span<const Section> sections, std::span<const MovedStretch> moved,
                  const FalsePart& part) {
     constexpr double kShort = 3.0; // radii

@@ -1,5 +1,5 @@
-// Where vessels end free: a tree does not say what lies beyond. The surface reaches 0.7075 radii beyond the end there
-// (the paper's kernel: half a line's sum), half a ball a whole radius. mm, RAS.
+// FreeEnds: recognises the parts of a surface beyond the free ends of vessels, where the tree gives no information. The
+// convolution surface reaches 0.7075 radii beyond a free end (width 5), a half sphere one radius. Positions in mm, RAS.
 #pragma once
 
 #include "core/tree/vessel_tree.h"
@@ -12,7 +12,7 @@ namespace ramus::validate {
 class FreeEnds {
 public:
     explicit FreeEnds(const tree::VesselTree& tree);
-    // Whether a place of this branch's surface lies beyond one of its free ends.
+    // Whether a point of the surface of a branch lies beyond one of the branch's free ends.
     [[nodiscard]] bool beyond(int branch, const glm::dvec3& at) const;
 
 private:

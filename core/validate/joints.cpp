@@ -17,12 +17,12 @@ namespace ramus::validate {
 
 namespace {
 
-constexpr double kVesselLength = 40.0;  // of vessels, in radii: no kernel reaches from one end to the other
-constexpr double kFarthest = 12.0;      // no surface is farther from the axes
-constexpr double kLookStep = 0.05;      // of what is looked for along a line
-constexpr double kDaughterAngle = 30.0; // of a daughter of the fork with the stem, degrees
+constexpr double kVesselLength = 40.0;  // radii; longer than the support of any kernel
+constexpr double kFarthest = 12.0;      // radii; upper bound of the distance of a surface from the axes
+constexpr double kLookStep = 0.05;      // radii; the step of searches along a line
+constexpr double kDaughterAngle = 30.0; // degrees, between a daughter of the fork and the stem's direction
 
-// A few vessels of radius 1 from the origin.
+// Vessels of radius 1 that begin at the origin.
 class Vessels {
 public:
     Vessels(const field::Kernel& kernel, const std::vector<glm::dvec3>& ends)
@@ -46,7 +46,7 @@ public:
         brick_->sample_lattice(lattice, here, value);
         return value[0] >= field_.isovalue();
     }
-    // How far the surface is from an inner point, in a direction: where it is met first.
+    // The distance from an inner point to the surface in a direction.
     [[nodiscard]] double way_out(const glm::dvec3& from, const glm::dvec3& direction) const {
         double low = 0.0;
         while (low < kFarthest && inside(from + (low + kLookStep) * direction)) low += kLookStep;
@@ -57,7 +57,7 @@ public:
         }
         return low;
     }
-    // The vessel whose axis is nearest to a point, and how far that is.
+    // The vessel whose axis is nearest to a point, and its distance.
     struct Nearest {
         std::size_t vessel = 0;
         double distance = std::numeric_limits<double>::max();
@@ -93,13 +93,13 @@ private:
 };
 
 struct Thickness {
-    double most = 0.0;  // of the surface over the tubes, in radii
-    double reach = 0.0; // from the joint, along the vessel asked for
+    double most = 0.0;  // the largest distance of the surface beyond the tubes, in radii
+    double reach = 0.0; // how far from the joint the surface is thicker than the tube, along the vessel
 };
 
-// Around one of the vessels, all of which lie in the plane z = 0, as far from the joint as it may matter.
+// Measures the surface around one vessel, up to a distance from the joint. All vessels lie in the plane z = 0.
 Thickness thickness_around(const Vessels& vessels, std::size_t vessel, double upto) {
-    constexpr int kAround = 12; // half of the way: the other is the same
+    constexpr int kAround = 12; // over half of the circle; the other half is symmetric
     constexpr double kAlong = 0.1, kThicker = 0.01;
     Thickness found;
     const glm::dvec3 along = vessels.direction(vessel), up(0.0, 0.0, 1.0), aside = glm::cross(up, along);

@@ -13,7 +13,8 @@ namespace {
 
 using field::KernelKind;
 
-// Of the polynomial width 3 blends about as far as the Gaussian's 5, Cauchy's never blends so little.
+// The polynomial of width 3 blends about as far as the Gaussian of width 5. Cauchy's kernel blends farther at every
+// width.
 constexpr std::array<std::pair<KernelKind, double>, 11> kCompared = {{{KernelKind::kGaussian, 1.0},
                                                                       {KernelKind::kGaussian, 2.0},
                                                                       {KernelKind::kGaussian, 5.0},

@@ -1,5 +1,5 @@
-// Kernels compared: what each makes of joints, and of a tree, so that the choice of the Gaussian can be checked
-// (S. Oeltze and B. Preim, IEEE Transactions on Medical Imaging 24, 2005, section IV).
+// Compares all kernels at joints and on a tree, to check the choice of the Gaussian (S. Oeltze and B. Preim, IEEE
+// Transactions on Medical Imaging 24, 2005, section IV).
 #pragma once
 
 #include "core/base/error.h"
@@ -15,14 +15,14 @@ namespace ramus::validate {
 
 struct KernelFigures {
     field::KernelKind kind = field::KernelKind::kGaussian;
-    double width = 0.0;         // 0: it has none
-    double support_radii = 0.0; // how far from a segment it reaches
+    double width = 0.0;         // 0: the kernel has no width
+    double support_radii = 0.0; // how far from a segment the kernel reaches
     JointFigures joints;
-    // Of the tree's surface, the plain sum's.
+    // The surface of the tree, as a plain sum:
     RadiusError radius_error;                             // away from joints, ends and other vessels
-    double to_cones_mean_mm = 0.0, to_cones_max_mm = 0.0; // of its vertices to truncated cones
-    std::size_t merged = 0;                               // vessels that pass each other without a joint and are one
-    long pieces = 0, loops = 0; // of the surface; of the graph they are graph_pieces, graph_loops
+    double to_cones_mean_mm = 0.0, to_cones_max_mm = 0.0; // distance of its vertices from truncated cones
+    std::size_t merged = 0;                               // pairs of vessels without a joint that are merged
+    long pieces = 0, loops = 0;                           // of the surface; compare with graph_pieces and graph_loops
     std::uint64_t evaluations = 0, triangles = 0;
     double mesh_s = 0.0;
 };
@@ -32,8 +32,8 @@ struct ComparedKernels {
     long graph_pieces = 0, graph_loops = 0;
 };
 
-// All kernels, those with a width at some widths; the tree as `options` prepares it, all else as they say.
-// Fails when a surface cannot be made or when `job` is cancelled (what == "cancelled").
+// Compares all kernels, those with a width at several widths, on the tree as prepared by `options`. Fails if a surface
+// cannot be made, or if `job` is cancelled (what == "cancelled").
 [[nodiscard]] Result<ComparedKernels> compare_kernels(const tree::VesselTree& source,
                                                       const mesh::SurfaceOptions& options, Job& job);
 

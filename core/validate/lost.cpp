@@ -8,12 +8,12 @@ namespace ramus::validate {
 
 namespace {
 
-constexpr double kShortest = 1.0; // of a stretch, in radii: less is the mesh's coarseness
+constexpr double kShortest = 1.0; // least length of a stretch, in radii: shorter gaps come from coarse triangles
 
-// Within another vessel, where nobody can tell whether this one is there, too.
+// Whether a place is within another vessel, so that the surface does not show whether this vessel is there.
 bool is_covered(const Place& place) { return place.beside < 1.0; }
 
-// Whether all that is so long about `at` lies within the joint's reach.
+// Whether an object of this length around `at` lies within the joint's reach.
 bool reaches(const MovedJoint& joint, const glm::dvec3& at, double length_mm) {
     return glm::distance(at, joint.at) + 0.5 * length_mm <= joint.reach;
 }
@@ -50,7 +50,7 @@ std::vector<LostStretch> lost_stretches(const Reference& reference, std::span<co
                 ++i;
                 continue;
             }
-            std::size_t last = i, past = i + 1; // what is covered belongs to the stretch where it goes on behind
+            std::size_t last = i, past = i + 1; // covered places belong to the stretch if it continues behind them
             for (; past < end && (!sections[past].found || is_covered(places[past])); ++past)
                 if (!sections[past].found) last = past;
             std::size_t before = i;
@@ -66,7 +66,7 @@ std::vector<LostStretch> lost_stretches(const Reference& reference, std::span<co
             i = past;
         }
     }
-    // Of stretches at one joint, the longest is what is lost.
+    // If several stretches meet at a joint, only the longest one is reported.
     const std::vector<MovedJoint> joints = moved_joints(reference, found);
     std::vector<LostStretch> kept;
     for (const LostStretch& one : found) {

@@ -15,21 +15,21 @@ namespace ramus::validate {
 
 namespace {
 
-// Of the closeness from which on two vessels count as together again: from here on, in the crotch of a fork, passing
-// and being joined cannot be told apart. Nor can they where two part.
+// Share of the closeness from which two vessels count as together again. Above it, in the crotch of a fork, merged
+// vessels and joined vessels look the same. The same holds for daughters that diverge (Partner::parting).
 constexpr double kNearlyTogether = 0.97;
-constexpr double kThird = 1.25; // radii of a third vessel, of which a place is part: joints bulge
+constexpr double kThird = 1.25; // radii: a place this near to a third vessel belongs to it, since joints bulge
 
-// Two links of vessels that are kept apart, where they are closest.
+// Two links that are kept apart, at their closest places.
 struct PassingPair {
     std::uint32_t a = 0, b = 0; // links, ascending
     tree::Point at_a, at_b;
-    glm::dvec3 seen_from{0.0}, seen_to{0.0}; // where the axes count as: moved apart where they cross
+    glm::dvec3 seen_from{0.0}, seen_to{0.0}; // the same places on the moved axes (core/tree/contacts/spread_axes.h)
     bool merged = false;
-    bool sure = false; // no third vessel has a part in it
+    bool sure = false; // no third vessel is involved
 };
 
-// Whether something else that is there covers the way between them: then the two are in that, not one with each other.
+// Whether a third vessel lies between the two. Then both may be merged with it, and not with each other.
 bool third_between(const Axes& axes, const PassingPair& pair) {
     const tree::Links& links = axes.links;
     constexpr int kAsked = 5;
@@ -66,7 +66,7 @@ double gap_of(const PassingPair& pair) {
     return glm::distance(pair.at_a.position, pair.at_b.position) - pair.at_a.radius - pair.at_b.radius;
 }
 
-// The set of each pair: they belong together where both of their links are the same or meet.
+// The set of each pair. Two pairs belong to one set if both of their links are equal or adjacent.
 std::vector<std::uint32_t> sets_of(const std::vector<PassingPair>& pairs, const tree::Links& links) {
     DisjointSets sets(pairs.size());
     std::map<std::uint32_t, std::vector<std::uint32_t>> by_link;
@@ -132,7 +132,7 @@ std::vector<Merged> merged_along(const Axes& axes, const Reference& reference, c
     return merged;
 }
 
-// The centerlines as a surface may follow them: without the steps of voxels, with round corners.
+// The centerlines as a surface may have them: smoothed, with rounded corners.
 tree::PreparedTree rounded(const Reference& reference) {
     tree::PreparedTree prepared = reference.axes().prepared;
     prepared.tree = tree::smooth(std::move(prepared.tree), 1);
@@ -142,8 +142,8 @@ tree::PreparedTree rounded(const Reference& reference) {
 
 } // namespace
 
-// A wall is half-way between axes: where these all but cross, it depends on the last bit of them. So vessels are merged
-// where they see each other from both, the axes as read and the same rounded.
+// A wall lies midway between two axes. If the axes nearly cross, its place depends on their last bits. So two vessels
+// count as merged only if they see each other from the axes as read and from the rounded ones.
 std::vector<Merged> merged_vessels(const Reference& reference, const Probe& probe, const tree::ContactLimits& limits,
                                    std::span<const LostStretch> lost) {
     constexpr double kSamePlace = 3.0; // radii: rounding moves where two are closest along both

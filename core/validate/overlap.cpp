@@ -19,8 +19,7 @@ namespace ramus::validate {
 
 namespace {
 
-// Rays along rows of voxels: beside the middles by so little that no voxel differs, since middles may lie on edges of
-// triangles.
+// Rays along rows of voxels, with a tiny offset from the voxel centres, which may lie on edges of triangles.
 constexpr std::array<glm::dvec3, 3> kRayOffsets{
     {{0.0, 1.7e-5, 2.9e-5}, {0.0, -3.1e-5, 1.3e-5}, {0.0, 2.3e-5, -1.9e-5}}};
 
@@ -37,7 +36,7 @@ public:
     [[nodiscard]] const glm::ivec3& first() const { return first_; }
     [[nodiscard]] const glm::ivec3& last() const { return last_; }
 
-    // Adds the voxels of the row that are inside of the surface, and those that are in both.
+    // Counts the voxels of a row that are inside the surface, and those that are also in the mask.
     void count(int j, int k, std::uint64_t& inside, std::uint64_t& both) const {
         thread_local std::vector<measure::Crossing> found;
         const glm::dvec3 way = glm::dvec3(to_patient_[0]) / along_;

@@ -1,4 +1,4 @@
-// How much a solid and a mask have in common, counted in the mask's voxels: volumes and Dice's coefficient.
+// Overlap of a surface's solid and a mask, counted in voxels of the mask: volumes and Dice's coefficient.
 #pragma once
 
 #include "core/base/error.h"
@@ -11,17 +11,17 @@
 
 namespace ramus::validate {
 
-// Voxels whose middle is inside; of the surface also those of the same grid beyond the mask's border.
+// Numbers of voxels whose centre is inside. `surface` includes voxels of the same grid beyond the mask's border.
 struct Overlap {
     std::uint64_t mask = 0, surface = 0, both = 0;
     double voxel_mm3 = 0.0;
-    // 2 |A and B| / (|A| + |B|): 1 where they are the same, 0 where they have nothing in common.
+    // 2 |A and B| / (|A| + |B|): 1 if they are equal, 0 if they are disjoint.
     [[nodiscard]] double dice() const;
 };
 
-// `to_patient`: of voxel indices, whole numbers in the voxels' middles, to mm, RAS. Inside is where the surface winds
-// around a place, so that solids may overlap. The surface has a triangle at least. Fails when `job` is cancelled (what
-// == "cancelled").
+// `to_patient`: transforms voxel indices (integers at voxel centres) to mm, RAS. Inside is decided by the winding
+// number, so solids may overlap. The surface must have at least one triangle. Fails if `job` is cancelled (what ==
+// "cancelled").
 [[nodiscard]] Result<Overlap> overlap_of(const mesh::TriangleMesh& surface, const volume::BitMask& mask,
                                          const glm::dmat4& to_patient, Job& job);
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kRays = 32; // of a cross-section
 
-// Along no axis and no diagonal, where meshes that people make have their edges; to all sides.
+// Not parallel to an axis or a diagonal, since edges of modelled meshes often are; in all directions.
 constexpr std::array<glm::dvec3, 5> kWindingRays{{{0.8506508083520400, 0.4472135954999579, 0.2763932022500210},
                                                   {-0.3090169943749474, 0.7639320225002102, -0.5665277804250000},
                                                   {0.1836034948330000, -0.5257311121191336, 0.8305895421000000},
@@ -28,7 +28,7 @@ constexpr std::array<glm::dvec3, 5> kWindingRays{{{0.8506508083520400, 0.4472135
 
 Probe::Probe(const mesh::TriangleMesh& surface, std::span<const Place> places)
     : surface_(surface), triangles_(surface) {
-    // What packing worked in shall not stay beside what follows.
+    // Frees the scratch memory of packing before the next step needs memory.
     if (surface.triangles.size() >= kWorthReleasing) release_unused_memory();
     glm::dvec3 least(kInfinity), most(-kInfinity);
     for (const glm::vec3& position : surface.positions) {
@@ -47,8 +47,8 @@ Probe::Probe(const mesh::TriangleMesh& surface, std::span<const Place> places)
     if (turned > 0) sign_ = -1;
 }
 
-// How often the surface winds around a place, as the median of some rays says: where most of them agree, the others
-// are not asked.
+// The winding number of the surface around a place: the median over the rays. If the first three agree, the others are
+// not needed.
 int Probe::winding(const glm::dvec3& at) const {
     thread_local std::vector<measure::Crossing> found;
     constexpr std::size_t kMost = kWindingRays.size() / 2 + 1;
@@ -63,8 +63,9 @@ int Probe::winding(const glm::dvec3& at) const {
     return turns[turns.size() / 2];
 }
 
-// How far the curved surface is beyond its triangle, along the way. Over a chord the surface rises by an eighth of how
-// much the normal turns along it, in between as a parabola does; over a triangle so along all of its edges.
+// The distance along the ray from a triangle to the curved surface above it. Over the middle of a chord, the surface
+// rises by an eighth of the chord's length times the turn of the normal, with a parabolic profile; over a triangle the
+// heights of its edges add up.
 double Probe::bulge(const measure::Crossing& crossing, const glm::dvec3& from, const glm::dvec3& way) const {
     if (surface_.normals.empty()) return 0.0;
     const glm::uvec3& t = surface_.triangles[crossing.triangle];
@@ -88,22 +89,22 @@ double Probe::bulge(const measure::Crossing& crossing, const glm::dvec3& from, c
         out += share[k] * normal[k];
     }
     const double slope = glm::dot(out, way) / std::max(glm::length(out), 1e-9);
-    const double edge = std::sqrt(std::sqrt(area)); // of the triangle's size: no creases, where normals mean nothing
+    const double edge = std::sqrt(std::sqrt(area)); // limits the height at creases, where normals are unreliable
     return std::clamp(height / std::max(std::abs(slope), 0.5), -0.1 * edge, 0.1 * edge);
 }
 
 bool Probe::inside(const glm::dvec3& at) const { return winding(at) > 0; }
 
-// The first of the crossings between a place, around which the surface winds `turns` times, and `far`, behind which it
-// is outside; null: there is none.
+// The first crossing after which the ray is outside. `turns`: the winding number at the start; `far`: the end of the
+// ray. Null if there is none.
 const measure::Crossing* Probe::way_out(std::span<const measure::Crossing> crossings, int turns,
                                         const glm::dvec3& far) const {
     for (const measure::Crossing& crossing : crossings) {
         turns -= crossing.out ? sign_ : -sign_;
         if (turns <= 0) return &crossing;
     }
-    // Solids that overlap may end at the same place, as cones do where they are joined, and that counts as one
-    // crossing. Then it is the other end that tells.
+    // Overlapping solids may have a common boundary, as adjacent cones do, which counts as one crossing. Then the
+    // winding numbers are counted from the far end.
     const measure::Crossing* first = nullptr;
     int behind = crossings.empty() ? 1 : winding(far);
     if (behind > 0) return nullptr;

@@ -1,6 +1,6 @@
-// Probe: what a surface has around a place: whether it is inside, and how wide the cross-section there is. Solids of
-// the surface may overlap, as truncated cones do, and the surface may have holes, as where vessels were cut off: inside
-// is where most of several rays say so. Any number of threads may ask.
+// Probe: queries of a surface at a place: whether the place is inside, and the cross-section there. Lengths are in mm.
+// Inside is the median of the winding numbers along five rays. So solids may overlap, as truncated cones do, and the
+// surface may have holes, as at open ends of vessels. Safe for concurrent use.
 #pragma once
 
 #include "core/measure/deviation/packed_triangles.h"
@@ -15,23 +15,22 @@ struct Place;
 
 struct CrossSection {
     bool inside = false;
-    // mm: of a circle of the same area, 0 outside. Triangles are chords of the surface that their vertices lie on:
-    // `radius` is that of the triangles curved by the normals of their vertices, `flat_radius` that of the triangles
-    // themselves.
+    // The radius of a circle of the same area; 0 outside. `flat_radius` is measured on the flat triangles, which are
+    // chords of the surface; `radius` on triangles that are curved according to their vertex normals.
     double radius = 0.0, flat_radius = 0.0;
-    glm::dvec3 middle{0.0}; // of the area
+    glm::dvec3 middle{0.0}; // centroid of the area
 };
 
 class Probe {
 public:
-    // `places`: those that are to be inside; of a surface that is turned inside out they say so. The surface outlives
-    // this.
+    // `places`: places that should be inside; they show whether the surface is inside out. The surface must outlive the
+    // object.
     Probe(const mesh::TriangleMesh& surface, std::span<const Place> places);
 
-    // Across `direction`. No ray is followed farther than `reach` mm.
+    // The cross-section perpendicular to `direction`, limited to a distance of `reach` mm.
     [[nodiscard]] CrossSection cross_section(const glm::dvec3& at, const glm::dvec3& direction, double reach) const;
     [[nodiscard]] bool inside(const glm::dvec3& at) const;
-    // Whether the straight way between two places does not meet the surface.
+    // Whether the straight way between two places does not intersect the surface.
     [[nodiscard]] bool sees(const glm::dvec3& from, const glm::dvec3& to) const;
 
 private:
@@ -42,9 +41,9 @@ private:
 
     const mesh::TriangleMesh& surface_;
     measure::PackedTriangles triangles_;
-    double size_; // mm: as far as the surface reaches from anywhere within its box
+    double size_; // diagonal of the surface's bounding box, mm
     glm::dvec3 middle_;
-    int sign_ = 1; // -1: triangles are turned inward
+    int sign_ = 1; // -1: triangles face inward
 };
 
 } // namespace ramus::validate

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kStep = 0.25; // of a place, in radii
 
-// A branch as a line that can be asked for any place along it.
+// A branch as a curve with a parameter, the length from its first point.
 class Run {
 public:
     Run(const tree::VesselTree& tree, const tree::Branch& branch, double grain_mm)
@@ -38,8 +38,8 @@ public:
         place.radius = std::lerp(tree_.points[points_[i]].radius, tree_.points[points_[i + 1]].radius, share);
         return place;
     }
-    // The chord over half a radius to either side: at a corner neither the one segment nor the other. Between voxels
-    // it is over two of them at least: from voxel to voxel centerlines go in 26 directions only.
+    // The chord over half a radius to either side, since the direction jumps at corners. At least over two voxels to
+    // either side, since steps between voxels have only 26 directions.
     [[nodiscard]] glm::dvec3 direction(const Place& place) const {
         const double reach = std::max(0.5 * place.radius, 2.0 * grain_mm_);
         const glm::dvec3 chord =
@@ -53,7 +53,7 @@ public:
     [[nodiscard]] double reach_of_bend(const Place& place) const {
         return std::max(1.5 * place.radius, 3.0 * grain_mm_);
     }
-    // Whether the vessel turns by 35 degrees over the reach to either side.
+    // Whether the chords over the reach before and after a place differ by more than 35 degrees.
     [[nodiscard]] bool turns_at(const Place& place) const {
         constexpr double kCosine = 0.8192;
         const double reach = reach_of_bend(place);
@@ -71,7 +71,7 @@ private:
     const tree::VesselTree& tree_;
     const std::vector<std::uint32_t>& points_;
     double grain_mm_;
-    std::vector<double> until_; // mm along, of each point
+    std::vector<double> until_; // by point: mm from the first point
 };
 
 void put_places(const Run& run, int branch, std::pair<bool, bool> free_ends, std::vector<Place>& places) {
@@ -85,7 +85,7 @@ void put_places(const Run& run, int branch, std::pair<bool, bool> free_ends, std
         places.push_back(place);
         along += kStep * place.radius;
     }
-    constexpr double kSpread = 1.0 / 6.0; // of the distance: by so much less a wider place counts
+    constexpr double kSpread = 1.0 / 6.0; // decrease of Place::scale per mm away from a wider place
     const auto spread = [&](std::size_t from, std::size_t to) {
         const double away = std::abs(places[to].along - places[from].along);
         places[to].scale = std::max({places[to].scale, places[to].radius, places[from].scale - kSpread * away});
@@ -125,7 +125,7 @@ NearbyVessels::NearbyVessels(const tree::Links& links) : links_(links) {
     boxes_ = halved_boxes(static_cast<std::uint32_t>(along_.size()), hold, middle);
 }
 
-// `radii`: the sum of the place's radius and the link's, there.
+// `radii`: the sum of the radii of the place and of the link.
 bool NearbyVessels::is_out(const ButFor& but, std::uint32_t link, double share, double radii) const {
     const tree::Link& one = links_[link];
     if (one.branch != but.near_on) return false;
@@ -138,7 +138,8 @@ NearbyVessels::Nearest NearbyVessels::nearest(const tree::Point& place, double m
     Nearest best{most, tree::kNoBranch, 0.0};
     if (boxes_.nodes.empty()) return best;
     const double reach = kOwn * place.radius;
-    std::array<std::uint32_t, 64> open; // halves: no deeper than the bits of a count of links
+    std::array<std::uint32_t, 64>
+        open; // each level halves the links, so the depth is limited by the bits of their number
     open[0] = 0;
     std::size_t count = 1;
     while (count > 0) {

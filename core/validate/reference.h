@@ -1,6 +1,6 @@
-// What a surface is held against: the centerlines and radii of a tree as it was read, with all branches, never as its
-// surface smooths or prunes them. They are sampled at places, each of which stands for a fraction of a vessel's radius;
-// and the reference knows which vessels are near a place. mm, RAS.
+// Reference: the centerlines and radii with which a surface is compared. They are those of the tree as it was read,
+// with all branches, not smoothed and not pruned. The centerlines are sampled at places, a fraction of a radius apart.
+// The reference also finds the vessels near a place. Lengths in mm, positions in RAS.
 #pragma once
 
 #include "core/base/halved_boxes.h"
@@ -20,44 +20,46 @@ namespace ramus::validate {
 struct Place {
     int branch = 0;
     double along = 0.0; // mm from the branch's first point
-    double step = 0.0;  // mm of centerline that this place stands for
+    double step = 0.0;  // mm of centerline that this place represents
     glm::dvec3 at{0.0};
     glm::dvec3 direction{0.0, 0.0, 1.0}; // unit length
-    double radius = 0.0;                 // between two points, linear
-    // What lengths along the vessel are counted in: its radius, or nearly that of a wider place next to it. Where radii
-    // jump from point to point, nobody knows what lies between. mm
+    double radius = 0.0;                 // interpolated linearly, mm
+    // The unit of lengths along the vessel (mm): its radius, or nearly the radius of a wider place nearby. If radii
+    // jump from point to point, the radius between the points is not known.
     double scale = 0.0;
-    bool turns = false; // by 35 degrees over one and a half radii to either side
-    bool bent = false;  // no farther than one and a half radii from a sharp bend: no section is across the vessel there
-    double to_end = 0.0; // mm along the branch to its nearest free end; infinite where it has none
-    // Closeness (core/tree/contacts/links.h) of the closest other vessel, kFar at most. A branch is another vessel to
-    // itself where it comes back: where it would be farther than kFar if it were straight.
+    bool turns = false;  // the centerline turns by 35 degrees within 1.5 radii before and after
+    bool bent = false;   // within 1.5 radii of a sharp bend, where sections are oblique
+    double to_end = 0.0; // mm along the branch to its nearest free end; infinite if it has none
+    // Closeness (core/tree/contacts/links.h) of the closest other vessel, at most kFar. A branch counts as another
+    // vessel of itself where it comes back: where it would be farther than kFar if it were straight.
     double beside = 0.0;
 };
-inline constexpr double kFar = 1.45; // beyond, a vessel changes nothing at another one's surface
-// Away from joints, free ends, other vessels and sharp bends: a cross-section there is that of the vessel.
+inline constexpr double kFar = 1.45; // beyond this closeness a vessel does not change another one's surface
+// Whether a place is away from joints, free ends, other vessels and sharp bends, so that a cross-section is that of the
+// vessel.
 [[nodiscard]] bool is_alone(const Place& place);
-// Parts of a surface farther than this from all centerlines, in radii, are of no vessel.
+// Parts of a surface farther than this from all centerlines, in radii, belong to no vessel.
 inline constexpr double kOwn = 1.5;
 
-// What is left out where vessels are looked for.
+// Vessels to exclude from a search: two branches, and the part of branch `near_on` that is nearer along it than kFar to
+// the place `along` mm from its first point.
 struct ButFor {
     std::array<int, 2> branches{tree::kNoBranch, tree::kNoBranch};
-    int near_on = tree::kNoBranch; // of this branch, what is nearer along it than kFar, seen from
-    double along = 0.0;            // so many mm from its first point
+    int near_on = tree::kNoBranch;
+    double along = 0.0;
 };
 
-// Vessels by place: a tree of boxes over links.
+// Finds vessels near a place: a bounding-volume hierarchy over links.
 class NearbyVessels {
 public:
     explicit NearbyVessels(const tree::Links& links);
 
-    // The vessel to which the place, a ball of its radius, is closest; none that is not below `most`, kOwn at the most.
-    // Anything below `enough` is taken.
+    // The vessel with the least closeness to `place` (a ball), if it is below `most`, which must be at most kOwn. The
+    // search stops at the first vessel below `enough`.
     struct Nearest {
         double closeness = 0.0;
         int branch = tree::kNoBranch; // kNoBranch: none
-        double radius = 0.0;          // of the vessel, there
+        double radius = 0.0;          // of the vessel at its nearest place, mm
     };
     [[nodiscard]] Nearest nearest(const tree::Point& place, double most, const ButFor& but, double enough) const;
 
@@ -66,10 +68,10 @@ private:
 
     const tree::Links& links_;
     HalvedBoxes boxes_;         // of links
-    std::vector<double> along_; // mm from its branch's first point to each link
+    std::vector<double> along_; // by link: mm from its branch's first point
 };
 
-// Centerlines as vessels. Parts refer to each other.
+// Centerlines with their links and search structure. Not copyable, since the members refer to each other.
 struct Axes {
     explicit Axes(tree::PreparedTree of) : prepared(std::move(of)), links(prepared), vessels(links) {}
     Axes(const Axes&) = delete;
@@ -83,13 +85,13 @@ class Reference {
 public:
     explicit Reference(const tree::VesselTree& source);
 
-    // The edge of a voxel, mm: what is shorter, the tree does not know. 0: its points are no voxels.
+    // The edge of a voxel, mm, which limits the accuracy of the tree. 0: the points do not come from voxels.
     [[nodiscard]] double grain_mm() const { return grain_mm_; }
     [[nodiscard]] const Axes& axes() const { return axes_; }
     [[nodiscard]] const tree::VesselTree& tree() const { return axes_.prepared.tree; }
     [[nodiscard]] const NearbyVessels& vessels() const { return axes_.vessels; }
     [[nodiscard]] const std::vector<Place>& places() const { return places_; } // branch by branch, along each
-    // Of one branch.
+    // The places of one branch.
     [[nodiscard]] std::span<const Place> places_of(std::size_t branch) const {
         return std::span(places_).subspan(first_[branch], first_[branch + 1] - first_[branch]);
     }
@@ -100,7 +102,7 @@ private:
     double grain_mm_;
     Axes axes_;
     std::vector<Place> places_;
-    std::vector<std::size_t> first_; // of each branch, and one past the last
+    std::vector<std::size_t> first_; // by branch: the index of its first place; and the end
 };
 
 } // namespace ramus::validate

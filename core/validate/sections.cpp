@@ -13,14 +13,14 @@ namespace ramus::validate {
 
 namespace {
 
-constexpr double kReach = 4.0; // of the rays across, in radii
+constexpr double kReach = 4.0; // length of the rays, in radii
 constexpr double kHalf = 0.5;
 
 bool wide_enough(const CrossSection& section, const Place& place) {
     return section.inside && section.radius >= kHalf * place.radius;
 }
 
-// The nearest cross-section of this vessel, not of one next to it, whose middle is not far from the place.
+// Searches around a place for the nearest cross-section that belongs to its vessel and not to another one.
 std::optional<CrossSection> aside(const Reference& reference, const Probe& probe, const Place& place) {
     const glm::dvec3 side = glm::normalize(glm::cross(
         place.direction, std::abs(place.direction.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0)));
@@ -42,7 +42,7 @@ std::optional<CrossSection> aside(const Reference& reference, const Probe& probe
     return nearest;
 }
 
-// Calls work(i) for each of so many places, in stretches, so that work can be cancelled and tells how far it is.
+// Calls work(i) for `count` places, in chunks, so that the job can be cancelled and reports progress.
 template <class Work> void for_places(std::size_t count, const JobRange& job, const Work& work) {
     constexpr std::size_t kStretch = 1U << 13U;
     for (std::size_t first = 0; first < count && !job.cancelled(); first += kStretch) {

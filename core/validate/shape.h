@@ -1,5 +1,5 @@
-// How a surface hangs together, held against its tree: pieces and loops. What two vessels that touch have grown
-// together by, and what a vessel has come apart by, shows here wherever it is.
+// Compares the topology of a surface with that of its tree: the numbers of pieces and loops. Shows merged vessels and
+// broken vessels anywhere on the surface, but not where they are.
 #pragma once
 
 #include "core/mesh/connectivity.h"
@@ -16,12 +16,12 @@ struct Shape {
     [[nodiscard]] bool as_tree() const { return surface == tree; }
 };
 
-// What the surface of a tree has where each vessel system has a surface of its own (core/mesh/systems.h). `hidden`: by
-// branch id, not 0: left out; may be empty.
+// The pieces and loops of a correct surface of a tree, in which each vessel system has a surface of its own
+// (core/mesh/systems.h). `hidden`: by branch id, not 0 if hidden; may be empty.
 [[nodiscard]] mesh::Connectivity expected_shape(const tree::VesselTree& tree,
                                                 std::span<const std::uint8_t> hidden = {});
 
-// `closed`: the surface of all branches, without a hole. Cones are many surfaces, and say nothing here.
+// `closed`: the closed surface of all branches. Not meaningful for truncated cones, which are many surfaces.
 [[nodiscard]] Shape shape_of(const tree::VesselTree& tree, const mesh::TriangleMesh& closed);
 
 } // namespace ramus::validate

@@ -68,7 +68,7 @@ std::vector<double> errors_at_points(const Reference& reference, const Probe& pr
     return errors;
 }
 
-// Where a false part leaves a vessel, or another vessel is merged with it, cross-sections have that in them too.
+// Near a false part or a merged vessel, cross-sections include it, so their radii are not reported.
 bool is_explained(const Validation& found, const Reference& reference, int branch, const glm::dvec3& at) {
     constexpr double kLeaves = 4.0, kMerges = 6.0; // radii
     const double radius =

@@ -1,6 +1,6 @@
 #include "render/scene/near_division.h"
 
-#include "core/field/drawn_surface.h"
+#include "core/field/surface_projector.h"
 #include "render/scene/creased.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ bool cross_crease(NearPlace a, NearPlace b) {
            (b == NearPlace::kCovered && a != NearPlace::kCovered && a != NearPlace::kWall);
 }
 
-NearPlace place_of(const field::DrawnSurface::Point& point) {
+NearPlace place_of(const field::SurfaceProjector::Point& point) {
     if (!point.beside_contact) return NearPlace::kSmooth;
     switch (point.place) {
     case field::DrawnPoint::Place::kOwn:
@@ -153,7 +153,7 @@ void NearDivision::mark_creases(const std::vector<std::size_t>& shown) {
 void NearDivision::move_vertices(const std::vector<std::size_t>& pages, const std::vector<std::size_t>& shown) {
     constexpr float kReach = 0.5F;       // of the longest edge there
     constexpr float kMostAtRims = 0.45F; // of that. Tuned on a contact of a brain: what is farther is another surface
-    std::vector<field::DrawnSurface::Point> points;
+    std::vector<field::SurfaceProjector::Point> points;
     std::vector<std::uint32_t> exact;
     for (std::uint32_t n = 0; n < vertices_.size(); ++n) {
         Vertex& v = vertices_[n];
@@ -165,7 +165,7 @@ void NearDivision::move_vertices(const std::vector<std::size_t>& pages, const st
                           .cell = v.edge,
                           .reach = kReach * v.edge});
     }
-    mesh_.drawn()->move(points);
+    mesh_.projector()->move(points);
     std::vector<std::uint8_t> stays(vertices_.size(), 0), moved(vertices_.size(), 0);
     for (const std::size_t number : shown) {
         if (std::ranges::binary_search(pages, number)) continue;
@@ -230,7 +230,7 @@ void NearDivision::place_middles(std::vector<Edge>& edges) const {
         edge.middle.edge = 0.5F * (a.edge + b.edge);
         edge.middle.exact = a.exact && b.exact;
     });
-    std::vector<field::DrawnSurface::Point> points;
+    std::vector<field::SurfaceProjector::Point> points;
     std::vector<std::size_t> exact;
     for (std::size_t n = 0; n < edges.size(); ++n) {
         const Edge& edge = edges[n];
@@ -244,7 +244,7 @@ void NearDivision::place_middles(std::vector<Edge>& edges) const {
                           .reach = kReach * length,
                           .onward = kOnward * length});
     }
-    if (!points.empty()) mesh_.drawn()->move(points);
+    if (!points.empty()) mesh_.projector()->move(points);
     for (std::size_t i = 0; i < exact.size(); ++i) {
         Vertex& middle = edges[exact[i]].middle;
         middle.end = {glm::vec3(points[i].at - mesh_.origin()), points[i].normal};
@@ -312,7 +312,7 @@ bool NearDivision::divide_once() {
 bool NearDivision::divide(const std::vector<std::size_t>& pages, const std::vector<std::size_t>& shown,
                           std::size_t most) {
     take(pages);
-    if (mesh_.drawn()) move_vertices(pages, shown);
+    if (mesh_.projector()) move_vertices(pages, shown);
     mark_creases(shown);
     const std::size_t most_in_all = most + active_.size();
     for (int depth = 0; depth < kMostDivisions && divide_once(); ++depth)

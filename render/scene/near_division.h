@@ -1,10 +1,10 @@
 // NearDivision: divides triangles of a surface until no picture shows their edges to be straight.
 //
 // An edge is divided where the surface bends away from it so far that one sees it, and where a vessel's surface goes on
-// into another vessel. Where the mesh knows what it is a mesh of (field::DrawnSurface) and edges are longer than some
-// pixels, vertices are moved onto that, new ones and those of the mesh; else edges bend as the normals at their ends
-// say (bent_edge.h). Walls, and the edge of what an obstacle cuts off, stay as the mesh has them. Whether and where an
-// edge is divided is found once, for all triangles that share it: nothing opens between them.
+// into another vessel. Where the mesh knows what it is a mesh of (field::SurfaceProjector) and edges are longer than
+// some pixels, vertices are moved onto that, new ones and those of the mesh; else edges bend as the normals at their
+// ends say (bent_edge.h). Walls, and the edge of what an obstacle cuts off, stay as the mesh has them. Whether and
+// where an edge is divided is found once, for all triangles that share it: nothing opens between them.
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"

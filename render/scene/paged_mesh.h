@@ -25,7 +25,7 @@
 #include <vector>
 
 namespace ramus::field {
-class DrawnSurface;
+class SurfaceProjector;
 }
 
 namespace ramus::render {
@@ -113,8 +113,8 @@ public:
 
     // What it is a mesh of, for pictures of what is near the eye; null: that is not known. Not of what is made of it by
     // edited().
-    [[nodiscard]] const std::shared_ptr<const field::DrawnSurface>& drawn() const { return drawn_; }
-    void set_drawn(std::shared_ptr<const field::DrawnSurface> drawn) { drawn_ = std::move(drawn); }
+    [[nodiscard]] const std::shared_ptr<const field::SurfaceProjector>& projector() const { return projector_; }
+    void set_projector(std::shared_ptr<const field::SurfaceProjector> projector) { projector_ = std::move(projector); }
 
     // The same surface with these values, by vertex; vertices beyond their end have kNotKnown.
     [[nodiscard]] PagedMesh with_values(std::span<const float> values) const;
@@ -150,7 +150,7 @@ private:
     TrianglePages triangle_pages_;
     ValuePages value_pages_;
     std::shared_ptr<const PageMemory> memory_;
-    std::shared_ptr<const field::DrawnSurface> drawn_;
+    std::shared_ptr<const field::SurfaceProjector> projector_;
     Box bounds_;
     glm::dvec3 origin_{0.0};
     int branch_count_ = 0;

@@ -11,7 +11,7 @@
 // cross (closeness below 0.005), and those whose axes as good as cross (0.06); pairs of triangles that intersect,
 // within two radii of the tubes of a contact's both vessels, and elsewhere.
 #include "core/base/disjoint_sets.h"
-#include "core/field/apart/wall.h"
+#include "core/field/separation/wall.h"
 #include "core/field/vessel_field.h"
 #include "core/io/trees/tree_file.h"
 #include "core/mesh/polygonize/polygonize.h"

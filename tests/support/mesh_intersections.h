@@ -5,7 +5,7 @@
 #include "core/base/lists_by_thread.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/mesh/untangle/exact_triangles.h"
-#include "core/mesh/untangle/meeting_triangles.h"
+#include "core/mesh/untangle/intersecting_triangles.h"
 
 #include <algorithm>
 #include <cstdint>

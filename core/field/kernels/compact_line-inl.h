@@ -1,20 +1,21 @@
-// Kernels that are line integrals, in SIMD: the profile that they share. Included once per instruction set.
+// CompactLine: the SIMD profile of kernels that are line integrals of a function with compact support. Included once
+// per instruction set.
 //
-// Such a kernel is a function g of the squared distance u from a point of the skeleton, in local radii, which falls to
-// exactly 0 at u = reach^2, smoothly. What a segment adds is the integral of g along it, in closed form:
+// Such a kernel has a function g of the squared distance u from a point of the skeleton, in local radii, which falls
+// smoothly to exactly 0 at u = reach^2. The contribution of a segment is the integral of g along it, in closed form:
 //     h(p) = integral of g(q + x^2) dx from -t / r to (L - t) / r,   q = d^2 / r^2
-// with t, d and r as for the Gaussian (kernels/gaussian.h): r is the radius at the foot, linear along the segment, so
-// that all lengths are seen in it. Where g is 0 nothing is added, so a vessel cut into many segments is the same
-// vessel: the sum is the integral along all of them.
+// with t, d and r as for the Gaussian (kernels/gaussian.h). r is the radius at the foot, and all lengths are in units
+// of r. A straight vessel of constant radius has the same field however it is divided into segments, since the
+// integrals add up.
 //
-// A Shape is made from a Kernel and has, for vectors and for packs of them:
-//     integral(d, y, q, room)    of g(q + x^2) for x from 0 to y, odd in y; room: reach^2 - q, y^2 at the most
-//     slope(d, y, q, room)       its derivative by q
-//     height(d, u)               g
-//     distance(d, sum)           of a long vessel's surface from its axis where the sum is this one, in radii, with
-//     fall                       by how much the sum falls per radius there; both only roughly, but exact at 1 radius
+// A Shape is constructed from a Kernel and has these members, for vectors and for packs of vectors:
+//     integral(d, y, q, room)    integral of g(q + x^2) for x from 0 to y, odd in y; room = reach^2 - q; y^2 <= room
+//     slope(d, y, q, room)       the derivative of integral() by q
+//     height(d, u)               g(u)
+//     distance(d, sum)           the distance from a long vessel's axis, in radii, at which the field is `sum`, and the
+//                                amount by which the field falls per radius there; approximate, but exact at 1 radius
 //     reach2                     reach^2
-//     rough_distance(d, value), along_edge(value)   as a profile has them (sum/plain_sum-inl.h)
+//     rough_distance(d, value), along_edge(value)   as in a profile (sum/plain_sum-inl.h)
 #if defined(RAMUS_FIELD_COMPACT_LINE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_FIELD_COMPACT_LINE_INL_H
 #undef RAMUS_FIELD_COMPACT_LINE_INL_H
@@ -41,17 +42,17 @@ template <class X> HWY_INLINE X arc_tangent(X a) {
     return on_each([]<class Vec>(Vec x) { return hn::Atan(hn::DFromV<Vec>(), x); }, a);
 }
 
-// Where a sum of such kernels would be that of a long vessel, in radii from the axis, and how fast it falls there.
+// The result of Shape::distance().
 template <class Tag, class Vec = hn::Vec<Tag>> struct LongVesselPlace { Vec distance, fall; };
 
 template <class Shape> struct CompactLine {
     float scale = 1.0F, bound_scale = 1.0F;
-    static constexpr float kShortStep = 0.05F; // of a radius; as short as the Gaussian's
+    static constexpr float kShortStep = 0.05F; // radii; as short as that of the Gaussian
     Shape shape;
 
     HWY_INLINE explicit CompactLine(const Kernel& kernel) : shape(kernel) {}
 
-    // The two ends of a segment, scaled, as far as they are within reach.
+    // The limits of the integral: the scaled distances of the two ends, clamped to the reach.
     template <Ends Near, std::size_t N, class T> struct Window {
         Pack<N, T> room, y[2];
         HWY_INLINE Window(const Segments<N, T>& s, const Foot<N, T>& f, float reach2) {
@@ -82,7 +83,7 @@ template <class Shape> struct CompactLine {
         const Pack<N, T> by_q = add(shape.slope(d, w.y[0], f.q, w.room), shape.slope(d, w.y[1], f.q, w.room));
         g.radial = mul(mul(set(d, 2.0F), mul(f.scale, f.scale)), by_q);
         g.axial = mul(mul(set(d, -2.0F), by_q), mul(f.q, growth));
-        if constexpr (Near == Ends::kSome) { // elsewhere g is 0 at the ends
+        if constexpr (Near == Ends::kSome) { // otherwise g is 0 at both ends
             const Pack<N, T> u0 = min(mul_add(w.y[0], w.y[0], f.q), set(d, shape.reach2));
             const Pack<N, T> u1 = min(mul_add(w.y[1], w.y[1], f.q), set(d, shape.reach2));
             g.axial = mul_add(shape.height(d, u0), neg_mul_add(w.y[0], growth, f.scale), g.axial);
@@ -91,9 +92,10 @@ template <class Shape> struct CompactLine {
         return g;
     }
 
-    // Bounds over boxes: that of the integral over the segment where both ends are as far out as a box lets them be,
-    // and that over a piece as long as the segment, as near to the box as can be. The one is close for long segments,
-    // the other for short ones. Both grow with how thick (upper) or thin (lower) a box sees the segment.
+    // An upper bound of h over a box is the smaller one of two: the integral with both ends as far outward as the box
+    // allows, which is tight for long segments; and the integral over a piece of the segment's length as near to the
+    // box as possible, which is tight for short segments. lower_bound() is the reverse. The upper bound uses the
+    // thickest radius that the box sees, the lower bound the thinnest.
     template <class Tag, class Vec = hn::Vec<Tag>>
     HWY_INLINE Vec upper_bound(Tag d, const CullingSegment& s, const BoxView<Tag>& box) const {
         const Vec zero = hn::Zero(d), length = hn::Set(d, s.length);
@@ -125,7 +127,7 @@ template <class Shape> struct CompactLine {
     template <class Tag, class Vec = hn::Vec<Tag>> HWY_INLINE NewtonStep<Tag> newton(Tag d, Vec sum) const {
         const LongVesselPlace<Tag> place = shape.distance(d, sum);
         const Vec off = hn::Sub(place.distance, hn::Set(d, 1.0F));
-        // The distance changes by -1 / fall of what the sum changes by.
+        // d(distance) / d(sum) = -1 / fall.
         return {off, hn::Mul(off, place.fall)};
     }
     template <class Tag, class Vec = hn::Vec<Tag>> HWY_INLINE Vec rough_distance(Tag d, Vec value) const {
@@ -134,7 +136,7 @@ template <class Shape> struct CompactLine {
     HWY_INLINE float along_edge(float value) const { return shape.along_edge(value); }
 
 private:
-    static constexpr float kRounding = 3e-5F; // of single precision, where the differences of integrals are small
+    static constexpr float kRounding = 3e-5F; // relative; rounding of small differences of integrals
 
     template <class Tag, class Vec = hn::Vec<Tag>>
     HWY_INLINE Vec integral_from_to(Tag d, Vec q, Vec to_start, Vec to_end) const {

@@ -1,4 +1,4 @@
-// Kernels that fall with a power of the distance (kernels/powers.h) as shapes of a compact line integral. Included once
+// CutPower: kernels that fall with a power of the distance (kernels/powers.h), as shapes of CompactLine. Included once
 // per instruction set.
 #if defined(RAMUS_FIELD_CUT_POWER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_FIELD_CUT_POWER_INL_H
@@ -23,7 +23,7 @@ template <int kTwice> struct CutPower {
     static_assert(kTwice == 2 || kTwice == 3 || kTwice == 4);
     static constexpr float kPower = 0.5F * kTwice;
     float reach2, soft, factor, cut, cut_slope; // soft: e; factor: n
-    float rest, whole; // of the long vessel: the sum is about whole / p^(2 k - 1) - rest, p^2 = distance^2 + e
+    float rest, whole; // the field of a long vessel is about whole / p^(2 k - 1) - rest, with p^2 = distance^2 + e
 
     HWY_INLINE explicit CutPower(const Kernel& kernel) {
         const CutPowerNumbers numbers(kernel);

@@ -1,9 +1,9 @@
-// The Gaussian of kernels/gaussian.h as a profile: its values, gradients and bounds in SIMD. Included once per
-// instruction set.
+// The SIMD profile of the Gaussian (kernels/gaussian.h): values, gradients and bounds. Included once per instruction
+// set.
 //
-// Accuracy: absolute error of h below 1e-6 inside the support (erf 5.3e-7 at worst, exp 2e-7 relative), against the
-// formula in double precision. Outside the support the result is exactly zero, which is what makes a sum over any list
-// that contains the supporting segments, in the same order, the same to the last bit.
+// Accuracy: the absolute error of h is below 1e-6 inside the support, compared with the formula in double precision
+// (erf 5.3e-7 at worst, exp 2e-7 relative). Outside the support the result is exactly 0. So a sum over any list that
+// contains the reaching segments in ascending order has the same bits.
 #if defined(RAMUS_FIELD_GAUSSIAN_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_FIELD_GAUSSIAN_INL_H
 #undef RAMUS_FIELD_GAUSSIAN_INL_H
@@ -25,10 +25,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::field::HWY_NAMESPACE {
 
-inline constexpr float kFilterUnit = 0.404061018F; // of its argument, in the error function's: sqrt 2 / 3.5
+inline constexpr float kFilterUnit = 0.404061018F; // sqrt 2 / 3.5: scales the argument of erf to [-sqrt 2, sqrt 2]
 
 // erf(y / kFilterUnit) / 2 is y times a polynomial in y^2 - 1 (interpolated at the Chebyshev nodes of [-1, 1]); beyond
-// sqrt 2 it is constant to 3.7e-7. Here that polynomial, of N values side by side: one coefficient is fetched for all.
+// |y| = sqrt 2 it is constant to 3.7e-7. This function evaluates the polynomial for N vectors, and loads each
+// coefficient once.
 inline constexpr float kEndOfFilter = 1.41421356F;
 template <class Tag, class Vec, std::size_t N> HWY_INLINE void end_polynomials(Tag d, const Vec (&y)[N], Vec (&p)[N]) {
     constexpr float kUnit = 0.5F / kFilterUnit;
@@ -52,8 +53,8 @@ template <class Tag, class Vec> HWY_INLINE Vec half_error_function(Tag d, Vec x)
 
 inline constexpr float kFadeEndScaled = static_cast<float>(kFadeEnd * 1.4426950408889634);
 
-// Smooth step of rho times `unit`, from 1 at kFadeBegin to exactly 0 at kFadeEnd, in two parts: how far it is from the
-// end, 0 to 1, and what that comes to.
+// A smooth step of rho times `unit`, from 1 at kFadeBegin to exactly 0 at kFadeEnd. fade_place() is its linear
+// argument, from 1 to 0; fade_at() is the cubic of this argument.
 template <class Tag, class Vec> HWY_INLINE Vec fade_place(Tag d, Vec rho, double unit) {
     constexpr double kInverse = 1.0 / (kFadeEnd - kFadeBegin);
     const Vec x =
@@ -65,17 +66,17 @@ template <class Tag, class Vec> HWY_INLINE Vec fade_at(Tag d, Vec c) {
 }
 template <class Tag, class Vec> HWY_INLINE Vec fade(Tag d, Vec rho) { return fade_at(d, fade_place(d, rho, 1.0)); }
 
-// The Gaussian, and squares that go into another one, end where single precision does.
+// 2^-q; q is clamped to the range of power_negative().
 template <std::size_t N, class T> HWY_INLINE Pack<N, T> power_of_two(const Pack<N, T>& q) {
     const PackTag<N, T> d;
     return power_negative(d, min(q, set(d, 64.0F)));
 }
 
-// Values and gradients are taken in the scale sqrt(width) / r, in which the Gaussian is a power of two; bounds and
-// depths in sqrt(w) / r, in which it is one of e.
+// Values and gradients use lengths scaled by sqrt(width) / r, so that the Gaussian is a power of 2. Bounds and depths
+// use the scale sqrt(w) / r, so that the Gaussian is a power of e.
 struct Gaussian {
     float scale, bound_scale;
-    float surface_depth; // phi where F is the isovalue: sqrt(w)
+    float surface_depth; // phi at the isovalue: sqrt(w)
 
     HWY_INLINE explicit Gaussian(const Kernel& kernel)
         : scale(static_cast<float>(std::sqrt(kernel.width))),
@@ -103,7 +104,7 @@ struct Gaussian {
         return mul(body, end_filter<Near>(s, f));
     }
 
-    // h and its gradient. `growth`: growth_of() the radius there.
+    // h and its gradient. `growth`: growth_of().
     template <Ends Near, std::size_t N, class T>
     static HWY_INLINE KernelGradient<N, T> gradient(const Segments<N, T>& s, const Foot<N, T>& f,
                                                     const Pack<N, T>& growth) {
@@ -152,7 +153,7 @@ struct Gaussian {
         const Vec gauss = exp_negative(d, hn::Min(hn::Mul(q_min, q_min), hn::Set(d, 40.0F)));
         return hn::Mul(gauss, filter);
     }
-    // A lower bound. Only where the segment `reaches` it counts.
+    // A lower bound of h over boxes; only valid for boxes that the segment `reaches`.
     template <class Tag, class Vec = hn::Vec<Tag>>
     static HWY_INLINE Vec lower_bound(Tag d, const CullingSegment& s, const BoxView<Tag>& box, hn::Mask<Tag> reaches) {
         const Vec zero = hn::Zero(d);
@@ -181,12 +182,12 @@ struct Gaussian {
         // grad phi = -grad F / (2 F phi), so the step is (target - phi) grad phi / |grad phi|^2.
         return {off, hn::Mul(hn::Mul(off, hn::Set(d, 2.0F)), hn::Mul(f, phi))};
     }
-    // Where the first step is short the second would change nothing that could be seen. With this bound 99.9 % of the
-    // vertices of real trees are within 0.30 % of their radius (most trees: 0.05 to 0.15 %), against 0.18 % with two
-    // steps always. Of r / sqrt(w).
+    // In r / sqrt(w). After a first step shorter than this the second step is skipped. Then 99.9 % of the vertices of
+    // real trees are within 0.30 % of their radius (most trees: 0.05 to 0.15 %), compared with 0.18 % if the second
+    // step is always taken.
     static constexpr float kShortStep = 0.10F;
 
-    // phi to 0.01, in a scale of its own: enough, since Newton's method has the last word.
+    // phi in its own scale, to 0.01. Enough for first guesses, which Newton's method corrects.
     template <class Tag, class Vec = hn::Vec<Tag>> static HWY_INLINE Vec rough_distance(Tag d, Vec value) {
         const hn::RebindToSigned<Tag> di;
         const auto bits = hn::BitCast(di, hn::Max(value, hn::Set(d, 1e-8F)));
@@ -197,7 +198,7 @@ struct Gaussian {
         const Vec square = hn::Max(hn::Neg(hn::Add(exponent, fraction)), hn::Set(d, 1e-12F));
         return hn::Mul(square, hn::ApproximateReciprocalSqrt(square));
     }
-    // A number that changes evenly along an edge, nearly, to be interpolated in: the base-2 logarithm, to 0.01.
+    // A function of the value that is nearly linear along an edge, for interpolation: the base-2 logarithm, to 0.01.
     static HWY_INLINE float along_edge(float value) {
         const auto bits = std::bit_cast<std::uint32_t>(std::max(value, 1e-8F));
         const float exponent = static_cast<float>(static_cast<int>(bits >> 23) - 127);

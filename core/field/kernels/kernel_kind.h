@@ -1,4 +1,4 @@
-// The kernels that a surface can be made with, one row each: the command line, sessions and tables read them here.
+// The table of all kernels, one row each, for the command line, sessions and reports.
 #pragma once
 
 #include "core/base/error.h"
@@ -16,17 +16,17 @@ enum class KernelKind : std::uint8_t { kGaussian, kInverseCubic, kInverseSquare,
 struct KernelRow {
     KernelKind kind;
     std::string_view key;   // in files and on the command line
-    std::string_view label; // where it stands alone
-    double most_width;      // it takes widths from 0.1 to this; 0: it has none
+    std::string_view label; // for a list or a heading
+    double most_width;      // widths from 0.1 to this are allowed; 0: the kernel has no width
     Kernel (*make)(double width);
 };
 
 [[nodiscard]] std::span<const KernelRow> kernel_rows(); // in the order of KernelKind
 [[nodiscard]] const KernelRow& row_of(KernelKind kind);
 
-// Fails where the kernel does not take the width.
+// Fails if the kernel does not allow the width.
 [[nodiscard]] Result<void> check_width(KernelKind kind, double width);
-// A width that it does not take is the nearest that it does; one that has no width makes nothing of it.
+// Clamps the width to the allowed range; ignores it for kernels without a width.
 [[nodiscard]] Kernel make_kernel(KernelKind kind, double width);
 
 } // namespace ramus::field

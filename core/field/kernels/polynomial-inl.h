@@ -1,5 +1,4 @@
-// The quartic polynomial of kernels/polynomial.h as a shape of a compact line integral. Included once per instruction
-// set.
+// Quartic: the polynomial of kernels/polynomial.h, as a shape of CompactLine. Included once per instruction set.
 #if defined(RAMUS_FIELD_POLYNOMIAL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_FIELD_POLYNOMIAL_INL_H
 #undef RAMUS_FIELD_POLYNOMIAL_INL_H
@@ -19,8 +18,8 @@ namespace ramus::field::HWY_NAMESPACE {
 
 // g(u) = n (R^2 - u)^2, n = 15/16 R^-5: 1 on the axis of an endless line.
 struct Quartic {
-    // What lies outside of the support is taken to be so far from the axis, in radii, when a place on the surface is
-    // guessed from it: about where the next grid point may be.
+    // The distance from the axis, in radii, that first guesses assume for a point outside of the support, where the
+    // field is 0: about where the next grid point may be.
     static constexpr float kOutside = 1.2F;
     float reach2, factor;
 
@@ -42,7 +41,7 @@ struct Quartic {
         return mul(set(d, factor), mul(left, left));
     }
 
-    // Of a long vessel the sum is (1 - distance^2 / R^2)^(5/2).
+    // The field of a long vessel is (1 - distance^2 / R^2)^(5/2).
     template <class Tag, class Vec = hn::Vec<Tag>> HWY_INLINE LongVesselPlace<Tag> distance(Tag d, Vec sum) const {
         const Vec some = hn::Max(sum, hn::Set(d, 1e-20F));
         const Vec exponent = hn::Mul(hn::Set(d, -0.4F), log2_of(d, some)); // negative where the sum is above 1

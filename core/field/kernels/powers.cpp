@@ -30,7 +30,7 @@ HWY_EXPORT(cauchy_sum);
 
 namespace {
 
-// Of what an endless line makes of (u + e)^-k: so many times (d^2 + e)^-(k - 1/2).
+// The integral of (u + e)^-k along an infinite line is this factor times (d^2 + e)^-(k - 1/2).
 double line_factor(double power) {
     return power == 1.0 ? std::numbers::pi : power == 1.5 ? 2.0 : 0.5 * std::numbers::pi;
 }
@@ -46,7 +46,7 @@ constexpr LongVessel kLongPower{
         return LongVessel::Place{at, degree * n.whole * share * at / p2};
     }};
 
-// `numbers`: of n = 1.
+// `numbers`: with n = 1.
 Kernel kernel_of(double width, CutPowerNumbers numbers, const PlainSum* sum) {
     numbers.factor = 1.0 / numbers.long_vessel(0.0);
     Kernel kernel;
@@ -65,7 +65,7 @@ Kernel kernel_of(double width, CutPowerNumbers numbers, const PlainSum* sum) {
 
 constexpr double kSoft = 1e-3;
 
-// Tuned: see powers.h for what they cost. A tree's surface takes work that grows with their squares.
+// Tuned: powers.h has the errors. The work for a surface grows with the square of the reach.
 constexpr double kSquareReach = 6.0, kCubicReach = 5.0, kCauchyReach = 4.0;
 
 CutPowerNumbers cauchy_numbers(double soft) { return {2.0, soft, kCauchyReach * std::sqrt(1.0 + soft)}; }
@@ -97,7 +97,7 @@ Kernel inverse_square() {
 Kernel inverse_cubic() { return kernel_of(0.0, {1.5, kSoft, kCubicReach}, HWY_DYNAMIC_DISPATCH(inverse_cubic_sum)()); }
 
 Kernel cauchy(double width) {
-    // The softer, the broader.
+    // Bisection: the kernel becomes broader with e.
     double low = 1e-6, high = 1e3;
     for (int i = 0; i < 100; ++i) {
         const double middle = std::sqrt(low * high);

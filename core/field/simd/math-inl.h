@@ -1,4 +1,4 @@
-// Elementary functions in single precision, for vectors and for packs of them. Included once per instruction set.
+// Elementary functions in single precision, for vectors and packs of vectors. Included once per instruction set.
 #if defined(RAMUS_FIELD_MATH_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_FIELD_MATH_INL_H
 #undef RAMUS_FIELD_MATH_INL_H
@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::field::HWY_NAMESPACE {
 
-inline constexpr float kNaturalLog = 0.693147181F; // of 2: from powers of two to those of e
+inline constexpr float kNaturalLog = 0.693147181F; // ln 2
 
 // 2^-q for q in [0, 116]; the polynomial is 2^f, interpolated at the Chebyshev nodes of [-1/2, 1/2], and 1 at 0.
 template <class Tag, class Vec> HWY_INLINE Vec power_negative(Tag d, Vec q) {
@@ -33,8 +33,8 @@ template <class Tag, class Vec> HWY_INLINE Vec exp_negative(Tag d, Vec q) {
     return power_negative(d, mul(q, set(d, 1.44269504F)));
 }
 
-// The base-2 logarithm of a normal number, to 1.3e-7 (absolute, or of its size where that is above 1): log2(1 + t) / t
-// interpolated at the Chebyshev nodes of 1 + t in [sqrt 1/2, sqrt 2].
+// The base-2 logarithm of a normal number, with an error of 1.3e-7 (absolute, or relative where the result is above 1):
+// log2(1 + t) / t, interpolated at the Chebyshev nodes of 1 + t in [sqrt 1/2, sqrt 2].
 template <class Tag, class Vec> HWY_INLINE Vec log2_of(Tag d, Vec x) {
     constexpr float kCoefficients[] = {0.23265257F,  -0.24927182F, 0.28728887F, -0.36022517F,
                                        0.480916708F, -0.72135293F, 1.442695022F};
@@ -48,7 +48,7 @@ template <class Tag, class Vec> HWY_INLINE Vec log2_of(Tag d, Vec x) {
     for (const float coefficient : kCoefficients) p = hn::MulAdd(p, t, hn::Set(d, coefficient));
     return hn::MulAdd(p, t, exponent);
 }
-// One over the square root, to single precision.
+// The reciprocal square root, to single precision.
 template <class Tag, class Vec> HWY_INLINE Vec reciprocal_root(Tag d, Vec x) {
     const Vec guess = hn::ApproximateReciprocalSqrt(x);
     const Vec half = hn::Mul(hn::Mul(hn::Set(d, 0.5F), x), guess);

@@ -1,6 +1,6 @@
-// Pack: several vectors that go through the same operations side by side. The kernel is one long chain in which every
-// operation waits for the one before; two chains interleaved finish in the time of one. The functions here read the
-// same for one vector and for a pack of them, so that the kernel is written once. Included once per instruction set.
+// Pack: several vectors that undergo the same operations, interleaved. A kernel is a long chain of dependent
+// operations; two interleaved chains take about the time of one. The functions here have the same names for one vector
+// and for a pack, so that a kernel is written once. Included once per instruction set.
 #if defined(RAMUS_FIELD_PACK_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_FIELD_PACK_INL_H
 #undef RAMUS_FIELD_PACK_INL_H
@@ -19,13 +19,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
-using Narrow = hn::CappedTag<float, 8>; // for what would leave half of a wide vector empty
+using Narrow = hn::CappedTag<float, 8>; // for data that would leave half of a wide vector empty
 
-// T says how wide the vectors are: as wide as the machine's, or narrower where there is less to do.
+// T is the width of the vectors: the widest of the machine, or Narrow.
 template <std::size_t N, class T = D> struct Pack { hn::Vec<T> v[N]; };
 template <std::size_t N, class T = D> struct PackTag {};
 
-// What `call` says for each.
+// A pack of the results of call(n).
 template <std::size_t N, class T = D, class Call> HWY_INLINE Pack<N, T> each(const Call& call) {
     Pack<N, T> p;
     for (std::size_t s = 0; s < N; ++s) p.v[s] = call(s);
@@ -38,7 +38,7 @@ template <std::size_t N, class T> HWY_INLINE Pack<N, T> set(PackTag<N, T>, float
     return each<N, T>([&](std::size_t) { return hn::Set(T(), x); });
 }
 
-// What `call` makes of vectors, or of those of packs side by side.
+// Applies `call` to vectors, or to the corresponding vectors of packs.
 template <class Call, class... Vecs> HWY_INLINE auto on_each(const Call& call, Vecs... vectors) {
     return call(vectors...);
 }
@@ -74,7 +74,7 @@ template <class X> HWY_INLINE X neg_mul_add(X a, X b, X c) { // c - a b
 template <class X> HWY_INLINE X rough_reciprocal(X a) {
     return on_each([](auto x) { return hn::ApproximateReciprocal(x); }, a);
 }
-// a taken into -most .. most.
+// a clamped to [-most, most].
 template <class X> HWY_INLINE X limited(X a, X most) {
     return on_each(
         []<class Vec>(Vec x, Vec bound) {
@@ -85,7 +85,7 @@ template <class X> HWY_INLINE X limited(X a, X most) {
         },
         a, most);
 }
-// p times 2 to the whole number that `shifted` holds in its lowest bits.
+// p times 2^n, where n is the integer in the lowest bits of `shifted`.
 template <class X> HWY_INLINE X times_power(X p, X shifted) {
     return on_each(
         []<class Vec>(Vec x, Vec power) {

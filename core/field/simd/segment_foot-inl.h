@@ -1,5 +1,5 @@
-// A point seen from a segment, and what a kernel is there, in SIMD: one lane per point. Included once per instruction
-// set.
+// The foot of a point on a segment, and types for a kernel's value there, in SIMD: one lane per point. Included once
+// per instruction set.
 #if defined(RAMUS_FIELD_SEGMENT_FOOT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_FIELD_SEGMENT_FOOT_INL_H
 #undef RAMUS_FIELD_SEGMENT_FOOT_INL_H
@@ -19,8 +19,8 @@ namespace ramus::field::HWY_NAMESPACE {
 // Segments, each broadcast to all lanes.
 template <std::size_t N, class T = D> struct Segments { Pack<N, T> ux, uy, uz, length, radius, slope, beyond; };
 
-// Away from the ends of a long segment a kernel does not change along it, to the last bit: kNone. Near one of them
-// counts as near both: the work for the other costs less than guessing a branch wrong.
+// Whether the ends of a segment affect the kernel. kNone: both ends are so far away that they change no bit. kSome: at
+// least one end is near; both are then evaluated, which costs less than a mispredicted branch.
 enum class Ends : std::uint8_t { kNone = 0, kSome = 1 };
 
 template <class Call> HWY_INLINE void for_ends(bool near, const Call& call) {
@@ -30,19 +30,18 @@ template <class Call> HWY_INLINE void for_ends(bool near, const Call& call) {
         call(std::integral_constant<Ends, Ends::kNone>());
 }
 
-// One over a number: one step of Newton's method makes the quick reciprocal exact to single precision, at a third of a
-// division's time.
+// 1 / a: the approximate reciprocal and a Newton step, exact to single precision in a third of the time of a division.
 template <class Tag, class Vec> HWY_INLINE Vec reciprocal(Tag d, Vec a) {
     const Vec guess = rough_reciprocal(a);
     return mul(guess, neg_mul_add(a, guess, set(d, 2.0F)));
 }
 
-// What the radius of a segment is made of (FieldSegment), and the radius at an axial coordinate.
+// The members of FieldSegment that determine the radius, and the radius at an axial coordinate.
 template <class Vec> struct RadiusLanes { Vec length, radius, slope, beyond; };
 template <class Vec> struct RadiusThere {
     Vec radius;
     Vec excess;  // axial distance beyond the ends, signed, mm; 0 between them
-    Vec carried; // share of the slope's effect that is left there: 1 between the ends, to the last bit
+    Vec carried; // factor of the slope's effect beyond an end; exactly 1 between the ends
 };
 template <class Tag, class Shape, class Vec>
 HWY_INLINE RadiusThere<Vec> radius_along(Tag d, const Shape& s, const Vec& t) {
@@ -51,14 +50,14 @@ HWY_INLINE RadiusThere<Vec> radius_along(Tag d, const Shape& s, const Vec& t) {
     const Vec excess = sub(t, clamped);
     const Vec at_end = mul_add(s.slope, clamped, s.radius);
     const Vec size = max(excess, sub(zero, excess));
-    // Nothing is divided by 0: that far radii are not resolved anyway.
+    // 1e-9 avoids a division by 0 where `beyond` is 0.
     const Vec room = mul_add(max(s.beyond, set(d, 1e-9F)), at_end, size);
     const Vec carried = neg_mul_add(size, reciprocal(d, room), set(d, 1.0F));
     return {mul_add(mul(s.slope, excess), carried, at_end), excess, carried};
 }
 
-// A point seen from a segment. Lengths times the kernel's scale, over the radius r at the foot, have no dimension: the
-// kernel depends on nothing else.
+// The foot of a point on a segment. A scaled length is a length times the kernel's scale over the radius r at the foot,
+// without a dimension. The kernel depends only on scaled lengths.
 template <std::size_t N, class T = D> struct Foot {
     Pack<N, T> t;          // axial coordinate, mm
     Pack<N, T> qx, qy, qz; // offset from the line, mm
@@ -80,7 +79,7 @@ HWY_INLINE Foot<N, T> find_foot(const Segments<N, T>& s, const Pack<N, T>& scale
     const Pack<N, T> guess = rough_reciprocal(there.radius);
     f.scale = mul(mul(scale, guess), neg_mul_add(there.radius, guess, set(d, 2.0F)));
     f.carried = there.carried;
-    // The offset vector, not |p|^2 - t^2: beside a long segment the difference of squares would lose all digits.
+    // From the offset vector, not as |p|^2 - t^2: next to a long segment the difference of squares loses all digits.
     f.qx = neg_mul_add(f.t, s.ux, px);
     f.qy = neg_mul_add(f.t, s.uy, py);
     f.qz = neg_mul_add(f.t, s.uz, pz);
@@ -91,7 +90,7 @@ HWY_INLINE Foot<N, T> find_foot(const Segments<N, T>& s, const Pack<N, T>& scale
     return f;
 }
 
-// Relative change of the radius per mm along the axis.
+// The relative change of the radius per mm along the axis.
 template <std::size_t N, class T>
 HWY_INLINE Pack<N, T> growth_of(const Segments<N, T>& s, const Foot<N, T>& f, const Pack<N, T>& inverse_scale) {
     return mul(mul(s.slope, mul(f.carried, f.carried)), mul(f.scale, inverse_scale));
@@ -100,21 +99,19 @@ HWY_INLINE Pack<N, T> growth_of(const Segments<N, T>& s, const Foot<N, T>& f, co
 // A kernel h and its gradient: grad h = radial * (qx, qy, qz) + axial * u.
 template <std::size_t N, class T = D> struct KernelGradient { Pack<N, T> value, radial, axial; };
 
-// Boxes seen from one segment, a box a lane. How far a box extends along the axis and away from it is what bounds are
-// made of: along a direction n a cube reaches h (|nx| + |ny| + |nz|) to either side of its middle, h being half its
-// edge.
+// Boxes relative to one segment, one box per lane: their extents along the axis and away from it, from which bounds are
+// computed. A cube with half edge h extends h (|nx| + |ny| + |nz|) from its middle along a direction n.
 template <class Tag, class Vec = hn::Vec<Tag>> struct BoxView {
     Vec t, along;          // axial coordinate of the middle, and how far the box extends from it, mm
     Vec nearest, farthest; // least and greatest distance from the line, mm
     Vec beyond;            // axial distance of the middle beyond the ends, signed, mm
-    Vec coarse, fine;      // the kernel's bound_scale / r where the box sees the segment thickest and thinnest, 1/mm
+    Vec coarse, fine;      // the kernel's bound_scale / r for the largest and least radius that the box sees, 1/mm
 };
 
-// What a step of Newton's method onto the surface comes to: how far off the field is, in the kernel's own measure, and
-// the length of the step times the gradient's, which only the gradient's direction and length are needed for.
+// A Newton step onto the surface.
 template <class Tag, class Vec = hn::Vec<Tag>> struct NewtonStep {
-    Vec off;          // |off| is compared with the kernel's kShortStep
-    Vec per_gradient; // along the field's gradient, mm times its length
+    Vec off;          // the error of the field in the kernel's measure; compared with the kernel's kShortStep
+    Vec per_gradient; // the length of the step along the gradient, mm, times the length of the gradient
 };
 
 } // namespace ramus::field::HWY_NAMESPACE

@@ -1,5 +1,6 @@
-// Bounds of a plain sum of one kernel over the eight children of a cube, and which segments matter to each. Vectorised
-// over the children, so that short lists of segments fill the lanes. Included once per instruction set.
+// Bounds of the plain sum of one kernel over the eight children of a cube, and the segments that reach each child.
+// Vectorised over the children, so that all lanes are used for short lists of segments, too. Included once per
+// instruction set.
 #if defined(RAMUS_FIELD_BOUNDS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_FIELD_BOUNDS_INL_H
 #undef RAMUS_FIELD_BOUNDS_INL_H
@@ -23,19 +24,19 @@ using D8 = hn::CappedTag<float, kChildren>;
 using V8 = hn::Vec<D8>;
 using M8 = hn::Mask<D8>;
 
-// Square of half a box's edge, in supports of a segment, from which on the box counts as large.
+// A box is large if its squared half edge exceeds this many squared supports of a segment.
 constexpr float kLarge = 4.0F;
-// Length of a segment, in half edges of a large box, from which on its own box along the axes says too little: of a
-// long one across, that holds far more boxes than the segment comes near.
+// In half edges of a large box: for a longer segment its axis-aligned box is too coarse a test, since the box of a
+// diagonal segment contains many boxes that the segment does not come near.
 constexpr float kLong = 4.0F;
 
-// The middles of boxes seen from a segment's start, mm.
+// The middles of boxes relative to a segment's start, mm.
 struct Offsets {
     V8 x, y, z;
 };
 
-// How far boxes of half edge h are from a segment along their own axes, squared: a lower bound of the squared distance
-// that is close where the boxes are large.
+// The squared distance of boxes of half edge h from the segment's axis-aligned box: a lower bound of the squared
+// distance from the segment that is tight for large boxes.
 HWY_INLINE V8 distance2_along_axes(D8 d, const CullingSegment& s, const Offsets& p, V8 h) {
     const V8 half_length = hn::Mul(hn::Set(d, 0.5F), hn::Set(d, s.length));
     const auto apart = [&](V8 offset, float direction) {
@@ -49,18 +50,19 @@ HWY_INLINE V8 distance2_along_axes(D8 d, const CullingSegment& s, const Offsets&
     return hn::MulAdd(gz, gz, hn::MulAdd(gy, gy, hn::Mul(gx, gx)));
 }
 
-// Boxes of half edge h as a segment sees them, in two steps: first what says whether it reaches them.
+// Boxes relative to a segment. look_at_boxes() computes what is needed to test whether the segment reaches them;
+// finish() computes the rest.
 struct Sight {
-    BoxView<D8> box;       // all but what finish() fills in
-    V8 distance2;          // a lower bound of the squared distance that is close where the boxes are small
-    V8 thinnest, thickest; // radii that any point of a box may see
-    V8 extent_off, off2;   // the box's extent away from the axis times the middle's distance from it, and that squared
+    BoxView<D8> box;       // finish() fills in coarse, fine and farthest
+    V8 distance2;          // a lower bound of the squared distance that is tight for small boxes
+    V8 thinnest, thickest; // least and largest radius at the foot of any point of a box
+    V8 extent_off, off2; // extent of the box away from the axis times the distance of its middle; that distance squared
 
     // `corner2`: squared distance of a box's corner from its middle.
     HWY_INLINE void finish(D8 d, V8 bound_scale, V8 corner2) {
         box.coarse = hn::Div(bound_scale, thickest);
         box.fine = hn::Div(bound_scale, thinnest);
-        // |q + offset|^2 = |q|^2 + 2 q . offset + |offset|^2, each part at its greatest.
+        // |q + offset|^2 = |q|^2 + 2 q . offset + |offset|^2, with the maximum of each part.
         box.farthest = hn::Sqrt(hn::Add(hn::MulAdd(hn::Set(d, 2.0F), extent_off, off2), corner2));
     }
 };
@@ -79,7 +81,7 @@ HWY_INLINE Sight look_at_boxes(D8 d, const CullingSegment& s, const Offsets& p, 
     const V8 qz = hn::NegMulAdd(box.t, uz, p.z);
     seen.off2 = hn::MulAdd(qz, qz, hn::MulAdd(qy, qy, hn::Mul(qx, qx)));
     const V8 off = hn::Sqrt(seen.off2);
-    // No division where the middle is on the axis.
+    // 1e-20 avoids a division by 0 if the middle is on the axis.
     seen.extent_off = hn::Mul(h, hn::Add(hn::Abs(qx), hn::Add(hn::Abs(qy), hn::Abs(qz))));
     box.nearest = hn::Max(hn::Sub(off, hn::Div(seen.extent_off, hn::Max(off, hn::Set(d, 1e-20F)))), zero);
     box.beyond = hn::Sub(box.t, hn::Max(hn::Min(box.t, length), zero));
@@ -89,12 +91,12 @@ HWY_INLINE Sight look_at_boxes(D8 d, const CullingSegment& s, const Offsets& p, 
     const V8 r2 = radius_along(d, radii, hn::Add(box.t, box.along)).radius;
     seen.thinnest = hn::Min(r1, r2);
     seen.thickest = hn::Max(r1, r2);
-    // Away from the line and beyond its ends.
+    // Combines the distance from the line and the distance beyond the ends.
     seen.distance2 = hn::MulAdd(gap, gap, hn::Mul(box.nearest, box.nearest));
     return seen;
 }
 
-// Notes which of the boxes from the first on a segment reaches, and returns whether there are any.
+// Sets the bits of the boxes that a segment reaches, beginning with the bit `first`. Returns whether there are any.
 HWY_INLINE bool note(D8 d, M8 reaches, std::size_t first, std::uint8_t& reaching) {
     HWY_ALIGN std::uint8_t bits[8] = {};
     hn::StoreMaskBits(d, reaches, bits);
@@ -103,13 +105,13 @@ HWY_INLINE bool note(D8 d, M8 reaches, std::size_t first, std::uint8_t& reaching
     return reached != 0;
 }
 
-// As FieldModel's bound_children() (field.h).
+// FieldModel's bound_children() (field.h).
 template <class Profile>
 ChildBounds bound_children(const Kernel& kernel, const CullingSegment* segments, std::span<const std::uint32_t> list,
                            const ChildCubes& cubes, std::span<std::uint8_t> reaching) {
     const D8 d;
     const Profile profile(kernel);
-    // Positions are in single precision: boxes are wider by what they may be off.
+    // Boxes are enlarged by the rounding of positions to single precision.
     const glm::vec3 middle = cubes.middle;
     const float farthest = std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)}) + cubes.side;
     const float half_extent = 0.5F * cubes.side * 1.0001F + 6e-7F * farthest;
@@ -135,8 +137,8 @@ ChildBounds bound_children(const Kernel& kernel, const CullingSegment* segments,
             const float support2 = s.thickest * s.thickest * support2_per_radius2;
             M8 reaches = hn::Lt(distance2_along_axes(d, s, p, h), hn::Set(d, support2));
             if (half_extent * half_extent > kLarge * support2) {
-                // No box lies within the support, so there is nothing to gain for the lower bound; and boxes so large
-                // are split in any case.
+                // No box lies within the support, so the lower bound stays 0. A box this large is split anyway, so the
+                // upper bound only has to reach the isovalue.
                 if (s.length > kLong * half_extent)
                     reaches = hn::And(reaches, hn::Lt(look_at_boxes(d, s, p, h).distance2, hn::Set(d, support2)));
                 upper = hn::IfThenElse(reaches, isovalue, upper);
@@ -148,7 +150,7 @@ ChildBounds bound_children(const Kernel& kernel, const CullingSegment* segments,
             reaches = hn::And(reaches, hn::Lt(seen.distance2, local_support2));
             if (!note(d, reaches, first, reaching[m])) continue;
             seen.finish(d, bound_scale, corner2);
-            // Where it is certain that the field may reach the isovalue, by how much does not matter.
+            // Once the upper bound has reached the isovalue, its exact value does not matter.
             if (!hn::AllFalse(d, hn::And(reaches, hn::Lt(upper, isovalue))))
                 upper = hn::Add(upper, hn::IfThenElseZero(reaches, profile.upper_bound(d, s, seen.box)));
             lower = hn::Add(lower, hn::IfThenElseZero(reaches, profile.lower_bound(d, s, seen.box, reaches)));

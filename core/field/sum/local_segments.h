@@ -1,5 +1,5 @@
-// LocalSegments: the segments that matter to one small cube of space, side by side in memory and in single precision as
-// seen from the cube's corner. Gathered once for a brick, then used by all that samples the field there.
+// LocalSegments: the segments that reach a brick, as a structure of arrays in single precision, relative to the brick's
+// corner. Filled once for each brick, and used by all functions that sample the field there.
 #pragma once
 
 #include "core/field/brick_field.h"
@@ -14,29 +14,30 @@ namespace ramus::field {
 
 struct LocalSegments {
     const Kernel* kernel = nullptr;
-    const FieldSegment* segments = nullptr; // of the whole field
+    const FieldSegment* segments = nullptr; // all segments of the field
     GridAxes axes;
     std::size_t count = 0;
     SegmentIndices list;
 
-    // By segment. The arrays go on for at least a vector's width.
+    // By segment of the list. The arrays extend at least a vector's width beyond `count`.
     std::vector<float> x, y, z; // start relative to the corner, mm
     std::vector<float> ux, uy, uz, length, radius, slope, beyond;
     std::vector<std::int32_t> branch;
-    std::vector<float> excess, excess_slope; // of the tree's radius, as in FieldSegment
-    bool has_excess = false;                 // of any segment
-    // Coordinates of the grid seen from the segment's start: 8 along x, 8 along y, 8 along z. Rounded once from double
-    // precision: the same point of space gives the same float whatever the grid it is taken from.
+    std::vector<float> excess, excess_slope; // as in FieldSegment
+    bool has_excess = false;                 // whether any segment has an excess
+    // Coordinates of the grid relative to the segment's start: 8 along x, 8 along y, 8 along z. Rounded once from
+    // double precision, so that a point has the same coordinates in every grid that contains it.
     static constexpr std::size_t kTableStride = 32;
     std::vector<float> tables;
-    // Scratch: what of them reaches each of some boxes that are looked at together.
+    // Scratch: the segments that reach each of up to kBoxes boxes.
     static constexpr std::size_t kBoxes = 4;
     std::vector<std::int32_t> reaching;
     [[nodiscard]] std::int32_t* reaching_part(std::size_t box) {
         return reaching.data() + box * (reaching.size() / kBoxes);
     }
 
-    // Notes where one is and makes room. The list must outlive the stay.
+    // Begins a brick: sets the list and the axes, and allocates the arrays. The list must stay valid until the next
+    // call.
     void enter(SegmentIndices segments_there, const GridAxes& axes_there);
 };
 

@@ -1,15 +1,17 @@
-// Makes of a kernel's profile all that summing it over segments takes (PlainSum), for one instruction set.
+// plain_sum(): builds the functions of PlainSum (kernel.h) from the profile of a kernel, for one instruction set.
 // Included once per instruction set, by the kernel's source file.
 //
-// A profile is a struct that is made from a Kernel and has, static or not (as Gaussian in kernels/gaussian-inl.h; for
-// line integrals of compact kernels in closed form see kernels/compact_line-inl.h):
-//     scale, bound_scale           of lengths, times 1 / radius, in Foot and in BoxView
+// A profile is a struct that is constructed from a Kernel and has these members, static or not. Gaussian in
+// kernels/gaussian-inl.h is an example; kernels/compact_line-inl.h is a profile for compact line integrals.
+//     scale, bound_scale           factors of lengths over the radius, in Foot and in BoxView
 //     value<Near>(segments, foot)  the kernel, for a pack of segments (Near: whether their ends matter)
 //     gradient<Near>(segments, foot, growth)
 //     upper_bound(d, segment, box), lower_bound(d, segment, box, reaches)
-//     newton(d, sum)               the step onto the surface, and kShortStep
-//     rough_distance(d, value)     grows outward, nearly linear in the distance; along_edge(value) likewise, a number
-// All that lies outside of the support must be exactly zero.
+//     newton(d, sum)               the Newton step onto the surface
+//     kShortStep                   if the first step is shorter, there is no second step
+//     rough_distance(d, value)     a function of the field that grows outward, nearly linear in the distance
+//     along_edge(value)            a scalar function of the field that is nearly linear along an edge
+// Values, gradients and bounds must be exactly 0 outside of the support.
 #if defined(RAMUS_FIELD_PLAIN_SUM_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_FIELD_PLAIN_SUM_INL_H
 #undef RAMUS_FIELD_PLAIN_SUM_INL_H
@@ -27,7 +29,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::field::HWY_NAMESPACE {
 
-// The sum in one brick after another.
+// The BrickField of the plain sum.
 template <class Profile> class SumInBrick final : public BrickField {
 public:
     SumInBrick(const Kernel& kernel, const FieldSegment* segments, Choice choice) : profile_(kernel), choice_(choice) {

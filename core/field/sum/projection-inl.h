@@ -1,5 +1,5 @@
-// Moves points onto the surface of a plain sum of one kernel, and tells what the field is like there: normal, local
-// radius, strongest branch. Vectorised over the points. Included once per instruction set.
+// Projects points onto the surface of the plain sum of one kernel, and computes normal, local radius, strongest branch
+// and dominance there. Vectorised over the points. Included once per instruction set.
 #if defined(RAMUS_FIELD_PROJECTION_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_FIELD_PROJECTION_INL_H
 #undef RAMUS_FIELD_PROJECTION_INL_H
@@ -19,20 +19,20 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::field::HWY_NAMESPACE {
 
-// One vector of points, and what the field is like there.
+// One vector of points, and the field there.
 template <class T> struct Points {
     using V = hn::Vec<T>;
     using VI = hn::Vec<hn::RebindToSigned<T>>;
     V x, y, z;
     V sum, gx, gy, gz;
-    V best, best_scale; // of segments
-    V best_excess;      // of the tree's radius over the kernel's, mm
-    V share;            // of the branch that is looked at
-    V shares[3];        // of the branches that have most, the most first
+    V best, best_scale; // of the strongest segment: its value, and the scale at its foot
+    V best_excess;      // of the strongest segment: the tree's radius minus the kernel's, mm
+    V share;            // the sum of the current branch
+    V shares[3];        // the sums of the three strongest branches, descending
     VI branches[3];
 };
 
-// All segments of a branch have been added: it takes its rank among those that have most.
+// Ends a branch: inserts its sum into the three largest.
 template <class T> HWY_INLINE void end_branch(Points<T>& p, std::int32_t branch) {
     const T d;
     const hn::RebindToSigned<T> di;
@@ -50,7 +50,7 @@ template <class T> HWY_INLINE void end_branch(Points<T>& p, std::int32_t branch)
     p.share = hn::Zero(d);
 }
 
-// By how much the tree's radius at the foot exceeds the kernel's, mm.
+// The tree's radius at the foot minus the kernel's, mm.
 template <class T>
 HWY_INLINE hn::Vec<T> excess_at(const LocalSegments& local, std::size_t segment, const Foot<1, T>& foot) {
     const T d;
@@ -72,7 +72,7 @@ HWY_INLINE void evaluate(T d, const Profile& profile, const LocalSegments& local
     p.best_excess = hn::Zero(d);
     p.share = p.shares[0] = p.shares[1] = p.shares[2] = hn::Zero(d);
     p.branches[0] = p.branches[1] = p.branches[2] = hn::Set(di, local.branch[0]);
-    // Segments are in order, and with them those of a branch are together.
+    // The list is ascending, so the segments of a branch are consecutive.
     std::int32_t branch = !reaching.empty() ? local.branch[static_cast<std::size_t>(reaching[0] >> 1)] : 0;
     for (std::size_t r = 0; r < reaching.size(); ++r) {
         const PackIndices at = pack_indices<1>(reaching.data() + r);
@@ -101,16 +101,16 @@ HWY_INLINE void evaluate(T d, const Profile& profile, const LocalSegments& local
     end_branch(p, branch);
 }
 
-// One step of Newton's method onto the surface, in a function of the field that the kernel chooses. Returns how far it
-// was off, in the kernel's measure.
+// One Newton step onto the surface, in the kernel's measure of the field. Returns the error before the step, in this
+// measure.
 template <class Profile, class T, class V = hn::Vec<T>>
 HWY_INLINE V step(T d, const Profile& profile, Points<T>& p, const Projection& bounds, std::size_t n) {
     const NewtonStep<T> newton = profile.newton(d, p.sum);
-    // Of what is left after the step a quick reciprocal's error is nothing.
+    // The error of the approximate reciprocal is negligible compared with the error that is left after the step.
     const V g2 = hn::Max(hn::MulAdd(p.gz, p.gz, hn::MulAdd(p.gy, p.gy, hn::Mul(p.gx, p.gx))), hn::Set(d, 1e-30F));
     const V unit = hn::ApproximateReciprocalSqrt(g2);
     const V amount = hn::Mul(newton.per_gradient, unit); // mm
-    // A step never exceeds the reach: the gradient is small on the axis and says little there.
+    // A step never exceeds the reach, since near the axis the gradient is small and its step too long.
     const V reach = hn::LoadU(d, bounds.reach.data() + n);
     const V move = hn::Mul(hn::Max(hn::Min(amount, reach), hn::Neg(reach)), unit);
     const auto moved = [&](V at, V gradient, const std::vector<float>& centre) {
@@ -123,7 +123,7 @@ HWY_INLINE V step(T d, const Profile& profile, Points<T>& p, const Projection& b
     return hn::Abs(newton.off);
 }
 
-// The box that a vector of points may move in.
+// The box in which a vector of points may move.
 template <class T> HWY_INLINE Box box_of(T d, const Projection& projection, std::size_t n) {
     const auto reach = hn::LoadU(d, projection.reach.data() + n);
     glm::vec3 low;
@@ -139,7 +139,7 @@ template <class T> HWY_INLINE Box box_of(T d, const Projection& projection, std:
     return {0.5F * (low + high), 0.5001F * (high - low)};
 }
 
-// Writes one vector of points; what lies beyond the last point is overwritten by the next.
+// Writes one whole vector of points; the next call overwrites lanes beyond the last point.
 template <class T, class V = hn::Vec<T>>
 HWY_INLINE void write(T d, const Points<T>& p, float scale, const glm::dvec3& origin, const SurfacePoints& to,
                       std::size_t at) {
@@ -149,7 +149,7 @@ HWY_INLINE void write(T d, const Points<T>& p, float scale, const glm::dvec3& or
         return hn::Set(d, static_cast<float>(static_cast<double>(hn::GetLane(value)) + corner));
     };
 #else
-    // Far from the origin only double precision holds the sum.
+    // Adds the corner in double precision, since it may be far from the origin.
     const hn::Repartition<double, T> dd;
     const hn::Half<T> dh;
     const auto located = [&](V value, double corner) {
@@ -175,7 +175,7 @@ HWY_INLINE void write(T d, const Points<T>& p, float scale, const glm::dvec3& or
             hn::Mul(log2_of(d, ratio), hn::Set(d, static_cast<float>(kNaturalLog * 255.0 / kMostDominance)));
         return hn::DemoteTo(du8, hn::NearestInt(hn::Min(scaled, hn::Set(d, 255.0F))));
     };
-    const auto rival = [&](int rank) { // none where nothing is added, whoever was looked at
+    const auto rival = [&](int rank) { // 0 where the branch contributes nothing
         const auto there = hn::RebindMask(di, hn::Gt(p.shares[rank], hn::Zero(d)));
         return hn::DemoteTo(du8, hn::IfThenElseZero(there, hn::And(p.branches[rank], hn::Set(di, 255))));
     };
@@ -183,7 +183,8 @@ HWY_INLINE void write(T d, const Points<T>& p, float scale, const glm::dvec3& or
                           to.dominance[at].over.data());
 }
 
-// A vector of points from the n-th on, with the segments that reach them. Returns the number of kernels evaluated.
+// Projects the vector of points that begins at the n-th. `reaching`: the segments that reach them. Returns the number
+// of kernels evaluated.
 template <class Profile, class T>
 HWY_INLINE std::uint64_t project_vector(T d, const Profile& profile, const LocalSegments& local,
                                         std::span<const std::int32_t> reaching, const Projection& guesses,
@@ -201,7 +202,7 @@ HWY_INLINE std::uint64_t project_vector(T d, const Profile& profile, const Local
     return steps * reaching.size() * hn::Lanes(d);
 }
 
-// Not of no points or no segments.
+// There must be at least one point and one segment.
 template <class Profile>
 std::uint64_t project_onto_surface(const Profile& profile, LocalSegments& local, const Projection& guesses,
                                    const SurfacePoints& to) {
@@ -213,7 +214,7 @@ std::uint64_t project_onto_surface(const Profile& profile, LocalSegments& local,
     const auto part = [&](std::size_t box, std::size_t count) {
         return std::span<const std::int32_t>(local.reaching_part(box), count);
     };
-    // A last vector that would be half empty is a narrow one, which costs half.
+    // A narrow vector costs half, so it is used for the last one if the points fit.
     const auto last = [&](std::size_t n, std::span<const std::int32_t> reaching) {
         kernels += size - n <= hn::Lanes(narrow) ? project_vector(narrow, profile, local, reaching, guesses, n, to)
                                                  : project_vector(wide, profile, local, reaching, guesses, n, to);

@@ -1,4 +1,5 @@
-// Which of a brick's segments reach a box of points, in SIMD, one lane per segment. Included once per instruction set.
+// Finds the segments of a brick that reach a box of points, in SIMD, one lane per segment. Included once per
+// instruction set.
 #if defined(RAMUS_FIELD_REACHING_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_FIELD_REACHING_INL_H
 #undef RAMUS_FIELD_REACHING_INL_H
@@ -12,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::field::HWY_NAMESPACE {
 
-// Coordinates along one axis, seen from a segment's start.
+// Coordinates along one axis relative to a segment's start, rounded to single precision.
 template <std::size_t N>
 HWY_INLINE void subtract(const std::array<double, N>& axis, double start, float* HWY_RESTRICT out) {
     const hn::CappedTag<double, 8> dd;
@@ -22,7 +23,7 @@ HWY_INLINE void subtract(const std::array<double, N>& axis, double start, float*
         hn::StoreU(hn::DemoteTo(df, hn::Sub(hn::LoadU(dd, axis.data() + n), hn::Set(dd, start))), df, out + n);
 }
 
-// Fills in what is kept by segment, for the list and the axes that are there.
+// Fills in the arrays of LocalSegments, for its list and axes.
 inline void gather_segments(LocalSegments& local) {
     local.has_excess = false;
     for (std::size_t m = 0; m < local.count; ++m) {
@@ -45,7 +46,7 @@ struct Box {
     glm::vec3 middle, half;
 };
 
-// A vector of segments, from the m-th on.
+// The vector of segments that begins at the m-th.
 template <class T, class V = hn::Vec<T>> struct SegmentLanes {
     V x, y, z, ux, uy, uz, length, radius, slope, beyond;
 
@@ -57,11 +58,11 @@ template <class T, class V = hn::Vec<T>> struct SegmentLanes {
           beyond(hn::LoadU(d, local.beyond.data() + m)) {}
 };
 
-// A box as a vector of segments sees it.
+// A box relative to each segment of a vector.
 template <class T, class V = hn::Vec<T>> struct BoxInSight {
-    V distance2;     // from the segment, squared: a lower bound
-    V t_low, t_high; // axial coordinates that its points may have
-    V thickest;      // radius of the segment at any of them
+    V distance2;     // lower bound of the squared distance
+    V t_low, t_high; // range of axial coordinates of the box
+    V thickest;      // largest radius in this range
 };
 
 template <class T, class V = hn::Vec<T>>
@@ -79,7 +80,7 @@ HWY_INLINE BoxInSight<T> look_at(T d, const Box& box, const SegmentLanes<T>& s) 
     const V qy = hn::NegMulAdd(t, s.uy, py);
     const V qz = hn::NegMulAdd(t, s.uz, pz);
     const V off2 = hn::MulAdd(qz, qz, hn::MulAdd(qy, qy, hn::Mul(qx, qx)));
-    // Along the way to the axis the box extends by extent_off / off.
+    // Toward the axis the box extends by extent_off / off.
     const V extent_off = hn::MulAdd(hz, hn::Abs(qz), hn::MulAdd(hy, hn::Abs(qy), hn::Mul(hx, hn::Abs(qx))));
     const V inverse_off = hn::ApproximateReciprocalSqrt(hn::Max(off2, hn::Set(d, 1e-30F)));
     const V nearest = hn::Max(hn::Mul(hn::NegMulAdd(hn::Set(d, 1.001F), extent_off, off2), inverse_off), zero);
@@ -88,7 +89,7 @@ HWY_INLINE BoxInSight<T> look_at(T d, const Box& box, const SegmentLanes<T>& s) 
     seen.t_high = hn::Add(t, along);
     const V gap = hn::Max(hn::Max(hn::Neg(seen.t_high), hn::Sub(seen.t_low, s.length)), zero);
     seen.thickest = hn::Max(radius_along(d, s, seen.t_low).radius, radius_along(d, s, seen.t_high).radius);
-    // Along the box's own axes as well.
+    // A second lower bound: the distance of the box from the segment's axis-aligned box.
     const V half_length = hn::Mul(hn::Set(d, 0.5F), s.length);
     const auto apart = [&](V p, V u, V h) {
         const V from_middle = hn::Abs(hn::NegMulAdd(half_length, u, p));
@@ -102,12 +103,12 @@ HWY_INLINE BoxInSight<T> look_at(T d, const Box& box, const SegmentLanes<T>& s) 
     return seen;
 }
 
-// A vector of segments from the m-th on, for find_reaching().
+// Tests the vector of segments that begins at the m-th, for find_reaching().
 template <std::size_t N, class T, class V = hn::Vec<T>, class M = hn::Mask<T>>
 HWY_INLINE void judge_segments(T d, std::size_t m, LocalSegments& local, const Box (&boxes)[N],
                                std::size_t (&found)[N]) {
     const hn::RebindToSigned<T> di;
-    // A little more than the support and the reach of an end covers the rounding.
+    // The factors cover rounding.
     const double support = local.kernel->support_radii;
     const V support2 = hn::Set(d, static_cast<float>(1.003 * support * support));
     const V ends_radii = hn::Set(d, static_cast<float>(1.001 * local.kernel->ends_radii));
@@ -123,17 +124,17 @@ HWY_INLINE void judge_segments(T d, std::size_t m, LocalSegments& local, const B
         const M ends = hn::Lt(hn::Min(seen.t_low, hn::Sub(segments.length, seen.t_high)), far);
         // A mask is -1 where it is set.
         const auto marked = hn::Sub(code, hn::VecFromMask(di, hn::RebindMask(di, ends)));
-        // A whole vector, of which the next one overwrites what does not count: storing only what counts is
-        // microcode on some processors, and slower than a kernel.
+        // Stores a whole vector; the next store overwrites the invalid lanes. A compressing store is microcode on some
+        // processors, and slower than a kernel.
         const auto which = hn::RebindMask(di, reaches);
         hn::StoreU(hn::Compress(marked, which), di, local.reaching_part(n) + found[n]);
         found[n] += hn::CountTrue(di, which);
     }
 }
 
-// Writes the segments whose support reaches each of the boxes to its part of local.reaching, in order, each as 2 m +
-// the ends (Ends) that points of the box may be near, and tells how many they are. The others are exactly zero
-// everywhere in the box. The boxes of a call are judged side by side: each is one long chain of operations.
+// For each box, writes the segments whose support reaches the box to its part of local.reaching, in ascending order,
+// each as 2 m + Ends, and their number to `found`. All other segments are exactly 0 everywhere in the box. The boxes of
+// a call are interleaved, since each is a long chain of dependent operations.
 template <std::size_t N>
 HWY_INLINE void find_reaching(LocalSegments& local, const Box (&boxes)[N], std::size_t (&found)[N]) {
     const D wide;
@@ -144,7 +145,7 @@ HWY_INLINE void find_reaching(LocalSegments& local, const Box (&boxes)[N], std::
     if (m < local.count) judge_segments(narrow, m, local, boxes, found);
 }
 
-// All segments, as if they reached the box and the box were near their ends.
+// Lists all segments, as if they all reached the box with their ends.
 HWY_INLINE std::size_t list_all(const LocalSegments& local, std::int32_t* reaching) {
     std::size_t found = 0;
     for (; found < local.count; ++found) reaching[found] = static_cast<std::int32_t>(2 * found + 1);

@@ -1,6 +1,6 @@
-// Values of a plain sum of one kernel, at a brick's grid points and at single lattice points, and what is read from
-// them. Within one instruction set a point's value has the same bits in whichever call it is computed, provided that
-// the list holds every segment whose support contains the point, in ascending order. Included once per instruction set.
+// Values of the plain sum of one kernel at the grid points of a brick and at single lattice points, and depths from
+// values. Within one instruction set a point's value has the same bits in every call, if the list contains all segments
+// whose support contains the point, in ascending order. Included once per instruction set.
 #if defined(RAMUS_FIELD_SAMPLING_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_FIELD_SAMPLING_INL_H
 #undef RAMUS_FIELD_SAMPLING_INL_H
@@ -40,7 +40,7 @@ private:
 };
 constexpr GroupLanes kGroupLanes;
 
-// Where the points of each group lie, in cells.
+// The box around the points of each group, in cells.
 struct GroupBox {
     glm::vec3 middle, half;
 };
@@ -55,7 +55,7 @@ constexpr std::array<GroupBox, kGroups> kGroupBoxes{{
     {{2.0F, 2.0F, 2.0F}, {2.0F, 2.0F, 2.0F}},
 }};
 
-// Coordinates of a vector of points from a segment's table.
+// Looks up the coordinates of a vector of points in a segment's table.
 HWY_INLINE V look_up(D d, const float* table, const std::int32_t* index) {
 #if HWY_MAX_BYTES >= 32
     return hn::TableLookupLanes(hn::LoadU(d, table), hn::SetTableIndices(d, index));
@@ -64,7 +64,7 @@ HWY_INLINE V look_up(D d, const float* table, const std::int32_t* index) {
 #endif
 }
 
-// The values of one group, from the segments that reach it.
+// Computes the values of one group from the segments that reach it.
 template <class Profile>
 HWY_INLINE void sample_group(const Profile& profile, const LocalSegments& local, std::size_t group,
                              std::span<const std::int32_t> reaching, GridGroups& samples) {
@@ -105,7 +105,7 @@ HWY_INLINE void sample_group(const Profile& profile, const LocalSegments& local,
     samples.inside[group] = static_cast<std::uint16_t>(inside);
 }
 
-// N groups from the first on. Returns the number of kernels evaluated.
+// Computes N groups, beginning with `first`. Returns the number of kernels evaluated.
 template <std::size_t N, class Profile>
 HWY_INLINE std::uint64_t sample_together(const Profile& profile, LocalSegments& local, std::size_t first,
                                          GridGroups& samples, Choice choice) {

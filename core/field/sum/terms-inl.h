@@ -1,4 +1,4 @@
-// What each segment by itself adds to a plain sum of one kernel at one point, with gradients. Vectorised over the
+// The contribution of each segment to the plain sum of one kernel at one point, with its gradient. Vectorised over the
 // segments. Included once per instruction set.
 #if defined(RAMUS_FIELD_TERMS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_FIELD_TERMS_INL_H
@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::field::HWY_NAMESPACE {
 
-// Fills in the values and gradients of `terms` from its segments. A term does not depend on what else is in the list.
+// Computes the values and gradients of `terms`. A term does not depend on the other segments.
 template <class Profile> void find_terms(const Kernel& kernel, SegmentTerms& terms) {
     using T = Narrow;
     using One = Pack<1, T>;

@@ -21,14 +21,15 @@ struct Vector {
     Values x, y, z;
 };
 
-// Sums and products are rounded one by one: fused, they would differ between instruction sets.
+// Without fused multiply-add, so that the result has the same bits on all instruction sets.
 HWY_INLINE Vector minus(const Vector& a, const Vector& b) {
     return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
 HWY_INLINE Values dot(const Vector& a, const Vector& b) {
     return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
-// That of (b, a) is the same but for its sign, to the bit: the two triangles of an edge agree on which side a line is.
+// The result for (b, a) has the opposite sign and otherwise the same bits, so the two triangles of an edge agree on the
+// side of a line.
 HWY_INLINE Vector cross(const Vector& a, const Vector& b) {
     return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(b.y, a.z)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(b.z, a.x)),
             hn::Sub(hn::Mul(a.x, b.y), hn::Mul(b.x, a.y))};
@@ -37,7 +38,7 @@ HWY_INLINE Vector all(const double* v) {
     const Doubles d;
     return {hn::Set(d, v[0]), hn::Set(d, v[1]), hn::Set(d, v[2])};
 }
-// Floats from `at` on, as doubles.
+// Loads floats from `at` as doubles.
 HWY_INLINE Values wide(const float* at) {
     return hn::PromoteTo(Doubles(), hn::LoadU(hn::Rebind<float, Doubles>(), at));
 }
@@ -45,7 +46,7 @@ HWY_INLINE Vector corner(const PackedLeaf& leaf, int number, std::size_t n) {
     return {wide(leaf.corner[number][0] + n), wide(leaf.corner[number][1] + n), wide(leaf.corner[number][2] + n)};
 }
 
-// In `room` where there is no copy of it.
+// The leaf `number`; filled into `room` if leaves are not stored.
 HWY_INLINE const PackedLeaf& leaf_of(const PackedView& view, std::uint32_t number, PackedLeaf& room) {
     if (view.leaves != nullptr) return view.leaves[number];
     fill_leaf(view, number, room);
@@ -62,7 +63,8 @@ HWY_INLINE Values to_edge(const Vector& a, const Vector& edge) {
     return dot(nearest, nearest);
 }
 
-// Squared distance from the origin to triangles: to the plane where the foot lies within, else to the nearest edge.
+// Squared distance from the origin to triangles: to the plane if the foot lies within the triangle, else to the nearest
+// edge.
 HWY_INLINE Values to_triangle(const Vector& a, const Vector& b, const Vector& c) {
     const Doubles d;
     const Vector ab = minus(b, a), bc = minus(c, b), ca = minus(a, c);
@@ -109,7 +111,7 @@ struct Open {
 constexpr std::uint32_t kLeafLevel = 0xFFFFFFFFU;
 constexpr std::size_t kMostOpen = 12 * kPack; // a node leaves seven of its children behind, at each level
 
-// Boxes are told from single precision, whose error is a few parts in 10^7.
+// A margin for the rounding of box distances to single precision, a few parts in 10^7.
 HWY_INLINE float limit_of(double squared) { return static_cast<float>(squared * (1.0 + 4e-6)); }
 
 HWY_INLINE double nearest_squared(const PackedView& view, const float* place, std::uint32_t& leaf) {
@@ -140,7 +142,7 @@ HWY_INLINE double nearest_squared(const PackedView& view, const float* place, st
         const std::size_t first = count;
         for (std::uint32_t child = 0; child < kPack; ++child) {
             if (!(squared[child] <= limit)) continue;
-            // The nearest last: it is looked at first.
+            // The nearest child is pushed last, so that it is visited first.
             std::size_t at = count++;
             for (; at > first && open[at - 1].bound < squared[child]; --at) open[at] = open[at - 1];
             open[at] = {next.node * kPack + child, below, squared[child]};
@@ -156,8 +158,8 @@ void distances_of(const PackedView& view, const glm::vec3* points, const std::ui
         distances[order[i]] = std::sqrt(nearest_squared(view, &points[order[i]].x, leaf));
 }
 
-// Bits of the boxes of a node that a line meets, and where along the line each of them begins. Rounding must not lose a
-// box as flat as a triangle.
+// The bits of the boxes of a node that a line intersects, and the parameter at which it enters each. Has a margin, so
+// that rounding does not lose a flat box.
 HWY_INLINE std::uint32_t boxes_met(const PackedNode& node, const double* from, const double* inverse, double length,
                                    double* begins) {
     const Doubles d;
@@ -181,8 +183,8 @@ HWY_INLINE std::uint32_t boxes_met(const PackedNode& node, const double* from, c
     return bits;
 }
 
-// The line meets a triangle where it passes all three edges on the same side, looking along it. What passes through an
-// edge counts for both triangles, at one place.
+// A line intersects a triangle if it passes all three edges on the same side. A line through an edge intersects both
+// triangles, at the same place.
 HWY_INLINE std::size_t crossings_of(const PackedView& view, std::uint32_t number, const Vector& from,
                                     const Vector& direction, double length, Crossing* found) {
     PackedLeaf room;
@@ -262,7 +264,8 @@ Crossing exit_along(const PackedView& view, const double* from, const double* di
             const std::size_t more = crossings_of(view, next.node, start, way, first.at, here);
             for (std::size_t i = 0; i < more; ++i) {
                 const Crossing& exit = here[i];
-                // Through an edge it leaves two triangles at one place, in whatever order these are looked at.
+                // A line through an edge leaves two triangles at one place. The lower one is taken, whatever the order
+                // of the search.
                 const bool sooner = exit.at < first.at || (exit.at == first.at && exit.triangle < first.triangle);
                 if (exit.out && exit.at > after && sooner) first = exit;
             }
@@ -276,7 +279,7 @@ Crossing exit_along(const PackedView& view, const double* from, const double* di
         for (std::uint32_t child = 0; child < kPack; ++child) {
             if ((bits >> child & 1U) == 0) continue;
             const auto bound = static_cast<float>(begins[child] * (1.0 - 1e-6)); // not above it
-            // What begins first last: it is looked at first.
+            // The child that the line enters first is pushed last, so that it is visited first.
             std::size_t at = count++;
             for (; at > earlier && open[at - 1].bound < bound; --at) open[at] = open[at - 1];
             open[at] = {next.node * kPack + child, below, bound};

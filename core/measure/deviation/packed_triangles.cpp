@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kGrain = 4096; // things for a thread at once
 
-// The lowest 16 bits, two zeros after each.
+// Spreads the lowest 16 bits, with two zeros after each.
 std::uint64_t spread(std::uint32_t bits) {
     std::uint64_t x = bits & 0xFFFFU;
     x = (x | x << 16U) & 0x0000FF0000FFULL;
@@ -26,8 +26,8 @@ std::uint64_t spread(std::uint32_t bits) {
     return (x | x << 2U) & 0x249249249249ULL;
 }
 
-// How far along a Hilbert curve through a cube of 2^16 cells a side one of them lies (J. Skilling, "Programming the
-// Hilbert curve", AIP Conference Proceedings 707, 2004).
+// The index of a cell on the Hilbert curve through a cube of 2^16 cells a side (J. Skilling, "Programming the Hilbert
+// curve", AIP Conference Proceedings 707, 2004).
 std::uint64_t hilbert_index(std::array<std::uint32_t, 3> x) {
     constexpr std::uint32_t kBits = 16, kTop = 1U << (kBits - 1);
     for (std::uint32_t bit = kTop; bit > 1; bit >>= 1U) {
@@ -86,7 +86,7 @@ FloatBox box_of(const PackedNode& node) {
     return box;
 }
 
-// One level of nodes above `count` leaves or nodes, which have these boxes.
+// Builds one level of nodes above `count` leaves or nodes with these boxes.
 template <class BoxOf> void put_level(PackedNode* nodes, std::size_t number, std::size_t count, const BoxOf& box_at) {
     for_all(number, [&](std::size_t n) {
         for (std::uint32_t child = 0; child < kPack; ++child) {
@@ -97,8 +97,8 @@ template <class BoxOf> void put_level(PackedNode* nodes, std::size_t number, std
     });
 }
 
-// The numbers of places below `count` in the order in which a Hilbert curve through their box meets them. Places are
-// asked for twice, and kept nowhere.
+// The numbers 0 to count - 1, sorted by place(n) along a Hilbert curve through the bounding box. Calls place() twice
+// for each number, and stores no places.
 template <class PlaceAt>
 LargeArray<std::uint32_t> hilbert_order(std::size_t count, const LargeAllocator<std::byte>& memory,
                                         const PlaceAt& place_at) {
@@ -208,7 +208,7 @@ void PackedTriangles::crossings(const glm::dvec3& from, const glm::dvec3& direct
     found.resize(count);
     std::ranges::sort(
         found, [](const Crossing& a, const Crossing& b) { return a.at < b.at || (a.at == b.at && a.out < b.out); });
-    // Through an edge or a corner the line meets all triangles there, at one place.
+    // A line through an edge or a corner intersects all triangles there, at one place.
     const double same = 1e-12 * (glm::length(from) + length);
     const auto repeats = std::unique(found.begin(), found.end(), [&](const Crossing& a, const Crossing& b) {
         return a.out == b.out && b.at - a.at <= same;

@@ -1,9 +1,11 @@
-// PackedTriangles: the triangles of a mesh in a tree of boxes, eight to a leaf and eight boxes to a node, so that
-// vectors look at all of them at once. Triangles are put along a Hilbert curve and packed in that order: the tree is
-// made in the time that sorting takes. Distances are those to the triangles themselves, in double precision from the
-// mesh's single ones; the same bits for any number of threads, any order of points and any instruction set. Immutable.
-// Corners are copied for the vectors where the mesh is small; of a large one, the copy would be larger than the mesh
-// itself, and those of a leaf are gathered from the mesh whenever it is looked at: slower, with the same bits.
+// PackedTriangles: a bounding-volume hierarchy over the triangles of a mesh for distance and ray queries, with eight
+// triangles per leaf and eight boxes per node, so that SIMD processes all of them at once. Triangles are sorted along a
+// Hilbert curve and packed in that order, so building takes about the time of the sort.
+//
+// Guarantees: distances are to the triangles themselves, computed in double precision; the same bits for any number of
+// threads, any order of points and any instruction set. Immutable. Leaves contain copies of the corners. For a large
+// mesh these copies would be larger than the mesh, so the corners of a leaf are gathered from the mesh in each query:
+// slower, with the same bits.
 #pragma once
 
 #include "core/base/large_array.h"
@@ -19,26 +21,26 @@ namespace ramus::measure {
 
 inline constexpr std::uint32_t kPack = 8;
 
-// Triangles that are not there repeat another one.
+// Unused entries repeat another triangle.
 struct PackedLeaf {
     float corner[3][3][kPack]; // corner, axis, triangle
 };
-// Boxes of what is below; those that are not there are empty (least above most).
+// The boxes of the children. Unused boxes are empty (least above most).
 struct PackedNode {
     float least[3][kPack], most[3][kPack]; // axis, child
 };
 
-// What queries need, as plain arrays. Level 0 has the nodes whose children are leaves, the last level the root alone;
-// the children of node n of a level are 8 n and on, one level below.
+// The data for queries, as plain arrays. The children of nodes of level 0 are leaves; the last level is the top node.
+// The children of node n of a level are the nodes 8 n to 8 n + 7 of the level below.
 struct PackedView {
-    const PackedLeaf* leaves = nullptr; // null: fill_leaf() makes them
+    const PackedLeaf* leaves = nullptr; // null: queries call fill_leaf()
     const PackedNode* nodes = nullptr;  // level by level
-    std::uint32_t first[12] = {};       // node of each level
+    std::uint32_t first[12] = {};       // by level: its first node
     std::uint32_t levels = 0;
     const glm::vec3* positions = nullptr; // of the mesh
     const glm::uvec3* triangles = nullptr;
-    const std::uint32_t* order = nullptr; // of the triangles in the leaves
-    std::size_t count = 0;                // of triangles
+    const std::uint32_t* order = nullptr; // by place in the leaves: the triangle of the mesh
+    std::size_t count = 0;                // number of triangles
 };
 
 inline void fill_leaf(const PackedView& view, std::size_t number, PackedLeaf& leaf) {
@@ -52,45 +54,45 @@ inline void fill_leaf(const PackedView& view, std::size_t number, PackedLeaf& le
 
 inline constexpr std::size_t kMostCopied = 16'000'000; // triangles, 36 bytes each
 
-// Where a line leaves a surface, or enters one.
+// A place where a line leaves or enters a surface.
 struct Crossing {
     double at = 0.0;  // mm along the line
-    bool out = false; // from inside to outside, as the triangle is turned
+    bool out = false; // from inside to outside, by the orientation of the triangle
     std::uint32_t triangle = 0;
 };
 
 class PackedTriangles {
 public:
-    // The mesh has a triangle at least, and outlives this. Of more than `most_copied` triangles corners are not copied.
-    // Arrays are where `memory` is.
+    // The mesh must have at least one triangle, and must outlive the object. Corners are not copied if there are more
+    // than `most_copied` triangles. `memory`: the allocator of the arrays.
     explicit PackedTriangles(const mesh::TriangleMesh& mesh, std::size_t most_copied = kMostCopied,
                              const LargeAllocator<std::byte>& memory = {});
     explicit PackedTriangles(mesh::TriangleMesh&& mesh, std::size_t most_copied = kMostCopied) = delete;
     PackedTriangles(const PackedTriangles&) = delete; // view_ points into it
     PackedTriangles& operator=(const PackedTriangles&) = delete;
 
-    // mm from each point to the nearest triangle. All of TBB's threads of the caller's arena; quick where points that
-    // are near each other are near the surface.
+    // The distance (mm) from each point to the nearest triangle. Uses the TBB threads of the caller's arena. Fast if
+    // the points are near the surface.
     [[nodiscard]] LargeArray<double> distances(std::span<const glm::vec3> points) const;
 
-    // All crossings within `length` mm along a unit direction, nearest first; not those behind. Where a line goes
-    // through the edge of two triangles it crosses once.
+    // All crossings within `length` mm along a unit direction, the nearest first. A line through the edge of two
+    // triangles crosses once.
     void crossings(const glm::dvec3& from, const glm::dvec3& direction, double length,
                    std::vector<Crossing>& found) const;
-    // The first place more than `after` mm along a unit direction where the line leaves the surface; at infinity where
+    // The first place more than `after` mm along a unit direction where the line leaves the surface; at infinity if
     // there is none.
     [[nodiscard]] Crossing first_exit(const glm::dvec3& from, const glm::dvec3& direction, double after) const;
 
 private:
-    void make_nodes(std::size_t leaves); // of so many
+    void make_nodes(std::size_t leaves);
 
-    LargeArray<PackedLeaf> leaves_; // none where corners are not copied
+    LargeArray<PackedLeaf> leaves_; // empty if corners are not copied
     LargeArray<PackedNode> nodes_;
-    LargeArray<std::uint32_t> order_; // of the mesh's triangles in the leaves
+    LargeArray<std::uint32_t> order_; // PackedView::order
     PackedView view_;
 };
 
-// The places in the order in which a Hilbert curve through their box meets them.
+// The indices of `places`, in the order of a Hilbert curve through their bounding box.
 [[nodiscard]] LargeArray<std::uint32_t> along_hilbert_curve(std::span<const glm::vec3> places);
 
 } // namespace ramus::measure

@@ -11,7 +11,8 @@ namespace ramus::measure {
 
 namespace {
 
-// Twice the ranks of the sizes of differences, in the order given: whole numbers, though ties have ranks between two.
+// Twice the ranks of the absolute differences, in the order of the input. Integers, although ties have half-integer
+// ranks.
 std::vector<std::uint64_t> doubled_ranks(const std::vector<double>& differences) {
     std::vector<std::size_t> order(differences.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -26,7 +27,7 @@ std::vector<std::uint64_t> doubled_ranks(const std::vector<double>& differences)
     return ranks;
 }
 
-// Of all ways to give the ranks signs, the share with a sum of positive (doubled) ranks of at most `sum`.
+// The share of all sign patterns whose sum of positive (doubled) ranks is at most `sum`.
 double share_up_to(const std::vector<std::uint64_t>& ranks, std::uint64_t sum) {
     std::vector<double> share(sum + 1, 0.0); // by the sum of the positive ones among those seen so far
     share[0] = 1.0;
@@ -37,8 +38,8 @@ double share_up_to(const std::vector<std::uint64_t>& ranks, std::uint64_t sum) {
 }
 
 double normal_p(const std::vector<std::uint64_t>& ranks, double smaller_sum) {
-    // Each rank is in the sum of the positive ones or not, with even odds: the variance of that is a quarter of its
-    // square.
+    // Each rank belongs to the positive sum with probability 1/2, which contributes a quarter of its square to the
+    // variance.
     double mean = 0.0, variance = 0.0;
     for (const std::uint64_t doubled : ranks) {
         const double rank = 0.5 * static_cast<double>(doubled);
@@ -84,7 +85,7 @@ PairedT paired_t(std::span<const double> differences) {
     double squares = 0.0;
     for (const double difference : differences) squares += (difference - found.mean) * (difference - found.mean);
     found.sigma = std::sqrt(squares / (count - 1.0));
-    // Not by a sigma of 0: the mean of equal numbers may differ from them in the last digit.
+    // Does not test sigma == 0, since the mean of equal numbers may differ from them in the last digit.
     if (std::ranges::all_of(differences, [&](double d) { return d == differences.front(); })) {
         found.sigma = 0.0;
         return found;

@@ -25,7 +25,7 @@ ScoreSummary summary_of(const Scores& scores, std::size_t method, std::size_t cr
     return found;
 }
 
-// A whole number for each pair: of raters, the sum over the scenes, so that equal ones are tied whatever the mean is.
+// An integer for each pair. For raters it is the sum over the scenes, not the mean, so that ties are exactly equal.
 std::vector<double> differences(const Scores& scores, const MethodComparison& pair, std::size_t method,
                                 PairedBy paired_by) {
     std::vector<double> found;

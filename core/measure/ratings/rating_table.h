@@ -1,9 +1,9 @@
-// Table II of the paper (section VIII): what raters think of pictures of the same vessels that different methods made,
-// for each criterion and method mean, sigma and median, and whether one method differs from each of the others.
+// Table II of the paper (section VIII): scores of pictures of the same vessels by different methods. For each criterion
+// and method: mean, sigma and median; and tests of one method against each other one.
 //
-// Raters are the sample. Answers of one rater about several scenes are not independent of each other, so a rater counts
-// once in a test, with the mean of all scenes (PairedBy::kRater). PairedBy::kAnswer takes every rater and scene for a
-// pair of its own: it finds smaller probabilities, which hold for these raters and not for others.
+// Raters are the sample. Answers of one rater about several scenes are not independent, so a rater counts once in a
+// test, with the mean of all scenes (PairedBy::kRater). PairedBy::kAnswer treats every rater and scene as a separate
+// pair. Its probabilities are smaller, and valid for these raters only.
 #pragma once
 
 #include "core/measure/ratings/paired_tests.h"
@@ -15,7 +15,7 @@
 
 namespace ramus::measure {
 
-// Every rater scored every method in every scene by every criterion: answers without gaps.
+// The scores of every rater for every method in every scene by every criterion, without gaps.
 class Scores {
 public:
     struct Size {
@@ -48,22 +48,23 @@ struct ScoreSummary {
     double median = 0.0;
 };
 
-// The method in question against another one, by one criterion. Differences are the method's scores minus the other's.
+// The comparison of the tested method with another one, by one criterion. Differences are the scores of the tested
+// method minus those of the other one.
 struct MethodComparison {
     std::size_t criterion = 0, other = 0;
     SignedRank ranks;
     PairedT t;                         // mean, sigma and interval in steps of the scale
-    double corrected_p = 1.0;          // of ranks.p, by Holm, over all comparisons of the table
-    std::optional<double> corrected_t; // the same of t.p, over those that have one
+    double corrected_p = 1.0;          // ranks.p, corrected by Holm over all comparisons of the table
+    std::optional<double> corrected_t; // t.p, corrected over all comparisons that have a t.p
 };
 
 struct RatingTable {
     std::vector<std::vector<ScoreSummary>> summaries; // by criterion, then method
-    // By criterion, then other method. Empty for one rater, of whom nothing can be concluded about others.
+    // By criterion, then other method. Empty for one rater, since a single rater allows no conclusion about others.
     std::vector<MethodComparison> comparisons;
 };
 
-// `method`: the one that is held against each of the others. There are scores.
+// `method`: the tested method. `scores` must not be empty.
 [[nodiscard]] RatingTable rating_table(const Scores& scores, std::size_t method, PairedBy paired_by = PairedBy::kRater);
 
 } // namespace ramus::measure

@@ -20,7 +20,7 @@ bool meet(const ExactBox& a, const ExactBox& b) {
     return glm::all(glm::lessThanEqual(a.least, b.most)) && glm::all(glm::lessThanEqual(b.least, a.most));
 }
 
-// In single precision, a little too large.
+// A box in single precision, rounded outward.
 BoxTree::Box box_around(const ExactBox& exact) {
     constexpr float kFar = std::numeric_limits<float>::max();
     BoxTree::Box box{glm::vec3(exact.least), glm::vec3(exact.most)};

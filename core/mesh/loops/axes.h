@@ -1,4 +1,5 @@
-// Axes: those of a tree's vessels, as segments in a tree of boxes.
+// Axes: the segments of a tree's centerlines in a bounding-volume hierarchy, for intersection tests. Positions are in
+// mm.
 #pragma once
 
 #include "core/base/bounds.h"
@@ -15,12 +16,12 @@ namespace ramus::mesh {
 
 class Axes {
 public:
-    // Of a tree, which must outlive them.
+    // The tree must outlive the object.
     explicit Axes(const tree::VesselTree& tree);
 
-    // Whether one has a point in a box.
+    // Whether any axis has a point in a box.
     [[nodiscard]] bool reach(const Bounds<glm::dvec3>& box) const;
-    // Whether one goes through the triangles that span a closed line (spanning_triangles.h).
+    // Whether any axis intersects the triangles that span a closed line (spanning_triangles.h).
     [[nodiscard]] bool go_through(std::span<const glm::dvec3> line) const;
 
 private:

@@ -17,10 +17,10 @@ namespace ramus::mesh {
 
 namespace {
 
-constexpr std::size_t kMostAsWhole = 4'000'000; // triangles that are looked at together, for all loops: 1.2 us each
-constexpr double kBytesPerTriangle = 140.0;     // that looking for loops takes (measured: 127), however many there are
+constexpr std::size_t kMostAsWhole = 4'000'000; // triangles times loops; a search takes 1.2 us for each triangle
+constexpr double kBytesPerTriangle = 140.0;     // memory of a search (measured: 127), for any number of loops
 
-// A part in which loops were looked for, as far as it was changed.
+// The result for one part; without a patch if nothing was cut.
 struct LookedAt {
     std::optional<LoopPatch> patch;
     std::size_t cut = 0;
@@ -33,7 +33,7 @@ struct LoopCutter {
     double memory_bytes;
 };
 
-// Looks at parts, which do not depend on each other.
+// Cuts parts in parallel. They do not depend on each other, so the result is the same for any number of threads.
 CutLoops cut_in_parts(TriangleMesh& mesh, std::span<const SurfacePart> parts, const LoopCutter& cutter,
                       std::size_t most, Job& job) {
     std::vector<LookedAt> looked(parts.size());
@@ -69,7 +69,7 @@ CutLoops cut_in_parts(TriangleMesh& mesh, std::span<const SurfacePart> parts, co
     return all;
 }
 
-// Triangles of the parts that loops lead through.
+// The triangles of the parts that loops pass through.
 std::vector<std::uint32_t> on_loops(const SurfaceParts& all) {
     std::vector<std::uint32_t> found;
     for (const SurfacePart& part : all.parts())
@@ -111,7 +111,7 @@ CutLoops cut_false_loops(TriangleMesh& mesh, const tree::PreparedTree& tree, con
         if (others > 0) {
             const SurfaceParts joints = divided(between, Rest::kLoops);
             look_around(0.5F, 0.6F, joints);
-            // Within a branch: one that bends until it touches itself.
+            // Loops within one branch, which bends until it touches itself.
             if (others > 0) look_at(0.6F, 0.7F, joints.rest_with_loops());
         }
         if (others > 0 && static_cast<std::size_t>(others) * mesh.triangles.size() <= kMostAsWhole)

@@ -1,5 +1,5 @@
-// False loops: those of a surface that its tree has no cycle for. Where vessels part or pass each other within a cell
-// or two, the last of them are left by field and cells; here the surface is cut there.
+// Cuts false loops: handles of a surface that correspond to no cycle of its tree. Field and cells leave some where
+// vessels diverge or pass each other within a cell or two.
 #pragma once
 
 #include "core/base/job.h"
@@ -15,10 +15,10 @@
 namespace ramus::mesh {
 
 struct CutLoops {
-    std::size_t cut = 0;
-    // Where the surface still connects what the tree does not, if it has other loops; mm, RAS.
+    std::size_t cut = 0; // number of loops cut
+    // If loops remain: places where the surface still connects vessels that the tree does not; mm, RAS.
     std::vector<glm::vec3> left;
-    double lacked_bytes = 0.0; // most that looking at a part would have taken, where memory did not suffice
+    double lacked_bytes = 0.0; // the largest memory needed for a part that was skipped for lack of memory
 
     void add(const CutLoops& more) {
         cut += more.cut;
@@ -27,13 +27,16 @@ struct CutLoops {
     }
 };
 
-// Cuts a closed surface, of which each vertex has triangles, until it has no more loops than its tree, along the
-// shortest line each time that goes around no vessel: around a connection that the tree has not, or around the hole
-// beside it. Holes are filled only where the tree has no cycle at all, or one of its own might be. Where no such line
-// is short, a loop stays. Looks in parts of the surface that loops lead through, each by itself: at walls between
-// vessels, then where branches meet that do not in the tree, or that do; in the whole only where that is small. `tree`:
-// what the surface was made of; `at_walls`: its parts there. Cuts nothing if cancelled, and in no part where it would
-// take more than `memory_bytes`.
+// Cuts a closed surface until it has no more loops than its tree. Each cut follows the shortest closed line of edges
+// that does not divide the surface and that no axis runs through: around a connection that the tree does not have, or
+// around the hole next to it. Holes are filled only if the tree has no cycles, since otherwise the hole may be a cycle
+// of the tree. A loop stays if no such line is short.
+//
+// Searches parts of the surface that loops pass through, each by itself: first at walls between vessels; then where
+// branches meet that do not meet in the tree; then where branches meet that do; then parts within one branch; and last
+// the whole surface, if it is small. `tree`: the tree of the surface. `at_walls`: the parts at walls. Every vertex must
+// belong to a triangle. If cancelled, the remaining searches cut nothing. Skips parts that need more than
+// `memory_bytes`.
 [[nodiscard]] CutLoops cut_false_loops(TriangleMesh& mesh, const tree::PreparedTree& tree, const SurfaceParts& at_walls,
                                        double memory_bytes, Job& job);
 

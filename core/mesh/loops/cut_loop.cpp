@@ -17,10 +17,10 @@ namespace {
 constexpr std::size_t kSides = 2;   // left, right
 constexpr float kMostOfWay = 0.25F; // to its neighbours, that a vertex of the line moves
 
-// A vertex of the line, as one side has it.
+// A vertex of the line, on one of the two sides.
 struct Rim {
     std::vector<std::pair<std::uint32_t, int>> corners; // triangle and corner
-    glm::vec3 neighbours{0.0F};                         // the mean of those on this side
+    glm::vec3 neighbours{0.0F};                         // the mean of the neighbours on this side
 };
 
 int corner_of(const glm::uvec3& triangle, std::uint32_t vertex) {
@@ -68,8 +68,8 @@ public:
     }
 
 private:
-    // The triangles at the n-th vertex on one side: on the left those from the line's next edge counter-clockwise to
-    // its last one, on the right the others. None where they do not lead there.
+    // The triangles at the n-th vertex on one side: on the left from the next edge of the line counter-clockwise to the
+    // previous one, on the right the others. None if they do not connect the two edges.
     [[nodiscard]] std::optional<Rim> rim(std::size_t n, std::size_t side) const {
         const std::uint32_t here = line_[n];
         const std::uint32_t next = line_[(n + 1) % line_.size()], last = line_[(n + line_.size() - 1) % line_.size()];
@@ -93,8 +93,9 @@ private:
         return rim;
     }
 
-    // By places in the line. Those of least area; where they have an edge that the surface has already, which would
-    // then have four triangles, those to a middle, which is as a place behind the last one.
+    // The triangles of a cap, by places in the line. If the triangles of least area have an edge that the surface
+    // already has, which would then have four triangles, a fan around a middle vertex, whose place is one past the
+    // last.
     [[nodiscard]] std::vector<glm::uvec3> cap_triangles() const {
         std::vector<glm::dvec3> line;
         for (const std::uint32_t v : line_) line.emplace_back(mesh_.positions[v]);
@@ -116,7 +117,7 @@ private:
         return cap;
     }
 
-    // Of a cap, behind the vertices of its line.
+    // Adds the middle vertex of a cap, after the vertices of its line.
     void add_middle(std::uint32_t middle, std::vector<std::uint32_t>& vertices, std::size_t side) {
         mesh_.for_each_array([&](auto& array) { array[middle] = array[vertices.front()]; });
         glm::vec3 sum(0.0F), across(0.0F);

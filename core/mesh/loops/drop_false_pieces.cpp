@@ -18,7 +18,7 @@ struct MeshPart {
     double volume = 0.0; // mm^3, six times; negative: a cavity
 };
 
-// Keeps the vertices that have a new number, and their triangles.
+// Removes the vertices with the number kDropped, and their triangles.
 void keep_vertices(TriangleMesh& mesh, const LargeArray<std::uint32_t>& number, std::size_t count) {
     mesh.for_each_array([&](auto& array) {
         if (array.empty()) return;

@@ -12,16 +12,16 @@ namespace ramus::mesh {
 
 namespace {
 
-constexpr double kLongest = 16.0;         // radii of the vessel there, that a line is
-constexpr std::size_t kMostCorners = 512; // of a line: caps take time as the cube of them
-// The surface is looked at as a whole for each loop that is cut, or for several that lie apart: the triangles of all
-// these looks, at most. They take 1.2 us each; where they are more, cells are larger than the gaps between vessels.
+constexpr double kLongest = 16.0;         // the longest line, in local radii
+constexpr std::size_t kMostCorners = 512; // of a line: caps take time proportional to the cube
+// A limit on loops times triangles: each cut, or group of separate cuts, searches the whole surface, at 1.2 us for each
+// triangle. The limit is exceeded if the cells are larger than the gaps between vessels.
 constexpr double kMostInAll = 20e6;
-// Vertices that searches come to, in all, which take 0.2 us each; and as how many choices of a cap's triangle one
-// counts.
+// kMostSteps: a limit on the vertices visited by all searches, 0.2 us each. kCapSteps: so many choices of a triangle of
+// a cap take as long as one vertex.
 constexpr std::size_t kMostSteps = 20'000'000, kCapSteps = 300;
 
-// Whether what a line goes around is inside, and no hole: the surface faces away from its middle.
+// Whether a line goes around inside, not around a hole: the surface faces away from the line's middle.
 bool goes_around_inside(const TriangleMesh& mesh, const SurfaceLoop& loop) {
     const std::vector<glm::dvec3> line = positions_of(mesh, loop);
     glm::dvec3 middle(0.0);
@@ -50,8 +50,8 @@ std::size_t FalseLoops::cut(std::size_t most, Job& job) {
     return cut;
 }
 
-// The best line, and those of the next best ones that have no triangle in common with it or each other. They do not
-// part the surface together.
+// The best line, and the next best lines that share no triangle with it or each other. Cutting along all of them does
+// not divide the surface.
 std::vector<SurfaceLoop> FalseLoops::best_apart(std::size_t most, Job& job) {
     const SurfaceGraph graph(mesh_);
     if (!graph.is_closed()) return {};
@@ -71,8 +71,8 @@ std::vector<SurfaceLoop> FalseLoops::best_apart(std::size_t most, Job& job) {
     return lines;
 }
 
-// Of the kinds that are no sums of those found. Without vertices if there is none, it takes too long to find, or the
-// job is cancelled.
+// The best line of a kind that is independent of the kinds found before. Without vertices if there is none, if the
+// search exceeds kMostSteps, or if the job is cancelled.
 SurfaceLoop FalseLoops::best(const SurfaceGraph& graph, const SurfaceLoops& loops, Job& job) {
     best_ = {}, cost_ = std::numeric_limits<double>::max();
     const auto edges = loops.edges();
@@ -93,7 +93,7 @@ SurfaceLoop FalseLoops::best(const SurfaceGraph& graph, const SurfaceLoops& loop
     return best_;
 }
 
-// A connection is cut rather than the hole beside it filled, unless that is far smaller.
+// Prefers cutting a connection to filling the hole next to it, unless the hole is less than half as long around.
 void FalseLoops::look(const SurfaceLoops& loops, std::uint32_t vertex) {
     constexpr double kFilled = 2.0;
     const double longest = std::min(cost_, kLongest * double{mesh_.radii[vertex]});
@@ -107,9 +107,9 @@ void FalseLoops::look(const SurfaceLoops& loops, std::uint32_t vertex) {
     }
 }
 
-// Asked once for each line, as long as the surface is the same there.
+// Cached, since the same line is found from several vertices.
 bool FalseLoops::goes_around_vessel(const SurfaceLoop& loop) {
-    // Each line from its lowest vertex, to the lower one of those beside that.
+    // The key of a line begins at its lowest vertex, and continues with the lower one of its neighbours.
     std::vector<std::uint32_t> vertices = loop.vertices;
     std::rotate(vertices.begin(), std::ranges::min_element(vertices), vertices.end());
     if (vertices.back() < vertices[1]) std::reverse(vertices.begin() + 1, vertices.end());
@@ -121,7 +121,7 @@ bool FalseLoops::goes_around_vessel(const SurfaceLoop& loop) {
     return known->second;
 }
 
-// Along which it was cut: its vertices have moved.
+// Removes lines that share a vertex with a cut, whose vertices have moved, from the cache.
 void FalseLoops::forget(const SurfaceLoop& loop) {
     const std::unordered_set<std::uint32_t> moved(loop.vertices.begin(), loop.vertices.end());
     std::erase_if(around_vessel_, [&](const auto& known) {

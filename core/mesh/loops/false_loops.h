@@ -1,4 +1,4 @@
-// FalseLoops: cuts those of one surface, as a whole.
+// FalseLoops: finds and cuts the false loops of one closed surface, without dividing it into parts.
 #pragma once
 
 #include "core/base/job.h"
@@ -17,13 +17,13 @@ namespace ramus::mesh {
 
 class FalseLoops {
 public:
-    // `axes`: of the vessels; `barred`: by vertex, not 0: no line goes there; those that come later are not. All must
-    // outlive it.
+    // `axes`: the axes of the vessels. `barred`: by vertex; not 0: no line may pass through the vertex. Vertices added
+    // by cuts are not barred. All references must outlive the object.
     FalseLoops(TriangleMesh& mesh, const Axes& axes, bool fill_holes, std::span<const std::uint8_t> barred)
         : mesh_(mesh), axes_(axes), fill_holes_(fill_holes), barred_(barred) {}
 
-    // Cuts the surface along the best lines, at most so many, and as long as that takes no more than seconds. Each cut
-    // takes one loop away. Returns how many; fewer if cancelled.
+    // Cuts the surface along the best lines, at most `most`; each cut removes one loop. Stops when a limit on the work
+    // is reached (some seconds), or if cancelled. Returns the number of cuts.
     [[nodiscard]] std::size_t cut(std::size_t most, Job& job);
 
 private:
@@ -37,11 +37,11 @@ private:
     const Axes& axes_;
     bool fill_holes_;
     std::span<const std::uint8_t> barred_;
-    IndependentKinds found_; // kinds of lines, as the surface is now
+    IndependentKinds found_; // kinds of the lines found on the current surface
     SurfaceLoop best_;
     double cost_ = 0.0;
-    std::map<std::vector<std::uint32_t>, bool> around_vessel_; // by a line's vertices
-    std::size_t steps_ = 0;                                    // of all searches
+    std::map<std::vector<std::uint32_t>, bool> around_vessel_; // cache of goes_around_vessel(), by a line's vertices
+    std::size_t steps_ = 0;                                    // work of all searches
 };
 
 } // namespace ramus::mesh

@@ -10,7 +10,7 @@ namespace ramus::mesh {
 
 namespace {
 
-constexpr float kFar = 1e15F; // mm: no line that is looked for goes there, and squares of it can be summed
+constexpr float kFar = 1e15F; // mm: beyond the longest line, and its square does not overflow
 
 } // namespace
 
@@ -36,7 +36,7 @@ LoopPatch::LoopPatch(const TriangleMesh& mesh, const SurfacePart& part) : triang
     std::map<std::uint32_t, std::vector<const PartBorder*>> connected;
     for (const PartBorder& border : part.borders) connected[border.connected].push_back(&border);
     for (const auto& [number, borders] : connected) {
-        glm::uvec3 last(0); // an opening of the border before
+        glm::uvec3 last(0); // a hole in the closing triangles of the previous border
         for (std::size_t n = 0; n < borders.size(); ++n) {
             std::vector<std::uint32_t> line;
             for (const std::uint32_t v : borders[n]->vertices) line.push_back(here(v));
@@ -52,7 +52,7 @@ LoopPatch::LoopPatch(const TriangleMesh& mesh, const SurfacePart& part) : triang
     all_triangles_ = closed_.triangles.size();
 }
 
-// By triangles to a point.
+// Closes a border with triangles to one far point.
 void LoopPatch::close(std::span<const std::uint32_t> border) {
     const std::uint32_t point = add_far(border.front());
     for (std::size_t n = 0; n < border.size(); ++n) {
@@ -74,7 +74,7 @@ std::uint32_t LoopPatch::add_far(std::uint32_t like) {
     return vertex;
 }
 
-// A hole in a triangle of what closes the patch: its corners, as the triangle has them.
+// Opens a hole in a closing triangle. Returns the corners of the hole, in the order of the triangle's.
 glm::uvec3 LoopPatch::open(std::size_t triangle) {
     glm::uvec3 hole;
     for (int n = 0; n < 3; ++n) hole[n] = add_far(closed_.triangles[triangle].x);

@@ -1,9 +1,10 @@
-// LoopPatch: a part of a closed surface as a small closed surface of its own, in which loops of the whole that lead
-// through the part can be looked for and cut.
+// LoopPatch: a copy of a part of a closed surface as a small closed surface. Loops of the whole surface that pass
+// through the part can be found and cut in the patch.
 //
-// Its borders are closed far away: by a point each, or, where some are connected beyond the part, by one sphere with as
-// many holes. So a closed line within the part parts the patch where it parts the whole, and a line through what closes
-// it is far longer than any other. Loops of the whole that do not lead through the part are not in the patch.
+// The borders of the part are closed by triangles to far points: one point for each border, or, for borders that are
+// connected beyond the part, one sphere with a hole for each. So a closed line within the part divides the patch
+// exactly if it divides the whole surface, and a line through the closing triangles is far longer than any other. Loops
+// that do not pass through the part are not in the patch.
 #pragma once
 
 #include "core/mesh/loops/surface_parts.h"
@@ -20,11 +21,12 @@ class LoopPatch {
 public:
     LoopPatch(const TriangleMesh& mesh, const SurfacePart& part);
 
-    // To be cut along lines through vertices that are not barred.
+    // The patch. It may be cut along lines through vertices that are not barred.
     [[nodiscard]] TriangleMesh& closed() { return closed_; }
-    // By vertex, not 0: it is of a border, or of what closes it. Vertices that come later are not barred.
+    // By vertex; not 0: the vertex belongs to a border or to the closing triangles. Vertices added by cuts are not
+    // barred.
     [[nodiscard]] std::span<const std::uint8_t> barred() const { return barred_; }
-    // Into the surface that it was made of, once it was cut; vertices and triangles that are new come last.
+    // Writes the cut patch back into its surface, and appends new vertices and triangles.
     void put_back(TriangleMesh& mesh) const;
 
 private:
@@ -34,9 +36,9 @@ private:
 
     TriangleMesh closed_;
     std::vector<std::uint8_t> barred_;
-    std::vector<std::uint32_t> vertices_;  // of the surface, by number here
-    std::vector<std::uint32_t> triangles_; // of the surface, by number here
-    std::size_t all_triangles_ = 0;        // with those that close it
+    std::vector<std::uint32_t> vertices_;  // by vertex of the patch: the vertex of the surface
+    std::vector<std::uint32_t> triangles_; // by triangle of the patch: the triangle of the surface
+    std::size_t all_triangles_ = 0;        // number of triangles, the closing ones included, before cuts
 };
 
 } // namespace ramus::mesh

@@ -24,18 +24,18 @@ namespace ramus::mesh {
 
 namespace {
 
-constexpr double kPackedBytes = 60.0;     // of packed triangles
-constexpr std::size_t kCycleCorners = 48; // of a cycle: spanning triangles take time as their cube
-constexpr int kSpanSteps = 8;             // along an edge of a spanning triangle
-constexpr double kWidest = 0.5;           // of a tunnel: of the way to the centerlines, and of its triangles
+constexpr double kPackedBytes = 60.0;     // for each packed triangle
+constexpr std::size_t kCycleCorners = 48; // largest number of corners: spanning triangles take cubic time
+constexpr int kSpanSteps = 8;             // places along an edge of a spanning triangle
+constexpr double kWidest = 0.5;           // radius of a tunnel over its distance from centerlines and triangle edges
 
-// A place on the surface that spans a cycle.
+// A place on the triangles that span a cycle.
 struct Middle {
     glm::dvec3 at{0.0}, across{0.0};
     double clearance = 0.0; // mm to the cycle's centerline
 };
 
-// Corners along a cycle, evenly where it has many points.
+// At most kCycleCorners corners along a cycle, evenly spaced if it has more points.
 std::vector<tree::Point> corners_of(const std::vector<tree::Point>& cycle) {
     if (cycle.size() <= kCycleCorners) return cycle;
     std::vector<double> at{0.0}; // mm along the cycle, and once around
@@ -62,7 +62,7 @@ double distance_to(const std::vector<tree::Point>& cycle, const glm::dvec3& plac
     return least;
 }
 
-// Places all over the surface that spans a cycle, the farthest from its centerline first.
+// Places all over the triangles that span a cycle, the farthest from its centerline first.
 std::vector<Middle> middles_of(const std::vector<tree::Point>& cycle) {
     const std::vector<tree::Point> corners = corners_of(cycle);
     std::vector<glm::dvec3> line;
@@ -83,21 +83,21 @@ std::vector<Middle> middles_of(const std::vector<tree::Point>& cycle) {
     return middles;
 }
 
-// One end of a tunnel: a triangle, and the corners of a smaller one in it, the same way round, that becomes the mouth.
+// One end of a tunnel: a triangle, and the corners of a smaller triangle inside it, with the same orientation.
 struct Mouth {
     std::uint32_t triangle = 0;
     std::array<glm::dvec3, 3> at{};
 };
 struct Tunnel {
     std::array<Mouth, 2> mouths;
-    std::uint32_t turn = 0; // the corner of the second mouth that is across from the first one's first
+    std::uint32_t turn = 0; // the corner of the second mouth that is opposite to the first corner of the first mouth
     double radius = 0.0;    // mm
 };
 
 constexpr double kThird = 2.0943951023931953; // of a turn
-constexpr double kSees = 1.4;                 // a corner sees a side of the mouth whose normal is at most so far aside
+constexpr double kSees = 1.4;                 // a corner sees a side of the mouth if its normal is within this angle
 
-// Between -pi and pi.
+// The angle in [-pi, pi].
 double turned(double angle) { return std::remainder(angle, 3.0 * kThird); }
 
 class TunnelFinder {
@@ -115,7 +115,7 @@ public:
         for (const measure::Crossing& crossing : found_) turns += crossing.out ? 1 : -1;
         return turns > 0;
     }
-    // The straight tunnel along the shortest way out to both sides of the place; none where something is in its way.
+    // The straight tunnel through the place, across the spanning triangles; none if a third triangle is in the way.
     [[nodiscard]] std::optional<Tunnel> through(const Middle& middle) const {
         const glm::dvec3 d = middle.across;
         const glm::dvec3 u =
@@ -162,8 +162,9 @@ private:
     [[nodiscard]] glm::dvec3 corner_at(std::uint32_t triangle, std::size_t n) const {
         return glm::dvec3(mesh_.positions[mesh_.triangles[triangle][static_cast<glm::length_t>(n)]]);
     }
-    // Pairs the corners of both triangles with those of the mouths, so that each sees the side of the mouth that begins
-    // there. Seen through the tunnel, those of the second triangle go the other way round. Whether that is possible.
+    // Pairs the corners of both triangles with the corners of the mouths, so that each corner sees the side of the
+    // mouth that begins there. Seen through the tunnel, the second triangle has the opposite orientation. Returns
+    // whether that is possible.
     static bool find_turn(const std::array<std::array<double, 3>, 2>& angle, double first, Tunnel& tunnel) {
         double most = 0.0, best = kSees;
         for (std::uint32_t n = 0; n < 3; ++n)
@@ -186,7 +187,7 @@ private:
     std::set<std::uint32_t> taken_; // triangles of tunnels
 };
 
-// A vertex on a triangle: positions and normals are its own, the rest is that of the first corner.
+// Adds a vertex on a triangle. Its radius, branch and dominance are those of the first corner.
 std::uint32_t add_vertex(TriangleMesh& mesh, const glm::uvec3& triangle, const glm::dvec3& at) {
     const auto vertex = static_cast<std::uint32_t>(mesh.positions.size());
     mesh.for_each_array([&](auto& array) {
@@ -221,7 +222,7 @@ OpenedLoops open_lost_loops(TriangleMesh& mesh, const tree::VesselTree& tree, st
     OpenedLoops found;
     const bool fits = kPackedBytes * static_cast<double>(mesh.triangles.size()) <= memory_bytes;
     if (mesh.triangles.empty() || (!fits && disk == nullptr)) return found;
-    constexpr std::size_t kLookedAt = 64; // of a cycle's places
+    constexpr std::size_t kLookedAt = 64; // places of a cycle that are tried
     std::vector<Tunnel> tunnels;
     {
         TunnelFinder finder(mesh, LargeAllocator<std::byte>(fits ? nullptr : disk));

@@ -1,5 +1,5 @@
-// Lost loops: cycles of a tree whose hole its surface has closed. Where vessels are nearly as thick as their cycle is
-// wide, the field has no hole left; a tunnel between two triangles gives the surface the loop.
+// Opens lost loops: cycles of a tree whose hole is closed in the surface. If vessels are nearly as thick as their cycle
+// is wide, the field has no hole. A tunnel between two triangles adds the loop to the surface.
 #pragma once
 
 #include "core/base/job.h"
@@ -15,7 +15,7 @@ namespace ramus::mesh {
 
 struct OpenedLoops {
     std::size_t opened = 0;
-    std::vector<glm::vec3> closed; // in the middle of holes that stay closed, mm, RAS
+    std::vector<glm::vec3> closed; // the middles of holes that stay closed, mm, RAS
 
     void add(const OpenedLoops& more) {
         opened += more.opened;
@@ -23,10 +23,10 @@ struct OpenedLoops {
     }
 };
 
-// Opens a tunnel through the middle of each cycle whose hole lies inside a closed surface, until it has as many more
-// loops. A tunnel is half as wide as the way from its middle to the centerlines at the most, and a
-// triangle wide at the most. Other triangles stay as they are. `tree`: what the surface was made of. Where it would
-// take more than `memory_bytes`, its arrays are on `disk`; without one it does nothing, nor if cancelled.
+// Opens a straight tunnel through the hole of each cycle of `tree` whose hole lies inside the closed surface, until
+// `lost_loops` loops are added. The radius of a tunnel is at most half of the distance of its middle from the
+// centerlines, and its mouths fit into one triangle each. Other triangles do not change. If arrays need more than
+// `memory_bytes`, they are on `disk`; without a disk nothing is opened. If cancelled, the remaining cycles are skipped.
 [[nodiscard]] OpenedLoops open_lost_loops(TriangleMesh& mesh, const tree::VesselTree& tree, std::size_t lost_loops,
                                           double memory_bytes, Job& job, const std::shared_ptr<ArrayMemory>& disk = {});
 

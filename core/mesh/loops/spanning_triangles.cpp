@@ -10,8 +10,8 @@ namespace ramus::mesh {
 std::vector<glm::uvec3> spanning_triangles(std::span<const glm::dvec3> line) {
     const std::size_t count = line.size();
     if (count < 3) return {};
-    // Of the part of the line from one corner to a later one, closed by a straight edge: the least area, and the corner
-    // of that edge's triangle.
+    // For the part of the line from one corner to a later one, closed by a straight edge: the least area, and the third
+    // corner of the triangle at that edge.
     std::vector<double> area(count * count, 0.0);
     std::vector<std::uint32_t> corner(count * count, 0);
     for (std::size_t span = 2; span < count; ++span)

@@ -1,4 +1,4 @@
-// Triangles that span a closed line in space.
+// Triangulates a closed line in space.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -7,8 +7,9 @@
 
 namespace ramus::mesh {
 
-// Those of least area in all, between the corners of the line alone (Barequet and Sharir, Filling gaps in the boundary
-// of a polyhedron, 1995). Each turns with the line: its corners ascend. Takes time as the cube of the corners' number.
+// The triangulation of least total area, without new vertices (Barequet and Sharir, Filling gaps in the boundary of a
+// polyhedron, 1995). The corners of each triangle are ascending indices into `line`. Takes cubic time in the number of
+// corners.
 [[nodiscard]] std::vector<glm::uvec3> spanning_triangles(std::span<const glm::dvec3> line);
 
 } // namespace ramus::mesh

@@ -1,4 +1,4 @@
-// SurfaceGraph: the edges of a closed surface, which triangles are on their two sides, and which lie at each vertex.
+// SurfaceGraph: the edges of a closed surface, with the two triangles of each edge and the edges at each vertex.
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
@@ -17,14 +17,13 @@ struct SurfaceEdge {
 
 class SurfaceGraph {
 public:
-    // Of a surface, which must outlive it.
+    // The surface must outlive the graph.
     explicit SurfaceGraph(const TriangleMesh& mesh);
 
     [[nodiscard]] const TriangleMesh& mesh() const { return *mesh_; }
-    // Whether each edge has two triangles. Only then does it have edges.
+    // Whether every edge has two triangles. If not, the graph is empty.
     [[nodiscard]] bool is_closed() const { return closed_; }
     [[nodiscard]] std::span<const SurfaceEdge> edges() const { return edges_; }
-    // The edges at a vertex.
     [[nodiscard]] std::span<const std::uint32_t> edges_at(std::uint32_t vertex) const {
         return std::span(at_).subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
     }

@@ -114,8 +114,8 @@ LoopKind SurfaceLoops::label(std::size_t row) const {
     return bits;
 }
 
-// The row of triangles of each edge that is left: along the tree of triangles from its one side to its other one. An
-// edge of that tree is crossed by the rows that end once in what lies below it.
+// The row of a remaining edge runs along the tree of triangles from one side of the edge to the other. It crosses an
+// edge of that tree if exactly one of its ends is below the edge.
 void SurfaceLoops::find_crossings(std::span<const std::uint32_t> tree) {
     if (edges_.empty()) return;
     crossings_.resize(graph_.edges().size(), {});
@@ -153,11 +153,11 @@ void SurfaceLoops::find_crossings(std::span<const std::uint32_t> tree) {
     }
 }
 
-// A vertex that the search from another one has come to.
+// A vertex that the search has reached.
 struct SurfaceLoops::Known {
     double distance;
     std::uint32_t edge; // toward the start
-    LoopKind crossed;   // on the way
+    LoopKind crossed;   // kind of the path from the start
     bool settled = false;
 };
 
@@ -209,7 +209,7 @@ std::vector<SurfaceLoop> SurfaceLoops::shortest(std::uint32_t vertex, double lon
     return loops;
 }
 
-// The loop that an edge closes, without what its two ways from the start share.
+// The loop that an edge closes, without the common beginning of its two paths from the start.
 SurfaceLoop SurfaceLoops::closed(const KnownVertices& known, std::uint32_t start, std::uint32_t edge) const {
     std::array<std::vector<std::uint32_t>, 2> ways; // from the start to the edge's ends
     for (std::size_t side = 0; side < 2; ++side) {

@@ -1,15 +1,17 @@
-// Loops of a surface: closed lines along its edges that do not part it. A closed surface has two that are independent
-// for each cycle of its graph, one around a vessel and one along the cycle, and two more where it connects what its
-// tree does not: one around the connection, one around the hole beside it.
+// Finds closed lines along the edges of a surface that do not divide it. A closed surface of genus g has 2 g
+// independent ones: two for each cycle of the tree (one around a vessel, one along the cycle), and two for each false
+// connection (one around the connection, one around the hole next to it).
 //
-// A spanning tree of the edges and, without crossing it, one of the triangles leave two edges for each loop (Eppstein,
-// Dynamic generators of topologically embedded graphs, SODA 2003). With the shortest paths as the first and the longest
-// ways crossed first by the second these edges lie where the connections are (Erickson and Whittlesey, Greedy optimal
-// homotopy and homology generators, SODA 2005). Each belongs to a closed row of triangles; how often a closed line
-// crosses each of these rows, an even or odd number of times, tells whether it parts the surface. A row has a label of
-// 128 bits, and a line the sum of those that it crosses, bit by bit without carry: of up to 128 rows each has a bit of
-// its own, and labels of more are scattered, so that a line which does not part the surface has a sum of 0 by chance
-// alone, once in 2^128. So neither time nor memory grows with the number of loops.
+// Method: a spanning tree of the edges, and a spanning tree of the triangles that does not cross it, leave 2 g edges
+// (Eppstein, Dynamic generators of topologically embedded graphs, SODA 2003). If the first is a shortest-path tree and
+// the second prefers edges that close long loops, the remaining edges lie at the connections (Erickson and Whittlesey,
+// Greedy optimal homotopy and homology generators, SODA 2005). Each remaining edge belongs to a closed row of
+// triangles, along the tree of triangles. A closed line divides the surface if and only if it crosses every row an even
+// number of times.
+//
+// Each row has a label of 128 bits, and each line the exclusive or of the labels of the rows that it crosses. Up to 128
+// rows have one bit each. Labels of more rows are hashes, so a line that does not divide the surface has the label 0
+// with a probability of 2^-128. So neither the time nor the memory of a search grows with the number of loops.
 #pragma once
 
 #include "core/base/job.h"
@@ -23,7 +25,7 @@
 
 namespace ramus::mesh {
 
-// The sum of the labels of the rows of triangles that a closed line crosses an odd number of times.
+// The exclusive or of the labels of the rows of triangles that a closed line crosses: its homology class modulo 2.
 using LoopKind = std::array<std::uint64_t, 2>;
 
 struct SurfaceLoop {
@@ -32,14 +34,14 @@ struct SurfaceLoop {
     LoopKind kind{};
 };
 
-// Kinds of which none is the sum of others. Closed lines of such kinds that have no vertex in common do not part their
-// surface, even together.
+// A set of linearly independent kinds (over GF(2)). Closed lines of these kinds without common vertices do not divide
+// the surface, even together.
 class IndependentKinds {
 public:
-    // Without what is a sum of the kinds here: 0 if it is one of their sums.
+    // `kind`, reduced by the kinds of the set: 0 if it is a sum of them.
     [[nodiscard]] LoopKind rest(LoopKind kind) const;
     [[nodiscard]] bool allow(const LoopKind& kind) const { return rest(kind) != LoopKind{}; }
-    void add(const LoopKind& kind) { rests_.push_back(rest(kind)); } // one that they allow
+    void add(const LoopKind& kind) { rests_.push_back(rest(kind)); } // allow(kind) must hold
 
 private:
     std::vector<LoopKind> rests_; // each has a highest bit of its own
@@ -49,15 +51,14 @@ private:
 
 class SurfaceLoops {
 public:
-    // Of a graph, which must outlive it. `barred`: by vertex, not 0: no loop that is looked for goes there; later ones
-    // are not.
+    // The graph must outlive the object. `barred`: by vertex; not 0: no line may pass through the vertex. Vertices
+    // beyond the end of the span are not barred.
     SurfaceLoops(const SurfaceGraph& graph, std::span<const std::uint8_t> barred, Job& job);
 
-    // Two for each of the surface's loops, as connectivity_of() counts them; none if the job was cancelled.
+    // The remaining edges: two for each loop that connectivity_of() counts; none if the job was cancelled.
     [[nodiscard]] std::span<const std::uint32_t> edges() const { return edges_; }
-    // The shortest loops through a vertex that are no longer than `longest`, mm: one of each kind, which cross
-    // the same loops of triangles an odd number of times; the shortest first. Adds to `visited` how many vertices it
-    // came to.
+    // The shortest lines through a vertex that do not divide the surface and are no longer than `longest` mm: one of
+    // each kind, the shortest first. Adds the number of visited vertices to `visited`.
     [[nodiscard]] std::vector<SurfaceLoop> shortest(std::uint32_t vertex, double longest, std::size_t& visited) const;
 
 private:

@@ -18,14 +18,14 @@ namespace ramus::mesh {
 
 namespace {
 
-constexpr float kBeside = 0.5F; // of a place's size, that what is near it reaches beyond it
-constexpr float kReach = 4.0F;  // sides, that what is around a triangle reaches beyond it
+constexpr float kBeside = 0.5F; // how far the triangles near a place reach beyond it, in sizes of the place
+constexpr float kReach = 4.0F;  // how far the triangles around a triangle reach beyond it, in its longest side
 
-// Pairs of branches of the file that have a point in common, the lower one first; ascending.
+// Pairs of branches of the file with a common point, the lower branch first, ascending.
 class Neighbours {
 public:
     explicit Neighbours(const tree::PreparedTree& tree) {
-        std::vector<std::pair<std::uint32_t, int>> at; // points, and a branch that is there
+        std::vector<std::pair<std::uint32_t, int>> at; // a point, and a branch that contains it
         std::size_t segment = 0;
         for (const tree::Branch& branch : tree.tree.branches)
             for (std::size_t i = 1; i < branch.points.size(); ++i, ++segment)
@@ -47,7 +47,7 @@ private:
     std::vector<std::pair<int, int>> pairs_;
 };
 
-// Edges that one of some triangles has, and no other one; ascending.
+// The directed edges of the triangles whose opposite edge belongs to none of them, ascending.
 std::vector<BorderEdge> border_of(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles) {
     std::vector<BorderEdge> there, back;
     for (const std::uint32_t n : triangles)
@@ -61,7 +61,7 @@ std::vector<BorderEdge> border_of(const TriangleMesh& mesh, std::span<const std:
     return border;
 }
 
-// Adds all triangles at vertices that are of two borders, or twice of one. Whether there are such.
+// Adds all triangles at vertices that occur in borders more than once. Returns whether there were any.
 bool widen(const TriangleMesh& mesh, const TriangleBoxes& boxes, std::span<const BorderEdge> border,
            std::vector<std::uint32_t>& triangles) {
     const std::size_t before = triangles.size();
@@ -77,7 +77,7 @@ bool widen(const TriangleMesh& mesh, const TriangleBoxes& boxes, std::span<const
     return triangles.size() > before;
 }
 
-// Vertices by numbers of their own, as they come.
+// Numbers vertices consecutively, in the order of first use.
 class Numbers {
 public:
     std::uint32_t of(std::uint32_t vertex) {
@@ -89,7 +89,7 @@ private:
     std::unordered_map<std::uint32_t, std::uint32_t> numbers_;
 };
 
-// By Euler's formula: closed by a point for each border, a part has V - E + F = 2 - 2 loops.
+// The loops within a part, by Euler's formula: with each border closed by a point, V - E + F = 2 - 2 loops.
 std::int64_t loops_within(const TriangleMesh& mesh, const SurfacePart& part) {
     std::vector<std::uint32_t> vertices;
     for (const std::uint32_t n : part.triangles)
@@ -138,21 +138,21 @@ void SurfaceParts::take_parts(std::span<const std::uint32_t> near, std::span<con
     }
 }
 
-// What of the rest is beyond each border: its pieces hang together by vertices, those of borders apart from what is
-// near. All triangles of the rest at such a vertex lie side by side.
+// Finds the piece of the rest beyond each border. Triangles of the rest are connected by common vertices. A vertex of a
+// border gets a second number for the rest, since all triangles of the rest at such a vertex are adjacent.
 void SurfaceParts::find_rest(std::span<const std::uint32_t> near, std::span<const BorderEdge> border, Rest rest) {
     LargeArray<std::uint8_t> touched(mesh_.positions.size(), 0,
-                                     mesh_.memory()); // by vertex: it has triangles that are near
+                                     mesh_.memory()); // by vertex: whether it has triangles in `near`
     std::size_t of_parts = 0;
     for (const std::uint32_t n : near)
         for (int corner = 0; corner < 3; ++corner)
             of_parts += std::exchange(touched[mesh_.triangles[n][corner]], std::uint8_t{1}) == 0 ? 1 : 0;
-    std::unordered_map<std::uint32_t, std::uint32_t> beyond; // of a border's vertices: their numbers in the rest
+    std::unordered_map<std::uint32_t, std::uint32_t> beyond; // by vertex of a border: its number in the rest
     for (const BorderEdge& link : border)
         beyond.emplace(link.first, static_cast<std::uint32_t>(mesh_.positions.size() + beyond.size()));
     DisjointSets sets(mesh_.positions.size() + beyond.size(), mesh_.memory());
     const auto number = [&](std::uint32_t vertex) { return touched[vertex] == 0 ? vertex : beyond.at(vertex); };
-    // Calls call(triangle, the numbers of its corners) for those of the rest.
+    // Calls call(triangle, the numbers of its corners) for each triangle of the rest.
     const auto for_each_of_rest = [&](const auto& call) {
         auto next = near.begin();
         for (std::uint32_t n = 0; n < mesh_.triangles.size(); ++n) {
@@ -170,8 +170,8 @@ void SurfaceParts::find_rest(std::span<const std::uint32_t> near, std::span<cons
     for (const SurfacePart& part : parts_)
         for (const PartBorder& one : part.borders) pieces.push_back(sets.find(beyond.at(one.vertices.front())));
     if (rest == Rest::kLoops) {
-        // Of each piece, closed by a point for each border, 2 (V - E + F) = 4 - 4 loops, with 2 E = 3 F + its borders'
-        // edges.
+        // For each piece, with each border closed by a point: 2 (V - E + F) = 4 - 4 loops, where 2 E = 3 F + the edges
+        // of its borders.
         LargeArray<std::int32_t> twice(mesh_.positions.size() + beyond.size(), 0, mesh_.memory());
         for (std::uint32_t n = 0; n < twice.size(); ++n)
             if (n >= touched.size() || touched[n] == 0) twice[sets.find(n)] += 2;
@@ -187,8 +187,8 @@ void SurfaceParts::find_rest(std::span<const std::uint32_t> near, std::span<cons
     find_loops(pieces, sets.count() - of_parts);
 }
 
-// A graph of parts and pieces of the rest, in which each border is a node of its own between two of them: two may have
-// several borders in common. `rest`: how many pieces that has.
+// Builds the graph of parts, pieces of the rest and borders. Each border is a node, since a part and a piece may have
+// several common borders. `rest`: the number of pieces of the rest.
 void SurfaceParts::find_loops(std::span<const std::uint32_t> beyond, std::size_t rest) {
     using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
                                         boost::property<boost::edge_index_t, std::size_t>>;

@@ -1,11 +1,11 @@
-// SurfaceParts: what of a closed surface lies near certain places, in parts that hang together, and how these hang
-// together with the rest. Loops of a surface lie within such a part, within the rest, or lead through several: whether
-// any lead through a part is told by the part alone and by which of its borders are connected beyond it.
+// SurfaceParts: divides a closed surface into connected parts near given triangles and the rest, and finds the parts
+// that loops pass through. A loop lies within a part, within the rest, or passes through several of them. Whether a
+// loop passes through a part follows from the part alone, and from which of its borders are connected beyond the part.
 //
-// Parts and pieces of the rest meet along closed lines of edges, borders, that have no vertex in common: where two
-// would, all triangles there are near. They and their borders are a graph. Every border of a surface without loops
-// parts it, so that the graph of such a surface is a tree, whatever is near. Two borders of a part are connected beyond
-// it where they lie on a cycle, which is so where they are of one biconnected component.
+// Parts and pieces of the rest meet along closed lines of edges, the borders. Borders have no common vertices: near a
+// vertex of two borders, all triangles are added to the part. Parts, pieces of the rest and borders form a graph. On a
+// surface without loops every border divides the surface, so this graph is a tree. Two borders of a part are connected
+// beyond it if they lie on a cycle of the graph, that is, in one biconnected component.
 #pragma once
 
 #include "core/base/bounds.h"
@@ -22,10 +22,10 @@
 
 namespace ramus::mesh {
 
-using BorderEdge = std::pair<std::uint32_t, std::uint32_t>; // vertices, as the part's triangle has them
+using BorderEdge = std::pair<std::uint32_t, std::uint32_t>; // vertices, in the order of the part's triangle
 
 struct PartBorder {
-    std::vector<std::uint32_t> vertices; // in the order in which the part's triangles have them
+    std::vector<std::uint32_t> vertices; // in the order of the part's triangles
     // Borders of one part with the same number are connected beyond it.
     std::uint32_t connected = 0;
 };
@@ -33,23 +33,24 @@ struct PartBorder {
 struct SurfacePart {
     std::vector<std::uint32_t> triangles; // ascending
     std::vector<PartBorder> borders;
-    bool has_loops = false; // some lead through it
+    bool has_loops = false; // whether loops pass through it
 };
 
-// What of the rest is asked for, besides how it connects the parts.
+// What to compute for the rest: only how it connects the parts, or also which of its pieces have loops.
 enum class Rest : std::uint8_t { kConnections, kLoops };
 
 class SurfaceParts {
 public:
-    // Of a closed surface in which all vertices have triangles, its boxes, and triangles that are near, ascending.
-    // Takes 20 ns for each triangle (twice that with the loops of the rest), and more for each that is near.
+    // Divides a closed surface in which every vertex belongs to a triangle. `boxes`: the boxes of the surface. `near`:
+    // the triangles of the parts, ascending. Takes 20 ns for each triangle (40 ns with Rest::kLoops), and more for
+    // triangles in `near`.
     SurfaceParts(const TriangleMesh& mesh, const TriangleBoxes& boxes, std::vector<std::uint32_t> near,
                  Rest rest = Rest::kConnections);
 
     // In order of their first triangles.
     [[nodiscard]] std::span<const SurfacePart> parts() const { return parts_; }
     [[nodiscard]] const Connectivity& of_surface() const { return of_surface_; }
-    // The triangles of those pieces of the rest that have loops within, ascending; Rest::kLoops.
+    // With Rest::kLoops: the triangles of the pieces of the rest that contain loops, ascending.
     [[nodiscard]] const std::vector<std::uint32_t>& rest_with_loops() const { return rest_with_loops_; }
 
 private:
@@ -63,18 +64,18 @@ private:
     std::vector<std::uint32_t> rest_with_loops_;
 };
 
-// All of a surface as one part, without a border.
+// The whole surface as one part, without a border.
 [[nodiscard]] SurfacePart whole_part(const TriangleMesh& mesh);
 
-// Triangles in or beside places, mm; ascending. `boxes`: of the surface.
+// The triangles in or near `places` (mm), ascending. `boxes`: the boxes of the surface.
 [[nodiscard]] std::vector<std::uint32_t> triangles_at(const TriangleBoxes& boxes,
                                                       std::span<const Bounds<glm::vec3>> places);
-// Triangles around some, as far as some times the longest of their sides; ascending.
+// The triangles around the given ones, up to four times the longest side of each, ascending.
 [[nodiscard]] std::vector<std::uint32_t> triangles_around(const TriangleMesh& mesh, const TriangleBoxes& boxes,
                                                           std::span<const std::uint32_t> triangles);
-// Triangles whose corners belong to different branches; ascending.
+// The triangles whose corners belong to different branches, ascending.
 [[nodiscard]] std::vector<std::uint32_t> triangles_between_branches(const TriangleMesh& mesh);
-// Of these the ones between branches that have no point of the tree in common. `tree`: what the surface was made of.
+// The triangles of `between_branches` whose branches have no common point in the tree of the surface.
 [[nodiscard]] std::vector<std::uint32_t> foreign_triangles(const TriangleMesh& mesh, const tree::PreparedTree& tree,
                                                            std::span<const std::uint32_t> between_branches);
 

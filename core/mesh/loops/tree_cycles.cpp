@@ -16,7 +16,7 @@ namespace ramus::mesh {
 
 namespace {
 
-constexpr std::size_t kMostVisited = 4096; // nodes, for one cycle
+constexpr std::size_t kMostVisited = 4096; // nodes visited for one cycle
 
 class BranchGraph {
 public:
@@ -27,7 +27,7 @@ public:
         ways_[points.front()].push_back({points.back(), branch, length});
         ways_[points.back()].push_back({points.front(), branch, length});
     }
-    // The branches of the shortest way, backward; none where it is too far.
+    // The branches of the shortest way, from `to` back to `from`; none if the search exceeds kMostVisited.
     [[nodiscard]] std::vector<std::uint32_t> way(std::uint32_t from, std::uint32_t to) const {
         struct ReachedNode {
             double distance;
@@ -72,7 +72,7 @@ double length_of(const tree::VesselTree& tree, const tree::Branch& branch) {
     return length;
 }
 
-// Goes on along branches, each from where the one before it ends.
+// The points along consecutive branches; each branch begins where the previous one ends.
 std::vector<tree::Point> along(const tree::VesselTree& tree, std::uint32_t from,
                                std::span<const std::uint32_t> branches) {
     std::vector<tree::Point> line;
@@ -96,7 +96,7 @@ std::vector<std::vector<tree::Point>> short_cycles(const tree::VesselTree& tree)
     std::ranges::stable_sort(order, {}, [&](std::uint32_t branch) { return length[branch]; });
     DisjointSets joined(tree.points.size());
     BranchGraph graph(tree);
-    std::vector<std::uint32_t> others; // that close a cycle
+    std::vector<std::uint32_t> others; // branches that close a cycle
     for (const std::uint32_t branch : order) {
         const auto& points = tree.branches[branch].points;
         if (points.size() < 2) continue;

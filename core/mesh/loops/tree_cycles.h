@@ -1,4 +1,4 @@
-// The cycles of a tree's graph: a short one for each loop.
+// Finds a short cycle of a tree's graph for each independent loop.
 #pragma once
 
 #include "core/tree/vessel_tree.h"
@@ -7,9 +7,9 @@
 
 namespace ramus::mesh {
 
-// Closed centerlines, each point once and in order, as many as the graph has independent cycles but for those of
-// thousands of branches. Each takes the shortest way back from one end of a branch to the other, along branches that
-// are shorter or that no cycle needs; the shortest branches come first.
+// Returns closed centerlines, each point once and in order: one for each independent cycle, except for cycles for which
+// the search visits too many nodes (4,096). A minimum spanning tree leaves one branch for each cycle. The cycle of such
+// a branch is the shortest way from one of its ends to the other along the spanning tree and the shorter such branches.
 [[nodiscard]] std::vector<std::vector<tree::Point>> short_cycles(const tree::VesselTree& tree);
 
 } // namespace ramus::mesh

@@ -1,4 +1,4 @@
-// Triangular holes in triangles of a surface, and tubes between two of them.
+// Opens triangular holes in triangles of a surface, and connects two holes by a tube.
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
@@ -8,11 +8,11 @@
 
 namespace ramus::mesh {
 
-// Puts six triangles in the place of one, around a hole in it; five of them come last. `hole`: its corners, the same
-// way round, each next to the corner of the triangle with the same place.
+// Replaces a triangle by six triangles around a hole; five of them are appended. `hole`: the vertices of the hole, with
+// the orientation of the triangle, each next to the corner of the triangle with the same index.
 void open_hole(TriangleMesh& mesh, std::size_t triangle, const glm::uvec3& hole);
-// Adds a tube of six triangles from one hole to another. `across`: for each corner of the first hole the one of the
-// second hole that it is joined to.
+// Adds a tube of six triangles between two holes. `across`: for each corner of the first hole, the corner of the second
+// hole to which it is connected.
 void connect_holes(TriangleMesh& mesh, const glm::uvec3& hole, const glm::uvec3& across);
 
 } // namespace ramus::mesh

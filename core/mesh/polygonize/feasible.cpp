@@ -14,8 +14,8 @@ namespace ramus::mesh {
 
 namespace {
 
-// Bytes at the peak, to begin with and for every triangle that is forecast, of which there are up to twice as many in
-// the end: above all that was measured on grown and on real trees.
+// Peak memory in bytes: a constant, and an amount for each forecast triangle. The surface may have up to twice as many
+// triangles as the forecast. The numbers exceed all measurements on grown and real trees.
 struct Needs {
     double first, per_triangle;
 };
@@ -28,7 +28,7 @@ double memory_for(const bricks::Sizing& sizing, PolygonizeMode mode) {
     return needs.first + needs.per_triangle * sizing.expected_triangles;
 }
 
-// Whole as long as that says anything.
+// As an integer, unless the number is so large that its digits have no meaning.
 std::string millions(double count) {
     constexpr double kMostTold = 1e15;
     return count < 1e6 * kMostTold ? std::to_string(std::llround(count / 1e6)) : in_digits(count / 1e6, 3);
@@ -39,9 +39,8 @@ Result<void> check_resolved(const field::Field& field, const bricks::Sizing& siz
     if (bricks::levels_needed(frame, sizing) > bricks::kMaximumLevels)
         return fail("the thinnest vessel is too thin for the tree's extent", {},
                     "scale or prune the tree, or set --cell");
-    // Positions of a surface are in single precision: cells smaller than its steps would have no surface in them, and
-    // the points of the grid no order.
-    constexpr double kLeastSteps = 2.0; // of a cell
+    // Positions of a surface are in single precision. In cells smaller than its resolution, grid points would coincide.
+    constexpr double kLeastSteps = 2.0; // least size of a cell, in steps of single precision
     const glm::dvec3 corner = glm::max(glm::abs(frame.lower), glm::abs(frame.upper));
     const double farthest = std::max({corner.x, corner.y, corner.z});
     if (sizing.finest_cell_mm >= kLeastSteps * farthest * static_cast<double>(std::numeric_limits<float>::epsilon()))

@@ -1,4 +1,4 @@
-// Whether a surface can be made at all, told before anything is.
+// Checks, before any work starts, whether a surface can be made.
 #pragma once
 
 #include "core/mesh/polygonize/octree/sizing.h"
@@ -6,12 +6,12 @@
 
 namespace ramus::mesh {
 
-// Fails when the surface, made in that mode, is forecast to take more memory than the options allow, and on cells finer
-// than the lattice counts, or than single precision tells apart where the tree is.
+// Fails if the forecast memory of the surface in this mode exceeds the options' limit, if the cells are too fine for
+// the integers of the lattice, or if they are too fine for single precision at the tree's distance from the origin.
 [[nodiscard]] Result<void> check_feasible(const field::Field& field, const bricks::Sizing& sizing,
                                           const PolygonizeOptions& options, PolygonizeMode mode);
 
-// The same of a field whose sizing nobody needs.
+// The same; computes the sizing itself.
 [[nodiscard]] Result<void> check_feasible(const field::Field& field, const PolygonizeOptions& options,
                                           PolygonizeMode mode);
 

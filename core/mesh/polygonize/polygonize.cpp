@@ -15,11 +15,11 @@ namespace bricks {
 
 namespace {
 
-// Makes the surface of an octree's bricks in batches (octree/subtree_schedule.h), so that what is worked on is small
-// enough for the caches, and what is done with can go.
+// Computes the surface of an octree in batches (octree/subtree_schedule.h), so that the working set fits into the
+// caches, and finished parts can be freed.
 class SurfaceBatches {
 public:
-    // The octree freshly built. Its lists are emptied on the way.
+    // `octree`: freshly built. Its lists are freed during the work.
     SurfaceBatches(const field::Field& field, Octree& octree, const LargeAllocator<std::byte>& memory);
 
     enum class End { kDone, kCancelled, kTooManyVertices };
@@ -53,7 +53,7 @@ private:
 
 SurfaceBatches::SurfaceBatches(const field::Field& field, Octree& octree, const LargeAllocator<std::byte>& memory)
     : field_(field), octree_(octree), mesh_(memory), dropped_(octree.subtrees.size(), false) {
-    // Measured: 12.5 to 15 vertices a brick, and twice as many triangles. Capacity that stays unused takes no memory.
+    // Measured: 12.5 to 15 vertices per brick, and twice as many triangles. Unused capacity takes no physical memory.
     constexpr std::size_t kVertices = 16;
     mesh_.for_each_array([&](auto& array) { array.reserve(kVertices * octree.bricks.size()); });
     mesh_.triangles.reserve(2 * kVertices * octree.bricks.size());
@@ -139,7 +139,7 @@ SurfaceBatches::End SurfaceBatches::place_triangles(std::span<const std::uint32_
     return End::kDone;
 }
 
-// Gives back what belongs to these subtrees, and with it the pages that they share with subtrees dropped before.
+// Frees the memory of these subtrees, and pages that they share with subtrees dropped before.
 void SurfaceBatches::drop(std::span<const std::uint32_t> subtrees) {
     for (const std::uint32_t subtree : subtrees) {
         dropped_[subtree] = true;

@@ -13,10 +13,10 @@ namespace ramus::mesh {
 
 namespace {
 
-// Share of capacity that all arrays keep in reserve for what updates will bring.
+// The share of capacity that arrays reserve for updates.
 constexpr double kReserve = 0.25;
 
-// Pieces of branches that have changed segments.
+// The sizing pieces of branches with changed segments.
 std::vector<std::uint32_t> pieces_of(const bricks::Sizing& sizing, const std::vector<std::uint8_t>& branches) {
     std::vector<std::uint32_t> pieces;
     for (std::uint32_t p = 0; p < sizing.pieces.size(); ++p) {
@@ -39,7 +39,7 @@ std::optional<field::SegmentChanges> Polygonizer::changes_to(const field::Field&
                                                              const PolygonizeOptions& options) const {
     if (state_ == nullptr) return std::nullopt;
     const PolygonizeOptions& now = state_->options;
-    // Bricks that are gone are left where they were: once they are most of all, making anew costs less than they do.
+    // Removed bricks stay in their array. Once most bricks are removed ones, computing from scratch is cheaper.
     if (options.detail != now.detail || options.cell_mm != now.cell_mm || octree_.bricks.size() > 3 * live_bricks_)
         return std::nullopt;
     return field.changes_since(state_->field);
@@ -121,8 +121,8 @@ void Polygonizer::count(std::span<const std::uint32_t> subtrees) {
     }
 }
 
-// Neighbourhoods of the new subtrees and of those beside them. Returns those of the latter whose cells must be found
-// anew: where neighbours are finer or coarser than before.
+// Finds the neighbourhoods of the new subtrees and of adjacent ones. Returns the adjacent subtrees whose cells must be
+// computed again, since they have neighbours that are finer or coarser than before.
 std::vector<std::uint32_t> Polygonizer::find_new_neighbours(const bricks::OctreeChanges& changes) {
     const std::vector<std::uint32_t> beside = bricks::subtrees_beside(octree_, changes);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> sizes;
@@ -144,7 +144,7 @@ std::vector<std::uint32_t> Polygonizer::find_new_neighbours(const bricks::Octree
     return refill;
 }
 
-// Subtrees that stay what they are, but looked at what changed when they were filled.
+// The unchanged subtrees whose cells depend on changed parts, since Specks looked beyond the subtree.
 std::vector<std::uint32_t> Polygonizer::find_lookers(const bricks::OctreeChanges& changes) {
     std::vector<std::uint32_t> beside = bricks::subtrees_beside(octree_, changes);
     bricks::OctreeChanges around = changes;

@@ -1,6 +1,6 @@
-// Polygonizer: a convolution surface that can follow its tree. It keeps what polygonizing found (octree, cells, mesh),
-// and when branches come, go or move it works only where they reach. The surface is then the same, bit for bit, as one
-// made from nothing.
+// Polygonizer: a surface that can be updated incrementally. It keeps the octree, the cells and the mesh. When branches
+// are added, removed or changed, it recomputes only the parts that they reach. The result has the same bits as a
+// surface computed from scratch.
 #pragma once
 
 #include "core/mesh/polygonize/cells/brick_cells.h"
@@ -16,27 +16,29 @@ namespace ramus::mesh {
 
 class Polygonizer {
 public:
-    // From nothing. Nothing is left when it fails.
+    // Computes the surface from scratch. If it fails, there is no surface.
     [[nodiscard]] Result<void> make(field::Field field, const PolygonizeOptions& options, Job& job);
-    // To another state of the tree, in the same frame; from nothing where that does not help: the first time, and after
-    // other options, another frame or another kernel. Nothing is left when it fails.
+    // Updates the surface to another state of the tree. Computes it from scratch in the first call, and if the options,
+    // the frame or the kernel have changed. If it is cancelled, or computing from scratch fails, there is no surface.
     [[nodiscard]] Result<void> update(field::Field field, const PolygonizeOptions& options, Job& job);
 
     [[nodiscard]] const PolygonizeStatistics& statistics() const { return statistics_; } // of the last call
+    // The parts of slots() that were written since the last call.
     [[nodiscard]] SurfaceEdit take_edit();
-    // With gaps (MeshSlots), and without.
+    // The mesh with gaps (MeshSlots).
     [[nodiscard]] const TriangleMesh& slots() const { return slots_.mesh(); }
-    [[nodiscard]] std::vector<Bounds<glm::vec3>> walled() const; // as polygonize() has them
+    [[nodiscard]] std::vector<Bounds<glm::vec3>> walled() const; // boxes around walls, as polygonize() returns them
+    // The mesh without gaps, as polygonize() returns it.
     [[nodiscard]] TriangleMesh compact() const { return slots_.compact(bricks::schedule_subtrees(octree_)); }
 
 private:
-    // What belongs to one state of the tree.
+    // The data of one state of the tree.
     struct State {
         field::Field field;
         bricks::Sizing sizing;
         PolygonizeOptions options;
     };
-    // What changed since the present state, where following that pays.
+    // The changes from the present state; nothing if computing from scratch is necessary or cheaper.
     [[nodiscard]] std::optional<field::SegmentChanges> changes_to(const field::Field& field,
                                                                   const PolygonizeOptions& options) const;
     [[nodiscard]] Result<void> make(std::unique_ptr<State> state, Job& job);

@@ -11,7 +11,7 @@ namespace ramus::mesh {
 
 namespace {
 
-// A number as a sum of doubles, of which none overlaps another: smallest first, without zeros (Shewchuk 1997).
+// A number as a sum of nonoverlapping doubles, smallest first, without zeros (an expansion; Shewchuk 1997).
 class ExactSum {
 public:
     ExactSum() = default;
@@ -113,10 +113,10 @@ bool lines_meet_seen(const Corner& a, const Corner& b, const Corner& c, const Co
     return turn(a, b, c, axis) * turn(a, b, d, axis) <= 0 && turn(c, d, a, axis) * turn(c, d, b, axis) <= 0;
 }
 
-// The line from a to b and that from c to d.
+// Whether the segments a b and c d intersect.
 bool lines_meet(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
     if (side_of_plane(a, b, c, d) != 0) return false;
-    // Seen along one of the axes at least, no two places of their plane fall together.
+    // Along at least one of the axes the projection of their plane is one-to-one.
     return lines_meet_seen(a, b, c, d, 0) && lines_meet_seen(a, b, c, d, 1) && lines_meet_seen(a, b, c, d, 2);
 }
 
@@ -125,7 +125,7 @@ struct Triangle {
     [[nodiscard]] bool flat() const { return on_a_line(at[0], at[1], at[2]); } // without area
 };
 
-// Of a point in the triangle's plane; the triangle has an area.
+// Whether the triangle contains a point of its plane. The triangle must not be degenerate.
 bool contains_in_plane(const Triangle& t, const Corner& p) {
     for (int axis = 0; axis < 3; ++axis) {
         const int whole = turn(t.at[0], t.at[1], t.at[2], axis);
@@ -141,7 +141,7 @@ bool line_meets(const Corner& p, const Corner& q, const Triangle& t) {
     const Plane plane(a, b, c);
     const int from = plane.side(p), to = plane.side(q);
     if (from * to > 0) return false;
-    if (from == 0 && to == 0) { // in the plane, or there is none
+    if (from == 0 && to == 0) { // the segment is in the plane, or the triangle is degenerate
         if (lines_meet(p, q, a, b) || lines_meet(p, q, b, c) || lines_meet(p, q, c, a)) return true;
         return !t.flat() && contains_in_plane(t, p);
     }
@@ -151,7 +151,7 @@ bool line_meets(const Corner& p, const Corner& q, const Triangle& t) {
     return (first >= 0 && second >= 0 && third >= 0) || (first <= 0 && second <= 0 && third <= 0);
 }
 
-// Whether the corners of the one, but for so many that come first, are all on one side of the other's plane.
+// Whether the corners of `s`, from the index `first` on, are all on one side of the plane of `t`.
 bool is_beside(const Triangle& s, const Triangle& t, std::size_t first) {
     const Plane plane(t.at[0], t.at[1], t.at[2]);
     const int side = plane.side(s.at[first]);
@@ -160,7 +160,7 @@ bool is_beside(const Triangle& s, const Triangle& t, std::size_t first) {
     return side != 0;
 }
 
-// Whether the lines from a corner to two others run in one direction.
+// Whether the segments from a corner to two others have the same direction.
 bool same_direction(const Corner& from, const Corner& a, const Corner& b) {
     if (!on_a_line(from, a, b)) return false;
     for (int i = 0; i < 3; ++i)
@@ -168,7 +168,7 @@ bool same_direction(const Corner& from, const Corner& a, const Corner& b) {
     return false;
 }
 
-// Whether the line from the first corner to p has more of the triangle than that corner.
+// Whether the segment from the first corner to p intersects the triangle beyond that corner.
 bool line_from_corner_meets(const Corner& p, const Triangle& t) {
     const auto& [corner, c, d] = t.at;
     if (t.flat()) return same_direction(corner, p, c) || same_direction(corner, p, d);
@@ -176,8 +176,8 @@ bool line_from_corner_meets(const Corner& p, const Triangle& t) {
     return contains_in_plane(t, p) || lines_meet(corner, p, c, d);
 }
 
-// Two that share their first corner. Where they have more in common, they have a line from there, which ends in the far
-// side of one of them.
+// For triangles with a common first corner. If they intersect beyond it, they have a common segment from there, which
+// ends on the opposite side of one of them.
 bool meet_beyond_corner(const Triangle& s, const Triangle& t) {
     if (is_beside(s, t, 1) || is_beside(t, s, 1)) return false;
     if (s.flat()) return line_from_corner_meets(s.at[1], t) || line_from_corner_meets(s.at[2], t);
@@ -185,7 +185,7 @@ bool meet_beyond_corner(const Triangle& s, const Triangle& t) {
     return line_meets(s.at[1], s.at[2], t) || line_meets(t.at[1], t.at[2], s);
 }
 
-// Two that share their first two corners: one lies on the other.
+// For triangles with common first two corners: they intersect if they are coplanar and overlap.
 bool meet_beyond_edge(const Triangle& s, const Triangle& t) {
     const auto& [a, b, c] = s.at;
     const Corner& d = t.at[2];
@@ -239,8 +239,8 @@ bool triangles_meet(std::span<const glm::vec3> positions, const glm::uvec3& s, c
     }
 }
 
-// Two that share an edge lie in one plane where one is on the other; of those that share less, it is the first thing
-// that triangles_meet() looks at.
+// Triangles with a common edge intersect only if they are coplanar. For others this is the first test of
+// triangles_meet().
 bool surely_beside(std::span<const glm::vec3> positions, const Plane& plane, const glm::uvec3& s, const glm::uvec3& t) {
     int side = 0;
     for (int corner = 0; corner < 3; ++corner) {

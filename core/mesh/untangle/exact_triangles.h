@@ -1,6 +1,6 @@
-// Whether two triangles with corners in single precision meet, decided exactly: signs of determinants are found in
-// double precision where that is certain, and as sums of doubles without any rounding elsewhere (Shewchuk 1997).
-// Triangles contain their edges and corners, and may have no area.
+// Exact intersection tests of two triangles with corners in single precision. Signs of determinants are computed in
+// double precision with an error bound; if that is not certain, exactly as sums of doubles (Shewchuk 1997). Triangles
+// include their edges and corners, and may be degenerate.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ using Corner = glm::vec3;
 
 constexpr double kRounding = 0.5 * std::numeric_limits<double>::epsilon();
 
-// Through three points, of which it is asked for several others on which side they are.
+// The plane through three points, for several queries of the side of a point.
 class Plane {
 public:
     Plane() = default;
@@ -29,7 +29,7 @@ public:
             most_[i] = std::abs(left) + std::abs(right);
         }
     }
-    // As side_of_plane(), or 0 where rounding leaves a doubt.
+    // side_of_plane(), or 0 if double precision does not decide.
     [[nodiscard]] int sure_side(const Corner& p) const {
         const glm::dvec3 w = glm::dvec3(p) - glm::dvec3(a_);
         const double det = w.x * normal_.x + w.y * normal_.y + w.z * normal_.z;
@@ -37,7 +37,7 @@ public:
         const double error = (7.0 + 56.0 * kRounding) * kRounding * most; // Shewchuk 1997, the first bound of orient3d
         return det > error ? 1 : det < -error ? -1 : 0;
     }
-    // As side_of_plane().
+    // side_of_plane().
     [[nodiscard]] int side(const Corner& p) const {
         const int sure = sure_side(p);
         return sure != 0 ? sure : exact_side(p);
@@ -46,22 +46,21 @@ public:
 private:
     [[nodiscard]] int exact_side(const Corner& p) const;
     Corner a_{0.0F}, b_{0.0F}, c_{0.0F};
-    glm::dvec3 normal_{0.0}, most_{0.0}; // the second: of the products' amounts
+    glm::dvec3 normal_{0.0}, most_{0.0}; // most_: sums of the absolute values of the products in normal_
 };
 
-// The sign of det(b - a, c - a, p - a): on which side of the plane through a, b and c the point is.
+// The sign of det(b - a, c - a, p - a): the side of the plane through a, b and c on which p lies.
 [[nodiscard]] int side_of_plane(const Corner& a, const Corner& b, const Corner& c, const Corner& p);
-// Seen along an axis (0 to 2): the sign of the turn from a over b to c.
+// The orientation of a, b, c, projected along an axis (0 to 2): the sign of the turn from a over b to c.
 [[nodiscard]] int turn(const Corner& a, const Corner& b, const Corner& c, int axis);
 
 } // namespace exact
 
-// Triangles of one mesh, as numbers of their corners, and where those are. Corners that two triangles share are told by
-// number: such triangles meet there anyway, and what is asked is whether they meet beyond. One that is there twice
-// meets itself.
+// Whether two triangles of one mesh intersect beyond their common corners. Corners are common if they have the same
+// index. Two triangles with the same three corners intersect.
 [[nodiscard]] bool triangles_meet(std::span<const glm::vec3> positions, const glm::uvec3& s, const glm::uvec3& t);
-// Whether that is ruled out by the plane of the first alone, which takes less: the second's corners, but for those that
-// the two share, are on one side of it beyond doubt.
+// A quick test that rules out triangles_meet(): the corners of `t` that the two do not share are certainly on one side
+// of the plane of `s`.
 [[nodiscard]] bool surely_beside(std::span<const glm::vec3> positions, const exact::Plane& plane, const glm::uvec3& s,
                                  const glm::uvec3& t);
 

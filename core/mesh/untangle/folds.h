@@ -1,4 +1,5 @@
-// Folds: where a surface turns over. What goes through itself within a few triangles does so there.
+// Finds folds: triangles where a surface turns over. A surface that intersects itself within a few triangles has a fold
+// there.
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
@@ -10,12 +11,12 @@
 namespace ramus::mesh {
 
 struct Folds {
-    // Ascending: what faces away from the normal at one of its corners, or has no area; and what shares a corner with
-    // these.
+    // Triangles that face away from the normal of one of their corners or have no area, and triangles that share a
+    // corner with these; ascending.
     std::vector<std::uint32_t> triangles;
     TriangleBoxes boxes; // of the whole surface
 };
-// The surface has normals, and must outlive the boxes.
+// The surface must have normals, and must outlive the boxes.
 [[nodiscard]] Folds find_folds(const TriangleMesh& mesh);
 
 } // namespace ramus::mesh

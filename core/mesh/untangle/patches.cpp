@@ -13,7 +13,7 @@ namespace ramus::mesh {
 
 namespace {
 
-constexpr float kReach = 4.0F; // sides, that a patch reaches beyond what meets
+constexpr float kReach = 4.0F; // how far a patch reaches beyond a pair, in the pair's longest side
 
 TriangleBox box_around(const TriangleMesh& mesh, const TrianglePair& pair) {
     TriangleBox box;
@@ -27,9 +27,10 @@ TriangleBox box_around(const TriangleMesh& mesh, const TrianglePair& pair) {
     return {box.least - kReach * longest, box.most + kReach * longest};
 }
 
-// Neighbours, ascending; and, since each edge of a closed surface has two triangles, what is at the end of the patch.
+// Fills in neighbours (ascending) and has_all. On a closed surface a vertex with an edge of only one triangle is at the
+// end of the patch.
 void connect(Patch& patch) {
-    // Of an edge both ends have the other one twice: for each of its triangles.
+    // Each triangle of an edge adds both ends to each other's list, so an inner edge is listed twice.
     Grouped<std::uint32_t> ends(patch.vertices.size(), [&](const auto& put) {
         for (const glm::uvec3& t : patch.triangles)
             for (int corner = 0; corner < 3; ++corner) {
@@ -56,15 +57,15 @@ void connect(Patch& patch) {
     });
 }
 
-// The places of things in an ascending list.
+// The index of a number in an ascending list.
 std::uint32_t place_in(const std::vector<std::uint32_t>& list, std::uint32_t thing) {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(list, thing) - list.begin());
 }
 
 } // namespace
 
-std::vector<MeetingPlace> meeting_places(const TriangleMesh& mesh, const TriangleBoxes& boxes,
-                                         std::span<const TrianglePair> pairs) {
+std::vector<IntersectionPlace> intersection_places(const TriangleMesh& mesh, const TriangleBoxes& boxes,
+                                                   std::span<const TrianglePair> pairs) {
     constexpr std::size_t kRemembered = 32; // pairs that follow each other have the same triangles around them
     DisjointSets together(pairs.size());
     std::unordered_map<std::uint32_t, std::uint32_t> pair_at; // by triangle, one that is around
@@ -83,7 +84,7 @@ std::vector<MeetingPlace> meeting_places(const TriangleMesh& mesh, const Triangl
             if (!fresh) together.join(n, at->second);
         });
     }
-    std::vector<MeetingPlace> places;
+    std::vector<IntersectionPlace> places;
     std::vector<std::uint32_t> place(pairs.size(), 0); // by the pair that stands for it
     for (std::uint32_t n = 0; n < pairs.size(); ++n) {
         const std::uint32_t first = together.find(n);
@@ -91,11 +92,11 @@ std::vector<MeetingPlace> meeting_places(const TriangleMesh& mesh, const Triangl
         places[place[first]].pairs.push_back(pairs[n]);
     }
     for (const auto& [triangle, pair] : pair_at) places[place[together.find(pair)]].triangles.push_back(triangle);
-    for (MeetingPlace& one : places) std::ranges::sort(one.triangles);
+    for (IntersectionPlace& one : places) std::ranges::sort(one.triangles);
     return places;
 }
 
-Patch patch_around(const TriangleMesh& mesh, const MeetingPlace& place) {
+Patch patch_around(const TriangleMesh& mesh, const IntersectionPlace& place) {
     Patch patch;
     for (const std::uint32_t n : place.triangles)
         for (int corner = 0; corner < 3; ++corner) patch.vertices.push_back(mesh.triangles[n][corner]);

@@ -1,9 +1,10 @@
-// Patches: what of a surface lies around places where it meets itself, each as a small mesh of its own.
+// Patches: groups intersecting pairs of triangles into places, and copies the surface around each place as a small
+// mesh.
 #pragma once
 
 #include "core/base/grouped.h"
 #include "core/mesh/triangle_mesh.h"
-#include "core/mesh/untangle/meeting_triangles.h"
+#include "core/mesh/untangle/intersecting_triangles.h"
 #include "core/mesh/untangle/triangle_boxes.h"
 
 #include <cstdint>
@@ -12,23 +13,23 @@
 
 namespace ramus::mesh {
 
-// Pairs of a surface's triangles, and the triangles around them: as far as some times the longest of a pair's sides.
-struct MeetingPlace {
+// Pairs of intersecting triangles, and the triangles around them, up to four times the longest side of each pair.
+struct IntersectionPlace {
     std::vector<TrianglePair> pairs;      // ascending
     std::vector<std::uint32_t> triangles; // ascending
 };
-// In order of their first pairs; no two have a triangle in common.
-[[nodiscard]] std::vector<MeetingPlace> meeting_places(const TriangleMesh& mesh, const TriangleBoxes& boxes,
-                                                       std::span<const TrianglePair> pairs);
+// The places of all pairs, in the order of their first pairs. No two places have a common triangle.
+[[nodiscard]] std::vector<IntersectionPlace> intersection_places(const TriangleMesh& mesh, const TriangleBoxes& boxes,
+                                                                 std::span<const TrianglePair> pairs);
 
 struct Patch {
-    std::vector<std::uint32_t> vertices; // of the surface, by their numbers here
-    std::vector<glm::vec3> positions;    // mm
-    std::vector<glm::uvec3> triangles;   // of vertices by their numbers here
-    std::vector<TrianglePair> pairs;     // of these triangles, that the patch is around
-    Grouped<std::uint32_t> neighbours;   // of each vertex
-    std::vector<std::uint8_t> has_all;   // whether all triangles at a vertex are here, by vertex
+    std::vector<std::uint32_t> vertices; // by vertex of the patch: the vertex of the surface, ascending
+    std::vector<glm::vec3> positions;    // by vertex of the patch, mm
+    std::vector<glm::uvec3> triangles;   // with vertices of the patch
+    std::vector<TrianglePair> pairs;     // with triangles of the patch
+    Grouped<std::uint32_t> neighbours;   // by vertex: the vertices connected to it by an edge
+    std::vector<std::uint8_t> has_all;   // by vertex: whether all of its triangles are in the patch
 };
-[[nodiscard]] Patch patch_around(const TriangleMesh& mesh, const MeetingPlace& place);
+[[nodiscard]] Patch patch_around(const TriangleMesh& mesh, const IntersectionPlace& place);
 
 } // namespace ramus::mesh

@@ -1,5 +1,5 @@
-// TriangleBoxes: boxes around the triangles of a surface, in groups as they follow each other, and around ever more of
-// these groups. A surface's triangles lie beside those that come before and after them, so groups need no sorting.
+// TriangleBoxes: a bounding-volume hierarchy over the triangles of a surface. Its leaves are groups of consecutive
+// triangles: consecutive triangles of a surface are close in space, so no sorting is needed.
 #pragma once
 
 #include "core/base/box_tree.h"
@@ -32,7 +32,7 @@ using TriangleBox = EightBoxes::Box; // mm
     }
     return meet;
 }
-// Whether a box has all of another one.
+// Whether a box contains another one.
 [[nodiscard]] inline bool holds(const TriangleBox& box, const TriangleBox& other) {
     return glm::all(glm::lessThanEqual(box.least, other.least)) &&
            glm::all(glm::greaterThanEqual(box.most, other.most));
@@ -43,18 +43,18 @@ public:
     static constexpr std::size_t kGroup = 8; // triangles
     using Groups = BoxTree::Level;
 
-    // Of a surface, which must outlive this.
+    // The surface must outlive the object.
     explicit TriangleBoxes(const TriangleMesh& mesh) : TriangleBoxes(mesh.positions, mesh.triangles, mesh.memory()) {}
     TriangleBoxes(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
                   const Groups::allocator_type& memory = {})
         : TriangleBoxes(positions, triangles,
                         groups_of(
                             positions, triangles, [](std::size_t) {}, memory)) {}
-    // The same with the boxes of its groups, which groups_of() gives.
+    // The same with the boxes of groups from groups_of().
     TriangleBoxes(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles, Groups groups)
         : positions_(positions), triangles_(triangles), tree_(std::move(groups)) {}
 
-    // Calls call(triangle) for each of them too, in several threads.
+    // The boxes of all groups. Also calls call(triangle) for each triangle, in several threads.
     template <class Call>
     [[nodiscard]] static Groups groups_of(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
                                           const Call& call, const Groups::allocator_type& memory = {}) {
@@ -81,19 +81,19 @@ public:
     [[nodiscard]] std::span<const glm::uvec3> triangles() const { return triangles_; }
     [[nodiscard]] TriangleBox box(std::size_t triangle) const { return box_of(positions_, triangles_[triangle]); }
 
-    // Calls call(group, its box) for the groups whose boxes meet this one, ascending.
+    // Calls call(group, its box) for each group whose box intersects `box`, ascending.
     template <class Call> void for_each_group_in(const TriangleBox& box, const Call& call) const {
         tree_.for_each_meeting(box, [&](std::size_t group) { call(group, tree_.box(group)); });
     }
-    // Calls call(triangle) for those of a group.
+    // Calls call(triangle) for each triangle of a group.
     template <class Call> void for_each_of(std::size_t group, const Call& call) const {
         const std::size_t end = std::min(kGroup * (group + 1), triangles_.size());
         for (std::size_t n = kGroup * group; n < end; ++n) call(static_cast<std::uint32_t>(n));
     }
-    // Calls call(triangle) for those whose boxes meet this one, ascending.
+    // Calls call(triangle) for each triangle whose box intersects `box`, ascending.
     template <class Call> void for_each_in(const TriangleBox& box, const Call& call) const {
         for_each_group_in(box, [&](std::size_t group, const TriangleBox& around) {
-            const bool all = holds(box, around); // of such a group it is known without their boxes
+            const bool all = holds(box, around); // then the boxes of single triangles need no test
             for_each_of(group, [&](std::uint32_t n) {
                 if (all || boxes_meet(this->box(n), box)) call(n);
             });

@@ -16,18 +16,18 @@ namespace ramus::mesh {
 
 namespace {
 
-constexpr int kRounds = 64;       // a few in most places, 40 where vessels are packed
-constexpr int kInTurn = 4;        // rounds that push inward, then rounds that draw smooth
-constexpr float kStep = 0.5F;     // of the way to the middle of the neighbours, that one is drawn
-constexpr float kFarthest = 0.5F; // of the vessel's radius, that a vertex moves
-// Of a place: one with more is no fold, cells are larger than the vessels there.
+constexpr int kRounds = 64;       // most places need a few, packed vessels 40
+constexpr int kInTurn = 4;        // so many rounds push inward, then as many smooth
+constexpr float kStep = 0.5F;     // share of the way to the mean of the neighbours in a smoothing step
+constexpr float kFarthest = 0.5F; // the largest move of a vertex, in radii
+// Limits of a place. With more pairs it is no fold: cells are larger than the vessels there.
 constexpr std::size_t kMostPairs = 4096;
-constexpr std::size_t kMostTriangles = 200'000; // they are compared some tens of times
+constexpr std::size_t kMostTriangles = 200'000; // a place is tested some tens of times
 constexpr std::size_t kMostListed = 4'000'000;  // pairs of a surface
-constexpr std::size_t kMostLooks = 400;         // for each triangle compared; 20 where nothing is wrong
+constexpr std::size_t kMostLooks = 400;         // comparisons for each triangle; 20 on a good surface
 
-// By triangle: those at folds may meet any. At the places others meet that are there and lie beside each other: where
-// two that share a corner meet, one of them is at a fold.
+// By triangle: which triangles to compare it with. Triangles at folds may intersect any other. In `places`, triangles
+// may intersect others without a common corner: if two with a common corner intersect, one of them is at a fold.
 LargeArray<Compared> suspects(const TriangleMesh& mesh, const Folds& folds, std::span<const TriangleBox> places) {
     LargeArray<Compared> suspected(mesh.triangles.size(), Compared::kNot, mesh.memory());
     for (const std::uint32_t n : folds.triangles) suspected[n] = Compared::kWithAll;
@@ -38,7 +38,7 @@ LargeArray<Compared> suspects(const TriangleMesh& mesh, const Folds& folds, std:
                 const std::atomic_ref<Compared> one(suspected[n]);
                 if (one.load(std::memory_order_relaxed) != Compared::kNot) return; // no need of its box
                 if (all || boxes_meet(folds.boxes.box(n), places[place]))
-                    one.store(Compared::kApart, std::memory_order_relaxed);
+                    one.store(Compared::kNotAdjacent, std::memory_order_relaxed);
             });
         });
     });
@@ -55,15 +55,15 @@ std::vector<std::uint32_t> vertices_of(const Patch& patch, std::span<const Trian
     return vertices;
 }
 
-// What is tried at a place, one after the other until nothing meets: where one way is stuck, another one is not.
+// A parameter set for the repair of a place. The sets are tried in order until no triangles intersect.
 struct Way {
-    float push;    // of the vessel's radius, that a vertex is pushed inward in a round; 0: all are drawn smooth
-    int rings;     // of neighbours that move too
-    int no_return; // rounds, the first, in which what is drawn smooth does not come back outward
+    float push;    // how far a vertex is pushed inward in a round, in radii; 0: all rounds smooth
+    int rings;     // so many rings of neighbours move, too
+    int no_return; // in the first so many rounds, smoothing does not move vertices outward
 };
 constexpr std::array kWays{Way{0.005F, 0, kRounds / 2}, Way{0.005F, 2, 0}, Way{0.02F, 1, 0}, Way{0.0F, 2, 0}};
 
-// With so many rings of neighbours.
+// Adds `rings` rings of neighbours to a set of vertices.
 std::vector<std::uint32_t> grown(const Patch& patch, std::vector<std::uint32_t> vertices, int rings) {
     for (int ring = 0; ring < rings; ++ring) {
         const std::vector<std::uint32_t> before = vertices;
@@ -76,7 +76,7 @@ std::vector<std::uint32_t> grown(const Patch& patch, std::vector<std::uint32_t> 
     return vertices;
 }
 
-// How vertices move in a round.
+// The motion of vertices in a round.
 enum class Move { kInward, kSmoothInward, kSmooth };
 
 Move move_of(int round, const Way& way) {
@@ -111,27 +111,27 @@ void move(Patch& patch, std::span<const std::uint32_t> moving, const TriangleMes
     for (std::size_t n = 0; n < moving.size(); ++n) patch.positions[moving[n]] = to[n];
 }
 
-// What meets after vertices have moved: nothing else had met before.
-MeetingTriangles meeting_at(const Patch& patch, std::span<const std::uint32_t> moved, Job& job) {
+// The pairs that intersect after vertices have moved. Triangles without moved vertices did not intersect before.
+IntersectingTriangles meeting_at(const Patch& patch, std::span<const std::uint32_t> moved, Job& job) {
     std::vector<std::uint8_t> is_moved(patch.vertices.size(), 0);
     for (const std::uint32_t vertex : moved) is_moved[vertex] = 1;
     std::vector<Compared> compared;
     compared.reserve(patch.triangles.size());
     for (const glm::uvec3& t : patch.triangles)
         compared.push_back((is_moved[t.x] | is_moved[t.y] | is_moved[t.z]) != 0 ? Compared::kWithAll : Compared::kNot);
-    MeetingLimits limits;
+    IntersectionLimits limits;
     limits.looks = kMostLooks;
-    return meeting_triangles(TriangleBoxes(patch.positions, patch.triangles), compared, limits, job);
+    return intersecting_triangles(TriangleBoxes(patch.positions, patch.triangles), compared, limits, job);
 }
 
-// A place after the best of some rounds, and how many pairs meet there.
+// The best state of a place, and the number of pairs that still intersect.
 struct Drawn {
     std::vector<std::uint32_t> vertices; // of the surface
-    std::vector<glm::vec3> positions;    // theirs now; none where all stay
+    std::vector<glm::vec3> positions;    // their new positions; empty if none moves
     std::size_t left = 0;
 };
 
-Drawn draw(const TriangleMesh& mesh, const MeetingPlace& place, Job& job) {
+Drawn draw(const TriangleMesh& mesh, const IntersectionPlace& place, Job& job) {
     Drawn drawn{{}, {}, place.pairs.size()};
     if (place.pairs.size() > kMostPairs || place.triangles.size() > kMostTriangles) return drawn;
     Patch patch = patch_around(mesh, place);
@@ -142,7 +142,7 @@ Drawn draw(const TriangleMesh& mesh, const MeetingPlace& place, Job& job) {
         for (int round = 0; round < kRounds && drawn.left > 0; ++round) {
             const std::vector<std::uint32_t> moving = grown(patch, vertices_of(patch, pairs), way.rings);
             move(patch, moving, mesh, way, round);
-            MeetingTriangles now = meeting_at(patch, moving, job);
+            IntersectingTriangles now = meeting_at(patch, moving, job);
             if (!now.looked_at_all) break;
             pairs = std::move(now.pairs);
             if (pairs.size() < drawn.left) drawn.left = pairs.size(), drawn.positions = patch.positions;
@@ -156,11 +156,11 @@ Drawn draw(const TriangleMesh& mesh, const MeetingPlace& place, Job& job) {
 
 Untangled untangle(TriangleMesh& mesh, std::span<const TriangleBox> places, Job& job) {
     const Folds folds = find_folds(mesh);
-    const MeetingTriangles found =
-        meeting_triangles(folds.boxes, suspects(mesh, folds, places), {kMostListed, kMostLooks}, job);
+    const IntersectingTriangles found =
+        intersecting_triangles(folds.boxes, suspects(mesh, folds, places), {kMostListed, kMostLooks}, job);
     Untangled all{found.count, found.count, found.looked_at_all, {}};
     if (job.cancelled()) return all;
-    const std::vector<MeetingPlace> meeting = meeting_places(mesh, folds.boxes, found.pairs);
+    const std::vector<IntersectionPlace> meeting = intersection_places(mesh, folds.boxes, found.pairs);
     std::vector<Drawn> drawn(meeting.size());
     tbb::parallel_for(std::size_t{0}, meeting.size(), [&](std::size_t n) { drawn[n] = draw(mesh, meeting[n], job); });
     if (job.cancelled()) return all;

@@ -1,5 +1,5 @@
-// Untangling: a surface that goes through itself here and there, within a few triangles, is pushed inward and drawn
-// smooth there until it does not. So it bounds a solid that simulations can take.
+// Untangling: removes self-intersections of a surface that are limited to a few triangles. Vertices there are pushed
+// inward and smoothed until no triangles intersect, so that the surface bounds a solid for simulations.
 #pragma once
 
 #include "core/base/job.h"
@@ -14,14 +14,14 @@
 namespace ramus::mesh {
 
 struct Untangled {
-    std::size_t found = 0; // pairs of triangles that met beyond the corners that they share
-    std::size_t left = 0;  // of these, and of what has come to meet
-    // False: somewhere too many triangles are suspected to meet others, as with cells larger than vessels. There not
-    // all are counted.
+    std::size_t found = 0; // pairs of triangles that intersected before, beyond their common corners
+    std::size_t left = 0;  // pairs that intersect afterwards
+    // False: not all pairs were counted, since somewhere too many triangles may intersect. That happens if cells are
+    // larger than vessels.
     bool looked_at_all = true;
     std::vector<glm::vec3> places; // where pairs are left, mm, RAS
 
-    // Of another part of a surface.
+    // Adds the result for another part of a surface.
     void add(const Untangled& part) {
         found += part.found, left += part.left;
         looked_at_all = looked_at_all && part.looked_at_all;
@@ -29,12 +29,14 @@ struct Untangled {
     }
 };
 
-// Looks for triangles that meet, near folds (folds.h) and at `places` (as polygonize() has them), and moves their
-// vertices inward and toward the middle of their neighbours until none meet, at most by half of the vessel's radius;
-// normals stay.
-// Each place by itself, in time as its triangles. Where that does not help in some rounds, what met least stays; where
-// very much meets, as with cells larger than vessels, all stays there. Of a closed surface with normals and radii. If
-// cancelled, the surface is as it was.
+// Finds intersecting triangles near folds (folds.h) and in `places` (boxes around walls, from polygonize()), and moves
+// their vertices inward and toward the mean of their neighbours until none intersect. The surface must be closed, with
+// normals and radii. A vertex moves by at most half of the vessel's radius. Triangles and normals do not change, so the
+// surface stays closed.
+//
+// Each place is repaired by itself, in time proportional to its triangles. If some pairs are left after a fixed number
+// of rounds, the state with the fewest pairs is kept. A place with too many pairs does not change. If cancelled, the
+// surface does not change.
 Untangled untangle(TriangleMesh& mesh, std::span<const TriangleBox> places, Job& job);
 
 } // namespace ramus::mesh

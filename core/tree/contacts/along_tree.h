@@ -1,4 +1,5 @@
-// What can be reached along the tree from one link after the other, by a walker who stays close to it.
+// AlongTree: a breadth-first search along the tree from one link, through points that stay close to that link. Reuses
+// its memory from search to search.
 #pragma once
 
 #include "core/tree/contacts/links.h"
@@ -11,11 +12,12 @@ namespace ramus::tree {
 
 class AlongTree {
 public:
-    // At the points through which the walker goes, the closeness to the link that it starts from is below `limit`.
+    // The search passes a point of the tree only if its closeness to the start link is below `limit`. The two ends of
+    // the start link are always passed.
     AlongTree(const Links& links, double limit)
         : links_(links), limit_(limit), reached_from_(links.all().size(), kNoLink) {}
 
-    // From now on the others tell of this link.
+    // Runs the search from `link`. The other functions return its result.
     void start(std::uint32_t link) {
         start_ = link;
         all_.clear();
@@ -32,9 +34,9 @@ public:
 
     [[nodiscard]] bool reached(std::uint32_t link) const { return reached_from_[link] == start_; }
     struct Arrival {
-        std::uint32_t link, through; // a point of the tree
+        std::uint32_t link, through; // the link, and the point of the tree through which it was reached
     };
-    // The link itself, then the others, those first that take fewer links to reach.
+    // The start link, then all links reached, in breadth-first order.
     [[nodiscard]] const std::vector<Arrival>& all() const { return all_; }
 
 private:
@@ -52,7 +54,7 @@ private:
     const Links& links_;
     double limit_;
     std::uint32_t start_ = kNoLink;
-    std::vector<std::uint32_t> reached_from_; // by link, the last that it was reached from
+    std::vector<std::uint32_t> reached_from_; // by link: the start of the last search that reached it
     std::vector<Arrival> all_;
 };
 

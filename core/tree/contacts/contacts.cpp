@@ -17,12 +17,13 @@ namespace ramus::tree {
 
 namespace {
 
-// What is left of a vessel's radius toward another one: where both tubes claim a place the nearer axis has it.
+// The radius (mm) that is left of a vessel toward another one: a place that both tubes contain belongs to the nearer
+// axis.
 double kept(double radius, double other, double distance) {
     return std::min(radius, std::max(0.5 * distance, distance - other));
 }
 
-// Which of some places, evenly along a link, are close to another link: a bit each.
+// Which of kPlaces evenly spaced places on a link are closer to another link than `close`: one bit each.
 constexpr unsigned kPlaces = 64;
 std::uint64_t places_beside(const Link& link, const Link& other, double close) {
     std::uint64_t places = 0;
@@ -31,7 +32,7 @@ std::uint64_t places_beside(const Link& link, const Link& other, double close) {
     return places;
 }
 
-// A contact's pairs, as links of its first vessel and links of its second. `close`: places are, below this.
+// Describes the contact of an island. Places with a closeness below `close` count for its branches and lengths.
 Contact describe(const Links& links, const Island& island, const Contacts& contacts, double close) {
     Contact contact;
     contact.apart_from = island.apart_from;
@@ -55,7 +56,7 @@ Contact describe(const Links& links, const Island& island, const Contacts& conta
     }
     const glm::dvec3 between = closest[1].position - closest[0].position;
     contact.gap = glm::length(between) - closest[0].radius - closest[1].radius;
-    const double distance = glm::length(between + moved_apart); // as it counts where the wall is drawn
+    const double distance = glm::length(between + moved_apart); // of the moved axes, which decide where the wall lies
     for (std::size_t n = 0; n < 2; ++n) {
         ContactSide& side = contact.sides[n];
         side.at = closest[n].position;
@@ -115,7 +116,7 @@ Contacts find_contacts(const PreparedTree& prepared, const Links& links, const C
     std::ranges::stable_sort(contacts.list, {}, &Contact::closeness);
     const auto pieces = [](const Row& row) { return std::pair(row.piece, row.partner.piece); };
     std::ranges::sort(rows, {}, [&](const Row& row) { return std::pair(pieces(row), -row.partner.apart_from); });
-    // A pair may be part of a fold and of a contact.
+    // A pair may be part of both a fold and a contact.
     const auto same = [&](const Row& a, const Row& b) { return pieces(a) == pieces(b); };
     rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());
     contacts.first_partner.assign(links.all().size() + 1, 0);

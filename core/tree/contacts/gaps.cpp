@@ -9,19 +9,20 @@ namespace ramus::tree {
 
 namespace {
 
-// The cosine between the way and an axis: daughters that part at up to twice asin() of it, 41 degrees, lie side by
-// side. Tuned on straight daughters, turned at random, of which false loops in a plain sum's mesh join some up to 28
-// degrees (slopes of 1 in 4 from the fork's axis), with cells that make 5 triangles around a vessel and finer ones.
+// The largest cosine between the way and an axis: daughters that diverge by up to twice its arcsine, 41 degrees, lie
+// side by side. Tuned on straight daughters with random orientations: in meshes of the plain sum with 5 or more
+// triangles around a vessel, false loops join daughters that diverge by up to 28 degrees.
 constexpr double kAside = 0.35;
 
-// Whether the way between two places leaves a link's axis to the side, or may: it is known to within `spare`.
+// Whether the way between two places is nearly perpendicular to a link's axis, or may be: it is known to within
+// `spare`.
 bool aside(const glm::dvec3& way, double spare, const Link& link) {
     const glm::dvec3 axis = link.b.position - link.a.position;
     const double along = std::abs(glm::dot(way, axis)), length = glm::length(axis);
     return along < (kAside * (glm::length(way) + spare) + spare) * length;
 }
 
-// Neighbours along one vessel do not lie side by side, and that their middles tell already.
+// A quick test: rejects neighbours along one vessel by their midpoints alone.
 bool may_be_beside(const Link& a, const Link& b) {
     const glm::dvec3 way = 0.5 * (b.a.position + b.b.position) - 0.5 * (a.a.position + a.b.position);
     const double spare = 0.5 * (glm::distance(a.a.position, a.b.position) + glm::distance(b.a.position, b.b.position));

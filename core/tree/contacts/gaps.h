@@ -1,5 +1,5 @@
-// Gaps: where two stretches of vessel run side by side with nothing between them, though a joint is near: the daughters
-// of a fork that part at an acute angle. The gap opens so slowly that a mesh's cells are larger for a while.
+// Gaps: detects an open gap between two links near a joint, as between the daughters of a fork that diverge at an acute
+// angle. There the cells of a mesh are larger than the gap for a while.
 #pragma once
 
 #include "core/tree/contacts/along_tree.h"
@@ -11,11 +11,13 @@ namespace ramus::tree {
 
 class Gaps {
 public:
-    // Links are looked at that come closer than `limit`.
+    // `limit`: vessel between two links is searched along the tree from the first link, as far as AlongTree with this
+    // limit goes.
     Gaps(const Links& links, double limit) : links_(links), along_(links, limit) {}
 
-    // Whether the shortest way from the one link's axis to the other's leaves both to the side, and its middle is in no
-    // vessel by which the tree leads from the one to the other. Fastest when asked of one `first` after the other.
+    // Whether the two links lie side by side (the shortest way between their axes is nearly perpendicular to both) and
+    // the middle of that way is outside of all vessel that lies along the tree near `first`. Fast for consecutive calls
+    // with the same `first`.
     [[nodiscard]] bool between(std::uint32_t first, std::uint32_t second);
 
 private:

@@ -18,17 +18,17 @@ namespace ramus::tree {
 namespace {
 
 using PairId = std::uint32_t;
-// Of a step: onto one place, or onto links that are together along the tree (touching_links.h).
+// The target of a step that brings the walkers to one place, or onto links that are together (touching_links.h).
 constexpr PairId kJoint = TouchingLinks::kNone;
 
 // A step from one pair to the next: one of the walkers goes on through a point of the tree, while the other waits.
 struct Step {
     PairId to = kJoint;
-    bool moves_first = false; // the walker on the link of the lower number of the pair that is left
-    double closeness = 0.0;   // on the way
+    bool moves_first = false; // whether the walker on the lower link of the pair moves
+    double closeness = 0.0;   // at the point between the two links
 };
 
-// All pairs, and the steps from each on which the two stay closer than `limit`.
+// The graph of all pairs, with the steps on which the two walkers stay closer than `limit`.
 class Walks {
 public:
     Walks(const Links& links, const TouchingLinks& touching, double limit)
@@ -77,14 +77,14 @@ private:
 
     const Links& links_;
     const TouchingLinks& touching_;
-    std::vector<std::uint32_t> low_; // the link of the lower number, by pair
-    std::vector<Steps> steps_of_;    // by pair, among those of kAtOnce pairs
+    std::vector<std::uint32_t> low_; // by pair: its lower link
+    std::vector<Steps> steps_of_;    // by pair: its steps in a block of steps_, which is for kAtOnce pairs
     std::vector<std::vector<Step>> steps_;
 };
 
-constexpr std::int32_t kUnknown = -2, kTogether = -1; // else the number of an island
+constexpr std::int32_t kUnknown = -2, kTogether = -1; // marks of pairs; other marks are numbers of regions
 
-// Marks the pairs from which a joint can be reached while the two stay closer than `limit`.
+// Marks the pairs from which a joint can be reached while the two walkers stay closer than `limit`.
 std::vector<std::int32_t> mark_together(const Walks& walks, double limit) {
     std::vector<std::int32_t> mark(walks.size(), kUnknown);
     std::vector<PairId> open;
@@ -103,18 +103,18 @@ std::vector<std::int32_t> mark_together(const Walks& walks, double limit) {
     return mark;
 }
 
-// Vessels that are bent, or not equally thick, merge from a little farther than straight ones; that far a basin is a
-// contact if the way from it to the joints is farther by kPass.
+// Vessels that are bent, or of unequal radii, merge at a slightly larger closeness than straight ones: up to kMayMerge
+// times `merged`. A basin of such a closeness is a contact if the way from it to the joints is farther by kPass.
 constexpr double kMayMerge = 1.03, kPass = 0.01;
 
 struct Region {
     std::vector<PairId> pairs;
     double closest = std::numeric_limits<double>::max();
     bool reaches_joint = false;
-    bool may_hold_basins = false; // else the way from each of its pairs to the joints is no farther than itself
+    bool may_hold_basins = false; // whether some pair may be closer than the way from it to the joints
 };
 
-// All that can be reached from a pair among the pairs that are not marked yet.
+// All unmarked pairs that can be reached from a pair. Marks them with `number`.
 Region region_of(const Walks& walks, PairId start, double merged, std::vector<std::int32_t>& mark,
                  std::int32_t number) {
     Region region;
@@ -141,10 +141,10 @@ struct Edge {
     std::uint32_t a, b; // numbers within the region; the last: together
 };
 
-// Cuts a region from which joints can be reached into what belongs to them and what does not: floods it from the
-// closest pairs on (as one watches water rise). Where a basin that goes below `merged` meets the joints' only above
-// that, it is a contact and stays one. Returns for each pair of the region its basin (the region's size: the joints'),
-// and by basin the closeness at which it met them.
+// Divides a region from which joints can be reached into basins, as a watershed transform does: visits the steps in the
+// order of closeness and joins the basins that they connect. A basin that goes below `merged`, but meets the basin of
+// the joints only above `merged`, stays separate: it is a contact. Returns the basin of each pair of the region (the
+// size of the region stands for the joints), and for each separate basin the closeness at which it met the joints.
 struct Basins {
     std::vector<std::uint32_t> of_pair;
     std::map<std::uint32_t, double> met;
@@ -162,7 +162,7 @@ Basins flood(const Walks& walks, const Region& region, const std::vector<std::in
                 edges.push_back({step.closeness, n, other->second});
         }
     std::ranges::stable_sort(edges, {}, &Edge::closeness);
-    // A set's lowest number stands for it, so that of the joints' is not known beforehand.
+    // The lowest member represents a set, so the representative of the joints changes as sets are joined.
     DisjointSets sets(count + 1);
     std::vector<double> closest(count + 1);
     for (std::uint32_t n = 0; n < count; ++n) closest[n] = walks.closeness(region.pairs[n]);
@@ -201,7 +201,8 @@ Basins flood(const Walks& walks, const Region& region, const std::vector<std::in
     return basins;
 }
 
-// Says of each pair of an island which link is whose: steps leave one walker where it is.
+// Orders the links of each pair of an island so that all first links belong to one vessel. A step moves only one
+// walker, so the other link shows which side is which.
 std::vector<OrientedPair> orient(const Walks& walks, const std::vector<PairId>& pairs) {
     std::map<PairId, int> swapped; // -1: not known yet
     for (const PairId pair : pairs) swapped[pair] = -1;
@@ -259,7 +260,7 @@ private:
     void add(const std::vector<PairId>& pairs, bool contact, double apart_from) {
         found_.push_back({orient(walks_, pairs), contact, false, apart_from});
     }
-    // Of what belongs to the joints.
+    // Adds the gaps between daughters among pairs that belong to the joints.
     void add_gaps(std::vector<PairId> pairs) {
         std::erase_if(pairs, [&](PairId pair) {
             return walks_.closeness(pair) < limits_.merged || !gaps_.between(walks_.low(pair), walks_.high(pair));
@@ -286,17 +287,17 @@ private:
     std::vector<Island> found_;
 };
 
-// Folds: where a vessel parts from one of the branches that meet at a node and lies against another one of them, closer
-// than vessels that a plain sum merges, though a gap is open between their tubes. The sum would fill that gap to a
-// crease, and a wall beside the one branch would end where the other one is nearer. So the vessel is kept apart from
-// all of them, as in a contact.
+// Folds: a vessel diverges from one of the branches that meet at a node, and comes so close to another one of them that
+// the plain sum merges the two, although a gap is open between their tubes. The sum would fill the gap to a crease, and
+// a wall toward the first branch would end where the second one is nearer. So the vessel is kept apart from all of
+// these branches, as in a contact.
 class Folds {
 public:
     Folds(const Links& links, const TouchingLinks& touching, const std::vector<std::int32_t>& mark,
           const ContactLimits& limits)
         : links_(links), touching_(touching), mark_(mark), limits_(limits), gaps_(links, limits.reach) {}
 
-    // Completes an island of a vessel that parts, if it is a fold.
+    // Replaces the pairs of a gap between daughters by those of a fold, if the island is one.
     void complete(Island& island) {
         std::array<std::set<std::uint32_t>, 2> sides;
         const std::vector<OrientedPair> found = pairs_beside(island.pairs);
@@ -316,7 +317,7 @@ public:
     }
 
 private:
-    // Pairs that lie side by side, from those given on to the branches that meet theirs at a node, and along these.
+    // Pairs that lie against each other: starts at `pairs`, steps to other branches at their nodes, and follows these.
     [[nodiscard]] std::vector<OrientedPair> pairs_beside(const std::vector<OrientedPair>& pairs) {
         std::vector<OrientedPair> found;
         std::set<std::array<std::uint32_t, 2>> known;
@@ -337,7 +338,7 @@ private:
         for (std::size_t n = 0; n < found.size(); ++n) go_on_from(OrientedPair(found[n]), false);
         return found;
     }
-    // Whether two links are together, but side by side with a gap between their tubes.
+    // Whether two links are together along the tree, but side by side with a gap between their tubes.
     [[nodiscard]] bool lie_against(std::uint32_t a, std::uint32_t b) {
         if (a == b || links_.joined(a, b)) return false;
         const PairId known = touching_.find(a, b);

@@ -1,5 +1,5 @@
-// Islands: pairs of links that touch and from which no joint can be reached without coming apart, and those with an
-// open gap between them (contacts.h).
+// Islands: connected sets of pairs of touching links that are kept apart (contacts.h has the rule): contacts, near
+// misses, gaps between daughters of a fork, and folds.
 #pragma once
 
 #include "core/tree/contacts/contacts.h"
@@ -19,10 +19,10 @@ struct OrientedPair {
 
 struct Island {
     std::vector<OrientedPair> pairs;
-    bool contact = false; // else a near miss
-    bool parting = false; // a near miss from which a joint can be reached, or a fold
-    // Of a contact: the closeness from which on a joint can be reached, the limit of reach at most. Of a fold the limit
-    // of reach, of other partings 0.
+    bool contact = false; // a contact, not a near miss
+    bool parting = false; // a gap between daughters of a fork, from which a joint can be reached, or a fold
+    // Contact: the closeness from which a joint can be reached, at most ContactLimits::reach. Fold:
+    // ContactLimits::reach. Gap between daughters: 0.
     double apart_from = 0.0;
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kFar = std::numeric_limits<float>::max();
 
-// A box that surely holds the link's tube, `limit` times as thick.
+// A box, rounded outward, around the link's tube, `limit` times as thick.
 Bounds<glm::vec3> box_around(const Link& link, double limit) {
     Bounds<glm::dvec3> exact;
     exact.hold(link.a.position, limit * link.a.radius);
@@ -50,7 +50,7 @@ void LinkBoxes::sort_by_place(const std::vector<Box>& boxes) {
     Box all;
     for (const Box& box : boxes) all.hold(box);
     const glm::vec3 scale = 1023.0F / glm::max(all.size(), glm::vec3(1e-30F));
-    std::vector<std::uint64_t> places(boxes.size()); // and below each the link's number
+    std::vector<std::uint64_t> places(boxes.size()); // Morton code in the high half, index of the link in the low half
     for (std::size_t n = 0; n < boxes.size(); ++n) {
         const glm::uvec3 cell((0.5F * (boxes[n].least + boxes[n].most) - all.least) * scale);
         places[n] = std::uint64_t{morton(cell)} << 32U | n;
@@ -70,7 +70,7 @@ void LinkBoxes::find_beside(std::size_t leaf, std::vector<std::uint32_t>& beside
 
 void LinkBoxes::descend(std::size_t level, std::size_t n, std::size_t leaf, const Box& box,
                         std::vector<std::uint32_t>& beside) const {
-    const auto below_bits = static_cast<unsigned>(3 * (level - 1)); // of the number of a leaf, within that of a box
+    const auto below_bits = static_cast<unsigned>(3 * (level - 1)); // bits of a leaf's number below the child's number
     for (unsigned bits = levels_[level][n].meeting(box); bits != 0; bits &= bits - 1) {
         const std::size_t below = n * kFan + static_cast<std::size_t>(std::countr_zero(bits));
         if (below < leaf >> below_bits) continue;

@@ -1,5 +1,6 @@
-// Boxes around links as far as they may touch others: the links in Morton order, eight to a leaf, eight boxes to one of
-// the next level. Boxes are in single precision and a little too large.
+// LinkBoxes: a bounding-volume hierarchy over links, to find pairs that may touch. Links are sorted in Morton order,
+// eight to a leaf; every node has eight children. Boxes contain the tubes of the links, enlarged by the limit of
+// closeness. They are in single precision and rounded outward.
 #pragma once
 
 #include "core/base/eight_boxes.h"
@@ -15,16 +16,16 @@ class LinkBoxes {
 public:
     static constexpr std::size_t kFan = EightBoxes::kCount;
 
-    // Links touch where their closeness is below `limit`.
+    // Two links touch if their closeness is below `limit`.
     LinkBoxes(const Links& links, double limit);
 
     [[nodiscard]] std::size_t leaves() const { return levels_.front().size(); }
-    // The links of a leaf are at the places from kFan * leaf on, and so many.
+    // Leaf n holds the places kFan * n to kFan * n + kFan - 1, as far as they are below size().
     [[nodiscard]] std::size_t size() const { return order_.size(); }
     [[nodiscard]] std::uint32_t link(std::size_t place) const { return order_[place]; }
-    // The leaves from `leaf` on whose boxes meet its box, itself too, ascending.
+    // Lists the leaves with a number >= `leaf` whose boxes intersect the box of `leaf`, itself included, ascending.
     void find_beside(std::size_t leaf, std::vector<std::uint32_t>& beside) const;
-    // Which links of a leaf have a box that meets that of the link at `place`: a bit each.
+    // One bit for each link of a leaf: whether its box intersects the box of the link at `place`.
     [[nodiscard]] unsigned meeting(std::size_t leaf, std::size_t place) const {
         return levels_.front()[leaf].meeting(levels_.front()[place / kFan].box(place % kFan));
     }
@@ -37,7 +38,7 @@ private:
                  std::vector<std::uint32_t>& beside) const;
 
     std::vector<std::uint32_t> order_;            // links in Morton order
-    std::vector<std::vector<EightBoxes>> levels_; // the first: of links; the last: one
+    std::vector<std::vector<EightBoxes>> levels_; // from the boxes of links to the single top node
 };
 
 } // namespace ramus::tree

@@ -8,7 +8,7 @@ namespace ramus::tree {
 
 namespace {
 
-// The least length of a link in local radii: what a chord cuts off from an arc as short as this does not matter.
+// The least length of a link in local radii. The difference between an arc this short and its chord is negligible.
 constexpr double kLinkRadii = 0.3;
 
 double closeness_at(const Link& a, double share_a, const Link& b, double share_b) {

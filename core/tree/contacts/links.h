@@ -1,5 +1,5 @@
-// Links: a tree's centerlines in pieces that are short beside the vessel's radius but no shorter than it takes, so that
-// the number of pairs that touch does not grow with how densely a file samples its vessels.
+// Links: the centerlines of a tree as short straight pieces, about 0.3 radii long or one segment, if that is longer.
+// So the number of pairs of links that touch does not grow with the density of the file's points. Lengths are in mm.
 #pragma once
 
 #include "core/base/grouped.h"
@@ -25,27 +25,28 @@ struct Link {
 
 using ramus::share_along;
 
-// A place on a link, 0 at its start and 1 at its end.
+// The point at a share of a link: 0 at its start, 1 at its end. The radius is interpolated linearly.
 [[nodiscard]] inline Point point_on(const Link& link, double share) {
     return {glm::mix(link.a.position, link.b.position, share), link.a.radius + share * (link.b.radius - link.a.radius)};
 }
-// The one that is nearest to `position`.
+// The share of the point of the link that is nearest to `position`.
 [[nodiscard]] inline double nearest_share(const glm::dvec3& position, const Link& link) {
     return share_along(position - link.a.position, link.b.position - link.a.position);
 }
 
-// Where two links come closest, and how close: axis distance over the sum of the radii there.
+// The least closeness of two links, which is the distance of two places divided by the sum of their radii, and where it
+// is. Exact for constant radii; an approximation for tapering links.
 struct Approach {
     double closeness = 0.0;
-    double share_a = 0.0, share_b = 0.0; // along each
+    double share_a = 0.0, share_b = 0.0; // of the place on each link
 };
 [[nodiscard]] Approach closest_approach(const Link& a, const Link& b);
-// Of a point of the tree and a link.
+// The closeness of a point of the tree and the nearest point of a link.
 [[nodiscard]] inline double closeness(const Point& point, const Link& link) {
     const Point foot = point_on(link, nearest_share(point.position, link));
     return glm::distance(point.position, foot.position) / (point.radius + foot.radius);
 }
-// Whether that is below `limit`, but for rounding: without a root and a division.
+// closeness() < limit, up to rounding, without a square root and a division.
 [[nodiscard]] inline bool closer(const Point& point, const Link& link, double limit) {
     const Point foot = point_on(link, nearest_share(point.position, link));
     const glm::dvec3 between = point.position - foot.position;
@@ -59,10 +60,11 @@ public:
 
     [[nodiscard]] const std::vector<Link>& all() const { return links_; }
     [[nodiscard]] const Link& operator[](std::size_t n) const { return links_[n]; }
-    // That begin or end at a point of the tree.
+    // The links that begin or end at a point of the tree.
     [[nodiscard]] std::span<const std::uint32_t> at(std::uint32_t point) const { return at_point_.of(point); }
-    // The link that each segment of the prepared tree is part of (branches in order, segments along each).
+    // By segment of the prepared tree (branches in order, segments along each): the link that contains it.
     [[nodiscard]] const std::vector<std::uint32_t>& of_segment() const { return of_segment_; }
+    // Whether two links share a point of the tree.
     [[nodiscard]] bool joined(std::size_t a, std::size_t b) const {
         const Link& p = links_[a];
         const Link& q = links_[b];

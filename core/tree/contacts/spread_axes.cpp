@@ -15,18 +15,18 @@ namespace ramus::tree {
 
 namespace {
 
-// Two links that are close, or may be brought close.
+// Two links that are close, or that moves may bring close.
 struct ClosePair {
     std::array<std::uint32_t, 2> link;
     double thinner = 0.0;                // radius, mm
-    glm::dvec3 lean{0.0};                // unit: which way the second is moved best where all ways are the same
-    std::array<Link, 2> at;              // with radii of 1, so that closeness is distance
+    glm::dvec3 lean{0.0};                // unit: preferred direction of the second link where the axes cross
+    std::array<Link, 2> at;              // with radii of 1, so that closest_approach() minimises the distance
     std::array<std::uint32_t, 4> ends{}; // numbers of their ends: of the first link, of the second
 };
 
-// As found, with the second link moved.
+// The closest approach of two links.
 struct Between {
-    glm::dvec3 from_first{0.0}; // mm, to the second
+    glm::dvec3 from_first{0.0}; // mm, from the first link to the second one
     double share_a = 0.0, share_b = 0.0;
 };
 
@@ -51,7 +51,7 @@ glm::dvec3 direction(int n) {
     return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
-// One short move of the second vessel, mm, that parts the pairs as far as needed, or else best; and how far that is in
+// A short move (mm) of the whole second vessel that separates the pairs best, and the least distance that it gives, in
 // radii of the thinner vessel.
 struct OneMove {
     glm::dvec3 move{0.0};
@@ -59,7 +59,7 @@ struct OneMove {
 };
 OneMove best_move(std::span<const ClosePair> pairs, double thinner) {
     OneMove best;
-    std::vector<const ClosePair*> order; // that which ruled out a move lately comes first: it may the next one too
+    std::vector<const ClosePair*> order; // the pair that ruled out the last move is tested first
     for (const ClosePair& pair : pairs) order.push_back(&pair);
     for (const double share : {0.5, 0.75, 1.0, 1.25, 1.5}) {
         for (int n = 0; n < kDirections; ++n) {
@@ -84,7 +84,7 @@ class Spreading {
 public:
     explicit Spreading(const Links& links) : links_(links) {}
 
-    // The pairs of a contact; whether any of them is too close.
+    // Adds the pairs of a contact. Returns whether any of them is too close.
     bool add(const Island& island) {
         const std::size_t first = pairs_.size();
         double least = kLeastDistance;
@@ -108,7 +108,7 @@ public:
         for (std::size_t n = first; n < pairs_.size(); ++n)
             if (length > 0.0) pairs_[n].lean = one.move / length;
         moves_.resize(points_.size(), glm::dvec3(0.0));
-        // Along a long contact the vessels turn about each other: no one move is good for all of it.
+        // Along a long contact the vessels may wind around each other, so a single move does not fit all of it.
         if (length_of(island) > kLongContact * thinner) return true;
         std::vector<std::uint8_t> done(points_.size(), 0);
         for (const OrientedPair& oriented : island.pairs)
@@ -143,12 +143,12 @@ private:
     struct MovedPoint {
         std::uint32_t point = 0;           // of the tree
         double radius = 0.0;               // mm
-        std::vector<std::uint32_t> beside; // numbers of its neighbours along the vessels, kFixed for those that stay
+        std::vector<std::uint32_t> beside; // numbers of its neighbours along the vessels; kFixed: does not move
     };
     static constexpr std::uint32_t kFixed = 0xFFFFFFFFU;
     static constexpr double kLongContact = 30.0; // radii of the thinner vessel
 
-    // Of the first vessel, mm.
+    // The length (mm) of the contact along its first vessel.
     [[nodiscard]] double length_of(const Island& island) const {
         std::vector<std::uint32_t> first;
         for (const OrientedPair& pair : island.pairs) first.push_back(pair.link[0]);
@@ -176,8 +176,8 @@ private:
             }
     }
 
-    // Moves the ends of links that are too close away from each other, by the mean of what their pairs ask for. Whether
-    // there were any.
+    // Moves the ends of links that are too close away from each other, by the mean of the moves that their pairs need.
+    // Returns whether any pair was too close.
     bool push() {
         bool any = false;
         pushes_.assign(points_.size(), glm::dvec3(0.0));

@@ -18,8 +18,8 @@ struct Found {
     TouchingLinks::Other other;
 };
 
-// Cheaper than how close they come: whether the balls around their middles that hold their tubes, `limit` times as
-// thick, meet.
+// A cheap conservative test before closest_approach(): whether the bounding spheres of the two tubes, `limit` times as
+// thick, intersect.
 bool may_touch(const Link& a, const Link& b, double limit) {
     const double lengths = glm::distance(a.a.position, a.b.position) + glm::distance(b.a.position, b.b.position);
     const double radii = std::max(a.a.radius, a.b.radius) + std::max(b.a.radius, b.b.radius);
@@ -28,13 +28,13 @@ bool may_touch(const Link& a, const Link& b, double limit) {
     return glm::dot(between, between) <= most * most;
 }
 
-// What each thread has for itself.
+// Scratch data of one thread.
 struct Search {
     AlongTree along;
     std::vector<std::uint32_t> beside; // leaves
 };
 
-// All pairs of a leaf's links and those of the same and later leaves.
+// Finds all touching pairs of the links of one leaf with links of the same or later leaves.
 void find_pairs(const Links& links, const LinkBoxes& boxes, std::size_t leaf, double limit, Search& search,
                 std::vector<Found>& found) {
     constexpr std::size_t kFan = LinkBoxes::kFan;

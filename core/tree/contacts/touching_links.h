@@ -1,5 +1,5 @@
-// Pairs of links that come close, but for those that are together along the tree: all of a tree's, found with a tree of
-// boxes.
+// TouchingLinks: all pairs of links of a tree that come close without being neighbours along the tree. Uses a
+// bounding-volume hierarchy and all threads; the result does not depend on the number of threads.
 #pragma once
 
 #include "core/base/grouped.h"
@@ -13,17 +13,17 @@ namespace ramus::tree {
 class TouchingLinks {
 public:
     struct Other {
-        std::uint32_t link = 0; // of the higher number
+        std::uint32_t link = 0; // the link with the higher number of the pair
         float closeness = 0.0F;
     };
     static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-    // All pairs whose closeness (closest_approach()) is below `limit`. Left out are those that share a point, and most
-    // of those where one can walk from the one link to the other, along the tree, and stays closer than `together` to
-    // the one all the way: nearly all pairs of a tree are neighbours along a vessel.
+    // Finds all pairs whose closeness (closest_approach()) is below `limit`. Leaves out pairs that share a point. Also
+    // leaves out most pairs for which a walk along the tree leads from one link to the other and stays closer than
+    // `together` to the first link. These neighbours along a vessel are nearly all close pairs of a tree.
     TouchingLinks(const Links& links, double limit, double together);
 
-    // Pairs are numbered from 0 to size(), those of a link side by side.
+    // Pairs have the numbers 0 to size() - 1. Pairs with the same lower link are consecutive.
     [[nodiscard]] std::size_t size() const { return others_.size(); }
     [[nodiscard]] std::uint32_t first(std::size_t link) const { return first_[link]; }
     [[nodiscard]] const Other& other(std::size_t pair) const { return others_[pair]; }
@@ -31,7 +31,7 @@ public:
     [[nodiscard]] std::uint32_t find(std::uint32_t a, std::uint32_t b) const;
 
 private:
-    std::vector<std::uint32_t> first_; // of each link's pairs with links of higher numbers, which are ascending
+    std::vector<std::uint32_t> first_; // by lower link: its first pair; its pairs ascend by the higher link
     std::vector<Other> others_;
 };
 

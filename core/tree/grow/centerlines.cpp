@@ -18,7 +18,7 @@ struct Shape {
     Vec sway{0.0}; // two bends, one to each side
 };
 
-// The way blood takes through a node: half where it comes from, half where it goes on to.
+// The direction of flow through a node: the mean of the incoming and the outgoing direction.
 Vec way_through(const Skeleton& tree, int node) {
     const Node& n = tree.at(node);
     Vec onward(0.0);
@@ -37,7 +37,7 @@ std::vector<Shape> shapes(const Skeleton& tree, double tortuosity, std::uint64_t
         Shape& shape = result[static_cast<std::size_t>(id)];
         const Node& node = tree.at(id);
         const Vec chord = tree.way(id);
-        // The more of the parent's blood a child takes the more it goes straight on.
+        // A child with a larger share of the parent's flow continues straighter.
         const double share = node.flow / tree.at(node.parent).flow;
         shape.start_way = direction(Vec(0.0), share * way_through(tree, node.parent) + (1.0 - share) * chord);
         if (node.child_count > 0) {
@@ -148,7 +148,7 @@ BentTree bend(const Skeleton& tree, const Organ& organ, double spacing_mm, doubl
             if (changed[static_cast<std::size_t>(id)]) draw(id);
         pairs = touching.find(result.lines, changed, changed);
     }
-    // Straight ones that touch were not looked at again.
+    // Segments that touch although straight were not tested again.
     std::fill(changed.begin(), changed.end(), false);
     pairs = touching.find(result.lines, changed, all);
     for (const auto& [a, b] : pairs) result.misplaced.push_back(tree.at(a).flow < tree.at(b).flow ? a : b);

@@ -1,6 +1,6 @@
-// Bends the straight segments of a grown skeleton into smooth, slightly winding centerlines and samples them evenly.
-// The trunk runs through its forks without a kink, a twig leaves at its own angle. Where bending would make two vessels
-// touch, or leave the organ, the branches concerned are bent less, down to straight.
+// Bends the straight segments of a grown skeleton into smooth, slightly winding centerlines and samples them evenly
+// (spacing in mm). The trunk passes its forks without a corner; a twig leaves at its own angle. Where bending would
+// make two vessels touch, or leave the organ, these branches are bent less, down to straight.
 #pragma once
 
 #include "core/tree/grow/organ.h"
@@ -13,7 +13,8 @@ namespace ramus::tree::growth {
 
 struct BentTree {
     Centerlines lines;
-    // Segments that touch another away from a joint, or leave the organ, though straight. The smaller one of each pair.
+    // Straight segments that still touch another one away from a joint (the smaller one of each pair) or leave the
+    // organ.
     std::vector<int> misplaced;
 };
 

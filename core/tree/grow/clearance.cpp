@@ -67,7 +67,7 @@ bool Clearance::fork_fits(const Vec& fork, std::span<const Spoke> spokes, std::s
             const auto kin = std::find_if(kin_.begin(), kin_.end(), [&](const Kin& k) { return k.segment == other; });
             if (kin == kin_.end()) return false;
             if (tree_.at(other).parent == spoke.node || other == spoke.node) {
-                // They meet at the spoke's far end: what counts is that they part there at an angle.
+                // They meet at the far end of the spoke, where only their angle matters.
                 const Vec ours = direction(spoke.end, fork);
                 const Vec theirs = kin->from_parent_end ? tree_.way(other) : -tree_.way(other);
                 if (glm::dot(ours, theirs) > kTooParallel) return false;

@@ -32,7 +32,7 @@ private:
     struct Kin {
         int segment;
         bool from_parent_end; // entered at its parent's end
-        double way_mm;        // from the fork to where it is entered
+        double way_mm;        // from the fork to this end
     };
     void gather_kin(const Vec& fork, std::span<const Spoke> spokes, std::span<const int> own);
     [[nodiscard]] bool inside(const Vec& a, const Vec& b, double radius_mm) const;

@@ -23,7 +23,7 @@ constexpr double kTerritory = 0.35;        // of that distance: how deep below t
 constexpr double kFavourPeers = 0.12; // a twig on a trunk of n times its width costs 1 + kFavourPeers (n - 1) times
 constexpr double kFavourShort = 0.5;  // a terminal's segment longer than the distance costs this much extra
 constexpr double kGridSlack = 1.5;    // radii grow between two renewals of the grid
-constexpr int kPatience = 40;         // throws before the distance asked for is eased
+constexpr int kPatience = 40;         // failed throws before the required distance is reduced
 
 constexpr int kLastMiss = 4000; // throws in a row after which nothing fits; 250 were seen to be needed
 constexpr int kLastSweeps = 4;
@@ -193,7 +193,7 @@ bool Colony::propose(int segment, const Vec& point, double width, Candidate& can
 
     candidate.segment = segment;
     candidate.fork = fork;
-    // Blood volume alone would hang too many long bare twigs on the trunk.
+    // With blood volume as the only cost, too many long twigs would begin at the trunk.
     const double bare = (1.0 + kFavourPeers * (trunk_width / width - 1.0)) * (1.0 + kFavourShort * reach / spacing_mm_);
     candidate.cost = weights[0] * glm::length(fork - start) + weights[1] * (glm::length(end - fork) - length) +
                      weights[2] * reach * bare + flow * upstream_cost_[static_cast<std::size_t>(below.parent)];
@@ -272,7 +272,7 @@ void Colony::join(const Candidate& candidate, const Vec& point, double flow) {
     ++terminal_count_;
 }
 
-// Moves one fork to where its segments cost least at the present flows, if it fits there.
+// Moves one fork to the place with the least cost of its segments at the present flows, if it fits there.
 void Colony::relax_fork(int id) {
     const Node& node = tree_.at(id);
     std::array<Vec, 4> ends;
@@ -401,7 +401,7 @@ Vec Colony::anywhere_inside() {
 
 Result<Skeleton> colonise(const Organ& organ, double root_radius_mm, int branches, Random& random,
                           const std::function<std::vector<int>(const Skeleton&)>& misplaced, Job& job) {
-    // Thick first trunks may happen to bar each other's way; other throws need not.
+    // Thick first trunks may block each other by chance; other random throws may not.
     constexpr int kAttempts = 4;
     for (int attempt = 1;; ++attempt) {
         Result<Skeleton> tree = Colony(organ, root_radius_mm, random).run(branches, misplaced, job);

@@ -1,5 +1,5 @@
-// The growing itself: fills an organ with a straight tree. See grow.h for what the result guarantees; here "do not
-// touch" holds with some air between the straight tubes, so that bending has room.
+// Fills an organ with a tree of straight segments. grow.h states the guarantees; here vessels keep an additional
+// distance from each other, so that there is room for bending.
 #pragma once
 
 #include "core/base/error.h"
@@ -12,8 +12,8 @@
 
 namespace ramus::tree::growth {
 
-// A tree with exactly `branches` branches. `misplaced` looks at a finished tree and names segments that must not stay;
-// they are cut out with all that hangs on them and as many terminals grown anew, until it names none.
+// Grows a tree with exactly `branches` branches. `misplaced` returns the segments of a finished tree that must not
+// stay. These are removed with their descendants, and as many terminals are grown again, until it returns none.
 [[nodiscard]] Result<Skeleton> colonise(const Organ& organ, double root_radius_mm, int branches, Random& random,
                                         const std::function<std::vector<int>(const Skeleton&)>& misplaced, Job& job);
 

@@ -1,6 +1,6 @@
-// Arithmetic that gives the same bits on every machine: the generator decides on its numbers (is this point nearer than
-// that one?), so one unlike last digit from another C library would grow another tree. Only operations that IEEE 754
-// rounds exactly are used: + - * / and sqrt. Nothing here fails.
+// Arithmetic that gives the same bits on every machine. The generator branches on its numbers (is this point nearer
+// than that one?), so a single different digit from another C library would grow a different tree. Uses only operations
+// that IEEE 754 rounds exactly: + - * / and sqrt.
 #pragma once
 
 #include <bit>
@@ -20,7 +20,7 @@ inline double cube_root(double value) {
     return root;
 }
 
-// A small generator of our own (splitmix64): the distributions of <random> are not the same in every library.
+// The generator splitmix64: the distributions of <random> differ between libraries.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -55,7 +55,7 @@ inline Vec direction(const Vec& from, const Vec& to) {
     return length > 0.0 ? d / length : Vec(0.0);
 }
 
-// Where two line segments come closest: the fractions along each, and the distance there.
+// The closest points of two line segments, as fractions along each, and their distance.
 struct Approach {
     double first = 0.0;
     double second = 0.0;

@@ -1,7 +1,8 @@
-// Grows a synthetic portal vein inside a liver-like volume: for demonstrations, tests and benchmarks. Terminals are
-// thrown coarse to fine so that they fill the organ evenly; each is joined to the tree where that costs the least blood
-// volume, with the best place for the new fork (constrained constructive optimisation: Schreiner & Buxbaum, IEEE TBME
-// 1993). Forks are then relaxed, and the straight segments bent into smooth, slightly winding centerlines.
+// Grows a synthetic portal vein inside a liver-like volume, for demonstrations, tests and benchmarks. Terminals are
+// placed at random, coarse to fine, so that they fill the organ evenly. Each is joined to the tree where that costs the
+// least blood volume, with the best place for the new fork (constrained constructive optimisation: Schreiner & Buxbaum,
+// IEEE TBME 1993). Forks are then relaxed, and the straight segments are bent into smooth, slightly winding
+// centerlines.
 //
 // Guarantees: exactly the number of branches asked for; at every fork the parent's radius cubed equals the sum of the
 // children's cubed (Murray), with one radius along each branch and at its far end; every point but the stem's lies

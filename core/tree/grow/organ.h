@@ -21,7 +21,7 @@ public:
     [[nodiscard]] const Vec& high() const { return high_; }
     [[nodiscard]] double volume_mm3() const { return volume_mm3_; }
 
-    // Where the portal vein comes from, outside, and where it divides, inside.
+    // The start of the portal vein, outside, and its first fork, inside.
     [[nodiscard]] const Vec& root() const { return root_; }
     [[nodiscard]] const Vec& hilum() const { return hilum_; }
     // The trunks that every portal vein has: each from the end of another (its index; -1: from the hilum).
@@ -30,7 +30,7 @@ public:
         Vec end;
     };
     [[nodiscard]] const std::vector<Trunk>& trunks() const { return trunks_; }
-    // Inner points of further sectors, in the order in which they want vessels.
+    // Inner points of further sectors, in the order in which they get vessels.
     [[nodiscard]] const std::vector<Vec>& sectors() const { return sectors_; }
 
 private:

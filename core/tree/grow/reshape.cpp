@@ -39,7 +39,7 @@ bool merge_one_fork(Skeleton& tree, Clearance& clearance) {
             keeper.children[i] = spokes[i + 1].node;
             tree.at(keeper.children[i]).parent = above;
         }
-        // The last node takes the index of the one that went.
+        // The last node takes the index of the removed one.
         const int last = tree.size() - 1;
         if (id != last) {
             const Node moved = tree.at(last);
@@ -63,7 +63,7 @@ Skeleton without_segments(const Skeleton& tree, std::span<const int> segments) {
         if (id > kHilum && gone[static_cast<std::size_t>(tree.at(id).parent)])
             gone[static_cast<std::size_t>(id)] = true;
 
-    // What is left of a fork with one child only is an inner point: its child grows from further up.
+    // A fork with only one remaining child becomes an inner point: the child is connected to the fork's parent.
     Skeleton kept;
     kept.root_radius_mm = tree.root_radius_mm;
     std::vector<int> new_id(tree.nodes.size(), -1);

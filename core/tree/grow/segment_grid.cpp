@@ -19,7 +19,7 @@ template <class Visit> void SegmentGrid::for_cells(const Tube& tube, Visit visit
     for (int axis = 0; axis < 3; ++axis) {
         const double lower = std::min(tube.a[axis], tube.b[axis]) - tube.radius;
         const double upper = std::max(tube.a[axis], tube.b[axis]) + tube.radius;
-        // What lies outside the box is kept in its outermost cells.
+        // Parts outside of the box are stored in its outermost cells.
         const auto cell = [&](double at) {
             return static_cast<int>(std::clamp(std::floor((at - low_[axis]) / cell_mm_), 0.0, size_[axis] - 1.0));
         };

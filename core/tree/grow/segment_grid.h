@@ -1,6 +1,6 @@
-// A box of cubic cells that knows which tubes (line segments with a radius) come near which point. Tubes have small
+// SegmentGrid: a uniform grid over a box to find tubes (line segments with a radius, mm) near a tube. Tubes have small
 // integer ids, chosen by the caller, and may be moved and removed. Queries are conservative: they return every tube
-// that touches the asked one, and some that do not. The order of what they return depends only on the calls before.
+// that touches the given one, and some that do not. The order of the result depends only on the previous calls.
 #pragma once
 
 #include "core/tree/grow/exact_math.h"
@@ -13,7 +13,7 @@ class SegmentGrid {
 public:
     SegmentGrid(const Vec& low, const Vec& high, double cell_mm);
 
-    // Puts tube `id` from a to b; if it is there already it moves.
+    // Adds tube `id` from a to b, or moves it.
     void insert(int id, const Vec& a, const Vec& b, double radius);
     void remove(int id);
     // Replaces `found` by the ids of all tubes that may touch this one, each once.
@@ -23,7 +23,7 @@ private:
     struct Tube {
         Vec a{0.0};
         Vec b{0.0};
-        double radius = -1.0; // negative: not there
+        double radius = -1.0; // negative: no tube
     };
     template <class Visit> void for_cells(const Tube& tube, Visit visit) const;
 

@@ -58,7 +58,7 @@ struct Skeleton {
         return order;
     }
 
-    // Sums the flows anew from the terminals, which sheds the rounding of many small additions.
+    // Recomputes the flows from the terminals, which removes the accumulated rounding of many small additions.
     void settle_flows() {
         const std::vector<int> order = from_root();
         for (auto id = order.rbegin(); id != order.rend(); ++id) {

@@ -82,7 +82,7 @@ std::vector<std::pair<int, int>> Touching::find(const Centerlines& lines, const 
             grid_.query(piece.a, piece.b, radius, near);
             for (const int other_id : near) {
                 const Piece& other = pieces_[static_cast<std::size_t>(other_id)];
-                // Two marked ones meet twice: look once.
+                // A pair of marked segments occurs twice, and is tested once.
                 if (other_id < static_cast<int>(i) && marked[static_cast<std::size_t>(other.segment)]) continue;
                 const double sum = radius + tree_.radius_mm(other.segment);
                 const Approach at = closest_approach(piece.a, piece.b, other.a, other.b);

@@ -1,6 +1,6 @@
-// Finds where vessels touch that should not: two centerlines nearer than the sum of their radii although the way
-// between the two points along the tree is long, so that no joint excuses it. Remembers the centerlines, so that after
-// a change only what changed is looked at.
+// Touching: finds vessels that touch away from their joints: two centerlines nearer than the sum of their radii,
+// although the way between the two points along the tree is long. Stores the centerlines, so that after a change only
+// changed segments are tested. Lengths are in mm.
 #pragma once
 
 #include "core/tree/grow/organ.h"
@@ -17,11 +17,11 @@ using Centerlines = std::vector<std::vector<Vec>>;
 
 class Touching {
 public:
-    // joint_reach: how many times the sum of the radii the way along the tree may be at a joint.
+    // joint_reach: the longest way along the tree, in sums of the two radii, that counts as a joint.
     Touching(const Skeleton& tree, const Centerlines& lines, const Organ& organ, double joint_reach);
 
-    // Pairs of segments that touch, of which at least one is marked, each once, in ascending order. `changed` marks the
-    // segments whose centerlines are not those of the call before; at first all are taken as changed.
+    // Pairs of segments that touch, with at least one marked segment, each once, in ascending order. `changed`:
+    // segments whose centerlines differ from those of the previous call. In the first call all count as changed.
     [[nodiscard]] std::vector<std::pair<int, int>> find(const Centerlines& lines, const std::vector<bool>& changed,
                                                         const std::vector<bool>& marked);
 
@@ -39,7 +39,7 @@ private:
     double joint_reach_;
     std::vector<int> level_;
     std::vector<double> length_;
-    std::vector<Piece> pieces_;                                   // those of replaced centerlines stay, unused
+    std::vector<Piece> pieces_;                                   // pieces of replaced centerlines stay, unused
     std::vector<std::pair<std::size_t, std::size_t>> of_segment_; // its pieces: first and one past the last
     SegmentGrid grid_;
 };

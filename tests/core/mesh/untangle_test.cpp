@@ -184,16 +184,16 @@ TEST_CASE("triangles that meet are found wherever many lie side by side") {
     const mesh::TriangleBoxes boxes(plates.positions, plates.triangles);
     const std::vector<mesh::Compared> all(plates.triangles.size(), mesh::Compared::kWithAll);
     Job job;
-    const mesh::MeetingTriangles found = mesh::meeting_triangles(boxes, all, {}, job);
+    const mesh::IntersectingTriangles found = mesh::intersecting_triangles(boxes, all, {}, job);
     CHECK(found.pairs == met);
     CHECK(found.count == met.size());
-    const mesh::MeetingTriangles many = mesh::meeting_triangles(boxes, all, {3, 400}, job);
+    const mesh::IntersectingTriangles many = mesh::intersecting_triangles(boxes, all, {3, 400}, job);
     CHECK(many.pairs.empty()); // more than are to be listed
     CHECK(many.count == met.size());
     CHECK(many.looked_at_all);
-    CHECK(!mesh::meeting_triangles(boxes, all, {3, 1}, job).looked_at_all);
+    CHECK(!mesh::intersecting_triangles(boxes, all, {3, 1}, job).looked_at_all);
     job.cancel();
-    CHECK(!mesh::meeting_triangles(boxes, all, {}, job).looked_at_all);
+    CHECK(!mesh::intersecting_triangles(boxes, all, {}, job).looked_at_all);
 }
 
 TEST_CASE("triangles that are compared apart meet those alone that are compared and share no corner with them") {
@@ -212,9 +212,9 @@ TEST_CASE("triangles that are compared apart meet those alone that are compared 
     const mesh::TriangleBoxes boxes(two.positions, two.triangles);
     const auto pairs_of = [&](std::span<const mesh::Compared> compared) {
         Job job;
-        return mesh::meeting_triangles(boxes, compared, {}, job).pairs;
+        return mesh::intersecting_triangles(boxes, compared, {}, job).pairs;
     };
-    std::vector<mesh::Compared> compared(two.triangles.size(), mesh::Compared::kApart);
+    std::vector<mesh::Compared> compared(two.triangles.size(), mesh::Compared::kNotAdjacent);
     CHECK(pairs_of(compared) == beside);
     const std::uint32_t one = met.front().first;
     std::ranges::copy_if(met, std::back_inserter(of_some),
@@ -222,7 +222,7 @@ TEST_CASE("triangles that are compared apart meet those alone that are compared 
     compared[one] = mesh::Compared::kWithAll;
     CHECK(pairs_of(compared) == of_some);
     std::ranges::fill(compared, mesh::Compared::kNot);
-    compared[one] = mesh::Compared::kApart;
+    compared[one] = mesh::Compared::kNotAdjacent;
     CHECK(pairs_of(compared).empty());
 }
 
@@ -237,15 +237,15 @@ TEST_CASE("pairs whose surroundings have a triangle in common are one place, and
     drag(mesh, static_cast<std::size_t>(other - mesh.triangles.begin()), 0.6F);
     Job job;
     const mesh::TriangleBoxes boxes(mesh.positions, mesh.triangles);
-    const auto pairs = mesh::meeting_triangles(
+    const auto pairs = mesh::intersecting_triangles(
                            boxes, std::vector<mesh::Compared>(mesh.triangles.size(), mesh::Compared::kWithAll), {}, job)
                            .pairs;
     REQUIRE(pairs.size() > of_one);
-    const auto places = mesh::meeting_places(mesh, boxes, pairs);
+    const auto places = mesh::intersection_places(mesh, boxes, pairs);
     REQUIRE(places.size() == 2);
     std::set<std::uint32_t> triangles;
     std::size_t count = 0, in_all = 0;
-    for (const mesh::MeetingPlace& place : places) {
+    for (const mesh::IntersectionPlace& place : places) {
         CHECK(place.triangles.size() > place.pairs.size());
         const mesh::Patch patch = mesh::patch_around(mesh, place);
         CHECK(patch.triangles.size() == place.triangles.size());

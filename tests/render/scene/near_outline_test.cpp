@@ -1,5 +1,5 @@
 // Outlines and creases of vessels near the eye, held against those of the field that they are the surface of.
-#include "core/field/drawn_surface.h"
+#include "core/field/surface_projector.h"
 #include "core/mesh/surface.h"
 #include "render/renderer/view_setup.h"
 #include "render/scene/near_surface.h"
@@ -31,7 +31,7 @@ PagedMesh drawn_mesh(const tree::VesselTree& tree) {
     auto made = mesh::make_surface(tree, options, job);
     REQUIRE(made);
     PagedMesh mesh(made->mesh, glm::dvec3(0.0));
-    mesh.set_drawn(made->drawn);
+    mesh.set_projector(made->projector);
     return mesh;
 }
 

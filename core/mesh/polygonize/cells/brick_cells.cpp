@@ -76,20 +76,19 @@ field::LatticeAxes lattice_axes(const Lattice& lattice, const Brick& brick) {
 
 namespace {
 
-// Asks for the lines of memory that a value lies in.
+// Prefetches the cache lines of a value.
 template <class T> void fetch_ahead(const T& value) {
     constexpr std::size_t kLine = 64;
     const auto* const begin = reinterpret_cast<const std::byte*>(&value);
     for (std::size_t at = 0; at < sizeof(T); at += kLine) __builtin_prefetch(begin + at);
 }
 
-// Where subtrees' vertices wait until their indices in the mesh are known: blocks that go back to the system as a
-// whole. One for each thread.
+// Blocks of vertices of one thread. Vertices stay in blocks until their indices in the mesh are known.
 class VertexBlocks {
 public:
     explicit VertexBlocks(SurfaceCells& surface) : surface_(surface) {}
 
-    // This thread's block, with capacity for what most subtrees make; it grows for the others.
+    // The current block, with capacity for most subtrees; it grows for others.
     SurfaceVertices& block() {
         SurfaceVertices*& block = current_.local();
         if (block == nullptr || block->positions.size() - block->count < kReserve) {
@@ -146,7 +145,7 @@ bool reaches_beyond(const Octree& octree, const SurfaceCells& surface, std::uint
             if (kind == Neighbour::kAbsent) continue; // the surface does not touch it
             const glm::ivec3 step(d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1);
             if (kind == Neighbour::kFiner) {
-                // Whose these are is not noted: any beyond the subtree may have changed.
+                // The subtree beyond is not known here, so any change beyond counts.
                 const glm::ivec3 low = brick.corner + step * brick_units(brick.level) - t.corner;
                 const int size = brick_units(t.level);
                 const bool within =
@@ -190,7 +189,7 @@ void fill_subtrees(const field::Field& field, const Octree& octree, std::span<co
         made.first_vertex = vertices.count;
         sampler.begin(octree, subtree.first_brick, subtree.brick_count, vertices);
         std::vector<std::uint32_t> parted;
-        // Backwards, so that a brick finds its upper neighbours' samples there.
+        // Backward, so that the samples of a brick's upper neighbours are already known.
         for (std::uint32_t n = subtree.brick_count; n-- > 0;) {
             const std::uint32_t index = subtree.first_brick + n;
             if (n > 0) {
@@ -207,7 +206,7 @@ void fill_subtrees(const field::Field& field, const Octree& octree, std::span<co
         surface.subtrees[subtrees[t]] = std::move(made);
         job.report(static_cast<float>(++done) / static_cast<float>(subtrees.size()));
     };
-    // One at a time: those with contacts take many times as long as others, and often follow each other.
+    // Grain size 1: subtrees with contacts take many times as long as others, and are often consecutive.
     tbb::parallel_for(std::size_t{0}, subtrees.size(), fill, tbb::simple_partitioner());
 }
 

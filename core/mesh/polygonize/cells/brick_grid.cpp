@@ -8,7 +8,7 @@ namespace ramus::mesh::bricks {
 
 namespace {
 
-// Of 4 x 4 x 4 bits, x + 4 y + 16 z, those with x = 0 as y + 4 z, and those with y = 0 as x + 4 z.
+// Extracts bits of 4 x 4 x 4 bits, x + 4 y + 16 z: those with x = 0 as y + 4 z, and those with y = 0 as x + 4 z.
 constexpr unsigned every_fourth(std::uint64_t b) {
     b &= 0x1111111111111111U;
     b = (b | b >> 3) & 0x0303030303030303U;
@@ -68,8 +68,8 @@ BrickGrid::UpperPart BrickGrid::upper_part(int x, int y, int z) const {
     return part;
 }
 
-// The points on the upper sides: groups 4 to 6. Sampled where nobody has done so yet, unless their side of the surface
-// is known and nothing next to them lies on the other.
+// The points on the upper sides: groups 4 to 6. Samples a group unless its values are known, or its side of the surface
+// is known and all adjacent points are on the same side.
 void BrickGrid::add_upper_sides(field::BrickField& field, SampleCounts& counts) {
     const std::uint64_t own = own_[index_].inside;
     unsigned requested = 0;

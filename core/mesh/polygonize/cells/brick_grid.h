@@ -1,7 +1,7 @@
-// BrickGrid: the field at the 5 x 5 x 5 grid points of one brick after another. Those below a brick's upper sides are
-// its own, the others its upper neighbours'. The bricks of a subtree come from the last to the first, so that most of
-// the neighbours' points are there already; of a neighbour that is free of surface it is known on which side of the
-// surface all points lie. What neither gives is sampled.
+// BrickGrid: the field at the 5 x 5 x 5 grid points of one brick after another. A brick owns the points below its upper
+// sides; its upper neighbours own the others. Bricks of a subtree are processed from the last to the first, so that
+// most points of upper neighbours are already sampled. For an absent neighbour the side of the surface is known. Only
+// the remaining points are sampled.
 #pragma once
 
 #include "core/field/field.h"
@@ -14,13 +14,13 @@ namespace ramus::mesh::bricks {
 
 class BrickGrid {
 public:
-    // A subtree's bricks come next, the last first.
+    // Begins a subtree. sample() must then be called for its bricks from the last to the first.
     void begin(std::uint32_t first_brick, std::uint32_t brick_count);
-    // `field` is in the brick.
+    // `field` must have entered the brick.
     void sample(std::uint32_t brick, const Neighbourhood& neighbours, field::BrickField& field, SampleCounts& counts);
 
     [[nodiscard]] GridBits inside() const { return inside_; } // at or above the isovalue
-    // Puts the values in the order of values(), which few bricks need.
+    // Computes values(), which few bricks need.
     void assemble_values();
     [[nodiscard]] const field::GridValues& values() const { return values_; }
 
@@ -30,11 +30,11 @@ private:
         std::array<float, kCellsPerBrick> value;
         std::uint64_t inside;
     };
-    // A part of the grid beyond the brick's own points: what is known of it before sampling.
+    // A part of the grid beyond the brick's own points, and the knowledge of it before sampling.
     struct UpperPart {
-        const OwnSamples* neighbour = nullptr; // whose own points these are, if they are there already
-        bool known = false;                    // all on one side of the surface
-        bool full = false;                     // that side is the inside
+        const OwnSamples* neighbour = nullptr; // samples of the brick that owns the points, if known
+        bool known = false;                    // all points are on one side of the surface
+        bool full = false;                     // this side is the inside
     };
     [[nodiscard]] UpperPart upper_part(int x, int y, int z) const;
 
@@ -44,12 +44,12 @@ private:
     void assemble_bits();
 
     std::uint32_t first_brick_ = 0, brick_count_ = 0; // of the subtree
-    LargeArray<OwnSamples> own_; // by brick of the subtree; those from the present one on are filled
+    LargeArray<OwnSamples> own_;                      // by brick of the subtree; valid from the current brick on
 
-    // Of the brick.
+    // State of the brick.
     std::uint32_t index_ = 0; // in the subtree
     const Neighbourhood* neighbours_ = nullptr;
-    field::GridGroups samples_{}; // by group, wherever they come from
+    field::GridGroups samples_{}; // by group
     GridBits inside_ = 0;
     field::GridValues values_{};
 };

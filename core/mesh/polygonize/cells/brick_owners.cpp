@@ -31,7 +31,7 @@ void BrickOwners::find(field::BrickField& field, const field::LatticeAxes& latti
     if (any_apart_) find_walls(inside, hanging);
 }
 
-// Numbers the pieces once: many points of many cells are asked whether they are apart.
+// Numbers the pieces and fills in the matrix once, since it is looked up for many points of many cells.
 void BrickOwners::find_pieces(const field::BrickField& field) {
     piece_.fill(0);
     pieces_.assign(1, -1);

@@ -1,5 +1,5 @@
-// BrickOwners: whose the points inside the surface are, in a brick in which vessels are kept apart, and where walls
-// between them go through edges of its grid.
+// BrickOwners: the owners of the points inside the surface, in a brick in which vessels are kept apart, and the edges
+// of its grid that walls pass through (core/field/separation/README.md).
 #pragma once
 
 #include "core/field/brick_field.h"
@@ -21,31 +21,33 @@ public:
     static constexpr int kFineSide = 2 * kBrickCells + 1;
     static constexpr int fine_index(int x, int y, int z) { return x + kFineSide * (y + kFineSide * z); }
 
-    // `field` is in the brick; `hanging`: points of the lattice that are inside, besides those of the grid.
+    // Finds the owners of the brick that `field` has entered. `hanging`: further points inside the surface.
     void find(field::BrickField& field, const field::LatticeAxes& lattice, GridBits inside,
               std::span<const field::LatticePoint> hanging, SampleCounts& counts);
 
-    [[nodiscard]] const std::array<GridBits, 3>& walls() const { return walls_; } // by axis, first points of the edges
+    [[nodiscard]] const std::array<GridBits, 3>& walls() const { return walls_; } // by axis: first points of edges
     [[nodiscard]] bool any_walls() const { return walls_[0] != 0 || walls_[1] != 0 || walls_[2] != 0 || hanging_ != 0; }
-    // Cells with walls on their edges, one bit each; those too that have them on a half of an edge only.
+    // One bit per cell: whether a wall passes through one of its edges, or through half of one.
     [[nodiscard]] std::uint64_t cells() const { return cells_; }
 
     [[nodiscard]] field::Owner at(int x, int y, int z) const { // in half cells
         return owner_[static_cast<std::size_t>(fine_index(x, y, z))];
     }
-    // Which points of a cell belong to vessels that are apart. Whether any do; else nothing is written.
+    // Finds the points of a cell that belong to vessels that are apart. Returns whether there are any; if not, `apart`
+    // is not written.
     [[nodiscard]] bool find_apart(glm::ivec3 cell, ApartPoints& apart) const;
-    // Those that are apart from a vessel, bits of CellShape::inside: all where nobody is said to be the owner.
+    // The points of a cell that are apart from the vessel of `owner`, as bits of CellShape::inside; all points for
+    // kNoOwner.
     [[nodiscard]] std::uint32_t apart_from(const field::BrickField& field, glm::ivec3 cell, field::Owner owner) const;
-    // Whose the loop through a crossing of a cell is.
+    // The owner of the loop through a crossing of a cell.
     [[nodiscard]] field::Owner of_crossing(glm::ivec3 cell, int crossing) const;
 
 private:
-    // Pieces that own some of the points, by numbers of their own; 0: none that is apart from anything.
+    // A local number of a piece that owns some of the points; 0: a piece that is not kept apart from anything.
     using Piece = std::uint16_t;
     struct CellPieces {
         std::array<Piece, 27> piece{};
-        std::array<std::uint32_t, 27> points{}; // of each, bits of CellShape::inside
+        std::array<std::uint32_t, 27> points{}; // by piece: its points, as bits of CellShape::inside
         std::size_t count = 0;
     };
     void find_pieces(const field::BrickField& field);
@@ -58,8 +60,8 @@ private:
 
     std::array<field::Owner, kFineSide * kFineSide * kFineSide> owner_{};
     std::array<Piece, kFineSide * kFineSide * kFineSide> piece_{};
-    std::vector<int> pieces_;         // by their numbers here, those of the field
-    std::vector<std::uint8_t> apart_; // of two of them, row by row
+    std::vector<int> pieces_;         // by local number: the piece of the field
+    std::vector<std::uint8_t> apart_; // matrix over local numbers
     bool any_apart_ = false;
     std::array<GridBits, 3> walls_{};
     std::uint64_t cells_ = 0, hanging_ = 0;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kSharedReach = 0.3F; // about its first guess, where a cell has several vertices
 
-// Of each cell the grid point that is its low corner.
+// The grid point at the low corner of each cell.
 constexpr std::array<std::uint8_t, kCellsPerBrick> kLowCorners = [] {
     std::array<std::uint8_t, kCellsPerBrick> corners{};
     for (unsigned cell = 0; cell < kCellsPerBrick; ++cell)
@@ -101,8 +101,8 @@ void BrickSampler::sample_hanging(SubtreeCells& subtree) {
         const int z = points_[n].k / 2;
         fine_values_[static_cast<std::size_t>(fine_index(x, y, z))] = point_values_[n];
         if (point_values_[n] >= isovalue_) hanging_inside_.push_back(points_[n]);
-        // The corner below a hanging corner belongs to all cells that touch it: where the two differ, a cell whose
-        // corners agree is crossed nevertheless.
+        // The grid point below a hanging corner belongs to all cells that touch the hanging corner. If their signs
+        // differ, these cells are crossed even if all of their own corners have one sign.
         const bool corner_inside = (grid_.inside() >> (x / 2 + 5 * (y / 2) + 25 * (z / 2)) & 1) != 0;
         if ((point_values_[n] >= isovalue_) != corner_inside) half_crossed_ |= cells_touching(x, y, z);
     }
@@ -114,7 +114,7 @@ void BrickSampler::find_owners(SubtreeCells& subtree) {
     apart_points_.clear();
 }
 
-// Guesses the vertices of plain cells and traces the others, as far as that goes without their faces' centres.
+// Guesses the vertices of plain cells, and traces the loops of other cells as far as possible without face centres.
 void BrickSampler::sort_cells(BrickCells& cells) {
     const GridBits inside = grid_.inside();
     const std::uint32_t finer = neighbours_->finer;
@@ -127,7 +127,7 @@ void BrickSampler::sort_cells(BrickCells& cells) {
     std::uint64_t crossed = half_crossed_ | walled;
     for (unsigned row = 0; row < 16; ++row)
         crossed |= static_cast<std::uint64_t>((some & ~all) >> kLowCorners[4 * row] & 15U) << (4 * row);
-    // Eight bytes from the one with a cell's low corner on hold all its corners.
+    // The eight bytes that begin with a cell's low corner contain all of its corners.
     std::array<std::uint8_t, sizeof(inside) + sizeof(std::uint64_t)> bytes;
     std::memcpy(bytes.data(), &inside, sizeof(inside));
     traced_.clear();
@@ -182,7 +182,7 @@ void BrickSampler::trace(int cell, unsigned corner_signs, std::uint32_t finer) {
         for (int n = 0; n < 27; ++n) {
             const glm::ivec3 at(n % 3, n / 3 % 3, n / 9);
             if (((at.x | at.y | at.z) & 1) == 0) continue;
-            // Points that are no hanging corners hold stale values and are not looked at.
+            // Points that are no hanging corners have stale values, which are not used.
             const float value =
                 fine_values_[static_cast<std::size_t>(fine_index(low.x + at.x, low.y + at.y, low.z + at.z))];
             traced.shape.inside |= static_cast<std::uint32_t>(value >= isovalue_ ? 1 : 0) << n;
@@ -219,7 +219,7 @@ void BrickSampler::decide_face_centres(SubtreeCells& subtree) {
     }
 }
 
-// Whose the centres are that are inside, and what is apart from them.
+// Finds the owners of face centres that are inside, and the points that are apart from them.
 void BrickSampler::find_centres_vessels(TracedCell& traced, SubtreeCells& subtree) {
     FaceCentres& centres = traced.centres;
     for (std::uint32_t left = centres.inside & centres.walled; left != 0; left &= left - 1) {
@@ -231,7 +231,7 @@ void BrickSampler::find_centres_vessels(TracedCell& traced, SubtreeCells& subtre
     }
 }
 
-// Beside contacts vertices stay in their cells, so that they do not reach into cells with walls.
+// Near contacts vertices stay within their cells, so that they do not enter cells with walls.
 void BrickSampler::keep_within(field::OwnedGuess& vertex, glm::ivec3 cell) const {
     constexpr float kOff = 0.01F; // of a cell, its boundary
     vertex.lower = (glm::vec3(cell) + kOff) * cell_mm_;
@@ -246,22 +246,22 @@ void BrickSampler::add_vertex(glm::vec3 guess, glm::ivec3 cell, bool alone, cons
         owned_.back().guess = static_cast<std::uint32_t>(guesses_.size());
         if (free) keep_within(owned_.back(), cell);
     }
-    // Where a cell has several vertices, each keeps to the neighbourhood of its own crossings: in one common box two of
-    // them could end up at the same corner.
+    // Each of several vertices of a cell stays near its own crossings: in a common box two vertices could be clamped to
+    // the same corner.
     if (alone)
         guesses_.add(guess, centre, kVertexReach * cell_mm_);
     else
         guesses_.add(guess, guess, kSharedReach * cell_mm_);
 }
 
-// At a point in half cells: a corner of a cell or a hanging one.
+// The value at a corner or hanging corner, given in half cells.
 float BrickSampler::value_at(glm::ivec3 fine) const {
     const bool is_corner = ((fine.x | fine.y | fine.z) & 1) == 0;
     return is_corner ? grid_.values()[static_cast<std::size_t>(fine.x / 2 + 5 * (fine.y / 2) + 25 * (fine.z / 2))]
                      : fine_values_[static_cast<std::size_t>(fine_index(fine.x, fine.y, fine.z))];
 }
 
-// How far along its edge a crossing is.
+// The share of its edge at which a crossing lies.
 float BrickSampler::crossing_share(glm::ivec3 cell, int crossing) {
     const auto [a, b] = ends_of_edge(crossing);
     const float from = value_at(2 * cell + a / 2);
@@ -271,7 +271,7 @@ float BrickSampler::crossing_share(glm::ivec3 cell, int crossing) {
     return walled ? 0.5F : std::clamp(field_->crossing(from, to), kCrossingMargin, 1.0F - kCrossingMargin);
 }
 
-// Where the surface goes through a crossing, in cells within the brick.
+// The position of a crossing, in cells of the brick.
 glm::vec3 BrickSampler::crossing(glm::ivec3 cell, int crossing) {
     const auto [a, b] = ends_of_edge(crossing);
     return glm::vec3(cell) + 0.25F * (glm::vec3(a) + crossing_share(cell, crossing) * glm::vec3(b - a));
@@ -309,7 +309,7 @@ void BrickSampler::add_recorded_vertices(const TracedCell& traced, SubtreeCells&
     record.arcs_count = static_cast<std::uint32_t>(subtree.arc_vertices.size()) - record.arcs_begin;
 }
 
-// Of a cell the faces that are parts of coarser cells', a bit each; x-, x+, y-, ...
+// One bit per face of a cell (x-, x+, y-, ...): whether it is a part of a face of a coarser cell.
 std::uint8_t BrickSampler::coarser_faces(const glm::ivec3& cell) const {
     unsigned faces = 0;
     for (int face = 0; face < 6 && neighbours_->coarser != 0; ++face) {

@@ -1,6 +1,6 @@
-// BrickSampler: the work on one brick. It samples the field at the brick's grid points (BrickGrid), and where finer
-// bricks touch it at their corners too; then it finds the cells' loops and places a vertex for each. Holds scratch
-// memory only: one per thread, reused from brick to brick.
+// BrickSampler: processes one brick after another. It samples the field at the grid points (BrickGrid) and at hanging
+// corners where finer bricks touch the brick, traces the loops of the cells, and places a vertex for each loop. It
+// contains only scratch memory; each thread reuses one object.
 #pragma once
 
 #include "core/field/field.h"
@@ -17,18 +17,18 @@ public:
     // The field must outlive it.
     explicit BrickSampler(const field::Field& field) : field_(field.in_brick()), isovalue_(field.isovalue()) {}
 
-    // Bricks come next that follow each other in a subtree.
+    // Begins a run of consecutive bricks of a subtree.
     void begin(const Octree& octree, std::uint32_t first_brick, std::uint32_t brick_count, SurfaceVertices& vertices);
-    // From the last of these bricks to the first. Appends their vertices to what begin() was given; leaves the
-    // indices in `cells` relative to where that ended then.
+    // Processes one brick; call it for the bricks from the last to the first. Appends vertices to the `vertices` of
+    // begin(). The indices in `cells` are relative to their number at begin().
     void fill(std::uint32_t index, const Neighbourhood& neighbours, BrickCells& cells, SubtreeCells& subtree);
-    // Whether vessels are kept apart in the brick filled last.
+    // Whether vessels are kept apart in the brick processed last.
     [[nodiscard]] bool parts_vessels() const { return field_->parts_vessels(); }
-    // Whether walls between them run through cells of it.
+    // Whether walls pass through its cells.
     [[nodiscard]] bool has_walled_cells() const { return has_walled_cells_; }
 
 private:
-    // Of the brick's points at half-cell spacing only those that are hanging corners are sampled.
+    // The brick's points at half-cell spacing. Only hanging corners among them are sampled.
     static constexpr int kFineSide = BrickOwners::kFineSide;
     static constexpr int fine_index(int x, int y, int z) { return BrickOwners::fine_index(x, y, z); }
 
@@ -39,8 +39,8 @@ private:
         CellLoops loops;
         FaceCentres centres;
         std::size_t first_centre; // in points_
-        int apart;                // in apart_points_ where it is walled, or -1
-        bool walled;              // some of its points are apart
+        int apart;                // index into apart_points_, or -1
+        bool walled;              // whether some of its points are apart
     };
 
     void prepare_lattice();
@@ -68,12 +68,12 @@ private:
     float isovalue_;
     BrickGrid grid_;
 
-    // Of the subtree.
+    // State of the subtree.
     const Octree* octree_ = nullptr;
-    SurfaceVertices* vertices_ = nullptr; // to which the subtree's are appended
+    SurfaceVertices* vertices_ = nullptr; // receives the subtree's vertices
     std::size_t first_vertex_ = 0;        // of the subtree
 
-    // Of the brick.
+    // State of the brick.
     const Brick* brick_ = nullptr;
     const Neighbourhood* neighbours_ = nullptr;
     float cell_mm_ = 0.0F;
@@ -82,13 +82,13 @@ private:
     std::uint64_t half_crossed_ = 0; // cells at a hanging corner that differs from the cell's own
     field::GridValues depths_{};     // at the grid points
     std::array<float, kFineSide * kFineSide * kFineSide> fine_values_{}; // at hanging corners
-    std::array<std::uint8_t, 2 * kCellsPerBrick> plain_corners_{};       // of plain cells: low corners, grid points
+    std::array<std::uint8_t, 2 * kCellsPerBrick> plain_corners_{};       // low corners of plain cells, as grid points
     std::vector<TracedCell> traced_;
     std::vector<field::LatticePoint> points_;
     std::vector<float> point_values_;
     field::Projection guesses_;
 
-    // Where vessels are kept apart.
+    // Used only if vessels are kept apart.
     BrickOwners owners_;
     std::vector<field::LatticePoint> hanging_inside_;
     std::vector<ApartPoints> apart_points_; // of traced cells

@@ -31,7 +31,7 @@ int edge_between(const Point3& a, const Point3& b) {
 struct RingPoint {
     std::uint8_t bit, midpoint;
 };
-// A side of a whole face: one edge, or two where it is split.
+// A side of a whole face: one edge, or two halves.
 struct RingSide {
     std::uint8_t edge;
     RingPoint whole;
@@ -184,7 +184,7 @@ bool may_be_one(const Runs& runs, const ApartPoints& apart) {
     return false;
 }
 
-// The centre of a ring, which decides about it; true: it is inside.
+// Adds the centre of a ring to the list. Returns whether it is inside.
 bool ask_centre(FaceCentres& centres, const Ring& ring, bool walled) {
     const auto n = static_cast<std::size_t>(centres.count++);
     centres.centre[n] = ring.centre;
@@ -192,7 +192,7 @@ bool ask_centre(FaceCentres& centres, const Ring& ring, bool walled) {
     return (centres.inside >> n & 1U) != 0;
 }
 
-// Where points of a ring are apart: cuts every run off, but connects those that are the centre's.
+// Pairs the crossings of a ring with points that are apart: separates all runs, except those of the centre's owner.
 void add_arcs_of_runs(const Runs& runs, const Ring& ring, const ApartPoints& apart, FaceCentres& centres,
                       const Arc& kind, Arcs& arcs) {
     std::array<std::size_t, 8> joined{};
@@ -211,14 +211,15 @@ void add_arcs_of_runs(const Runs& runs, const Ring& ring, const ApartPoints& apa
     }
 }
 
-// Pairs up the crossings of one ring. With four or more the centre decides whether the inside or the outside is
-// connected across the face; what is apart is not connected.
+// Pairs the crossings of one ring. With four or more, the centre decides whether the inside or the outside is connected
+// across the face. Points that are apart are never connected.
 void add_arcs(const CellShape& shape, const Ring& ring, const ApartPoints* apart, FaceCentres& centres, Arcs& arcs) {
     const RingCrossings found = crossings_of(shape.inside, ring, apart);
     if (found.count == 0) return;
     const Arc kind{0, 0, ring.face, ring.whole && found.count > 2};
     if (found.any_apart) return add_arcs_of_runs(runs_of(found), ring, *apart, centres, kind, arcs);
-    // Cut off each outside run when the centre is inside (its first crossing leaves), each inside run otherwise.
+    // Separates each run outside if the centre is inside (the first crossing of such a run leaves the inside), and each
+    // run inside otherwise.
     const bool start_leaving = found.count > 2 ? ask_centre(centres, ring, false) : found.first_leaves;
     const std::size_t start = found.first_leaves == start_leaving ? 0 : 1;
     for (std::size_t n = 0; n < found.count; n += 2)
@@ -257,8 +258,8 @@ Arcs collect_arcs(const CellShape& shape, FaceCentres& centres, const ApartPoint
     return arcs;
 }
 
-// A wall through one edge alone, whose ends are apart while all around belongs to both, has two sides without anything
-// between: loops of its two crossings, which are no surface.
+// A wall through only one edge, whose ends are apart although all points around belong to both, has two coincident
+// sides: loops that consist of its two crossings, and are no surface.
 void drop_lenses(CellLoops& loops) {
     std::array<int, kMostLoops> crossings{}, walls{};
     for (int edge = 0; edge < kQuarterPoints; ++edge) {
@@ -329,7 +330,7 @@ CellLoops trace_loops(const CellShape& shape, FaceCentres& centres, const ApartP
     const auto& arcs = found.arc;
     const int arc_count = found.count;
 
-    // Every crossing lies on two minimal faces, so it ends two arcs.
+    // Every crossing lies on two minimal faces, so it is the end of two arcs.
     std::array<std::array<std::int8_t, 2>, kCrossings> ends;
     ends.fill({-1, -1});
     for (int n = 0; n < arc_count; ++n) {
@@ -371,7 +372,7 @@ CellLoops trace_loops(const CellShape& shape, FaceCentres& centres, const ApartP
     return loops;
 }
 
-// After kFaces, which it needs.
+// Must be initialised after kFaces.
 const std::array<bool, 256> kPlainCells = find_plain_cells();
 
 } // namespace ramus::mesh::bricks

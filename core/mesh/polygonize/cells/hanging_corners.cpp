@@ -11,7 +11,7 @@ constexpr std::uint32_t direction_bit(const int (&d)[3]) {
     return std::uint32_t{1} << direction_index(d[0], d[1], d[2]);
 }
 
-// Cells of a brick that touch the neighbour in each direction.
+// By direction: the cells of a brick that touch the neighbour.
 constexpr std::array<std::uint64_t, kDirections> make_touching_cells() {
     std::array<std::uint64_t, kDirections> touching{};
     for (int d = 0; d < kDirections; ++d) {
@@ -30,7 +30,7 @@ constexpr std::array<std::uint64_t, kDirections> make_touching_cells() {
 }
 constexpr std::array<std::uint64_t, kDirections> kTouchingCells = make_touching_cells();
 
-// For every face and edge of every cell the directions whose being finer splits it.
+// For every face and edge of every cell, the directions in which a finer neighbour divides it.
 struct Splitters {
     std::array<std::uint32_t, 6> faces{};
     std::array<std::uint32_t, 12> edges{};
@@ -63,8 +63,8 @@ constexpr std::array<Splitters, kCellsPerBrick> make_splitters() {
 }
 constexpr std::array<Splitters, kCellsPerBrick> kSplitters = make_splitters();
 
-// The inside of a face or an edge of the brick: its possible hanging corners, and the directions whose being finer
-// makes them real.
+// The interior of a face or an edge of the brick: its possible hanging corners, and the directions in which a finer
+// neighbour makes them hanging corners.
 struct Region {
     std::uint32_t directions = 0;
     std::vector<field::LatticePoint> points;

@@ -15,7 +15,7 @@ public:
     BrickLoops(std::span<const LoopPlace> left_out, BrickCells& cells, SubtreeCells& made, std::size_t vertex_count)
         : left_out_(left_out), cells_(cells), made_(made), new_vertex_(vertex_count, 0) {}
 
-    // Where each vertex of the brick goes, or kLeftOut; cells and records name them so.
+    // The new index of each vertex of the brick, or kLeftOut.
     const std::vector<std::uint16_t>& work() {
         for (const LoopPlace& loop : left_out_) mark(loop);
         std::uint16_t next = 0;
@@ -80,7 +80,7 @@ void leave_out_loops(const Subtree& subtree, std::span<const LoopPlace> loops, C
     std::ranges::sort(sorted, {}, &LoopPlace::brick);
     std::size_t kept = made.first_vertex; // the end of what stays
     std::uint32_t gone = 0;
-    // Vertices stand in the order in which bricks were filled: backwards.
+    // Vertices are in the order in which bricks were filled: backward.
     std::uint32_t b = subtree.first_brick + subtree.brick_count;
     while (b > subtree.first_brick) {
         BrickCells& brick = cells[--b];

@@ -1,4 +1,4 @@
-// Takes loops of cells, and their vertices, out of a subtree that has just been filled.
+// Removes loops of cells, and their vertices, from a subtree that has just been filled.
 #pragma once
 
 #include "core/mesh/polygonize/cells/loop_walk.h"
@@ -7,7 +7,7 @@
 
 namespace ramus::mesh::bricks {
 
-// `loops`: of bricks of the subtree. `vertices` ends with the subtree's own.
+// `loops` must be in bricks of the subtree. The vertices of the subtree must be the last ones of `vertices`.
 void leave_out_loops(const Subtree& subtree, std::span<const LoopPlace> loops, ChunkedArray<BrickCells>& cells,
                      SubtreeCells& made, SurfaceVertices& vertices);
 

@@ -7,7 +7,7 @@ namespace ramus::mesh::bricks {
 
 namespace {
 
-constexpr std::size_t kMostPartLoops = 160; // more than fit into so few cells, but for cells of many loops
+constexpr std::size_t kMostPartLoops = 160; // a limit on the work; few cells rarely have so many loops
 constexpr std::size_t kMostSlitLoops = 320;
 
 constexpr std::uint64_t key_of(const LoopPlace& loop) {
@@ -84,7 +84,7 @@ std::vector<LoopEdge> LoopWalk::edges_of(const LoopPlace& loop) {
     return edges;
 }
 
-// The loop through an edge of the cell that has a unit.
+// The loop through an edge, in the cell that contains the cube `unit`.
 std::optional<LoopPlace> LoopWalk::loop_at(std::uint32_t brick, const glm::ivec3& unit, const LoopEdge& edge) {
     const Filled there = filled(brick);
     if (!there.cells->crossed) return std::nullopt;
@@ -129,7 +129,7 @@ bool LoopWalk::add(const LoopPlace& loop, Kind kind) {
     return true;
 }
 
-// Goes on through the subtree first: what is beyond has to be filled.
+// Visits the subtree first, since bricks beyond must be computed.
 const LoopWalk::Part* LoopWalk::part_of(const LoopPlace& loop, Kind kind) {
     part_ = {};
     beyond_edges_.clear();

@@ -1,5 +1,5 @@
-// LoopWalk: from one loop of a cell to all that are connected with it, across bricks of any size. Of bricks beyond the
-// subtree the loops are found once more, so that nothing depends on what is filled already.
+// LoopWalk: finds all loops that are connected with one loop of a cell, across bricks of any size. It computes the
+// loops of bricks beyond the subtree itself, so that the result does not depend on which subtrees are already filled.
 #pragma once
 
 #include "core/mesh/polygonize/cells/brick_cells.h"
@@ -24,16 +24,16 @@ struct LoopPlace {
     friend bool operator==(const LoopPlace&, const LoopPlace&) = default;
 };
 
-// Where loops meet: a minimal edge.
+// A crossed minimal edge, where the loops of the cells around it meet.
 struct LoopEdge {
     glm::ivec3 middle{0}; // lattice units
     int axis = 0;
-    int level = 0;      // of cells whose edges are as long
-    bool upper = false; // where a wall goes through it: the crossing of its upper end
+    int level = 0;      // of cells with edges of this length
+    bool upper = false; // if the edge has a wall: the crossing of its upper end
     friend bool operator==(const LoopEdge&, const LoopEdge&) = default;
 };
 
-// Of the four cubes of one lattice unit that touch an edge's middle, one: by its lower corner.
+// The n-th of the four cubes of one lattice unit that touch the middle of an edge, by its lower corner.
 inline glm::ivec3 unit_beside(const LoopEdge& edge, int n) {
     glm::ivec3 unit = edge.middle;
     unit[(edge.axis + 1) % 3] -= n & 1;
@@ -41,7 +41,7 @@ inline glm::ivec3 unit_beside(const LoopEdge& edge, int n) {
     return unit;
 }
 
-// A subtree as it was filled.
+// A subtree that has been filled.
 struct FilledSubtree {
     const Octree& octree;
     std::uint32_t index = 0;
@@ -57,31 +57,31 @@ class LoopWalk {
 public:
     // The field must outlive it.
     explicit LoopWalk(const field::Field& field) : field_(field) {}
-    // `in` outlives the stay.
+    // Begins a subtree. `in` must stay valid until the next call.
     void begin(const FilledSubtree& in);
 
-    // Parts of the surface that are closed by themselves and fit into a cube of so many of their smallest cells: any
-    // parts, of which each brick is the neighbour of each other one; those within the subtree; and slits, which are
-    // along walls alone.
+    // Kinds of small closed parts of the surface. A part must fit into a cube of kMostCells of its smallest cells (a
+    // slit: kMostSlitCells). kAny: a part whose bricks are all neighbours of each other. kWithin: a part within the
+    // subtree. kSlit: a part whose crossings are all at walls.
     enum class Kind : std::uint8_t { kAny, kWithin, kSlit };
     static constexpr int kMostCells = 4, kMostSlitCells = 8;
     struct Part {
         std::vector<LoopPlace> loops;
         std::vector<LoopEdge> edges;
-        bool parted = true;       // vessels are kept apart in every brick of it
-        bool within = true;       // it is within the subtree
-        float most_radius = 0.0F; // of its vertices, mm
+        bool parted = true;       // whether vessels are kept apart in all of its bricks
+        bool within = true;       // whether it is within the subtree
+        float most_radius = 0.0F; // the largest radius of its vertices, mm
         int most_level = 0;
     };
-    // The part that a loop belongs to; nothing where it is larger, or of another kind. Valid until the next call.
+    // The part that contains a loop; null if it is larger or of another kind. Valid until the next call.
     [[nodiscard]] const Part* part_of(const LoopPlace& loop, Kind kind);
-    // Whether part_of() looked at bricks beyond the subtree since it began; whether it may have at some that are not
-    // even beside it.
+    // Whether part_of() has visited bricks beyond the subtree since begin(); and whether it may have visited bricks
+    // that do not touch the subtree.
     [[nodiscard]] bool looked_beyond() const { return !beyond_.empty(); }
     [[nodiscard]] bool looked_far() const { return looked_far_; }
 
 private:
-    // What a brick of this subtree or another one holds.
+    // The data of a brick of this subtree or another one.
     struct Filled {
         const BrickCells* cells = nullptr;
         const SubtreeCells* made = nullptr;
@@ -96,18 +96,18 @@ private:
     };
     [[nodiscard]] Filled filled(std::uint32_t brick);
     [[nodiscard]] static bool is_along_walls(const Filled& there, const LoopPlace& loop);
-    [[nodiscard]] std::vector<LoopEdge> edges_of(const LoopPlace& loop); // that it goes through
+    [[nodiscard]] std::vector<LoopEdge> edges_of(const LoopPlace& loop);
     [[nodiscard]] std::optional<LoopPlace> loop_at(std::uint32_t brick, const glm::ivec3& unit, const LoopEdge& edge);
-    [[nodiscard]] bool add(const LoopPlace& loop, Kind kind); // false: the part is none of those
+    [[nodiscard]] bool add(const LoopPlace& loop, Kind kind); // false: the part is not of this kind
 
     const field::Field& field_;
-    std::unique_ptr<BrickSampler> sampler_; // where it is needed
+    std::unique_ptr<BrickSampler> sampler_; // allocated on first use
     const FilledSubtree* in_ = nullptr;
     std::unordered_map<std::uint32_t, std::unique_ptr<Beyond>> beyond_;
     bool looked_far_ = false;
-    std::array<std::unordered_set<std::uint64_t>, 3> others_; // by kind, loops of parts that are none
+    std::array<std::unordered_set<std::uint64_t>, 3> others_; // by kind: loops of parts that are not of this kind
     Part part_;
-    std::vector<LoopEdge> beyond_edges_; // that lead beyond the subtree
+    std::vector<LoopEdge> beyond_edges_; // edges that lead beyond the subtree
     glm::ivec3 low_{0}, high_{0};
     int least_level_ = 0;
 };

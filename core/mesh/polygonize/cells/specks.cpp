@@ -14,7 +14,7 @@ namespace {
 
 constexpr GridBits kAllPoints = (GridBits{1} << field::kGridPoints) - 1;
 
-// The points of a set, and those of `of` beside them without a wall between.
+// The points of a set, and the points of `of` that are adjacent to them without a wall between.
 GridBits grown(GridBits points, GridBits of, const std::array<GridBits, 3>& walls) {
     GridBits beside = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -31,15 +31,14 @@ Bounds<glm::ivec3> box_around(GridBits points) {
     return box;
 }
 
-// Whether no point of a set is far from any other one: kMostCells - 2 steps along every axis, as a speck fits into
-// kMostCells cells with those around it.
+// Whether a set of points extends over at most kMostCells - 2 steps along every axis: a speck with the cells around it
+// fits into kMostCells cells.
 bool is_small(GridBits points) {
     constexpr int kMost = LoopWalk::kMostCells - 2;
     return glm::all(glm::lessThanEqual(box_around(points).size(), glm::ivec3(kMost)));
 }
 
-// Those of some points that stand in rows of four along an axis without a wall between: of sets that are not small,
-// most of the points.
+// The points in rows of four along an axis without a wall between: most points of sets that are not small.
 GridBits in_long_rows(GridBits points, const std::array<GridBits, 3>& walls) {
     GridBits rows = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -51,13 +50,13 @@ GridBits in_long_rows(GridBits points, const std::array<GridBits, 3>& walls) {
     return rows;
 }
 
-// All of a set's points that are connected to some of them.
+// All points of `of` that are connected to `points`.
 GridBits connected(GridBits points, GridBits of, const std::array<GridBits, 3>& walls) {
     for (GridBits before = 0; before != points;) before = std::exchange(points, grown(points, of, walls));
     return points;
 }
 
-// Calls visit(points) for each connected set of the points given that is small.
+// Calls visit(points) for each small connected subset of `all`.
 template <class Visit> void for_small_parts(GridBits all, const std::array<GridBits, 3>& walls, const Visit& visit) {
     for (GridBits left = all & ~connected(in_long_rows(all, walls), all, walls); left != 0;) {
         const GridBits part = connected(left & -left, all, walls);
@@ -66,8 +65,7 @@ template <class Visit> void for_small_parts(GridBits all, const std::array<GridB
     }
 }
 
-// Whether a part of the surface encloses nothing but the gap of a wall: where one leaves it along one of the axes, a
-// vessel begins.
+// Whether a part of the surface encloses only the gap of a wall: the last crossing along an axis enters a vessel.
 bool is_slit(const LoopWalk::Part& part) {
     const int axis = part.edges.front().axis;
     const LoopEdge* last = nullptr;
@@ -79,7 +77,7 @@ bool is_slit(const LoopWalk::Part& part) {
     return last->upper;
 }
 
-// Whether all points of a line in a brick without walls are inside, or outside.
+// Whether all points of a line in a brick without walls have the sign `inside`.
 bool goes_on_among(const BrickCells& cells, const std::array<glm::ivec3, 4>& line, bool inside) {
     const GridBits bits = cells.grid_bits();
     return std::ranges::all_of(
@@ -88,10 +86,9 @@ bool goes_on_among(const BrickCells& cells, const std::array<glm::ivec3, 4>& lin
 
 } // namespace
 
-// Whether from one of some points on a brick's sides a straight line leads on through the next brick along connected
-// points, so far that what is around them is no speck. Most of what is small in a brick is cut off from a vessel beside
-// it, which is found so with less work than by its loops. Also where one may not look beyond the subtree, but would
-// have to.
+// A quick test that rules out a speck around `points`: whether a straight line of connected points continues from one
+// of them through the next brick. Most small sets in a brick are the end of a vessel in the next one. Also true if the
+// test would have to look beyond the subtree, and `may_look_beyond` is false.
 bool Specks::goes_on(const FilledSubtree& in, std::uint32_t brick, GridBits points, bool inside, bool may_look_beyond) {
     const Neighbourhood& around = in.neighbours[brick];
     for (GridBits left = points; left != 0; left &= left - 1) {
@@ -119,7 +116,7 @@ bool Specks::goes_on(const FilledSubtree& in, std::uint32_t brick, GridBits poin
     return false;
 }
 
-// Whether all points of a line in a brick are connected: inside, and of one vessel, or outside.
+// Whether all points of a line in a brick are connected: all outside, or all inside and of one vessel.
 bool Specks::goes_on_in(const Octree& octree, const Brick& brick, const std::array<glm::ivec3, 4>& line, bool inside) {
     std::array<field::LatticePoint, 4> points;
     std::array<float, 4> values;
@@ -137,7 +134,7 @@ bool Specks::goes_on_in(const Octree& octree, const Brick& brick, const std::arr
     return true;
 }
 
-// Loops through halves of edges alone are around points at which corners of finer cells hang.
+// Loops through half edges only go around hanging corners.
 void Specks::add_around_hanging_corners(const BrickCells& cells, const SubtreeCells& made, std::uint32_t brick) {
     for (std::uint64_t left = cells.recorded; left != 0; left &= left - 1) {
         const int cell = std::countr_zero(left);
@@ -157,7 +154,7 @@ void Specks::add_around_hanging_corners(const BrickCells& cells, const SubtreeCe
     }
 }
 
-// Whether an axis that reaches a brick goes through a box, in lattice units.
+// Whether the axis of a segment that reaches the brick passes through a box (lattice units).
 bool Specks::has_axis(const Octree& octree, std::uint32_t brick, const Bounds<glm::ivec3>& box) const {
     const Bounds<glm::dvec3> place{octree.lattice.position(box.least), octree.lattice.position(box.most)};
     return std::ranges::any_of(octree.segments_of(octree.bricks[brick]), [&](std::uint32_t n) {
@@ -167,8 +164,8 @@ bool Specks::has_axis(const Octree& octree, std::uint32_t brick, const Bounds<gl
     });
 }
 
-// Loops that cross an edge for both of its ends, as those of walls do that end there; and those along walls alone: of a
-// slit each brick knows that has a part of it.
+// Adds loops with both crossings of an edge, where a wall ends, and loops along walls only. So every brick that
+// contains a part of a slit has a candidate for it.
 void Specks::add_along_walls(const BrickCells& cells, const SubtreeCells& made, std::uint32_t brick) {
     for (std::uint64_t left = cells.recorded; left != 0; left &= left - 1) {
         const int cell = std::countr_zero(left);
@@ -183,8 +180,7 @@ void Specks::add_along_walls(const BrickCells& cells, const SubtreeCells& made, 
     }
 }
 
-// A speck is around points inside that are connected to no others, or around such points outside; or it is that of a
-// wall which ends on all sides.
+// A speck encloses a small connected set of points inside or outside, or is a slit: a wall that ends on all sides.
 void Specks::list_candidates(const FilledSubtree& in, std::uint32_t brick, bool parted) {
     const BrickCells& cells = in.cells[brick];
     const SubtreeCells& made = in.made;
@@ -211,7 +207,7 @@ void Specks::list_candidates(const FilledSubtree& in, std::uint32_t brick, bool 
         for (; touching != 0; touching &= touching - 1) add_all_of(std::countr_zero(touching));
     };
     static constexpr std::array<GridBits, 3> kNone{};
-    // Of a vessel without others beside it, which may be thin, nothing is left out.
+    // A thin vessel away from others may be small, and is kept.
     const auto is_vessel = [&](GridBits points) {
         const Brick& at = in.octree.bricks[brick];
         const Bounds<glm::ivec3> box = box_around(points);
@@ -241,8 +237,8 @@ bool Specks::is_speck(const Octree& octree, const LoopWalk::Part& part, LoopWalk
     return std::ranges::none_of(part.loops, [&](const LoopPlace& loop) { return has_axis(octree, loop.brick, box); });
 }
 
-// All subtrees that have a part of a speck leave it out, or none does: those bricks that keep nothing apart do not look
-// beyond their subtree.
+// Either all subtrees with a part of a speck remove it, or none does, since bricks that keep no vessels apart do not
+// look beyond their subtree.
 void Specks::find(const FilledSubtree& in) {
     loops_.clear(), edges_.clear();
     walk_.begin(in);
@@ -262,7 +258,7 @@ void Specks::find(const FilledSubtree& in) {
     }
 }
 
-// Every brick that has an edge knows of it, also where none of its own cells has a loop there.
+// Marks the edges of specks in every brick that contains them, even if none of its cells has a loop there.
 void Specks::mark_edges(const Octree& octree, std::uint32_t subtree, ChunkedArray<BrickCells>& cells,
                         SubtreeCells& made) const {
     for (const LoopEdge& edge : edges_)

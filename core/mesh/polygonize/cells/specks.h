@@ -1,10 +1,13 @@
-// Specks: parts of the surface of a few cells that are closed by themselves and are no vessel's. Beside a wall the
-// region of a vessel may end in a ridge thinner than a cell; where its edge runs past a grid point, or a wall past a
-// single edge, this would become a piece of surface of its own, or a hole in the inside. Where vessels come close to
-// each other beside a joint, the sum may rise above the isovalue, or fall below it, around a single grid point. They
-// are left out: what encloses the outside, what no axis goes through, and, where vessels are kept apart in every brick
-// that it is in, what is too small for the vessel that it is part of. Where some brick of it keeps none apart, only
-// what is within one subtree, so that each depends on itself alone.
+// Specks: finds and removes small closed parts of the surface, of a few cells, that belong to no vessel.
+//
+// Specks have two causes. Next to a wall, the region of a vessel may end in a ridge thinner than a cell. If the ridge
+// passes a grid point, or the wall passes a single edge, a separate piece of surface or a cavity arises. Where vessels
+// come close to each other near a joint, the sum may rise above the isovalue, or fall below it, around a single grid
+// point.
+//
+// A small closed part is a speck if it encloses the outside (a cavity), if no axis passes through it, or if it is too
+// small for its vessel and vessels are kept apart in all of its bricks. If some of its bricks keep no vessels apart, it
+// is removed only if it lies within one subtree, so that such subtrees do not depend on each other.
 #pragma once
 
 #include "core/base/bounds.h"
@@ -23,8 +26,8 @@ public:
     explicit Specks(const field::Field& field)
         : skeleton_(field.skeleton()), beyond_(field.in_brick()), isovalue_(field.isovalue()), walk_(field) {}
 
-    // Takes the specks of a subtree away, which has just been filled: `vertices` ends with its own. `parted`: bricks of
-    // it in which vessels are kept apart, descending.
+    // Removes the specks of a subtree that has just been filled. The subtree's vertices must be the last ones of
+    // `vertices`. `parted`: the bricks of the subtree in which vessels are kept apart, descending.
     void leave_out(const Octree& octree, std::uint32_t subtree, const ChunkedArray<Neighbourhood>& neighbours,
                    std::span<const std::uint32_t> parted, ChunkedArray<BrickCells>& cells, SubtreeCells& made,
                    SurfaceVertices& vertices);
@@ -44,7 +47,7 @@ private:
                     SubtreeCells& made) const;
 
     const field::Skeleton& skeleton_;
-    std::unique_ptr<field::BrickField> beyond_; // in bricks beyond the subtree
+    std::unique_ptr<field::BrickField> beyond_; // for bricks beyond the subtree
     float isovalue_;
     bool looked_beyond_ = false;
     LoopWalk walk_;
@@ -52,9 +55,9 @@ private:
         LoopPlace loop;
         LoopWalk::Kind kind = LoopWalk::Kind::kAny;
     };
-    std::vector<Candidate> candidates_; // of a brick: one loop or more of all specks that it may have
-    std::vector<LoopPlace> loops_;      // of specks, in the subtree's bricks or beyond
-    std::vector<LoopEdge> edges_;       // of them
+    std::vector<Candidate> candidates_; // of a brick: at least one loop of each speck that it may have
+    std::vector<LoopPlace> loops_;      // the loops of specks, in the subtree's bricks or beyond
+    std::vector<LoopEdge> edges_;       // the edges of specks
 };
 
 } // namespace ramus::mesh::bricks

@@ -17,13 +17,13 @@ using V = hn::Vec<D>;
 using VI = hn::Vec<DI>;
 using M = hn::Mask<D>;
 
-// What is summed up over the crossed edges of a cell.
+// Sums over the crossed edges of a cell.
 struct Sums {
     std::array<V, 3> at;
     V count;
 };
 
-// The crossing of the edge along `Axis` on side Side (u + 2 v on the other two axes), where there is one.
+// Adds the crossing of the edge along `Axis` at `Side` (u + 2 v on the other two axes), if there is one.
 template <int Axis, int Side>
 HWY_INLINE void add_crossing(D d, const std::array<V, 8>& depth, const std::array<M, 8>& outside, Sums& sums) {
     constexpr int kU = (Axis + 1) % 3;
@@ -49,7 +49,7 @@ HWY_INLINE void add_crossings(D d, const std::array<V, 8>& depth, const std::arr
     add_crossing<Axis, 3>(d, depth, outside, sums);
 }
 
-// The depths at a brick's grid points, to be looked up by the point's number.
+// The depths at a brick's grid points, for lookup by index.
 #if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3 // in registers: gathering takes these processors several times as long
 struct Depths {
     __m512 part[8];
@@ -99,7 +99,7 @@ void add_vertex_guesses(const field::GridValues& depths, std::span<const std::ui
         add_crossings<0>(d, depth_at, outside, sums);
         add_crossings<1>(d, depth_at, outside, sums);
         add_crossings<2>(d, depth_at, outside, sums);
-        // x + 5 y + 25 z taken apart, exactly, for what fits a brick.
+        // Decomposes x + 5 y + 25 z; exact for indices of a brick.
         const VI z = hn::ShiftRight<10>(hn::Mul(corner, hn::Set(di, 41)));
         const VI in_layer = hn::Sub(corner, hn::Mul(z, hn::Set(di, 25)));
         const VI y = hn::ShiftRight<6>(hn::Mul(in_layer, hn::Set(di, 13)));

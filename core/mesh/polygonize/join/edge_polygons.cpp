@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kNoArcVertex = 0xFFFFFFFFU;
 
-// Whether two open polygons have a vertex in common, other than their first and last.
+// Whether two open polygons have a common vertex other than their first and last ones.
 bool meet_between_ends(const auto& a, const auto& b) {
     const auto inner = [](const auto& polygon) { return polygon.span().subspan(1, polygon.count - 2); };
     return std::ranges::find_first_of(inner(a), inner(b)) != inner(a).end();
@@ -82,8 +82,8 @@ void EdgePolygons::add_wall(std::uint32_t index, int axis, glm::ivec3 point, uns
     // The wall ends at the edge: its two sides meet there.
     const Polygon side = polygon_of(second.span(), true);
     if (!meet_between_ends(polygon_of(first.span(), true), side)) return emit_fan(centre, side, true, out);
-    // The wall also ends in a cell on the other side of the edge. One centre would give four triangles to the edge to
-    // that cell's vertex, so each side has its own, and two triangles close the rim between them.
+    // The wall also ends in a cell on the other side of the edge. With one centre, the edge to that cell's vertex would
+    // have four triangles. So each side has its own centre, and two triangles close the rim between them.
     const std::uint32_t other = add_fan(second, upper, out);
     out.triangles.emplace_back(side.vertices[side.count - 1], centre, other);
     out.triangles.emplace_back(centre, side.vertices[0], other);
@@ -109,11 +109,11 @@ EdgePolygons::Ring EdgePolygons::ring_around(const Edge& edge) const {
         d[u] = cell[q][u] < 0 ? -1 : cell[q][u] > 3 ? 1 : 0;
         d[v] = cell[q][v] < 0 ? -1 : cell[q][v] > 3 ? 1 : 0;
         direction[q] = direction_index(d.x, d.y, d.z);
-        // Split by finer cells: its halves are theirs to join.
+        // Finer cells divide the edge, and are responsible for its halves.
         if (around.kind(direction[q]) == Neighbour::kFiner) return {};
     }
     if (!interior) {
-        // The first cell of the edge's own level, in an order that all bricks share, decides whose edge it is.
+        // The brick of the first cell of the edge's own level, in an order common to all bricks, is responsible for it.
         for (std::size_t q = 0; q < 4; ++q) {
             if (around.kind(direction[q]) != Neighbour::kSame) continue;
             if (direction[q] != kSelf) return {};
@@ -128,7 +128,7 @@ EdgePolygons::Ring EdgePolygons::ring_around(const Edge& edge) const {
         if (around.kind(direction[q]) == Neighbour::kSame) {
             entry = same_level(brick, edge, cell[q], kLow[q][0] + 2 * kLow[q][1]);
         } else {
-            // An absent region is free of surface, so no crossed edge can touch it.
+            // An absent region has no surface, so no crossed edge touches it.
             assert(around.kind(direction[q]) == Neighbour::kCoarser);
             entry = coarser(brick, edge, cell[q]);
         }
@@ -169,7 +169,7 @@ EdgePolygons::Around EdgePolygons::same_level(std::uint32_t brick, const Edge& e
     return entry;
 }
 
-// The cell of a coarser brick that covers our cell (in cells of the edge's brick, maybe outside it).
+// The cell of a coarser brick that covers `cell` (in cells of the edge's brick, possibly outside of it).
 EdgePolygons::Around EdgePolygons::coarser(std::uint32_t brick, const Edge& edge, glm::ivec3 cell) const {
     const Brick& own = octree_.bricks[edge.brick];
     const Brick& other = octree_.bricks[brick];
@@ -203,7 +203,7 @@ std::uint32_t EdgePolygons::arc_vertex(const Around& a, const Around& b) const {
         if (la[axis] + sa == lb[axis]) side_of_a = 1;
         if (lb[axis] + sb == la[axis]) side_of_a = 0;
         if (side_of_a < 0) continue;
-        // Where a cell between them has no vertex, they only meet at the edge.
+        // If a cell between them has no vertex, the two cells have only the edge in common.
         const int u = (axis + 1) % 3;
         const int v = (axis + 2) % 3;
         if (la[u] + sa <= lb[u] || lb[u] + sb <= la[u] || la[v] + sa <= lb[v] || lb[v] + sb <= la[v])
@@ -242,7 +242,7 @@ EdgePolygons::Polygon EdgePolygons::polygon_of(std::span<const Around> ring, boo
     return polygon;
 }
 
-// Between cells of different size only a diagonal that ends in one as small as the edge is unique to this edge.
+// Between cells of different size, only a diagonal that ends in a cell of the edge's size belongs to no other polygon.
 std::pair<bool, bool> EdgePolygons::diagonals_of(std::span<const Around> ring, const Edge& edge) const {
     const int level = octree_.bricks[edge.brick].level;
     return {ring[0].level == level || ring[2].level == level, ring[1].level == level || ring[3].level == level};
@@ -266,8 +266,9 @@ void EdgePolygons::emit(std::span<const Around> ring, const Edge& edge, JoinedSu
     }
 }
 
-// A polygon with vertices on its arcs is fanned about a vertex at its edge's crossing, so that no new edge can
-// coincide with another polygon's; and so is one at which a wall ends, for its two sides meet there.
+// A polygon with vertices on its arcs becomes a fan around a vertex at the crossing of its edge, so that no new edge
+// coincides with an edge of another polygon. The same holds for an edge at which a wall ends, since its two sides meet
+// there.
 std::uint32_t EdgePolygons::add_centre(const Polygon& polygon, const Edge& edge, JoinedSubtree& out) const {
     const Brick& brick = octree_.bricks[edge.brick];
     const auto cell = static_cast<float>(octree_.lattice.cell_mm(brick.level));
@@ -298,7 +299,7 @@ void EdgePolygons::emit_fan(std::uint32_t centre, const Polygon& polygon, bool o
         out.triangles.emplace_back(centre, polygon.vertices[n], polygon.vertices[(n + 1) % polygon.count]);
 }
 
-// Whose the vertices on edges are.
+// Finds the owners of the vertices on edges.
 void EdgePolygons::find_owners(field::BrickField& field, std::uint32_t index, JoinedSubtree& out) const {
     std::vector<field::Owner> owners(out.owned.size(), field::kNoOwner);
     (void)field.find_owners(lattice_axes(octree_.lattice, octree_.bricks[index]), out.inside, owners);

@@ -1,6 +1,6 @@
-// Edge polygons: the polygon around one minimal edge that the surface crosses, in general: at a brick's boundary,
-// between cells of different size, where cells have several vertices. What lies inside one brick is join_triangles'
-// own.
+// EdgePolygons: builds the polygon around one crossed minimal edge in the general case: at a brick's boundary, between
+// cells of different size, around cells with several vertices, and at walls. join_triangles.cpp handles the simple
+// case.
 #pragma once
 
 #include "core/mesh/polygonize/cells/brick_cells.h"
@@ -15,43 +15,44 @@
 
 namespace ramus::mesh::bricks {
 
-// Marks indices of vertices that joining itself adds; they are numbered within the subtree until their indices in the
-// mesh are known.
+// Marks vertices that joining adds: their indices are relative to the subtree until their indices in the mesh are
+// known.
 inline constexpr std::uint32_t kAddedBit = 0x80000000U;
 
 struct JoinedSubtree {
-    std::vector<glm::uvec4> quads; // counter-clockwise; their diagonals are chosen later
+    std::vector<glm::uvec4> quads; // counter-clockwise; divided later
     std::vector<glm::uvec3> triangles;
     SurfaceVertices added;
-    // Of the brick that is being joined: vertices on edges, to be moved onto the surface all at once.
+    // Vertices on edges of the current brick, which finish() projects together.
     field::Projection guesses;
     std::vector<field::OwnedGuess> owned;
-    std::vector<field::LatticePoint> inside; // by guess, the end of its edge that looks at the surface
+    std::vector<field::LatticePoint> inside; // by guess: the end of its edge inside the vessel
 
     [[nodiscard]] std::size_t triangle_count() const { return 2 * quads.size() + triangles.size(); }
-    // Writes them all, first those of the quads. `vertices`: those joined; `first_added`: the index of the first added.
+    // Writes all triangles, first those of the quads. `vertices`: all vertices of the mesh. `first_added`: the index of
+    // the first added vertex.
     void write_triangles(const VertexSpan& vertices, std::uint64_t first_added, std::span<glm::uvec3> out) const;
     void clear();
 };
 
-// Cuts quads (of `vertices`, counter-clockwise) along the better of their two diagonals: writes two triangles for each
-// to `triangles`.
+// Divides each quad (indices into `vertices`, counter-clockwise) along the better one of its diagonals. Writes two
+// triangles per quad.
 void cut_quads(const VertexSpan& vertices, std::span<const glm::uvec4> quads, std::span<glm::uvec3> triangles);
 
 class EdgePolygons {
 public:
-    // Refers to all that it is given.
+    // Keeps references to all arguments.
     EdgePolygons(const field::Field& field, const Octree& octree, const SurfaceCells& surface,
                  const VertexSpan& vertices)
         : octree_(octree), surface_(surface), vertices_(vertices), fields_([&] { return field.in_brick(); }) {}
 
-    // The edge of brick `index` from grid point `point` along `axis`, whose first end is inside or not. Adds nothing
-    // when the edge is another brick's to join.
+    // Adds the polygon around the edge of brick `index` from grid point `point` along `axis`. `first_inside`: whether
+    // its first end is inside. Adds nothing if another brick is responsible for the edge.
     void add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedSubtree& out) const;
-    // The same of an edge that a wall goes through: one polygon for each vessel, that of its lower end and that of its
-    // upper one. Without those left out, a bit each.
+    // Adds the polygons around an edge with a wall: one for the vessel of its lower end, one for that of its upper end.
+    // `left_out`: bit 0 and 1 skip them.
     void add_wall(std::uint32_t index, int axis, glm::ivec3 point, unsigned left_out, JoinedSubtree& out) const;
-    // After the edges of a brick, moves the vertices that polygons got on edges onto the surface.
+    // Projects the vertices on edges onto the surface. Must be called after the edges of a brick.
     void finish(std::uint32_t index, JoinedSubtree& out) const;
 
     [[nodiscard]] const BrickWalls& walls(std::uint32_t index) const {
@@ -65,24 +66,24 @@ private:
         std::uint32_t brick = 0;
         std::int32_t cell = 0;
         std::int32_t level = 0;
-        std::int32_t crossing = 0; // as the cell names it
-        std::int32_t place = 0;    // of four around the edge, the first that it takes
+        std::int32_t crossing = 0; // the edge's crossing in the numbering of the cell
+        std::int32_t place = 0;    // the first of the four places around the edge that it occupies
         bool recorded = false;
     };
 
     struct Ring {
         std::array<Around, 4> cells; // counter-clockwise about the axis
-        std::size_t count = 0;       // 0: another brick's to join
-        bool open = false;           // a wall ends there: in some cells it has no vertex, which would follow the last
+        std::size_t count = 0;       // 0: another brick is responsible for the edge
+        bool open = false;           // a wall ends there: some cell has no vertex; the gap is after the last entry
         [[nodiscard]] std::span<const Around> span() const { return std::span(cells).first(count); }
-        void begin_after_gap(); // so that what is missing follows the last
+        void begin_after_gap(); // rotates `cells` so that the gap is after the last entry
     };
-    // The edge, and which end of it looks at the surface.
+    // A crossed edge, and its end inside the vessel.
     struct Edge {
         std::uint32_t brick = 0;
         int axis = 0;
         glm::ivec3 point{0};
-        bool upper = false; // the inside's end
+        bool upper = false; // whether the upper end is the one inside
         bool walled = false;
     };
     [[nodiscard]] Ring ring_around(const Edge& edge) const;
@@ -90,9 +91,9 @@ private:
     [[nodiscard]] Around coarser(std::uint32_t brick, const Edge& edge, glm::ivec3 cell) const;
     [[nodiscard]] std::uint32_t arc_vertex(const Around& a, const Around& b) const;
     [[nodiscard]] glm::ivec3 low_corner(const Around& a) const;
-    // Which diagonals of four cells may cut their polygon: from the first, from the second.
+    // Which diagonals may divide the polygon of four cells: that from the first cell, that from the second cell.
     [[nodiscard]] std::pair<bool, bool> diagonals_of(std::span<const Around> ring, const Edge& edge) const;
-    // The polygon with the vertices of arcs between the cells. `extra`: it has such.
+    // A polygon, including the vertices of arcs between the cells. `extra`: whether it has such vertices.
     struct Polygon {
         std::array<std::uint32_t, 8> vertices{};
         std::size_t count = 0;

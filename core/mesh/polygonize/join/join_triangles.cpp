@@ -19,8 +19,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr int kEdgesPerAxis = 64; // that a brick may have to join
 
-// Of the cells that a brick sees its own have coordinates 0 .. 3 along every axis and those just beyond its upper
-// sides 4, at x + 5 y + 25 z. Here those beyond the sides that the bits of the index name.
+// Cells at and next to a brick, at x + 5 y + 25 z: its own cells have the coordinates 0 to 3, cells beyond an upper
+// side 4. By set of upper sides (bits of the index): the cells beyond exactly these sides.
 constexpr std::array<GridBits, 8> kBeyond = [] {
     std::array<GridBits, 8> beyond{};
     for (int d = 0; d < 8; ++d) {
@@ -33,8 +33,8 @@ constexpr std::array<GridBits, 8> kBeyond = [] {
     return beyond;
 }();
 
-// An edge is joined by the brick of the lowest cell around it: those that begin off the lower sides along the two other
-// axes. 4 x 4 x 4 for each axis, in the order of their first points.
+// The brick of the lowest cell around an edge is responsible for it. These are the edges that do not begin on the lower
+// sides along the other two axes: 4 x 4 x 4 for each axis, in the order of their first points.
 constexpr std::array<GridBits, 3> kOwnEdges{kEdgeStarts[0] & ~kLowerSides[1] & ~kLowerSides[2],
                                             kEdgeStarts[1] & ~kLowerSides[2] & ~kLowerSides[0],
                                             kEdgeStarts[2] & ~kLowerSides[0] & ~kLowerSides[1]};
@@ -48,7 +48,7 @@ constexpr std::array<std::array<std::uint8_t, kEdgesPerAxis>, 3> kOwnEdgePoints 
     return points;
 }();
 
-// The bits of the edges along the axis that are a brick's own, side by side.
+// Compresses the bits of the edges along the axis for which a brick is responsible.
 template <std::size_t Axis> HWY_INLINE std::uint64_t own_edges(GridBits bits) {
 #if HWY_ARCH_X86_64 && HWY_TARGET <= HWY_AVX3 // some processors without AVX-512 take long for this instruction
     constexpr auto kLow = static_cast<std::uint64_t>(kOwnEdges[Axis]);
@@ -63,8 +63,8 @@ template <std::size_t Axis> HWY_INLINE std::uint64_t own_edges(GridBits bits) {
 #endif
 }
 
-// The cells around an edge, counter-clockwise about it, by their offsets from its first point: of one whose first point
-// is outside the surface, and inside.
+// The offsets of the four cells around an edge from its first point, counter-clockwise about it: for an edge whose
+// first point is outside, and inside.
 template <int Axis>
 constexpr std::array<std::array<std::int8_t, 4>, 2> kAround = [] {
     constexpr auto kU = static_cast<std::int8_t>(-kGridStep[(Axis + 1) % 3]);
@@ -108,7 +108,7 @@ private:
     void add_walls(std::uint32_t index, const Neighbourhood& around, JoinedSubtree& out) const {
         const std::array<GridBits, 3>& walls = general_.walls(index).edges;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            // On the lower sides an edge is another brick's, unless that is larger.
+            // On the lower sides another brick is responsible, unless that brick is larger.
             const GridBits own = around.coarser == 0 ? kOwnEdges[axis] : kEdgeStarts[axis];
             for (GridBits left = walls[axis] & own; left != 0; left &= left - 1) {
                 const int n = lowest_bit(left);
@@ -119,8 +119,8 @@ private:
         }
     }
 
-    // Notes the vertices of the cells beyond the upper sides that the bits of D name, with none of them the brick's
-    // own; and which of these cells need the general way.
+    // Stores the vertices of the cells beyond the upper sides in the bits of D (0: the brick's own cells), and the
+    // cells that need the general case.
     template <int D> HWY_INLINE void number(const BrickCells& cells) {
         constexpr int kX = (D & 1) != 0 ? 1 : 4;
         constexpr int kY = (D & 2) != 0 ? 1 : 4;
@@ -158,7 +158,7 @@ private:
         (look(std::integral_constant<int, D>()), ...);
     }
 
-    // Writes the quads of the edges along the axis and returns their end; those that need the general way go to
+    // Writes the quads of the edges along the axis and returns their end. Edges that need the general case go to
     // `special`.
     template <int Axis>
     HWY_INLINE glm::uvec4* add_quads(GridBits inside, const Neighbourhood& around, glm::uvec4* next,
@@ -177,7 +177,7 @@ private:
         }
         special = crossed & kOwnEdges[Axis] & touched;
         if (around.coarser == 0) return next;
-        // On the lower sides an edge is another brick's, unless that is larger: then it may have none there.
+        // On the lower sides another brick is responsible, unless that brick is larger.
         constexpr auto kBit = [](int along) {
             std::array<int, 3> step{};
             step[static_cast<std::size_t>(along)] = -1;
@@ -192,12 +192,12 @@ private:
     const EdgePolygons& general_;
     std::array<std::uint32_t, 128> vertices_{}; // of the cells seen, by coordinates
     std::array<glm::uvec4, 3 * kEdgesPerAxis> quads_;
-    GridBits special_ = 0;               // cells that need the general way
+    GridBits special_ = 0;               // cells that need the general case
     std::array<GridBits, 6> left_out_{}; // edges, as in BrickWalls
 };
 
-// The polygons of the bricks from `first` up to `end` are appended. Edges whose cells are all of one size and have one
-// vertex each, which most are, are joined by tables and bits, a brick at a time; the others go the general way.
+// Appends the polygons of the bricks from `first` up to `end`. Most edges have cells of one size with one vertex each,
+// and are processed a brick at a time with tables and bit operations. The others are handled by EdgePolygons.
 void join_bricks(const SurfaceCells& surface, const EdgePolygons& general, std::uint32_t first, std::uint32_t end,
                  JoinedSubtree& out) {
     BrickJoiner joiner(surface, general);
@@ -222,7 +222,7 @@ void join_subtrees(const field::Field& field, const Octree& octree, std::span<co
         if (job.cancelled()) return;
         const Subtree& subtree = octree.subtrees[subtrees[t]];
         joined[t].clear();
-        // Euler: about as many quads as vertices.
+        // By Euler's formula there are about as many quads as vertices.
         joined[t].quads.reserve(surface.subtrees[subtrees[t]].vertex_count * 9 / 8 + 64);
         HWY_DYNAMIC_DISPATCH(join_bricks)
         (surface, general, subtree.first_brick, subtree.first_brick + subtree.brick_count, joined[t]);

@@ -1,5 +1,5 @@
-// Joins the vertices of cells into triangles: one polygon around every minimal edge that the surface crosses, of the
-// loops' vertices in the three or four cells that meet there. Closed, oriented, edge- and vertex-manifold by
+// Connects the vertices of cells by triangles: one polygon around every crossed minimal edge, with the vertices of the
+// loops in the three or four cells around the edge. The mesh is closed, oriented, edge- and vertex-manifold by
 // construction.
 #pragma once
 
@@ -10,8 +10,9 @@
 
 namespace ramus::mesh::bricks {
 
-// The polygons of some subtrees, in their order, into `joined`, which may bring memory along; by their indices in
-// `vertices`, which all vertices of these subtrees and of those beside them have. Incomplete when cancelled.
+// Writes the polygons of some subtrees, in their order, to `joined`, whose memory is reused. The polygons contain
+// indices into `vertices`. All vertices of these subtrees and of adjacent ones must have such indices. Incomplete if
+// cancelled.
 void join_subtrees(const field::Field& field, const Octree& octree, std::span<const std::uint32_t> subtrees,
                    const SurfaceCells& surface, const VertexSpan& vertices, std::vector<JoinedSubtree>& joined,
                    const JobRange& job);

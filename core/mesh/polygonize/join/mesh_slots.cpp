@@ -107,7 +107,7 @@ void MeshSlots::remove_triangles(std::uint32_t subtree) {
 SurfaceEdit MeshSlots::take_edit() { return std::exchange(edit_, {}); }
 
 TriangleMesh MeshSlots::compact(std::span<const SubtreeBatch> order) const {
-    // Where each vertex goes.
+    // The new index of each vertex.
     std::vector<std::uint32_t> index(mesh_.positions.size());
     std::uint32_t vertices = 0;
     std::uint64_t triangles = 0;

@@ -1,6 +1,6 @@
-// MeshSlots: a mesh whose vertices and triangles stand subtree by subtree, so that some subtrees can be exchanged
-// without moving what the others have. Where subtrees have gone, vertices that no triangle uses and triangles without
-// area are left until something else is written there.
+// MeshSlots: a mesh in which each subtree has ranges of vertices and triangles, so that subtrees can be replaced
+// without moving the data of others. Ranges of removed subtrees contain unused vertices and triangles without area,
+// until they are overwritten.
 #pragma once
 
 #include "core/mesh/polygonize/join/edge_polygons.h"
@@ -15,26 +15,27 @@ namespace ramus::mesh::bricks {
 
 class MeshSlots {
 public:
-    // `reserve`: share of capacity beyond what the first subtrees take, for later ones.
+    // `reserve`: the share of additional capacity, for later subtrees.
     void place_vertices(const Octree& octree, std::span<const std::uint32_t> subtrees, SurfaceCells& surface,
                         double reserve);
     // `joined` is consumed.
     void place_triangles(std::span<const std::uint32_t> subtrees, std::vector<JoinedSubtree> joined, double reserve);
-    // Takes away all that the subtree has, or its triangles and what came with them alone.
+    // Removes the vertices and triangles of a subtree; or only its triangles, and the vertices that were added with
+    // them.
     void remove(std::uint32_t subtree);
     void remove_triangles(std::uint32_t subtree);
 
-    // What was written since the last call.
+    // The parts of the mesh that were written since the last call.
     [[nodiscard]] SurfaceEdit take_edit();
     [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
-    // Without gaps, in the order of a schedule of all subtrees: as polygonize() gives it.
+    // The mesh without gaps, in the order of a schedule of all subtrees, as polygonize() returns it.
     [[nodiscard]] TriangleMesh compact(std::span<const SubtreeBatch> order) const;
 
 private:
     struct SubtreeSlots {
-        SlotRange vertices, added, triangles; // added: vertices that came with the triangles
+        SlotRange vertices, added, triangles; // added: vertices that were added with the triangles
     };
-    // Ranges of some array that are not in use, and its end.
+    // The unused ranges of an array, and its end.
     class Space {
     public:
         [[nodiscard]] SlotRange take(std::uint64_t count);

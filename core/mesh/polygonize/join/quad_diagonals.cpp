@@ -33,9 +33,9 @@ HWY_INLINE Vector3 cross(const Vector3& a, const Vector3& b) {
             hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
 }
 
-// The vectors of the c-th vertices of as many quads as there are lanes. `Numbers` of each vertex are read: 4 is one
-// load, and one number beyond the vertex; 3 keeps within it. One load each and a transposition is several times as fast
-// as gathering on processors that gather element by element.
+// Loads the vectors of the c-th vertices of as many quads as there are lanes. Reads `Numbers` floats of each vertex: 4
+// is a single load that reads one float beyond the vertex, 3 stays within it. A load per vertex and a transposition are
+// several times as fast as a gather on processors that gather element by element.
 template <std::size_t Numbers>
 HWY_INLINE Vector3 read_corner(D d, const glm::vec3* values, const std::uint32_t* quads, std::size_t c) {
     const auto at = [&](std::size_t i) { return &values[quads[4 * i + c]].x; };
@@ -71,22 +71,22 @@ HWY_INLINE Vector3 read_corner(D d, const glm::vec3* values, const std::uint32_t
 #endif
 }
 
-// Is the diagonal from the first vertex to the third the better one? None of its triangles may face away from the
-// surface, and then the one that stays closer to it wins. A chord's distance from the surface is its length times the
-// turn of the normal, over 8.
+// Whether the diagonal from the first vertex to the third is the better one. A diagonal whose triangles do not face
+// away from the surface is preferred; otherwise the one closer to the surface. The distance of a chord from the surface
+// is its length times the angle between the normals, over 8.
 HWY_INLINE M prefers_first(D d, const Vector3 (&p)[4], const Vector3 (&n)[4]) {
     const Vector3 d02 = p[2] - p[0];
     const Vector3 d13 = p[3] - p[1];
     const V l02 = dot(d02, d02);
     const V l13 = dot(d13, d13);
     const V size = hn::Sqrt(hn::Max(l02, l13));
-    // On a flat stretch both chords are on the surface, and the shorter diagonal makes the rounder triangles.
+    // On a flat surface both chords lie on it, and the shorter diagonal gives better shaped triangles.
     const V flat = hn::Set(d, 0.02F);
     const V off02 = hn::MulAdd(hn::Abs(dot(d02, n[2] - n[0])), size, hn::Mul(flat, l02));
     const V off13 = hn::MulAdd(hn::Abs(dot(d13, n[3] - n[1])), size, hn::Mul(flat, l13));
     const M closer02 = hn::Lt(off02, off13);
-    // Signed squares of the triangles' areas as seen from outside: one that faces away, or nearly, is negative or
-    // small. The worse of a diagonal's two triangles counts.
+    // Signed squares of the triangles' areas, seen from outside: negative or small if a triangle faces away, or nearly.
+    // The minimum of a diagonal's two triangles is used.
     const Vector3 facing = (n[0] + n[1]) + (n[2] + n[3]);
     const auto score = [&](const Vector3& area) {
         const V along = dot(area, facing);

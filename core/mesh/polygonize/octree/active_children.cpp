@@ -17,7 +17,7 @@ void active_children(std::span<const SizingPiece> all, std::span<const std::uint
     using V = hn::Vec<decltype(d)>;
     const std::size_t lanes = hn::Lanes(d);
     const field::ChildCentres centres(cubes);
-    // The factor keeps a brick whose cells are as small as asked, to within rounding, whole.
+    // The factor prevents rounding from dividing a brick whose cells have exactly the required size.
     const float cell = 0.25F * cubes.side * 0.9999F;
     constexpr float kSqrt3Half = 0.8660254F;
     const float ball = kSqrt3Half * cubes.side;

@@ -17,7 +17,7 @@ HWY_INLINE void describe(const EntriesAround& around, Neighbourhood& described) 
     const hn::CappedTag<std::int32_t, 16> d;
     constexpr std::size_t kPlaces = 32;
     static_assert(sizeof(around.at) == kPlaces * sizeof(std::int32_t));
-    // As signed numbers bricks are above all others, and nodes below nothing and all.
+    // As signed integers: nodes < full < empty < bricks.
     const auto full = hn::Set(d, std::bit_cast<std::int32_t>(OctreeEntry::full()));
     HWY_ALIGN std::array<std::int32_t, kPlaces> codes;
     std::memcpy(codes.data(), around.at.data(), sizeof(codes));
@@ -67,8 +67,8 @@ HWY_EXPORT(describe_brick);
 
 namespace {
 
-// Calls enter(child) for the way from the root down to the brick, or to nothing, that has a cube of one unit; returns
-// the entry at its end.
+// Descends from the top node to the entry (a brick or an empty cube) that contains a cube of one unit. Calls
+// enter(child) at each step; returns the entry.
 template <class Enter> OctreeEntry descend(const Octree& octree, const glm::ivec3& unit, const Enter& enter) {
     OctreeEntry entry = OctreeEntry::node(octree.upper[0].node);
     for (int level = octree.top_level - 1; entry.is_node(); --level) {

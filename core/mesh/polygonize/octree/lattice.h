@@ -1,6 +1,6 @@
-// Lattice: the integer grid on which all bricks live. Its unit is a quarter of the finest cell, so that corners,
-// hanging corners and centres of faces between cells of different size are all integer points, and a point's position
-// is the same double whichever brick computes it.
+// Lattice: the integer grid of all bricks. Its unit is a quarter of the finest cell. So corners, hanging corners and
+// centres of faces between cells of different size are integer points, and a point has the same position (in doubles),
+// whichever brick computes it.
 //
 // A brick of level l is a cube of 4 x 4 x 4 cells; a cell of level l has an edge of 4 << l units.
 #pragma once

@@ -19,8 +19,7 @@ std::array<Value, kDirections> around_child(const std::array<Value, 64>& block, 
     return around;
 }
 
-// What owns the entries around a cube: codes of UpperNode::children, of which subtrees' insides inherit their
-// subtree's.
+// The owners of the entries around a cube, as codes of UpperNode::children. Entries inside a subtree have its code.
 constexpr std::uint32_t kChangedNothing = 0xFFFFFFFEU; // nothing now, but something before
 
 struct Surroundings {
@@ -28,8 +27,8 @@ struct Surroundings {
     std::array<std::uint32_t, kDirections> owners;
 };
 
-// Calls visit(subtree, surroundings) for the subtrees below those upper nodes that `enters` says to enter, depth first.
-// `changes` may be null.
+// Calls visit(subtree, surroundings), depth first, for the subtrees below the upper nodes for which `enters` returns
+// true. `changes` may be null.
 template <class Enters, class Visit> class UpperWalk {
 public:
     UpperWalk(const Octree& octree, const OctreeChanges* changes, const Enters& enters, const Visit& visit)
@@ -131,7 +130,7 @@ std::vector<std::uint32_t> subtrees_beside(const Octree& octree, const OctreeCha
 std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_subtrees(const Octree& octree) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     const auto everywhere = [](const Surroundings&) { return true; };
-    // The smaller of two sees the larger one; of two of the same size the first notes it.
+    // The smaller subtree of a pair finds the larger one; of two with the same size, the first one adds the pair.
     const auto visit = [&](std::uint32_t subtree, const Surroundings& around) {
         for (const std::uint32_t owner : around.owners) {
             if (owner == UpperNode::kNothing || !UpperNode::is_subtree(owner) || owner == subtree) continue;

@@ -1,4 +1,4 @@
-// Neighbours: what lies in the 26 directions around a brick.
+// Neighbours: the bricks (or empty space) in the 26 directions around a brick.
 #pragma once
 
 #include "core/base/chunked_array.h"
@@ -17,22 +17,21 @@ constexpr int direction_index(int x, int y, int z) { return (x + 1) + 3 * (y + 1
 inline constexpr int kDirections = 27;
 inline constexpr int kSelf = 13;
 
-// The 27 entries of a cube and around it, by direction. An entry larger than the cube stands in every direction that it
-// covers.
+// The 27 octree entries at and around a cube, by direction. An entry larger than the cube occurs in every direction
+// that it covers.
 struct EntriesAround {
-    std::array<OctreeEntry, 32> at; // kDirections of them count
+    std::array<OctreeEntry, 32> at; // kDirections of them are used
     std::uint32_t larger = 0;       // one bit per direction: the entry, empty or not, is larger
 };
 
-// The 4 x 4 x 4 entries at the size of a cube's children: around all eight of them. Reading a row that begins at its
-// second entry may end one beyond the last.
+// The 4 x 4 x 4 entries of the size of a cube's children, around all eight children. Has one more entry, since copying
+// a row reads four entries.
 struct EntriesAroundChildren {
     std::array<OctreeEntry, 65> at;
     std::uint64_t larger = 0;
 };
 
-// Along one axis the children around a cube's children are those of the cubes -1, 0 and 1 (0, 1, 2 here), as child 0 or
-// 1.
+// Along one axis: which child (0 or 1) of which cube (-1, 0 or 1, stored as 0, 1, 2) each of the four entries is.
 struct ChildStep {
     std::uint8_t cube, child;
 };
@@ -88,15 +87,15 @@ inline EntriesAround entries_around_child(const EntriesAroundChildren& all, std:
     return entries;
 }
 
-// Directions: one of -1, 0, 1 along every axis.
+// A direction is -1, 0 or 1 along every axis.
 
-// Absent: free of surface. Finer: smaller bricks are there, though some, or all that touch, may be free of surface.
+// kAbsent: no surface there. kFiner: a divided cube; some of its bricks, or all that touch, may be absent.
 enum class Neighbour : std::uint8_t { kAbsent, kSame, kCoarser, kFiner };
 
 struct Neighbourhood {
-    std::array<std::uint32_t, kDirections> brick; // set where there is one of the same size or a larger one
+    std::array<std::uint32_t, kDirections> brick; // valid for directions in `same` and `coarser`
     std::uint32_t same, coarser, finer;           // one bit per direction
-    std::uint32_t full;                           // absent because all of it is inside the surface
+    std::uint32_t full;                           // one bit per direction: absent, and inside the surface
 
     [[nodiscard]] Neighbour kind(int direction) const {
         const std::uint32_t bit = std::uint32_t{1} << direction;
@@ -106,34 +105,33 @@ struct Neighbourhood {
     }
 };
 
-// Fills in `found`, by brick, for the bricks of some subtrees. A walk down the octree: the entries around a child are
-// children of the entries around its parent.
+// Finds the neighbourhoods of the bricks of some subtrees, by brick. Descends the octree: the entries around a child
+// are children of the entries around its parent.
 void find_neighbours(const Octree& octree, std::span<const std::uint32_t> subtrees, ChunkedArray<Neighbourhood>& found);
 
-// What lies around one brick of the octree.
+// The neighbourhood of one brick.
 [[nodiscard]] Neighbourhood neighbourhood_of(const Octree& octree, std::uint32_t brick);
-// The brick that has a cube of one lattice unit, by the cube's lower corner; kNoBrick where there is none.
+// The brick that contains a cube of one lattice unit, given by the cube's lower corner; kNoBrick if there is none.
 inline constexpr std::uint32_t kNoBrick = 0xFFFFFFFFU;
 [[nodiscard]] std::uint32_t brick_at(const Octree& octree, const glm::ivec3& unit);
 
-// One step of finding them: the bricks at and below the entry in the middle of `around`. There is memory for them in
-// `found`.
+// A step of find_neighbours(): the bricks at and below the entry in the middle of `around`. `found` must have room.
 void describe_bricks(const Octree& octree, const EntriesAround& around, ChunkedArray<Neighbourhood>& found);
 
-// Pairs of subtrees that touch each other, in no order; a pair may come twice.
+// Pairs of subtrees that touch each other, in no particular order; a pair may occur twice.
 [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_subtrees(const Octree& octree);
 
-// What an update of the octree changed.
+// The changes that an update made to the octree.
 struct OctreeChanges {
-    std::vector<std::uint8_t> subtrees;        // by subtree: new, or to be taken for new
-    std::vector<std::uint8_t> below;           // by upper node: something below it is new or gone
-    std::vector<std::uint8_t> children;        // by upper node, one bit per child: it is new or gone
+    std::vector<std::uint8_t> subtrees;        // by subtree: whether it is new, or must be treated as new
+    std::vector<std::uint8_t> below;           // by upper node: whether something below it was added or removed
+    std::vector<std::uint8_t> children;        // by upper node, one bit per child: whether it was added or removed
     std::vector<std::uint32_t> added, removed; // subtrees
 
-    void mark(const Octree& octree, std::uint32_t upper); // `below`, up to the root
+    void mark(const Octree& octree, std::uint32_t upper); // sets `below` of an upper node and its ancestors
 };
 
-// Subtrees that touch something changed, and are not marked as changed themselves, in order.
+// The unmarked subtrees that touch something changed, in order.
 [[nodiscard]] std::vector<std::uint32_t> subtrees_beside(const Octree& octree, const OctreeChanges& changes);
 
 } // namespace ramus::mesh::bricks

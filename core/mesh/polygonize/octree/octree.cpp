@@ -11,8 +11,8 @@ namespace ramus::mesh::bricks {
 
 namespace {
 
-// Splits all cubes larger than subtrees, level by level, and returns the subtrees' seeds in depth-first order. Ends
-// early when cancelled.
+// Divides all cubes larger than subtrees, level by level, and returns the seeds of subtrees in depth-first order. Ends
+// early if cancelled.
 std::vector<Seed> find_subtrees(const Splitter& splitter, const Cube& root, Octree& octree, const Job& job) {
     std::vector<Seed> frontier(1);
     frontier[0].cube = root;

@@ -1,5 +1,6 @@
-// Octree: space around the vessels split until every leaf's cells are as small as the sizing asks, without what bounds
-// of the field prove to be wholly inside or outside. Leaves become bricks, in depth-first Morton order.
+// Octree: divides the space around the vessels until the cells of every leaf are as small as the sizing requires. Cubes
+// that bounds of the field prove to be inside or outside of the surface are left out. The remaining leaves are the
+// bricks, in depth-first Morton order.
 #pragma once
 
 #include "core/base/bounds.h"
@@ -25,8 +26,8 @@ struct Brick {
     std::uint32_t subtree = 0; // into Octree::subtrees
 };
 
-// An entry of the octree, the child of some node: nothing that the surface could cross (all inside it or all outside),
-// a brick, or a node that is split.
+// An entry of the octree, the child of a node: empty (no surface; all inside or all outside), a brick, or a divided
+// node.
 class OctreeEntry {
 public:
     constexpr OctreeEntry() = default;
@@ -40,7 +41,7 @@ public:
     [[nodiscard]] constexpr bool is_node() const { return !is_empty() && (code_ & kNodeBit) != 0; }
     [[nodiscard]] constexpr bool is_brick() const { return (code_ & kNodeBit) == 0; }
     [[nodiscard]] constexpr std::uint32_t index() const { return code_ & ~kNodeBit; }
-    // The same entry when bricks and nodes are counted from other beginnings.
+    // The same entry with offsets added to the indices of bricks and nodes.
     [[nodiscard]] constexpr OctreeEntry shifted(std::size_t bricks, std::size_t nodes) const {
         return is_empty() ? *this : OctreeEntry(code_ + static_cast<std::uint32_t>(is_node() ? nodes : bricks));
     }
@@ -55,20 +56,20 @@ private:
 
 using OctreeNode = std::array<OctreeEntry, field::kChildren>;
 
-// A part of the octree that is worked on as a whole: a node with all below it, at most kSubtreeLevels levels of the
-// finest bricks in it, or a lone brick. Its bounds depend on what is there alone.
+// A part of the octree that one task processes as a whole: a single brick, or a node with everything below it, at most
+// kSubtreeLevels levels above its finest bricks. Its extent depends only on the local segments.
 struct Subtree {
-    std::uint32_t parent = 0, child = 0; // of which upper node it is which child
+    std::uint32_t parent = 0, child = 0; // index of its parent in Octree::upper, and which child it is
     std::uint32_t first_brick = 0, brick_count = 0;
     glm::ivec3 corner{0};
-    std::int32_t level = 0; // of a brick of its size
+    std::int32_t level = 0; // the level of a brick of the same size
 };
 inline constexpr int kSubtreeLevels = 3;
 
-// A node above the subtrees. Its children: nothing, another upper node, or a subtree.
+// A node above the subtrees. A child is nothing, another upper node, or a subtree.
 struct UpperNode {
-    std::uint32_t node = 0;   // in Octree::nodes
-    std::uint32_t parent = 0; // in Octree::upper; the root is its own
+    std::uint32_t node = 0;   // index in Octree::nodes
+    std::uint32_t parent = 0; // index in Octree::upper; the top node is its own parent
     std::array<std::uint32_t, field::kChildren> children{};
 
     static constexpr std::uint32_t kNothing = 0xFFFFFFFFU;
@@ -80,16 +81,16 @@ struct UpperNode {
     static constexpr std::uint32_t node_of(std::uint32_t code) { return code & ~kNodeBit; }
 };
 
-// Freshly built, subtrees, bricks and all that belongs to them stand in depth-first order. Updating appends what is new
-// and leaves what is gone behind, unreferenced, so that nothing else moves.
+// After build_octree() all arrays are in depth-first order. An update appends new entries and leaves removed ones in
+// their place, unreferenced, so that no index changes.
 struct Octree {
     Octree() = default;
     explicit Octree(const LargeAllocator<std::byte>& memory) : nodes(memory), bricks(memory), lists(memory) {}
 
     Lattice lattice;
     int top_level = 0;
-    LargeArray<OctreeNode> nodes; // the root first
-    std::vector<UpperNode> upper; // the root first
+    LargeArray<OctreeNode> nodes; // the top node first
+    std::vector<UpperNode> upper; // the top node first
     std::vector<Subtree> subtrees;
     LargeArray<Brick> bricks;
     LargeArray<std::uint32_t> lists; // segment indices, ascending within each brick
@@ -104,12 +105,12 @@ struct Octree {
 
 [[nodiscard]] Bounds<glm::vec3> box_of_brick(const Octree& octree, std::uint32_t brick); // mm
 
-// Without bricks when cancelled.
+// Builds the octree of a field. If cancelled, it has no bricks.
 [[nodiscard]] Octree build_octree(const field::Field& field, const Sizing& sizing, Job& job,
                                   const LargeAllocator<std::byte>& memory = {});
 
-// How often the finest cell fits into the box around the field, in powers of two; beyond kMaximumLevels the lattice
-// would leave the range of its integers.
+// The number of levels from the finest cell to the box around the field. Beyond kMaximumLevels the coordinates of the
+// lattice overflow.
 [[nodiscard]] int levels_needed(const field::Frame& frame, const Sizing& sizing);
 inline constexpr int kMaximumLevels = 18;
 

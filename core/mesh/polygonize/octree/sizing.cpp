@@ -13,11 +13,11 @@ namespace ramus::mesh::bricks {
 
 namespace {
 
-constexpr double kPieceRatio = 1.2;  // radii within a piece differ by no more
+constexpr double kPieceRatio = 1.2;  // largest ratio of two radii within a piece
 constexpr double kLeastAround = 1.0; // triangles for each cell along a vessel, as far as memory goes
 constexpr double kRunBend = 0.25;    // how far a piece's segments may lie from its chord, in radii
 
-// A run of consecutive segments that one piece can stand for: nearly straight, nearly one radius.
+// A run of consecutive segments that one piece can represent: nearly straight, with nearly one radius.
 struct Run {
     std::size_t first, last; // segments, inclusive
     double thinnest, thickest;
@@ -36,8 +36,8 @@ glm::dvec3 end_of(const field::FieldSegment& s) {
 
 double squared(glm::dvec3 v) { return glm::dot(v, v); }
 
-// A run ends with its branch, so that what a branch asks for depends on nothing else. Voxel-spaced centerlines have
-// segments far shorter than the vessel is wide; judging each would cost more than meshing.
+// A run ends with its branch, so that the pieces of a branch do not depend on other branches. Runs are necessary since
+// centerlines from voxels have segments far shorter than the radius: testing each would cost more than meshing.
 bool extend(Run& run, const Segments& s, std::size_t next) {
     const double r0 = s[next].radius;
     const double r1 = s[next].end_radius();
@@ -66,7 +66,7 @@ bool extend(Run& run, const Segments& s, std::size_t next) {
 glm::vec3 end_of(const SizingPiece& piece) { return piece.start + piece.length * piece.direction; }
 
 void group_pieces(Sizing& sizing, float half_extent) {
-    // By position along the Morton curve; those of the same position in order.
+    // Sorts by position on the Morton curve, then by index.
     std::vector<std::uint64_t> order;
     order.reserve(sizing.pieces.size());
     for (const SizingPiece& piece : sizing.pieces) {
@@ -101,7 +101,7 @@ void group_pieces(Sizing& sizing, float half_extent) {
 Sizing make_sizing(const field::Field& field, int detail, double cell_mm) {
     const Segments& s = field.skeleton().segments();
     const glm::dvec3 origin = field.frame().middle();
-    // As far as the vessel matters at all. So a cube that some segment reaches is never coarser than that one asks.
+    // The whole support, so that a cube that a segment reaches is never coarser than the segment requires.
     const double reach_radii = field.support_radii();
     const double cells_per_radius = 2.0 * std::numbers::pi / detail;
     Sizing sizing;
@@ -111,11 +111,11 @@ Sizing make_sizing(const field::Field& field, int detail, double cell_mm) {
                          double reach, double extent) {
         const double length = glm::distance(a, b);
         const double cell = cell_mm > 0.0 ? cell_mm : cells_per_radius * thinnest;
-        // About 1.5 crossed cells for every cell-sized patch of surface, two triangles each. A run that comes back to
-        // its start is as long as it reaches, and a vessel far thinner than cells still has bricks along it.
+        // About 1.5 crossed cells for every cell-sized patch of surface, with two triangles each. A run that returns to
+        // its start counts with its extent, and a vessel far thinner than cells still has bricks along it.
         const double around = 3.0 * std::numbers::pi * (thinnest + thickest) / cell;
         sizing.expected_triangles += std::max(around, kLeastAround) * std::max(length, extent) / cell;
-        // Where all is shorter than it is thick, the surface is that of a ball.
+        // If all vessels are shorter than thick, the surface is about a sphere.
         ball = std::max(ball, 12.0 * std::numbers::pi * thickest * thickest / (cell * cell));
         if (cell_mm > 0.0) return;
         sizing.pieces.push_back({glm::vec3(a - origin), glm::vec3(length > 0.0 ? (b - a) / length : glm::dvec3(0.0)),
@@ -129,7 +129,7 @@ Sizing make_sizing(const field::Field& field, int detail, double cell_mm) {
         const double r1 = s[i].end_radius();
         const double ratio = std::max(r0, r1) / std::min(r0, r1);
         if (ratio > kPieceRatio && cell_mm <= 0.0) {
-            // A strongly conical segment is cut, so that its thick end is not meshed for its thin one.
+            // Divides a strongly conical segment, so that its thick end does not get the cells of its thin end.
             const int count = static_cast<int>(std::ceil(std::log(ratio) / std::log(kPieceRatio)));
             const glm::dvec3 a = start_of(s[i]);
             const glm::dvec3 b = end_of(s[i]);

@@ -8,7 +8,7 @@ namespace ramus::mesh::bricks {
 
 namespace {
 
-// Deals out `list` to the children by the bits beside it; `memory` is to hold the lists.
+// Distributes `list` to the children according to `bits`. `memory` receives the lists.
 std::array<Indices, field::kChildren> deal(Indices list, std::span<const std::uint8_t> bits,
                                            std::vector<std::uint32_t>& memory) {
     if (memory.size() < field::kChildren * list.size()) memory.resize(field::kChildren * list.size());
@@ -26,7 +26,7 @@ std::array<Indices, field::kChildren> deal(Indices list, std::span<const std::ui
     return lists;
 }
 
-// Part of an octree, counted from its own beginnings.
+// A part of an octree with its own indices.
 struct Part {
     OctreeEntry top;
     std::vector<OctreeNode> nodes;
@@ -47,8 +47,8 @@ bool has_bricks(const Octree& octree, const Subtree& subtree, const Part& part) 
                               same);
 }
 
-// Depth first, children in Morton order: the order of the bricks is the same in every run. `scratch` has an entry for
-// every level.
+// Builds a part depth first, children in Morton order, so that the order of bricks is the same in every run. `scratch`
+// has an entry for every level.
 OctreeEntry descend(const Splitter& splitter, const Cube& cube, std::span<Children> scratch, Part& part) {
     const std::size_t index = part.nodes.size();
     part.nodes.emplace_back();
@@ -81,7 +81,7 @@ void Splitter::split(const Cube& cube, Children& children, bool upper) const {
     bool some = false;
     for (int c = 0; c < field::kChildren; ++c) {
         const auto i = static_cast<std::size_t>(c);
-        // The margin is far above the rounding of a sample, so a dropped region never hides a change of sign.
+        // The margin is far above the rounding of a sample, so no sign change is ever dropped.
         children.verdicts[i] = bounds.upper[i] < isovalue * 0.999F   ? Children::Verdict::kOutside
                                : bounds.lower[i] > isovalue * 1.001F ? Children::Verdict::kInside
                                                                      : Children::Verdict::kBrick;
@@ -142,7 +142,7 @@ Seed::Seed(const Splitter& splitter, const Cube& parent_cube, const Children& ch
       child(static_cast<std::uint32_t>(c)), segments(cube.segments.begin(), cube.segments.end()) {
     is_subtree = is_brick || splitter.is_subtree(cube);
     if (!is_subtree && !splitter.sizing.pieces.empty() && !splitter.any_active(parent_cube, c, cube.pieces)) {
-        // The thin end of a long segment lies elsewhere.
+        // No piece requires smaller cells here: is_subtree() saw the thin end of a long segment that lies elsewhere.
         is_brick = is_subtree = true;
     } else if (!is_subtree) {
         pieces.assign(cube.pieces.begin(), cube.pieces.end());
@@ -156,7 +156,7 @@ Seed::Seed(const Splitter& splitter, const Cube& parent_cube, const Children& ch
 
 namespace {
 
-// Appends the subtrees of some seeds. How many of the seeds were entered: they are the first ones then.
+// Appends the subtrees of some seeds. Moves the seeds that were not skipped to the front, and returns their number.
 std::size_t append_some(const Splitter& splitter, std::span<Seed> seeds, Octree& octree, const Job& job) {
     const std::size_t first_subtree = octree.subtrees.size();
     std::vector<Part> parts(seeds.size());
@@ -214,7 +214,7 @@ std::size_t append_some(const Splitter& splitter, std::span<Seed> seeds, Octree&
 } // namespace
 
 void append_subtrees(const Splitter& splitter, std::vector<Seed>& seeds, Octree& octree, Job& job) {
-    // All at once, unless the octree is on the disk: what is on its way there is in memory.
+    // All at once, unless the octree is on the disk: then the parts being built are in memory.
     constexpr std::size_t kAtOnce = 2048;
     const bool on_disk = octree.lists.get_allocator().memory() != nullptr;
     const std::size_t at_once = on_disk ? kAtOnce : std::max<std::size_t>(seeds.size(), 1);

@@ -1,5 +1,5 @@
-// Splitter: what the eight children of a cube are, and how a subtree's bricks come of that. Shared by building an
-// octree and by updating one.
+// Splitter: decides for the eight children of a cube whether they are outside, inside, a brick, or must be divided, and
+// builds the bricks of subtrees. Used to build an octree and to update one.
 #pragma once
 
 #include "core/mesh/polygonize/octree/octree.h"
@@ -14,15 +14,15 @@ namespace ramus::mesh::bricks {
 
 using Indices = std::span<const std::uint32_t>;
 
-// A cube of the octree with what of the tree concerns it: segments, and sizing pieces, or above the subtrees groups of
-// them.
+// A cube of the octree with the segments that reach it and the sizing pieces that may require smaller cells. Above the
+// subtrees `pieces` are groups.
 struct Cube {
     glm::ivec3 corner{0};
     int level = 0;
     Indices segments, pieces;
 };
 
-// The children of a cube that the surface may cross, and the memory of their lists.
+// The children of a cube, with the memory of their lists.
 struct Children {
     enum class Verdict { kOutside, kInside, kBrick, kSplit };
     std::array<Verdict, field::kChildren> verdicts{};
@@ -38,14 +38,14 @@ struct Splitter {
     const Lattice& lattice;
 
     void split(const Cube& cube, Children& children) const { split(cube, children, false); }
-    // With groups instead of pieces.
+    // The same for a cube whose pieces are groups.
     void split_upper(const Cube& cube, Children& children) const { split(cube, children, true); }
-    // The pieces of `groups` that ask a child of the cube for smaller cells, and whether there are any.
+    // Whether any piece of `groups` requires smaller cells in a child of the cube; and the list of these pieces.
     [[nodiscard]] bool any_active(const Cube& cube, std::size_t child, Indices groups) const;
     void expand(const Cube& cube, std::size_t child, Indices groups, std::vector<std::uint32_t>& pieces) const;
-    // Whether a cube as small as this is to be a subtree. Goes by its segments alone.
+    // Whether a cube is small enough to be a subtree. Depends only on its segments.
     [[nodiscard]] bool is_subtree(const Cube& cube) const;
-    // Middle of a cube relative to the middle of the frame, and the edge of its children, mm.
+    // The middle of a cube relative to the middle of the frame (mm), and the edge of its children (mm).
     [[nodiscard]] glm::vec3 middle_of(const Cube& cube) const;
     [[nodiscard]] field::ChildCubes children_of(const Cube& cube) const {
         return {middle_of(cube), static_cast<float>(child_side(cube))};
@@ -56,7 +56,7 @@ private:
     void split(const Cube& cube, Children& children, bool upper) const;
 };
 
-// Where the lists begin: all that there is.
+// The lists of the top cube: all segments and all groups.
 class RootLists {
 public:
     RootLists(const field::Field& field, const Sizing& sizing) : segments_(field.skeleton().present()) {
@@ -70,24 +70,24 @@ private:
     std::vector<std::uint32_t> groups_;
 };
 
-// A cube with lists of its own that is to become a subtree, or to be split on the way there. Child of an upper node.
+// A child of an upper node, with lists of its own, that will become a subtree, or be divided further.
 struct Seed {
     Cube cube;
     bool is_brick = false, is_subtree = false;
     std::uint32_t parent = 0, child = 0;
-    // A subtree that is there already, of which it is known that only its division into bricks may have changed.
+    // An existing subtree at this place in which only the division into bricks may have changed.
     std::uint32_t present = UpperNode::kNothing;
-    std::vector<std::uint32_t> segments, pieces; // what the cube's lists point to
+    std::vector<std::uint32_t> segments, pieces; // the memory of the cube's lists
 
     Seed() = default;
-    // A child of `cube`, which was split with groups.
+    // Child `c` of `parent_cube`, which was divided with groups.
     Seed(const Splitter& splitter, const Cube& parent_cube, const Children& children, std::size_t c,
          std::uint32_t parent_node);
 };
 
-// Makes the subtrees of `seeds`, appends them to the octree, nodes, bricks, lists and all, and enters them under their
-// parents. They are appended to octree.subtrees, in order. Leaves in `seeds` those that were
-// entered: not those whose present subtree turned out as they would. Incomplete when cancelled.
+// Builds the subtrees of `seeds`, appends them with their nodes, bricks and lists to the octree, in order, and links
+// them to their parents. A seed whose present subtree is unchanged is skipped and removed from `seeds`. Incomplete if
+// cancelled.
 void append_subtrees(const Splitter& splitter, std::vector<Seed>& seeds, Octree& octree, Job& job);
 
 } // namespace ramus::mesh::bricks

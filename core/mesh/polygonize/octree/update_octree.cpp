@@ -9,7 +9,7 @@ namespace ramus::mesh::bricks {
 
 namespace {
 
-// What changed, as it concerns one cube: segments and sizing pieces of both states.
+// The changes that may affect one cube: segments and sizing pieces of both states.
 using Changed = std::array<std::vector<std::uint32_t>, 4>;
 
 bool is_empty(const Changed& changed) {
@@ -36,7 +36,7 @@ public:
         }
     }
 
-    // Replaces what was there by the seeds' subtrees.
+    // Replaces old subtrees by those of the seeds.
     OctreeChanges finish(Job& job) {
         std::vector<std::array<std::uint32_t, field::kChildren>> old;
         const std::size_t first = octree_.subtrees.size();
@@ -97,8 +97,8 @@ private:
         return changed;
     }
 
-    // Of a child whose segments are what they were: sizing pieces that change nothing there, because whatever the
-    // surface is near asks for cells as small or smaller.
+    // For a child with unchanged segments: drops the changed sizing pieces that have no effect there, since the nearby
+    // vessels require cells as small or smaller.
     void drop_irrelevant(const Cube& parent, const Children& children, std::size_t c, Changed& changed) const {
         if (children.verdicts[c] < Children::Verdict::kBrick) {
             changed[2].clear(), changed[3].clear();

@@ -1,5 +1,5 @@
-// Brings an octree up to date with a tree of which only some segments changed: only where those reach is it split anew,
-// and the outcome is the octree that building from nothing would give.
+// Updates an octree after some segments of the tree have changed. Divides only the cubes that these segments reach. The
+// result equals the octree that build_octree() would return, except for the order of its arrays.
 #pragma once
 
 #include "core/mesh/polygonize/octree/neighbours.h"
@@ -7,14 +7,14 @@
 
 namespace ramus::mesh::bricks {
 
-// One state of a tree, and what of it is not in the other.
+// One state of a tree, and its segments and sizing pieces that the other state does not have.
 struct TreeState {
     const field::Field& field;
     const Sizing& sizing;
     std::vector<std::uint32_t> changed_segments, changed_pieces;
 };
 
-// Both states in the same frame. Incomplete when cancelled.
+// Both states must have the same frame. Incomplete if cancelled.
 [[nodiscard]] OctreeChanges update_octree(Octree& octree, const TreeState& before, const TreeState& after, Job& job);
 
 } // namespace ramus::mesh::bricks

@@ -1,9 +1,9 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/field/apart/axes.cpp"
+#define HWY_TARGET_INCLUDE "core/field/separation/axes.cpp"
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
 #include <hwy/foreach_target.h>
 // clang-format on
-#include "core/field/apart/axes.h"
+#include "core/field/separation/axes.h"
 
 #include <algorithm>
 #include <array>
@@ -43,12 +43,12 @@ HWY_INLINE Real dot(const Vector& a, const Vector& b) {
 }
 HWY_INLINE Real limited(Real x, Real low, Real high) { return hn::Min(hn::Max(x, low), high); }
 
-// The least of some axes' numbers, and whose it is: the first of several.
+// The least number, and the index of its axis; the lowest index of several.
 struct LeastOfAxes {
     double number;
     std::uint32_t axis;
 };
-// That of numbers so far, by lane.
+// The least number so far in each lane, and its index.
 struct Least {
     Real number, place;
 
@@ -68,7 +68,7 @@ struct Least {
 
 using Numbers = hn::Rebind<std::uint32_t, Doubles>;
 
-// Appends some of the places of a vector's lanes. Writes a whole vector.
+// Appends the selected lanes of `places`. Writes a whole vector at `next`.
 HWY_INLINE std::uint32_t* put_places(hn::Mask<Doubles> which, hn::Vec<Numbers> places, std::uint32_t* next) {
     const Numbers d;
     HWY_ALIGN std::uint8_t bits[8] = {};
@@ -77,8 +77,8 @@ HWY_INLINE std::uint32_t* put_places(hn::Mask<Doubles> which, hn::Vec<Numbers> p
     return next + std::popcount(bits[0]);
 }
 
-// Rows by their first number and how far they are apart: what vectors are written to may be anything, so that these
-// two would be read again after each one.
+// A copy of the pointer and the stride of NumberRows. The compiler cannot prove that vector stores leave the original
+// members unchanged, so it would load them again after each store.
 template <class Number> struct RowsAt {
     Number* first;
     std::size_t stride;
@@ -89,8 +89,9 @@ template <std::size_t Rows> RowsAt<const double> rows_at(const NumberRows<Rows>&
     return {rows.row(0), rows.stride()};
 }
 
-// Which axes are nearer than the root of `reach2` radii, where these shrink beyond an end (radius_along() of
-// segment_foot-inl.h): at most as fast as up to it, which most often tells.
+// Which axes are nearer than sqrt(reach2) radii, where the radius shrinks beyond an end (radius_along() of
+// segment_foot-inl.h). A linear continuation bounds that radius from below, which decides most cases without a
+// division.
 HWY_INLINE hn::Mask<Doubles> is_near(Real distance2, Real reach2, Real radius, Real change, Real size, Real beyond) {
     const Doubles d;
     const auto within = [&](Real r) { return hn::Lt(distance2, hn::Mul(reach2, hn::Mul(r, r))); };
@@ -104,10 +105,10 @@ HWY_INLINE hn::Mask<Doubles> is_near(Real distance2, Real reach2, Real radius, R
     return within(hn::Min(radius, hn::MulAdd(change, carried, radius)));
 }
 
-// The nearest places to a point on a vector's axes, as far along the axes and beyond their ends.
+// The points nearest to a query point on one vector of axes.
 struct Places {
-    Real along_axis, t; // before and after it is limited to the axis
-    Vector off;         // from the place to the point
+    Real along_axis, t; // mm from the start, before and after clamping to the segment
+    Vector off;         // from the nearest point to the query point
     Real distance2;
 };
 HWY_INLINE Places places_on(const RowsAt<const double>& rows, std::size_t n, const Vector& p) {
@@ -140,7 +141,7 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
     std::uint32_t* next_marked = feet.marked.places.data();
     const Real far = hn::Set(d, std::numeric_limits<double>::infinity());
     Least least_near{far, zero}, least_marked{far, zero};
-    // Counted on: made anew for each vector they are written to memory and read from there, which takes far longer.
+    // Incremented: building the indices anew for each vector would pass them through memory, which takes far longer.
     auto numbers = hn::Iota(Numbers(), 0);
     const auto lanes = hn::Set(Numbers(), static_cast<std::uint32_t>(hn::Lanes(d)));
     for (std::size_t n = 0; n < axes.count; n += hn::Lanes(d), numbers = hn::Add(numbers, lanes)) {
@@ -154,7 +155,7 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
         put(there, p, to, n);
         hn::StoreU(radius, d, to.row(kFootRadius) + n);
         hn::StoreU(relative2, d, to.row(kFootRelative2) + n);
-        // Behind the last axis radii are 0, and nothing is near.
+        // Padding axes have radius 0, so nothing is near them.
         const Real excess = hn::Sub(there.along_axis, there.t);
         const auto near = is_near(distance2, reach2, radius, hn::Mul(slope, excess), hn::Abs(excess),
                                   hn::LoadU(d, rows.row(kAxisBeyond) + n));
@@ -174,19 +175,20 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
     feet.marked.nearest = least_marked.of_all_lanes().axis;
 }
 
-void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apart, std::size_t count, double* left) {
+void find_left_out(const AxisFeet& feet, std::uint32_t own, const AxisRelations& relations, std::size_t count,
+                   double* left) {
     const Doubles d;
     const Real zero = hn::Zero(d), one = hn::Set(d, 1.0), two = hn::Set(d, 2.0), three = hn::Set(d, 3.0);
     const Vector foot = set(feet.foot(own));
     const Real radius = hn::Set(d, feet.of(own, kFootRadius));
     for (std::size_t n = 0; n < count; n += hn::Lanes(d)) {
-        const Real from = hn::LoadU(d, apart.row(kApart) + n);
+        const Real from = hn::LoadU(d, relations.row(kTogetherFrom) + n);
         hn::StoreU(zero, d, left + n);
         if (hn::AllFalse(d, hn::Gt(from, zero))) continue;
         const Vector between = minus(load(feet.rows, kFootX, n), foot);
         const Real radii = hn::Add(hn::LoadU(d, feet.rows.row(kFootRadius) + n), radius);
         const Real closeness = hn::Div(hn::Sqrt(dot(between, between)), radii);
-        const Real x = limited(hn::Mul(hn::Sub(from, closeness), hn::LoadU(d, apart.row(kFade) + n)), zero, one);
+        const Real x = limited(hn::Mul(hn::Sub(from, closeness), hn::LoadU(d, relations.row(kFade) + n)), zero, one);
         hn::StoreU(hn::Mul(hn::Mul(x, x), hn::NegMulAdd(two, x, three)), d, left + n);
     }
 }
@@ -196,10 +198,10 @@ HWY_INLINE hn::Mask<Doubles> is_set(const double* row, std::size_t n) {
     return hn::Gt(hn::LoadU(d, row + n), hn::Zero(d));
 }
 
-double least_relative2(const AxisFeet& feet, const ApartAxes& apart, std::size_t count) {
+double least_relative2(const AxisFeet& feet, const AxisRelations& relations, std::size_t count) {
     const Doubles d;
     const double* const near = feet.rows.row(kFootNear);
-    const double* const is_apart = apart.row(kIsApart);
+    const double* const is_apart = relations.row(kIsApart);
     Real least = hn::Set(d, std::numeric_limits<double>::infinity());
     for (std::size_t n = 0; n < count; n += hn::Lanes(d)) {
         const auto which = hn::And(is_set(near, n), is_set(is_apart, n));
@@ -209,7 +211,7 @@ double least_relative2(const AxisFeet& feet, const ApartAxes& apart, std::size_t
 }
 
 std::optional<glm::dvec3> find_counted_foot(const Axes& counted, const glm::dvec3& point, const AxisFeet& feet,
-                                            std::uint32_t own, const ApartAxes& apart) {
+                                            std::uint32_t own, const AxisRelations& relations) {
     const Doubles d;
     constexpr std::size_t kMostLanes = NumberRows<1>::kWidestVector;
     const std::size_t lanes = hn::Lanes(d);
@@ -220,14 +222,14 @@ std::optional<glm::dvec3> find_counted_foot(const Axes& counted, const glm::dvec
     bool any_moved = false;
     for (std::size_t n = 0; n < counted.count; n += lanes) {
         const auto is_near = is_set(near, n);
-        const auto counts = hn::And(is_near, is_set(apart.row(kInContact), n));
+        const auto counts = hn::And(is_near, is_set(relations.row(kInContact), n));
         if (hn::AllFalse(d, counts)) continue;
-        any_moved = any_moved || !hn::AllFalse(d, hn::And(is_near, is_set(apart.row(kIsMoved), n)));
+        any_moved = any_moved || !hn::AllFalse(d, hn::And(is_near, is_set(relations.row(kIsMoved), n)));
         least.see(counts, places_on(rows, n, p).distance2, hn::Iota(d, static_cast<double>(n)));
     }
     if (!any_moved) return std::nullopt;
     const LeastOfAxes nearest = least.of_all_lanes();
-    // Of an axis by its place, as in find_feet().
+    // Reads the lane of one axis.
     const auto number_at = [&](Real numbers_there, std::size_t place) {
         HWY_ALIGN std::array<double, kMostLanes> there;
         hn::Store(numbers_there, d, there.data());
@@ -240,8 +242,8 @@ std::optional<glm::dvec3> find_counted_foot(const Axes& counted, const glm::dvec
     return glm::dvec3(number_at(foot.x, chosen), number_at(foot.y, chosen), number_at(foot.z, chosen));
 }
 
-// How far from the axis' foot an obstacle is at most that casts a shadow nearer than `below`, but for its ends' moves:
-// a shadow begins beyond the middle of the way to its obstacle. With some room for rounding.
+// An upper bound of the distance from the axis' foot to an obstacle whose shadow is nearer than `below`, without the
+// moves of its ends. A shadow begins beyond the middle of the way to its obstacle. Has a margin for rounding.
 double reach_of_shadows(const WayOut& way, double below) {
     return std::max(2.0 * (way.length + below) + 1e-6 * way.length, 0.0) + glm::length(way.foot - way.axis_foot);
 }
@@ -259,7 +261,7 @@ Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range,
         const Real length = hn::LoadU(d, rows.row(kAxisLength) + n);
         const Real start_radius = hn::LoadU(d, rows.row(kAxisRadius) + n);
         const Real slope = hn::LoadU(d, rows.row(kAxisSlope) + n);
-        // Only of those that the vessel is kept apart from where it is.
+        // Skip obstacles that count as together with the vessel at this foot.
         const Vector between_axes = minus(axis_foot, start);
         const Real t = limited(dot(between_axes, u), zero, length);
         const Vector gap = along(between_axes, hn::Neg(t), u);
@@ -269,7 +271,8 @@ Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range,
         const auto is_apart = hn::Lt(gap2, hn::Mul(most, most));
         const Real concerns = hn::Add(beyond, hn::LoadU(d, rows.row(kMostMove) + n));
         if (hn::AllFalse(d, hn::And(is_apart, hn::Lt(gap2, hn::Mul(concerns, concerns))))) continue;
-        // Where the way is nearest to the obstacle's axis, how far it is then, and how long it is within the obstacle.
+        // Where the way is nearest to the obstacle's axis, the distance there, and half of its length within the
+        // obstacle.
         const Vector across = minus(start, foot);
         const Real cosine = dot(w, u);
         const Real sine2 = hn::Max(hn::NegMulAdd(cosine, cosine, hn::Set(d, 1.0)), hn::Set(d, 1e-12));
@@ -287,7 +290,7 @@ Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range,
         const Real lateral =
             hn::Mul(hn::Sub(hn::Sqrt(off2), radius), hn::Min(hn::Div(way_length, at), hn::Set(d, 1.0)));
         const Real half_chord = hn::Sqrt(hn::Max(hn::Sub(hn::Mul(radius, radius), off2), zero));
-        // From where on it is nearer to the obstacle's axis, as that counts, than long.
+        // `middle`: beyond this length, points of the way are nearer to the obstacle's moved axis than to the foot.
         const Real share = hn::Div(beside, hn::Max(length, hn::Set(d, 1e-300)));
         const Vector move_start = load(rows, kMoveStartX, n);
         const Vector move = along(move_start, share, minus(load(rows, kMoveEndX, n), move_start));
@@ -340,17 +343,18 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
     HWY_DYNAMIC_DISPATCH(find_feet)(axes, point, radii, feet);
 }
 
-double least_relative2(const AxisFeet& feet, const ApartAxes& apart, std::size_t count) {
-    return HWY_DYNAMIC_DISPATCH(least_relative2)(feet, apart, count);
+double least_relative2(const AxisFeet& feet, const AxisRelations& relations, std::size_t count) {
+    return HWY_DYNAMIC_DISPATCH(least_relative2)(feet, relations, count);
 }
 
 std::optional<glm::dvec3> find_counted_foot(const Axes& counted, const glm::dvec3& point, const AxisFeet& feet,
-                                            std::uint32_t own, const ApartAxes& apart) {
-    return HWY_DYNAMIC_DISPATCH(find_counted_foot)(counted, point, feet, own, apart);
+                                            std::uint32_t own, const AxisRelations& relations) {
+    return HWY_DYNAMIC_DISPATCH(find_counted_foot)(counted, point, feet, own, relations);
 }
 
-void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apart, std::size_t count, double* left) {
-    HWY_DYNAMIC_DISPATCH(find_left_out)(feet, own, apart, count, left);
+void find_left_out(const AxisFeet& feet, std::uint32_t own, const AxisRelations& relations, std::size_t count,
+                   double* left) {
+    HWY_DYNAMIC_DISPATCH(find_left_out)(feet, own, relations, count, left);
 }
 
 Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range, const WayOut& way, double below) {
@@ -358,7 +362,7 @@ Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range,
     return HWY_DYNAMIC_DISPATCH(nearest_shadow)(obstacles, range, way, below);
 }
 
-// Where the way is beside the obstacle it is left sideways, otherwise backwards.
+// The shadow is left sideways where its side is nearer than its front, otherwise back along the way.
 ShadowSide side_of_shadow(const ObstacleRows& obstacles, std::size_t obstacle, const WayOut& way) {
     const auto vector = [&](std::size_t row) {
         return glm::dvec3(obstacles.row(row)[obstacle], obstacles.row(row + 1)[obstacle],

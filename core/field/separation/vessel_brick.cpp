@@ -1,6 +1,6 @@
-#include "core/field/apart/vessel_brick.h"
+#include "core/field/separation/vessel_brick.h"
 
-#include "core/field/apart/wall.h"
+#include "core/field/separation/wall.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ namespace ramus::field {
 namespace {
 
 constexpr unsigned kKnownBits = 12;
-// Tuned: the corner between a vessel's surface and a wall is missed by as much where no grid point is in it.
+// Tuned: where no grid point lies in the corner between a vessel's surface and a wall, vertices miss it by this much.
 constexpr double kOnwardCells = 1.8;
 
 } // namespace
@@ -43,7 +43,7 @@ VesselBrick::Verdict VesselBrick::judge(const glm::dvec3& point, float plain) {
     Verdict verdict{plain, kNoOwner};
     if (views_.alone()) return verdict;
     std::uint32_t place = VesselViews::kNone;
-    const bool disputed = !views_.is_undisputed(plain); // which takes less to find than the sight
+    const bool disputed = !views_.is_undisputed(plain); // cheaper than sight()
     const VesselViews::Sight sight = disputed ? views_.sight() : VesselViews::Sight::kPlain;
     if (sight == VesselViews::Sight::kParted) {
         kernels_ += views_.add_terms();
@@ -54,18 +54,18 @@ VesselBrick::Verdict VesselBrick::judge(const glm::dvec3& point, float plain) {
         verdict.value = std::min(plain, std::nextafter(views_.isovalue(), 0.0F));
     }
     if (place == VesselViews::kNone) place = views_.nearest();
-    // The zones of bricks hold all that vessels may claim and a cell around it, but differ beyond: bricks agree on
-    // every wall because a point farther out has no owner.
+    // Zones of different bricks agree within what vessels may claim and a cell around it, and differ beyond. A point
+    // farther out gets no owner, so that bricks agree on every wall.
     if (place != VesselViews::kNone && views_.may_claim(place))
         verdict.owner = static_cast<Owner>(views_.list()[place]);
     return verdict;
 }
 
 float VesselBrick::value_at(const glm::dvec3& point, float plain) {
-    // Leaving out makes sums smaller: what is outside of all stays there.
+    // A view is never above the plain sum, so a point outside of the plain surface stays outside.
     if (plain < views_.isovalue() || !views_.in_zone(point)) return plain;
     const Verdict verdict = judge(point, plain);
-    // Whether anything is kept apart there may be known in one brick only; whose it is then is the same in all.
+    // Bricks may differ in whether a point has an owner, but never in which owner it is, so the cache outlives a brick.
     if (verdict.owner != kNoOwner) known(point) = {point, verdict.owner, true};
     return verdict.value;
 }
@@ -135,7 +135,6 @@ Bounds<glm::dvec3> VesselBrick::bounds_of(const OwnedGuess& one, const glm::dvec
     return {glm::max(lower, middle - reach), glm::min(upper, middle + reach)};
 }
 
-// Whether something is kept apart at a point or near it.
 bool VesselBrick::is_beside_contact(const glm::dvec3& point) {
     if (!views_.in_zone(point)) return false;
     views_.look(point);
@@ -143,7 +142,7 @@ bool VesselBrick::is_beside_contact(const glm::dvec3& point) {
 }
 
 DrawnPoint VesselBrick::draw(const OwnedGuess& whose, const glm::vec3& guess, float onward) {
-    constexpr double kNear = 0.03, kOnIt = 0.004; // radii: of the mesh's rims, and of what was moved onto a surface
+    constexpr double kNear = 0.03, kOnIt = 0.004; // radii: tolerance of the mesh's rims, and of projected points
     const glm::dvec3 corner = axes_.corner(), from = corner + glm::dvec3(guess);
     const Bounds<glm::dvec3> bounds = bounds_of(whose, from, 0.0);
     const std::uint32_t place = place_near(whose.owner, bounds.least);

@@ -1,4 +1,4 @@
-#include "core/field/apart/vessel_views.h"
+#include "core/field/separation/vessel_views.h"
 
 #include "core/tree/contacts/links.h"
 
@@ -22,8 +22,8 @@ bool VesselViews::enter(SegmentIndices list, const GridAxes& axes) {
     if (zone_.empty()) return false;
     list_axes();
     looked_ = terms_ready_ = false;
-    apart_ready_.assign(static_cast<std::size_t>(contacts_.piece_count()), 0);
-    if (apart_.size() < apart_ready_.size()) apart_.resize(apart_ready_.size());
+    relations_ready_.assign(static_cast<std::size_t>(contacts_.piece_count()), 0);
+    if (relations_.size() < relations_ready_.size()) relations_.resize(relations_ready_.size());
     return true;
 }
 
@@ -46,12 +46,12 @@ void VesselViews::list_axes() {
     if (any_moved_) list_counted_axes();
 }
 
-// Also of a piece whose partners are not in the brick's list: they are in another one's that has the same points.
+// Includes pieces whose partners are not in this brick's list: another brick that shares points may have them.
 const PieceShape* VesselViews::shape_of(std::uint32_t place) const {
     return contacts_.all().shape(contacts_.all().of_segment(list_[place]));
 }
 
-// Radii are not asked for.
+// Radii of moved axes are never used.
 void VesselViews::list_counted_axes() {
     counted_axes_.clear(list_.size());
     for (std::uint32_t n = 0; n < list_.size(); ++n) {
@@ -67,25 +67,26 @@ void VesselViews::list_counted_axes() {
     }
 }
 
-const ApartAxes& VesselViews::apart_from(int piece) {
+const AxisRelations& VesselViews::relations_of(int piece) {
     const auto of = static_cast<std::size_t>(piece);
-    ApartAxes& apart = apart_[of];
-    if (apart_ready_[of] != 0) return apart;
-    apart_ready_[of] = 1;
-    apart.resize(list_.size());
+    AxisRelations& relations = relations_[of];
+    if (relations_ready_[of] != 0) return relations;
+    relations_ready_[of] = 1;
+    relations.resize(list_.size());
     for (std::uint32_t n = 0; n < list_.size(); ++n) {
         const auto from = static_cast<double>(contacts_.apart_from(piece, this->piece(n)));
         if (from < 0.0)
-            apart.row(kInContact)[n] = in_contact_[n], apart.row(kIsMoved)[n] = moved_[n];
+            relations.row(kInContact)[n] = in_contact_[n], relations.row(kIsMoved)[n] = moved_[n];
         else
-            apart.row(kIsApart)[n] = 1.0;
+            relations.row(kIsApart)[n] = 1.0;
         if (!(from > 0.0)) continue;
         const double whole = 0.5 * (std::min(kernel_.limits.merged, from) + from);
-        const double begin = std::min(whole, 1.12 * kernel_.limits.merged); // a little above, for more than two vessels
-        apart.row(kApart)[n] = from;
-        apart.row(kFade)[n] = 1.0 / std::max(from - begin, 1e-9);
+        // A little above `merged`, since more than two vessels may meet.
+        const double begin = std::min(whole, 1.12 * kernel_.limits.merged);
+        relations.row(kTogetherFrom)[n] = from;
+        relations.row(kFade)[n] = 1.0 / std::max(from - begin, 1e-9);
     }
-    return apart;
+    return relations;
 }
 
 void VesselViews::look(const glm::dvec3& point) {
@@ -137,13 +138,14 @@ bool VesselViews::any_left_out(std::uint32_t nearest) {
             if ((bits[w] & near_piece_bits_[w]) != 0) return true;
         return false;
     };
-    const auto is_left_out = [&](std::uint32_t a, std::uint32_t from) { // symmetric: of those from there on
+    // The relation is symmetric, so each pair needs to be tested only once, with b >= from.
+    const auto is_left_out = [&](std::uint32_t a, std::uint32_t from) {
         const auto partners = contacts_.partners(piece(a));
         if (!any_near(partners)) return false;
         return std::ranges::any_of(
             kept_apart(), [&](std::uint32_t b) { return b >= from && has(partners, piece(b)) && leaves_out(a, b); });
     };
-    if (is_left_out(nearest, 0)) return true; // most often it is one of these
+    if (is_left_out(nearest, 0)) return true; // the most frequent case
     return std::ranges::any_of(kept_apart(), [&](std::uint32_t a) { return is_left_out(a, a + 1); });
 }
 
@@ -156,11 +158,11 @@ bool VesselViews::leaves_out(std::uint32_t a, std::uint32_t b) const {
 }
 
 bool VesselViews::is_undisputed(float plain) {
-    // So many straight vessels at the distance of the nearest add more than all that are near.
+    // An assumed bound: all partners together add less than this many straight vessels at the least distance.
     constexpr double kVessels = 4.0;
     const std::uint32_t own = nearest();
     const double other2 = piece(own) < 0 ? std::numeric_limits<double>::infinity()
-                                         : least_relative2(feet_, apart_from(piece(own)), list_.size());
+                                         : least_relative2(feet_, relations_of(piece(own)), list_.size());
     if (other2 < claim_radii2()) return false;
     const double most = kVessels * kernel_.long_vessel->value(kernel_, other2);
     return static_cast<double>(plain) - most >= kernel_.isovalue && !(shadow_on(own, 0.0).spare < 0.0);
@@ -195,9 +197,9 @@ VesselViews::Vessel& VesselViews::vessel(std::uint32_t place) {
 std::span<const double> VesselViews::left_out(Vessel& own) {
     if (own.knows_left_out) return own.left_out;
     own.knows_left_out = true;
-    own.left_out.resize(ApartAxes::padded(list_.size()));
+    own.left_out.resize(AxisRelations::padded(list_.size()));
     if (const int of = piece(own.place); of >= 0)
-        find_left_out(feet_, own.place, apart_from(of), list_.size(), own.left_out.data());
+        find_left_out(feet_, own.place, relations_of(of), list_.size(), own.left_out.data());
     else
         std::ranges::fill(own.left_out, 0.0);
     return own.left_out;
@@ -230,12 +232,11 @@ VesselView VesselViews::view(std::uint32_t own) {
     return view;
 }
 
-// Where some axis of the vessel is moved that reaches the point, the nearest one in mm of the axes as they count.
-// What else a brick knows of changes nothing: bricks that a point belongs to agree.
+// Uses only axes that reach the point, so that all bricks that share the point agree.
 glm::dvec3 VesselViews::foot_as_it_counts(std::uint32_t own) {
     if (piece(own) < 0 || !any_moved_) return foot(own);
-    const ApartAxes& apart = apart_from(piece(own));
-    return find_counted_foot(counted_axes_, point_, feet_, own, apart).value_or(foot(own));
+    const AxisRelations& relations = relations_of(piece(own));
+    return find_counted_foot(counted_axes_, point_, feet_, own, relations).value_or(foot(own));
 }
 
 const WayOut& VesselViews::way_out(Vessel& own) {
@@ -275,7 +276,7 @@ void VesselViews::group_by_piece() {
     nearest_of_piece_.assign(static_cast<std::size_t>(contacts_.piece_count()), kNone);
     nearest_of_others_ = kNone;
     const double* const relative2 = feet_.rows.row(kFootRelative2);
-    for (const std::uint32_t n : seen()) { // ascending: of several the first is the nearest
+    for (const std::uint32_t n : seen()) { // ascending, so that the lowest place of several wins
         const int of = piece(n);
         std::uint32_t& nearest = of < 0 ? nearest_of_others_ : nearest_of_piece_[static_cast<std::size_t>(of)];
         if (nearest == kNone && of >= 0) near_pieces_.push_back(of);
@@ -293,7 +294,7 @@ void VesselViews::list_vessels(double most_radii2) {
         const std::uint32_t there = nearest_of_piece_[static_cast<std::size_t>(other)];
         if (feet_.of(there, kFootRelative2) <= most_radii2 && apart(first, there)) candidates_.push_back(there);
     }
-    while (!candidates_.empty() && vessels_.size() < kMostVessels) { // those apart from all that are listed
+    while (!candidates_.empty() && vessels_.size() < kMostVessels) { // candidates are apart from all listed vessels
         std::uint32_t next = kNone;
         for (const std::uint32_t n : candidates_)
             if (nearer(n, next)) next = n;

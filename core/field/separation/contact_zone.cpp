@@ -1,4 +1,4 @@
-#include "core/field/apart/contact_zone.h"
+#include "core/field/separation/contact_zone.h"
 
 #include <cstddef>
 #include <glm/common.hpp>
@@ -6,7 +6,7 @@
 
 namespace ramus::field {
 
-// Cells of a layer whose x (step 1) or y (step kSide) is in a range.
+// For each range, the cells of a layer whose x (step 1) or y (step kSide) is in the range.
 ContactZone::Ranges ContactZone::make_ranges(int step) {
     Ranges ranges{};
     for (int first = 0; first < kSide; ++first)
@@ -30,7 +30,7 @@ void ContactZone::begin(const GridAxes& axes) {
     layers_.fill({});
 }
 
-// Rounded as in has(), so that a box has the cell of every point in it.
+// Rounds as has() does, so that a box contains the cell of each of its points.
 ContactZone::Cells ContactZone::cells_of(const Bounds<glm::dvec3>& box) const {
     const auto cell_of = [&](const glm::dvec3& place) {
         return glm::ivec3(glm::clamp(glm::floor((place - origin_) * cells_per_mm_), -1.0, 1.0 * kSide));

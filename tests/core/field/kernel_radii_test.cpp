@@ -1,5 +1,5 @@
 // Radii that are sharpened for the kernel: the surface has those of the tree.
-#include "core/field/exact_radii.h"
+#include "core/field/kernel_radii.h"
 #include "core/field/kernels/gaussian.h"
 #include "core/field/vessel_field.h"
 #include "core/mesh/polygonize/polygonizer.h"
@@ -79,7 +79,7 @@ TEST_CASE("stenoses of 20 to 80 % over one to five diameters keep their radius w
             CAPTURE(share);
             CAPTURE(diameters);
             const tree::PreparedTree plain = prepared_vessel(stenosis(share, diameters));
-            const tree::PreparedTree exact = as_the_kernel_sees_it(field::with_exact_radii(plain, kernel));
+            const tree::PreparedTree exact = as_the_kernel_sees_it(field::with_kernel_radii(plain, kernel));
             const double wanted = kWide * (1.0 - share);
             CHECK(std::abs(narrowest(exact, diameters) / wanted - 1.0) < 0.02);
             // What is to be mended: half a stenosis as long as the vessel is wide is filled by a fifth.
@@ -94,7 +94,7 @@ TEST_CASE("a vessel whose surface is right keeps its radii, to the bit") {
         slow.push_back({{0.5 * n, 0.0, 0.0}, 1.5 + 0.005 * n});
     }
     for (const auto& points : {even, slow}) {
-        const tree::PreparedTree exact = field::with_exact_radii(prepared_vessel(points), field::gaussian(5.0));
+        const tree::PreparedTree exact = field::with_kernel_radii(prepared_vessel(points), field::gaussian(5.0));
         REQUIRE(exact.kernel_radii.size() == points.size());
         for (std::size_t p = 0; p < points.size(); ++p) CHECK(exact.kernel_radii[p] == points[p].radius);
     }
@@ -107,7 +107,7 @@ TEST_CASE("points that lie together change alike, and radii stay within their bo
         points.push_back({{0.0, 0.0, z}, radius});
         points.push_back({{0.0, 0.0, z + (n % 2 == 0 ? 1e-9 : 0.0)}, radius});
     }
-    const tree::PreparedTree exact = field::with_exact_radii(prepared_vessel(points), field::gaussian(5.0));
+    const tree::PreparedTree exact = field::with_kernel_radii(prepared_vessel(points), field::gaussian(5.0));
     double most = 0.0;
     for (std::size_t p = 0; p < points.size(); ++p) {
         const double change = exact.kernel_radii[p] / points[p].radius;
@@ -126,7 +126,7 @@ TEST_CASE("nodes keep their radius, and an edit changes its own branch's radii a
     mesh::SurfaceOptions options;
     options.centerline = tree::Centerline::kLines;
     const auto radii_of = [&] {
-        return field::with_exact_radii(mesh::prepare_tree(tree, options), kernel).kernel_radii;
+        return field::with_kernel_radii(mesh::prepare_tree(tree, options), kernel).kernel_radii;
     };
     const tree::PreparedTree prepared = mesh::prepare_tree(tree, options);
     const std::vector<double> before = radii_of();

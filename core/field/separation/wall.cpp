@@ -1,4 +1,4 @@
-#include "core/field/apart/wall.h"
+#include "core/field/separation/wall.h"
 
 #include <algorithm>
 #include <array>
@@ -15,14 +15,15 @@ namespace ramus::field {
 
 namespace {
 
-// How deep a point is within something, and the way out of it.
+// The depth of a point below one bound of a vessel, and the way out.
 struct Depth {
     double mm = 0.0; // negative: outside
     glm::dvec3 outward{0.0};
-    double cut_mm = 0.0; // of what an obstacle cuts off: how far the point is beyond where that begins
+    double cut_mm = 0.0; // for the bound of a shadow: how far the point is beyond the beginning of the shadow
 };
 
-// To first order, from the field, by a measure that is linear in the distance from a straight vessel's axis.
+// The depth below the vessel's own isosurface, to first order. Uses a measure of the field that is linear in the
+// distance from a straight vessel's axis.
 Depth depth_within(const VesselViews& views, const VesselView& view) {
     const LongVessel::Place place = views.place_of(view.value);
     const double slope = glm::length(view.gradient);
@@ -34,8 +35,8 @@ Depth depth_within(const VesselViews& views, const VesselView& view) {
     return {radius - distance, (views.point() - views.foot(view.place)) / std::max(distance, 1e-9 * radius)};
 }
 
-// How far the vessel's side of the wall toward another one is, which claims the place or does not: it is the other's
-// where that claims it and is nearer. Half of the gap is left free. Or `most`, if that is less or as much.
+// The depth behind the vessel's side of the wall toward `other`, or `most` if that is not larger. A point belongs to
+// `other` where `other` claims the point and its axis is nearer. Leaves half of the gap free.
 Depth depth_beside(VesselViews& views, std::uint32_t own, std::uint32_t other, const Depth& most) {
     const double radius_own = views.radius(own), radius_other = views.radius(other);
     const double free = 0.5 * kWallRadii * std::min(radius_own, radius_other);
@@ -45,14 +46,14 @@ Depth depth_beside(VesselViews& views, std::uint32_t own, std::uint32_t other, c
     const glm::dvec3 slope = 0.5 * (way_other / from_other - way_own / from_own);
     const double steepness = std::max(glm::length(slope), 0.1);
     const Depth nearer{0.5 * (from_other - from_own) / steepness, -slope / steepness};
-    if (!(nearer.mm - free < most.mm)) return most; // the other's surface only makes it more
+    if (!(nearer.mm - free < most.mm)) return most; // the surface of `other` can only increase the depth
     const Depth within_other = depth_within(views, views.view(other));
     Depth depth = -within_other.mm > nearer.mm ? Depth{-within_other.mm, -within_other.outward} : nearer;
     depth.mm -= free;
     return depth.mm < most.mm ? depth : most;
 }
 
-// Names the strongest branches, as they are seen from the vessel.
+// Fills in the branch, dominance and local radius of a point, from the vessel's view.
 void name(VesselViews& views, std::uint32_t own, WallPoint& point) {
     struct Share {
         std::int32_t branch = 0;
@@ -83,7 +84,7 @@ void name(VesselViews& views, std::uint32_t own, WallPoint& point) {
     }
 }
 
-// What an obstacle cuts off of a vessel, where that is nearer than `below` mm.
+// The depth before the nearest shadow on a vessel, if that is less than `below` mm.
 std::optional<Depth> depth_before(VesselViews& views, std::uint32_t own, double below) {
     const Shadow shadow = views.shadow_on(own, below);
     if (!(shadow.spare < below)) return std::nullopt;
@@ -91,8 +92,8 @@ std::optional<Depth> depth_before(VesselViews& views, std::uint32_t own, double 
     return Depth{shadow.spare, side.toward, side.beyond};
 }
 
-// How deep the point that was looked at is within what is the vessel's of a segment seen: within its surface, on its
-// side of walls, and before what cuts it off.
+// The depth of the current point within the vessel of segment `own`: the least depth below its isosurface, behind its
+// sides of walls, and before shadows.
 Depth depth_of(VesselViews& views, std::uint32_t own) {
     Depth depth = depth_within(views, views.view(own));
     views.list_vessels();
@@ -103,7 +104,7 @@ Depth depth_of(VesselViews& views, std::uint32_t own) {
     return depth_before(views, own, depth.mm).value_or(depth);
 }
 
-// The vessel's segment that is nearest to a point, which is looked at.
+// Makes `point` the current point. Returns the nearest segment of the vessel of `place`.
 std::uint32_t look_from(VesselViews& views, std::uint32_t place, const glm::dvec3& point, std::uint64_t& kernels) {
     views.look(point);
     const std::uint32_t own = views.nearest_of_vessel(place);
@@ -111,7 +112,7 @@ std::uint32_t look_from(VesselViews& views, std::uint32_t place, const glm::dvec
     return own;
 }
 
-// To first order, the shortest way to where two bounds of a vessel cross.
+// The shortest way to the line in which two bounds of a vessel cross, to first order. None if they are nearly parallel.
 std::optional<glm::dvec3> way_to_crossing(const Depth& a, const Depth& b) {
     constexpr double kLeastTurn = 0.05; // the sine of the angle between them, squared
     const double aa = glm::dot(a.outward, a.outward), bb = glm::dot(b.outward, b.outward);
@@ -120,16 +121,16 @@ std::optional<glm::dvec3> way_to_crossing(const Depth& a, const Depth& b) {
     return ((bb * a.mm - ab * b.mm) * a.outward + (aa * b.mm - ab * a.mm) * b.outward) / turn;
 }
 
-// Of a point of a vessel's surface, beside which the field was looked at, near where an obstacle cuts off more of it
-// than go_onward() brings back, so that one sees the edge: on to that, if it is no farther than a cell.
+// Moves a point onto the edge of a shadow nearby, if that is no farther than a cell. Only where the shadow cuts off
+// more than go_onward() restores, so that the edge is visible. The current point of `views` is near the point.
 void go_to_rim(VesselViews& views, std::uint32_t place, std::uint32_t seen, double onward, std::uint64_t& kernels,
                WallPoint& point) {
     constexpr int kSteps = 3;
-    constexpr double kReach = 0.6; // of how far points go onward: a cell
+    constexpr double kReach = 0.6; // share of `onward`: about a cell
     const double reach = kReach * onward;
     if (const auto before = depth_before(views, seen, reach);
         !before || depth_within(views, views.view(seen)).mm + before->cut_mm < onward)
-        return; // nothing is missing: points behind go on to the surface
+        return; // go_onward() restores all of it
     glm::dvec3 at = point.position, normal(0.0);
     for (int step = 0; step < kSteps; ++step) {
         const std::uint32_t own = look_from(views, place, at, kernels);
@@ -146,9 +147,9 @@ void go_to_rim(VesselViews& views, std::uint32_t place, std::uint32_t seen, doub
     point.onward_normal = normal;
 }
 
-// Of a point on a wall, beside which the field was looked at, with this depth there: the way on to the vessel's own
-// surface, if that is no farther than `onward` mm, with what an obstacle cuts off below the point. Whether there is
-// one.
+// Sets the way from a wall point to the vessel's own surface, if that is no farther than `onward` mm, less the part of
+// the shadow before the point. Returns whether it did. `depth` is the depth of the current point of `views`, which is
+// near the wall point.
 bool go_onward(VesselViews& views, std::uint32_t own, const Depth& depth, double onward, WallPoint& point) {
     const Depth within = depth_within(views, views.view(own));
     const double mm = within.mm - glm::dot(within.outward, point.position - views.point());
@@ -164,12 +165,12 @@ bool go_onward(VesselViews& views, std::uint32_t own, const Depth& depth, double
 WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3& guess,
                        const Bounds<glm::dvec3>& bounds, double onward, std::uint64_t& kernels) {
     constexpr int kSteps = 6;
-    // Of the radius: the depth is linear to first order, so that a step so short leads to the surface but for its
-    // square, and where another wall begins meanwhile, not through its gap.
+    // In radii. The depth is linear to first order, so the error after such a step is of its square. The step is
+    // shorter than half the gap of a wall between equal vessels, so it does not cross a wall that begins there.
     constexpr double kShortStep = 0.006;
     const glm::dvec3 size = bounds.size();
     const double reach = 0.5 * std::max({size.x, size.y, size.z});
-    const glm::dvec3 free = glm::vec3(glm::greaterThan(size, glm::dvec3(0.0))); // 0 along axes that are fixed
+    const glm::dvec3 free = glm::vec3(glm::greaterThan(size, glm::dvec3(0.0))); // 0 along fixed axes
     WallPoint point;
     point.position = glm::clamp(guess, bounds.least, bounds.most);
     glm::dvec3 from = point.position; // of the last step
@@ -183,8 +184,7 @@ WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3
         const Depth depth = depth_of(views, own);
         const double outward = glm::length(depth.outward);
         if (outward > 0.0) point.normal = depth.outward / outward;
-        // Along the axes that are free, and that do not lead out of the bounds, the surface is farther by as much as it
-        // is inclined.
+        // Along the free axes that do not lead out of the bounds, an inclined surface is farther than its depth.
         glm::dvec3 way = free * depth.outward;
         for (int axis = 0; axis < 3; ++axis) {
             const double moving = way[axis] * depth.mm;

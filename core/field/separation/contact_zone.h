@@ -1,5 +1,7 @@
-// ContactZone: where vessels may be kept apart in and around a brick, as boxes tell it before any point is looked at.
-// Elsewhere the plain sum holds and no wall runs.
+// ContactZone: a conservative set of the cells in and around a brick in which vessels may be kept apart. It is built
+// from boxes, before any point is evaluated. Outside of the zone the field is the plain sum and no wall passes.
+//
+// The zone is a bit mask over the cells of the brick and kMargin cells around it. Any point beyond counts as inside.
 #pragma once
 
 #include "core/base/bounds.h"
@@ -14,37 +16,36 @@ namespace ramus::field {
 
 class ContactZone {
 public:
-    // Whole cells, from the first to the last; none where one of these is before the other.
+    // A box of cells, first to last, both included; empty where `most` is below `least` along some axis.
     using Cells = Bounds<glm::ivec3>;
     [[nodiscard]] static bool is_empty(const Cells& cells) {
         return glm::any(glm::greaterThan(cells.least, cells.most));
     }
 
-    // Begins a brick, with nothing in the zone.
+    // Begins a brick, with an empty zone. `axes` in mm.
     void begin(const GridAxes& axes);
-    // The cells of a box: those with a point of it.
+    // The cells that contain a point of the box (mm), clamped to the mask.
     [[nodiscard]] Cells cells_of(const Bounds<glm::dvec3>& box) const;
     void add(const Cells& cells);
-    // Whether all of these are in the zone.
     [[nodiscard]] bool has_all(const Cells& cells) const;
-    // Of all cells that it knows.
+    // The box of the whole mask, mm.
     [[nodiscard]] Bounds<glm::dvec3> box() const { return {origin_, origin_ + kSide / cells_per_mm_}; }
     [[nodiscard]] bool empty() const { return empty_; }
-    // Whether the zone has a point, or may have: it is known in whole cells, and not far beyond the brick.
+    // Whether the zone may contain a point (mm).
     [[nodiscard]] bool has(const glm::dvec3& point) const;
 
 private:
     static constexpr int kMargin = 3; // cells around the brick
     static constexpr int kSide = kGridSide - 1 + 2 * kMargin;
-    // The cells of one layer, a bit each: x + kSide y.
+    // The cells of one layer along z. Bit x + kSide y is one cell.
     struct Layer {
         std::array<std::uint64_t, 2> bits{};
     };
     static_assert(kSide * kSide <= 128);
-    using Ranges = std::array<std::array<Layer, kSide>, kSide>; // by the first and the last
+    using Ranges = std::array<std::array<Layer, kSide>, kSide>; // [first][last]
     static Ranges make_ranges(int step);
     static const Ranges kColumns, kRows;
-    // Those of one of its layers.
+    // The bits that `cells` has in each of its layers.
     [[nodiscard]] static Layer layer_of(const Cells& cells);
 
     glm::dvec3 origin_{0.0};

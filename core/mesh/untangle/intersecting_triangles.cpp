@@ -1,4 +1,4 @@
-#include "core/mesh/untangle/meeting_triangles.h"
+#include "core/mesh/untangle/intersecting_triangles.h"
 
 #include "core/base/lists_by_thread.h"
 #include "core/mesh/untangle/exact_triangles.h"
@@ -26,7 +26,7 @@ bool share_corner(const glm::uvec3& s, const glm::uvec3& t) {
     return shared;
 }
 
-// Those that are compared of triangles that follow each other, which have the same others around them.
+// The compared triangles of a block of consecutive triangles, which have nearly the same triangles around them.
 class ComparedBlock {
 public:
     ComparedBlock(const TriangleBoxes& boxes, std::span<const Compared> compared, std::size_t block)
@@ -36,13 +36,12 @@ public:
         for (std::size_t group = 0; group < EightBoxes::kCount; ++group) groups_.set(group, boxes_[group].around());
     }
     [[nodiscard]] std::size_t begin() const { return begin_; }
-    // Whether one of them is compared with all others.
+    // Whether any of them is compared with all triangles.
     [[nodiscard]] bool with_all() const { return with_all_; }
     [[nodiscard]] TriangleBox around() const { return groups_.around(); }
-    // Of one of them.
     [[nodiscard]] const exact::Plane& plane(std::size_t triangle) const { return planes_[triangle - begin_]; }
     [[nodiscard]] bool may_meet(const TriangleBox& box) const { return groups_.meeting(box) != 0; }
-    // Calls call(triangle) for those whose boxes meet this one.
+    // Calls call(triangle) for each compared triangle of the block whose box intersects `box`.
     template <class Call> void for_each_meeting(const TriangleBox& box, const Call& call) const {
         for (unsigned groups = groups_.meeting(box); groups != 0; groups &= groups - 1) {
             const auto group = static_cast<std::size_t>(std::countr_zero(groups));
@@ -62,15 +61,15 @@ private:
 
     std::size_t begin_;
     bool with_all_ = false;
-    std::array<EightBoxes, EightBoxes::kCount> boxes_; // by group; around nothing of what is not compared
+    std::array<EightBoxes, EightBoxes::kCount> boxes_; // by group; empty boxes for triangles that are not compared
     EightBoxes groups_;
-    std::array<exact::Plane, kBlock> planes_; // of those that are compared
+    std::array<exact::Plane, kBlock> planes_; // of compared triangles
 };
 
 } // namespace
 
-MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const Compared> compared,
-                                   const MeetingLimits& limits, Job& job) {
+IntersectingTriangles intersecting_triangles(const TriangleBoxes& boxes, std::span<const Compared> compared,
+                                             const IntersectionLimits& limits, Job& job) {
     const std::span<const glm::uvec3> triangles = boxes.triangles();
     const std::size_t most_looks = limits.looks > std::numeric_limits<std::size_t>::max() / kBlock
                                        ? std::numeric_limits<std::size_t>::max()
@@ -89,10 +88,10 @@ MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const C
             if (!is_compared(compared[other])) {
                 if (!block.with_all()) return;
             } else if (other < block.begin()) {
-                return; // it finds those of the block itself
+                return; // the block of `other` finds these pairs
             }
             block.for_each_meeting(boxes.box(other), [&](std::uint32_t one) {
-                if (one == other || (is_compared(compared[other]) && other < one)) return; // likewise
+                if (one == other || (is_compared(compared[other]) && other < one)) return; // each pair once
                 if (compared[one] != Compared::kWithAll && compared[other] != Compared::kWithAll &&
                     (!is_compared(compared[other]) || share_corner(triangles[one], triangles[other])))
                     return;
@@ -109,7 +108,7 @@ MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const C
         pairs += its_pairs;
         if (its_looks > most_looks) all = false;
     };
-    // A few blocks at a time: what is compared lies in a few places, where all of the work is.
+    // Small ranges balance the load, since all compared triangles lie in a few places.
     constexpr std::size_t kAtATime = 64;
     const tbb::blocked_range<std::size_t> blocks(0, (compared.size() + kBlock - 1) / kBlock, kAtATime);
     tbb::parallel_for(
@@ -119,7 +118,7 @@ MeetingTriangles meeting_triangles(const TriangleBoxes& boxes, std::span<const C
         },
         tbb::simple_partitioner());
     if (job.cancelled()) return {{}, 0, false};
-    MeetingTriangles meeting{{}, pairs, all};
+    IntersectingTriangles meeting{{}, pairs, all};
     if (meeting.count <= limits.pairs) meeting.pairs = found.sorted();
     return meeting;
 }

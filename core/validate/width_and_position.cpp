@@ -11,20 +11,19 @@ namespace ramus::validate {
 
 namespace {
 
-// Tuned on trees of patients, whose surfaces have nothing wrong, and on trees with one thing wrong: what is compared
-// are means along the vessel, so that a jump of the radius from one point to the next, which the surface rounds, is no
-// change of width, and a corner none of position.
+// Tuned on trees of patients with correct surfaces, and on surfaces with one fault each. Means along the vessel are
+// compared, so that the rounding of a jump of the radius is no change of width, and the rounding of a corner no offset.
 constexpr double kWindow = 1.5;          // radii to either side
-constexpr double kWindowVoxels = 3.0;    // voxels to either side, of a tree of voxels
-constexpr double kShortestStretch = 2.0; // radii that a stretch is long at least
-constexpr double kJoined = 2.0;          // radii between stretches that are one
+constexpr double kWindowVoxels = 3.0;    // voxels to either side, for a tree of voxels
+constexpr double kShortestStretch = 2.0; // least length of a stretch, in radii
+constexpr double kJoined = 2.0;          // stretches with a smaller gap are joined, in radii
 constexpr double kLong = 12.0;           // radii: longer than the part of a stenosis that is filled
-constexpr std::size_t kFewest = 4;       // places of a mean
+constexpr std::size_t kFewest = 4;       // least number of places of a mean
 
 constexpr double kAllowedWidth = 0.1;
-constexpr double kAllowedOffset = 1.0 / 3.0; // of the radius
+constexpr double kAllowedOffset = 1.0 / 3.0; // in radii
 
-// What the surface has of a vessel around a place, as means along it.
+// Means along the vessel around a place.
 struct Mean {
     double expected_mm = 0.0, radius_mm = 0.0, scale_mm = 0.0;
     glm::dvec3 offset{0.0};
@@ -38,11 +37,11 @@ public:
 
     [[nodiscard]] std::span<const Place> places() const { return places_; }
     [[nodiscard]] bool measured(std::size_t i) const { return is_alone(places_[i]) && sections_[i].found; }
-    // The place alone.
+    // The values at the place itself, without a mean.
     [[nodiscard]] Mean only(std::size_t i) const {
         return {places_[i].radius, sections_[i].vessel.radius, places_[i].scale, offset_of(sections_[i], places_[i])};
     }
-    // None: too little of the vessel around the place is away from joints, ends and other vessels.
+    // The means around a place; none if too little of the vessel there is away from joints, ends and other vessels.
     [[nodiscard]] std::optional<Mean> at(std::size_t i) const {
         if (!measured(i)) return std::nullopt;
         const double reach = std::max(kWindow * places_[i].scale, kWindowVoxels * grain_mm_);
@@ -71,17 +70,16 @@ private:
     double grain_mm_;
 };
 
-// Places of a branch, by number, from the first to the last of a stretch.
+// A stretch of a branch: the indices of its first and last place.
 struct Stretch {
     std::size_t first = 0, last = 0;
 };
 
-// Where `off` says so of the means, at places that follow each other but for small gaps and for places that cannot be
-// measured.
+// The stretches in which off(mean) holds, with small gaps and places that cannot be measured bridged.
 template <class Off> std::vector<Stretch> stretches_where(const Means& means, const Off& off) {
     const std::span<const Place> places = means.places();
     std::vector<Stretch> all;
-    bool goes_on = false; // nothing since the last place says that the stretch has ended
+    bool goes_on = false; // whether off() held at the last measured place
     for (std::size_t i = 0; i < places.size(); ++i) {
         const std::optional<Mean> mean = means.at(i);
         if (!mean) continue;
@@ -101,7 +99,7 @@ template <class Off> std::vector<Stretch> stretches_where(const Means& means, co
     return all;
 }
 
-// The place of a stretch with the largest of something of its mean.
+// The place of a stretch with the largest size(mean).
 template <class Size> std::size_t worst_of(const Means& means, const Stretch& stretch, const Size& size) {
     std::size_t worst = stretch.first;
     double most = -kInfinity;
@@ -123,8 +121,8 @@ std::size_t place_of(const Means& means, const glm::dvec3& at) {
     return static_cast<std::size_t>(std::ranges::find(means.places(), at, &Place::at) - means.places().begin());
 }
 
-// Whether the vessel is off by as much on both sides of a narrow place, where it is widest: then the place is part of a
-// stretch of another width.
+// Whether the vessel is off on both sides of a narrow place, at the widest measured places there. Then the narrow place
+// is part of a stretch with a different width.
 bool is_of_stretch(const Means& means, std::size_t narrow, double side) {
     constexpr double kLooked = 12.0; // radii: half of a stenosis of five diameters, and more
     const std::span<const Place> places = means.places();
@@ -141,13 +139,12 @@ bool is_of_stretch(const Means& means, std::size_t narrow, double side) {
     }
     std::size_t asked = 0, off = 0;
     for (const std::optional<std::size_t>& widest : {before, behind})
-        if (widest)
-            ++asked, off += is_off(means.only(*widest), side) ? 1 : 0; // a mean would have the narrow place in it
+        if (widest) ++asked, off += is_off(means.only(*widest), side) ? 1 : 0; // a mean would include the narrow place
     return asked > 0 && off == asked;
 }
 
-// Whether the vessel is not where it should be on the side away from where it is. Else it is still there, and something
-// stands out of it on the other side.
+// Whether the vessel has left its place: the side opposite to the offset is outside. Otherwise it is still there, and
+// something sticks out of it on the other side.
 bool has_left(const Means& means, const Probe& probe, const Stretch& stretch) {
     constexpr double kWithin = 0.85; // radii; a vessel that is off by a third of the radius ends at two thirds
     std::size_t asked = 0, outside = 0;
@@ -209,8 +206,8 @@ std::vector<Width> changed_widths(const Reference& reference, std::span<const Se
                 const std::size_t worst =
                     worst_of(means, stretch, [&](const Mean& mean) { return side * change_of(mean); });
                 if (is_moved(moved, means.places()[worst])) continue;
-                // Longer than what a stenosis of five diameters changes, of the vessel where it begins and ends, it is
-                // no matter of narrow places.
+                // A stretch longer than the range that a stenosis of five diameters changes is not caused by narrow
+                // places.
                 const double beside = std::max(means.places()[stretch.first].scale, means.places()[stretch.last].scale);
                 const bool is_long = length_of(means, stretch) > kLong * beside;
                 const auto narrow_here = [&](const Constriction& one) {

@@ -1,4 +1,4 @@
-#include "core/field/apart/pieces.h"
+#include "core/field/separation/pieces.h"
 
 #include "core/tree/contacts/links.h"
 
@@ -12,24 +12,24 @@ namespace ramus::field {
 
 namespace {
 
-// Of an obstacle's axis from a vessel's, as that counts, at least.
+// A lower bound of the distance of an obstacle's axis from a vessel's moved axis.
 double least_distance(const PieceShape& obstacle, const PieceShape& vessel) {
     const auto link = [](const glm::dvec3& start, const glm::dvec3& end) {
-        return tree::Link{0, 0, {start, 0.5}, {end, 0.5}, 0}; // closeness is distance
+        return tree::Link{0, 0, {start, 0.5}, {end, 0.5}, 0}; // radii of 0.5 make the closeness a distance
     };
     const auto axis_of = [&](const PieceShape& shape) { return link(shape.start, shape.end); };
     return tree::closest_approach(axis_of(obstacle), axis_of(vessel)).closeness - vessel.move.most();
 }
 
-// How an obstacle lies to a vessel.
+// The shadow of an obstacle on a vessel: none, a shadow, or the shadow of a piercing obstacle.
 enum class Shade : std::uint8_t { kNone, kCasts, kPierces };
 
-// A point that is a vessel's is within claim_radii of its axis. One that is behind an obstacle is less than the
-// obstacle's radius R beside the way through its axis. Where it is in the obstacle's tube it is the obstacle's anyway,
-// which is nearer; so the vessel has to go on as far as where it is not. If the obstacle does not even reach it, it is
-// farther from there by the root of support_radii^2 - 1 of R along the way.
+// A vessel claims points within claim_radii of its axis. A point in shadow is within the obstacle's radius R of a way
+// through the obstacle's axis. Points in the obstacle's tube belong to the obstacle, whose axis is nearer. So a shadow
+// matters only if the vessel reaches farther than the tube. A point that the support of the obstacle does not reach
+// lies farther along the way, by sqrt(support_radii^2 - 1) R.
 Shade shade_of(const PieceShape& obstacle, const PieceShape& vessel, double distance, const Kernel& kernel) {
-    constexpr double kSlack = 0.1; // radii, for what vessel and obstacle are bent
+    constexpr double kSlack = 0.1; // radii, since vessel and obstacle may be bent
     const double r = std::max(vessel.start_radius, vessel.end_radius);
     const double thin = std::min(obstacle.start_radius, obstacle.end_radius);
     const double thick = std::max(obstacle.start_radius, obstacle.end_radius);
@@ -46,7 +46,7 @@ Pieces::Pieces(const tree::Contacts& contacts, const Skeleton& skeleton, const K
     for (const std::uint32_t piece : contacts_.piece_of_segment)
         partnered_.push_back(contacts_.partners_of(piece).empty() ? kNone : piece);
     shape_of_piece_.assign(contacts_.first_partner.size() - 1, kNone);
-    for (const std::uint32_t segment : skeleton.present()) { // those of a piece follow each other
+    for (const std::uint32_t segment : skeleton.present()) { // segments of a piece are consecutive
         const std::uint32_t piece = of_segment(segment);
         if (contacts_.partners_of(piece).empty()) continue;
         const FieldSegment& s = skeleton.segments()[segment];
@@ -85,7 +85,7 @@ void Pieces::list_obstacles(const Kernel& kernel) {
     using Partner = tree::Contacts::Partner;
     struct Obstacle {
         const Partner* partner;
-        double distance; // at least
+        double distance; // a lower bound, mm
     };
     std::vector<std::vector<Obstacle>> pierce(shapes_.size()), cast(shapes_.size());
     std::size_t total = 0;

@@ -1,4 +1,4 @@
-#include "core/field/drawn_surface.h"
+#include "core/field/surface_projector.h"
 
 #include "core/base/bounds.h"
 
@@ -20,10 +20,9 @@ namespace ramus::field {
 
 namespace {
 
-using DrawnPlace = DrawnSurface::Point;
+using DrawnPlace = SurfaceProjector::Point;
 
-// The cubes that a point is looked at in: a brick of some cells, and a block of bricks whose segments are listed
-// together.
+// The cubes that contain a point: a brick of four to eight cells, and a block of bricks with a common list of segments.
 constexpr int kBlockBricks = 8; // along an axis
 struct CubeOfPoint {
     std::size_t field = 0;
@@ -58,7 +57,7 @@ Bounds<glm::dvec3> box_of(const std::array<int, 3>& cube, double side, double ar
     return {corner - around, corner + side + around};
 }
 
-// Those of some segments that may reach a box.
+// The segments of `among` that may reach a box.
 std::vector<std::uint32_t> segments_reaching(const VesselField& field, SegmentIndices among,
                                              const Bounds<glm::dvec3>& box) {
     std::vector<std::uint32_t> found;
@@ -75,7 +74,7 @@ std::vector<std::uint32_t> segments_reaching(const VesselField& field, SegmentIn
     return found;
 }
 
-// Moves the points of a brick.
+// Projects the points of one brick.
 class BrickOfPoints {
 public:
     BrickOfPoints(const VesselField& field, std::span<DrawnPlace> points)
@@ -106,7 +105,7 @@ public:
     }
 
 private:
-    // The vessel's segment that is nearest, in radii.
+    // The segment of the point's branch that is nearest in radii.
     [[nodiscard]] Owner owner_of(const DrawnPlace& point) const {
         Owner nearest = kNoOwner;
         double least = std::numeric_limits<double>::infinity();
@@ -131,7 +130,8 @@ private:
         point.place = drawn.place;
         point.beside_contact = true;
     }
-    // Those beside no contact, all at once. A projection ends where it is on the surface but for the square of a step.
+    // Projects the points away from contacts together. The error of a projection is of the order of its squared step,
+    // so a second projection from its result is exact to single precision.
     void project() {
         constexpr int kTimes = 2;
         if (plain_.empty()) return;
@@ -170,7 +170,7 @@ private:
     std::vector<Dominance> dominance_;
 };
 
-// The n-th of stretches that follow each other: where each begins, and the end.
+// Divides the list into runs of cubes that are the `same`: the index at which each run begins, and the end.
 template <class Same> std::vector<std::size_t> stretches(std::span<const CubeOfPoint> cubes, const Same& same) {
     std::vector<std::size_t> begins;
     for (std::size_t n = 0; n < cubes.size(); ++n)
@@ -181,7 +181,7 @@ template <class Same> std::vector<std::size_t> stretches(std::span<const CubeOfP
 
 } // namespace
 
-DrawnSurface::DrawnSurface(std::vector<VesselField> fields) : fields_(std::move(fields)) {
+SurfaceProjector::SurfaceProjector(std::vector<VesselField> fields) : fields_(std::move(fields)) {
     if (fields_.size() < 2) return;
     for (std::size_t n = 0; n < fields_.size(); ++n) {
         const Skeleton& skeleton = fields_[n].skeleton();
@@ -193,19 +193,19 @@ DrawnSurface::DrawnSurface(std::vector<VesselField> fields) : fields_(std::move(
     }
 }
 
-std::size_t DrawnSurface::field_of(std::int32_t branch) const {
+std::size_t SurfaceProjector::field_of(std::int32_t branch) const {
     const auto n = static_cast<std::size_t>(std::max(branch, 0));
     return n < field_of_branch_.size() ? field_of_branch_[n] : 0;
 }
 
-void DrawnSurface::move(std::span<Point> points) const {
+void SurfaceProjector::move(std::span<Point> points) const {
     if (fields_.empty()) return;
     std::vector<CubeOfPoint> cubes(points.size());
     tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t n) {
         cubes[n] = cube_of(points[n], field_of(points[n].branch), static_cast<std::uint32_t>(n));
     });
     tbb::parallel_sort(cubes);
-    // By field: the segments that may reach any of its points.
+    // For each field, the segments that may reach any of its points.
     std::vector<Bounds<glm::dvec3>> boxes(fields_.size());
     for (const CubeOfPoint& cube : cubes)
         boxes[cube.field].hold(box_of(cube.block, kBlockBricks * cube.side(), cube.side()));

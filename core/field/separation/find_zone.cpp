@@ -1,5 +1,5 @@
-// Where in a brick vessels concern each other: the zone of its views.
-#include "core/field/apart/vessel_views.h"
+// VesselViews::find_zone(): the cells of a brick in which vessels can affect each other.
+#include "core/field/separation/vessel_views.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +10,11 @@ namespace ramus::field {
 
 namespace {
 
-// So near to what is cut off, in cells, a point may have to be moved away.
+// In cells: a point this near to a shadow may have to be moved away from it.
 constexpr double kBesideCells = 1.5;
 
-// Around what an obstacle cuts off of a vessel, and so much around it, where the way out of the vessel is at most so
-// long: it passes the obstacle's axis at its radius, or before it ends.
+// A box (mm) around the shadow that obstacle `n` casts, with a margin `around`. `way` is the longest way out of the
+// vessel that may be in shadow. A way in shadow passes the obstacle's axis within the obstacle's radius.
 Bounds<glm::dvec3> box_behind(const ObstacleRows& obstacles, std::size_t n, double way, double around) {
     const auto number = [&](std::size_t row) { return obstacles.row(row)[n]; };
     const auto vector = [&](std::size_t row) { return glm::dvec3(number(row), number(row + 1), number(row + 2)); };
@@ -30,15 +30,15 @@ Bounds<glm::dvec3> box_behind(const ObstacleRows& obstacles, std::size_t n, doub
     return box;
 }
 
-// Whether two boxes come so near to each other. Most do not, which takes less to find than their cells.
+// Whether the distance of two boxes along each axis is at most `near`. Rejects most pairs before their cells are found.
 bool meet(const Bounds<glm::dvec3>& a, const Bounds<glm::dvec3>& b, double near) {
     return glm::all(glm::lessThanEqual(a.least, b.most + near)) && glm::all(glm::lessThanEqual(b.least, a.most + near));
 }
 
 } // namespace
 
-// Two vessels concern each other where a point is near both, and where it is one's and a point next to it the other's.
-// An obstacle concerns a point that is behind it, and those next to such a one.
+// The zone contains the points near both vessels of a contact, the points that both vessels of a near miss may claim
+// (with a margin of a cell), and the points in or next to the shadow of an obstacle.
 void VesselViews::find_zone(const GridAxes& axes) {
     zone_.begin(axes);
     const double cell = axes.x[1] - axes.x[0];
@@ -73,7 +73,7 @@ void VesselViews::find_zone(const GridAxes& axes) {
     }
     for (int a = 0; a < contacts_.piece_count(); ++a) {
         const PieceReach& own = reach_[static_cast<std::size_t>(a)];
-        if (zone_.has_all(own.claimed_cells)) continue; // as of most that have obstacles
+        if (zone_.has_all(own.claimed_cells)) continue; // holds for most pieces with obstacles
         const double way = (kernel_.claim_radii + 0.1) * own.radius + contacts_.shape(a).move.most();
         const ObstacleRange range = contacts_.piercing(a);
         const Bounds<glm::dvec3> claimed = own.claims.common(around);

@@ -1,9 +1,9 @@
-// Pieces: the stretches of vessel that others are kept apart from (core/tree/contacts/contacts.h), with their shapes
-// and what presses on them.
+// Pieces: the short stretches of vessel that have partners (core/tree/contacts/contacts.h), with their shapes and the
+// obstacles that cast shadows on them. Lengths are in mm.
 #pragma once
 
-#include "core/field/apart/axes.h"
 #include "core/field/kernel.h"
+#include "core/field/separation/axes.h"
 #include "core/field/skeleton.h"
 #include "core/tree/contacts/contacts.h"
 
@@ -17,7 +17,7 @@ namespace ramus::field {
 struct PieceShape {
     glm::dvec3 start{0.0}, end{0.0};
     double start_radius = 0.0, end_radius = 0.0;
-    tree::AxisMove move; // as its axis counts where walls are drawn
+    tree::AxisMove move; // of its axis where walls are drawn
     bool operator==(const PieceShape&) const = default;
 };
 
@@ -25,29 +25,29 @@ class Pieces {
 public:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-    // Refers to the contacts, which must outlive it.
+    // Keeps a reference to `contacts`, which must outlive this object.
     Pieces(const tree::Contacts& contacts, const Skeleton& skeleton, const Kernel& kernel);
 
     [[nodiscard]] const tree::Contacts& contacts() const { return contacts_; }
     [[nodiscard]] std::uint32_t of_segment(std::uint32_t segment) const { return contacts_.piece_of_segment[segment]; }
-    // The same where the piece has partners, or kNone.
+    // The segment's piece if it has partners, else kNone.
     [[nodiscard]] std::uint32_t partnered(std::uint32_t segment) const { return partnered_[segment]; }
-    // Of a piece that has partners: nothing where its branch is not there.
+    // The shape of a piece with partners; null for other pieces, and where the branch is hidden.
     [[nodiscard]] const PieceShape* shape(std::uint32_t piece) const {
         const std::uint32_t at = shape_of_piece_.empty() ? kNone : shape_of_piece_[piece];
         return at == kNone ? nullptr : &shapes_[at];
     }
-    // What may cut off places of a piece that is there; and of this what pierces its vessel: so thin and so near to the
-    // axis that there may be places of the vessel behind it which it does not reach itself.
+    // The obstacles of a piece: partners in contact that may cast a shadow on it. An obstacle is piercing if it is so
+    // thin and so near to the piece's axis that the vessel may continue behind it, beyond the support of the obstacle.
     [[nodiscard]] const ObstacleRows& obstacles() const { return obstacles_; }
     [[nodiscard]] ObstacleRange obstacles_of(std::uint32_t piece) const { return ranges_of(piece).all; }
     [[nodiscard]] ObstacleRange piercing(std::uint32_t piece) const { return ranges_of(piece).piercing; }
-    // Whether the piece has the same partners in another state, in the same places.
+    // Whether the piece has the same shape and the same partners with the same shapes as in an earlier state.
     [[nodiscard]] bool same_around(std::uint32_t piece, const Pieces& before) const;
 
 private:
     struct Ranges {
-        ObstacleRange all, piercing; // the piercing ones come first
+        ObstacleRange all, piercing; // piercing obstacles come first
     };
     [[nodiscard]] Ranges ranges_of(std::uint32_t piece) const {
         const std::uint32_t at = shape_of_piece_.empty() ? kNone : shape_of_piece_[piece];

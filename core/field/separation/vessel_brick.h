@@ -1,11 +1,11 @@
-// VesselBrick: a VesselField in one brick after another. The plain sum does all the work where no vessels are kept
-// apart, and the rest of it elsewhere.
+// VesselBrick: evaluates a VesselField in one brick after another. It passes every call to the brick of the plain sum,
+// and then corrects the points at which vessels are kept apart. Implements BrickField; positions are in mm.
 #pragma once
 
-#include "core/field/apart/vessel_views.h"
-#include "core/field/apart/wall.h"
 #include "core/field/convolution_field.h"
 #include "core/field/rims.h"
+#include "core/field/separation/vessel_views.h"
+#include "core/field/separation/wall.h"
 
 #include <memory>
 #include <vector>
@@ -37,22 +37,22 @@ public:
                                 const SurfacePoints& to) override;
 
 private:
-    [[nodiscard]] std::uint32_t place_of(Owner owner) const; // in the list
-    // The same; where nothing is kept apart and nobody owns the point, of the segment that is nearest to it.
+    [[nodiscard]] std::uint32_t place_of(Owner owner) const; // index in the brick's list
+    // place_of(), or for kNoOwner the segment nearest to the point, in radii.
     [[nodiscard]] std::uint32_t place_near(Owner owner, const glm::dvec3& point);
-    // What becomes of the plain sum at a point, and whose it is: kNoOwner where nothing is kept apart.
+    // The value of the field at a point and its owner; kNoOwner where nothing is kept apart.
     struct Verdict {
         float value = 0.0F;
         Owner owner = kNoOwner;
     };
     Verdict judge(const glm::dvec3& point, float plain);
     float value_at(const glm::dvec3& point, float plain);
-    Owner owner_at(const glm::dvec3& point); // of one that is inside
+    Owner owner_at(const glm::dvec3& point); // of a point inside the surface
     [[nodiscard]] bool is_beside_contact(const glm::dvec3& point);
     [[nodiscard]] Bounds<glm::dvec3> bounds_of(const OwnedGuess& one, const glm::dvec3& middle, double reach) const;
 
-    // Owners of points that were sampled lately, in this brick or another one: they are asked for soon after, and where
-    // bricks touch by both.
+    // A cache of the owners of recently sampled points, in this brick or a previous one: the polygonizer needs the
+    // owners of a point soon after its value, and bricks that touch share points.
     struct Known {
         glm::dvec3 point{0.0};
         Owner owner = kNoOwner;
@@ -64,11 +64,11 @@ private:
     const FieldSegment* segments_;
     VesselViews views_;
     Rims rims_;
-    double onward_ = 0.0; // mm: from so far below their vessel's own surface points of walls go on to it
+    double onward_ = 0.0; // mm: wall vertices at most this far below their vessel's own surface move on to it
     GridAxes axes_;
     bool parts_ = false;
-    std::vector<Known> known_;  // by a number made of the point; empty until it is needed
-    std::uint64_t kernels_ = 0; // evaluated since this was last asked for
+    std::vector<Known> known_;  // by a hash of the point; empty until first use
+    std::uint64_t kernels_ = 0; // kernels evaluated since the count was last returned
 };
 
 } // namespace ramus::field

@@ -1,4 +1,4 @@
-#include "core/field/exact_radii.h"
+#include "core/field/kernel_radii.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,22 +11,22 @@ namespace ramus::field {
 
 namespace {
 
-constexpr int kRounds = 8;          // what is amiss in a 50 % stenosis as long as the vessel is wide is 1 % after them
-constexpr int kFirstSteps = 6;      // of Newton's method, for a place that was not looked at yet
-constexpr int kLaterSteps = 2;      // from the radius of the round before
-constexpr double kSpacing = 0.5;    // radii between places, at most
-constexpr double kLooked = 2.0;     // radii from the ends of a segment: in its middle the surface is right
-constexpr double kMostChange = 0.3; // of the radius's logarithm, in a round
-constexpr double kNode = 2.0;       // radii of a node: nearer, points keep their radius
-constexpr double kNodeFades = 1.5;  // of it: farther, they take all of the change
-constexpr double kLeastShare = 0.2; // a point whose segments add less to the places looked at changes less
+constexpr int kRounds = 8;          // reduce the error in a 50 % stenosis as long as the vessel is wide to 1 %
+constexpr int kFirstSteps = 6;      // steps of Newton's method in the first round
+constexpr int kLaterSteps = 2;      // in later rounds, from the radius of the round before
+constexpr double kSpacing = 0.5;    // largest distance of places, in radii
+constexpr double kLooked = 2.0;     // in radii from the ends of a segment: farther inside the surface has no error
+constexpr double kMostChange = 0.3; // largest change of the logarithm of a radius in a round
+constexpr double kNode = 2.0;       // in radii of a node: nearer points keep their radius
+constexpr double kNodeFades = 1.5;  // in kNode: farther points take the whole change
+constexpr double kLeastShare = 0.2; // a point whose segments contribute less than this to the places changes less
 
 struct RadiusPlaceOnAxis {
     double at = 0.0;     // mm along the branch
     double wanted = 0.0; // mm
-    double counts = 0.0; // mm of the branch that it stands for
+    double counts = 0.0; // its weight: the length of branch that it represents, mm
     double found = 0.0;  // radius of the surface, mm
-    double amiss = 0.0;  // logarithm of what is wanted over what was found
+    double amiss = 0.0;  // log(wanted / found)
 };
 
 // One branch as a straight vessel along z.
@@ -50,7 +50,7 @@ public:
         lay_places();
     }
 
-    // Of its points.
+    // The kernel radii of the branch's points, mm.
     [[nodiscard]] const std::vector<double>& radii() {
         double worst = 0.0;
         for (RadiusPlaceOnAxis& place : places_) {
@@ -67,7 +67,7 @@ public:
     }
 
 private:
-    // How much of a change a place takes: none near the branch's ends.
+    // The share of a change that a place takes: 0 near the branch's ends.
     [[nodiscard]] double free_at(double along) const {
         const auto from = [](double distance, double radius) {
             const double x = std::clamp((distance / radius - kNode) / (kNode * (kNodeFades - 1.0)), 0.0, 1.0);
@@ -76,7 +76,7 @@ private:
         return std::min(from(along, wanted_.front()), from(at_.back() - along, wanted_.back()));
     }
 
-    // Segments between the points, and one at either end that the branch goes on with.
+    // Segments between the points, and a long one at either end in place of the neighbouring branches.
     void lay_segments() {
         segments_.clear();
         const double before = 4.0 * wanted_.front(), behind = 4.0 * wanted_.back();
@@ -98,7 +98,7 @@ private:
             const double pieces = std::max(1.0, std::ceil(length / spacing));
             const auto looked = static_cast<int>(std::ceil(kLooked / kSpacing));
             for (int n = 0; n < static_cast<int>(std::min(pieces, 2.0 * looked)); ++n) {
-                // From both ends inward, where the segment is long.
+                // On a long segment only places near its two ends.
                 const double piece = n < looked || pieces <= 2.0 * looked ? n : pieces - 2.0 * looked + n;
                 const double share = piece / pieces, at = at_[i] + share * length;
                 if (free_at(at) > 0.0)
@@ -108,7 +108,7 @@ private:
         }
     }
 
-    // Takes up the segments that reach a place, on the axis.
+    // Collects the segments that reach a place on the axis.
     void take_up(double at) {
         const double reach = kernel_.support_radii * widest_;
         const auto first = std::lower_bound(at_.begin(), at_.end(), at - reach) - at_.begin();
@@ -124,7 +124,7 @@ private:
         terms_.clear(taken_.size());
         for (const std::size_t one : taken_) terms_.add(segments_[one]);
     }
-    // The field there, and its slope away from the axis.
+    // The field at a distance from the axis, and its slope away from the axis.
     std::pair<double, double> look(double at, double radius) {
         terms_.see_from({radius, 0.0, at});
         kernel_.sum->find_terms(kernel_, terms_);
@@ -136,7 +136,8 @@ private:
         return {sum, slope};
     }
 
-    // The radius of the surface at a place, by Newton's method in a measure that is nearly linear in the distance.
+    // Finds the radius of the surface at a place, by Newton's method in a measure that is nearly linear in the
+    // distance.
     void find(RadiusPlaceOnAxis& place, int steps) {
         take_up(place.at);
         for (int step = 0; step < steps; ++step) {
@@ -151,8 +152,8 @@ private:
         place.amiss = std::log(place.wanted / place.found);
     }
 
-    // Changes the radius at each point by the mean of what is amiss at the places around, each as much as the vessel
-    // adds to the field there from that point. Points that are close to each other so change alike.
+    // Changes the radius of each point by the weighted mean of the errors at the places around. The weight of a place
+    // is the field that the vessel at the point adds there. So neighbouring points change by similar amounts.
     void change() {
         for (std::size_t i = 1; i + 1 < at_.size(); ++i) {
             if (!(held_[i] > 0.0)) continue;
@@ -176,19 +177,19 @@ private:
 
     const Kernel& kernel_;
     bool smooth_;
-    double surface_;                                        // the measure at it
-    std::uint32_t before_ = 0;                              // the point before, while points are added
-    double widest_ = 0.0;                                   // mm, that any radius may come to be
+    double surface_;                                        // the measure at the surface
+    std::uint32_t before_ = 0;                              // the previous point, while points are added
+    double widest_ = 0.0;                                   // upper bound of all kernel radii, mm
     std::vector<double> at_, wanted_, held_, radii_, next_; // by point; mm
     std::vector<FieldSegment> segments_;
     std::vector<RadiusPlaceOnAxis> places_;
-    std::vector<std::size_t> taken_; // segments, as terms_ has them
+    std::vector<std::size_t> taken_; // by column of terms_: the segment
     SegmentTerms terms_;
 };
 
 } // namespace
 
-tree::PreparedTree with_exact_radii(tree::PreparedTree prepared, const Kernel& kernel) {
+tree::PreparedTree with_kernel_radii(tree::PreparedTree prepared, const Kernel& kernel) {
     std::vector<double> radii(prepared.tree.points.size());
     for (std::size_t p = 0; p < radii.size(); ++p) radii[p] = prepared.tree.points[p].radius;
     tbb::parallel_for(std::size_t(0), prepared.tree.branches.size(), [&](std::size_t id) {

@@ -1,4 +1,4 @@
-#include "core/field/apart/local_contacts.h"
+#include "core/field/separation/local_contacts.h"
 
 #include "core/base/sort_unique.h"
 
@@ -8,7 +8,7 @@ namespace ramus::field {
 
 namespace {
 
-// Pieces of the segments that have partners anywhere, ascending.
+// Lists the pieces of the segments that have partners anywhere, ascending.
 void list_pieces(const Pieces& all, SegmentIndices list, std::vector<std::uint32_t>& pieces) {
     pieces.clear();
     for (const std::uint32_t segment : list) {
@@ -19,7 +19,7 @@ void list_pieces(const Pieces& all, SegmentIndices list, std::vector<std::uint32
     sort_unique(pieces);
 }
 
-// Calls visit(partner, n) for the partners that are the n-th of some pieces. Both are ascending.
+// Calls visit(partner, n) for each partner that equals pieces[n], until it returns false. Both lists are ascending.
 template <class Visit>
 void for_partners(std::span<const tree::Contacts::Partner> partners, const std::vector<std::uint32_t>& pieces,
                   const Visit& visit) {
@@ -76,7 +76,7 @@ void LocalContacts::number_segments(SegmentIndices list) {
     };
     piece_of_.clear();
     std::uint32_t last = 0;
-    for (const std::uint32_t segment : list) { // those of a piece follow each other
+    for (const std::uint32_t segment : list) { // segments of a piece are consecutive
         const std::uint32_t piece = all_.of_segment(segment);
         piece_of_.push_back(!piece_of_.empty() && piece == last ? piece_of_.back() : number_of(piece));
         last = piece;
