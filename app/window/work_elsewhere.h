@@ -1,6 +1,6 @@
-// Work that draws for long, done by `ramus render` in a process of its own: it gets the session as it is now and one
-// command. The window goes on, cancelling ends that process, and a graphics card that fails there fails there alone.
-// The surface is made once more for it.
+// Runs a command that draws for long with `ramus render` in a separate process, which gets the current session. The
+// window stays responsive, cancelling ends the process, and a failing graphics card affects only that process. Cost:
+// the process makes the surface again.
 #pragma once
 
 #include "app/session/session.h"
@@ -13,8 +13,8 @@
 
 namespace ramus::app {
 
-// `words`: a command's name first. Fails where the session cannot be told. `software`: OpenGL on the processor, as the
-// window draws; else a graphics card's.
+// `words`: a command, its name first. `software`: use OpenGL on the processor, as the window does; false: a graphics
+// card. Fails if the session cannot be written.
 [[nodiscard]] Result<std::function<Result<void>(Job&)>>
 work_elsewhere(const Session& session, const std::vector<std::string>& words, bool software);
 
