@@ -1,4 +1,4 @@
-// Round cones of vessels before the eye, for every picture, and which of them have glass beside what is opaque.
+// VesselCones: places the fitted cones in eye space for every picture, and finds which of them are near glass.
 #pragma once
 
 #include "render/caster/cast_types.h"

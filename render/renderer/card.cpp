@@ -7,7 +7,7 @@ namespace ramus::render {
 
 namespace {
 
-constexpr std::uint64_t kMostMovingTriangles = 40'000; // more are drawn as cones while the view moves
+constexpr std::uint64_t kMostMovingTriangles = 40'000; // larger surfaces are drawn as cones while the view moves
 
 } // namespace
 

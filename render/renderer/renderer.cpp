@@ -1,4 +1,4 @@
-// What the picture shows under its pixels.
+// Picks and read-backs of the picture.
 #include "render/renderer/renderer.h"
 
 #include "render/gl/within_memory.h"
@@ -78,7 +78,7 @@ Renderer::Under Renderer::next_under(const Frame& frame, const ViewSetup& view) 
     return {++number_, view, frame.camera, frame.pixel_ratio};
 }
 
-// Before another picture is drawn into the targets. What is there of one that was given up is nobody's.
+// Call before drawing another picture into the targets. Contents of an interrupted picture are not kept.
 void Renderer::keep_under() {
     if (in_targets_.number == 0) return;
     card_.targets.keep_resolved(kept_);
@@ -104,7 +104,7 @@ BranchPicture Renderer::read_branches() {
     picture.height = view.picture.y;
     picture.branches.reserve(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
     for (std::int64_t y = 0; y < picture.height; ++y) {
-        // GL counts from below; a picture that is drawn quickly has fewer pixels inside.
+        // GL counts from below; an interactive picture has fewer pixels.
         const std::uint32_t* row = ids + stride * ((picture.height - 1 - y) * drawn.y / picture.height);
         for (std::int64_t x = 0; x < picture.width; ++x)
             picture.branches.push_back(branch_of(row[x * drawn.x / picture.width]));

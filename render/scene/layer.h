@@ -1,3 +1,4 @@
+// Layer: how a branch is drawn.
 #pragma once
 
 #include <cstddef>
