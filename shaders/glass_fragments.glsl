@@ -17,7 +17,7 @@ struct GlassFragment {
 
 layout(std430, binding = kStorageHeads) buffer Heads { uint heads[]; };                    // by pixel: its first fragment; 0: none
 layout(std430, binding = kStorageFragments) buffer Fragments { GlassFragment fragments[]; }; // fragments[0] is unused
-layout(std430, binding = kStorageCount) buffer Count { uint fragment_count; };             // also counts those that do not fit
+layout(std430, binding = kStorageCount) buffer Count { uint fragment_count; }; // also counts those that do not fit
 layout(location = kUniformBand) uniform ivec2 band; // width and first row of the band that the lists are for
 
 int list_of(ivec2 pixel) { return (pixel.y - band.y) * band.x + pixel.x; }
