@@ -1,4 +1,4 @@
-// Export of pictures, sheets, turntables, reports and tables. What draws long is done where no window waits for it.
+// Export of pictures, sheets, turntables, reports and tables. Slow drawing runs where no window waits for it.
 #include "app/actions/arguments.h"
 #include "app/actions/command_runner.h"
 #include "app/actions/export_words.h"
@@ -10,7 +10,7 @@ namespace ramus::app::actions {
 
 namespace {
 
-// Written at once, on this thread.
+// Writes synchronously on this thread.
 Result<Outcome> written_now(ActionContext& context, const Export& wanted, const std::string& sentence) {
     return outcome_of(has_written(wanted.file, sentence)(context));
 }
