@@ -11,14 +11,14 @@ namespace ramus::app {
 
 namespace {
 
-// The largest of the shape of `full` in `most`.
+// The largest size with the aspect ratio of `full` within `most`.
 glm::ivec2 fitting(glm::ivec2 full, glm::ivec2 most) {
     const double shrink = std::min(double(most.x) / full.x, double(most.y) / full.y);
     return glm::max(glm::ivec2(glm::dvec2(full) * shrink + 0.5), glm::ivec2(1));
 }
 
-// Of large trees even the coarser surface takes longer to send and draw than a window may: centerlines are cast then,
-// as while the view moves.
+// For large trees even the preview takes a window too long to send and draw: casts centerlines instead, as in moving
+// views.
 void cast_if_large(render::Frame& frame) {
     constexpr std::uint64_t kMostDrawn = 300'000; // triangles
     const bool needs_mesh = frame.only_mesh || frame.scale.value == render::ColourScale::Value::kSurface;
@@ -29,7 +29,7 @@ void cast_if_large(render::Frame& frame) {
 
 } // namespace
 
-// The coarser surface is as good as the fine one, so small.
+// At this size the preview mesh looks like the full one.
 render::Sheet FigurePreviewer::small_sheet(glm::ivec2 size) const {
     Workspace& workspace = state_.workspace;
     const ShownSurfaces surfaces = workspace.surfaces();
@@ -63,7 +63,7 @@ void FigurePreviewer::begin(glm::ivec2 size) {
     if (auto views = views_of(size, options)) drawing_ = Drawing{std::move(*views), options};
 }
 
-// What draw_figure() asks for is drawn before, in parts as the window's picture is.
+// Draws the sheet in parts before draw_figure() needs it, as for the window's picture.
 Result<FigurePreviewer::Part> FigurePreviewer::draw_part(Its& its, const render::Sheet& sheet,
                                                          const FigureOptions& options, double seconds) {
     try {
@@ -80,7 +80,7 @@ Result<FigurePreviewer::Part> FigurePreviewer::draw_part(Its& its, const render:
         RAMUS_TRY(figure, draw_figure(*its.sheets, sheet, options));
         return Part(std::move(figure.image));
     } catch (const render::OutOfGraphicsMemory& error) {
-        its.sheets.reset(); // the file is drawn elsewhere; the dialog goes without
+        its.sheets.reset(); // the export itself is drawn elsewhere; only the preview is missing
         its.renderer.reset();
         return fail(error.what());
     }
@@ -124,7 +124,7 @@ void FigurePreviewer::show(const render::Image& image) {
     preview.size = {image.width, image.height};
 }
 
-// A part that is being drawn is finished for nobody.
+// A part in progress finishes, and its result is dropped.
 void FigurePreviewer::let_go() {
     drawing_.reset();
     part_ = {};
