@@ -41,7 +41,7 @@ const int kStorageHeads = 0;
 const int kStorageFragments = 1;
 const int kStorageCount = 2;
 
-// Uniforms. gl_floor keeps a table of kUniforms entries per program.
+// Uniforms. gl_fallback keeps a table of kUniforms entries per program.
 const int kUniformToClip = 0;          // mat4
 const int kUniformToEye = 1;           // mat3, rotation only
 const int kUniformSamples = 2;         // int: of a pixel

@@ -10,7 +10,7 @@ int owner(vec3 share) {
 
 uint layer_of(int branch) { return texelFetch(layers, branch).x; }
 
-#ifdef FLOOR
+#ifdef FALLBACK
 // GLSL 3.30 cannot interpolate at samples. Returns the shares at an offset in pixels, up to a positive factor: divided
 // by w, they are linear in the picture.
 vec3 shares_at(vec2 pixels) {

@@ -14,7 +14,7 @@ void main() {
     uint normal = packSnorm2x16(octahedral(normalize(normal_eye)));
 #ifndef BORDER
     add_fragment(uint(branch_id + 1), normal, covered_samples());
-#elif defined(FLOOR)
+#elif defined(FALLBACK)
     int branch = -1, glass = 0; // the last glass branch of the samples: a fragment has only one
     for (int s = 0; s < samples; ++s) {
         int here = branch_ids[owner(shares_at(sample_positions[s]))];

@@ -8,7 +8,7 @@ layout(location = kUniformInside) uniform int inside;
 #endif
 #ifdef BORDER
 #include "border.glsl"
-#ifdef FLOOR
+#ifdef FALLBACK
 // Triangles that may show several branches within a pixel are drawn once per sample, with a sample mask: this is the
 // sample's position.
 layout(location = kUniformSamplePosition) uniform vec2 sample_position; // from the pixel's middle, in pixels
@@ -25,7 +25,7 @@ layout(location = kTargetValue) out float value;
 
 void main() {
 #ifdef BORDER
-#ifdef FLOOR
+#ifdef FALLBACK
     int branch = branch_ids[owner(shares_at(sample_position))];
 #else
     int branch = branch_ids[owner(interpolateAtSample(shares, gl_SampleID))];

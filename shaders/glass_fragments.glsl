@@ -1,6 +1,6 @@
 // Glass as a list of fragments per pixel: one per triangle that covers any of the pixel's samples. Lists are built in
 // any order and then sorted, nearest first, so that the picture does not depend on the order of triangles.
-#ifdef FLOOR
+#ifdef FALLBACK
 layout(binding = kUnitOpaqueSamples) uniform sampler2DMS opaque_samples;
 
 // Replaces the mask of covered samples, which 3.30 cannot read: the samples in front of opaque surfaces, if they are

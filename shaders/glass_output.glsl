@@ -1,10 +1,10 @@
-// Writes fragments of glass: to the list of their pixel or, without lists (FLOOR), layer by layer: of the fragments
+// Writes fragments of glass: to the list of their pixel or, without lists (FALLBACK), layer by layer: of the fragments
 // behind the last layer the nearest is kept, sample by sample. See passes/glass_pass.h.
 #include "glass_fragments.glsl"
 
 centroid in vec2 clip_depth; // z and w; geometry.vert says why
 layout(location = kUniformSamples) uniform int samples;
-#ifdef FLOOR
+#ifdef FALLBACK
 layout(binding = kUnitLastLayer) uniform sampler2DMS last_layer; // depths
 layout(location = kUniformLayer) uniform int layer; // 0: no previous layer
 layout(location = kUniformSamplePositions) uniform vec2 sample_positions[kMostSamples]; // of the samples, from the pixel's middle

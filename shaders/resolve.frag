@@ -2,11 +2,11 @@
 // outlines and occlusion. Also sorts the lists of glass. Vessels are picked through transparent context; glass in front
 // of opaque context is picked. Lesions are picked as if opaque, also through glass. Variants: GLASS if anything is
 // defocused or there is transparent context or lesions; with LESIONS the input layers are those of lesions, which go
-// over the existing result (FLOOR).
+// over the existing result (FALLBACK).
 #include "view.glsl"
 #ifdef GLASS
 #include "glass_fragments.glsl"
-#ifdef FLOOR
+#ifdef FALLBACK
 layout(binding = kUnitFirstFragments) uniform usampler2DMS first_fragments; // output of fragment.frag
 layout(binding = kUnitFirstDepths) uniform sampler2DMS first_depths;
 layout(binding = kUnitContextDepths) uniform sampler2DMS context_depths; // of the nearest transparent shape
@@ -20,7 +20,7 @@ layout(location = kTargetIdNormal) out uvec2 id_normal; // the normal is that of
 layout(location = kTargetOpaqueDepth) out float opaque_depth; // for the occlusion: opaque surfaces only
 layout(location = kTargetPickedDepth) out float picked_depth; // of id_normal
 
-#if defined(GLASS) && !defined(FLOOR)
+#if defined(GLASS) && !defined(FALLBACK)
 // Fragments of equal depth may be in any order, but always the same.
 bool before(GlassFragment a, GlassFragment b) {
     float da = uintBitsToFloat(a.depth), db = uintBitsToFloat(b.depth);
@@ -75,7 +75,7 @@ void main() {
     id_normal.x &= ~kLine;
     uint vessel = 0u, lesion = 0u; // ids of the nearest fragments; 0: none
     float vessel_depth = 0.0, lesion_depth = 0.0;
-#ifdef FLOOR
+#ifdef FALLBACK
     float first = 0.0, context = 0.0;
     for (int s = 0; s < samples; ++s) {
         float depth = texelFetch(first_depths, pixel, s).x;

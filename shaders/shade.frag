@@ -3,7 +3,7 @@
 // the distance from lesions, SCALE to colour by a value along branches or, with VALUES, of the surface, CUTS if any
 // branch is cut or lost, CHANGED to shade only marked branches and keep the rest of the last picture, HALOS, CONTOURS
 // and CHROMADEPTH for depth cues, CONTEXT if there are context meshes or lesions. LAYER composes one layer of glass
-// with the previous ones, without lists (FLOOR).
+// with the previous ones, without lists (FALLBACK).
 #include "view.glsl"
 #include "look.glsl"
 #include "look/point.glsl"
@@ -22,7 +22,7 @@ layout(binding = kUnitValues) uniform sampler2DMS value_samples;
 
 #ifdef GLASS
 #include "glass_fragments.glsl"
-#ifdef FLOOR
+#ifdef FALLBACK
 layout(binding = kUnitFronts) uniform sampler2DArray fronts_of_samples; // from glass_layer.glsl, a layer per sample
 #endif
 #endif
@@ -124,7 +124,7 @@ void main() {
     // Pixels without a sample of a changed branch skip the loop below, and are kept.
     bool changed = false;
     for (int s = 0; s < samples; ++s) changed = changed || has_changed(texelFetch(surface_samples, pixel, s).x);
-#if defined(GLASS) && !defined(FLOOR)
+#if defined(GLASS) && !defined(FALLBACK)
     for (uint number = heads[list_of(pixel)]; number != 0u && !changed; number = fragments[number].next)
         changed = (fragments[number].id_and_samples & kContextFragment) == 0u &&
                   has_changed(fragments[number].id_and_samples & kIdBits);
@@ -161,7 +161,7 @@ void main() {
         front[s] = vec4(0.0);
         empty = empty && opaque_values[s] == 0.0;
     }
-#ifdef FLOOR
+#ifdef FALLBACK
     for (int s = 0; s < kMostSamples; ++s) front[s] = texelFetch(fronts_of_samples, ivec3(pixel, s), 0);
 #else
     float clear = 1.0;

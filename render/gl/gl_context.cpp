@@ -1,7 +1,7 @@
 #include "render/gl/gl_context.h"
 
 #include "core/base/memory.h"
-#include "render/gl/gl_floor.h"
+#include "render/gl/gl_fallback.h"
 
 #include <algorithm>
 #include <array>
@@ -70,7 +70,7 @@ Result<void> load_gl(GlLoader loader, const void* context, const std::string& re
         return fail("OpenGL " + found_version.text() + " is too old, " + kOldestGl.text() + " is needed",
                     gl_description(),
                     remedy.empty() ? "update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1" : remedy);
-    install_gl_floor(GLAD_MAKE_VERSION(found_version.major, found_version.minor), context);
+    install_gl_fallback(GLAD_MAKE_VERSION(found_version.major, found_version.minor), context);
     GLint flags = 0;
     glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
     if (glDebugMessageCallback != nullptr) {

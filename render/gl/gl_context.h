@@ -29,7 +29,7 @@ inline constexpr GlVersion kOldestGl{3, 3};
 inline constexpr std::array kWantedGl{GlVersion{4, 5}, GlVersion{4, 3}, kOldestGl};
 
 // Loads GL's functions for the current context and enables debug messages if the context supports them. On contexts
-// older than 4.5, missing functions are emulated with 3.3 (render/gl/gl_floor.h). `context` identifies the context
+// older than 4.5, missing functions are emulated with 3.3 (render/gl/gl_fallback.h). `context` identifies the context
 // among those that exist at the same time. Fails for contexts older than 3.3, with the version found and `remedy`.
 [[nodiscard]] Result<void> load_gl(GlLoader loader, const void* context = nullptr, const std::string& remedy = {});
 

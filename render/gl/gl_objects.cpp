@@ -2,7 +2,7 @@
 
 #include "core/base/give_back.h"
 #include "render/gl/gl_context.h"
-#include "render/gl/gl_floor.h"
+#include "render/gl/gl_fallback.h"
 #include "render/gl/shader_text.h"
 
 #include <algorithm>

@@ -98,11 +98,11 @@ ShaderText shader_text(std::string_view name, std::string_view defines, int vers
     Assembler assembler(text, version);
     const bool wrapped = full_depth && name.ends_with(".vert");
     std::string head = "#version " + std::to_string(version) + " core\n";
-    if (version < 430) head += "#define FLOOR\n";
+    if (version < 430) head += "#define FALLBACK\n";
     if (full_depth) head += "#define FULL_DEPTH\n";
     head += defines;
     if (wrapped) head += "#define main place_vertex\n";
-    if (version < 430) assembler.add("floor.glsl");
+    if (version < 430) assembler.add("fallback.glsl");
     for (const char* common : kInAllShaders) assembler.add(common);
     assembler.add(name);
     text.glsl = head + assembler.finish();

@@ -2,7 +2,7 @@
 // 450 core`, which they omit. Each gets a common preamble (numbers, ids, the language of shaders/look). `#include
 // "name"` lines are replaced by that file, and names from shaders/bindings.glsl in layout(...) by their numbers. Below
 // 4.30 a shader cannot declare the locations of uniforms, samplers and blocks: these are removed from the text and
-// listed, and number_program() (render/gl/gl_floor.h) assigns them after linking.
+// listed, and number_program() (render/gl/gl_fallback.h) assigns them after linking.
 #pragma once
 
 #include <map>
@@ -28,8 +28,8 @@ struct ShaderText {
 extern const std::map<std::string_view, std::string_view> kShaderSources;
 
 // Preprocesses the embedded file `name`. `defines` goes after the #version line. `version`: 450, 430 or 330; at 330
-// FLOOR is defined. `full_depth`: clip-space depths run from -w to w. Vertex shaders, which compute depths from 0 to w,
-// get a conversion at their end, and FULL_DEPTH is defined for later stages.
+// FALLBACK is defined. `full_depth`: clip-space depths run from -w to w. Vertex shaders, which compute depths from 0 to
+// w, get a conversion at their end, and FULL_DEPTH is defined for later stages.
 [[nodiscard]] ShaderText shader_text(std::string_view name, std::string_view defines, int version,
                                      bool full_depth = false);
 

@@ -1,7 +1,7 @@
-// The part of gl_floor that assigns numbers to uniforms, samplers and blocks. Below 4.3 the linker chooses locations:
-// calls use the numbers of the shader files, which are translated here.
+// The part of gl_fallback that assigns numbers to uniforms, samplers and blocks. Below 4.3 the linker chooses
+// locations: calls use the numbers of the shader files, which are translated here.
 #include "render/gl/bindings.h"
-#include "render/gl/gl_floor.h"
+#include "render/gl/gl_fallback.h"
 
 #include <array>
 #include <map>
@@ -63,7 +63,7 @@ template <auto& uniform> void put_in_terms_of_use(auto& of_program) {
 
 } // namespace
 
-void install_uniform_floor(int version, const void* context) {
+void install_uniform_fallback(int version, const void* context) {
     // One per context; static, since function pointers belong to the process.
     static std::map<const void*, std::unordered_map<GLuint, Locations>> all;
     programs = version < GLAD_MAKE_VERSION(4, 3) ? &all[context] : nullptr;

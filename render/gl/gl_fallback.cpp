@@ -1,4 +1,4 @@
-#include "render/gl/gl_floor.h"
+#include "render/gl/gl_fallback.h"
 
 #include "render/gl/gl_objects.h"
 
@@ -231,13 +231,13 @@ void GLAD_API_PTR vertex_array_integer_format(GLuint array, GLuint index, GLint 
 
 } // namespace
 
-void install_uniform_floor(int version, const void* context); // gl_floor_uniforms.cpp
+void install_uniform_fallback(int version, const void* context); // gl_fallback_uniforms.cpp
 
-void install_gl_floor(int version, const void* context) {
+void install_gl_fallback(int version, const void* context) {
     // One per context; static, since function pointers belong to the process.
     static std::map<const void*, Names> all;
     names = &all[context];
-    if (version >= GLAD_MAKE_VERSION(4, 5)) return install_uniform_floor(version, context);
+    if (version >= GLAD_MAKE_VERSION(4, 5)) return install_uniform_fallback(version, context);
     create_by<BufferBound, glad_glGenBuffers>(glad_glCreateBuffers);
     glad_glNamedBufferStorage = buffer_storage;
     put_in_terms_of<BufferBound, glad_glBufferSubData>(glad_glNamedBufferSubData);
@@ -274,7 +274,7 @@ void install_gl_floor(int version, const void* context) {
     glad_glVertexArrayAttribBinding = vertex_array_binding;
     put_in_terms_of<ArrayBound, glad_glEnableVertexAttribArray>(glad_glEnableVertexArrayAttrib);
     glad_glClipControl = [](GLenum, GLenum) {}; // shaders convert depths
-    install_uniform_floor(version, context);
+    install_uniform_fallback(version, context);
 }
 
 } // namespace ramus::render
