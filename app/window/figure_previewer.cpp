@@ -125,7 +125,7 @@ void FigurePreviewer::show(const render::Image& image) {
 }
 
 // A part in progress finishes, and its result is dropped.
-void FigurePreviewer::let_go() {
+void FigurePreviewer::release() {
     drawing_.reset();
     part_ = {};
     if (its_)
@@ -142,7 +142,7 @@ void FigurePreviewer::let_go() {
 void FigurePreviewer::update() {
     FigurePreview& preview = state_.interface.preview;
     if (!preview.wanted || !preview.request.size || !state_.workspace.shown().mesh) {
-        if (its_ || shown_) let_go();
+        if (its_ || shown_) release();
         return;
     }
     take_part(0.0);

@@ -19,7 +19,7 @@ class FigurePreviewer {
 public:
     // Both must outlive it.
     FigurePreviewer(ViewerState& state, DrawingThread& thread) : state_(state), thread_(thread) {}
-    ~FigurePreviewer() { let_go(); }
+    ~FigurePreviewer() { release(); }
     FigurePreviewer(const FigurePreviewer&) = delete;
     FigurePreviewer& operator=(const FigurePreviewer&) = delete;
 
@@ -56,7 +56,7 @@ private:
     void take_part(double seconds);
     void give_up();
     void show(const render::Image& image);
-    void let_go();
+    void release();
 
     ViewerState& state_;
     DrawingThread& thread_;

@@ -14,7 +14,7 @@ PictureDrawer::PictureDrawer(render::Renderer& renderer, DrawingThread& thread)
 PictureDrawer::~PictureDrawer() {
     thread_.run([this] {
         sheets_.reset();
-        shown_.let_go();
+        shown_.release();
     });
 }
 

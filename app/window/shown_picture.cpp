@@ -23,7 +23,7 @@ void ShownPicture::prepare() {
     for (const int side : {3, 5}) picture.present(0, 0, 0, {side, side}); // unscaled and scaled
 }
 
-void ShownPicture::let_go() {
+void ShownPicture::release() {
     pictures_ = {};
     const std::lock_guard lock(mutex_);
     shown_ = {};

@@ -16,7 +16,7 @@ public:
     // Drawing thread: copies the picture of `sheets`, of this size, waits for the copy, and makes it the shown picture.
     // Throws OutOfGraphicsMemory.
     void keep(render::SheetRenderer& sheets, glm::ivec2 size);
-    void let_go(); // drawing thread: releases its textures
+    void release(); // drawing thread: releases its textures
 
     // Window's thread: makes the driver compile the shaders of the copy, before anything is visible. Draws into the
     // window's corner.

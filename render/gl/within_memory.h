@@ -9,17 +9,17 @@
 
 namespace ramus::render {
 
-// Returns the Result of `work()`. If it throws for lack of memory, calls `let_go()` and returns an Error with this
+// Returns the Result of `work()`. If it throws for lack of memory, calls `release()` and returns an Error with this
 // hint.
-template <class LetGo, class Work>
-auto within_memory(const std::string& hint, const LetGo& let_go, const Work& work) -> decltype(work()) {
+template <class Release, class Work>
+auto within_memory(const std::string& hint, const Release& release, const Work& work) -> decltype(work()) {
     try {
         return work();
     } catch (const OutOfGraphicsMemory& error) {
-        let_go();
+        release();
         return fail(error.what(), {}, hint);
     } catch (const std::bad_alloc&) {
-        let_go();
+        release();
         return fail("not enough memory for this picture", {}, hint);
     }
 }

@@ -105,10 +105,10 @@ void Passes::draw_overlays(const Subject& subject, const ViewTargets& targets, c
     glDisable(GL_BLEND);
 }
 
-void Card::let_go() {
+void Card::release() {
     end_passes();
-    scene.let_go();
-    passes.shade.let_go();
+    scene.release();
+    passes.shade.release();
     targets = {};
     picture = {};
 }

@@ -15,7 +15,7 @@
 // | PickRequest            | what a pick reads back                       | some KB
 // clang-format on
 //
-// Any allocation may run out of memory; let_go() then releases the picture and everything that was sent for it.
+// Any allocation may run out of memory; release() then releases the picture and everything that was sent for it.
 #pragma once
 
 #include "render/renderer/passes/cast_pass.h"
@@ -64,7 +64,7 @@ private:
 
 struct Card {
     Card(std::size_t glass_bytes, std::size_t surface_bytes) : passes(glass_bytes), scene(surface_bytes) {}
-    void let_go(); // after running out of memory: releases everything but programs
+    void release(); // after running out of memory: releases everything but programs
 
     Passes passes;
     SceneOnCard scene;

@@ -126,11 +126,11 @@ private:
     Result<bool> add_views(double seconds); // to the refinement; true: one more view
     Result<void> show_mean();               // of the refinement's views
     // Runs `work()`. If memory runs out, releases everything and returns an error.
-    template <class Work> auto or_let_go(const Work& work) -> decltype(work());
+    template <class Work> auto or_release(const Work& work) -> decltype(work());
     void finish();  // the picture in progress
     void give_up(); // discards the picture in progress, or the refinement
     tl::unexpected<Error> failed(const Error& error);
-    void let_go();
+    void release();
     [[nodiscard]] Subject subject_of(const Frame& frame, const std::vector<Layer>& layers) {
         return {frame, layers, card_.scene.mesh(), card_.scene};
     }

@@ -46,12 +46,12 @@ int most_samples() {
 // starts from the initial state.
 Result<DrawStatistics> Renderer::draw(const Frame& wanted, std::size_t upload_budget, double seconds) {
     if (auto fits = check_size(wanted.size.x, wanted.size.y); !fits) return tl::unexpected(fits.error());
-    return or_let_go([&] { return draw_all(wanted, upload_budget, seconds); });
+    return or_release([&] { return draw_all(wanted, upload_budget, seconds); });
 }
 
-template <class Work> auto Renderer::or_let_go(const Work& work) -> decltype(work()) {
+template <class Work> auto Renderer::or_release(const Work& work) -> decltype(work()) {
     return within_memory(
-        kLessMemory, [this] { let_go(); }, work);
+        kLessMemory, [this] { release(); }, work);
 }
 
 // Only the view or the size changes: cones may then replace the surface, until the view rests.
@@ -99,7 +99,7 @@ Result<bool> Renderer::resize(const Frame& frame, Plan plan) {
     in_targets_ = {};
     targets.make(samples);
     if (is_complete(targets.samples.framebuffer)) return true;
-    let_go();
+    release();
     return cannot_draw(frame.size);
 }
 
@@ -108,7 +108,7 @@ Result<void> Renderer::fit_picture(glm::ivec2 size) {
     if (card_.picture.size == size) return {};
     card_.picture.make(size);
     if (is_complete(card_.picture.framebuffer)) return {};
-    let_go();
+    release();
     return cannot_draw(size);
 }
 
@@ -268,7 +268,7 @@ Result<Refined> Renderer::refine(double seconds) {
     done.changed = *added;
     if (!done.changed)
         end_passes();
-    else if (auto shown = or_let_go([&] { return show_mean(); }); !shown)
+    else if (auto shown = or_release([&] { return show_mean(); }); !shown)
         return tl::unexpected(shown.error());
     if (refinement_->whole()) {
         refinement_.reset();
@@ -309,7 +309,7 @@ Result<void> Renderer::show_mean() {
 
 // An error is ignored here: without memory there is no picture.
 void Renderer::finish() {
-    (void)or_let_go([&]() -> Result<void> {
+    (void)or_release([&]() -> Result<void> {
         auto made = card_.passes.cast.take(kUntilDone);
         if (!made) return {};
         return show_cast(std::move(*made));
@@ -334,7 +334,7 @@ tl::unexpected<Error> Renderer::failed(const Error& error) {
 }
 
 // After running out of memory.
-void Renderer::let_go() {
+void Renderer::release() {
     give_up();
     last_.reset();
     state_.lose();
@@ -342,7 +342,7 @@ void Renderer::let_go() {
     wanted_mesh_ = nullptr;
     in_targets_ = in_kept_ = in_cast_ = {};
     kept_ = {};
-    card_.let_go();
+    card_.release();
 }
 
 } // namespace ramus::render

@@ -109,7 +109,7 @@ bool SceneOnCard::casts(const Frame& frame) const {
     return !frame.surface_awaited || lines_.shown()->points.size() <= caster::kMostCastPoints;
 }
 
-void SceneOnCard::let_go() {
+void SceneOnCard::release() {
     drawn_ = nullptr;
     whole_surface_ = nullptr;
     near_ = {};

@@ -32,7 +32,7 @@ public:
     void hurry(bool in_time) { in_time_ = in_time; }
     // Whether the caster can draw the frame.
     [[nodiscard]] bool casts(const Frame& frame) const;
-    void let_go(); // after memory has run out
+    void release(); // call after running out of memory
 
     [[nodiscard]] std::size_t surface_bytes() const { return surface_bytes_; }
     // The mesh of the last take_up(); empty if there is no surface.

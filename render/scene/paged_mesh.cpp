@@ -325,11 +325,11 @@ std::vector<glm::vec3> PagedMesh::farthest(std::span<const glm::dvec3> direction
 std::shared_ptr<const PagedMesh> shared(PagedMesh mesh) {
     constexpr std::uint64_t kLarge = 2'000'000; // triangles
     const auto give_back = [](const PagedMesh* whole) {
-        const auto let_go = [whole] { const std::unique_ptr<const PagedMesh> last(whole); };
+        const auto release = [whole] { const std::unique_ptr<const PagedMesh> last(whole); };
         if (whole->triangle_count() < kLarge)
-            let_go();
+            release();
         else
-            give_back_elsewhere(let_go);
+            give_back_elsewhere(release);
     };
     return {new PagedMesh(std::move(mesh)), give_back};
 }

@@ -61,7 +61,7 @@ std::vector<BranchRecord> plain_records(const Frame& frame, std::size_t count) {
 
 void SceneTables::make() { block_ = make_buffer(sizeof(SceneBlock), nullptr, GL_DYNAMIC_STORAGE_BIT); }
 
-void SceneTables::let_go() {
+void SceneTables::release() {
     Buffer block = std::move(block_);
     *this = {};
     block_ = std::move(block);

@@ -13,7 +13,7 @@ namespace ramus::render {
 class SceneTables {
 public:
     void make();
-    void let_go(); // releases everything but the block
+    void release(); // releases everything but the block
     // Features that the shading of this frame needs.
     struct Needs {
         bool margins = false, scale = false, values = false, context = false;

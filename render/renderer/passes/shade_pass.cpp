@@ -45,9 +45,9 @@ Result<void> ShadePass::make() {
     return background_.make("background.frag");
 }
 
-void ShadePass::let_go() {
+void ShadePass::release() {
     records_ = {};
-    tables_.let_go();
+    tables_.release();
 }
 
 Result<const Fullscreen*> ShadePass::program(unsigned variant) {

@@ -20,7 +20,7 @@ public:
     // `lists` or `layers` provide the glass; both must outlive the pass.
     ShadePass(const FragmentListPass& lists, const LayerPass& layers) : lists_(lists), layers_(layers) {}
     [[nodiscard]] Result<void> make();
-    void let_go(); // after running out of memory: releases what was sent for the last picture
+    void release(); // after running out of memory: releases what was sent for the last picture
 
     // kAll: the whole picture. kChanged: only branches whose records changed since the last call.
     enum class Extent { kAll, kChanged };
