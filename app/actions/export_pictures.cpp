@@ -65,10 +65,10 @@ Result<Outcome> export_figure(ActionContext& context, const Export& wanted) {
     std::vector<std::string> words{"export", std::string(wanted.kind().key), wanted.file.string()};
     const auto options = figure_words(request);
     words.insert(words.end(), options.begin(), options.end());
-    RAMUS_TRY(elsewhere, context.picture.done_elsewhere(words));
-    if (!elsewhere) return write_figure_here(context, wanted, request, sentence);
+    RAMUS_TRY(detached, context.picture.detached_work(words));
+    if (!detached) return write_figure_here(context, wanted, request, sentence);
     return Pending{"Drawing " + wanted.file.filename().string(),
-                   [work = elsewhere, file = wanted.file, sentence](Job& job) -> Result<Continuation> {
+                   [work = detached, file = wanted.file, sentence](Job& job) -> Result<Continuation> {
                        if (auto done = work(job); !done) return tl::unexpected(done.error());
                        return has_written(file, sentence);
                    },

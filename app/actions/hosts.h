@@ -55,7 +55,7 @@ public:
     // For windows, which must not block: returns work for another thread that runs this command (name first) in a
     // separate process on the document's current state. An empty function means that the caller must do it here.
     [[nodiscard]] virtual Result<std::function<Result<void>(Job&)>>
-    done_elsewhere(const std::vector<std::string>& /*words*/) {
+    detached_work(const std::vector<std::string>& /*words*/) {
         return std::function<Result<void>(Job&)>();
     }
     // The branch at each pixel, for the document's current state.

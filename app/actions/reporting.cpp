@@ -102,8 +102,8 @@ Result<std::vector<ReportPicture>> take_pictures(ActionContext& context, glm::iv
     return pictures;
 }
 
-// Draws the pictures elsewhere, so that a window need not wait.
-Result<Outcome> report_page_elsewhere(const std::function<Result<void>(Job&)>& work, const fs::path& path) {
+// Draws the pictures in another process, so that a window need not wait.
+Result<Outcome> report_page_in_process(const std::function<Result<void>(Job&)>& work, const fs::path& path) {
     return Pending{"Writing " + path.filename().string(),
                    [work, path](Job& job) -> Result<Continuation> {
                        if (auto done = work(job); !done) return tl::unexpected(done.error());
@@ -148,8 +148,8 @@ Result<Outcome> report(ActionContext& context, Arguments arguments) {
     std::vector<std::string> there{"report", full.string(), "--size",
                                    std::to_string(shape.x) + "x" + std::to_string(shape.y)};
     if (!words.case_line.empty()) there.insert(there.end(), {"--case", words.case_line});
-    RAMUS_TRY(elsewhere, context.picture.done_elsewhere(there));
-    return elsewhere ? report_page_elsewhere(elsewhere, full) : outcome_of(write_page(context, path, words));
+    RAMUS_TRY(detached, context.picture.detached_work(there));
+    return detached ? report_page_in_process(detached, full) : outcome_of(write_page(context, path, words));
 }
 
 } // namespace

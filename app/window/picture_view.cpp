@@ -3,7 +3,7 @@
 #include "app/picture/deviation_colours.h"
 #include "app/picture/figures.h"
 #include "app/picture/fit.h"
-#include "app/window/work_elsewhere.h"
+#include "app/window/render_process.h"
 #include "render/gl/gl_context.h"
 
 #include <algorithm>
@@ -368,10 +368,10 @@ Result<void> PictureView::write_figure(const FigureRequest& request, Job& job) {
     });
 }
 
-Result<std::function<Result<void>(Job&)>> PictureView::done_elsewhere(const std::vector<std::string>& words) {
+Result<std::function<Result<void>(Job&)>> PictureView::detached_work(const std::vector<std::string>& words) {
     if (!state_.watched()) return std::function<Result<void>(Job&)>();
     const Document& document = state_.workspace.document();
-    return work_elsewhere(document.session(), words, render::is_software_rasteriser());
+    return render_process_work(document.session(), words, render::is_software_rasteriser());
 }
 
 Result<render::Image> PictureView::draw_picture(const render::Camera& camera, glm::ivec2 size,

@@ -68,7 +68,7 @@ public:
     [[nodiscard]] glm::ivec2 whole_size() const override { return state_.layout.view_size; }
     // Runs `ramus render` in a separate process.
     [[nodiscard]] Result<std::function<Result<void>(Job&)>>
-    done_elsewhere(const std::vector<std::string>& words) override;
+    detached_work(const std::vector<std::string>& words) override;
     Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size,
                                        const FigureOptions& options) override;
     void camera_leapt() override;

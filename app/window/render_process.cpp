@@ -1,4 +1,4 @@
-#include "app/window/work_elsewhere.h"
+#include "app/window/render_process.h"
 
 #include "app/session/progress_lines.h"
 #include "app/session/session_file.h"
@@ -57,8 +57,8 @@ Error without_script(Error error, const fs::path& script) {
 
 } // namespace
 
-Result<std::function<Result<void>(Job&)>> work_elsewhere(const Session& session, const std::vector<std::string>& words,
-                                                         bool software) {
+Result<std::function<Result<void>(Job&)>> render_process_work(const Session& session,
+                                                              const std::vector<std::string>& words, bool software) {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
     if (error) return fail("the program's own file is not known: " + error.message());

@@ -13,9 +13,9 @@
 
 namespace ramus::app {
 
-// `words`: a command, its name first. `software`: use OpenGL on the processor, as the window does; false: a graphics
-// card. Fails if the session cannot be written.
+// Returns the work, for any thread. `words`: a command, its name first. `software`: use OpenGL on the processor, as the
+// window does; false: a graphics card. Fails if the session cannot be written.
 [[nodiscard]] Result<std::function<Result<void>(Job&)>>
-work_elsewhere(const Session& session, const std::vector<std::string>& words, bool software);
+render_process_work(const Session& session, const std::vector<std::string>& words, bool software);
 
 } // namespace ramus::app
