@@ -180,7 +180,7 @@ void GpuMesh::show(const std::shared_ptr<const PagedMesh>& mesh) {
     if (!mesh) near_copy_.reset();
 }
 
-void GpuMesh::come_near(NearSurface surface) {
+void GpuMesh::use_near_surface(NearSurface surface) {
     near_ = std::move(surface);
     if (!near_.mesh) return;
     if (!near_copy_ || !near_copy_->fits(*near_.mesh)) {

@@ -27,7 +27,7 @@ public:
     // The mesh that is drawn: the last one given to follow(), or its predecessor until it has arrived; null: none.
     [[nodiscard]] const std::shared_ptr<const PagedMesh>& shown() const { return shown_; }
     // From now on draws `surface` in place of the pages of shown() that it replaces, until another mesh is shown.
-    void come_near(NearSurface surface);
+    void use_near_surface(NearSurface surface);
 
     // Triangles that are drawn together: ranges of the index buffer, in parts that take a software rasteriser a few
     // milliseconds.

@@ -46,7 +46,7 @@ InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& t
     view.look(frame, subject.has_mesh() ? subject.mesh.shown()->bounds() : scene.shapes().bounds(frame.context),
               scene.beside_tree(frame));
     send(view);
-    scene.come_near(frame, view);
+    scene.divide_near_surface(frame, view);
     co_await kPartEnds;
     targets.has_glass = subject.has_glass();
     if (subject.has_mesh()) scene.branch_layers().send(*subject.mesh.shown(), subject.layers);

@@ -151,7 +151,7 @@ Result<bool> Renderer::make_room(Plan plan, const Frame& wanted, const Frame& fr
 Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t upload_budget, double seconds) {
     const Stopwatch watch;
     DrawStatistics done;
-    card_.scene.hurry(seconds != kUntilDone);
+    card_.scene.set_in_time(seconds != kUntilDone);
     const auto taken = card_.scene.take_up(wanted, upload_budget, done);
     if (!taken) {
         give_up();

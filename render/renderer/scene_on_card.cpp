@@ -79,15 +79,15 @@ Result<Frame> SceneOnCard::take_up(const Frame& wanted, std::size_t upload_budge
 }
 
 // Views that are shifted by less than a pixel share the division.
-void SceneOnCard::come_near(const Frame& frame, const ViewSetup& view) {
+void SceneOnCard::divide_near_surface(const Frame& frame, const ViewSetup& view) {
     const bool bends = frame.bends && frame.quality == Quality::kFull && drawn_ == &mesh_;
     const Near near = bends ? Near{mesh_.shown(), frame.camera, view.size} : Near{};
     if (near == near_) return;
     near_ = {};
-    mesh_.come_near(bends ? near_surface(*near.mesh,
-                                         near_view(frame.camera, near.mesh->origin(), view.to_clip, view.size.y),
-                                         in_time_ ? kMostNearInTime : kMostNear)
-                          : NearSurface{});
+    mesh_.use_near_surface(bends ? near_surface(*near.mesh,
+                                                near_view(frame.camera, near.mesh->origin(), view.to_clip, view.size.y),
+                                                in_time_ ? kMostNearInTime : kMostNear)
+                                 : NearSurface{});
     near_ = near;
 }
 

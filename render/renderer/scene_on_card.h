@@ -27,9 +27,9 @@ public:
     [[nodiscard]] Result<Frame> take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done);
     // Call before drawing the frame of the last take_up() from `view`: divides its surface where straight edges would
     // show.
-    void come_near(const Frame& frame, const ViewSetup& view);
+    void divide_near_surface(const Frame& frame, const ViewSetup& view);
     // `in_time`: a person waits for the picture, so the surface is divided only as far as that is quick.
-    void hurry(bool in_time) { in_time_ = in_time; }
+    void set_in_time(bool in_time) { in_time_ = in_time; }
     // Whether the caster can draw the frame.
     [[nodiscard]] bool casts(const Frame& frame) const;
     void release(); // call after running out of memory
