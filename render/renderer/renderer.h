@@ -135,22 +135,22 @@ private:
         return {frame, layers, card_.scene.mesh(), card_.scene};
     }
 
-    // A picture whose ids and depths still exist, for picks.
-    struct Under {
+    // Identifies a picture whose ids and depths still exist, for picks.
+    struct PickSource {
         int number = 0; // 0: none
         ViewSetup view;
         Camera camera;
         float pixel_ratio = 1.0F;
     };
-    [[nodiscard]] static Pick pick_in(const Under& under, const ResolvedTarget& from, double x, double y);
-    [[nodiscard]] Pick pick_in_cast(const Under& under, double x, double y) const;
-    [[nodiscard]] Under next_under(const Frame& frame, const ViewSetup& view);
-    void keep_under();
+    [[nodiscard]] static Pick pick_in(const PickSource& source, const ResolvedTarget& from, double x, double y);
+    [[nodiscard]] Pick pick_in_cast(const PickSource& source, double x, double y) const;
+    [[nodiscard]] PickSource next_pick_source(const Frame& frame, const ViewSetup& view);
+    void keep_pick_source();
 
     Card card_;
     PictureState state_;
     int number_ = 0;
-    Under in_targets_, in_kept_, in_cast_; // in the targets, in kept_, in the caster
+    PickSource in_targets_, in_kept_, in_cast_; // in the targets, in kept_, in the caster
     KeptTarget kept_;
     std::unique_ptr<Unfinished> unfinished_; // not null while the state is partial
     std::unique_ptr<Refinement> refinement_; // not null while it is refining

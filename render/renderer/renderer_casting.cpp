@@ -44,7 +44,7 @@ Result<void> Renderer::show_cast(CastPass::Made made) {
     card_.targets.view = made.view;
     card_.passes.begin(made.view);
     state_.cast();
-    in_cast_ = next_under(made.frame, made.view);
+    in_cast_ = next_pick_source(made.frame, made.view);
     show(subject_of(made.frame, made.layers), {glm::ivec2(0), made.view.size});
     last_ = std::move(made.frame);
     last_layers_ = std::move(made.layers);

@@ -140,7 +140,7 @@ Result<bool> Renderer::make_room(Plan plan, const Frame& wanted, const Frame& fr
     }
     if (plan != Plan::kCast && plan != Plan::kDraw) return false;
     card_.passes.cast.forget();
-    if (plan == Plan::kDraw) keep_under();
+    if (plan == Plan::kDraw) keep_pick_source();
     const bool other_size = card_.picture.size != frame.size;
     RAMUS_TRY(made_targets, resize(frame, plan));
     if (plan == Plan::kDraw) begin(wanted, frame, layers);
@@ -185,14 +185,14 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
         done.cones = cast(subject);
         done.geometry = true;
         state_.cast();
-        in_cast_ = next_under(frame, card_.targets.view);
+        in_cast_ = next_pick_source(frame, card_.targets.view);
     } else if (plan != Plan::kShow) {
         if (unfinished_) {
             const auto whole = draw_parts(seconds - watch.seconds(), done);
             if (!whole) return failed(whole.error());
             if (!*whole) return unfinished_->seconds += watch.seconds(), later(done);
             unfinished_.reset();
-            in_targets_ = next_under(frame, card_.targets.view);
+            in_targets_ = next_pick_source(frame, card_.targets.view);
         }
         const auto shaded = shade(subject, plan);
         if (!shaded) return failed(shaded.error());
