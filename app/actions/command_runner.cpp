@@ -126,7 +126,7 @@ Result<void> CommandRunner::await(ActionContext& context, Awaited awaited) {
     return in_turn(context, turn_of(context, std::move(awaited)));
 }
 
-void CommandRunner::after_what_is_awaited(ActionContext& context, std::function<void()> event) {
+void CommandRunner::run_after_awaited(ActionContext& context, std::function<void()> event) {
     if (!awaits()) return event();
     const auto act = [event = std::move(event)](ActionContext&) -> Result<void> {
         event();

@@ -39,7 +39,7 @@ public:
     // commands before and after it; at once if possible.
     [[nodiscard]] Result<void> await(ActionContext& context, Awaited awaited);
     // Runs the event after everything awaited, whatever the result, and even if another tree was opened meanwhile.
-    void after_what_is_awaited(ActionContext& context, std::function<void()> event);
+    void run_after_awaited(ActionContext& context, std::function<void()> event);
     [[nodiscard]] bool awaits() const { return !turns_.empty(); } // new commands will wait
 
     // Finishes awaited commands and commands whose work is done, starts the next work, and returns the errors.

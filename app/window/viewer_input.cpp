@@ -108,7 +108,7 @@ void ViewerInput::ask_pick() {
 
 void ViewerInput::in_order(std::function<void()> event) {
     moves_.reset();
-    state_.commands.after_what_is_awaited(*state_.actions, [this, event = std::move(event)] {
+    state_.commands.run_after_awaited(*state_.actions, [this, event = std::move(event)] {
         state_.follow_tree(); // resets the tool for the new tree
         event();
         state_.redraw();
