@@ -34,7 +34,7 @@ public:
     DrawingThread& operator=(const DrawingThread&) = delete;
 
     // Everything below must be called from one thread, the owner's.
-    [[nodiscard]] bool apart() const { return thread_.joinable(); }
+    [[nodiscard]] bool has_thread() const { return thread_.joinable(); }
     // No work is queued or running: run() will not wait for earlier work.
     [[nodiscard]] bool idle() const { return tasks_ == 0; }
 
@@ -61,7 +61,7 @@ public:
     // How often run() had to wait for earlier work.
     [[nodiscard]] int waits() const { return waits_; }
     // Queues `work` and ignores its result; it must not throw.
-    template <class Work> void let(Work work) { (void)begin(std::move(work)); }
+    template <class Work> void post(Work work) { (void)begin(std::move(work)); }
 
     // Whether the result is ready, after waiting at most `seconds`. If not, `wake` is called when the next result is
     // ready.

@@ -64,33 +64,34 @@ void FigurePreviewer::begin(glm::ivec2 size) {
 }
 
 // Draws the sheet in parts before draw_figure() needs it, as for the window's picture.
-Result<FigurePreviewer::Part> FigurePreviewer::draw_part(Its& its, const render::Sheet& sheet,
+Result<FigurePreviewer::Part> FigurePreviewer::draw_part(Drawer& drawer, const render::Sheet& sheet,
                                                          const FigureOptions& options, double seconds) {
     try {
-        if (!its.renderer) { // takes about as long as a part
+        if (!drawer.renderer) { // takes about as long as a part
             RAMUS_TRY(made, render::Renderer::create());
-            its.renderer = std::move(made);
-            its.renderer->let_first_wait();
-            its.sheets.emplace(*its.renderer);
+            drawer.renderer = std::move(made);
+            drawer.renderer->let_first_wait();
+            drawer.sheets.emplace(*drawer.renderer);
             return Part();
         }
-        const auto drawn = its.sheets->draw(sheet, kUploadBudget, seconds);
+        const auto drawn = drawer.sheets->draw(sheet, kUploadBudget, seconds);
         if (!drawn) return tl::unexpected(drawn.error());
         if (drawn->unfinished || drawn->pending) return Part();
-        RAMUS_TRY(figure, draw_figure(*its.sheets, sheet, options));
+        RAMUS_TRY(figure, draw_figure(*drawer.sheets, sheet, options));
         return Part(std::move(figure.image));
     } catch (const render::OutOfGraphicsMemory& error) {
-        its.sheets.reset(); // the export itself is drawn elsewhere; only the preview is missing
-        its.renderer.reset();
+        drawer.sheets.reset(); // the export itself is drawn elsewhere; only the preview is missing
+        drawer.renderer.reset();
         return fail(error.what());
     }
 }
 
 void FigurePreviewer::begin_part() {
-    if (!its_) its_ = std::make_shared<Its>();
+    if (!drawer_) drawer_ = std::make_shared<Drawer>();
     const double seconds = state_.watched() ? kDrawingSeconds : render::kUntilDone;
-    part_ = thread_.begin([its = its_, sheet = drawing_->all.views[drawing_->next].sheet, options = drawing_->options,
-                           seconds] { return draw_part(*its, sheet, options, seconds); });
+    part_ =
+        thread_.begin([drawer = drawer_, sheet = drawing_->all.views[drawing_->next].sheet, options = drawing_->options,
+                       seconds] { return draw_part(*drawer, sheet, options, seconds); });
 }
 
 void FigurePreviewer::take_part(double seconds) {
@@ -128,12 +129,12 @@ void FigurePreviewer::show(const render::Image& image) {
 void FigurePreviewer::release() {
     drawing_.reset();
     part_ = {};
-    if (its_)
-        thread_.let([its = std::move(its_)] {
-            its->sheets.reset();
-            its->renderer.reset();
+    if (drawer_)
+        thread_.post([drawer = std::move(drawer_)] {
+            drawer->sheets.reset();
+            drawer->renderer.reset();
         });
-    its_ = nullptr;
+    drawer_ = nullptr;
     texture_ = {};
     shown_.reset();
     state_.interface.preview.texture = 0;
@@ -142,7 +143,7 @@ void FigurePreviewer::release() {
 void FigurePreviewer::update() {
     FigurePreview& preview = state_.interface.preview;
     if (!preview.wanted || !preview.request.size || !state_.workspace.shown().mesh) {
-        if (its_ || shown_) release();
+        if (drawer_ || shown_) release();
         return;
     }
     take_part(0.0);
@@ -158,7 +159,7 @@ void FigurePreviewer::update() {
     }
     if (!drawing_) return give_up();
     begin_part();
-    if (!thread_.apart()) take_part(0.0);
+    if (!thread_.has_thread()) take_part(0.0);
 }
 
 } // namespace ramus::app

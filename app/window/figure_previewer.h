@@ -41,7 +41,7 @@ private:
         bool operator==(const Wanted&) const = default;
     };
     // Used only where pictures are drawn (DrawingThread).
-    struct Its {
+    struct Drawer {
         std::unique_ptr<render::Renderer> renderer; // null: none yet, or out of memory
         std::optional<render::SheetRenderer> sheets;
     };
@@ -49,8 +49,8 @@ private:
 
     [[nodiscard]] render::Sheet small_sheet(glm::ivec2 size) const;
     [[nodiscard]] Result<FourViews> views_of(glm::ivec2 size, const FigureOptions& options) const;
-    [[nodiscard]] static Result<Part> draw_part(Its& its, const render::Sheet& sheet, const FigureOptions& options,
-                                                double seconds);
+    [[nodiscard]] static Result<Part> draw_part(Drawer& drawer, const render::Sheet& sheet,
+                                                const FigureOptions& options, double seconds);
     void begin(glm::ivec2 size);
     void begin_part();
     void take_part(double seconds);
@@ -60,7 +60,7 @@ private:
 
     ViewerState& state_;
     DrawingThread& thread_;
-    std::shared_ptr<Its> its_; // null: no dialog
+    std::shared_ptr<Drawer> drawer_; // null: no dialog
     std::optional<Drawing> drawing_;
     std::future<Result<Part>> part_; // its part in progress
     render::Texture texture_;

@@ -69,7 +69,7 @@ PictureDrawer::Made PictureDrawer::refined(render::Sheet sheet, double seconds) 
 }
 
 Result<void> PictureDrawer::keep(const render::Sheet& sheet) {
-    if (!thread_.apart()) return {}; // without a thread it is shown directly
+    if (!thread_.has_thread()) return {}; // without a thread it is shown directly
     try {
         shown_.keep(*sheets_, sheet.size);
         return {};
@@ -79,7 +79,7 @@ Result<void> PictureDrawer::keep(const render::Sheet& sheet) {
 }
 
 void PictureDrawer::present(unsigned framebuffer, glm::ivec2 at, glm::ivec2 size) {
-    if (thread_.apart()) return shown_.present(framebuffer, at, size);
+    if (thread_.has_thread()) return shown_.present(framebuffer, at, size);
     sheets_->present(framebuffer, at.x, at.y);
 }
 

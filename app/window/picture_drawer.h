@@ -36,7 +36,7 @@ public:
     [[nodiscard]] std::optional<Made> take(double seconds);
     [[nodiscard]] bool busy() const { return made_.valid(); } // a picture is in progress
     [[nodiscard]] bool drawing() const { return busy() && !refines_; }
-    [[nodiscard]] bool has_picture() const { return !thread_.apart() || shown_.any(); }
+    [[nodiscard]] bool has_picture() const { return !thread_.has_thread() || shown_.any(); }
 
     [[nodiscard]] int waits() const { return thread_.waits(); }
 

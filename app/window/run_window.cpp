@@ -134,17 +134,17 @@ private:
 
 // Owns the renderer of a drawing thread and destroys it on that thread. Without a thread, a driver that cannot draw
 // reports it at once.
-class ItsRenderer {
+class ThreadRenderer {
 public:
-    explicit ItsRenderer(DrawingThread& thread) : thread_(thread) {}
-    ~ItsRenderer() {
+    explicit ThreadRenderer(DrawingThread& thread) : thread_(thread) {}
+    ~ThreadRenderer() {
         thread_.run([this] { renderer_.reset(); });
     }
-    ItsRenderer(const ItsRenderer&) = delete;
-    ItsRenderer& operator=(const ItsRenderer&) = delete;
+    ThreadRenderer(const ThreadRenderer&) = delete;
+    ThreadRenderer& operator=(const ThreadRenderer&) = delete;
 
     [[nodiscard]] Result<void> make(std::size_t surface_bytes) {
-        if (thread_.apart()) {
+        if (thread_.has_thread()) {
             renderer_ = render::Renderer::create_later(render::kGlassBytes, surface_bytes);
             return {};
         }
@@ -245,9 +245,9 @@ int run_window(const WindowOptions& options) {
     auto window = GlfwWindow::create(options.size.x > 0 ? options.size : settings.window, wanted_scale);
     if (!window) return complain(window.error());
     const std::unique_ptr<DrawingThread> thread = (*window)->make_drawing_thread();
-    ItsRenderer renderer(*thread);
+    ThreadRenderer renderer(*thread);
     if (auto made = renderer.make(options.graphics_bytes); !made) return complain(made.error());
-    if (thread->apart()) ShownPicture::prepare();
+    if (thread->has_thread()) ShownPicture::prepare();
     fonts.wait();
     LoopWatch watch;
     auto viewer = Viewer::create(workspace, renderer.get(), (*window)->scale(), wake_window, thread.get());
