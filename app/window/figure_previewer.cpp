@@ -70,7 +70,7 @@ Result<FigurePreviewer::Part> FigurePreviewer::draw_part(Drawer& drawer, const r
         if (!drawer.renderer) { // takes about as long as a part
             RAMUS_TRY(made, render::Renderer::create());
             drawer.renderer = std::move(made);
-            drawer.renderer->let_first_wait();
+            drawer.renderer->draw_first_in_parts();
             drawer.sheets.emplace(*drawer.renderer);
             return Part();
         }

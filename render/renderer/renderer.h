@@ -47,8 +47,8 @@ public:
 
     // By default draw() ignores the time limit for the first picture. This lets the first picture come in parts, too,
     // for callers that show nothing until it is complete.
-    void let_first_wait() { first_waits_ = true; }
-    [[nodiscard]] bool first_waits() const { return first_waits_; }
+    void draw_first_in_parts() { first_in_parts_ = true; }
+    [[nodiscard]] bool draws_first_in_parts() const { return first_in_parts_; }
 
     [[nodiscard]] bool has_picture() const { return last_.has_value(); }
     // The current picture. Straight alpha when the background is transparent.
@@ -156,7 +156,7 @@ private:
     std::unique_ptr<Refinement> refinement_; // not null while it is refining
     std::optional<Frame> last_;              // the shown frame; none: the state is kEmpty
     std::vector<Layer> last_layers_;
-    bool first_waits_ = false;
+    bool first_in_parts_ = false;
     ViewSetup shown_view_;                         // view of the shown frame; the targets may have the next one
     std::shared_ptr<const PagedMesh> wanted_mesh_; // of the last frame drawn with triangles, whether sent or not
     PickRequest request_;

@@ -167,7 +167,7 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
     if (!in_time) {
         const auto took_long = make_room(plan, wanted, frame, layers);
         if (!took_long) return failed(took_long.error());
-        if (!last_ && !first_waits_) seconds = kUntilDone; // no picture to show meanwhile
+        if (!last_ && !first_in_parts_) seconds = kUntilDone; // no picture to show meanwhile
         if (*took_long && seconds != kUntilDone) return later(done);
     }
     card_.passes.begin(card_.targets.view);

@@ -60,7 +60,7 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
     const bool at_once = seconds == kUntilDone;
     while (others_.size() + 1 < sheet.viewports.size()) {
         RAMUS_TRY(made, Renderer::create(kGlassBytes, first_.surface_bytes()));
-        if (first_.first_waits()) made->let_first_wait();
+        if (first_.draws_first_in_parts()) made->draw_first_in_parts();
         others_.push_back(std::move(made));
         sum.unfinished = !at_once;
         if (sum.unfinished) return sum; // linking its programs takes as long as a part
