@@ -39,10 +39,9 @@ Result<Outcome> write_csv(ActionContext& context, const fs::path& path, std::str
 
 // The arguments after the file.
 struct ReportWords {
-    std::string kind;      // kind of table; empty: the first available
-    std::string case_line; // of a page
-    std::optional<glm::ivec2>
-        size; // size of the picture seen by the user, whose shape the page keeps; none: the current one
+    std::string kind;               // kind of table; empty: the first available
+    std::string case_line;          // of a page
+    std::optional<glm::ivec2> size; // of the user's picture, for its shape; none: the current
 };
 
 constexpr const char* kReportUsage = "report FILE.html [--case TEXT] [--size WxH], or report FILE.csv [KIND]";

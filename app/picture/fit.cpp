@@ -18,8 +18,7 @@ render::Camera with_room(render::Camera camera, const Comparison& comparison) {
 }
 
 render::View opening_view(const tree::VesselTree& tree) {
-    constexpr double kFlat =
-        0.1; // thickness relative to the middle side; tuned on mesentery networks and trees of organs
+    constexpr double kFlat = 0.1; // thickness by the middle side; tuned on mesentery and trees of organs
     glm::dvec3 least(HUGE_VAL), most(-HUGE_VAL);
     for (const tree::Point& point : tree.points) {
         least = glm::min(least, point.position - point.radius);

@@ -21,8 +21,7 @@ struct Settings {
     int recent_files = 10;                                                        // how many to remember; 0: none
     std::map<std::string, std::filesystem::path> folders;                         // the last folder, by kind of file
     [[nodiscard]] std::filesystem::path folder_of(const std::string& kind) const; // empty: none yet
-    bool drop_beside =
-        false; // last choice for a mask dropped on a tree: show it next to the tree instead of opening it
+    bool drop_beside = false; // last choice for a mask dropped on a tree: show it next to the tree
     bool light_theme = false;
     bool welcome = true;           // shows the welcome panel on a start without a file
     Ground ground = Ground::kDark; // background in the window

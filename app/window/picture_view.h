@@ -140,15 +140,14 @@ private:
     render::Quality quality_ = render::Quality::kFull; // of the last picture
     bool cast_ = false;                                // drawn by the ray caster, not from a mesh
     float pictured_width_ = 0.0F;
-    bool awaits_ = false; // the picture stays until the surface is ready
-    std::shared_ptr<const render::PagedMesh>
-        told_coarse_;             // the surface for which the user was told that its preview is shown
-    std::string drawing_problem_; // why the last picture failed; empty: it did not
-    bool upload_pending_ = false; // the surface is not completely on the graphics card
-    bool unfinished_ = false;     // the picture at rest is being drawn in parts
-    double full_seconds_ = 0.0;   // time of the last full picture
-    double stirred_at_ = 0.0;     // time of the last event
-    bool refines_ = false;        // the picture will be refined
+    bool awaits_ = false;                                  // the picture stays until the surface is ready
+    std::shared_ptr<const render::PagedMesh> told_coarse_; // the user knows that its preview is shown
+    std::string drawing_problem_;                          // why the last picture failed; empty: it did not
+    bool upload_pending_ = false;                          // the surface is not completely on the graphics card
+    bool unfinished_ = false;                              // the picture at rest is being drawn in parts
+    double full_seconds_ = 0.0;                            // time of the last full picture
+    double stirred_at_ = 0.0;                              // time of the last event
+    bool refines_ = false;                                 // the picture will be refined
 };
 
 } // namespace ramus::app

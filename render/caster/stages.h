@@ -1,16 +1,20 @@
-// What the caster does with a tile or two at a time, stage by stage.
+// The stages of the ray caster. Each processes one tile, or two adjacent ones, and may run for several tiles in
+// parallel. Order:
+//
+//   all tiles: cast_tile(), raster_tile(), resolve_tile(), list_fragments(), split_depths()
+//   all tiles: occlude_tiles(), shadow_tiles(); then smooth_tile(); then shade_tile()
 #pragma once
 
 #include "render/caster/cast_types.h"
 
 namespace ramus::render::caster {
 
-// The caster's first stage: cones to samples, samples to one value a pixel and to records to shade.
+// First stage: cones to samples, samples to one value per pixel and to records to shade.
 
 // Casts the tile's rays at opaque cones.
 void cast_tile(const TileTask& tile, const TileCones& cones, Samples& samples);
 
-// Fills the tile of `picture`, and `records` with what there is to shade.
+// Fills the tile of `picture`, and `records` with what is to be shaded.
 void resolve_tile(const TileTask& tile, const Samples& samples, const PictureArrays& picture, Records& records);
 
 // Second stage: draws opaque triangles among the cones.
@@ -18,9 +22,8 @@ void resolve_tile(const TileTask& tile, const Samples& samples, const PictureArr
 // Draws the triangles into the tile's samples; call it after cast_tile().
 void raster_tile(const TileTask& tile, const BlockTriangles& triangles, Samples& samples);
 
-// The caster's glass: the fragments of it that every sample sees, nearest first. The cones of one vessel tree overlap,
-// so that a ray goes through glass from where it enters any of them to where it has left all of them: one fragment, at
-// its front.
+// Glass: the fragments that every sample sees, nearest first. The cones of a vessel tree overlap: a ray passes through
+// glass from where it enters any cone until it has left all of them, which is one fragment, at the front.
 inline constexpr std::size_t kMaxFragmentsOfTile = std::size_t{kTilePixels} * kSamples * kMaxFragments + 16;
 
 // Lists the glass in front of the samples' opaque surfaces, nearest first: one list per pixel where all its samples see
@@ -29,8 +32,8 @@ inline constexpr std::size_t kMaxFragmentsOfTile = std::size_t{kTilePixels} * kS
 void list_fragments(const TileTask& tile, const BlockCones& cones, const BlockTriangles& triangles,
                     const Samples& samples, bool in_pairs, const PictureArrays& picture, Records& fragments);
 
-// The caster's second and third stage: ambient occlusion from the picture's depths, and its noise removed; what
-// occlusion.frag and occlusion_blur.frag do.
+// Third stage: ambient occlusion from the picture's depths, and denoising, as in occlusion.frag and
+// occlusion_blur.frag.
 
 // Offsets in pixels at which the occlusion of a pixel samples depths. Pixels whose columns and rows are equal modulo 4
 // share them.
@@ -57,7 +60,7 @@ struct ShadowRays {
 [[nodiscard]] ShadowRays shadow_rays();
 void shadow_tiles(const View& view, const ShadowRays& rays, int x, int y, const PictureArrays& picture);
 
-// The caster's last stage: light. What shade.frag does for a picture at rest, with the same formulas (shaders/look).
+// Last stage: light, with the formulas of shade.frag (shaders/look).
 
 // Colours of a tile during shading.
 struct alignas(64) Colours {
@@ -65,7 +68,7 @@ struct alignas(64) Colours {
     float front[kSamples][kTilePixels][4]; // glass: premultiplied, by sample
 };
 
-// A tile that is shaded.
+// A tile to shade.
 struct ShadedTile {
     int x, y; // lower left pixel
     Colours& colours;

@@ -13,7 +13,7 @@
 
 namespace ramus::render {
 
-struct SampleTarget {  // SurfacePass, CenterlinePass, ContextPass: what is opaque, multisampled
+struct SampleTarget {  // SurfacePass, CenterlinePass, ContextPass: opaque surfaces, multisampled
     Texture id_normal; // RG32UI, 8 s bytes: id as in ids.glsl, octahedral normal
     Texture depth;     // DEPTH32F, 4 s bytes: reversed, 0: nothing
     Framebuffer framebuffer;

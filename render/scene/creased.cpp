@@ -15,8 +15,7 @@ std::vector<std::uint32_t> creased_corners(const PagedMesh& mesh, const Triangle
     // Cosine between a triangle's normal and those at its corners. Tuned with 16 cells around a vessel: one of two
     // hundred vertices at a fork is beyond it; with a larger angle, walls between vessels would be crossed.
     constexpr float kLeastCosine = 0.9F;
-    constexpr float kLeastHeight =
-        0.001F; // relative to its longest edge: the normal of thinner triangles is unreliable
+    constexpr float kLeastHeight = 0.001F; // of its longest edge: thinner triangles have unreliable normals
     std::vector<std::uint32_t> found;
     for (std::uint32_t i = 0; i < page.count; ++i) {
         const glm::uvec3& t = page.triangles[i];

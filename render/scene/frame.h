@@ -55,10 +55,9 @@ struct Appearance {
     float fill = 1.0F;
     float rim = 1.0F;
     float specular = 1.0F;
-    float occlusion = 1.0F; // strength of the ambient occlusion, 0 = off
-    float depth_cue = 1.0F; // how much the far end of the tree fades into the background, 0 = off
-    float halos =
-        0.0F; // darkness around vessels in front of others, increasing with the distance between them, 0 = off
+    float occlusion = 1.0F;   // strength of the ambient occlusion, 0 = off
+    float depth_cue = 1.0F;   // how much the far end of the tree fades into the background, 0 = off
+    float halos = 0.0F;       // darkness around vessels in front of others, growing with their distance, 0 = off
     float contours = 0.0F;    // darkness where the surface turns away from the eye, 0 = off
     float shadows = 0.0F;     // that vessels cast on others close by, 0 = off
     float chromadepth = 0.0F; // mixes colours of depth, red near to blue far, into those of branches; 0 = off
