@@ -3,7 +3,7 @@
 // - Done.
 // - Pending: it must first read or compute something slow. `work` runs on any thread and touches neither document nor
 //   hosts. It returns a continuation that finishes the command on the document's thread, for the document's state by
-//   then, and may fail like an action. Later commands do not wait.
+//   then, and may fail like an action. Later commands that need no work do not wait.
 // - Awaited: it must first know what the picture shows, which another thread draws. Later commands wait, so that all
 //   take effect in order.
 // - Brief: its work takes longer than a frame, but is so short that a person expects the result before the next

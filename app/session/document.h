@@ -1,6 +1,7 @@
-// Document: the open session, its tree and the undo history. change() is the only way to modify marks and records each
-// modification. Undo does not cover files; it covers the camera only in steps that change other things, too. The number
-// of steps is unlimited, since each is small (app/session/marks_change.h). No GL, no window. Not thread-safe.
+// Document: the open session, its tree and the undo history. Marks change only through change() and the functions that
+// edit or reread the tree, which record each change. Undo does not cover files; it covers the camera only in steps that
+// change other things, too. The number of steps is unlimited, since each is small (app/session/marks_change.h). No GL,
+// no window. Not thread-safe.
 //
 // Changing the view never costs undone work. A step that changes only looks (differ_in_looks_alone(): selection,
 // colours, depth cues) is inserted between the done and the undone steps, and the undone steps can still be redone.
@@ -83,8 +84,8 @@ public:
     [[nodiscard]] const std::string& step_name(std::size_t step) const { return steps_[step].name; }
     [[nodiscard]] std::size_t position() const { return position_; }
 
-    // modified(): the session differs from its file. has_unsaved_work(): the same without looks, which are not worth a
-    // warning.
+    // modified(): the marks differ from the session file. has_unsaved_work(): the same without looks, which are not
+    // worth a warning.
     [[nodiscard]] bool modified() const { return unsaved_ || session_.marks != saved_; }
     [[nodiscard]] bool has_unsaved_work() const;
     [[nodiscard]] std::size_t unsaved_changes() const; // number of steps with work since the last save

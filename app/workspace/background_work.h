@@ -64,7 +64,7 @@ public:
     virtual void forget() = 0;               // drops everything, when the tree is replaced
     virtual void cancel(Assets& assets) = 0; // the cancelled work is not repeated until retry()
     virtual void retry() = 0;
-    // Why the last work failed; empty: none failed.
+    // Why some work failed; empty: none failed.
     [[nodiscard]] virtual std::string problem() const = 0;
     [[nodiscard]] virtual const Worker& worker() const = 0;
     [[nodiscard]] virtual bool quiet() const = 0; // not shown in the status bar, and not counted as busy

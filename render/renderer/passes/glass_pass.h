@@ -55,8 +55,8 @@ public:
     using GlassPass::GlassPass;
     [[nodiscard]] Result<void> make();
 
-    // Draws and resolves the nearest layers for picking and outlines: of the vessels without context and lesions, and
-    // of the lesions, which are picked without other glass. Returns the number of triangles.
+    // Draws and resolves nearest layers for picking and outlines: of the vessels, of all transparent shapes, and of the
+    // lesions, each without the others. Returns the number of triangles.
     [[nodiscard]] std::uint64_t draw_first(const Subject& subject, ViewTargets& targets) const;
     // Composes all layers front to back into `targets.layers.fronts`. `light`: a variant of shade.frag, with its blocks
     // and tables bound.
