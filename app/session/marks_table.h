@@ -1,6 +1,6 @@
 // The table of marks: one row per member of Marks with everything the program knows about it: its entries in a session
 // file, whether it is a look, its limits, the files it names, and how it is carried to another tree. Session files,
-// undo, limits and edits of the tree read this table. A member without a row does not compile.
+// undo, limits and edits of the tree read this table. A test fails if a member has no row.
 #pragma once
 
 #include "app/session/member_change.h"

@@ -1,4 +1,5 @@
-// Counts the members of an aggregate at compile time, so that a table of members that lacks one does not compile.
+// Counts the members of an aggregate at compile time, to check that a table of its members is complete. A test does so
+// for the table of marks (marks_table.h).
 #pragma once
 
 #include <cstddef>
