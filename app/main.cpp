@@ -1,4 +1,4 @@
-// The command line: one CLI::App, one file of app/commands for each subcommand, and the window without one.
+// The command line: one CLI::App with a file of app/commands per subcommand; without a subcommand the window.
 #include "app/commands/command.h"
 #include "app/commands/harmless_output.h"
 #include "app/commands/picture_flags.h"
@@ -66,7 +66,7 @@ bool meant_as_command(const std::string& word) {
 }
 
 int run_chosen(const Action& chosen) {
-    handle_interrupts(); // of commands alone: the window closes in its own way
+    handle_interrupts(); // for commands only: the window handles closing itself
     if (reads_standard_input())
         if (const auto settled = io::settle_standard_input(); !settled) return complain(settled.error().message());
     const Result<int> status = chosen();
@@ -75,7 +75,7 @@ int run_chosen(const Action& chosen) {
         if (error.where == io::kStandardInputPath) error.where = io::input_name(error.where);
         return complain(error.message());
     }
-    // A full disk behind a redirection shows here at the latest.
+    // A full disk behind a redirection is detected here at the latest.
     if (!std::cout.flush() || std::fflush(stdout) != 0) return complain("standard output cannot be written");
     return *status;
 }
@@ -101,7 +101,7 @@ int run(int argc, char** argv) {
 
     for (const auto& subcommand : kSubcommands) subcommand(app, chosen);
 
-    // Said before anything is made of the options behind it, which belong to that command.
+    // Checked before parsing the options that follow, which belong to that command.
     const std::string first = argc > 1 ? argv[1] : "";
     if (!first.starts_with("-") && !is_command(app, first) && meant_as_command(first)) {
         complain(unknown_command(app, first));
@@ -110,8 +110,8 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ExtrasError& error) {
-        // Behind options of the window the command is not the first word. Behind an option that is unknown a word
-        // belongs to that.
+        // After options of the window the command is not the first word. A word after an unknown option belongs to that
+        // option.
         const std::vector<std::string> words(argv, argv + argc);
         const auto place_of = [&](const std::string& word) { return std::ranges::find(words, word); };
         const bool is_first = !window.files.empty() && !app.remaining().empty() &&

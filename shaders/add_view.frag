@@ -1,4 +1,4 @@
-// One of the views that a fine picture is the mean of, in linear light: the target adds it to those before.
+// Adds one view of a refined picture in linear light; the target sums by blending.
 #include "pictures.glsl"
 
 layout(location = 0) out vec4 light;

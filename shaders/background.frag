@@ -1,4 +1,4 @@
-// What is seen where no vessel is.
+// The background.
 #include "view.glsl"
 #include "look.glsl"
 

@@ -1,11 +1,11 @@
-// Where programs find what C++ gives them: texture units, blocks, uniforms, vertex attributes, render targets. The one
-// place for these numbers; C++ reads them by render/gl/bindings.h. A unit's or uniform's number has one
-// meaning in all programs. shader_text.cpp puts numbers in place of these names in layout(...).
+// Numbers of texture units, blocks, uniforms, vertex attributes and render targets: the only place that defines them.
+// C++ includes this file by render/gl/bindings.h. A unit or uniform has the same meaning in all programs.
+// shader_text.cpp replaces these names in layout(...) by their numbers.
 
-// Texture units. OpenGL 3.3 promises 48, and 16 of them to each stage.
+// Texture units. OpenGL 3.3 guarantees 48, and 16 per stage.
 const int kUnitSurface = 0;         // multisampled: id and normal of the nearest opaque surface, or of a layer of glass
 const int kUnitDepth = 1;           // multisampled: its depth
-const int kUnitOpaqueDepth = 2;     // a pixel: mm along the line of sight
+const int kUnitOpaqueDepth = 2;     // per pixel: mm along the line of sight
 const int kUnitContext = 3;         // of context meshes: colour, opacity
 const int kUnitIdNormal = 4;        // a pixel
 const int kUnitOcclusion = 5;       // a pixel
@@ -17,15 +17,15 @@ const int kUnitLesions = 10;        // spheres
 const int kUnitCuts = 11;           // parts of branches that are lost
 const int kUnitRamp = 12;           // colours of a scale
 const int kUnitDistances = 13;      // to lesions, in space
-const int kUnitFronts = 14;         // of each sample: the glass before it
+const int kUnitFronts = 14;         // glass in front of each sample
 const int kUnitOpaqueSamples = 15;  // multisampled: depth of the nearest opaque surface
 const int kUnitLayers = 16;         // of branches: opaque, glass or neither
-const int kUnitLastLayer = 17;      // multisampled: depth of the layer of glass before
+const int kUnitLastLayer = 17;      // multisampled: depth of the previous layer of glass
 const int kUnitFirstFragments = 18; // multisampled: nearest layer of glass
 const int kUnitFirstDepths = 19;    // multisampled: its depth
-const int kUnitContextDepths = 20;  // multisampled: depth of the nearest that is clear and no vessel
-const int kUnitImage = 21;          // that a full-screen pass reads
-const int kUnitOtherImage = 22;     // that it mixes with
+const int kUnitContextDepths = 20;  // multisampled: depth of the nearest transparent shape
+const int kUnitImage = 21;          // input of a full-screen pass
+const int kUnitOtherImage = 22;     // second input, to mix with
 const int kUnitRings = 23;          // of the skeleton: centre, radius, axis
 const int kUnitSeenRings = 24;      // which of them
 const int kUnitValues = 25;         // multisampled: of the nearest opaque surface, where it has any
@@ -41,7 +41,7 @@ const int kStorageHeads = 0;
 const int kStorageFragments = 1;
 const int kStorageCount = 2;
 
-// Uniforms. gl_floor keeps a table of kUniforms a program.
+// Uniforms. gl_fallback keeps a table of kUniforms entries per program.
 const int kUniformToClip = 0;          // mat4
 const int kUniformToEye = 1;           // mat3, rotation only
 const int kUniformSamples = 2;         // int: of a pixel
@@ -56,7 +56,7 @@ const int kUniformHalfPicture = 13;    // vec3: half the size in pixels, half th
 const int kUniformLinesToEye = 14;     // mat4
 const int kUniformZoom = 15;           // vec2: eye xy (at depth 1 when perspective) to clip space
 const int kUniformToDepth = 16;        // vec4: from mm to mm along the line of sight
-const int kUniformTint = 17;           // vec4: sRGB; how much is left of it inside its vessel
+const int kUniformTint = 17;           // vec4: sRGB; opacity inside its vessel
 const int kUniformRingSteps = 18;      // vec2: corners of a ring; pixels below which it fades
 const int kUniformToInner = 19;        // vec2: pixels of the picture to those of what was drawn
 const int kUniformSize = 20;           // vec2: of the picture, pixels
@@ -66,7 +66,7 @@ const int kUniformTurned = 23;         // float: all of them, of a sixteenth of 
 const int kUniformAlong = 24;          // ivec2: axis of the blur
 const int kUniformOrigin = 25;         // ivec2: lower left corner, pixels
 const int kUniformWindow = 26;         // vec4: of the interface: x, y, width, height
-const int kUniformLine = 27;           // vec3: pixels from the left, half its width, its height. Left of 0: there is none
+const int kUniformLine = 27;           // vec3: pixels from the left, half width, height; negative position: no line
 const int kUniformInside = 28;         // int: 1 where the eye is inside a vessel
 const int kUniforms = 29;
 

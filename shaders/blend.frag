@@ -1,5 +1,5 @@
-// Two pictures, one fading into the other in linear light, or one left of a line and the other right of it; at the ends,
-// where they agree, and beside the line they are what they are.
+// Mixes two pictures: a fade in linear light, or a wipe with a line. Where both are equal, at the ends of the fade, and
+// beside the line, the output equals an input exactly.
 #include "pictures.glsl"
 
 layout(binding = kUnitOtherImage) uniform sampler2D second;

@@ -1,8 +1,7 @@
-// Triangles where branches meet: says how far behind the branch that dominates each corner the three corners' branches
-// are, in logarithms of their shares in the field, which are nearly linear over a triangle. A point belongs to the branch
-// that is least behind there (border.glsl). On an edge that depends on the edge's ends alone, so that borders run on from
-// triangle to triangle.
-// Variants: TRANSPARENT for glass; VALUE for surfaces with a value for each vertex.
+// For triangles where branches meet: outputs how far the branches of the three corners are behind the dominant branch
+// of each corner, in logarithms of their shares in the field, which are nearly linear over a triangle. A point belongs
+// to the branch that is least behind (border.glsl). On an edge this depends only on the edge's ends, so borders are
+// continuous across triangles. Variants: TRANSPARENT for glass; VALUE for surfaces with a value per vertex.
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
@@ -21,15 +20,16 @@ flat out ivec3 branch_ids;
 centroid out float value_here;
 #endif
 #ifdef TRANSPARENT
-centroid out vec2 clip_depth; // as geometry.vert has it
+centroid out vec2 clip_depth; // see geometry.vert
 #endif
 
-// At corner a, of corner b's branch. Of a branch that is not among those that are told it is no more than the last.
+// The share at corner a of corner b's branch. A branch that is not among the known rivals has at most the last one's
+// share.
 float share(int a, int b) {
     if (corner_branch[a] == corner_branch[b]) return 0.0;
     uint mark = uint(corner_branch[b]) & 255u;
     uvec4 dominance = corner_dominance[a];
-    // Never a tie: the corner itself is its own branch's.
+    // Avoids ties: a corner belongs to its own branch.
     return -float(max(dominance.z == mark ? dominance.x : dominance.y, 1u));
 }
 

@@ -1,4 +1,4 @@
-// Centerlines as stripes of constant width in the picture: two triangles a segment.
+// Centerlines as stripes of constant width in the picture: two triangles per segment.
 #include "lines.glsl"
 #include "stripe.glsl"
 
@@ -12,7 +12,7 @@ void main() {
     branch_id = line_branch(segment);
     vec4 a = to_clip * vec4(line_point(segment), 1.0);
     vec4 b = to_clip * vec4(line_point(segment + 1), 1.0);
-    // The near plane cuts what reaches behind it.
+    // Clips at the near plane.
     float before_a = a.w - a.z, before_b = b.w - b.z;
     vec4 from = before_a < 0.0 ? mix(a, b, before_a / (before_a - before_b)) : a;
     vec4 to = before_b < 0.0 ? mix(b, a, before_b / (before_b - before_a)) : b;

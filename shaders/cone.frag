@@ -1,7 +1,7 @@
-// Where the ray through a pixel meets a round cone: what balls sweep whose centres and radii go evenly from one end to
-// the other. A point x lies on the ball at s where |x - c(s)|^2 = r(s)^2; the hull is where that has one solution in s:
-// with A = |x - a|^2 - ra^2, B = (x - a).(b - a) + ra (rb - ra), C = |b - a|^2 - (rb - ra)^2 it is A C = B^2, at
-// s = B / C, a quadratic along the ray. Beyond the ends it is the balls there.
+// Intersects the ray through a pixel with a round cone: the hull of balls whose centres and radii change linearly. A
+// point x lies on the ball at s if |x - c(s)|^2 = r(s)^2; on the hull this has exactly one solution in s. With A = |x -
+// a|^2 - ra^2, B = (x - a).(b - a) + ra (rb - ra), C = |b - a|^2 - (rb - ra)^2 the hull is A C = B^2, at s = B / C, a
+// quadratic along the ray. Beyond the ends, the balls there count.
 #include "view.glsl"
 
 in vec2 through;
@@ -12,7 +12,7 @@ flat in int branch_id;
 
 layout(location = 0) out uvec2 surface;
 
-float to_ball(vec3 off, vec3 ray, float radius) { // the nearer way, 1e30: none
+float to_ball(vec3 off, vec3 ray, float radius) { // distance to the nearer intersection; 1e30: none
     float middle = dot(off, ray), inside = middle * middle - dot(off, off) + radius * radius;
     return inside > 0.0 ? -middle - sqrt(inside) : 1e30;
 }
@@ -21,7 +21,7 @@ void main() {
     bool flat_view = picture.w > 0.5;
     vec3 eye = flat_view ? vec3(through, 0.0) : vec3(0.0);
     vec3 ray = flat_view ? vec3(0.0, 0.0, 1.0) : normalize(vec3(through, 1.0));
-    // From the point of the ray that is nearest to the cone: small numbers.
+    // Starts at the point of the ray nearest to the cone, which keeps numbers small.
     float start = dot(0.5 * (from + to) - eye, ray);
     eye += start * ray;
     vec3 axis = to - from, off = eye - from;
@@ -39,7 +39,7 @@ void main() {
     if (way > 1e29) discard;
     s = side ? s : first <= last ? 0.0 : 1.0;
     vec3 hit = eye + way * ray;
-    // Upright on the vessel's own way rather than on the segment's: the eye sees no joints.
+    // Perpendicular to the vessel's interpolated direction instead of the segment's, so that joints are invisible.
     vec3 normal = hit - from - s * axis;
     vec4 here = mix(from_way, to_way, s);
     if (side || here.w > 0.5) normal -= dot(normal, here.xyz) * here.xyz;

@@ -1,5 +1,5 @@
-// A rectangle of the picture that holds one segment of a centerline as a round cone: the hull of the two balls at its
-// ends. cone.frag finds where the ray through a pixel meets it.
+// Draws a rectangle around one segment of a centerline as a round cone: the hull of the two balls at its ends.
+// cone.frag intersects the ray through each pixel with it.
 #include "view.glsl"
 #include "lines.glsl"
 #include "stripe.glsl"
@@ -10,19 +10,19 @@ layout(location = kUniformZoom) uniform vec2 zoom;        // eye xy (at depth 1 
 out vec2 through; // where the ray goes through: eye xy, at depth 1 when perspective
 flat out vec3 from, to;
 flat out vec2 radii;
-flat out vec4 from_way, to_way; // the vessel's direction at both ends; w: 1 where it goes on
+flat out vec4 from_way, to_way; // the vessel's direction at both ends; w: 1 if it continues
 flat out int branch_id;
 
 vec3 position_of(int point) { return (to_eye * vec4(line_point(point), 1.0)).xyz; }
 
-// At the joint of two segments the vessel goes half as the one, half as the other.
+// At a joint the direction is the mean of both segments' directions.
 vec4 way_at(int joint, int beyond, vec3 axis, float outward) {
     if (beyond < 0 || line_branch(beyond) != branch_id) return vec4(axis, 0.0);
     vec3 other = outward * (position_of(beyond) - position_of(joint));
     return dot(other, other) > 0.0 ? vec4(normalize(axis + normalize(other)), 1.0) : vec4(axis, 1.0);
 }
 
-// Half the width of a ball's outline as seen from the eye, at depth 1: of the ellipse that it is, the longer half.
+// Half the width of a ball's outline as seen from the eye, at depth 1: the longer semi-axis of the ellipse.
 float outline(vec3 centre, float radius) {
     float away = length(centre), sine = radius / away, cosine = sqrt(max(1.0 - sine * sine, 0.0));
     float slope = length(centre.xy) / away, straight = centre.z / away;
@@ -48,7 +48,7 @@ void main() {
     float back = first ? reach : pixel_to_eye.z;
     through = (at_end ? b + reach * along : a - back * along) + side * reach * vec2(-along.y, along.x);
     gl_Position = vec4(through * zoom, 0.5, 1.0);
-    // What reaches behind the eye has no outline, and the step from a branch to the next is no segment.
+    // Segments that reach behind the eye have no outline, and the step from a branch to the next is no segment.
     bool behind = !flat_view && min(from.z - 1.05 * radii.x, to.z - 1.05 * radii.y) <= 1e-4 * depth_range.y;
     if (line_branch(segment + 1) != branch_id || behind) gl_Position = kOutside;
 }

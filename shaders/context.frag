@@ -1,6 +1,6 @@
-// A context mesh or lesion at a pixel: opaque ones as vessels are (geometry.frag), clear ones as fragments in the lists
-// of glass or, where there are none, as a layer of it (glass_output.glsl).
-// Variants: TRANSPARENT for what is seen through; LINES for the edges of its triangles.
+// Draws context meshes and lesions: opaque ones like vessels (geometry.frag), transparent ones as fragments in the
+// lists of glass or, if there are no lists, as a layer of it (glass_output.glsl). Variants: TRANSPARENT for transparent
+// shapes; LINES for the edges of triangles.
 
 in vec3 normal_eye;
 layout(location = kUniformNumber) uniform uint number; // of the mesh, from 1; with kLesionFragment of the lesion
@@ -15,8 +15,8 @@ layout(location = 0) out uvec2 surface;
 in vec4 from_edges; // times w, which is the last; geometry.vert says why
 layout(location = kUniformHalfWidth) uniform float half_width; // pixels
 
-// How much of the pixel a line takes. Where triangles are hardly wider than lines, those get fainter: an even tone with
-// what lies behind it still to be seen, instead of a solid wall.
+// The share of the pixel that a line covers. Lines become fainter where triangles are hardly wider than lines, which
+// gives an even tone instead of a solid wall.
 float line_share() {
     vec3 from = from_edges.xyz / from_edges.w;
     vec3 across = dFdx(from), up = dFdy(from);

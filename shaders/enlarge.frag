@@ -1,4 +1,4 @@
-// The picture from one of half its size: each pixel the mean of the four nearest, the nearer the more.
+// Enlarges a picture of half the size by bilinear interpolation.
 
 layout(binding = kUnitImage) uniform sampler2D small; // interpolates
 

@@ -1,6 +1,6 @@
-// What is seen at a sample: branch id + 1 (0 is nothing) and the normal towards the eye. Light comes later, once a pixel.
-// Variants: BORDER for triangles where branches meet, of which the samples of opaque branches are drawn; LINE draws
-// centerlines; VALUE for surfaces with a value for each vertex.
+// Outputs the visible surface at a sample: branch id + 1 (0: nothing) and the normal towards the eye. Shading is a
+// later pass, once per pixel. Variants: BORDER for triangles where branches meet, of which samples of opaque branches
+// are drawn; LINE for centerlines; VALUE for surfaces with a value per vertex.
 
 in vec3 normal_eye;
 #ifndef LINE
@@ -8,9 +8,9 @@ layout(location = kUniformInside) uniform int inside;
 #endif
 #ifdef BORDER
 #include "border.glsl"
-#ifdef FLOOR
-// Where one sample of a pixel may show another branch than the next, triangles are drawn once for each sample, with a
-// sample mask: this tells what is there.
+#ifdef FALLBACK
+// Triangles that may show several branches within a pixel are drawn once per sample, with a sample mask: this is the
+// sample's position.
 layout(location = kUniformSamplePosition) uniform vec2 sample_position; // from the pixel's middle, in pixels
 #endif
 #else
@@ -19,13 +19,13 @@ flat in int branch_id;
 
 layout(location = kTargetSurface) out uvec2 surface;
 #ifdef VALUE
-centroid in float value_here; // beyond a triangle's edge it would be one that no vertex has
+centroid in float value_here; // centroid: no extrapolation beyond the triangle
 layout(location = kTargetValue) out float value;
 #endif
 
 void main() {
 #ifdef BORDER
-#ifdef FLOOR
+#ifdef FALLBACK
     int branch = branch_ids[owner(shares_at(sample_position))];
 #else
     int branch = branch_ids[owner(interpolateAtSample(shares, gl_SampleID))];
@@ -39,7 +39,7 @@ void main() {
 #ifdef LINE
     id |= kLine;
 #else
-    // The wall from within, or a lid, where glass begins.
+    // From inside a vessel its wall is visible; where glass begins, back faces look like a lid.
     if (!gl_FrontFacing) normal = inside != 0 ? -normal : vec3(0.0, 0.0, 1.0);
 #endif
     surface = uvec2(id, packSnorm2x16(octahedral(normal)));

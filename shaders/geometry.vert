@@ -1,8 +1,7 @@
-// Surfaces to clip space. Positions are relative to the middle of the mesh, so that single precision is enough wherever
-// it lies.
-// Variants: TRANSPARENT for what is seen through; BORDER for triangles where branches meet (border.geom goes on); CONTEXT
-// for meshes beside the tree, LINES for the edges of their triangles, whose corners then come three by three; VALUE for
-// surfaces with a value for each vertex.
+// Transforms surfaces to clip space. Positions are relative to the middle of the mesh, so that single precision
+// suffices wherever it is. Variants: TRANSPARENT for transparent surfaces; BORDER for triangles where branches meet
+// (followed by border.geom); CONTEXT for meshes next to the tree, LINES for the edges of their triangles, whose
+// vertices are not shared; VALUE for surfaces with a value per vertex.
 
 layout(location = kAttributePosition) in vec3 position;
 layout(location = kAttributeNormal) in vec3 normal;
@@ -34,13 +33,13 @@ centroid out float value_here;
 #ifndef CONTEXT
 flat out int branch_id;
 #endif
-// What is linear in the picture, as depth is, Mesa 22 interpolates wrongly where a corner of the picture cuts a triangle.
-// So its numerator and denominator go through, which are linear on the triangle.
+// Mesa 22 interpolates values that are linear in the picture, such as depth, wrongly if a corner of the picture clips
+// the triangle. Therefore numerator and denominator are passed, which are linear on the triangle.
 #ifdef TRANSPARENT
 centroid out vec2 clip_depth; // z and w
 #endif
 #ifdef LINES
-out vec4 from_edges; // the share of the way to the corner across from each edge, and 1, times w: see clip_depth
+out vec4 from_edges; // barycentric coordinates and 1, times w: see clip_depth
 #endif
 #endif
 

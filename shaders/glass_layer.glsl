@@ -1,6 +1,7 @@
-// One layer of glass onto those before it, each sample by itself: what shade.frag does with a list, a fragment at a time.
-// The pixel's fragments come in the order of their depths, so a sample waits while one before it is another sample's.
-layout(location = 0) out vec4 fronts[kMostSamples]; // premultiplied; blended behind what is there
+// Composes one layer of glass with the previous ones, sample by sample: what shade.frag does with a list, one fragment
+// at a time. The pixel's fragments come in the order of their depths, so a sample waits while an earlier fragment
+// belongs to another sample.
+layout(location = 0) out vec4 fronts[kMostSamples]; // premultiplied; blended behind the existing colour
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -17,7 +18,7 @@ void main() {
         covered |= (hit[s] ? 1u : 0u) << s;
         before |= fragments[s].x >> kBeforeShift;
     }
-    // Hidden by what is opaque wherever it covers a sample: no fragment.
+    // Opaque surfaces hide it at every covered sample: no fragment.
     if ((covered & before & 15u) == 0u) discard;
     vec3 position = eye_position(gl_FragCoord.xy, eye_depth(nearest));
     uvec2 last = uvec2(0u);

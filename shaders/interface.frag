@@ -1,4 +1,4 @@
-// The interface: letters and icons are in `image`, plain areas take a white spot of it.
+// The interface: letters and icons come from `image`; plain areas use a white spot in it.
 
 layout(binding = kUnitImage) uniform sampler2D image;
 

@@ -1,5 +1,5 @@
 // Sizes that shaders and C++ agree on (render/scene/uniform_blocks.h).
-const int kMostSamples = 4;  // a pixel
+const int kMostSamples = 4;  // per pixel
 const int kMostMargins = 16; // bands around lesions
-const float kNotKnown = -1e30F;    // in place of a value on a scale
-const float kLeastKnown = -1e15F; // below: mixed with one that is not known, if only a little
+const float kNotKnown = -1e30F;    // marks a missing value on a scale
+const float kLeastKnown = -1e15F; // smaller values result from interpolation with kNotKnown

@@ -1,4 +1,5 @@
-// Points of centerlines. Those of a branch lie one after the other: each is the end of a segment, and the next one's begin.
+// Points of centerlines. The points of a branch are consecutive: each but the last starts a segment that ends at the
+// next.
 layout(binding = kUnitLinePoints) uniform samplerBuffer line_points;    // position, mm from the root
 layout(binding = kUnitLineDetails) uniform usamplerBuffer line_details; // bits of the diameter, branch
 

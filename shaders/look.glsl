@@ -1,4 +1,4 @@
-// Colours and lights of the frame, and the way from linear light to the picture's bytes.
+// Colours and lights of the frame, and the conversion from linear light to the picture's bytes.
 layout(std140, binding = kBlockLook) uniform Look {
 #include "look_block.glsl"
 };

@@ -1,5 +1,5 @@
-// Lines over the picture; fainter where vessels hide them. Those of what is selected, whose half width is below 0, are
-// there only where a vessel that is not selected hides them.
+// Lines over the picture, fainter where vessels hide them. Outlines of selected objects, which have a negative half
+// width, are drawn only where a vessel that is not selected hides them.
 #include "view.glsl"
 #include "ink.glsl"
 

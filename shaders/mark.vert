@@ -1,4 +1,4 @@
-// Lines over the picture, as stripes that were laid out in pixels.
+// Lines over the picture, as stripes laid out in pixels.
 
 layout(location = kAttributePixel) in vec2 pixel;  // from the lower left
 layout(location = kAttributeStripe) in vec3 stripe; // pixels across from the middle, half the width, depth (its inverse in perspective)

@@ -1,7 +1,7 @@
-// The picture that is the mean of several views, whose sum `image` is. They have noise against banding already.
+// The mean of several views; `image` is their sum. The views are dithered already.
 #include "pictures.glsl"
 
-layout(location = kUniformShare) uniform float share; // that each view has
+layout(location = kUniformShare) uniform float share; // weight of each view
 
 layout(location = 0) out vec4 colour;
 

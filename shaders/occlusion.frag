@@ -1,5 +1,5 @@
-// Ambient occlusion of the picture's opaque surfaces, with the noise of its taps: see look/occlusion.glsl.
-// Variant: SHADOWS, and the shadows that they throw on each other, likewise: see look/shadow.glsl.
+// Ambient occlusion of the picture's opaque surfaces, not yet blurred: see look/occlusion.glsl. Variant: SHADOWS also
+// computes shadows, not yet blurred: see look/shadow.glsl.
 #include "view.glsl"
 #include "look/occlusion.glsl"
 #include "look/taps.glsl"

@@ -1,4 +1,4 @@
-// Removes the noise of the occlusion and of shadows along one axis without crossing from one vessel to another behind it.
+// Removes the noise of occlusion and shadows along one axis, without mixing a vessel with another behind it.
 #include "view.glsl"
 #include "look/occlusion.glsl"
 

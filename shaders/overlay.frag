@@ -1,4 +1,4 @@
-// A small picture (straight alpha) laid over the picture, pixel on pixel.
+// Draws a small picture (straight alpha) over the picture, without scaling.
 
 layout(binding = kUnitImage) uniform sampler2D sprite;
 layout(location = kUniformOrigin) uniform ivec2 origin; // lower left corner in pixels

@@ -1,4 +1,4 @@
-// Pictures as full-screen passes read and mix them: premultiplied, sRGB or linear light.
+// Conversions for full-screen passes that mix pictures: premultiplied, sRGB or linear light.
 #include "look/srgb.glsl"
 
 layout(binding = kUnitImage) uniform sampler2D image;

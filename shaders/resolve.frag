@@ -1,28 +1,27 @@
-// One value a pixel from the samples: the nearest opaque surface, else the nearest glass. Picking, outlines and the
-// occlusion read this. The lists of glass are put in order on the way. Clear context is seen through, and glass in
-// front of opaque context is pointed at: that has no branch. Lesions are pointed at as if they were opaque, also through
-// glass.
-// Variants: GLASS when anything is defocused or context is clear or there are lesions; with LESIONS the layers below are
-// those of lesions, which go over what was there (FLOOR).
+// Reduces samples to one value per pixel: the nearest opaque surface, otherwise the nearest glass, for picking,
+// outlines and occlusion. Also sorts the lists of glass. Vessels are picked through transparent context; glass in front
+// of opaque context is picked. Lesions are picked as if opaque, also through glass. Variants: GLASS if anything is
+// defocused or there is transparent context or lesions; with LESIONS the input layers are those of lesions, which go
+// over the existing result (FALLBACK).
 #include "view.glsl"
 #ifdef GLASS
 #include "glass_fragments.glsl"
-#ifdef FLOOR
-layout(binding = kUnitFirstFragments) uniform usampler2DMS first_fragments; // as fragment.frag leaves them
+#ifdef FALLBACK
+layout(binding = kUnitFirstFragments) uniform usampler2DMS first_fragments; // output of fragment.frag
 layout(binding = kUnitFirstDepths) uniform sampler2DMS first_depths;
-layout(binding = kUnitContextDepths) uniform sampler2DMS context_depths; // of the nearest that is clear and no vessel
+layout(binding = kUnitContextDepths) uniform sampler2DMS context_depths; // of the nearest transparent shape
 #endif
 #endif
 
 layout(binding = kUnitSurface) uniform usampler2DMS surface_samples;
 layout(binding = kUnitDepth) uniform sampler2DMS depth_samples;
 
-layout(location = kTargetIdNormal) out uvec2 id_normal; // the normal is the opaque surface's
+layout(location = kTargetIdNormal) out uvec2 id_normal; // the normal is that of the opaque surface
 layout(location = kTargetOpaqueDepth) out float opaque_depth; // for the occlusion: opaque surfaces only
 layout(location = kTargetPickedDepth) out float picked_depth; // of id_normal
 
-#if defined(GLASS) && !defined(FLOOR)
-// Any order will do where depths are the same, if only it is always the same one.
+#if defined(GLASS) && !defined(FALLBACK)
+// Fragments of equal depth may be in any order, but always the same.
 bool before(GlassFragment a, GlassFragment b) {
     float da = uintBitsToFloat(a.depth), db = uintBitsToFloat(b.depth);
     if (da != db) return da > db;
@@ -30,7 +29,7 @@ bool before(GlassFragment a, GlassFragment b) {
     return a.normal < b.normal;
 }
 
-// The first fragment of the list, sorted by insertion.
+// Sorts the list by insertion and returns its first fragment.
 uint sorted(uint head) {
     uint first = 0u;
     while (head != 0u) {
@@ -53,7 +52,7 @@ uint sorted(uint head) {
 }
 #endif
 
-// Software rasterisers execute both sides of a branch: fetch what is needed, not what might be.
+// Software rasterisers execute both sides of a branch: fetch only what is needed.
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     int samples = int(picture.z), seen = 0;
@@ -63,7 +62,7 @@ void main() {
         seen = depth > nearest ? s : seen;
         nearest = max(nearest, depth);
 #ifdef GLASS
-        // Lines are picked as their branch; they take no light from what they run before.
+        // Lines are picked as their branch; they do not occlude what is behind them.
         bool line = (texelFetch(surface_samples, pixel, s).x & kLine) != 0u;
         solid = line ? solid : max(solid, depth);
 #endif
@@ -74,9 +73,9 @@ void main() {
 #ifdef GLASS
     opaque_depth = solid > 0.0 ? eye_depth(solid) : kNothing;
     id_normal.x &= ~kLine;
-    uint vessel = 0u, lesion = 0u; // ids of the nearest fragments; 0: there is none
+    uint vessel = 0u, lesion = 0u; // ids of the nearest fragments; 0: none
     float vessel_depth = 0.0, lesion_depth = 0.0;
-#ifdef FLOOR
+#ifdef FALLBACK
     float first = 0.0, context = 0.0;
     for (int s = 0; s < samples; ++s) {
         float depth = texelFetch(first_depths, pixel, s).x;
@@ -114,7 +113,7 @@ void main() {
         id_normal.x = vessel & kIdBits;
         picked_depth = eye_depth(vessel_depth);
     }
-    // What is only covered by glass is covered: full-screen passes must not skip it.
+    // Pixels with only glass count as covered, so that full-screen passes do not skip them.
     if (covered) nearest = max(nearest, 1e-30);
 #endif
     gl_FragDepth = nearest;

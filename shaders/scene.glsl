@@ -1,4 +1,4 @@
-// What look/material.glsl reads: the nearest point of a branch's centerline, scales, lesions and cuts. Eye space with
+// Inputs of look/material.glsl: the nearest point of a branch's centerline, scales, lesions and cuts. Eye space with
 // depth as +z, mm.
 layout(std140, binding = kBlockScene) uniform Scene {
 #include "scene_block.glsl"
@@ -7,12 +7,12 @@ layout(std140, binding = kBlockScene) uniform Scene {
 #include "lines.glsl"
 layout(binding = kUnitLineRuns) uniform usamplerBuffer line_runs;     // first point, count
 layout(binding = kUnitLesions) uniform samplerBuffer lesion_spheres; // centre in eye space, radius
-layout(binding = kUnitCuts) uniform samplerBuffer cut_ends;          // five texels a part that is lost, see behind_cut()
+layout(binding = kUnitCuts) uniform samplerBuffer cut_ends;          // five texels per lost part, see behind_cut()
 layout(binding = kUnitRamp) uniform sampler1D ramp;              // sRGB
 layout(binding = kUnitDistances) uniform sampler3D lesion_distances;  // mm
 
 #if defined(SCALE) || defined(CUTS)
-// The nearest point of the branch's centerline: mm from the root, diameter. Long runs are looked at in some 24 steps.
+// The nearest point of the branch's centerline: mm from the root, diameter. Long runs are searched in about 24 steps.
 vec2 point_along(int branch, vec3 position) {
     vec3 p = (eye_to_lines * vec4(position, 1.0)).xyz;
     uvec2 run = texelFetch(line_runs, branch).xy;
@@ -39,7 +39,7 @@ vec2 point_along(int branch, vec3 position) {
 #endif
 
 #ifdef SCALE
-// The surface's own value; or mm along the centerline, which some branches do not have: then it is not known.
+// The surface's value, or mm along the centerline; unknown for branches without a centerline.
 float value_on_scale(SurfacePoint p) {
 #ifdef VALUES
     if (scale.w > 2.5) return p.value;
@@ -49,7 +49,7 @@ float value_on_scale(SurfacePoint p) {
     vec2 point = point_along(branch, p.position);
     return scale.w > 1.5 ? point.x : point.y;
 }
-// The ends of the scale are the middles of the first texel and of the last.
+// The ends of the scale are at the centres of the first and last texel.
 vec3 ramp_colour(float along) {
     float steps = float(textureSize(ramp, 0));
     return texture(ramp, (along * (steps - 1.0) + 0.5) / steps).rgb;

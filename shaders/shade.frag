@@ -1,10 +1,9 @@
-// Light, states and background: samples to the picture's colours, by the formulas in look/. All light is reckoned in
-// linear light; the result is sRGB with premultiplied alpha.
-// Variants: GLASS when anything is defocused, OUTLINE when anything is selected, MARGINS to colour by how far lesions are,
-// SCALE to colour by a value along the branches or, with VALUES, by the surface's own, CUTS when any branch is cut or lost, CHANGED to shade what is marked so
-// and leave the rest of the last picture, HALOS, CONTOURS and CHROMADEPTH for what tells near from far, CONTEXT when
-// there are context meshes or lesions. LAYER lays one layer of glass onto those before it, where there are no lists
-// (FLOOR).
+// Shades samples by the formulas in look/: light, states, background. Computes in linear light; the result is sRGB with
+// premultiplied alpha. Variants: GLASS if anything is defocused, OUTLINE if anything is selected, MARGINS to colour by
+// the distance from lesions, SCALE to colour by a value along branches or, with VALUES, of the surface, CUTS if any
+// branch is cut or lost, CHANGED to shade only marked branches and keep the rest of the last picture, HALOS, CONTOURS
+// and CHROMADEPTH for depth cues, CONTEXT if there are context meshes or lesions. LAYER composes one layer of glass
+// with the previous ones, without lists (FALLBACK).
 #include "view.glsl"
 #include "look.glsl"
 #include "look/point.glsl"
@@ -15,7 +14,7 @@ layout(binding = kUnitDepth) uniform sampler2DMS depth_samples;
 layout(binding = kUnitOpaqueDepth) uniform sampler2D opaque_depth;
 layout(binding = kUnitIdNormal) uniform usampler2D id_normal;
 layout(binding = kUnitOcclusion) uniform sampler2D occlusion;
-layout(binding = kUnitBranches) uniform usamplerBuffer branches; // linear colour of 65535, and in alpha the flags of ids.glsl
+layout(binding = kUnitBranches) uniform usamplerBuffer branches; // linear colour, 65535 is 1; alpha: flags of ids.glsl
 
 #ifdef VALUES
 layout(binding = kUnitValues) uniform sampler2DMS value_samples;
@@ -23,8 +22,8 @@ layout(binding = kUnitValues) uniform sampler2DMS value_samples;
 
 #ifdef GLASS
 #include "glass_fragments.glsl"
-#ifdef FLOOR
-layout(binding = kUnitFronts) uniform sampler2DArray fronts_of_samples; // what glass_layer.glsl made of the glass, a layer a sample
+#ifdef FALLBACK
+layout(binding = kUnitFronts) uniform sampler2DArray fronts_of_samples; // from glass_layer.glsl, a layer per sample
 #endif
 #endif
 
@@ -32,7 +31,7 @@ layout(binding = kUnitFronts) uniform sampler2DArray fronts_of_samples; // what 
 layout(location = 0) out vec4 colour;
 #endif
 
-// What the formulas read.
+// Inputs of the formulas.
 #if defined(HALOS) || defined(SHADOWS)
 float opaque_depth_at(vec2 at) {
     return texelFetch(opaque_depth, clamp(ivec2(at), ivec2(0), ivec2(picture.xy) - 1), 0).x;
@@ -93,7 +92,7 @@ vec3 shade(uint id, vec3 normal, vec3 position, vec2 taken, float value) {
 }
 
 #ifdef GLASS
-// Of a fragment as the lists and layers have it.
+// The colour of a fragment of lists or layers.
 vec4 veil_of(uint id, uint normal, vec3 position) {
 #ifdef CONTEXT
     if ((id & kContextFragment) != 0u) {
@@ -116,16 +115,16 @@ bool has_changed(uint id) {
 #ifdef LAYER
 #include "glass_layer.glsl"
 #else
-// Software rasterisers execute both sides of a branch, but leave a loop early: pixels inside one surface go round once,
-// pixels on an edge once a sample.
+// Software rasterisers execute both sides of a branch, but leave loops early: pixels inside one surface need one
+// iteration, pixels on an edge one per sample.
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     int samples = int(picture.z);
 #ifdef CHANGED
-    // Pixels without a sample of what changed go round no loop below, and stay as they are.
+    // Pixels without a sample of a changed branch skip the loop below, and are kept.
     bool changed = false;
     for (int s = 0; s < samples; ++s) changed = changed || has_changed(texelFetch(surface_samples, pixel, s).x);
-#if defined(GLASS) && !defined(FLOOR)
+#if defined(GLASS) && !defined(FALLBACK)
     for (uint number = heads[list_of(pixel)]; number != 0u && !changed; number = fragments[number].next)
         changed = (fragments[number].id_and_samples & kContextFragment) == 0u &&
                   has_changed(fragments[number].id_and_samples & kIdBits);
@@ -147,13 +146,13 @@ void main() {
         mean_depth += texelFetch(depth_samples, pixel, s).x;
     }
     mean_depth /= float(samples);
-    float mean_of_values = 0.0; // of what is known or not, as between vertices
+    float mean_of_values = 0.0; // mixes known and unknown values as interpolation does
 #ifdef VALUES
     for (int s = 0; s < samples; ++s) mean_of_values += texelFetch(value_samples, pixel, s).x / float(samples);
 #endif
 
 #ifdef GLASS
-    // Front to back, each sample by itself: a fragment veils what lies behind it. Its light is reckoned once for all of them.
+    // Front to back, per sample: a fragment veils what is behind it. Its light is computed once for all samples.
     float opaque_values[kMostSamples];
     vec4 front[kMostSamples]; // premultiplied
     bool empty = true;
@@ -162,7 +161,7 @@ void main() {
         front[s] = vec4(0.0);
         empty = empty && opaque_values[s] == 0.0;
     }
-#ifdef FLOOR
+#ifdef FALLBACK
     for (int s = 0; s < kMostSamples; ++s) front[s] = texelFetch(fronts_of_samples, ivec3(pixel, s), 0);
 #else
     float clear = 1.0;
@@ -182,7 +181,7 @@ void main() {
     vec4 mean_front = vec4(0.0);
     for (int s = 0; s < kMostSamples; ++s) mean_front += s < samples ? front[s] : vec4(0.0);
     mean_front /= float(max(samples, 1));
-    whole = whole || empty; // nothing but glass: what lies behind is the same for all samples
+    whole = whole || empty; // only glass: all samples have the same background
 #endif
 
     vec4 sum = vec4(0.0);
@@ -221,7 +220,7 @@ void main() {
     sum /= float(rounds);
 #ifdef OUTLINE
     float share = outline(gl_FragCoord.xy);
-    if (bare && share == 0.0) discard; // the background is there already, as it is without a selection: white stays white
+    if (bare && share == 0.0) discard; // the background was drawn already
     sum = outlined(sum, share);
 #endif
     colour = encoded(sum, half_step(gl_FragCoord.xy));

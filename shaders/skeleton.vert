@@ -1,5 +1,5 @@
-// Centerlines, and with RINGS the circles of the radius around them, as stripes of constant width in the picture: two
-// triangles a segment, joined by mitres so that no pixel is drawn twice.
+// Centerlines, and with RINGS circles of the radius around them, as stripes of constant width in the picture: two
+// triangles per segment, with mitre joints so that no pixel is drawn twice.
 #include "stripe.glsl"
 #ifdef RINGS
 layout(binding = kUnitRings) uniform samplerBuffer rings;  // centre and radius; axis
@@ -14,12 +14,13 @@ layout(location = kUniformHalfPicture) uniform vec3 half_picture; // half the si
 layout(location = kUniformToDepth) uniform vec4 to_depth;     // from mm to mm along the line of sight
 
 out vec2 at;    // pixels across from the middle, mm along the line of sight
-out vec2 behind; // mm behind a surface that it still lies on it, and that it still lies in its own vessel
-out float ink;  // how much of it there is
+out vec2 behind; // mm behind a surface: limit for lying on it, and for lying inside its own vessel
+out float ink;  // opacity
 
 vec2 pixel_of(vec4 p) { return p.xy / p.w * half_picture.xy; }
 
-// Across the stripe at `here`, as long as the mitre takes; `before` and `after` are its neighbours, or itself at ends.
+// Vector across the stripe at `here`, with the length of the mitre; `before` and `after`: neighbours, or `here` itself
+// at ends.
 vec2 across(vec2 before, vec2 here, vec2 after) {
     vec2 a = here - before, b = after - here;
     a = length(a) > 1e-4 ? normalize(a) : vec2(0.0);
@@ -27,7 +28,7 @@ vec2 across(vec2 before, vec2 here, vec2 after) {
     if (a == vec2(0.0)) a = b;
     vec2 sum = a + b;
     float squared = dot(sum, sum);
-    vec2 along = squared > 0.35 ? 2.0 * sum / squared : b; // a sharp turn is cut off
+    vec2 along = squared > 0.35 ? 2.0 * sum / squared : b; // bevel at sharp turns
     return vec2(-along.y, along.x);
 }
 
@@ -40,7 +41,7 @@ void main() {
     vec4 circle = texelFetch(rings, 2 * ring);
     vec3 axis = texelFetch(rings, 2 * ring + 1).xyz;
     vec3 u = normalize(cross(axis, abs(axis.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0))), v = cross(axis, u);
-    // A turn of this corner, and of a step: its neighbours follow from both.
+    // Rotation of this corner, and of one step, which gives its neighbours.
     float angle = 6.28318531 * float(turn % steps) / float(steps), step_angle = 6.28318531 / float(steps);
     vec2 here = vec2(cos(angle), sin(angle)), one = vec2(cos(step_angle), sin(step_angle));
     vec2 back = vec2(here.x * one.x + here.y * one.y, here.y * one.x - here.x * one.y);
@@ -59,7 +60,7 @@ void main() {
     int last = textureSize(line_details) - 1, branch = line_branch(segment);
     vec3 from = line_point(segment), to = line_point(segment + 1);
     vec4 a = to_clip * vec4(from, 1.0), b = to_clip * vec4(to, 1.0);
-    // The near plane cuts what reaches behind it.
+    // Clips at the near plane.
     float before_a = a.w - a.z, before_b = b.w - b.z;
     there = branch == line_branch(segment + 1) && (before_a > 0.0 || before_b > 0.0);
     vec3 position = at_end ? to : from;
@@ -82,6 +83,6 @@ void main() {
     at = vec2(side * (half_picture.z + 2.0), dot(to_depth, vec4(position, 1.0)));
     gl_Position = own;
     gl_Position.xy += at.x * across(pixel_of(before), pixel_of(own), pixel_of(after)) / half_picture.xy * own.w;
-    gl_Position.z = 0.5 * own.w; // nothing tests it
+    gl_Position.z = 0.5 * own.w; // not tested
     if (!there) gl_Position = kOutside;
 }

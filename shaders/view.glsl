@@ -1,4 +1,4 @@
-// What every full-screen pass knows of the view. Eye space looks along -z; depth is positive, in mm.
+// The view, for all full-screen passes. Eye space looks along -z; depth is positive, in mm.
 layout(std140, binding = kBlockView) uniform View {
 #include "view_block.glsl"
 };

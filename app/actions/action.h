@@ -1,14 +1,14 @@
-// What a command does. An action works on the document, its assets and the hosts of its context. It checks its
-// arguments before it changes anything: one that fails leaves the document as it was.
+// Action: the function behind a command. It works on the document, its assets and the hosts of its context. It checks
+// its arguments before it changes anything: a failed action leaves the document unchanged. An action returns one of:
+// - Done.
+// - Pending: it must first read or compute something slow. `work` runs on any thread and touches neither document nor
+//   hosts. It returns a continuation that finishes the command on the document's thread, for the document's state by
+//   then, and may fail like an action. Later commands that need no work do not wait.
+// - Awaited: it must first know what the picture shows, which another thread draws. Later commands wait, so that all
+//   take effect in order.
+// - Brief: its work takes longer than a frame, but is so short that a person expects the result before the next
+//   command. Work as for Pending; later commands wait.
 //
-// An action that has to read or compute something slow first changes nothing and returns a Pending: `work` runs on any
-// thread and touches neither document nor hosts; the continuation that it returns does the rest on the document's
-// thread, for the document as it is by then, and may fail like an action.
-//
-// One that first has to know what the picture shows, which is drawn elsewhere, returns an Awaited: that is soon known,
-// and what is run after it waits, so that all takes effect in the order in which it came. One whose work takes longer
-// than a frame, and is so soon done that a person sees what comes of it next, returns a Brief: its work is that of a
-// Pending, and what is run after it waits, too.
 // app/actions/command_runner.h runs all of them.
 #pragma once
 
@@ -29,18 +29,18 @@ namespace ramus::app {
 
 struct Assets; // app/assets/assets.h
 
-// Roles that nobody fills are null.
+// The surroundings of an action. Missing roles are null.
 struct ActionContext {
     Document& document;
     PictureHost& picture;
-    Assets& assets; // of the document; refreshed before they are read
+    Assets& assets; // of the document; refresh them before reading
     FileHost* files = nullptr;
     WindowHost* window = nullptr;
     Clipboard* clipboard = nullptr;
     ToolHost* tools = nullptr;
-    std::function<void(const std::string&)> tell{}; // empty: nobody listens
+    std::function<void(const std::string&)> tell{}; // empty: no output
 
-    // What a command did, in a sentence, where it cannot be seen in the picture.
+    // Reports in a sentence what a command did, if that is not visible in the picture.
     void say(const std::string& sentence) const {
         if (tell) tell(document.lengths().worded(sentence));
     }
@@ -50,12 +50,12 @@ using Arguments = std::span<const std::string>;
 
 using Continuation = std::function<Result<void>(ActionContext&)>;
 struct Pending {
-    std::string activity; // for people, while it goes on: "Reading liver.nii"
+    std::string activity; // shown while it runs: "Reading liver.nii"
     std::function<Result<Continuation>(Job&)> work;
-    bool writes = false; // a file that a person waits for: whoever quits meanwhile is asked
+    bool writes = false; // writes a file: quitting meanwhile asks for confirmation
 };
 struct Awaited {
-    std::function<bool()> ready; // does not wait; when it is true `then` does not, either
+    std::function<bool()> ready; // does not block; once true, `then` does not block, either
     Continuation then;
 };
 struct Brief {
@@ -68,7 +68,7 @@ using Outcome = std::variant<Done, Pending, Awaited, Brief>;
     return Done{};
 }
 
-// A function that takes (ActionContext&, Arguments) and returns Result<void> or Result<Outcome>.
+// Wraps a function that takes (ActionContext&, Arguments) and returns Result<void> or Result<Outcome>.
 class CommandAction {
 public:
     CommandAction() = default;

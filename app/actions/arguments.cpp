@@ -78,7 +78,8 @@ std::optional<bool> switched(Arguments arguments, bool now) {
 
 namespace {
 
-// Spheres by the corners of the cubes in them and around them: as round as a fitted camera can tell.
+// Represents spheres by the corners of their inscribed and circumscribed cubes: sufficiently round for fitting a
+// camera.
 void add_lesions(std::vector<glm::vec3>& positions, const ActionContext& context) {
     const Marks& marks = context.document.marks();
     for (const auto& [x, y, z, radius] : spheres_of(marks))

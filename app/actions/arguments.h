@@ -1,4 +1,5 @@
-// What commands share: reading their words, and when they make sense. A reading that fails says what was wrong.
+// Helpers of commands: parsing arguments, conditions for `enabled`, and edits of marks. Errors say what is wrong with
+// an argument.
 #pragma once
 
 #include "app/actions/command_table.h"
@@ -11,36 +12,37 @@
 namespace ramus::app::actions {
 
 [[nodiscard]] Result<int> branch_id(const Document& document, const std::string& word);
-[[nodiscard]] Result<std::vector<int>> branch_ids(const Document& document, Arguments arguments); // one at least
-// A number from `least` to `most` and nothing else.
+[[nodiscard]] Result<std::vector<int>> branch_ids(const Document& document, Arguments arguments); // at least one
+// Parses a number from `least` to `most`; the whole word must be the number.
 [[nodiscard]] std::optional<double> number_in(std::string_view word, double least, double most);
-// "1.5,2,-3": as many numbers as asked for, each at most `most` from 0.
+// Parses "1.5,2,-3": exactly `count` numbers with absolute values of at most `most`.
 [[nodiscard]] std::optional<std::vector<double>> numbers_in(const std::string& word, std::size_t count, double most);
-// An index into a list that people count from 1; `what`: "cut", of which there are `count`.
+// Parses a number from 1 to `count` and returns it as an index from 0; `what`: "cut", for errors.
 [[nodiscard]] Result<std::size_t> list_index(Arguments arguments, std::size_t count, const std::string& what);
-// The one file of a command, or what app/storage/user_folders.h suggests.
+// The file argument of a command, or the suggestion of app/storage/user_folders.h.
 [[nodiscard]] Result<std::filesystem::path> file_argument(ActionContext& context, Arguments arguments,
                                                           std::string_view command, std::string_view extension);
 
-// Shows the window's dialog for a file; fails with `without` where there is no window.
+// Shows the window's file dialog; fails with `without` if there is no window.
 [[nodiscard]] Result<void> ask_for_file(ActionContext& context, FilePurpose purpose, tl::unexpected<Error> without);
-// "on" or "off"; without a word, the other than now. None: it is something else.
+// Parses "on" or "off"; without an argument, the opposite of `now`. None: invalid.
 [[nodiscard]] std::optional<bool> switched(Arguments arguments, bool now);
-// Points of all that is in the picture: the surface but for branches that were hidden since it was made, lesions,
-// context that is shown. Of the surface those that a camera which looks as `camera` does is fitted to, for a picture of
-// this size. Empty: there is no surface.
+// Positions of everything in the picture, mm: the surface without branches hidden since it was made, lesions, visible
+// context. Of the surface only the points that determine the fit of a camera with the direction of `camera` to a
+// picture of `size`. Empty without a surface.
 [[nodiscard]] std::vector<glm::vec3> visible_positions(const ActionContext& context, const render::Camera& camera,
                                                        glm::ivec2 size);
-// The camera leaps there. Succeeds.
+// Moves the camera at once. Always succeeds.
 Result<void> move_camera(ActionContext& context, const render::Camera& camera);
 
-// Shows a part of the window that is hidden, and hides one that is shown.
+// Shows or hides a part of the window.
 [[nodiscard]] Result<void> toggle_part(ActionContext& context, const std::string& part);
-// Whether it is shown, for Command::in_use_when().
+// Tests whether the part is shown, for Command::in_use_when().
 [[nodiscard]] std::function<bool(const ActionContext&, const Command&)> shows_part(std::string part);
 [[nodiscard]] tl::unexpected<Error> no_window(const std::string& part); // "there is no help without a window"
 
-// A step of the document: its marks, changed by change(marks). Fails only where they become too many (most_marks.h).
+// Changes the marks by change(marks), as one step of the document. Fails only if a list exceeds its limit
+// (app/session/session_limits.h).
 template <class Change> Result<void> edit(ActionContext& context, const Change& change) {
     Marks next = context.document.marks();
     change(next);
@@ -48,7 +50,7 @@ template <class Change> Result<void> edit(ActionContext& context, const Change& 
     context.document.change(std::move(next));
     return {};
 }
-// Takes the one that is named out of a list of the marks; `what` as for list_index().
+// Removes the list element that the argument names; `what` as for list_index().
 template <class Owner, class List>
 Result<void> remove_from(ActionContext& context, Arguments arguments, List Owner::*list, const std::string& what) {
     RAMUS_TRY(index, list_index(arguments, (context.document.marks().*list).size(), what));
@@ -56,18 +58,18 @@ Result<void> remove_from(ActionContext& context, Arguments arguments, List Owner
                 [&](Marks& marks) { (marks.*list).erase((marks.*list).begin() + static_cast<std::ptrdiff_t>(index)); });
 }
 
-inline constexpr double kFarthestMm = 1e6; // of positions, distances and diameters that people give
+inline constexpr double kFarthestMm = 1e6; // largest position, distance and diameter in arguments
 
-// Makes these branches, in any order, the selection. Succeeds.
+// Selects these branches, in any order. Always succeeds.
 Result<void> select_these(ActionContext& context, std::vector<int> ids);
-// All that is not selected.
+// All branches that are not selected.
 [[nodiscard]] std::vector<int> unselected(const Document& document);
-// Fails when nothing is selected.
+// Fails if nothing is selected.
 [[nodiscard]] Result<void> expect_selection(const Document& document);
 
 // For Command::enabled.
 [[nodiscard]] bool has_tree(const Document& document);
-[[nodiscard]] bool has_scene(const Document& document); // a tree, or something without one
+[[nodiscard]] bool has_scene(const Document& document); // a tree, or objects without one
 [[nodiscard]] bool has_selection(const Document& document);
 [[nodiscard]] bool has_lesions(const Document& document);
 

@@ -1,4 +1,4 @@
-// From where the tree is looked at.
+// Commands of the camera: views, fit, projection.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/picture/fit.h"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kNoClipboard = "there is no clipboard without a window";
 
-// All that is not hidden, from where `camera` looks.
+// Fits everything visible, in the direction of `camera`.
 render::Camera fitted_to_picture(const ActionContext& context, const render::Camera& camera) {
     const glm::ivec2 size = context.picture.picture_size();
     const auto visible = visible_positions(context, camera, size);
@@ -67,7 +67,7 @@ Result<void> camera(ActionContext& context, Arguments arguments) {
 
 bool is_orthographic(const Document& document) { return document.session().camera.orthographic; }
 
-// Neutral where nobody knows the patient's sides.
+// Uses axis names if the patient's sides are unknown.
 template <render::View Which> std::string view_label(const Document& document) {
     return render::title_of(Which, document.claims().has_sides());
 }

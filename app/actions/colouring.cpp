@@ -1,4 +1,4 @@
-// What colours say.
+// Commands of colours.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "core/base/words.h"
@@ -27,7 +27,7 @@ Result<void> colour_map(ActionContext& context, Arguments arguments) {
     return edit(context, [&](Marks& marks) { marks.colour_map = *found; });
 }
 
-// Both together have to make sense.
+// Range and logarithm must be compatible.
 Result<void> take_look(ActionContext& context, const ColourLook& look) {
     if (auto good = check(look); !good) return good;
     return edit(context, [&](Marks& marks) { marks.colour_look = look; });

@@ -20,8 +20,8 @@ std::string branches_phrase(const std::vector<int>& branches, const Marks& marks
     return name == marks.names.end() ? "branch " + std::to_string(branches.front()) : shortened(name->second);
 }
 
-// What a step of the history is called, from the command that made it: "hide 12 branches", "lasso 3 branches",
-// "surface detail 24". The menu puts "Undo" or "Redo" in front. `after`: the marks as `change` left them.
+// The name of a step of the history, from the command that made it: "hide 12 branches", "lasso 3 branches", "surface
+// detail 24". The menu puts "Undo" or "Redo" in front. `after`: the marks after `change`.
 std::string phrase_of(const Command& command, Arguments arguments, const MarksChange& change, const Marks& after) {
     std::string words = command.name;
     std::ranges::replace(words, '-', ' ');
@@ -38,7 +38,7 @@ std::string phrase_of(const Command& command, Arguments arguments, const MarksCh
     return words + shortened(given);
 }
 
-// What `change` does to the document is one step of undo, named after the command.
+// Makes the changes of `change` to the document one step of undo, named after the command.
 template <class Change>
 auto as_step(ActionContext& context, const Command& command, Arguments arguments, const Change& change) {
     Document& document = context.document;
@@ -82,7 +82,7 @@ Result<const Command*> command_of(std::span<const std::string> words) {
     return command;
 }
 
-// What an exception has ended.
+// The error for work that ended by an exception.
 tl::unexpected<Error> given_up(const std::string& why, const std::string& activity) {
     return fail("the work was given up: " + why, activity,
                 why == "std::bad_alloc" ? "there is not enough memory for it" : "");
@@ -114,7 +114,7 @@ Result<void> CommandRunner::run(ActionContext& context, std::span<const std::str
     return in_turn(context, std::move(turn));
 }
 
-// Whether it is enabled is asked in its turn.
+// Checks whether the command is enabled when its turn comes.
 Result<void> CommandRunner::run(ActionContext& context, const Command& entry) {
     const auto run_it = [this, &entry](ActionContext& with) {
         return enabled(with, entry) ? start(with, entry, entry.preset) : Result<void>{};
@@ -126,7 +126,7 @@ Result<void> CommandRunner::await(ActionContext& context, Awaited awaited) {
     return in_turn(context, turn_of(context, std::move(awaited)));
 }
 
-void CommandRunner::after_what_is_awaited(ActionContext& context, std::function<void()> event) {
+void CommandRunner::run_after_awaited(ActionContext& context, std::function<void()> event) {
     if (!awaits()) return event();
     const auto act = [event = std::move(event)](ActionContext&) -> Result<void> {
         event();
@@ -141,7 +141,7 @@ CommandRunner::Turn CommandRunner::turn_of(const ActionContext& context, Awaited
     return {std::move(awaited), context.document.base_tree()};
 }
 
-// What comes of a turn that is being taken goes before those that wait.
+// Turns queued while a turn is taken precede the waiting ones.
 Result<void> CommandRunner::in_turn(ActionContext& context, Turn turn) {
     const bool first = put_in_ ? *put_in_ == 0 : turns_.empty();
     const bool ready = turn.awaited.ready == nullptr || turn.awaited.ready();
@@ -190,7 +190,7 @@ Result<void> CommandRunner::start(ActionContext& context, const Command& command
     return {};
 }
 
-// One at a time: what is run after it waits, and does not begin any.
+// One at a time: later commands wait, and do not begin another.
 Awaited CommandRunner::begin_brief(const Brief& brief) {
     const auto result = brief_ = std::make_shared<std::optional<Result<Continuation>>>();
     brief_worker_.start("Editing", [result, work = brief.work](Job&, const Worker::Post& post) {

@@ -1,4 +1,4 @@
-// Runs commands. All that a command changes is one step of undo, with a phrase for a name: "hide 12 branches"; one
+// Runs commands. All changes of a command form one step of undo with a descriptive name: "hide 12 branches". A command
 // that fails or is cancelled changes nothing.
 #pragma once
 
@@ -15,55 +15,55 @@
 
 namespace ramus::app {
 
-// At once: the work of a pending command is done on this thread before the call returns, as scripts want it. `words`
-// are those of a line of a commands file, the command's name first.
+// Runs a command synchronously, including the work of a pending command; for scripts. `words`: a line of a commands
+// file, the command's name first.
 [[nodiscard]] Result<void> run_command(ActionContext& context, std::span<const std::string> words);
-// The same with the arguments that the menu and the keys give. Nothing happens when it is not enabled.
+// The same for an entry of the menu or a key, with its preset arguments. Does nothing if the entry is not enabled.
 [[nodiscard]] Result<void> run_entry(ActionContext& context, const Command& command);
 
-// For a window, which must not wait: the work of pending commands is done on a thread of its own, in the order in which
-// they came, each finished before the next begins. Commands that need no work do not wait for those: a person goes on
-// while a file is read. They do wait for what is awaited of the picture, for a click that selects, say, and for brief
-// work. What belongs to one tree is dropped when another is opened; a command that has waited while the tree was
-// edited, and may name branches by their ids, is refused. For one thread, its owner's.
+// CommandRunner: runs commands asynchronously, for a window. The work of pending commands runs on a worker thread, one
+// after the other in order of arrival. Commands without work do not wait for it: a person can continue while a file is
+// read. Commands wait for awaited answers of the picture (for example a click that selects) and for brief work. Opening
+// another tree drops the work for the old one. A command that waited while the tree was edited, and that may name
+// branches by id, is refused. All calls must come from one thread, the owner's.
 class CommandRunner {
 public:
-    // `wake` is called on another thread when update() has something to do.
+    // `wake`: called on another thread when update() has something to do. It must be thread-safe.
     explicit CommandRunner(const std::function<void()>& wake) : worker_(wake), brief_worker_(wake) {}
 
-    // Fails with what can be told before the work; what fails later comes from update().
+    // Returns errors that occur before the work; update() returns later ones.
     [[nodiscard]] Result<void> run(ActionContext& context, std::span<const std::string> words);
     [[nodiscard]] Result<void> run(ActionContext& context, const Command& entry);
 
-    // Something else than a command that has to know what the picture shows, such as a click: in its turn with the
-    // commands that are run before and after it. At once where it can be.
+    // Runs something other than a command that depends on what the picture shows, such as a click, in order with the
+    // commands before and after it; at once if possible.
     [[nodiscard]] Result<void> await(ActionContext& context, Awaited awaited);
-    // What a person does after that, a key or a button, whatever comes of it: in its turn, of any tree.
-    void after_what_is_awaited(ActionContext& context, std::function<void()> event);
-    [[nodiscard]] bool awaits() const { return !turns_.empty(); } // what is run now waits, too
+    // Runs the event after everything awaited, whatever the result, and even if another tree was opened meanwhile.
+    void run_after_awaited(ActionContext& context, std::function<void()> event);
+    [[nodiscard]] bool awaits() const { return !turns_.empty(); } // new commands will wait
 
-    // Finishes what was awaited and the commands whose work is done, begins the next work, and returns what failed.
+    // Finishes awaited commands and commands whose work is done, starts the next work, and returns the errors.
     [[nodiscard]] std::vector<Error> update(ActionContext& context);
-    void cancel(); // all that is pending
+    void cancel(); // all pending commands
 
     [[nodiscard]] bool busy() const { return !pending_.empty(); }
-    [[nodiscard]] std::string activity() const; // of what is worked on; empty: nothing
-    [[nodiscard]] std::string writing() const;  // the activity of what writes a file, worked on or next; empty: nothing
-    [[nodiscard]] float progress() const { return worker_.progress(); } // of that, 0 to 1
+    [[nodiscard]] std::string activity() const; // of the running work; empty: none
+    [[nodiscard]] std::string writing() const;  // activity of a running or waiting export; empty: none
+    [[nodiscard]] float progress() const { return worker_.progress(); } // of the running work, 0 to 1
 
 private:
     struct Waiting {
         const Command* command;
         std::vector<std::string> arguments;
         Pending pending;
-        std::shared_ptr<const tree::VesselTree> tree; // that it is about
+        std::shared_ptr<const tree::VesselTree> tree; // that it refers to
     };
-    // What takes effect in the order in which it came, once something is awaited.
+    // An entry of the queue of things that take effect in order, once something is awaited.
     struct Turn {
-        Awaited awaited;                              // without `ready`: nothing is
-        std::shared_ptr<const tree::VesselTree> tree; // that it is about, as it was read
+        Awaited awaited;                              // without `ready`: awaits nothing
+        std::shared_ptr<const tree::VesselTree> tree; // that it refers to, as read from its file
         bool of_any_tree = false;
-        // Of a command with arguments, which may be ids of branches: the tree that it is about, as it was then.
+        // For a command with arguments, which may be branch ids: the edited tree at the time of the command.
         std::shared_ptr<const tree::VesselTree> edited{};
     };
     [[nodiscard]] static Turn turn_of(const ActionContext& context, Awaited awaited);
@@ -76,10 +76,10 @@ private:
     void begin_work();
 
     std::deque<Turn> turns_;
-    std::optional<std::size_t> put_in_;          // while a turn is taken: so many of those that wait came of it
-    std::deque<Waiting> pending_;                // the first is worked on
-    std::optional<Result<Continuation>> worked_; // what came of its work
-    BriefResult brief_;                          // of the work on brief_worker_; null: there was none
+    std::optional<std::size_t> put_in_;          // while a turn is taken: number of turns it has queued
+    std::deque<Waiting> pending_;                // the first is running
+    std::optional<Result<Continuation>> worked_; // the result of its work
+    BriefResult brief_;                          // of the work on brief_worker_; null: none
     Worker worker_, brief_worker_;               // last: their threads end first
 };
 

@@ -16,11 +16,11 @@ namespace ramus::app {
 namespace {
 
 struct Synonyms {
-    std::string_view entry; // the name of a command, or with the first word that its entry gives
-    std::string_view words; // first what it is called most
+    std::string_view entry; // name of a command, perhaps with the first preset argument
+    std::string_view words; // the most common first
 };
 
-// Words that are in no name, label or help of these commands, and that people look for.
+// Search words that are in no name, label or help of these commands.
 constexpr std::array kSynonyms{
     Synonyms{"lesion", "tumour tumor metastasis mass nodule sphere"},
     Synonyms{"lesion-mesh", "tumour tumor metastasis stl mesh load import"},
@@ -89,7 +89,7 @@ bool is_letter(char c) {
 }
 
 std::vector<std::string> words_in(std::string_view text) {
-    constexpr std::string_view kPunctuation = "\xE2\x80"; // and a byte: dots and the like, in UTF-8
+    constexpr std::string_view kPunctuation = "\xE2\x80"; // and a third byte: ellipsis, dashes and the like in UTF-8
     std::vector<std::string> words(1);
     const std::string lower = io::lower_case(text);
     for (std::size_t at = 0; at < lower.size(); ++at) {
@@ -105,7 +105,7 @@ std::vector<std::string> words_in(std::string_view text) {
     return words;
 }
 
-// What a command is found by, from what says most of it to what says least.
+// The searchable words of a command, from the most to the least specific.
 struct Entry {
     const Command* command;
     std::array<std::vector<std::string>, 4> words; // label, name and menu, synonyms, help
@@ -115,8 +115,8 @@ constexpr std::size_t kSynonymKind = 2;
 std::vector<Entry> make_entries() {
     std::vector<Entry> entries;
     for (const Command& command : command_table()) {
-        if (command.name == "dismiss" || command.name == "palette") continue; // what closes this and opens it
-        // In the menu an entry stands for its command, where there is one that gives nothing.
+        if (command.name == "dismiss" || command.name == "palette") continue; // these close and open the palette
+        // In menus the entry without preset arguments represents its command.
         const bool shown_with_arguments =
             command.menu.empty() && command.keys.empty() && std::ranges::any_of(command_table(), [&](const Command& o) {
                 return &o != &command && o.name == command.name && !o.menu.empty() && o.preset.empty();
@@ -137,7 +137,7 @@ const std::vector<Entry>& all_entries() {
     return entries;
 }
 
-// How well a word fits: 0 best; none where it is not found.
+// How well a word matches: 0 is best; none: no match.
 std::optional<int> fit_of(const Entry& entry, const std::string& word) {
     for (std::size_t kind = 0; kind < entry.words.size(); ++kind) {
         bool begins = false, within = false;
@@ -154,8 +154,8 @@ std::optional<int> fit_of(const Entry& entry, const std::string& word) {
     return std::nullopt;
 }
 
-// How an entry is called just so: by its command's name and what the entry gives, as they are typed in a script; by its
-// label, alone or behind its menu; by the words of that name; by the name of its command alone.
+// Exact names of an entry: as typed in a script (name and preset arguments), its label alone or after its menu, the
+// words of the typed form, or its command's name.
 enum class Named { kAsTyped, kByLabel, kByWords, kByCommand, kNot };
 Named named_by(const Command& command, std::string_view typed, const std::vector<std::string>& wanted) {
     const auto is = [&](const std::string& text) { return wanted == words_in(text); };
@@ -191,7 +191,7 @@ bool is_choice(const std::string& arguments, std::string_view word) {
     return false;
 }
 
-// Whether an entry of the table gives just this to its command: "view left".
+// Whether an entry presets exactly these arguments: "view left".
 bool is_entry(std::string_view line) {
     return std::ranges::any_of(all_entries(), [&](const Entry& entry) {
         return named_by(*entry.command, line, words_in(line)) == Named::kAsTyped;
@@ -206,10 +206,11 @@ const Command* command_given_by(std::string_view line) {
     if (given == std::string_view::npos) return nullptr;
     const Command* command = find_command(line.substr(0, end));
     if (command == nullptr || command->arguments.empty()) return nullptr;
-    const bool number = line[given] >= '0' && line[given] <= '9'; // "1" begins words as well: "within 10 mm"
+    const bool number =
+        line[given] >= '0' && line[given] <= '9'; // numbers occur in search words as well: "within 10 mm"
     const std::string_view word = line.substr(given, line.find(' ', given) - given);
     const bool choice = is_choice(command->arguments, word) && !is_entry(line);
-    // Names with a hyphen are no words of people, nor are files and lists of numbers.
+    // Names with hyphens, files and lists of numbers are not search words.
     const bool typed = line.substr(0, end).find('-') != std::string_view::npos ||
                        line.find_first_of("/.,_\"=", given) != std::string_view::npos;
     return number || choice || (typed && !is_entry(line)) || search_commands(line).empty() ? command : nullptr;
@@ -238,7 +239,7 @@ std::vector<const Command*> search_commands(std::string_view words) {
         const Named named = named_by(*entry.command, words, given);
         if (sum || named != Named::kNot) found.push_back({entry.command, named, sum.value_or(0)});
     }
-    // What is called just so first; then those of menus: the others take arguments.
+    // Exact names first; then entries of menus, since others need arguments.
     std::ranges::stable_sort(found, {}, [](const Found& one) {
         return std::tuple(one.named, one.fit, one.command->menu.empty() && one.command->keys.empty());
     });

@@ -15,7 +15,7 @@ std::vector<Command> make_table() {
     std::vector<Command> table;
     for (const auto group : kCommandGroups)
         for (Command& command : group()) table.push_back(std::move(command));
-    // What adds to a picture stands behind what opens one.
+    // Commands that add to a picture follow those that open one.
     const auto named = [&](std::string_view name) {
         return std::ranges::find_if(table, [&](const Command& c) { return c.name == name && !c.menu.empty(); });
     };

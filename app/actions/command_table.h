@@ -1,5 +1,5 @@
-// The table of everything that a user can do: name, key, help and action of each command. Menus, keys, `--commands`
-// files, the help overlay and the tests read this one table; app/actions/command_runner.h runs its entries.
+// The table of all user commands: name, keys, help and action. Menus, keys, `--commands` files, the help overlay and
+// tests read it; app/actions/command_runner.h runs its entries.
 #pragma once
 
 #include "app/actions/action.h"
@@ -15,17 +15,17 @@ struct Command {
     std::string name;              // as in a commands file
     std::string arguments;         // "ID...", "[FILE]", "NAME"; empty: none
     std::string help;              // one sentence
-    std::string menu;              // menu that it is in; empty: none
-    std::string submenu;           // of that menu; empty: the command stands in the menu itself
-    std::string label;             // its text there
+    std::string menu;              // its menu; empty: none
+    std::string submenu;           // its submenu; empty: directly in the menu
+    std::string label;             // its text in the menu
     std::vector<std::string> keys; // "Ctrl+Z"; the first one is shown in the menu
     CommandAction action;
-    std::vector<std::string> preset;                                  // arguments that the menu and the keys give
+    std::vector<std::string> preset;                                  // arguments given by menu and keys
     bool (*enabled)(const Document&) = nullptr;                       // null: always
     std::function<bool(const Document&)> checked;                     // empty: not a switch
-    std::function<bool(const ActionContext&, const Command&)> in_use; // a switch of the interface, not of the document
-    std::string (*label_now)(const Document&) = nullptr;              // the label, when it depends on the document
-    [[nodiscard]] bool scripted() const { return preset.empty(); }    // false: an entry that gives arguments to another
+    std::function<bool(const ActionContext&, const Command&)> in_use; // a switch of the interface
+    std::string (*label_now)(const Document&) = nullptr;              // the label, if it depends on the document
+    [[nodiscard]] bool scripted() const { return preset.empty(); } // false: an entry that presets arguments of another
 
     // For tables: Command("fit", "", "Brings ...", fit).in_menu("View", "Fit", {"F"}).when(has_tree).
     Command(std::string its_name, std::string its_arguments, std::string its_help, CommandAction its_action)
@@ -52,7 +52,7 @@ private:
     }
 };
 
-// In the order of menus and help. Several entries may have one name, with other presets: the views.
+// In the order of menus and help. Entries with different presets may have the same name: the views.
 [[nodiscard]] const std::vector<Command>& command_table();
 [[nodiscard]] const Command* find_command(std::string_view name);
 [[nodiscard]] const Command* command_for_key(std::string_view key); // "Ctrl+Shift+Z"

@@ -1,4 +1,4 @@
-// Surfaces of the same vessels looked at together, and the skeleton that they are made of.
+// Commands that compare surfaces of the same vessels, and the skeleton.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "core/io/volumes/volume_file.h"
@@ -21,7 +21,7 @@ bool whole_in_picture(const ActionContext& context, glm::ivec2 size) {
     });
 }
 
-// Viewports are narrower than the picture: a tree that was whole in it is whole in them.
+// Viewports are narrower than the picture: keeps the whole tree visible if it was.
 void change(ActionContext& context, Marks next) {
     const glm::ivec2 before = context.picture.picture_size();
     const bool whole = whole_in_picture(context, before);

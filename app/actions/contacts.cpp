@@ -15,23 +15,23 @@ constexpr std::string_view kWipe = "wipe";
 
 Result<void> contacts(ActionContext& context, Arguments) { return toggle_part(context, "contacts"); }
 
-// The camera turned around the contact by as little as shows both vessels beside each other.
+// Turns the camera about the contact by the smallest angle that shows both vessels side by side.
 render::Camera facing(render::Camera camera, const tree::Contact& contact) {
     const glm::dvec3 between = contact.sides[1].at - contact.sides[0].at;
     if (glm::length(between) < 1e-6 * contact.sides[0].radius) return camera;
     const glm::dvec3 across = glm::normalize(between);
     const render::CameraAxes axes = render::axes_of(camera);
     glm::dvec3 forward = axes.forward - glm::dot(axes.forward, across) * across;
-    constexpr double kAlong = 1e-3; // one looks along it: any direction across it will do
+    constexpr double kAlong = 1e-3; // looking along it: any perpendicular direction is valid
     if (glm::length(forward) < kAlong) forward = axes.right - glm::dot(axes.right, across) * across;
     forward = glm::normalize(forward);
     camera.position = camera.focal_point - glm::distance(camera.position, camera.focal_point) * forward;
-    // Up as it was, unless one looks that way now.
+    // Keeps view-up unless it is parallel to the new line of sight.
     if (glm::length(glm::cross(axes.up, forward)) < kAlong) camera.view_up = axes.forward;
     return camera;
 }
 
-// Both ways to blend, parted by a line through the middle, where the contact is.
+// Shows vessels apart and merged as a wipe, with the line through the contact in the middle.
 void wipe_both_ways(Document& document) {
     Marks next = document.marks();
     next.comparison.mode = Comparison::Mode::kWipe;
@@ -40,13 +40,13 @@ void wipe_both_ways(Document& document) {
     document.change(std::move(next));
 }
 
-// Of the contacts of the document as it is.
+// Uses the contacts of the document's current state.
 Result<void> go_to(ActionContext& context, Arguments arguments) {
     const bool wipes = arguments.size() == 2 && arguments[1] == kWipe;
     const auto list = context.assets.contacts.list;
     RAMUS_TRY(index, list_index(wipes ? arguments.first(1) : arguments, list->size(), "contact"));
     const tree::Contact& chosen = (*list)[index];
-    constexpr double kNearer = 0.5; // than one looks at a whole vessel: what is between two of them is small
+    constexpr double kNearer = 0.5; // closer than for a whole vessel: gaps are small
     const double radius = std::max(chosen.sides[0].radius, chosen.sides[1].radius);
     select_these(context, app::branches_of(chosen));
     if (wipes) wipe_both_ways(context.document);

@@ -1,4 +1,5 @@
-// Surfaces beside the tree, in the same coordinates: organs, bones, other surfaces of the same vessels.
+// Commands of context: surfaces next to the tree, in the same coordinates (organs, bones, other surfaces of the same
+// vessels).
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
@@ -26,7 +27,7 @@ constexpr const char* kUsage =
     "context FILE [--label LABEL,...|all] [--isovalue X] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact] "
     "[--units UNIT] [--mesh-orientation LPS|RAS]";
 
-// Quiet, and well apart from vessels: an organ's brown, bone, and others that nothing in a body has.
+// Muted colours unlike vessels: brown for an organ, bone, and colours that do not occur in a body.
 constexpr std::array<std::array<std::uint8_t, 3>, 6> kColours{
     {{201, 130, 104}, {222, 211, 178}, {106, 152, 201}, {122, 178, 132}, {176, 134, 196}, {205, 176, 92}}};
 
@@ -36,12 +37,12 @@ std::array<std::uint8_t, 3> next_colour(const std::vector<ContextItem>& context)
     return kColours[context.size() % kColours.size()];
 }
 
-// What the words ask for.
+// The request of the arguments.
 struct AskedContext {
     ContextItem item;
-    std::vector<volume::LabelChoice> labels; // an item for each; none: one of all that is inside
-    bool each_label = false;                 // these are all that the mask has
-    bool coloured = false;                   // by the words; else as the file has it, or unlike the others
+    std::vector<volume::LabelChoice> labels; // one item each; empty: one item for everything inside
+    bool each_label = false;                 // one item for each label of the mask
+    bool coloured = false;                   // colour given; false: from the file, or unlike the others
 };
 
 Result<AskedContext> asked_in(Arguments arguments) {
@@ -102,7 +103,7 @@ std::vector<ContextItem> items_of(const AskedContext& asked) {
     return items;
 }
 
-// Something that lies far from the tree is of another patient, or in other coordinates.
+// Context far from the tree belongs to another patient, or has other coordinates.
 std::string distance_text(const ContextShape& shape, const std::string& read_in, const tree::VesselTree* tree) {
     if (tree == nullptr) return {};
     const render::Box vessels = render::bounds_of(*tree), &box = shape.box;
@@ -129,13 +130,13 @@ Result<AskedContext> asked_of(const Document& document, Arguments arguments) {
         return tl::unexpected(possible.error());
     if (!can_be_context(asked.item.file))
         return fail("this is neither a mask nor a mesh", asked.item.file, "context is " + context_extensions());
-    if (asked.each_label) return asked; // which these are the file says
+    if (asked.each_label) return asked; // the file lists them
     for (const ContextItem& item : items_of(asked))
         if (auto is_new = check_new(item, document.marks().context); !is_new) return tl::unexpected(is_new.error());
     return asked;
 }
 
-// All that a mask has.
+// All labels of a mask.
 Result<std::vector<volume::LabelChoice>> labels_in(const ContextItem& item, Job& job) {
     constexpr std::size_t kMost = 64;
     if (!io::is_volume(item.file))
@@ -155,7 +156,7 @@ render::Camera at_all(const ActionContext& context) {
     return render::camera_for(visible, render::View::kAnterior, size);
 }
 
-// The surfaces of all labels are there.
+// Requires the surfaces of all labels to be loaded.
 Result<void> add_context(ActionContext& context, const AskedContext& asked) {
     std::vector<ContextItem> list = context.document.marks().context;
     std::string said = std::filesystem::path(asked.item.file).filename().string() + ": ";
@@ -173,7 +174,7 @@ Result<void> add_context(ActionContext& context, const AskedContext& asked) {
         list.push_back(std::move(item));
     }
     context.say(said);
-    // Without a tree all is looked at, until somebody looks otherwise.
+    // Without a tree the camera fits everything, until the user moves it.
     const bool looks_at_all = !has_tree(context.document) &&
                               (!has_scene(context.document) || context.document.session().camera == at_all(context));
     auto added = edit(context, [&](Marks& marks) { marks.context = list; });
@@ -193,7 +194,7 @@ Result<Outcome> context(ActionContext& context, Arguments arguments) {
         return outcome_of(
             ask_for_file(context, FilePurpose::kContext, fail("context needs a FILE here", {}, context_extensions())));
     RAMUS_TRY(wanted, asked_of(context.document, arguments));
-    // What is not to be had without a word, a scan's surface, somebody has to say.
+    // The surface of a scan needs a threshold, which the user must choose.
     const bool asks =
         arguments.size() == 1 && context.files != nullptr && context.files->asks() && io::is_volume(wanted.item.file);
     return Pending{
@@ -216,7 +217,7 @@ Result<Outcome> context(ActionContext& context, Arguments arguments) {
         }};
 }
 
-// The N-th of the list, changed as `change` says; that fails on what is no such value.
+// Changes the N-th item of the list by `change`, which fails for invalid values.
 template <class Change>
 Result<void> change_one(ActionContext& context, Arguments arguments, std::size_t values, const char* usage,
                         const Change& change) {
@@ -293,7 +294,7 @@ template <bool visible> Result<void> set_visible(ActionContext& context, Argumen
 
 bool has_context(const Document& document) { return !document.marks().context.empty(); }
 
-// Of all that is shown without a tree. The camera goes along where it grows or shrinks.
+// Sets the unit of everything shown without a tree. The camera follows the change of size.
 Result<void> take_units(ActionContext& context, const std::string& units, const Assets& read) {
     const bool alone = !has_tree(context.document),
                looks_at_all = alone && context.document.session().camera == at_all(context);

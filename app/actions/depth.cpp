@@ -1,4 +1,4 @@
-// What tells near from far in the picture.
+// Commands of depth cues.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "core/base/words.h"

@@ -1,4 +1,4 @@
-// Deviation: how far the surface lies from another one, as colours.
+// Commands of deviation: colours by the distance from another surface.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/assets/shapes.h"
@@ -19,7 +19,7 @@ using Unit = DeviationChoice::Unit;
 
 constexpr const char* kWanted = "cones, iso or a file";
 
-// A mask is that of the comparison: there is one in a picture.
+// A mask becomes that of the comparison: a picture has only one.
 Result<void> take_file(Marks& marks, const std::string& name, const std::string& units) {
     const std::filesystem::path path = std::filesystem::absolute(name).lexically_normal();
     std::error_code error;
@@ -65,7 +65,7 @@ Result<void> deviation_from(ActionContext& context, Arguments arguments) {
         next.deviation.from = From::kIsosurface;
     else if (auto taken = take_file(next, arguments[0], units); !taken)
         return taken;
-    // Of what has no voxels the scale cannot be in them.
+    // The unit voxels requires a reference with voxels.
     if (next.deviation.unit == Unit::kVoxels && !may_count_voxels(next.deviation.from))
         next.deviation.unit = Unit::kMm, next.deviation.most = 0.0;
     context.document.change(std::move(next));

@@ -1,4 +1,4 @@
-// What is wrong in a tree, mended: joined, cut, deleted, with another root or other radii.
+// Commands that repair a tree: join, cut, delete, move the root, change radii.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/session/numbers.h"
@@ -24,7 +24,7 @@ std::optional<double> place_in(const std::string& word) {
     return number_in(word, 0.0, 1.0);
 }
 
-// The branch that is named first, or the one that is selected.
+// The branch in the first argument, or the only selected one.
 Result<int> one_branch(const Document& document, Arguments arguments) {
     if (!arguments.empty()) return branch_id(document, arguments[0]);
     if (auto some = expect_selection(document); !some) return tl::unexpected(some.error());
@@ -34,7 +34,7 @@ Result<int> one_branch(const Document& document, Arguments arguments) {
     return document.marks().selection.front();
 }
 
-// Those that are named, or the selection.
+// The branches in the arguments, or the selection.
 Result<std::vector<int>> these_branches(const Document& document, Arguments arguments) {
     if (!arguments.empty()) {
         RAMUS_TRY(ids, branch_ids(document, arguments));
@@ -44,7 +44,7 @@ Result<std::vector<int>> these_branches(const Document& document, Arguments argu
     return document.marks().selection;
 }
 
-// "; 2 pieces now, 1 loop": where an edit has changed how many there are.
+// "; 2 pieces now, 1 loop": if an edit changed these numbers.
 std::string change_text(const tree::VesselTree& before, const tree::VesselTree& after) {
     std::string text;
     if (before.roots.size() != after.roots.size())

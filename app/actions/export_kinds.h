@@ -1,5 +1,5 @@
-// What can be exported, of what, and in which formats: one row for each kind of file, its formats from the tables of
-// core/io. The command `export` and the window's dialog read it.
+// The table of exports: kinds of files, scopes and formats, which come from the tables of core/io. Read by the command
+// `export` and the window's dialog.
 #pragma once
 
 #include "app/session/document.h"
@@ -20,18 +20,18 @@ struct ExportFormat {
     std::string label;     // "STL (.stl)"
     std::string extension; // ".stl"
     std::string help;
-    bool has_parts = false;    // objects of their own: `--parts` means something
-    bool for_printing = false; // programs take its numbers for mm
+    bool has_parts = false;    // can store separate objects: `--parts` applies
+    bool for_printing = false; // programs interpret its numbers as mm
 };
 
 struct ExportKind {
     ExportWhat what;
-    std::string_view key; // as the command has it
+    std::string_view key; // in the command
     const char* label;    // in the dialog
     const char* help;
-    bool of_branches;                  // else it is of what the picture shows
-    bool of_tree;                      // else it takes no tree
-    std::vector<ExportFormat> formats; // one at least
+    bool of_branches;                  // exports branches; false: the picture
+    bool of_tree;                      // needs a tree
+    std::vector<ExportFormat> formats; // at least one
 };
 
 inline constexpr std::size_t kExportKinds = 7;
@@ -47,7 +47,7 @@ inline constexpr std::array<ExportScope, 3> kExportScopes{{{ExportOf::kVisible, 
                                                            {ExportOf::kSelected, "selected", "What is selected"},
                                                            {ExportOf::kAll, "all", "All"}}};
 
-// By branch: not 0 where it is exported. The document has a tree.
+// By branch: not 0 if it is exported. The document must have a tree.
 [[nodiscard]] std::vector<std::uint8_t> exported_branches(const Document& document, ExportOf of);
 
 } // namespace ramus::app

@@ -1,4 +1,4 @@
-// Export of pictures, sheets, turntables, reports and tables. What draws long is done where no window waits for it.
+// Export of pictures, sheets, turntables, reports and tables. Slow drawing runs where no window waits for it.
 #include "app/actions/arguments.h"
 #include "app/actions/command_runner.h"
 #include "app/actions/export_words.h"
@@ -10,7 +10,7 @@ namespace ramus::app::actions {
 
 namespace {
 
-// Written at once, on this thread.
+// Writes synchronously on this thread.
 Result<Outcome> written_now(ActionContext& context, const Export& wanted, const std::string& sentence) {
     return outcome_of(has_written(wanted.file, sentence)(context));
 }
@@ -65,10 +65,10 @@ Result<Outcome> export_figure(ActionContext& context, const Export& wanted) {
     std::vector<std::string> words{"export", std::string(wanted.kind().key), wanted.file.string()};
     const auto options = figure_words(request);
     words.insert(words.end(), options.begin(), options.end());
-    RAMUS_TRY(elsewhere, context.picture.done_elsewhere(words));
-    if (!elsewhere) return write_figure_here(context, wanted, request, sentence);
+    RAMUS_TRY(detached, context.picture.detached_work(words));
+    if (!detached) return write_figure_here(context, wanted, request, sentence);
     return Pending{"Drawing " + wanted.file.filename().string(),
-                   [work = elsewhere, file = wanted.file, sentence](Job& job) -> Result<Continuation> {
+                   [work = detached, file = wanted.file, sentence](Job& job) -> Result<Continuation> {
                        if (auto done = work(job); !done) return tl::unexpected(done.error());
                        return has_written(file, sentence);
                    },

@@ -21,7 +21,7 @@ bool is_figure(ExportWhat what) {
     return what == ExportWhat::kPicture || what == ExportWhat::kSheet || what == ExportWhat::kTurntable;
 }
 
-// What stands behind the file.
+// Parses the options.
 Result<void> read_options(Export& wanted, Arguments words) {
     if (is_figure(wanted.what)) {
         FigureRequest request;
@@ -66,7 +66,7 @@ Result<void> read_options(Export& wanted, Arguments words) {
 
 } // namespace
 
-// The file may stand between the options, as on a command line.
+// The file may be between the options, as on a command line.
 Result<Export> export_in(ActionContext& context, Arguments arguments) {
     Export wanted;
     const auto kind = export_kind_named(arguments[0]);

@@ -1,4 +1,4 @@
-// The words of the command `export` as a value, and what its kinds share.
+// Parses the command `export`, and runs exports by kind.
 #pragma once
 
 #include "app/actions/action.h"
@@ -24,11 +24,11 @@ struct Export {
     ExportWhat what{};
     ExportOf of = ExportOf::kVisible;
     std::filesystem::path file;
-    std::optional<io::PartsBy> parts; // none: what is usual
+    std::optional<io::PartsBy> parts; // none: the default
     bool for_printing = false;
     std::string table;     // the name of a TableKind; empty: branches
-    std::string case_line; // of a report
-    FigureOptions figure;  // of pictures
+    std::string case_line; // for reports
+    FigureOptions figure;  // for pictures
     std::optional<glm::ivec2> size;
     [[nodiscard]] const ExportKind& kind() const { return export_kinds()[static_cast<std::size_t>(what)]; }
 };
@@ -37,14 +37,14 @@ struct Export {
 
 [[nodiscard]] std::string saved_text(const char* what, const Export& wanted); // "Surface saved: /data/liver.stl"
 [[nodiscard]] Result<void> expect_extension(const Export& wanted, std::string_view extension, const char* what);
-// The end of pending work: nothing is changed, something is said, and the window offers the folder.
+// The continuation of an export: changes nothing, reports `sentence`, and lets the window offer the folder.
 [[nodiscard]] Continuation has_written(std::filesystem::path file, std::string sentence);
-// Work that writes a table as CSV, of the document as it is now: of a large tree it takes longer than a frame.
+// Work that writes a table of the document's current state as CSV; takes longer than a frame for large trees.
 using TableOf = std::function<Table(const Document&, const Assets&)>;
 [[nodiscard]] Pending writing_table(const ActionContext& context, std::filesystem::path file, TableOf table,
                                     std::string sentence);
 
-// What the kinds do; the words are checked.
+// Runs an export of this kind; `wanted` must be valid.
 [[nodiscard]] Result<Outcome> export_table(ActionContext& context, const Export& wanted);
 [[nodiscard]] Result<Outcome> export_report(ActionContext& context, const Export& wanted);
 [[nodiscard]] Result<Outcome> export_figure(ActionContext& context, const Export& wanted);

@@ -1,5 +1,4 @@
-// Export: the surface or the tree as a file, of what is visible, selected, or all; other kinds are
-// export_pictures.cpp's.
+// Export of surfaces and trees: of visible, selected or all branches. export_pictures.cpp has the other kinds.
 #include "app/actions/arguments.h"
 #include "app/actions/export_kinds.h"
 #include "app/actions/export_words.h"
@@ -24,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What goes to another thread: values and shared, immutable things only.
+// Data for another thread: values and shared immutable objects only.
 struct SurfaceWork {
     std::shared_ptr<const tree::VesselTree> tree;
     mesh::SurfaceOptions options;
@@ -104,7 +103,7 @@ Result<Outcome> export_tree(ActionContext& context, const Export& wanted) {
 
 Result<Outcome> export_file(ActionContext& context, Arguments arguments) {
     if (!has_scene(context.document)) return fail("there is nothing to export");
-    if (arguments.size() <= 1) { // a kind alone is its page of the dialog
+    if (arguments.size() <= 1) { // without a file: opens the dialog at this kind
         const std::string kind = arguments.empty() ? std::string() : arguments[0];
         if (!kind.empty() && !export_kind_named(kind))
             return fail("there is no export of \"" + kind + "\"", {}, kExportUsage);

@@ -1,4 +1,4 @@
-// Trees, sessions and pictures; the window itself.
+// Commands of files: trees, sessions and pictures; and of the window.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/session/reading_options.h"
@@ -142,7 +142,7 @@ bool theme_is_light(const ActionContext& context, const Command& command) {
     return !command.scripted() && context.window != nullptr && context.window->light_theme();
 }
 
-// Transparent is for pictures in files.
+// Windows have no transparent background.
 std::span<const GroundRow> grounds_of_windows() { return std::span(kGrounds).first(3); }
 
 Result<void> background(ActionContext& context, Arguments arguments) {

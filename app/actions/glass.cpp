@@ -1,4 +1,4 @@
-// How defocused branches look.
+// Commands for the look of defocused branches.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 

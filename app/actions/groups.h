@@ -1,4 +1,4 @@
-// The parts of the command table, one file each: what the commands of a part do stands beside their entries.
+// The groups of the command table, one file each, with the actions of their commands.
 #pragma once
 
 #include "app/actions/command_table.h"
@@ -20,7 +20,7 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> lesion_vessel_commands();
 [[nodiscard]] std::vector<Command> object_commands();
 [[nodiscard]] std::vector<Command> context_commands();
-// All context is read again in this unit, or ("auto") in those that its files say.
+// Rereads all context in this unit; "auto": in the units of the files.
 [[nodiscard]] Result<Outcome> read_context_in(ActionContext& context, const std::string& units);
 [[nodiscard]] std::vector<Command> measure_commands();
 [[nodiscard]] std::vector<Command> pin_commands();

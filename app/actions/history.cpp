@@ -1,4 +1,4 @@
-// The way back, and forth again.
+// Commands undo and redo.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/session/numbers.h"
@@ -7,7 +7,7 @@ namespace ramus::app::actions {
 
 namespace {
 
-// How many steps; `there`: how many there are.
+// The number of steps in the arguments; `there`: how many are available.
 Result<std::size_t> steps(Arguments arguments, std::size_t there, const std::string& verb) {
     if (there == 0) return fail("there is nothing to " + verb);
     if (arguments.empty()) return 1;

@@ -1,13 +1,13 @@
-// Keys as the command table names them: "Ctrl+Shift+Z", "F12", "?". One spelling for menus, help and matching, and no
-// dependence on a window library.
+// Spelling of keys in the command table: "Ctrl+Shift+Z", "F12", "?". One spelling for menus, help and matching,
+// independent of a window library.
 #pragma once
 
 #include <string>
 
 namespace ramus::app {
 
-// A key press: the name of the key ("Z", "F12", "Escape", "?") and the modifiers held. For keys that print something
-// other than letters and digits, the printed character counts, and Shift is part of it.
+// A key press: the key's name ("Z", "F12", "Escape", "?") and modifiers. For keys that print other characters than
+// letters and digits, the name is the printed character, and Shift is part of it.
 struct KeyPress {
     std::string key;
     bool ctrl = false;

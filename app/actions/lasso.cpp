@@ -1,4 +1,4 @@
-// Selecting by a line drawn around vessels, and how that is done by hand.
+// Commands of the lasso, and its settings.
 #include "app/tools/lasso.h"
 
 #include "app/actions/arguments.h"
@@ -52,13 +52,13 @@ Result<LassoArguments> read(Arguments arguments) {
     return read;
 }
 
-// The picture that the line was drawn over.
+// The picture under the lasso.
 struct LassoView {
     render::Camera camera;
     glm::ivec2 size{1};
 };
 
-// `visible`: what that picture shows; null: what lies behind is taken, too.
+// `visible`: the branches in the picture; null: also selects hidden parts.
 Result<void> select_inside(ActionContext& context, const LassoArguments& wanted, const LassoView& view,
                            const render::BranchPicture* visible) {
     const Document& document = context.document;
@@ -96,7 +96,7 @@ Result<Outcome> lasso(ActionContext& context, Arguments arguments) {
     return Awaited{coming.ready, select};
 }
 
-// How the lasso in hand takes branches: a setting with two values.
+// A setting of the lasso tool with two values.
 struct Switch {
     std::string name, values, help;
     bool ToolSettings::*setting;

@@ -1,4 +1,4 @@
-// Lesions and the vessels nearest to them: what counts as contact, lines in the picture, and the way there.
+// Commands about lesions and their nearest vessels: the contact limit, lines in the picture, moving the camera there.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
@@ -26,7 +26,7 @@ Result<void> shortest_distances(ActionContext& context, Arguments arguments) {
     return edit(context, [&](Marks& marks) { marks.shortest_distances = *shown; });
 }
 
-// N [SYSTEM]: of the nearest system unless told.
+// N [SYSTEM]; by default the nearest system.
 Result<void> lesion_vessel(ActionContext& context, Arguments arguments) {
     const Document& document = context.document;
     const Marks& marks = document.marks();

@@ -1,4 +1,4 @@
-// Measurements: taken, told, kept and drawn until they are removed.
+// Commands of measurements: taken, reported, kept and drawn until removed.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
@@ -110,7 +110,7 @@ Result<Measurement> measurement_in(const Document& document, const LesionShapes&
     return refused;
 }
 
-// Meshes are read where one is named, for a command does not come back to what it has measured.
+// Reads the meshes that arguments name, since a command reports its result only once.
 LesionShapes shapes_for(ActionContext& context, Arguments arguments) {
     const Marks& marks = context.document.marks();
     if (std::ranges::any_of(arguments, [](const std::string& word) { return word.starts_with(kLesion); }))
@@ -134,7 +134,7 @@ Result<void> measure_this(ActionContext& context, Arguments arguments) {
     return {};
 }
 
-// What is measured stays of its kind and in its place in the list.
+// The measurement keeps its kind and its place in the list.
 Result<void> measure_change(ActionContext& context, Arguments arguments) {
     if (arguments.size() < 2)
         return fail("measure-change takes the number of a measurement and another one", {}, kKinds);
@@ -157,7 +157,7 @@ Result<void> measure_clear(ActionContext& context, Arguments) {
     return edit(context, [&](Marks& marks) { marks.measurements.clear(); });
 }
 
-// The last two of the selection, for there is no order in it but that of ids.
+// The two highest ids of the selection, which has no other order.
 Result<void> measure_path_of_selection(ActionContext& context, Arguments) {
     const auto& selection = context.document.marks().selection;
     if (selection.size() != 2) return fail("a path is measured between two selected branches", {}, "select two");

@@ -1,4 +1,4 @@
-// What can be done with any object of the scene, whatever its kind: show, hide, name and remove it.
+// Commands for objects of the scene of any kind: show, hide, name, remove.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "core/base/words.h"
@@ -23,7 +23,7 @@ std::string object_usage() {
     return joined(object_nouns(), "|", [](const std::string& noun) { return noun; }) + " N";
 }
 
-// Calls change(list, index) for the object that the first two arguments name, as one step.
+// Calls change(list, index) for the object in the first two arguments, as one step.
 template <class Change> Result<void> change_object(ActionContext& context, Arguments arguments, const Change& change) {
     if (arguments.size() < 2)
         return fail("which object?", {}, object_usage() + ": its kind and its number in the list");

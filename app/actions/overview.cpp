@@ -1,4 +1,4 @@
-// The flat picture of the tree beside the other one, and the field for names.
+// Commands of the overview panel, and of the name field.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 
@@ -20,7 +20,7 @@ Result<void> overview(ActionContext& context, Arguments arguments) {
     return {};
 }
 
-// The branch that the selection is all about: the only one, or the one that all others depend on.
+// The main branch of the selection: the only one, or the one on which all others depend.
 int stem_of_selection(const Document& document) {
     const auto& selection = document.marks().selection;
     const tree::Dependency& dependency = document.dependency();

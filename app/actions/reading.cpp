@@ -1,4 +1,4 @@
-// How the tree's file was read: what that assumed, repaired and finds strange, and reading it again in another way.
+// Commands about reading the tree's file: its assumptions, repairs and suspicions, and rereading with other options.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/picture/fit.h"
@@ -24,7 +24,7 @@ constexpr const char* kReadAsUsage =
     "read-as units cm, radius-is diameter, orientation LPS, repair none, data FILE; of a mask labels together, "
     "fill-holes on, bulge-size 1, islands 10, root X,Y,Z; auto takes it back";
 
-// The options as they are, with what the words change. `of_mask`: what is read is one.
+// The current options, changed by the arguments. `of_mask`: the file is a mask.
 Result<io::ReadOptions> options_in(Arguments arguments, io::ReadOptions options, bool of_mask) {
     if (arguments.size() == 1 && arguments[0] == "usual") {
         io::ReadOptions usual;
@@ -87,7 +87,7 @@ Result<Outcome> read_as(ActionContext& context, Arguments arguments) {
                    }};
 }
 
-// Without a word it asks: the panel opens. With one it is short for read-as.
+// Without arguments opens the panel; otherwise short for read-as.
 template <const char* const& kKey> Result<Outcome> say_or_ask(ActionContext& context, Arguments arguments) {
     if (arguments.empty()) {
         if (context.window == nullptr)
@@ -116,7 +116,7 @@ Result<Outcome> data(ActionContext& context, Arguments arguments) {
 
 Result<void> doctor(ActionContext& context, Arguments) { return toggle_part(context, "doctor"); }
 
-// The radius where `at` is, of the point next to it.
+// The radius of the point nearest to `at`.
 double radius_near(const tree::VesselTree& tree, const glm::dvec3& at) {
     const auto nearest = std::ranges::min_element(tree.points, {}, [&](const tree::Point& point) {
         const glm::dvec3 way = point.position - at;

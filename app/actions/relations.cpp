@@ -1,4 +1,4 @@
-// Selection by what branches are to each other, and by what they are like.
+// Commands that select branches by relations and by properties.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
@@ -14,13 +14,13 @@ const tree::Branch& branch_of(const Document& document, int id) {
     return document.tree()->branches[static_cast<std::size_t>(id)];
 }
 
-// Makes `ids` the selection, unless there are none: then what was asked for is not there.
+// Selects `ids`; fails if there are none.
 Result<void> select_found(ActionContext& context, std::vector<int> ids, const std::string& missing) {
     if (ids.empty()) return fail(missing);
     return select_these(context, std::move(ids));
 }
 
-// A selection by value may well come out empty; how many it took is said.
+// A selection by value may be empty; reports its size.
 Result<void> select_and_say(ActionContext& context, std::vector<int> ids, const std::string& what) {
     context.say("Selected " + counted(ids.size(), "branch", "branches") + " " + what);
     return select_these(context, std::move(ids));
@@ -131,7 +131,7 @@ Result<Outcome> select_within(ActionContext& context, Arguments arguments) {
                     what](Job&) mutable -> Result<Continuation> {
                        complete_lesions(assets, marks, GridIs::kMadeWhenShown);
                        return [assets, plan = make_plan(assets, marks), reach, what](ActionContext& then) mutable {
-                           assets.lesion_grid = then.assets.lesion_grid; // others make it
+                           assets.lesion_grid = then.assets.lesion_grid; // computed elsewhere
                            merge(then.assets, assets);
                            return select_by_plan(then, reach, plan, what);
                        };

@@ -37,11 +37,11 @@ Result<Outcome> write_csv(ActionContext& context, const fs::path& path, std::str
                          "Report of " + std::string(kind->name) + " saved: " + path.string());
 }
 
-// What follows the file.
+// The arguments after the file.
 struct ReportWords {
-    std::string kind;               // of a table; empty: the first that there is
+    std::string kind;               // kind of table; empty: the first available
     std::string case_line;          // of a page
-    std::optional<glm::ivec2> size; // of the picture that was looked at, whose shape a page keeps; none: as it is here
+    std::optional<glm::ivec2> size; // of the user's picture, for its shape; none: the current
 };
 
 constexpr const char* kReportUsage = "report FILE.html [--case TEXT] [--size WxH], or report FILE.csv [KIND]";
@@ -66,7 +66,7 @@ Result<ReportWords> report_words(Arguments words) {
     return found;
 }
 
-// On white, for paper, with letters that are legible when the page shows the picture smaller than it is.
+// On white, for paper, with text that stays legible at the page's reduced size.
 Result<ReportPicture> take_picture(ActionContext& context, const char* caption, const render::Camera& camera,
                                    glm::ivec2 size, double text_size) {
     FigureOptions look;
@@ -77,8 +77,8 @@ Result<ReportPicture> take_picture(ActionContext& context, const char* caption, 
     return ReportPicture{caption, std::move(png)};
 }
 
-// As it was looked at: in the shape that the picture has there, so that nothing is cut off which was seen. From the
-// front and from the left: all that is visible.
+// The user's view in its own shape, so that nothing visible is cropped; and everything visible from the front and from
+// the left.
 Result<std::vector<ReportPicture>> take_pictures(ActionContext& context, glm::ivec2 shape) {
     constexpr int kLongerSide = 1200;
     constexpr glm::ivec2 kSmall{720, 600};
@@ -87,7 +87,7 @@ Result<std::vector<ReportPicture>> take_pictures(ActionContext& context, glm::iv
     const glm::dvec2 scaled = glm::dvec2(shape) * (double(kLongerSide) / std::max(shape.x, shape.y));
     const glm::ivec2 large = glm::max(glm::ivec2(glm::round(scaled)), glm::ivec2(1));
     std::vector<ReportPicture> pictures;
-    // Drawn first: this computes the surface of the document as it is now, which the other cameras are fitted to.
+    // Drawn first: it computes the document's current surface, to which the other cameras are fitted.
     RAMUS_TRY(seen, take_picture(context, "As it was looked at", current, large, kLargeText));
     pictures.push_back(std::move(seen));
     for (const auto& [caption, view] :
@@ -101,8 +101,8 @@ Result<std::vector<ReportPicture>> take_pictures(ActionContext& context, glm::iv
     return pictures;
 }
 
-// Pictures take long to draw: a window does not wait for them.
-Result<Outcome> report_page_elsewhere(const std::function<Result<void>(Job&)>& work, const fs::path& path) {
+// Draws the pictures in another process, so that a window need not wait.
+Result<Outcome> report_page_in_process(const std::function<Result<void>(Job&)>& work, const fs::path& path) {
     return Pending{"Writing " + path.filename().string(),
                    [work, path](Job& job) -> Result<Continuation> {
                        if (auto done = work(job); !done) return tl::unexpected(done.error());
@@ -131,7 +131,8 @@ Result<Outcome> report(ActionContext& context, Arguments arguments) {
     if (!has_tree(context.document)) return fail("there is no tree to report of");
     const std::string extension = io::lower_case(path.extension().string());
     complete_lesions(context.assets, context.document);
-    if (context.window == nullptr) complete_contacts(context.assets, context.document); // a window has them soon
+    if (context.window == nullptr)
+        complete_contacts(context.assets, context.document); // a window computes them in the background
     const bool of_page = !words.case_line.empty() || words.size;
     if (extension == ".csv" && of_page)
         return fail("--case and --size are of a report as a page", path.string(), kReportUsage);
@@ -146,8 +147,8 @@ Result<Outcome> report(ActionContext& context, Arguments arguments) {
     std::vector<std::string> there{"report", full.string(), "--size",
                                    std::to_string(shape.x) + "x" + std::to_string(shape.y)};
     if (!words.case_line.empty()) there.insert(there.end(), {"--case", words.case_line});
-    RAMUS_TRY(elsewhere, context.picture.done_elsewhere(there));
-    return elsewhere ? report_page_elsewhere(elsewhere, full) : outcome_of(write_page(context, path, words));
+    RAMUS_TRY(detached, context.picture.detached_work(there));
+    return detached ? report_page_in_process(detached, full) : outcome_of(write_page(context, path, words));
 }
 
 } // namespace

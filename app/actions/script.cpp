@@ -7,7 +7,7 @@ namespace ramus::app {
 
 namespace {
 
-// Behind the brace that closes the one at `at`.
+// Position after the brace that closes the one at `at`.
 std::size_t end_of_object(std::string_view line, std::size_t at) {
     int depth = 0;
     bool quoted = false;

@@ -1,5 +1,5 @@
-// Commands files: one command a line, `#` starts a comment, double quotes hold words with blanks (\" and \\ inside
-// them); a word that begins with a brace is JSON up to the brace that closes it. A line that fails stops the run; the
+// Commands files: one command per line; `#` starts a comment; double quotes hold words with blanks (\" and \\ inside
+// them); a word that begins with a brace is JSON up to the matching brace. A failing line stops the run, and the
 // error's location is file:line.
 #pragma once
 
@@ -13,11 +13,11 @@ struct ScriptLine {
     bool operator==(const ScriptLine&) const = default;
 };
 
-// Lines without words are left out. Fails on a quote that is not closed.
+// Skips lines without words. Fails on an unclosed quote.
 [[nodiscard]] Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::string& file);
 [[nodiscard]] Result<std::vector<ScriptLine>> read_script(const std::filesystem::path& path);
 
-// `overwrite`: whether files that were there before are replaced (io::KeepExistingFiles).
+// `overwrite`: whether existing files are replaced (io::KeepExistingFiles).
 [[nodiscard]] Result<void> run_line(ActionContext& context, const ScriptLine& line, const std::string& file,
                                     bool overwrite = true);
 [[nodiscard]] Result<void> run_script(ActionContext& context, const std::vector<ScriptLine>& lines,

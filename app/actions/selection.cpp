@@ -1,4 +1,4 @@
-// Which branches are selected.
+// Commands of the selection.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 

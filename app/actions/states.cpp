@@ -1,4 +1,4 @@
-// What becomes of the selected branches, and their names.
+// Commands for states and names of the selected branches.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/session/labels.h"
@@ -30,13 +30,13 @@ Result<void> defocus_others(ActionContext& context, Arguments) {
     if (auto some = expect_selection(context.document); !some) return some;
     return edit(context, [&](Marks& marks) {
         set_state(marks, unselected(context.document), BranchState::kDefocused);
-        // Those that were defocused before are what is to be seen now.
+        // Selected branches that were defocused become visible.
         set_state(marks, in_both(marks.selection, branches_in_state(marks, BranchState::kDefocused)),
                   BranchState::kNormal);
     });
 }
 
-// All that are in a state become normal.
+// Makes all branches in this state normal.
 CommandAction ending(BranchState state) {
     return [state](ActionContext& context, Arguments) -> Result<void> {
         return edit(context, [&](Marks& marks) {

@@ -1,4 +1,4 @@
-// The options of the surface.
+// Commands for options of the surface.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/session/surface_options.h"

@@ -1,4 +1,4 @@
-// What a surgeon plans: lesions with their margins, cuts with what they cost, and a look without the thin vessels.
+// Commands for planning an operation: lesions with margins, cuts with their cost, hiding thin vessels.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
@@ -97,7 +97,7 @@ Result<void> lesion_axes(ActionContext& context, Arguments arguments) {
     return {};
 }
 
-// What is measured from a lesion goes with it.
+// Reports measurements that were removed with a lesion.
 void say_what_went(ActionContext& context, std::size_t measurements) {
     if (measurements > 0)
         context.say("Removed with " + counted(measurements, "measurement", "measurements") + " from the lesion");
@@ -135,7 +135,7 @@ Result<void> cut(ActionContext& context, Arguments arguments) {
         if (std::ranges::find(next.cuts, cut) == next.cuts.end()) next.cuts.push_back(cut);
     };
     if (arguments.empty()) {
-        // Of a selected subtree only its stem: a cut there is what the rest depends on.
+        // Cuts only the stem of a selected subtree, on which the rest depends.
         if (auto some = expect_selection(document); !some) return some;
         for (const int id : next.selection) {
             const auto above = document.dependency().upstream(id);

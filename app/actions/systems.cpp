@@ -1,4 +1,4 @@
-// Vessel systems: selected, shown and hidden as a whole, their names and colours.
+// Commands of vessel systems: select, show and hide as a whole, name and colour.
 #include "app/session/systems.h"
 
 #include "app/actions/arguments.h"
@@ -13,7 +13,7 @@ namespace {
 
 using render::BranchState;
 
-// The branches of all systems that are named, in any order.
+// The branches of all systems in the arguments, in any order.
 Result<std::vector<int>> named_branches(const Document& document, Arguments arguments, const std::string& command) {
     if (!has_tree(document)) return fail("there is no tree");
     if (arguments.empty()) return fail(command + " takes names of systems", {}, "put quotes around one with blanks");
@@ -37,7 +37,7 @@ Result<void> hide_system(ActionContext& context, Arguments arguments) {
     return edit(context, [&](Marks& marks) { set_state(marks, ids, BranchState::kHidden); });
 }
 
-// What is highlighted or glass stays so.
+// Highlighted and defocused branches keep their state.
 Result<void> show_system(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(ids, named_branches(context.document, arguments, "show-system"));
     return edit(context, [&](Marks& marks) {
@@ -46,7 +46,7 @@ Result<void> show_system(ActionContext& context, Arguments arguments) {
     });
 }
 
-// Changes one system as change(systems, index) says, which fails on what cannot be.
+// Changes one system by change(systems, index), which fails for invalid values.
 template <class Change>
 Result<void> change_system(ActionContext& context, Arguments arguments, const char* usage, const Change& change) {
     if (!has_tree(context.document)) return fail("there is no tree");

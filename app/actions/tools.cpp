@@ -1,4 +1,4 @@
-// What the mouse does over the picture, and how.
+// Commands that select the tool of the mouse.
 #include "app/actions/groups.h"
 #include "app/tools/tool_kinds.h"
 #include "core/base/words.h"

@@ -1,4 +1,4 @@
-// Where the camera goes by itself: to a branch, to a position, or along the vessels.
+// Commands that move the camera to a branch, to a position, or along the vessels.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "core/measure/branch_point.h"
@@ -36,7 +36,7 @@ Result<void> fly(ActionContext& context, Arguments arguments) {
     return {};
 }
 
-// Where a flight goes that nobody chose an end for: the farthest end, of the selected branches if there are any.
+// The default end of a flight: the farthest end, of the selected branches if there are any.
 int farthest_end(const Document& document) {
     const auto& branches = document.facts()->branches;
     const auto end = [&](int id) {

@@ -1,4 +1,4 @@
-// Turns the view and zooms by steps: for keys, and for who describes a camera in words.
+// Commands that turn and zoom the view by steps, for keys and scripts.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/tools/aim.h"
@@ -10,7 +10,7 @@ namespace ramus::app::actions {
 
 namespace {
 
-constexpr double kTurnDegrees = 15.0; // of a step without a number: six are a quarter
+constexpr double kTurnDegrees = 15.0; // default step: six make a quarter turn
 constexpr double kZoomFactor = 1.25;
 
 Result<void> turn(ActionContext& context, Arguments arguments) {
@@ -20,7 +20,7 @@ Result<void> turn(ActionContext& context, Arguments arguments) {
         arguments.size() == 2 ? number_in(arguments[1], 0.0, 360.0) : std::optional<double>(kTurnDegrees);
     if (!degrees) return refused;
     const std::string& way = arguments[0];
-    // The tree turns; the viewer goes the other way about.
+    // The tree turns, so the viewer moves in the opposite direction.
     const render::Camera& now = context.document.session().camera;
     if (way == "left") return move_camera(context, render::turned(now, *degrees, 0.0));
     if (way == "right") return move_camera(context, render::turned(now, -*degrees, 0.0));
@@ -37,8 +37,7 @@ Result<void> zoom(ActionContext& context, Arguments arguments) {
     if (!factor || (arguments[0] != "in" && arguments[0] != "out")) return refused;
     const double by = arguments[0] == "in" ? *factor : 1.0 / *factor;
     const render::Camera& camera = context.document.session().camera;
-    // As the wheel does with what the pointer is on: it stays where it is in the picture, and nothing is passed
-    // through.
+    // Like the wheel at the pointer: the point in the middle keeps its place, and the camera does not pass it.
     if (const auto at = context.picture.looked_at()) {
         const auto mesh = context.picture.picture_mesh();
         const double least = least_distance_mm(nullptr, tree::kNoBranch, *at, mesh ? mesh->bounds().radius() : 1.0);

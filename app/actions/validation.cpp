@@ -1,4 +1,4 @@
-// Validation: what holding the surface against its tree has found, and the way there.
+// Commands of the validation: show its findings, and move the camera to them.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
@@ -11,7 +11,7 @@ namespace {
 
 Result<void> validation(ActionContext& context, Arguments) { return toggle_part(context, "validation"); }
 
-// Of what was found in the document as it is.
+// Uses the findings for the document's current state.
 Result<void> go_to_finding(ActionContext& context, Arguments arguments) {
     const auto list = context.assets.validation.findings;
     RAMUS_TRY(index, list_index(arguments, list->size(), "finding"));

@@ -135,7 +135,7 @@ const Plan& refresh_plan(Assets& assets, const Document& document) {
     const Marks& marks = document.marks();
     if (assets.plan && assets.plan->of == planned(marks)) return *assets.plan;
     assets.plan = std::make_shared<const Plan>(make_plan(assets, marks));
-    // Measured for spheres alone: what else changes takes them over.
+    // Measured for spheres only; other changes reuse the distances.
     const double touch_mm = marks.planning.touch_mm;
     if (const Plan& plan = *assets.plan; !plan.measuring && !assets.lesion_distances.fits(plan.lesions, touch_mm))
         assets.lesion_distances = {plan.lesions, touch_mm, plan.lesion_distances_mm, plan.measured_vessels};
@@ -149,7 +149,7 @@ bool is_other(const Loaded<LesionMesh>* before, const Loaded<LesionMesh>& now) {
            (before->value && now.value && *before->value != *now.value);
 }
 
-// Of all lesions, in the axes that somebody has said last.
+// Whether all lesions are read, with the axes specified last.
 bool lesions_are_read(const Assets& assets, const Marks& marks) {
     return std::ranges::all_of(lesion_files(marks), [&](const std::string& file) {
         const Loaded<LesionMesh>* loaded = found(assets.lesion_meshes, file);

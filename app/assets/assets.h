@@ -1,14 +1,14 @@
-// Assets: what pictures, panels, reports and commands need beside a session, as one value: what was loaded from files
-// that the session names, and what is derived from them, its tree and its marks. compose() and the tables read it;
-// nothing in the program keeps such data anywhere else.
+// Assets: the data that pictures, panels, reports and commands need in addition to a session: files that the session
+// names, and values derived from them, from its tree and its marks. One value; no other part of the program keeps such
+// data.
 //
-// The window's workspace owns one, and so does a picture without a window (app/commands/picture_stage.h). An owner uses
-// it from one thread and calls refresh() before it reads it. Slow work never happens there:
-//  - A worker takes a copy, which is cheap (everything large is shared and immutable), lets complete_lesions() or
-//    complete() work on the copy, and hands it back to the owner's thread, where merge() takes over what is new.
-//  - So does a command that needs one file: Assets::lesion_mesh() and context_shape() say without touching the disk
-//    whether it is there already, load_lesion_mesh() and load_context_shape() read it into the copy, and merge().
-// Whoever may wait calls the same functions on the assets themselves.
+// The window's workspace owns one, and so does a headless picture (app/commands/picture_stage.h). An owner uses it from
+// one thread and calls refresh() before reading it. Slow work does not happen there:
+// - A worker takes a copy, which is cheap because everything large is shared and immutable, runs complete_lesions() or
+//   complete() on the copy and returns it to the owner's thread, where merge() takes over new values.
+// - So does a command that needs one file: Assets::lesion_mesh() and context_shape() look it up without disk access;
+//   load_lesion_mesh() and load_context_shape() read it into the copy. Callers that may block can call these functions
+//   on the assets directly.
 #pragma once
 
 #include "app/assets/centerlines.h"
@@ -30,89 +30,89 @@
 namespace ramus::app {
 
 struct Assets {
-    std::shared_ptr<const tree::VesselTree> tree; // that what is derived is about; null: none
+    std::shared_ptr<const tree::VesselTree> tree; // the tree of derived values; null: none
     std::shared_ptr<const TreeFacts> facts;
 
-    // Loaded. A file that is not here has not been read, or not yet.
+    // Loaded files. A missing entry has not been read yet.
     std::map<std::string, Loaded<LesionMesh>> lesion_meshes; // by file
     std::map<ContextSource, Loaded<ContextShape>> context_shapes;
 
-    // Derived. Each says what it is of; what is missing is null or empty.
+    // Derived values. Each has its inputs; missing values are null or empty.
     LesionDistances lesion_distances;
     LesionGrid lesion_grid;
     std::shared_ptr<const Plan> plan;
     std::shared_ptr<const Measurements> measurements;
     SurfaceCenterlines centerlines;
-    bool centerlines_follow = false; // of large trees: whoever owns the assets makes them, and refresh() leaves them
+    bool centerlines_follow = false; // large trees: the owner computes centerlines, not refresh()
     std::shared_ptr<const SelectionOutline> outline;
-    SurfaceDeviation deviation; // whoever has the surface measures it
-    TreeValidation validation;  // of a tree and options that were, perhaps, until others are looked at
-    TreeContacts contacts;      // of the tree; of other options of the surface, perhaps, until those are looked for
+    SurfaceDeviation deviation; // measured by the owner of the surface
+    TreeValidation validation;  // may belong to an earlier tree or options
+    TreeContacts contacts;      // of the tree; may belong to earlier options of the surface
 
-    // What the measurement with this id says, or why it says nothing. Null: it has not been taken yet.
+    // The result of the measurement with this id, or why it failed. Null: not measured yet.
     [[nodiscard]] const Result<Measured>* measured(int id) const;
 
-    // Null: it was not read, or could not be.
+    // Null: not read, or reading failed.
     [[nodiscard]] std::shared_ptr<const LesionMesh> lesion_mesh(const std::string& file) const;
     [[nodiscard]] std::shared_ptr<const ContextShape> context_shape(const ContextSource& source) const;
-    // Why it could not be read; none: it was, or nobody has tried.
+    // Why reading failed; none: it did not, or was not tried.
     [[nodiscard]] std::optional<Error> trouble(const ContextSource& source) const;
 
-    // Who says the unit and the sides of all that is visible of `context`: somebody does where somebody does of each.
+    // The origin of unit and orientation of all visible items of `context`; known only if known for each of them.
     [[nodiscard]] tree::Claims claims_of(const std::vector<ContextItem>& context) const;
 
-    // Around what of `context` is to be seen and has been read.
+    // Bounding box of the visible items of `context` that have been read.
     [[nodiscard]] render::Box box_of(const std::vector<ContextItem>& context) const;
 
     void put(const std::string& lesion_file, Loaded<LesionMesh> loaded);
     void put(const ContextSource& source, Loaded<ContextShape> loaded);
 };
 
-// Brings what is derived up to the document, but for what takes long: reads no file and measures no distances to
-// meshes; until those are there Plan::measuring is true. Nor does it look for contacts. `options`: the surface's, where
-// they are not the session's.
+// Updates derived values to the document, except slow ones: it reads no file, measures no distances to meshes
+// (Plan::measuring is true until they are available) and searches no contacts. `options`: of the surface, if not the
+// session's.
 void refresh(Assets& assets, const Document& document);
 void refresh(Assets& assets, const Document& document, const mesh::SurfaceOptions& options);
-// Whether the centerlines are those of other options, or of no tree yet, and somebody makes them new.
+// Whether centerlines are missing or belong to other options, and the owner must compute them.
 [[nodiscard]] bool centerlines_awaited(const Assets& assets, const mesh::SurfaceOptions& options);
-void complete_centerlines(Assets& assets, const mesh::SurfaceOptions& options); // makes them, if so
-// The plan alone: for commands.
+void complete_centerlines(Assets& assets, const mesh::SurfaceOptions& options); // computes them if awaited
+// Refreshes only the plan; for commands.
 const Plan& refresh_plan(Assets& assets, const Document& document); // the document has a tree
 
-// Whether the distances from meshes on a grid are made as soon as there are margins, or once vessels are coloured by
+// When to sample distances to meshes on a grid: as soon as there are margins, or only once vessels are coloured by
 // them.
 enum class GridIs { kMadeAhead, kMadeWhenShown };
 
-// Whether complete_lesions() has something to do: a mesh was not read, or distances to meshes were not measured.
+// Whether complete_lesions() has something to do: unread meshes, or unmeasured distances.
 [[nodiscard]] bool lesions_awaited(const Assets& assets, const Marks& marks, GridIs grid);
-// Reads lesions (again, where a file was written since) and measures the distances to them. A mesh that cannot be read
-// is left out; the plan says why.
+// Reads lesions (again if a file was modified) and measures the distances to them. Unreadable meshes are skipped; the
+// plan says why.
 void complete_lesions(Assets& assets, const Marks& marks, GridIs grid);
-// The same where something is awaited, in this thread, and refreshes the rest.
+// Does this in the calling thread if necessary, and refreshes the rest.
 void complete_lesions(Assets& assets, const Document& document);
 
-// The shape, read in this thread unless it is there and the file was not written since. `axes`: as read_lesion_mesh()
-// takes them.
+// Returns the shape; reads it in the calling thread unless it is loaded and its file unmodified. `axes`: see
+// read_lesion_mesh().
 [[nodiscard]] Result<std::shared_ptr<const LesionMesh>> load_lesion_mesh(Assets& assets, const std::string& file,
                                                                          const std::string& axes = {});
 [[nodiscard]] Result<std::shared_ptr<const ContextShape>> load_context_shape(Assets& assets,
                                                                              const ContextSource& source, Job& job);
 
-// All visible context, likewise. Fails with the first that cannot be read, and with what == "cancelled" when `job` is.
+// Reads all visible context. Fails with the first error; `what` is "cancelled" if `job` is cancelled.
 [[nodiscard]] Result<void> load_context(Assets& assets, const Marks& marks, Job& job);
 
 // Whether complete_contacts() has something to do.
 [[nodiscard]] bool contacts_awaited(const Assets& assets, const mesh::SurfaceOptions& options);
-// Looks for the contacts of the document's tree under its options, in this thread.
+// Searches the contacts of the document's tree under its options, in the calling thread.
 void complete_contacts(Assets& assets, const Document& document);
 
-// All that a picture or a report of the document needs, read, measured and derived in this thread. Fails as
-// load_context(). Contacts are looked for where they are marked.
+// Completes everything that a picture or report of the document needs, in the calling thread. Fails as load_context().
+// Searches contacts only if they are marked.
 [[nodiscard]] Result<void> complete(Assets& assets, const Document& document, Job& job);
 
-// What `from`, an earlier copy of `assets`, has read and measured since. Distances of another tree stay out.
+// Takes over what `from`, an earlier copy of `assets`, has read and measured since. Skips distances of another tree.
 void merge(Assets& assets, const Assets& from);
-// What was loaded for another tree, as far as `marks` name it: `before` is done with.
+// Keeps the files of `before`, the assets of the previous tree, that `marks` name.
 void keep_loaded(Assets& assets, Assets before, const Marks& marks);
 
 } // namespace ramus::app

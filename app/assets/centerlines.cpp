@@ -13,7 +13,7 @@ namespace ramus::app {
 
 namespace {
 
-// Where each branch of the file begins and how long it is, mm along the vessels.
+// The start and length of each branch of the file, mm along the vessels.
 struct Extent {
     double begin = 0.0, length = 0.0;
 };
@@ -31,14 +31,14 @@ std::vector<Extent> extents_of(const tree::VesselTree& tree) {
     return extents;
 }
 
-constexpr double kMostOfList = 1e14; // beyond, shaders would take a value for one that is not known
+constexpr double kMostOfList = 1e14; // shaders would take larger values for unknown ones
 
 render::Centerlines make_centerlines(const tree::VesselTree& tree, const mesh::SurfaceOptions& options) {
     const mesh::PreparedTree prepared = mesh::prepare_tree(tree, options);
     const auto& points = prepared.tree.points;
     const render::Box box = render::bounds_of(prepared.tree);
 
-    // Runs of the file's branches: pruning joins some into one branch, one behind the other.
+    // Runs of the file's branches; pruning joins some of them end to end into one branch.
     std::vector<std::vector<std::uint32_t>> runs(tree.branches.size());
     std::size_t segment = 0;
     for (const tree::Branch& branch : prepared.tree.branches)

@@ -1,6 +1,5 @@
-// The centerlines that a surface follows, as pictures take them: of the tree as it was pruned and smoothed, by the
-// branches of the file. Distances from the root are those of the file's own tree, so that they are the same numbers
-// whatever the surface's options.
+// The centerlines of a surface for pictures: of the pruned and smoothed tree, by the file's branches. Distances from
+// the root are those of the file's tree, so they do not depend on the surface's options.
 #pragma once
 
 #include "app/session/smoothing_text.h"
@@ -12,7 +11,7 @@
 
 namespace ramus::app {
 
-// How wide a surface of these options is around its centerlines, as render::Frame has it.
+// Width of a surface with these options around its centerlines, as in render::Frame.
 struct DrawnWidth {
     float width = 0.0F, beyond_ends = 1.0F;
     bool operator==(const DrawnWidth&) const = default;
@@ -23,8 +22,8 @@ struct SurfaceCenterlines {
     int smooth_passes = 0;
     double prune_ratio = 0.0;
     Smoothing smoothing;                              // of the whole tree
-    std::shared_ptr<const render::Centerlines> lines; // null: none yet
-    // Of the lines, and of options that are or that were. Null: none yet; pictures make them when they need them.
+    std::shared_ptr<const render::Centerlines> lines; // null: not yet computed
+    // Cones of the lines, perhaps for earlier options. Null: pictures build them when needed.
     std::shared_ptr<const render::caster::FittedCones> cones;
     [[nodiscard]] bool fits(const mesh::SurfaceOptions& options) const {
         return lines && smooth_passes == options.smooth_passes && prune_ratio == options.prune_ratio;
@@ -36,7 +35,7 @@ struct SurfaceCenterlines {
 
 [[nodiscard]] SurfaceCenterlines centerlines_of(const tree::VesselTree& tree, const mesh::SurfaceOptions& options);
 
-// Whether what is drawn while the view moves knows the surface of these options: it has the Gaussian kernel, or none.
+// Whether the caster can represent a surface of these options: it has the Gaussian kernel, or none.
 [[nodiscard]] bool drawn_along_lines(const mesh::SurfaceOptions& options, mesh::Method method);
 
 } // namespace ramus::app

@@ -1,5 +1,5 @@
-// Meshes in other axes than the vessels: LPS that is taken as RAS, or the other way round, lies half a turn about z
-// away.
+// Detects meshes in other axes than the vessels: LPS data that is read as RAS, or vice versa, is rotated by half a turn
+// about z.
 #pragma once
 
 #include "core/tree/vessel_tree.h"
@@ -9,18 +9,18 @@
 
 namespace ramus::app {
 
-// Where something lies, and who says where its axes lead.
+// The extent of an object, and the origin of its axes.
 struct Place {
     render::Box box;
     tree::SaidBy axes = tree::SaidBy::kNobody;
 };
 
-// What to do where the mesh and the vessels (or another surface of them) have nothing in common, and would have
-// something if one of both were turned by 180 degrees about z: a sentence that names the option. Empty: they do, or
-// would not, or both files state their axes. `option`: for the mesh, "--mesh-orientation LPS".
+// Suggests an option if mesh and vessels (or another surface of them) do not overlap but would after a turn of 180
+// degrees about z. Empty otherwise, and if both files state their axes. `option`: the one to suggest,
+// "--mesh-orientation LPS".
 [[nodiscard]] std::string half_turn_hint(const Place& mesh, const Place& vessels, const std::string& option);
 
-// --mesh-orientation with the other axes than the mesh was read in.
+// --mesh-orientation with the axes other than `read_in`.
 [[nodiscard]] std::string other_axes_option(const std::string& read_in);
 
 } // namespace ramus::app

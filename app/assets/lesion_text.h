@@ -1,4 +1,4 @@
-// What is said of a lesion and the vessels near it, for panels, messages and pictures. Figures, never verdicts.
+// Describes a lesion's relation to nearby vessels, for panels, messages and pictures. Figures only, no assessment.
 #pragma once
 
 #include "app/session/numbers.h"
@@ -9,10 +9,10 @@
 
 namespace ramus::app {
 
-// "portal vein"; "vessels" of a tree with fewer than two systems.
+// "portal vein"; "vessels" if the tree has fewer than two systems.
 [[nodiscard]] std::string vessels_name(const tree::VesselTree& tree, const Marks& marks,
                                        const measure::LesionVessels& vessels);
-// "4.20 mm"; "0 mm" where the two touch, "0 mm, overlap 1.30 mm" where they overlap.
+// "4.20 mm"; "0 mm" if the two touch, "0 mm, overlap 1.30 mm" if they overlap.
 [[nodiscard]] std::string distance_text(const measure::NearestWall& nearest, const Lengths& lengths);
 // "contact 140° over 12.0 mm", with the other branches that the lesion touches; "no contact".
 [[nodiscard]] std::string contact_text(const measure::LesionVessels& vessels, const Lengths& lengths);

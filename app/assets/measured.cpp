@@ -26,7 +26,7 @@ std::string place_text(const glm::dvec3& p) {
     return text + ")";
 }
 
-// From direction `a` to `b` about `centre`, the short way; empty where they are one.
+// The shorter arc from direction `a` to `b` about `centre`; empty if they are equal.
 std::vector<glm::dvec3> arc(const glm::dvec3& centre, const glm::dvec3& a, const glm::dvec3& b, double radius) {
     const double angle = std::acos(glm::clamp(glm::dot(a, b), -1.0, 1.0)), sine = std::sin(angle);
     std::vector<glm::dvec3> points;
@@ -63,7 +63,7 @@ Result<measure::Lesion> lesion_of(const LesionShapes& lesions, int id) {
     return fail(lesions.name_of(id) + " has not been read");
 }
 
-// From the surface of a lesion to the wall of a branch.
+// The shortest distance from the surface of a lesion to the wall of a branch.
 Result<Measured> shortest(const tree::VesselTree& tree, const Measurement& m, const LesionShapes& lesions) {
     RAMUS_TRY(lesion, lesion_of(lesions, m.lesions[0]));
     const std::array branch{m.places[0].branch};
@@ -81,11 +81,11 @@ Result<Measured> shortest(const tree::VesselTree& tree, const Measurement& m, co
     return found;
 }
 
-// Where a point was said to lie on a lesion it does, or what is measured is not what was asked for.
+// Fails if a point that is to be on a lesion is not: the measurement would no longer mean what was requested.
 Result<void> check_on(const LesionShapes& lesions, int lesion, const glm::dvec3& point) {
     if (lesion == kNoObject) return {};
     RAMUS_TRY(shape, lesion_of(lesions, lesion));
-    constexpr double kOff = 1e-3; // of its size: single precision of meshes, seven digits of a place in words
+    constexpr double kOff = 1e-3; // of its size: precision of meshes, and of places as text
     const double size = shape.mesh ? glm::length(shape.mesh->bounds().size()) : 2.0 * shape.sphere[3];
     if (std::abs(measure::signed_distance(shape, point)) <= kOff * size) return {};
     return fail("the place " + place_text(point) + " is no longer on " + lesions.name_of(lesion), {},
@@ -143,7 +143,7 @@ Measured diameter(const tree::VesselTree& tree, const Measurement& m) {
     return found;
 }
 
-// What is drawn of an angle at `apex` between two unit directions: legs as long as told, an arc, and the label.
+// Draws an angle at `apex` between two unit directions: legs of the given length, an arc, and the label.
 void draw_angle(Measured& found, const glm::dvec3& apex, std::array<glm::dvec3, 2> directions,
                 std::array<double, 2> legs) {
     found.lines = {{apex + legs[0] * directions[0], apex, apex + legs[1] * directions[1]}};
@@ -170,8 +170,7 @@ Result<Measured> angle_between(const tree::VesselTree& tree, const Measurement& 
     return found;
 }
 
-// The legs drawn are those between which the angle lies: where the parent would have gone on, or, at a root, where the
-// first other branch goes.
+// Draws the legs of the angle: the parent's continuation, or at a root the first other branch; and the branch.
 Result<Measured> angle_of_branching(const tree::VesselTree& tree, const Measurement& m) {
     const int id = m.places[0].branch;
     const measure::Branching branching = measure::branching_of(tree, id);

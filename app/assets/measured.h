@@ -1,5 +1,5 @@
-// What a kept measurement says: its value with a unit, in words, and what to draw for it. Derived from the tree:
-// measurements hold only what was asked for (app/session/session.h).
+// Measured: the result of a measurement: value with unit, description, and lines to draw. Derived from the tree; a
+// Measurement (app/session/objects.h) has only the request.
 #pragma once
 
 #include "app/session/session.h"
@@ -22,11 +22,11 @@ struct Measured {
     std::string what{}; // "branch 3 at 40 % to branch 17 at 5 %"
     double value = 0.0;
     std::string unit;                                           // "mm", "units" or "\u00B0"
-    std::vector<std::pair<std::string, std::string>> details{}; // what belongs to it: ("cross-section", "12.6 mm2")
-    std::vector<std::vector<glm::dvec3>> lines{};               // mm, RAS: what was measured, as polylines
-    double inside_mm = 0.0;                                     // radius of the vessels that the lines run in
-    std::vector<glm::dvec3> ends{};                             // mm, RAS: its points or places, in their order
-    std::string label{};                                        // of the picture: "path 12.3 mm"
+    std::vector<std::pair<std::string, std::string>> details{}; // further values: ("cross-section", "12.6 mm2")
+    std::vector<std::vector<glm::dvec3>> lines{};               // mm, RAS: the measured lines, as polylines
+    double inside_mm = 0.0;                                     // radius of the vessels around the lines
+    std::vector<glm::dvec3> ends{};                             // mm, RAS: its points or places, in order
+    std::string label{};                                        // in the picture: "path 12.3 mm"
     glm::dvec3 label_place{0.0};                                // mm, RAS
 
     [[nodiscard]] std::string value_text() const; // "12.3 mm"
@@ -35,7 +35,7 @@ struct Measured {
 
 struct Assets; // app/assets/assets.h
 
-// The session's lesions, in their order, as measurements are taken from them. Lesions are named by their ids.
+// The session's lesions in their order, as measurements use them; identified by id.
 struct LesionShapes {
     struct Shape {
         Lesion lesion;
@@ -45,34 +45,36 @@ struct LesionShapes {
     };
     std::vector<Shape> shapes;
     bool operator==(const LesionShapes&) const = default;
-    [[nodiscard]] const Shape* find(int id) const; // null: there is no such lesion
-    // None: there is no such lesion, or its mesh has not been read.
+    [[nodiscard]] const Shape* find(int id) const; // null: no such lesion
+    // None: no such lesion, or its mesh is not read.
     [[nodiscard]] std::optional<measure::Lesion> at(int id) const;
     [[nodiscard]] std::string name_of(int id) const; // "lesion 2"
-    // The id of what a pick shows: picks count the lesions that are drawn.
+    // The id of a picked lesion; picks count only lesions that are drawn.
     [[nodiscard]] int picked(int lesion) const;
 };
 [[nodiscard]] LesionShapes lesion_shapes(const Assets& assets, const Marks& marks);
 
-// distance: straight, between its points, or the shortest from a lesion's surface to a branch's wall (0 where they
-// overlap); it fails where the lesion is not there, or where a point that lies on it does so no longer. path: the
-// shortest way along centerlines between its places. diameter: at its place. angle: at the second of its places,
-// between the straight lines to the others; of one place where the branch begins, between the way its parent comes and
-// the branch, 0 being straight on; at a root between it and the first other branch there. Fails when there is no such
-// branch, no such way, no branching or no angle.
+// Takes a measurement:
+// - distance: straight between its points, or the shortest from a lesion's surface to a branch's wall (0 if they
+//   overlap). Fails if the lesion is not loaded, or if a point is no longer on its lesion.
+// - path: the shortest path along centerlines between its places.
+// - diameter: at its place.
+// - angle: at the second of its places, between the straight lines to the others. With one place: at the start of the
+//   branch, between the parent's direction and the branch's, where 0 is straight on; at a root, between the branch and
+//   the first other branch there. Also fails without such a branch, path, branching or angle.
 [[nodiscard]] Result<Measured> measured(const tree::VesselTree& tree, const Measurement& measurement,
                                         const LesionShapes& lesions);
 
-// What it is between, and what a tool can move: its points or, on the centerlines, its places; none where a branch
-// begins, and of shortest distances. Branches that there are not have none.
+// The ends that a tool can move: its points, or its places on centerlines. None for angles at the start of a branch,
+// for shortest distances, and for missing branches.
 [[nodiscard]] std::vector<glm::dvec3> ends_of(const tree::VesselTree& tree, const Measurement& measurement);
 
-// A session's measurements and what they say, in their order, or why they say nothing.
+// A session's measurements and their results, or why they failed, in order.
 struct Measurements {
     std::vector<Measurement> of;
     LesionShapes lesions;
     std::vector<Result<Measured>> found;
-    std::unordered_map<int, std::size_t> places; // in `found`, by id
+    std::unordered_map<int, std::size_t> places; // index into `found`, by id
 };
 
 } // namespace ramus::app

@@ -40,7 +40,7 @@ std::shared_ptr<const render::DistanceGrid> make_grid(const measure::Lesions& le
     return grid;
 }
 
-// Meshes that were not read have numbers too.
+// Unread meshes are numbered, too.
 std::vector<measure::LesionVessels> numbered(std::vector<measure::LesionVessels> vessels,
                                              const measure::Lesions& lesions,
                                              const std::vector<std::shared_ptr<const LesionMesh>>& meshes) {

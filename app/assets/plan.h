@@ -1,5 +1,5 @@
-// Plan: what follows from the lesions, the cuts and the limits of a session, for panels, commands, reports and
-// pictures. A part of the assets (app/assets/assets.h), which make it anew when the marks it follows from change.
+// Plan: values derived from a session's lesions, cuts and limits, for panels, commands, reports and pictures. Part of
+// the assets (app/assets/assets.h), recomputed when these marks change.
 #pragma once
 
 #include "app/assets/shapes.h"
@@ -20,7 +20,7 @@ namespace ramus::app {
 
 struct Assets;
 
-// From the wall of every branch to the nearest lesion, and from each lesion to the vessels of each system.
+// Distances from the wall of every branch to the nearest lesion, and from each lesion to the vessels of each system.
 struct LesionDistances {
     measure::Lesions of;
     double touch_mm = 0.0;
@@ -32,10 +32,10 @@ struct LesionDistances {
 };
 [[nodiscard]] LesionDistances measure_lesions(const tree::VesselTree& tree, measure::Lesions lesions, double touch_mm);
 
-// The marks that a plan follows from; see Marks for what they mean.
+// The marks that a plan depends on; see Marks.
 struct PlannedMarks {
-    std::vector<std::array<double, 4>> lesions; // the spheres
-    std::vector<std::string> lesion_meshes;     // the others' files
+    std::vector<std::array<double, 4>> lesions; // spheres
+    std::vector<std::string> lesion_meshes;     // files of the meshes
     std::vector<std::pair<int, double>> cuts;
     Planning planning;
     bool operator==(const PlannedMarks&) const = default;
@@ -44,48 +44,45 @@ struct PlannedMarks {
 
 struct Plan {
     PlannedMarks of;
-    measure::Lesions lesions;                              // spheres, and the meshes whose distances are known
+    measure::Lesions lesions;                              // spheres, and meshes whose distances are known
     std::vector<std::shared_ptr<const LesionMesh>> meshes; // by PlannedMarks::lesion_meshes; null: not read
-    std::vector<std::string> troubles;                     // why not, a sentence each
+    std::vector<std::string> troubles;                     // why meshes are not read, a sentence each
     std::vector<double> lesion_distances_mm;               // by branch id, to the wall; empty without lesions
-    std::vector<measure::LesionVessels> measured_vessels;  // as LesionDistances has them
-    // For each lesion whose distances are known and each system, or all vessels of a tree with fewer than two systems;
-    // `lesion` is the place in Marks::lesions.
+    std::vector<measure::LesionVessels> measured_vessels;  // see LesionDistances
+    // One entry per lesion with known distances and per system (or for all vessels if the tree has fewer than two
+    // systems). `lesion`: index into Marks::lesions.
     std::vector<measure::LesionVessels> vessels;
     std::vector<measure::Band> bands; // of Planning::bands_mm; empty without lesions
-    measure::CutReport cuts;          // of Marks::cuts; `spans` are what pictures draw as lost
-    bool measuring = false;           // meshes or distances to them are still to come
+    measure::CutReport cuts;          // of Marks::cuts; pictures draw `spans` as lost
+    bool measuring = false;           // meshes or distances to them are not complete
 };
 
-// The spheres, and the meshes that are loaded.
+// The spheres and the loaded meshes.
 [[nodiscard]] measure::Lesions loaded_lesions(const Assets& assets, const Marks& marks);
 
-// `assets` have a tree, its facts, and distances that are taken where they fit; distances to spheres alone are measured
-// where they do not. Cuts and lesions of branches that the tree does not have must not be among the marks.
+// `assets` must have a tree and its facts. Uses their distances if they fit; otherwise measures distances to spheres
+// only. `marks` must not refer to missing branches.
 [[nodiscard]] Plan make_plan(const Assets& assets, const Marks& marks);
 
-// The circle that pictures draw around a vessel: where it is cut, where its diameter was measured.
-
-// A closed polyline, mm, RAS. `axis`: of unit length.
+// The circle around a vessel that marks a cut or a measured diameter: a closed polyline, mm, RAS. `axis`: unit vector.
 [[nodiscard]] std::vector<glm::dvec3> ring_around(const glm::dvec3& centre, const glm::dvec3& axis, double radius_mm);
 
-// The distance to lesions that are meshes, on a grid, as pictures colour by it. Sampled from the exact distance;
-// between the samples it is off by a small part of their spacing, which follows the size of the lesions and the widest
-// margin.
+// Distances to lesions with meshes on a grid, for colours. Samples are exact; the interpolation error is a small part
+// of the spacing, which depends on the size of the lesions and the widest margin.
 struct LesionGrid {
     std::vector<std::shared_ptr<const measure::MeshDistance>> of;
     double reach_mm = 0.0;
-    std::shared_ptr<const render::DistanceGrid> grid; // null: none yet
+    std::shared_ptr<const render::DistanceGrid> grid; // null: not computed
     [[nodiscard]] bool fits(const measure::Lesions& lesions, double reach) const {
         return grid && of == lesions.meshes && reach_mm == reach;
     }
 };
 
-// The distance that pictures colour by; 0 without margins.
+// The largest margin that is coloured; 0 without margins.
 [[nodiscard]] double widest_margin_mm(const Planning& planning);
 
-// `lesions` have meshes; the grid covers all within `reach_mm` of them. A third of a second on one core for a lesion of
-// ten thousand triangles.
+// `lesions` must have meshes. The grid covers everything within `reach_mm` of them. Takes a third of a second on one
+// core for a lesion of ten thousand triangles.
 [[nodiscard]] LesionGrid distance_grid(const measure::Lesions& lesions, double reach_mm);
 
 } // namespace ramus::app

@@ -13,7 +13,7 @@ namespace ramus::app {
 
 namespace {
 
-constexpr std::size_t kMostOutlinePoints = 8'000; // tuned: some milliseconds to lay out
+constexpr std::size_t kMostOutlinePoints = 8'000; // tuned: takes some milliseconds
 constexpr float kOutlineWidth = 2.2F;             // points
 
 struct Tube {
@@ -32,9 +32,9 @@ Tube tube_of(const render::Centerlines& lines, int branch) {
     return tube;
 }
 
-// With places in between, for an outline begins and ends at any of them.
+// Adds intermediate places, since an outline may begin and end at any of them.
 Tube finer(const Tube& tube) {
-    constexpr double kMostPieces = 16.0; // of a segment
+    constexpr double kMostPieces = 16.0; // per segment
     Tube fine;
     for (std::size_t i = 0; i + 1 < tube.places.size(); ++i) {
         const double length = glm::distance(tube.places[i], tube.places[i + 1]);
@@ -50,7 +50,7 @@ Tube finer(const Tube& tube) {
     return fine;
 }
 
-// Whether a place lies where a vessel blends with one that it meets: nothing hides the outline there, it ends.
+// Whether a place is in the blend of two connected vessels: the outline ends there, although nothing hides it.
 bool blends(const Tube& tube, const glm::dvec3& place) {
     constexpr double kBlend = 1.3; // radii; tuned on forks, which are thicker than their tubes
     for (std::size_t i = 1; i < tube.places.size(); ++i) {
@@ -66,7 +66,7 @@ class Outline {
 public:
     explicit Outline(SelectionOutline& outline) : of_(outline.of), tree_(*of_.tree), marks_(outline.marks) {}
 
-    // Returns how many places it took.
+    // Returns the number of places used.
     std::size_t add(int branch) {
         const Tube tube = finer(tube_of(*of_.lines, branch));
         if (tube.places.size() < 2) return 0;
@@ -77,7 +77,7 @@ public:
     }
 
 private:
-    // Those that it meets at its ends, selected or not.
+    // The vessels at its ends, selected or not.
     [[nodiscard]] std::vector<Tube> neighbours(int branch) const {
         std::vector<Tube> met;
         const tree::Branch& own = tree_.branches[static_cast<std::size_t>(branch)];
@@ -151,7 +151,7 @@ SelectionOutline selection_outline(SelectionOutline::Of of) {
     if (!made.of.lines || !made.of.tree || made.of.selection.empty()) return made;
     const auto& lines = *made.of.lines;
     const auto& states = made.of.states;
-    std::vector<std::pair<float, int>> thickest; // by the diameter where it begins
+    std::vector<std::pair<float, int>> thickest; // by the diameter at its start
     for (const int branch : made.of.selection) {
         const auto index = static_cast<std::size_t>(branch);
         const bool hidden = index < states.size() && states[index] == render::BranchState::kHidden;

@@ -1,6 +1,6 @@
-// The outline of selected vessels where others hide them: two lines along each, a radius to either side of the
-// centerline as the eye sees it. The picture shows them only where something that is not selected lies before them
-// (render::MarkLine::of_selection). Of so many points at the most: the branches with the largest radii come first.
+// The outline of selected vessels where others hide them: two lines along each vessel, a radius to either side of the
+// centerline as seen by the eye. Pictures show them only where something that is not selected is in front
+// (render::MarkLine::of_selection). The number of points is limited; branches with the largest radii come first.
 #pragma once
 
 #include "core/tree/vessel_tree.h"
@@ -16,9 +16,9 @@ namespace ramus::app {
 struct SelectionOutline {
     struct Of {
         std::shared_ptr<const tree::VesselTree> tree;
-        std::shared_ptr<const render::Centerlines> lines; // null: there is no outline
+        std::shared_ptr<const render::Centerlines> lines; // null: no outline
         render::Camera camera;
-        std::vector<render::BranchState> states; // by branch id; branches beyond its end are normal
+        std::vector<render::BranchState> states; // by branch id; branches without an entry are normal
         std::vector<int> selection;              // branch ids
         bool operator==(const Of&) const = default;
     };
@@ -26,7 +26,7 @@ struct SelectionOutline {
     std::vector<render::MarkLine> marks;
 };
 
-// Some milliseconds where much is selected: who draws picture after picture keeps it.
+// Takes some milliseconds for large selections: callers that draw repeatedly should keep the result.
 [[nodiscard]] SelectionOutline selection_outline(SelectionOutline::Of of);
 
 } // namespace ramus::app

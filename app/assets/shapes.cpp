@@ -16,14 +16,14 @@ namespace ramus::app {
 namespace {
 
 constexpr std::size_t kPreviewFrom = 80'000, kPreview = 40'000; // triangles; tuned on a software rasteriser
-constexpr int kSmoothPasses = 6; // of normals; tuned on organs: fewer show steps of two pixels, more round off edges
+constexpr int kSmoothPasses = 6; // of normals; tuned on organs: fewer leave visible steps, more round off edges
 
 void scale(mesh::TriangleMesh& mesh, const glm::dvec3& mm) {
     for (glm::vec3& position : mesh.positions) position = glm::vec3(mm * glm::dvec3(position));
     for (glm::vec3& normal : mesh.normals) normal = glm::normalize(glm::vec3(glm::dvec3(normal) / mm));
 }
 
-// And what is said beside it.
+// Also sets the shape's claims, label and suspicion.
 Result<mesh::TriangleMesh> read_surface(const ContextSource& source, ContextShape& shape, Job& job) {
     const auto unit = io::length_unit(source.units);
     if (!io::is_volume(source.file)) {

@@ -1,4 +1,4 @@
-// Surfaces that are read from files beside the tree.
+// Reads surfaces from files next to the tree: lesions and context.
 #pragma once
 
 #include "app/session/session.h"
@@ -20,21 +20,21 @@
 
 namespace ramus::app {
 
-// A file that was read, and whether it has been written since.
+// Detects whether a file was modified.
 struct FileStamp {
     std::filesystem::file_time_type written;
     std::uintmax_t bytes = 0;
     bool operator==(const FileStamp&) const = default;
 };
 
-// What the file held when it was read last, or why it could not be read.
+// The content of a file when it was read, or why reading failed.
 template <class T> struct Loaded {
     FileStamp stamp;
     Result<std::shared_ptr<const T>> value;
 };
 
-// `before` while the file is as it was then, even if it could not be read; otherwise the result of `read()`, a
-// Result<std::shared_ptr<const T>>. `before` may be null; `what` names the file's content in messages: "the lesion".
+// Returns `before` if the file is unmodified, even if reading had failed; otherwise the result of `read()`, a
+// Result<std::shared_ptr<const T>>. `before` may be null. `what` names the content in messages: "the lesion".
 template <class T, class Read>
 [[nodiscard]] Loaded<T> read_if_written(const std::filesystem::path& file, const Loaded<T>* before, const char* what,
                                         Read read) {
@@ -50,53 +50,52 @@ template <class T, class Read>
     return {stamp, read()};
 }
 
-// The closed meshes that sessions name as lesions, read from their files.
+// A closed mesh that a session uses as a lesion.
 struct LesionMesh {
     mesh::TriangleMesh mesh;                          // positions, normals and triangles
-    std::shared_ptr<const mesh::TriangleMesh> coarse; // fewer triangles, for outlines; null: the mesh has few
-    std::string asked_axes;                           // that it was read with
+    std::shared_ptr<const mesh::TriangleMesh> coarse; // fewer triangles, for outlines; null: the mesh is small
+    std::string asked_axes;                           // the axes specified when reading
     tree::SaidBy axes = tree::SaidBy::kNobody;
     std::shared_ptr<const measure::MeshDistance> distance;
 };
 
-// The mesh in this file (core/io/meshes/mesh_file.h says which ones are taken), or `before` if the file was not written
-// since; null: it was not read before. `axes`: "LPS" or "RAS", of a file that does not state them; empty: nobody says.
-// Any thread.
+// Reads the mesh in this file (formats: core/io/meshes/mesh_file.h), or returns `before` if the file is unmodified
+// (null: not read before). `axes`: "LPS" or "RAS", for a file that does not state them; empty: not specified.
+// Thread-safe.
 [[nodiscard]] Loaded<LesionMesh> read_lesion_mesh(const std::filesystem::path& file, const std::string& axes,
                                                   const Loaded<LesionMesh>* before);
 
-// The surfaces that sessions show beside the tree, read from meshes and masks.
+// The source of a context surface: a mesh or a mask.
 struct ContextSource {
     std::string file;
     volume::LabelChoice label;                              // of a mask; none: all
-    bool exact = false;                                     // of a mask: with the steps of its voxels
-    std::string units = {};                                 // of the file's lengths; empty: as it says itself
+    bool exact = false;                                     // of a mask: keep the steps of its voxels
+    std::string units = {};                                 // of the file's lengths; empty: as the file says
     std::optional<double> isovalue{};                       // of a scan
     std::string axes = {};                                  // of a mesh that does not state them
     auto operator<=>(const ContextSource&) const = default; // NOLINT(modernize-use-nullptr): the rule mistakes it
 };
 [[nodiscard]] inline ContextSource source_of(const ContextItem& item) {
-    // Who looks at triangles wants the true ones.
+    // A wireframe should show the true triangles.
     return {item.file, item.label, item.exact || item.wireframe, item.units, item.isovalue, item.axes};
 }
 
 struct ContextShape {
     std::shared_ptr<const mesh::TriangleMesh> mesh;
-    std::shared_ptr<const mesh::TriangleMesh> preview; // fewer triangles; null: the mesh has few
-    std::string suspicion;                             // of a mask: that its unit is likely another; may be empty
+    std::shared_ptr<const mesh::TriangleMesh> preview; // fewer triangles; null: the mesh is small
+    std::string suspicion;                             // of a mask: why its unit is implausible; empty: it is not
     render::Box box;                                   // around it
-    std::optional<volume::LabelName> label;            // what the file says of the label that was chosen
-    tree::Claims claims;                               // who says its unit and its sides
+    std::optional<volume::LabelName> label;            // name of the chosen label in the file
+    tree::Claims claims;                               // origin of unit and orientation
 };
 
-// The mesh in this file, or the surface of the mask in it by marching cubes, without the steps of
-// its voxels (core/volume/smooth_level.h) unless the exact one is asked for; or `before` if the file was not written
-// since (null: it was not read before). When `job` is cancelled, the error's `what` is "cancelled", and the result must
-// not be kept. Any thread.
+// Reads a mesh, or extracts the surface of a mask by marching cubes, smoothed (core/volume/smooth_level.h) unless
+// `exact`. Returns `before` if the file is unmodified (null: not read before). If `job` is cancelled, the error's
+// `what` is "cancelled", and the result must not be kept. Thread-safe.
 [[nodiscard]] Loaded<ContextShape> read_context_shape(const ContextSource& source, const Loaded<ContextShape>* before,
                                                       Job& job);
 
-// By its name, or its content: a mask or a mesh.
+// Whether the file is a mask or a mesh, by its name or content.
 [[nodiscard]] bool can_be_context(const std::string& file);
 [[nodiscard]] std::string context_extensions(); // ".nii, .nii.gz, .ply, .stl or .obj"
 

@@ -13,7 +13,7 @@ namespace {
 
 using Kind = Finding::Kind;
 
-constexpr double kLeastError = 0.02;    // of a radius; below, there is nothing to see
+constexpr double kLeastError = 0.02;    // relative error of a radius; smaller ones are invisible
 constexpr std::size_t kMostErrors = 10; // branches
 
 double vessel_radius(const validate::Validation& found, const glm::dvec3& at) {

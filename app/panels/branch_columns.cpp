@@ -14,7 +14,7 @@ namespace ramus::app {
 
 namespace {
 
-// A column as wide as its heading, with the arrow of the one that is sorted by, and as its widest number.
+// A column as wide as its heading with the sort arrow, and as its widest number.
 struct NumberColumn {
     const QuantityRow* row;
     std::string heading;
@@ -37,7 +37,7 @@ std::vector<NumberColumn> number_columns(const BranchList& list, const Lengths& 
     return columns;
 }
 
-// Whole words for a heading.
+// Full text of a heading.
 std::string heading_help(int column, const Lengths& lengths) {
     if (column == kId) return "The number of the branch";
     if (column == kName) return "Its name, or in grey that of a branch upstream";
@@ -46,7 +46,7 @@ std::string heading_help(int column, const Lengths& lengths) {
     return std::string(row.label) + (row.unit.empty() ? "" : lengths.worded(", " + std::string(row.unit)));
 }
 
-// A mark as in the rows: the column is no wider than that.
+// Draws a mark as in the rows, which determines the column's width.
 void draw_mark_heading() {
     const float side = std::round(8.0F * theme::scale());
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -57,7 +57,7 @@ void draw_mark_heading() {
                                         2.0F * theme::scale());
 }
 
-// Those that there is no room for beside `taken` are not shown.
+// Drops columns for which there is no room next to `taken`.
 void leave_out(std::vector<NumberColumn>& columns, float taken, float room) {
     const float between = 2.0F * ImGui::GetStyle().CellPadding.x;
     for (;;) {
@@ -79,7 +79,7 @@ std::string number_text(const QuantityRow& row, double value) {
     return row.whole ? grouped(static_cast<std::uint64_t>(value)) : digits(value);
 }
 
-// What room is left over is shared out as the columns are wide.
+// Distributes remaining space in proportion to widths.
 void set_up_columns(const BranchList& list, const Document& document, float room) {
     const float scale = theme::scale(), between = 2.0F * ImGui::GetStyle().CellPadding.x;
     const bool named = !document.marks().names.empty(), systems = document.tree()->systems.size() > 1;
@@ -108,7 +108,7 @@ void set_up_columns(const BranchList& list, const Document& document, float room
                (number.row->list.largest_first ? ImGuiTableColumnFlags_PreferSortDescending : 0) | shown(number.shown));
 }
 
-// As ImGui::TableHeadersRow(), but over numbers that end at the right.
+// Like ImGui::TableHeadersRow(), but for right-aligned numbers.
 void draw_branch_headings(const Lengths& lengths) {
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();

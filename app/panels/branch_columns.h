@@ -1,4 +1,4 @@
-// The columns of the table of branches: which there is room for, how wide they are, and their headings.
+// Columns of the table of branches: which fit, their widths, their headings.
 #pragma once
 
 #include "app/panels/branch_list.h"
@@ -10,12 +10,12 @@
 
 namespace ramus::app {
 
-enum BranchColumn : ImGuiID { kMark, kId, kName, kSystem, kFirstQuantity }; // those of quantities follow
+enum BranchColumn : ImGuiID { kMark, kId, kName, kSystem, kFirstQuantity }; // columns of quantities follow
 
 [[nodiscard]] std::string number_text(const QuantityRow& row, double value);
 
-// Of the table that has begun. No heading and no number is cut: where there is no room for all, some columns are left
-// out. `room`: pixels.
+// Sets up the columns of the current ImGui table. No heading or number is truncated: columns are dropped if space is
+// short. `room`: pixels.
 void set_up_columns(const BranchList& list, const Document& document, float room);
 void draw_branch_headings(const Lengths& lengths);
 

@@ -1,4 +1,4 @@
-// Every branch as a row, sorted by column and filtered by what is typed; linked with the picture both ways.
+// The table of branches: sorted by column, filtered by the typed text, linked with the picture.
 #include "app/panels/branch_list.h"
 
 #include "app/panels/branch_columns.h"
@@ -23,7 +23,7 @@ Quantity quantity_of(ImGuiID column) {
     return rows_with(&QuantityRow::list)[column - kFirstQuantity]->quantity;
 }
 
-// Takes over the filter that is typed, when it can be understood; else the last one stays.
+// Applies the typed filter if it is valid; otherwise keeps the last one.
 void read_filter(BranchList& list) {
     const std::string typed = list.filter.data();
     if (list.made && typed == list.applied) return;
@@ -35,7 +35,7 @@ void read_filter(BranchList& list) {
     list.made = false;
 }
 
-// Only what rows can follow from is compared: states and the selection when there is a filter.
+// Compares only inputs that affect rows: states and selection only with a filter.
 bool is_current(const BranchList& list, const TreeFacts& facts, const Marks& marks) {
     return list.made && list.of == &facts && list.given == marks.names && list.given_subtrees == marks.subtree_names &&
            list.systems == marks.systems &&
@@ -73,7 +73,7 @@ void make_rows(BranchList& list, const Document& document, const TreeFacts& fact
     const bool descending = specs->Specs[0].SortDirection == ImGuiSortDirection_Descending;
     if (column == kName) {
         if (list.names.empty()) return;
-        // Without a name come last, whichever way the others go.
+        // Branches without a name come last in both directions.
         std::ranges::stable_sort(list.rows, [&](int a, int b) {
             const std::string& one = list.names[index_of(a)];
             const std::string& other = list.names[index_of(b)];
@@ -96,7 +96,7 @@ void make_rows(BranchList& list, const Document& document, const TreeFacts& fact
     });
 }
 
-// From the row that was clicked last to this one.
+// The range from the last clicked row to this one.
 std::vector<std::string> range_to(const BranchList& list, int id) {
     const auto from = std::ranges::find(list.rows, list.anchor);
     const auto to = std::ranges::find(list.rows, id);
@@ -109,7 +109,7 @@ std::vector<std::string> range_to(const BranchList& list, int id) {
 void click(InterfaceContext& context, int id) {
     BranchList& list = context.interface.list;
     const ImGuiIO& io = ImGui::GetIO();
-    list.shown = list.cursor = id; // it is in sight already
+    list.shown = list.cursor = id; // already visible
     list.focused = true;
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         context.perform("centre", {std::to_string(id)});
@@ -123,7 +123,7 @@ void click(InterfaceContext& context, int id) {
     context.perform(io.KeyCtrl ? "select-toggle" : io.KeyAlt ? "select-subtree" : "select", {std::to_string(id)});
 }
 
-// A small square in the colour that the branch has in the picture; hidden ones are hollow.
+// A small square in the branch's colour in the picture; hollow if hidden.
 void draw_mark(const InterfaceContext& context, int id) {
     const Marks& marks = context.workspace.document().marks();
     const render::Appearance appearance;
@@ -159,7 +159,7 @@ void name_cell(InterfaceContext& context, int id) {
     if (!ImGui::TableNextColumn() || list.names.empty()) return;
     const std::string& name = list.names[index_of(id)];
     const bool own = list.given.contains(id);
-    if (!own) ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet); // borne from a branch upstream
+    if (!own) ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet); // label from another branch
     const std::string shown = widgets::fitted(name, ImGui::GetContentRegionAvail().x);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 end(at.x + ImGui::GetContentRegionAvail().x, at.y + ImGui::GetTextLineHeight());
@@ -212,14 +212,14 @@ void draw_row(InterfaceContext& context, int id) {
     ImGui::PopID();
 }
 
-// In the middle, with whole rows under the header.
+// Scrolls to the row: in the middle, with complete rows below the header.
 void scroll_to(const BranchList& list, int id, float row_height) {
     const auto row = std::ranges::find(list.rows, id) - list.rows.begin();
     const float rows_above = std::floor(0.5F * ImGui::GetWindowHeight() / row_height) - 1.0F;
     ImGui::SetScrollY(std::max(0.0F, static_cast<float>(row) - rows_above) * row_height);
 }
 
-// A selection made in the picture comes into sight in the list.
+// Scrolls to a selection made in the picture.
 void scroll_to_selection(BranchList& list, const Marks& marks, float row_height) {
     const int wanted = marks.selection.size() == 1 ? marks.selection.front() : tree::kNoBranch;
     if (wanted == std::exchange(list.shown, wanted) || wanted == tree::kNoBranch) return;
@@ -227,7 +227,7 @@ void scroll_to_selection(BranchList& list, const Marks& marks, float row_height)
     scroll_to(list, wanted, row_height);
 }
 
-// Up and down, while the list was clicked last.
+// Arrow keys, if the list was clicked last.
 void handle_keys(InterfaceContext& context, float row_height) {
     BranchList& list = context.interface.list;
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered()) list.focused = false;

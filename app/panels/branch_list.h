@@ -1,4 +1,4 @@
-// The table of branches in the side panel: what it remembers between frames.
+// State of the table of branches in the side panel between frames.
 #pragma once
 
 #include "app/session/branch_filter.h"
@@ -11,19 +11,19 @@ namespace ramus::app {
 
 struct BranchList {
     std::array<char, 128> filter{};  // as typed
-    std::string trouble;             // what is wrong with it; empty: nothing
-    std::vector<int> rows;           // branch ids, as they are filtered and sorted
-    std::vector<int> given_subtrees; // likewise
-    std::vector<double> largest;     // of all branches, of each quantity that has a column
-    int sorted = 0;                  // the column that it is sorted by, when it was drawn last
-    std::vector<std::string> names;  // that branches bear, by branch id; empty when none has a name
-    int anchor = tree::kNoBranch;    // a range begins here
-    int cursor = tree::kNoBranch;    // the arrow keys go on from here
-    int shown = tree::kNoBranch;     // the selected branch that the list was scrolled to
-    bool focused = false;            // the arrow keys are for it
-    bool apart = false;              // in a window of its own
+    std::string trouble;             // what is wrong with the filter; empty: nothing
+    std::vector<int> rows;           // branch ids, filtered and sorted
+    std::vector<int> given_subtrees; // ids whose names label subtrees, ascending
+    std::vector<double> largest;     // over all branches, per quantity with a column
+    int sorted = 0;                  // the sorted column, when drawn last
+    std::vector<std::string> names;  // labels by branch id; empty if there are none
+    int anchor = tree::kNoBranch;    // start of a range selection
+    int cursor = tree::kNoBranch;    // position of the arrow keys
+    int shown = tree::kNoBranch;     // the selected branch that the list has scrolled to
+    bool focused = false;            // receives the arrow keys
+    bool apart = false;              // in a separate window
 
-    // What `rows` were made of.
+    // The inputs of `rows`.
     const TreeFacts* of = nullptr;
     std::string applied;
     BranchFilter parsed;

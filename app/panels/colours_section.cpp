@@ -1,4 +1,4 @@
-// What colours say, where the tree's file has data or a quantity is shown, and how the colours follow it.
+// The section of colours: the coloured quantity or data, and the mapping of values to colours.
 #include "app/panels/choice_row.h"
 #include "app/panels/sections.h"
 #include "app/panels/widgets.h"
@@ -14,7 +14,7 @@ namespace ramus::app {
 
 namespace {
 
-using Choices = std::vector<std::pair<std::string, std::string>>; // values and their words
+using Choices = std::vector<std::pair<std::string, std::string>>; // values and their labels
 
 void draw_colour_by(InterfaceContext& context, const tree::VesselTree& tree, const ColourBy& now) {
     Choices choices;
@@ -42,7 +42,7 @@ void draw_logarithm(InterfaceContext& context, const ColourLook& look) {
         context.perform("colour-log", {*chosen});
 }
 
-// Two numbers; nothing: the least and the largest value.
+// Two numbers; empty: the least and the largest value.
 void draw_range(InterfaceContext& context, const ColourLook& look) {
     constexpr const char *kField = "colour-range", *kHelp = "Values that the colours begin and end at, as 5,80; empty: "
                                                             "the least and the largest. Enter takes them";

@@ -1,5 +1,5 @@
-// The command palette: every command of the table by what people call it, with its key, run by Enter or a click. For a
-// command that takes arguments the field asks for them.
+// The command palette: finds commands by words, shows their keys, runs them by Enter or a click. For a command that
+// needs arguments the field asks for them.
 #include "app/actions/command_search.h"
 #include "app/actions/script.h"
 #include "app/panels/interface.h"
@@ -39,7 +39,7 @@ void draw_command_row(InterfaceContext& context, const Command& command, bool ch
     const std::string title = title_of(command, context.workspace.document());
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = 2.0F * ImGui::GetTextLineHeight() + 10.0F * scale;
-    // One row is marked: that which Enter runs, wherever the pointer rests.
+    // Only the row that Enter runs is marked, wherever the pointer rests.
     const ImVec4 mark = chosen ? ImGui::GetStyleColorVec4(ImGuiCol_Header) : ImVec4(0.0F, 0.0F, 0.0F, 0.0F);
     ImGui::PushStyleColor(ImGuiCol_HeaderHovered, mark);
     pressed = ImGui::Selectable("##row", chosen, enabled ? 0 : ImGuiSelectableFlags_Disabled, {0.0F, height});
@@ -68,7 +68,7 @@ void draw_found(InterfaceContext& context, bool entered) {
     ImGui::BeginChild("found", {0.0F, 0.0F});
     const Command* picked = nullptr;
     const ImVec2 moved = ImGui::GetIO().MouseDelta;
-    const bool moves = moved.x != 0.0F || moved.y != 0.0F; // what passes below a pointer at rest is not chosen
+    const bool moves = moved.x != 0.0F || moved.y != 0.0F; // rows that scroll under a resting pointer are not chosen
     int pointed_at = palette.chosen;
     for (int n = 0; n <= last; ++n) {
         const Command& command = *found[static_cast<std::size_t>(n)];
@@ -86,7 +86,7 @@ void draw_found(InterfaceContext& context, bool entered) {
     if (picked != nullptr) choose_command(context, *picked);
 }
 
-// A command whose arguments are typed; `line`: with its name, in words as in a commands file.
+// A command whose arguments are being typed; `line`: its name and arguments as in a commands file.
 void draw_arguments(InterfaceContext& context, const Command& command, const std::string& line, bool entered) {
     CommandPalette& palette = context.interface.palette;
     widgets::quiet_wrapped(command.help.c_str());
@@ -101,7 +101,7 @@ void draw_arguments(InterfaceContext& context, const Command& command, const std
         palette.open = false;
     else
         palette.trouble = done.error().message();
-    palette.fresh = true; // Enter has taken the keyboard from the field
+    palette.fresh = true; // Enter has removed the keyboard focus from the field
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Which surfaces are looked at together, and the skeleton over them.
+// The section of comparisons: which surfaces are shown together, and the skeleton.
 #include "app/panels/choice_row.h"
 #include "app/panels/sections.h"
 #include "app/panels/widgets.h"
@@ -36,8 +36,7 @@ std::string surfaces_word(const std::vector<Compared>& surfaces) {
     return joined(surfaces, ",", [](Compared kind) { return name_of(kind); });
 }
 
-// The surface at `index` of the compared ones. One that is compared already is swapped with it; the last of three may
-// be none.
+// The compared surface at `index`. Choosing one that is compared already swaps the two; the third may be none.
 void draw_surface_row(InterfaceContext& context, const Comparison& comparison, std::size_t index, const char* label,
                       const char* help, bool may_be_none) {
     const std::vector<Compared>& now = comparison.surfaces;

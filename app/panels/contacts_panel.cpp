@@ -20,7 +20,7 @@ namespace {
 using tree::Contact;
 using tree::ContactSide;
 
-constexpr const char* kAnd = " \xC2\xB7 "; // between two branches, or what is said of both
+constexpr const char* kAnd = " \xC2\xB7 "; // separates two branches, or their values
 
 std::string side_text(const Document& document, const ContactSide& side) {
     std::string text = "Branch " + std::to_string(side.branch);
@@ -32,7 +32,7 @@ std::string side_text(const Document& document, const ContactSide& side) {
            lengths.text(side.narrowed) + "\n    along " + lengths.text(side.length);
 }
 
-// What the row has no room for.
+// The full text for a tooltip.
 std::string whole_text(const Document& document, const Contact& contact) {
     std::string text = gap_text(contact, document.lengths());
     text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
@@ -40,7 +40,7 @@ std::string whole_text(const Document& document, const Contact& contact) {
     return text + "\nClick to look at the place and to select both";
 }
 
-// Shows the contact both ways, and one way again.
+// Toggles the wipe between vessels apart and merged at the contact.
 void draw_wipe_button(InterfaceContext& context, const std::string& number, bool current) {
     const Comparison::Mode mode = context.workspace.document().marks().comparison.mode;
     const bool wiped = current && mode == Comparison::Mode::kWipe;
@@ -62,7 +62,7 @@ void draw_row(InterfaceContext& context, const Contact& contact, std::size_t ind
     const std::string number = std::to_string(index + 1), name = "Contact " + number;
     ImGui::TableNextRow();
     const bool current = context.interface.contacts.current == static_cast<int>(index);
-    ImGui::TableSetColumnIndex(4); // first: what comes later over the whole row leaves it the pointer
+    ImGui::TableSetColumnIndex(4); // first: the row-wide item below must not take its clicks
     draw_wipe_button(context, number, current);
     ImGui::TableSetColumnIndex(0);
     if (ImGui::Selectable((number + "##" + name).c_str(), current, ImGuiSelectableFlags_SpanAllColumns))
@@ -123,8 +123,8 @@ void draw_contacts(InterfaceContext& context) {
     ImGui::SameLine();
     widgets::align_right(ImGui::CalcTextSize("Close").x + 14.0F * theme::scale());
     if (widgets::small_button("Close", "Hides this list; Shift+T shows it again")) panel.open = false;
-    const auto list = context.workspace.current_assets().contacts.list; // kept here: what is done here may change it
-    if (panel.of != list) panel.current = -1;                           // others are counted in it
+    const auto list = context.workspace.current_assets().contacts.list; // keeps it alive: actions may replace it
+    if (panel.of != list) panel.current = -1;                           // `current` is an index into the old list
     panel.of = list;
     bool mark = marks.contact_marks;
     if (ImGui::Checkbox("Mark them in the picture", &mark)) context.perform("contact-marks", {mark ? "on" : "off"});

@@ -1,4 +1,4 @@
-// The menu of the right button: what can be done with the branch under the pointer, or with the view.
+// The context menu: commands for the branch under the pointer, or for the view.
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -14,7 +14,7 @@ namespace ramus::app {
 
 namespace {
 
-// Names of commands of the table, in groups with a line between them.
+// Names of commands in groups, separated by lines.
 using Group = std::array<const char*, 5>;
 constexpr std::array kForBranch{
     Group{"select-dependents", "select-upstream"},
@@ -28,7 +28,7 @@ constexpr std::array kForBackground{
     Group{"palette", "help"},
 };
 
-// The entry that menus have of a command; null: none.
+// The menu entry of a command; null: none.
 const Command* menu_entry(std::string_view name) {
     const auto& table = command_table();
     const auto at = std::ranges::find_if(
@@ -36,7 +36,7 @@ const Command* menu_entry(std::string_view name) {
     return at == table.end() ? nullptr : &*at;
 }
 
-// No title of a menu stands above these entries: what selects says so itself.
+// These entries are not under a menu's title, so selecting commands need the word themselves.
 std::string label_here(const Command& command, const Document& document) {
     std::string label = label_of(command, document);
     if (command.menu != "Select") return label;
@@ -101,7 +101,7 @@ void draw_context_menu(InterfaceContext& context) {
         ImGui::EndPopup();
         if (chosen != nullptr) context.perform(*chosen);
     } else {
-        menu.open = menu.close = false; // a click beside it has closed it
+        menu.open = menu.close = false; // closed by a click outside
     }
     ImGui::PopStyleVar(2);
 }

@@ -1,4 +1,4 @@
-// What is shown beside the tree: a row each to show or hide it, to colour it and to take it away, and how dense it is.
+// The section of context: a row per item with visibility, colour, removal and opacity.
 #include "app/assets/shapes.h"
 #include "app/panels/choice_row.h"
 #include "app/panels/row_buttons.h"
@@ -29,7 +29,7 @@ void draw_net(ImDrawList& list, const ImVec2& at, float unit, ImU32 colour) {
 
 using Trial = Editing::Context;
 
-// As the file names it, where that is known.
+// The file's name of the label, if known.
 std::string label_text(const volume::LabelChoice& label, const ContextShape* shape) {
     if (label.none()) return {};
     if (shape != nullptr && shape->label && !shape->label->name.empty()) return "  " + shape->label->name;
@@ -134,7 +134,7 @@ void draw_context(InterfaceContext& context) {
         widgets::row_headings({"Surface", "Shown or hidden, its colour, its file and label"},
                               {"Net", "As a surface or as a wireframe"},
                               ImGui::GetFrameHeight() + 4.0F * theme::scale());
-    // A copy: what a row does changes the list.
+    // A copy, since actions of rows change the list.
     const std::vector<ContextItem> items = context.workspace.document().marks().context;
     if (trial.of > static_cast<int>(items.size())) trial.of = -1;
     for (std::size_t i = 0; i < items.size(); ++i) {

@@ -1,4 +1,4 @@
-// From what the surface's distances are measured that its colours show, the scale of these, and what was found.
+// The section of deviation: the reference surface, the colour scale, and the measured values.
 #include "app/panels/choice_row.h"
 #include "app/panels/sections.h"
 #include "app/panels/widgets.h"
@@ -40,7 +40,7 @@ std::string words_of(double most, Unit unit) {
 
 void draw_scale(InterfaceContext& context, const DeviationChoice& choice) {
     using Entry = std::pair<double, Unit>;
-    // As many as an open list shows at once.
+    // At most as many as an open list shows without scrolling.
     std::vector<Entry> ends{{0.0, Unit::kMm}, {0.1, Unit::kMm}, {0.5, Unit::kMm}, {1.0, Unit::kMm}};
     if (may_count_voxels(choice.from))
         ends.insert(ends.end(),
@@ -61,7 +61,7 @@ void draw_scale(InterfaceContext& context, const DeviationChoice& choice) {
     context.perform("deviation-scale", {chosen->substr(0, blank), chosen->substr(blank + 1)});
 }
 
-// The surfaces of the session are superimposed by the comparison, a file as context.
+// Surfaces of the session are superimposed by the comparison, a file as context.
 void draw_lines(InterfaceContext& context, const Marks& marks) {
     const auto item = std::ranges::find_if(marks.context, [&](const ContextItem& each) {
         return each.file == marks.deviation.file && each.wireframe && each.visible;
@@ -90,7 +90,7 @@ void draw_lines(InterfaceContext& context, const Marks& marks) {
     widgets::tooltip("The surface that distances are measured to, superimposed as lines");
 }
 
-// Whether the picture's legend is still the one before: figures next to it would be taken for those of its words.
+// Whether the picture still shows the previous legend, whose meaning the new figures would contradict.
 bool legend_is_before(const Interface& interface, const Marks& marks, const SurfaceDeviation& found) {
     render::Frame frame;
     show_deviation(frame, marks, &found);

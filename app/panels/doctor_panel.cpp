@@ -1,5 +1,5 @@
-// The import doctor: a panel over the picture's left edge that lists what reading the tree's file assumed, repaired and
-// finds strange, leads to each place, and reads the file again with other assumptions and repairs.
+// The import doctor: a panel at the left edge of the picture that lists assumptions, repairs and suspicions of reading
+// the tree's file, moves the camera to each place, and rereads the file with other options.
 #include "app/panels/choice_row.h"
 #include "app/panels/interface.h"
 #include "app/panels/left_panel.h"
@@ -49,10 +49,10 @@ const char* heading_of(Note::Kind kind) {
     return kind == Note::Kind::kSuspect ? "Suspicious" : kind == Note::Kind::kRepaired ? "Repaired" : "Assumed";
 }
 
-// Without the file's name, which all of them are about, as a sentence; flags of the command line are rows here.
+// As a sentence without the file's name, which all notes share; flags of the command line have rows here.
 std::string text_of(const Note& note, const std::string& path, bool of_mask) {
     std::string text = note.text;
-    if (of_mask) text.erase(std::min(text.find("; --repair"), text.size())); // which is of files of trees
+    if (of_mask) text.erase(std::min(text.find("; --repair"), text.size())); // applies only to tree files
     text = window_words(std::move(text));
     if (text.starts_with(path + ":")) {
         text.erase(0, path.size() + 1);
@@ -63,7 +63,7 @@ std::string text_of(const Note& note, const std::string& path, bool of_mask) {
     return text;
 }
 
-// Its beginning says most.
+// Truncates the end.
 std::string cut_to(std::string text, float width) {
     const std::string more = "\xE2\x80\xA6";
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
@@ -111,7 +111,7 @@ void draw_unit(InterfaceContext& context, const tree::VesselTree& tree, const io
     if (doctor.voxels) draw_voxel_row(context);
 }
 
-// A radius for points whose file gives none. Those that it has stay, so the row is there only where some are missing.
+// A radius for points without one; points with radii keep them, so the row appears only if some are missing.
 void draw_missing_radius(InterfaceContext& context, const tree::VesselTree& tree, const io::ReadOptions& options) {
     const auto about_missing = [](const Note& note) {
         return note.topic == tree::kInventedRadii || note.topic == name_of(tree::Repair::kUnmeasuredRadii);
@@ -131,7 +131,7 @@ void draw_missing_radius(InterfaceContext& context, const tree::VesselTree& tree
     doctor.radius = {};
 }
 
-// What a tree's file leaves open beside the unit.
+// Assumptions other than the unit.
 void draw_assumptions(InterfaceContext& context, const tree::VesselTree& tree, const io::ReadOptions& options) {
     const std::string axes_by_itself = tree.claims.has_sides() ? "As the file says" : "Not known";
     const std::string width_by_itself = says_about(tree, "radius-is", "is taken as the radius") ? "Radius (assumed)"
@@ -174,7 +174,7 @@ void draw_repairs(InterfaceContext& context, const io::ReadOptions& options) {
     ImGui::TreePop();
 }
 
-// One note, on several lines where it needs them (`whole`) or cut to one. A click goes to its place.
+// A note, on several lines (`whole`) or truncated to one. A click moves the camera to its place.
 void draw_note(InterfaceContext& context, std::size_t index, bool whole) {
     const Document& document = context.workspace.document();
     const std::shared_ptr<const tree::VesselTree> tree = document.tree();
@@ -253,7 +253,7 @@ void draw_notes(InterfaceContext& context, const tree::VesselTree& tree) {
 
 void draw_doctor(InterfaceContext& context) {
     Doctor& doctor = context.interface.doctor;
-    // Kept here: what is done here makes the document another.
+    // Keeps the tree alive: actions may replace the document's.
     const std::shared_ptr<const tree::VesselTree> tree = context.workspace.document().tree();
     if (!doctor.open || !tree) return;
     const io::ReadOptions options = context.workspace.document().marks().reading;
@@ -288,7 +288,7 @@ void draw_doctor(InterfaceContext& context) {
 
 widgets::Fact doctor_fact(InterfaceContext& context) {
     const tree::VesselTree& tree = *context.workspace.document().tree();
-    // What weighs least is left out where there is no room.
+    // Omits the less important kinds of notes if space is short.
     const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize("Import    ").x;
     std::string found;
     for (const Note::Kind kind : {Note::Kind::kSuspect, Note::Kind::kRepaired, Note::Kind::kAssumed}) {

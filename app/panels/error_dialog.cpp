@@ -1,4 +1,4 @@
-// What went wrong with a file: what, where, and what to do. What was open stays open.
+// The dialog for errors of files: what, where, and what to do. The open document stays open.
 #include "app/panels/choice_row.h"
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
@@ -19,7 +19,7 @@ std::string sentence(std::string text) {
     return text;
 }
 
-// A file without radii opens with one that is typed here; true: it is on its way.
+// Asks for a radius for a file without radii; true: the file is being opened.
 bool draw_radius_field(InterfaceContext& context, const Error& error) {
     const std::string file = context.workspace.asked_for().string();
     if (file.empty() || !error.where.starts_with(file) || error.hint.find("--radius MM") == std::string::npos)

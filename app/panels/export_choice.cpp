@@ -64,7 +64,7 @@ void draw_scope(ExportChoice& choice, bool has_selection) {
                     .of;
 }
 
-// How a surface is written.
+// Options of surface files.
 void draw_surface_options(ExportChoice& choice, bool has_systems) {
     const float gap = 18.0F * theme::scale();
     if (choice.format().has_parts) {
@@ -99,7 +99,7 @@ void ExportChoice::follow(const std::string& name) {
         formats[static_cast<std::size_t>(what)] = static_cast<std::size_t>(found - from.formats.begin());
         return true;
     };
-    // Of two kinds that have the ending the one that is chosen already.
+    // Prefers the current kind if several have this extension.
     if (!take_from(kind())) std::ignore = std::ranges::find_if(export_kinds(), take_from);
 }
 
@@ -171,7 +171,7 @@ void draw_table_choice(ExportChoice& choice, const Exportable& has) {
     choice.table = names[widgets::list_row("Rows", "What the table has rows of", 190.0F, entries, chosen)];
 }
 
-// Whoever reads the page reads the line, and it is written nowhere else.
+// The line appears on the page and is stored nowhere else.
 void draw_case_line(ExportChoice& choice) {
     ImGui::AlignTextToFramePadding();
     widgets::quiet("Case");

@@ -24,7 +24,7 @@ Exportable exportable(const InterfaceContext& context) {
     return has;
 }
 
-// As the picture will be, on squares where nothing is.
+// The preview of the picture, on a checkerboard where it is transparent.
 void draw_preview(FigurePreview& preview, const ImVec2& size) {
     preview.most = glm::max(glm::ivec2(glm::vec2(size.x, size.y)), glm::ivec2(1));
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -63,7 +63,7 @@ void draw_export_page(InterfaceContext& context, OpenDialog& dialog) {
     ImGui::BeginChild("export", {width, height});
     if (draw_export_choice(dialog.exported, exportable(context)) || other_kind) {
         dialog.rename(dialog.exported.named(dialog.name.data()));
-        dialog.name_focused = false; // once more: the name comes next
+        dialog.name_focused = false; // focus the name again
     }
     const std::string trouble = dialog.exported.trouble();
     if (!trouble.empty()) widgets::trouble(trouble.c_str());

@@ -20,7 +20,7 @@ constexpr std::array<SizeRow, 5> kSizes{{{"Slide, 1920 x 1080", {1920, 1080}},
                                          {"Paper, 1600 x 1200", {1600, 1200}},
                                          {"Paper, 3200 x 2400", {3200, 2400}},
                                          {"Square, 2000 x 2000", {2000, 2000}}}};
-constexpr double kPointsHigh = 900.0; // words keep their size to the picture, as in a window so high
+constexpr double kPointsHigh = 900.0; // text scales with the picture, as in a window of this height
 
 void draw_number(const char* id, const char* help, int& number, float width) {
     ImGui::SetNextItemWidth(width * theme::scale());
@@ -43,7 +43,7 @@ void draw_size(FigureChoice& choice) {
     if (now != chosen) {
         choice.as_window = now == 0;
         if (now >= 1 && now <= kSizes.size()) choice.size = kSizes[now - 1].size;
-        if (now > kSizes.size()) choice.size += 1; // none of the others
+        if (now > kSizes.size()) choice.size += 1; // differs from all presets
     }
     if (choice.as_window) return;
     ImGui::SameLine();

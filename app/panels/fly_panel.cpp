@@ -16,7 +16,7 @@ namespace ramus::app {
 
 namespace {
 
-constexpr double kLongestStep = 0.5; // seconds: after a pause of the program the flight goes on where it was
+constexpr double kLongestStep = 0.5; // seconds: after a longer pause of the program the flight continues where it was
 
 void fly_to(InterfaceContext& context, double fraction) {
     char text[32];
@@ -30,8 +30,8 @@ void play_on(InterfaceContext& context, const FlyPath& path) {
     Fly& fly = context.interface.fly;
     const double passed = std::clamp(context.now - fly.last, 0.0, kLongestStep);
     fly.last = context.now;
-    if (!fly.playing || context.commands.awaits()) return; // it has not flown yet
-    // Who turns the view takes the camera over.
+    if (!fly.playing || context.commands.awaits()) return; // the last step has not taken effect yet
+    // Moving the camera by hand stops the flight.
     if (fly.camera != context.workspace.document().session().camera) {
         fly.playing = false;
         return;
@@ -41,7 +41,7 @@ void play_on(InterfaceContext& context, const FlyPath& path) {
     if (next >= 1.0) fly.playing = false;
 }
 
-// A triangle or two bars: the font has neither.
+// A triangle or two bars, which the font lacks.
 bool play_button(bool playing, float side) {
     const bool pressed = ImGui::Button("##play", {side, side});
     const ImVec2 from = ImGui::GetItemRectMin();
@@ -65,7 +65,7 @@ void toggle_play(InterfaceContext& context) {
     if (fly.playing) fly_to(context, fly.fraction >= 1.0 ? 0.0 : fly.fraction);
 }
 
-// Between the scale bar and the cube where the picture is wide enough, above them where not.
+// Between the scale bar and the cube if the picture is wide enough, otherwise above them.
 void begin_bar(const Layout& layout) {
     const float scale = theme::scale();
     const auto view_width = static_cast<float>(layout.view_size.x);
@@ -85,7 +85,7 @@ void begin_bar(const Layout& layout) {
     ImGui::PopStyleVar();
 }
 
-// Where the flight goes, how far it is, and Close.
+// The destination, the position, and a Close button.
 void draw_title_row(InterfaceContext& context, const FlyPath& path) {
     Fly& fly = context.interface.fly;
     const Document& document = context.workspace.document();
@@ -131,7 +131,7 @@ void draw_fly(InterfaceContext& context) {
     Fly& fly = context.interface.fly;
     const Document& document = context.workspace.document();
     if (!fly.open) return;
-    // Another branch that is selected while it rests is the next to fly to.
+    // Selecting another branch while paused makes it the next destination.
     const auto& selection = document.marks().selection;
     if (!fly.playing && selection != fly.selection) {
         fly.selection = selection;

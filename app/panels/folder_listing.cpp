@@ -37,7 +37,7 @@ FolderListing::Content FolderListing::content_of(const fs::path& folder, const J
         if (entry.name.starts_with(".")) continue;
         entry.lower_case = io::lower_case(entry.name);
         if (!entry.folder) entry.bytes = each->file_size(ignored);
-        if (ignored) entry.bytes = 0; // gone meanwhile, or no plain file
+        if (ignored) entry.bytes = 0; // deleted meanwhile, or not a regular file
         entry.changed = changed_text(*each);
         content.entries.push_back(std::move(entry));
     }
@@ -54,7 +54,7 @@ void FolderListing::read(const fs::path& folder) {
     reading_ = true;
     if (!worker_)
         worker_ = std::make_unique<Worker>([this] {
-            if (wake_) wake_(); // nobody waits in pictures of the window
+            if (wake_) wake_(); // not set for pictures of the window
         });
     worker_->start("Listing the folder", [this, folder](Job& job, const Worker::Post& post) {
         auto read = std::make_shared<Content>(content_of(folder, job));

@@ -1,4 +1,4 @@
-// How defocused branches look; there while any branch is defocused.
+// The section for the look of defocused branches; shown while any branch is defocused.
 #include "app/panels/sections.h"
 #include "app/session/numbers.h"
 

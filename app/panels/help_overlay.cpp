@@ -1,4 +1,4 @@
-// What the mouse and the keys do, read from the command table, with a search field.
+// The help overlay: mouse and keys, from the command table, with a search field.
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -37,7 +37,7 @@ class HelpTable {
 public:
     explicit HelpTable(std::string_view wanted) : wanted_(wanted) {}
     void group(const char* title) { title_ = title; }
-    // Shown when any of its words contains what is searched for.
+    // Shown if any of its words contains the search text.
     void row(const std::string& keys, const std::string& label, const std::string& name, const std::string& help) {
         if (!wanted_.empty() && !contains(keys, wanted_) && !contains(label, wanted_) && !contains(name, wanted_) &&
             !contains(help, wanted_))

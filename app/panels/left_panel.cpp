@@ -9,7 +9,7 @@ namespace ramus::app {
 
 namespace {
 
-// The viewport that the panel lies over: the isosurface's, for the tree is what changes.
+// The viewport that the panel covers: the isosurface's, since edits affect the tree's surface.
 std::size_t viewport_below(const Layout& layout, const Comparison& comparison) {
     if (comparison.mode != Comparison::Mode::kSideBySide) return 0;
     const auto at = static_cast<std::size_t>(std::ranges::find(comparison.surfaces, Compared::kIsosurface) -
@@ -26,8 +26,7 @@ float begin_left_panel(const char* name, InterfaceContext& context) {
     const float heading = layout.viewports_at.size() > 1 ? 28.0F : 0.0F;
     const float top = (56.0F + heading) * scale, margin = 10.0F * scale;
     const float below = (viewport > 0 ? 128.0F : 68.0F) * scale;
-    // The middle of the picture, where places are looked at, stays free with the ring around a place where there is
-    // room for both.
+    // Keeps the middle of the picture free, where places are shown with a ring, if there is room for both.
     const auto view_width = static_cast<float>(viewport > 0 ? layout.viewport_size.x : layout.view_size.x);
     const float free_width = viewport > 0 ? view_width : 0.5F * view_width - 40.0F * scale;
     const float width =

@@ -1,4 +1,4 @@
-// The lesions of the planning panel, how they lie to the nearest vessels, and what lies within their margins.
+// The lesions of the planning page: their nearest vessels, and the contents of their margins.
 #include "app/assets/lesion_text.h"
 #include "app/panels/choice_row.h"
 #include "app/panels/plan_rows.h"
@@ -20,7 +20,7 @@ namespace ramus::app {
 
 namespace {
 
-// A line that can be clicked, the diameter, which can be typed, and a cross.
+// A clickable line, an editable diameter, and a cross.
 void draw_lesion(InterfaceContext& context, std::size_t index, const Lesion& lesion) {
     const std::array<double, 4>& sphere = lesion.sphere;
     const std::string number = std::to_string(index + 1);
@@ -59,10 +59,10 @@ void draw_lesion(InterfaceContext& context, std::size_t index, const Lesion& les
                                                   exact_text(sphere[2]) + "," + radius});
 }
 
-// The shortest distance to the vessels of each system, and how the lesion touches them. A click goes there.
+// The shortest distance to the vessels of each system, and the contact. A click moves the camera there.
 void draw_vessels(InterfaceContext& context, std::size_t lesion) {
     const Document& document = context.workspace.document();
-    const auto plan = context.workspace.current_assets().plan; // kept here, as below
+    const auto plan = context.workspace.current_assets().plan; // keeps it alive, as below
     const tree::VesselTree& tree = *document.tree();
     const Lengths lengths = document.lengths();
     const float indent = 10.0F * theme::scale();
@@ -131,7 +131,7 @@ void set_up_band_columns(const Lengths& lengths, bool systems) {
          {"Deps", "How many branches depend on it"}}};
     const auto left_out = [&](std::size_t n) { return n == 1 && !systems; };
     ImGui::TableSetupScrollFreeze(0, 1);
-    constexpr std::size_t kTexts = 2; // they share what the numbers leave
+    constexpr std::size_t kTexts = 2; // text columns share the remaining width
     for (std::size_t n = 0; n < kHeadings.size(); ++n) {
         if (left_out(n)) continue;
         const std::string text = lengths.worded(kHeadings[n].first);
@@ -218,7 +218,7 @@ void draw_lesions(InterfaceContext& context) {
     }
     widgets::row_headings({"Lesion", "Click a line to bring the lesion to the middle of the picture"},
                           {"Diameter", "The diameter of a sphere; a mesh has its own size"}, ImGui::GetFrameHeight());
-    // Kept here: what a row does makes the list another.
+    // Keeps the list alive: actions of rows replace it.
     const auto same = [&, before = marks] { return planned(before) == planned(context.workspace.document().marks()); };
     for (const auto lesions = marks.lesions; const Lesion& lesion : lesions) {
         const auto index = static_cast<std::size_t>(&lesion - lesions.data());
@@ -255,7 +255,7 @@ void draw_margins(InterfaceContext& context) {
     widgets::tooltip("Distances from the lesion to the vessel's wall that divide the list; Enter takes them");
     bool coloured = marks.colour_by == ColourBy::kLesion;
     if (ImGui::Checkbox("Colour vessels by distance", &coloured)) {
-        // Off again, colours say what they said before.
+        // Switching it off restores the previous colouring.
         std::string& before = context.interface.editing.colours_before;
         const std::string usual = document.tree()->systems.size() > 1 ? "system" : "nothing";
         if (coloured) before = name_of(marks.colour_by);

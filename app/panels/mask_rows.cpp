@@ -1,4 +1,4 @@
-// How a mask becomes a tree: rows of the import doctor's panel, each of which makes the tree again.
+// Rows of the import doctor for turning a mask into a tree; each change makes the tree anew.
 #include "app/panels/choice_row.h"
 #include "app/panels/interface.h"
 #include "app/panels/slider_row.h"
@@ -51,7 +51,7 @@ void draw_sizes(InterfaceContext& context, const io::MaskReading& mask) {
     widgets::tooltip("Vessels that touch, and holes in the mask, make loops; each is closed where it is thinnest");
 }
 
-// Where the selected branch is free, or its middle.
+// The free end of the selected branch, or its middle.
 std::optional<glm::dvec3> selected_place(const Document& document) {
     const std::vector<int>& selection = document.marks().selection;
     if (selection.size() != 1) return {};

@@ -26,7 +26,7 @@ void draw_entry(InterfaceContext& context, const Command& command) {
     widgets::tooltip(document.lengths().worded(command.help).c_str(), nullptr, widgets::TooltipAt::kMenu);
 }
 
-// The last steps, newest first, down to what was there before them; the present one is marked.
+// The last steps, newest first, down to the initial state; the current one is marked.
 void draw_history(InterfaceContext& context) {
     const Document& document = context.workspace.document();
     constexpr std::size_t kShown = 20;
@@ -36,7 +36,7 @@ void draw_history(InterfaceContext& context) {
     const std::size_t last = std::min(document.step_count(), here + kUndoneShown);
     const std::size_t first = last > kShown ? last - kShown : 0;
     std::size_t chosen = here;
-    for (std::size_t after = last + 1; after-- > first;) { // what was there after so many steps
+    for (std::size_t after = last + 1; after-- > first;) { // the state after this many steps
         const bool undone = after > here;
         std::string label = after == 0 ? "as it was opened" : document.lengths().worded(document.step_name(after - 1));
         if (undone) ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
@@ -65,7 +65,7 @@ void draw_recent(InterfaceContext& context) {
     if (!chosen.empty()) context.perform("open", {chosen.string()});
 }
 
-// By the arrows, before they have gone into a menu's entries: from there on they are ImGui's.
+// Moves between menus by arrow keys, until ImGui handles them inside a menu.
 void step_from_menu_to_menu(Interface& interface, const std::vector<std::string>& menus) {
     const auto open = std::ranges::find(menus, interface.open_menu);
     const int step = std::exchange(interface.menu_step, 0);
@@ -75,15 +75,15 @@ void step_from_menu_to_menu(Interface& interface, const std::vector<std::string>
     ImGui::OpenPopup(menus[static_cast<std::size_t>(((at + step) % count + count) % count)].c_str());
 }
 
-// Menus end above the window's lower edge and scroll where they have more: one that is longer would be moved up over
-// the button that opened it, and releasing the mouse button would choose an entry.
+// Menus end above the window's lower edge and scroll: ImGui would move a longer menu up over its button, and releasing
+// the mouse button would choose an entry.
 bool begin_menu(const std::string& name, float top, const InterfaceContext& context) {
     const float room = static_cast<float>(context.layout.window.y) - top - 8.0F * theme::scale();
     ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {FLT_MAX, std::max(room, 80.0F * theme::scale())});
     return ImGui::BeginMenu(name.c_str());
 }
 
-// What the tree's file gives, which the command table cannot know.
+// Arrays of the tree's file, which the command table cannot know.
 void draw_data_colours(InterfaceContext& context) {
     const Document& document = context.workspace.document();
     const auto tree = document.tree();
@@ -103,7 +103,7 @@ void draw_data_colours(InterfaceContext& context) {
     ImGui::EndDisabled();
 }
 
-// Entries of a submenu stand together, where the first of them is.
+// Entries of a submenu are grouped at the position of the first.
 void draw_entries(InterfaceContext& context, const std::string& menu) {
     const std::vector<Command>& table = command_table();
     std::string_view previous;
@@ -113,7 +113,7 @@ void draw_entries(InterfaceContext& context, const std::string& menu) {
         if (!command.submenu.empty()) {
             if (std::ranges::find(submenus, command.submenu) != submenus.end()) continue;
             submenus.emplace_back(command.submenu);
-            // The size of a submenu is the menu's room: ImGui moves it up next to its entry, never over it.
+            // A submenu may use the menu's space: ImGui moves it next to its entry, never over it.
             if (begin_menu(command.submenu, static_cast<float>(context.layout.bar_height), context)) {
                 for (const Command& entry : table)
                     if (entry.menu == menu && entry.submenu == command.submenu) draw_entry(context, entry);
@@ -139,7 +139,7 @@ void draw_menus(InterfaceContext& context) {
             menus.push_back(command.menu);
     const bool close = std::exchange(context.interface.close_menu, false);
     context.interface.menu_open = false;
-    // As if it had been clicked; from there on arrows lead on.
+    // Opens the first menu as if it was clicked; arrows work from there.
     if (std::exchange(context.interface.want_menu, false)) ImGui::OpenPopup(menus.front().c_str());
     step_from_menu_to_menu(context.interface, menus);
     context.interface.open_menu.clear();
@@ -157,7 +157,7 @@ void draw_menus(InterfaceContext& context) {
     }
 }
 
-// A P L R S I in one row, or +y -y -x +x +z -z where no sides are known, and Fit.
+// A P L R S I in one row, or +y -y -x +x +z -z if sides are unknown, and Fit.
 void draw_views(InterfaceContext& context) {
     const float scale = theme::scale();
     const float side = 26.0F * scale;
@@ -165,7 +165,7 @@ void draw_views(InterfaceContext& context) {
     const float wide = 44.0F * scale;
     const float total = 6.0F * side + 7.0F * gap + wide + 8.0F * scale;
     const float at = static_cast<float>(context.layout.window.x) - total - 8.0F * scale;
-    if (at < ImGui::GetCursorPosX() + 12.0F * scale) return; // a narrow window keeps the menus
+    if (at < ImGui::GetCursorPosX() + 12.0F * scale) return; // a narrow window shows only the menus
     const Document& document = context.workspace.document();
     const bool enabled = document.has_scene();
     const bool sides = document.claims().has_sides();

@@ -23,7 +23,7 @@ namespace ramus::app {
 
 namespace fs = std::filesystem;
 
-// Into a field that people type into, as much as it takes.
+// Copies text into a text field, truncated to its size.
 template <std::size_t N> static void put(const std::string& text, std::array<char, N>& field) {
     field.fill('\0');
     std::copy_n(text.begin(), std::min(text.size(), N - 1), field.begin());
@@ -80,20 +80,20 @@ void OpenDialog::enter(const fs::path& where) {
 
 namespace {
 
-// Files that a dialog may show.
+// A file filter of a dialog.
 struct Shown {
     const char* label;
     bool (*fits)(const fs::path&);
-    std::string (*extensions)(); // of those files, for people
+    std::string (*extensions)(); // extensions for people
 };
 
-// What a dialog is for.
+// Properties of a dialog's purpose.
 struct Purpose {
     FilePurpose purpose;
     const char* title;
-    std::vector<Shown> shown;   // the first is usual; all files can be seen as well
-    const char* command;        // that gets the file
-    bool takes_volumes = false; // and so folders that hold one
+    std::vector<Shown> shown;   // the first is the default; "all files" is added
+    const char* command;        // receives the file
+    bool takes_volumes = false; // also folders that contain a volume
 };
 
 bool is_json(const fs::path& path) { return io::lower_case(path.extension().string()) == ".json"; }
@@ -149,7 +149,7 @@ const Shown* shown_in(const OpenDialog& dialog) {
     return dialog.shown < purpose.shown.size() ? &purpose.shown[dialog.shown] : nullptr;
 }
 
-// Of the entries those that are shown, ascending.
+// Finds the entries to show, ascending.
 void find_rows(OpenDialog& dialog) {
     const bool exporting = dialog.purpose == FilePurpose::kExport;
     const std::string filter = io::lower_case(dialog.filter.data());
@@ -168,7 +168,7 @@ void find_rows(OpenDialog& dialog) {
         if (matches(dialog.entries()[n])) dialog.rows.push_back(n);
 }
 
-// None: it is not shown.
+// The row of the marked entry, or the end.
 std::vector<std::size_t>::const_iterator row_of_marked(const OpenDialog& dialog) {
     if (dialog.marked < 0) return dialog.rows.end();
     const auto found = std::ranges::lower_bound(dialog.rows, static_cast<std::size_t>(dialog.marked));
@@ -181,7 +181,7 @@ std::string size_text(std::uintmax_t bytes) {
                              : digits(static_cast<double>(bytes) / 1e6) + " MB";
 }
 
-// What is to be said where there is nothing in the list.
+// Explains an empty list.
 void draw_why_empty(const OpenDialog& dialog) {
     const std::string& problem = dialog.listing.content().problem;
     if (dialog.listing.reading())
@@ -200,7 +200,7 @@ void draw_why_empty(const OpenDialog& dialog) {
                 .c_str());
 }
 
-// Returns what was chosen with it.
+// Returns the path chosen by it.
 fs::path draw_entry(OpenDialog& dialog, std::size_t n) {
     fs::path chosen;
     const OpenDialog::Entry& entry = dialog.entries()[n];
@@ -212,7 +212,7 @@ fs::path draw_entry(OpenDialog& dialog, std::size_t n) {
     if (entry.folder) ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
     if (ImGui::Selectable(label.c_str(), dialog.marked == number,
                           ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
-        // A click chooses, a double click goes on with it.
+        // A click marks, a double click accepts.
         dialog.marked = number;
         if (!entry.folder && dialog.saves()) {
             dialog.rename(entry.name);
@@ -262,12 +262,12 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
             }
         ImGui::EndTable();
     }
-    dialog.to_marked = false; // one that the filter leaves out has no place
+    dialog.to_marked = false; // entries excluded by the filter have no row
     ImGui::EndChild();
     return chosen;
 }
 
-// The name, and what Save does with it. Returns where to save once that is settled.
+// The name field and the Save button. Returns the file to save to, once confirmed.
 fs::path draw_name(OpenDialog& dialog, float button_width, bool& cancelled) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     ImGui::AlignTextToFramePadding();
@@ -305,7 +305,7 @@ fs::path draw_name(OpenDialog& dialog, float button_width, bool& cancelled) {
     return target;
 }
 
-// Up, the path and the filter. Returns what was chosen with them.
+// Up button, path and filter. Returns the path chosen by them.
 fs::path draw_path_row(OpenDialog& dialog) {
     fs::path chosen;
     const float filter_width = 150.0F * theme::scale();
@@ -316,7 +316,7 @@ fs::path draw_path_row(OpenDialog& dialog) {
         chosen = dialog.typed.data();
     ImGui::SameLine();
     ImGui::SetNextItemWidth(filter_width);
-    // What is typed while no field has the keyboard filters, from the first letter on.
+    // Typing without a focused field goes to the filter, including the first letter.
     bool filters = ImGui::IsWindowAppearing() && !dialog.saves();
     if (!dialog.saves() && !ImGui::IsAnyItemActive())
         for (const ImWchar letter : ImGui::GetIO().InputQueueCharacters) {
@@ -333,20 +333,20 @@ fs::path draw_path_row(OpenDialog& dialog) {
     return chosen;
 }
 
-// Enter takes what is marked, else the first that is left.
+// Enter accepts the marked entry, otherwise the first one shown.
 fs::path take_first(OpenDialog& dialog) {
     if (dialog.listing.reading() || !std::exchange(dialog.take_first, false) || dialog.rows.empty()) return {};
     const auto marked = row_of_marked(dialog);
     return dialog.folder / dialog.entries()[marked == dialog.rows.end() ? dialog.rows.front() : *marked].name;
 }
 
-// Up and down, from what is marked to the next that is seen.
+// Arrow keys move the mark to the next visible entry.
 void move_mark(OpenDialog& dialog) {
     const bool down = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow));
     const bool up = !down && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow));
     if ((!down && !up) || dialog.saves()) return;
     const std::size_t marked = dialog.marked < 0 ? dialog.entries().size() : static_cast<std::size_t>(dialog.marked);
-    auto to = std::ranges::lower_bound(dialog.rows, marked); // also of one that is not shown
+    auto to = std::ranges::lower_bound(dialog.rows, marked); // works also for an entry that is not shown
     if (up) {
         if (to == dialog.rows.begin()) return;
         --to;
@@ -360,7 +360,7 @@ void move_mark(OpenDialog& dialog) {
     dialog.to_marked = true;
 }
 
-// Cancel and Open. Returns what was chosen with them.
+// Cancel and Open buttons. Returns the path chosen by them.
 fs::path draw_buttons(OpenDialog& dialog, float button_width, bool& cancelled) {
     std::vector<widgets::ListEntry> entries;
     for (const Shown& shown : purpose_of(dialog).shown) entries.push_back({shown.label, shown.extensions()});
@@ -391,7 +391,7 @@ void draw_open_dialog(InterfaceContext& context) {
         return;
     const float scale = theme::scale();
     const Purpose& purpose = purpose_of(dialog);
-    fs::path chosen; // by the last of the parts that chose one
+    fs::path chosen; // the last part that chose one wins
     const auto take = [&](fs::path path) {
         if (!path.empty()) chosen = std::move(path);
     };
@@ -406,7 +406,7 @@ void draw_open_dialog(InterfaceContext& context) {
     find_rows(dialog);
     move_mark(dialog);
     take(draw_path_row(dialog));
-    find_rows(dialog); // the filter may be another
+    find_rows(dialog); // the filter may have changed
     take(take_first(dialog));
     ImGui::Dummy({0.0F, 2.0F * scale});
     const float buttons = ImGui::GetFrameHeight() + 2.0F * ImGui::GetStyle().ItemSpacing.y + 2.0F * scale;

@@ -1,4 +1,5 @@
-// The tree as a flat picture under the 3D one: hover, click and lasso work in both, and each shows what the other does.
+// The overview panel: the tree as a dendrogram below the 3D picture. Hover, click and lasso work in both and are shown
+// in both.
 #include "app/panels/overview.h"
 
 #include "app/panels/interface.h"
@@ -53,7 +54,7 @@ void draw_piece(const InterfaceContext& context, const Canvas& canvas, const Ove
     }
     canvas.list->AddRectFilled({x, y0}, {x + width, y1}, widgets::packed(look.colour));
     const bool cut = !piece.merged && look.lost_from < 1.0F && look.lost_to - look.lost_from < 1.0F;
-    if (cut) { // a clean line where it is cut, and what lies beyond is lost
+    if (cut) { // a line marks the cut; the part beyond is lost
         const auto at = [&](float share) { return std::round(y0 + (y1 - y0) * std::clamp(share, 0.0F, 1.0F)); };
         const float edge = 2.0F * theme::scale();
         canvas.list->AddRectFilled({x, at(look.lost_from)}, {x + width, at(look.lost_to)},
@@ -69,7 +70,7 @@ void draw_piece(const InterfaceContext& context, const Canvas& canvas, const Ove
     canvas.list->AddRectFilled({x, y1}, {x + width, std::round(deepest)}, widgets::packed(faint));
 }
 
-// From the parent's end across to where the branch begins.
+// The horizontal line from the parent's end to the branch.
 void draw_joint(const InterfaceContext& context, const Canvas& canvas, const OverviewPiece& piece, double parent_at) {
     const Overview& overview = context.interface.overview;
     const OverviewLine& line = overview.layout.lines[index(piece.branch)];
@@ -125,7 +126,7 @@ void draw_scale(const InterfaceContext& context, const Canvas& canvas) {
     ImGui::PushFont(theme::small_font());
     const float half = 0.5F * ImGui::GetFontSize();
     for (double value = 0.0; value <= depth * (1.0 + 1e-9); value += step) {
-        // A generation lies between two lines.
+        // A generation is the space between two lines.
         const auto y = std::round(static_cast<float>(canvas.to(view, {0.0, value / depth}).y));
         if (y < canvas.at.y - 1.0F || y > canvas.at.y + canvas.size.y + 1.0F) continue;
         canvas.list->AddLine({canvas.at.x, y + 0.5F}, {canvas.at.x + canvas.size.x, y + 0.5F},
@@ -144,7 +145,7 @@ void draw_scale(const InterfaceContext& context, const Canvas& canvas) {
 void pick_with_click(InterfaceContext& context, int id) {
     const ImGuiIO& io = ImGui::GetIO();
     if (id != tree::kNoBranch) {
-        context.interface.overview.shown_selection = id; // it is in sight already
+        context.interface.overview.shown_selection = id; // already visible
         context.perform(io.KeyCtrl ? "select-toggle" : io.KeyAlt ? "select-subtree" : "select", {std::to_string(id)});
     } else if (!io.KeyCtrl && !io.KeyAlt && !io.KeyShift) {
         context.perform("select-none", {});
@@ -167,7 +168,7 @@ void finish_lasso(InterfaceContext& context) {
     context.perform(adds ? "select-add" : "select", words);
 }
 
-// What the mouse does on the canvas; the branch under it.
+// Handles the mouse; returns the branch under the pointer.
 int handle_mouse(InterfaceContext& context, const Canvas& canvas) {
     Overview& overview = context.interface.overview;
     const ImGuiIO& io = ImGui::GetIO();
@@ -218,7 +219,7 @@ int handle_mouse(InterfaceContext& context, const Canvas& canvas) {
     return branch_near(overview.layout, overview.view, pixel, 5.0 * theme::scale());
 }
 
-// A branch selected elsewhere comes into sight when this view is magnified.
+// Scrolls to a branch selected elsewhere if the view is magnified.
 void follow_selection(Overview& overview, const Marks& marks) {
     const int wanted = marks.selection.size() == 1 ? marks.selection.front() : tree::kNoBranch;
     if (wanted == std::exchange(overview.shown_selection, wanted) || wanted == tree::kNoBranch) return;

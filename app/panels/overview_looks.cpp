@@ -26,7 +26,7 @@ glm::vec4 colour_of(BranchState state, const glm::vec3& vessel, bool any_highlig
     return {vessel, 1.0F};
 }
 
-// Of each branch by itself.
+// The look of each branch.
 void make_single_looks(Overview& overview, const Marks& marks, const PictureLook& picture) {
     const render::Appearance appearance;
     const bool any_highlight = std::ranges::find(marks.states, BranchState::kHighlighted) != marks.states.end();
@@ -57,7 +57,7 @@ void make_single_looks(Overview& overview, const Marks& marks, const PictureLook
     brighten(picture.hovered, 0.85F);
 }
 
-// For lines that stand for several branches.
+// Prefix sums, for lines that represent several branches.
 void sum_looks(Overview& overview) {
     const std::size_t count = overview.layout.order.size();
     overview.colour_sums.assign(count + 1, glm::dvec4(0.0));

@@ -8,7 +8,7 @@ namespace ramus::app {
 
 void draw_pins(InterfaceContext& context) {
     draw_title(context, "Pins", {{"Pin", "Pin a text to a place of a vessel", "tool", {"pin"}}});
-    const std::vector<Pin> pins = context.workspace.document().marks().pins; // a row changes the list
+    const std::vector<Pin> pins = context.workspace.document().marks().pins; // a copy: rows change the list
     for (std::size_t i = 0; i < pins.size(); ++i)
         if (plan_rows::object_row(context, pins[i], i,
                                   {"Pin " + std::to_string(i + 1),

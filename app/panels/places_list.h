@@ -1,4 +1,4 @@
-// The left part of the dialogs for files: where a person may want to go.
+// The left part of file dialogs: common folders and recent files.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,7 @@
 
 namespace ramus::app {
 
-// A few folders and the recent files, in a column of this width in pixels. Returns the path that was chosen; empty:
-// none.
+// `width`: of the column in pixels. Returns the chosen path; empty: none.
 [[nodiscard]] std::filesystem::path draw_places(float width, std::span<const std::filesystem::path> recent_files);
 
 } // namespace ramus::app

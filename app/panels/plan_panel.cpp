@@ -1,5 +1,5 @@
-// Sections of the planning page: cuts and what they cost, thin vessels, measurements, the report. What they show is
-// among the assets; what they do goes through commands.
+// Sections of the planning page: cuts and their cost, thin vessels, measurements, the report. They read assets and act
+// through commands.
 #include "app/panels/plan_rows.h"
 #include "app/panels/sections.h"
 #include "app/panels/theme.h"
@@ -24,7 +24,7 @@ void draw_cuts(InterfaceContext& context) {
         words.size() == 1)
         context.perform("reconstruct", words);
     widgets::tooltip("Cuts through vessels of a larger diameter are marked in the list");
-    const auto plan = context.workspace.current_assets().plan; // kept here: removing a cut makes the document another
+    const auto plan = context.workspace.current_assets().plan; // keeps it alive: removing a cut replaces it
     const measure::CutReport& report = plan->cuts;
     if (!marks.cuts.empty())
         widgets::row_headings({"Branch that is cut", "Click a line to select the branch and to look at it"},
@@ -68,7 +68,7 @@ void draw_buttons(InterfaceContext& context, std::initializer_list<widgets::Titl
 
 } // namespace
 
-// Vessels below a diameter that is typed.
+// Vessels below an editable diameter.
 void draw_thin_vessels(InterfaceContext& context) {
     std::string& typed = context.interface.editing.thin;
     const auto& facts = context.workspace.facts();
@@ -91,7 +91,7 @@ void draw_measurements(InterfaceContext& context) {
                            {"Path", "Path along the vessels between two places", "tool", {"measure-path"}},
                            {"Diameter", "Diameter at a place", "tool", {"measure-diameter"}},
                            {"Angle", "Angle between three places", "tool", {"measure-angle"}}});
-    const auto measurements = context.workspace.current_assets().measurements; // kept here, as above
+    const auto measurements = context.workspace.current_assets().measurements; // keeps it alive, as above
     if (!measurements->found.empty())
         widgets::row_headings({"Measurement", "What was measured; hover a line for the details"},
                               {"Value", "What it measures, with its unit"}, ImGui::GetFrameHeight());

@@ -15,7 +15,7 @@ namespace ramus::app {
 void RecoveryDialog::offer(std::vector<autosave::Slot> slots) {
     for (autosave::Slot& slot : slots) {
         auto snapshot = slot.read();
-        if (snapshot && snapshot->changes == 0) { // older versions kept what was only looked at
+        if (snapshot && snapshot->changes == 0) { // older versions also saved sessions without changes
             slot.remove();
             continue;
         }
@@ -78,7 +78,7 @@ RecoveryChoice draw_entry(const RecoveryDialog::Entry& entry, float height) {
 
 void draw_recovery_dialog(InterfaceContext& context) {
     RecoveryDialog& dialog = context.interface.recovery;
-    // What went wrong with one, or what is unsaved, comes first.
+    // Errors and unsaved changes come first.
     if (!dialog.open || !context.interface.errors.empty() || context.interface.unsaved.open()) return;
     if (!widgets::begin_dialog("recovery", 560.0F, 0.0F)) return;
     const float scale = theme::scale();
@@ -108,7 +108,7 @@ void draw_recovery_dialog(InterfaceContext& context) {
     widgets::align_right(width);
     const bool later = ImGui::Button("Later", {width, 0.0F});
     widgets::tooltip("They stay, and are offered again: File, Recover...");
-    // Return takes the only one; not the Return that brought the dialog.
+    // Return recovers a single entry; the Return key that opened the dialog does not count.
     if (!ImGui::IsWindowAppearing() && dialog.entries.size() == 1 && dialog.entries[0].problem.empty() &&
         ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false))
         chosen = {"recover", "1"};
@@ -135,7 +135,7 @@ void draw_unsaved_dialog(InterfaceContext& context) {
     ImGui::Dummy({0.0F, 6.0F * scale});
     const float width = 90.0F * scale;
     widgets::align_right(3.0F * width + 2.0F * ImGui::GetStyle().ItemSpacing.x);
-    // A key that brought the dialog does not answer it.
+    // The key that opened the dialog does not answer it.
     const auto pressed = [](int key) { return !ImGui::IsWindowAppearing() && ImGui::IsKeyPressed(key, false); };
     constexpr int kD = 'D'; // as GLFW numbers it
     const bool discard = ImGui::Button("Discard", {width, 0.0F}) || pressed(kD);
@@ -157,7 +157,7 @@ void draw_unsaved_dialog(InterfaceContext& context) {
 void draw_quit_dialog(InterfaceContext& context) {
     QuitDialog& dialog = context.interface.quit;
     if (!dialog.open() || !context.interface.errors.empty()) return;
-    // It may end while it is asked about.
+    // Writing may finish while the dialog is open.
     const bool done = context.commands.writing().empty();
     if (!widgets::begin_dialog("quit", 460.0F, 0.0F)) return;
     const float scale = theme::scale(), width = 110.0F * scale;

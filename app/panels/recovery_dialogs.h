@@ -1,6 +1,5 @@
-// What the dialogs about the life of a session remember: what other runs left behind, and what is to happen once
-// unsaved changes have been seen to. The dialogs themselves are drawn by draw_recovery_dialog() and
-// draw_unsaved_dialog().
+// State of the dialogs for recovery, unsaved changes and quitting. draw_recovery_dialog(), draw_unsaved_dialog() and
+// draw_quit_dialog() draw them.
 #pragma once
 
 #include "app/storage/autosave.h"
@@ -16,13 +15,13 @@ struct RecoveryDialog {
     struct Entry {
         autosave::Slot slot;
         autosave::Snapshot snapshot;
-        std::string problem; // why it cannot be read; empty: it can
+        std::string problem; // why it cannot be read; empty: readable
     };
     bool open = false;
-    bool failed = false;        // what was chosen could not be recovered: the error that is shown is about it
+    bool failed = false;        // recovery failed: the error shown is about that
     std::vector<Entry> entries; // newest first
 
-    // Shows itself when there is anything.
+    // Opens the dialog if there are entries.
     void offer(std::vector<autosave::Slot> slots);
 };
 
@@ -31,7 +30,7 @@ struct UnsavedDialog {
     [[nodiscard]] bool open() const { return next != nullptr; }
 };
 
-// A file is still being written when somebody wants to quit.
+// Asks for confirmation to quit while a file is being written.
 struct QuitDialog {
     std::string activity;       // "Exporting liver.stl"
     std::function<void()> next; // empty: the dialog is closed

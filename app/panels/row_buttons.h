@@ -1,4 +1,4 @@
-// What rows of the side panel have at their ends: buttons with a small drawing, an eye, a swatch with its colour.
+// Small controls at the ends of rows in the side panel: icon buttons, an eye, a colour swatch.
 #pragma once
 
 #include "app/panels/theme.h"
@@ -11,7 +11,7 @@
 
 namespace ramus::app::widgets {
 
-// A square button without a frame, on which `draw(list, centre, unit, colour)` draws; half as bright when it is off.
+// A square button without frame; `draw(list, centre, unit, colour)` draws its icon. Dimmed if not `on`.
 template <class Draw> bool icon_button(const char* id, bool on, const char* help, const Draw& draw) {
     const float side = ImGui::GetFrameHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -31,8 +31,8 @@ template <class Draw> bool icon_button(const char* id, bool on, const char* help
 
 bool eye_button(bool open, const char* help);
 
-// A swatch that opens a picker, the popup "colour" of the row; true: `colour` was changed in it. What the picker ends
-// with, once the popup has closed, is for the row to take over as one step of undo.
+// A swatch that opens a colour picker (the popup "colour" of the row). True: `colour` changed. The row must commit the
+// final colour as one step of undo after the popup has closed.
 [[nodiscard]] bool colour_swatch(std::array<std::uint8_t, 3>& colour);
 
 } // namespace ramus::app::widgets

@@ -1,5 +1,5 @@
-// The sections of the side panel's pages. Each draws nothing where it has nothing to say. A new section is a file, a
-// declaration and a row here.
+// The sections of the side panel's pages. A section without content draws nothing. To add one: a file, a declaration
+// and a row here.
 #pragma once
 
 #include "app/panels/interface.h"
@@ -13,8 +13,8 @@ void draw_surface_problem(InterfaceContext& context);
 void draw_glass(InterfaceContext& context);
 void draw_context(InterfaceContext& context);
 void draw_compare(InterfaceContext& context);
-void draw_colours(InterfaceContext& context);   // while colours say a quantity, or data could be said
-void draw_deviation(InterfaceContext& context); // while colours say it
+void draw_colours(InterfaceContext& context);   // while a quantity is coloured, or data are available
+void draw_deviation(InterfaceContext& context); // while deviation is coloured
 void draw_measurements(InterfaceContext& context);
 void draw_pins(InterfaceContext& context);
 void draw_lesions(InterfaceContext& context); // and the vessels nearest to each
@@ -31,13 +31,13 @@ struct Section {
 inline constexpr Section kSections[] = {
     {PanelPage::kExplore, draw_explore},
     {PanelPage::kSurface, draw_colours},
-    {PanelPage::kSurface, draw_deviation}, // what colours say, before what they are of
+    {PanelPage::kSurface, draw_deviation}, // colours before the surface that they apply to
     {PanelPage::kSurface, draw_surface},
     {PanelPage::kSurface, draw_glass},
     {PanelPage::kSurface, draw_context},
     {PanelPage::kSurface, draw_compare},
     {PanelPage::kSurface, draw_surface_problem},
-    {PanelPage::kPlan, draw_measurements}, // first: what is below grows, and the tools stay where they are
+    {PanelPage::kPlan, draw_measurements}, // first: sections below grow, the tools stay in place
     {PanelPage::kPlan, draw_lesions},
     {PanelPage::kPlan, draw_margins},
     {PanelPage::kPlan, draw_cuts},

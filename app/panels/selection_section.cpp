@@ -1,4 +1,4 @@
-// What is selected, and what can be done with it: always at the same places, however many branches it is about.
+// The section of the selection: facts and actions, always at the same places.
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -91,7 +91,7 @@ float draw_selection(InterfaceContext& context) {
     draw_actions(context);
     ImGui::EndDisabled();
     ImGui::Dummy({0.0F, 2.0F * theme::scale()});
-    // Room for the facts of one branch, so that nothing moves with the selection; less where there is no such room.
+    // Reserves space for the facts of one branch, so that the selection moves nothing; less if there is no space.
     const std::size_t selected = document.marks().selection.size();
     const int most = document.tree()->systems.size() > 1 ? kMostFacts : kMostFacts - 1;
     const float line = ImGui::GetTextLineHeightWithSpacing(), room = ImGui::GetContentRegionAvail().y;

@@ -1,5 +1,5 @@
-// The panel at the right: the tree, and a page of what is selected and the branches, of the surface, or of the plan.
-// Nothing in it moves because the pointer hovers, presses or selects: what may grow stands last, or has its room.
+// The side panel: the tree, and pages for exploring, the surface, and planning. Hovering, pressing and selecting move
+// nothing: parts that may grow are last, or have reserved space.
 #include "app/panels/choice_row.h"
 #include "app/panels/interface.h"
 #include "app/panels/sections.h"
@@ -61,7 +61,7 @@ void draw_tree(InterfaceContext& context) {
     widgets::facts(facts_shown);
 }
 
-// What is shown without a tree.
+// The files shown without a tree.
 void draw_alone(InterfaceContext& context) {
     const Document& document = context.workspace.document();
     ImGui::PushFont(theme::title_font());
@@ -94,7 +94,7 @@ void draw_slider(const SurfaceOption& option, float& value) {
     value = static_cast<float>(whole);
 }
 
-// An option that takes no number.
+// An option with named values.
 void draw_words(InterfaceContext& context, const SurfaceOption& option, const mesh::SurfaceOptions& options) {
     std::vector<std::pair<std::string, std::string>> entries;
     for (const OptionWord& word : option.words) entries.emplace_back(word.key, word.label);
@@ -103,7 +103,7 @@ void draw_words(InterfaceContext& context, const SurfaceOption& option, const me
         context.perform("surface", {std::string(option.key), *chosen});
 }
 
-// What the option above does to this tree.
+// The effect of the option above on this tree.
 void draw_smoothing(InterfaceContext& context) {
     const Assets& assets = context.workspace.current_assets();
     if (!assets.centerlines.lines) return;
@@ -150,7 +150,7 @@ void draw_surface(InterfaceContext& context) {
     draw_options(context);
 }
 
-// Last, so that it moves nothing when it comes.
+// Last, so that it moves nothing when it appears.
 void draw_surface_problem(InterfaceContext& context) {
     const std::string& problem = context.workspace.surface_problem();
     if (problem.empty()) return;
@@ -186,7 +186,7 @@ void draw_pages(InterfaceContext& context) {
     ImGui::PopStyleVar();
 }
 
-// The table, or the way back to it.
+// The table, or a button to return it to the panel.
 void draw_branches(InterfaceContext& context) {
     const bool apart = context.interface.list.apart;
     draw_title(
@@ -202,7 +202,7 @@ void draw_branches(InterfaceContext& context) {
 
 } // namespace
 
-// What stands above the table scrolls where the panel is too low for all of it: the table keeps its rows.
+// The part above the table scrolls if the panel is too low: the table keeps its rows.
 void draw_explore(InterfaceContext& context) {
     float& height = context.interface.explore_height;
     const float room = ImGui::GetContentRegionAvail().y - least_branch_list_height(context.interface.list);

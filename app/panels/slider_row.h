@@ -1,5 +1,5 @@
-// A slider of the side panel that changes the session once, when it is let go: every step would be a step of undo. What
-// it says while it is held is there to be tried.
+// A slider row of the side panel. The session changes only when the slider is released, as one step of undo; while it
+// is held, its value is a trial value.
 #pragma once
 
 #include "app/panels/choice_row.h"
@@ -10,14 +10,14 @@
 
 namespace ramus::app::widgets {
 
-// What a slider remembers from frame to frame.
+// State of a slider between frames.
 template <class T> struct Slider {
     T value{};
     bool held = false;
 };
 
-// One row: label, slider, value. `draw(T&)` draws the slider itself, `as_text(T)` is what stands at the right. True
-// when it was let go at another value than `current`.
+// A row with label, slider and value. `draw(T&)` draws the slider; `as_text(T)` formats the value. True if it was
+// released at another value than `current`.
 template <class T, class Draw, class AsText>
 bool slider_row(const char* label, const char* help, Slider<T>& slider, T current, const Draw& draw,
                 const AsText& as_text) {
@@ -33,7 +33,7 @@ bool slider_row(const char* label, const char* help, Slider<T>& slider, T curren
     return changed;
 }
 
-// A share of the whole, in percent.
+// A slider for a fraction, shown in percent.
 inline bool share_row(const char* label, const char* help, Slider<float>& slider, double current, float most = 1.0F) {
     return slider_row(
         label, help, slider, static_cast<float>(current),

@@ -1,5 +1,5 @@
-// How many branches are selected, of glass and hidden, in the status bar, where it is always in view. A click on one
-// takes it back.
+// Counts of selected, defocused and hidden branches in the status bar, where they are always visible. A click on one
+// resets that state.
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"

@@ -1,5 +1,5 @@
-// The line at the bottom: the way from the root to the branch at hand at the left, progress or what the picture is made
-// of at the right, and how many warnings nobody has read.
+// The status bar: at the left the path from the root to the current branch, at the right progress or facts of the
+// picture, and the number of unread warnings.
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kStep = "  \xE2\x80\xBA  "; // an angle quote
 
-// The branch that the path is about: the hovered one, or the only selected one.
+// The branch of the path: the hovered one, or the only selected one.
 int branch_at_hand(const InterfaceContext& context) {
     if (context.interface.hovered != tree::kNoBranch) return context.interface.hovered;
     const auto& selection = context.workspace.document().marks().selection;
@@ -39,7 +39,7 @@ void draw_path(InterfaceContext& context, float right_edge) {
         return;
     }
     const std::vector<int> path = path_to(*tree, branch);
-    // The end of the path matters most: leave out the middle when there is no room for all.
+    // The end of the path matters most: omits the middle if space is short.
     const float step_width = ImGui::CalcTextSize(kStep).x;
     float available = right_edge - ImGui::GetCursorPosX() - 24.0F * theme::scale();
     std::size_t shown_from = path.size();
@@ -107,7 +107,7 @@ float draw_progress(InterfaceContext& context) {
     return start;
 }
 
-// In at most half of the bar: a narrow window leaves out the time first, then the kind.
+// In at most half of the bar: a narrow window omits the time first, then the kind.
 float draw_facts(InterfaceContext& context) {
     const ReadySurface& shown = context.workspace.shown();
     const Marks& marks = context.workspace.document().marks();

@@ -98,7 +98,7 @@ void draw_systems(InterfaceContext& context) {
     if (document.tree()->systems.empty()) return;
     draw_title(context, "Systems", {{"Colour", "Colour every branch as its system", "colour-by", {"system"}}});
     draw_headings();
-    // Copies: what a row does changes the session.
+    // Copies, since actions of rows change the session.
     const Systems systems = systems_of(*document.tree(), document.marks());
     const std::vector<SystemFacts> facts = system_facts(*document.tree(), *context.workspace.facts(), document.marks());
     if (context.interface.editing.system.of >= static_cast<int>(systems.size())) context.interface.editing.system = {};

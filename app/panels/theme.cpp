@@ -13,7 +13,7 @@ struct Loaded {
     ImFont* title = nullptr;
     float scale = 1.0F;
 };
-Loaded loaded; // of the one ImGui context there is
+Loaded loaded; // for the only ImGui context
 
 // Latin, Greek and Cyrillic file names; dashes, quotes, ellipsis and angle quotes; arrows are not in the font.
 constexpr ImWchar kRanges[] = {0x0020, 0x024F, 0x0370, 0x03FF, 0x0400, 0x052F, 0x2010, 0x203A,

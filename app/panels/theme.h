@@ -1,5 +1,5 @@
-// The look of the interface: a dark and a light theme for ImGui, and its fonts. Sizes are in points (1/96 inch);
-// `scale` is pixels per point. Text is Open Sans from Debian's fonts-open-sans; where that is missing, ImGui's own.
+// Theme of the interface: dark and light colours for ImGui, and fonts. Sizes are in points (1/96 inch); `scale` is
+// pixels per point. The font is Open Sans from Debian's fonts-open-sans, otherwise ImGui's own.
 #pragma once
 
 #include <imgui.h>
@@ -10,29 +10,29 @@ inline constexpr float kTextSize = 15.0F; // points
 inline constexpr float kSmallSize = 13.0F;
 inline constexpr float kTitleSize = 20.0F;
 
-// The colours of a theme. Text of each has a contrast of 4.5 : 1 at least against each ground that it stands on
-// (WCAG 2.1, success criterion 1.4.3); a test holds them to it.
+// The colours of a theme. Text has a contrast of at least 4.5 : 1 on each of its backgrounds (WCAG 2.1, success
+// criterion 1.4.3); a test checks that.
 struct Palette {
     ImVec4 text;
     ImVec4 quiet;      // labels, units, hints
-    ImVec4 disabled;   // what cannot be chosen now
-    ImVec4 accent;     // the colour of selection in the picture, as text
-    ImVec4 accent_dim; // the ground of what is chosen
+    ImVec4 disabled;   // unavailable items
+    ImVec4 accent;     // the picture's selection colour, for text
+    ImVec4 accent_dim; // background of chosen items
     ImVec4 highlight, trouble, good;
-    ImVec4 suspect, overlap, gap; // as marks of these are in the picture, as text
-    ImVec4 trouble_dim;           // the ground of a button that loses something
+    ImVec4 suspect, overlap, gap; // the colours of these marks in the picture, for text
+    ImVec4 trouble_dim;           // background of destructive buttons
     ImVec4 panel, bar, popup;
     ImVec4 line;
     ImVec4 frame, frame_hovered, frame_active;    // fields
     ImVec4 button, button_hovered, entry_hovered; // buttons; entries of lists and menus
     ImVec4 grab, grab_hovered, grab_active;       // of scroll bars
-    ImVec4 slider;                                // what is dragged along a slider
-    ImVec4 raised;                                // over any ground: what can be pressed, every other row
+    ImVec4 slider;                                // the knob of a slider
+    ImVec4 raised;                                // over any background: clickable items, every other row
 };
 enum class Kind { kDark, kLight };
 [[nodiscard]] const Palette& palette(Kind kind);
 
-// The colours in use: constants to panels, which see no other in a frame.
+// The current colours; they are constant within a frame.
 inline Palette palette_in_use;
 // NOLINTBEGIN(readability-identifier-naming)
 inline const ImVec4& kText = palette_in_use.text;
@@ -52,18 +52,19 @@ inline const ImVec4& kFrame = palette_in_use.frame;
 inline const ImVec4& kLine = palette_in_use.line;
 inline const ImVec4& kRaised = palette_in_use.raised;
 // NOLINTEND(readability-identifier-naming)
-inline const ImVec4 kNothing{0.00F, 0.00F, 0.00F, 0.00F}; // the ground of a button without one
-// On the picture, which is dark in both themes.
+inline const ImVec4 kNothing{0.00F, 0.00F, 0.00F, 0.00F}; // background of a button without one
+// For text on the picture, which is dark in both themes.
 inline const ImVec4 kOnPicture{0.87F, 0.88F, 0.90F, 1.00F};
 inline const ImVec4 kQuietOnPicture{0.60F, 0.63F, 0.68F, 1.00F};
 
-// From the next frame on; nothing where it is in use already.
+// Switches the theme from the next frame on.
 void use(Kind kind);
 
-// Sets colours and sizes of the current ImGui context and loads its fonts; upload them afterwards. Dark until use().
+// Sets colours and sizes of the current ImGui context and loads its fonts, which must then be uploaded. Dark until
+// use().
 void apply(float scale);
 
-// Null: ImGui's own in every size.
+// Null: use ImGui's font.
 [[nodiscard]] ImFont* small_font();
 [[nodiscard]] ImFont* title_font();
 [[nodiscard]] float scale();

@@ -1,4 +1,4 @@
-// A small row of buttons at the upper left of the picture, one for each tool, and beside it how the tool in use works.
+// The tool bar at the upper left of the picture: a button per tool, and the settings of the current tool.
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -36,7 +36,7 @@ void draw_button(InterfaceContext& context, const ToolKind& kind, float side) {
     widgets::tooltip((kind.label + ". " + kind.help).c_str(), kind.keys.empty() ? nullptr : kind.keys.front().c_str());
 }
 
-// What parallel lines look like: side by side, or as rails that meet far away.
+// Toggles the projection; its icon shows parallel or converging lines.
 void draw_projection_button(InterfaceContext& context, float side) {
     const bool parallel = context.workspace.document().session().camera.orthographic;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -53,7 +53,7 @@ void draw_projection_button(InterfaceContext& context, float side) {
                      "O");
 }
 
-// Entries of the command table as texts side by side; the one in use is marked.
+// Entries of the command table as adjacent texts; the active one is marked.
 void draw_switch(InterfaceContext& context, std::string_view name, std::initializer_list<const char*> texts,
                  float height) {
     const char* const* text = texts.begin();

@@ -1,4 +1,4 @@
-// What the current tool wants drawn, over the picture and under the panels.
+// Draws the current tool's ToolDrawing, over the picture and under the panels.
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -18,7 +18,7 @@ public:
     Painter(ImDrawList& list, glm::ivec2 at, glm::ivec2 size, const Lengths& lengths)
         : list_(list), at_(at), size_(size), lengths_(lengths) {}
 
-    // Row by row: ImGui fills convex polygons only, and this is what the even-odd rule takes.
+    // Fills row by row by the even-odd rule, since ImGui fills only convex polygons.
     void area(const ToolDrawing::Area& area) const {
         const PixelPolygon polygon(area.outline);
         const int first = std::max(0, static_cast<int>(std::floor(polygon.top())));
@@ -31,7 +31,7 @@ public:
         }
     }
 
-    // On a dark rim, to be seen on bright vessels too.
+    // With a dark rim, for visibility on bright vessels.
     void line(const ToolDrawing::Line& line) const {
         std::vector<ImVec2> points;
         for (const glm::dvec2& point : line.points) points.push_back(to_window(point));
@@ -79,7 +79,7 @@ void draw_tool_drawing(InterfaceContext& context) {
     const ToolDrawing& drawing = context.interface.tool_drawing;
     const Layout& layout = context.layout;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    // Viewports are the same view of the same place: what is drawn in one shows in all.
+    // All viewports have the same view, so the drawing appears in each.
     for (const glm::ivec2& corner : layout.viewports_at) {
         const glm::ivec2 at = layout.view_at + corner, to = at + layout.viewport_size;
         list.PushClipRect({static_cast<float>(at.x), static_cast<float>(at.y)},

@@ -1,4 +1,4 @@
-// What lies under the pointer: the branch, its size, and what depends on it.
+// The card about the branch under the pointer: its size and dependents.
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -23,7 +23,7 @@ float overlap(const Covered& a, const Covered& b) {
     return size.x * size.y;
 }
 
-// What the card must leave free: the tools, the scale bar and the cube, at the picture's edges.
+// Areas that the card must not cover: tools, scale bar and cube at the picture's edges.
 std::array<Covered, 3> kept_free(const Layout& layout, float scale) {
     const glm::vec2 from(layout.view_at), to = from + glm::vec2(layout.view_size);
     return {Covered{from, {to.x, from.y + 54.0F * scale}},
@@ -43,7 +43,7 @@ glm::vec2 card_corner(const Layout& layout, const std::vector<Covered>& covered,
     for (const Covered& panel : covered) lefts.push_back(panel.to.x + 2.0F * scale);
     glm::vec2 best(0.0F);
     float least = FLT_MAX;
-    // Anywhere, or above the scale bar and the cube.
+    // Tries the whole picture, then the part above scale bar and cube.
     for (const float bottom : {to.y, to.y - 110.0F * scale})
         for (const float top : {pointer.y + gap, pointer.y - gap - size.y})
             for (const float left : lefts) {

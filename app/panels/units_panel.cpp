@@ -1,6 +1,5 @@
-// "What this file does not say": a small panel over the picture's left edge that asks for the unit of the file's
-// numbers and for the sides of the patient that its axes lead to. The cube in the picture shows a choice before it is
-// taken.
+// "What this file does not say": a panel at the left edge of the picture that asks for the file's unit and orientation.
+// The cube in the picture previews the choice.
 #include "app/panels/choice_row.h"
 #include "app/panels/interface.h"
 #include "app/panels/left_panel.h"
@@ -48,7 +47,7 @@ void draw_unit_row(UnitsPanel& units_panel, const tree::Claims& claims) {
     ImGui::PopID();
 }
 
-// Sides on a line that another axis has taken are not offered: the choice is possible whatever is chosen.
+// Omits sides on an axis that is taken already, so that every choice is valid.
 void draw_axis_row(UnitsPanel& units_panel, std::size_t axis, const tree::Claims& claims) {
     constexpr std::array kNames{"x", "y", "z"};
     Entries entries{{kOpen, claims.orientation == tree::SaidBy::kFile ? "As the file says" : "Not known"}};
@@ -90,7 +89,7 @@ void draw_axes(UnitsPanel& units_panel, const tree::Claims& claims) {
     }
 }
 
-// The words of read-as; none: nothing is to be changed.
+// Arguments of read-as; empty: nothing changes.
 std::vector<std::string> answers(const UnitsPanel& units_panel, const io::ReadOptions& options) {
     std::vector<std::string> words;
     const auto add = [&](const char* key, std::string value) { words.insert(words.end(), {key, std::move(value)}); };

@@ -1,6 +1,6 @@
-// What holding the surface against its tree has found: a panel over the picture's left edge with the questions, a row
-// for each place, how well the surface follows the tree as it was read, and the radius along the selected branch. A
-// click goes to the place and selects the branches.
+// The validation panel at the left edge of the picture: the questions, a row per place, how well the surface follows
+// the tree as read, and the radius along the selected branch. A click moves the camera to the place and selects its
+// branches.
 #include "app/panels/interface.h"
 #include "app/panels/left_panel.h"
 #include "app/panels/theme.h"
@@ -42,7 +42,7 @@ constexpr std::array<Question, kFindingKinds> kQuestions{
 void draw_answers(const std::vector<Finding>& findings) {
     widgets::row_headings({"Question", "What the surface is asked"}, {"Found", "How many places answer with yes"});
     for (const Question& question : kQuestions) {
-        if (question.kind == Kind::kRadius) continue; // no question
+        if (question.kind == Kind::kRadius) continue; // not one of the questions
         const auto count = std::ranges::count(findings, question.kind, &Finding::kind);
         ImGui::TextUnformatted(question.text);
         widgets::tooltip(question.help);
@@ -67,7 +67,7 @@ void draw_fidelity(const validate::Validation& found, const Lengths& lengths) {
     widgets::fact("    95 % below", percent(found.radius_error.p95));
 }
 
-// Where vessels have grown together, or come apart, the surface has other pieces or loops than its tree.
+// Where vessels have merged or come apart, numbers of pieces or loops differ from the tree's.
 void draw_shape(const std::optional<validate::Shape>& shape) {
     if (!shape) return;
     const auto row = [](const char* label, const char* help, std::int64_t surface, std::int64_t tree) {
@@ -125,7 +125,7 @@ void draw_findings(InterfaceContext& context, const std::vector<Finding>& list, 
     widgets::end_list();
 }
 
-// Whether what is listed is of the tree and the surface as they are; and if it is not, what becomes of it.
+// Whether the list belongs to the current tree and surface, and if not, what happens next.
 void draw_state(InterfaceContext& context, bool anything, bool fits) {
     Workspace& workspace = context.workspace;
     if (fits) return;
@@ -161,8 +161,8 @@ void draw_validation(InterfaceContext& context) {
     widgets::align_right(ImGui::CalcTextSize("Close").x + 14.0F * theme::scale());
     if (widgets::small_button("Close", "Hides the validation; Shift+V shows it again")) panel.open = false;
     widgets::rule();
-    const TreeValidation now = context.workspace.current_assets().validation; // kept: what is done here may change it
-    if (panel.of != now.findings) panel.current = -1;                         // others are counted in it
+    const TreeValidation now = context.workspace.current_assets().validation; // a copy: actions may replace it
+    if (panel.of != now.findings) panel.current = -1;                         // `current` is an index into the old list
     panel.of = now.findings;
     const Document& document = context.workspace.document();
     const bool fits = now.fits(validation_of(document.tree(), document.marks()));

@@ -17,7 +17,7 @@ namespace {
 
 using validate::RadiusPlace;
 
-// The places of one branch, and the radii that are drawn of them.
+// One curve: the radii at the places of a branch.
 struct RadiusLine {
     const char* name;
     ImVec4 colour;
@@ -40,7 +40,7 @@ struct BranchPlot {
     }
 };
 
-// In the order in which they are drawn: the thin line of what was read lies over the others.
+// In drawing order: the thin line of the tree's radii is on top.
 std::vector<RadiusLine> lines_of(const TreeValidation& validation) {
     const std::vector<RadiusPlace>& places = validation.found->radii;
     std::vector<RadiusLine> lines;
@@ -61,7 +61,7 @@ BranchPlot plot_of(const TreeValidation& validation, int branch) {
                     static_cast<std::size_t>(end - places.begin()), lines_of(validation)};
     if (plot.end - plot.first < 2) return plot;
     plot.length_mm = places[plot.end - 1].along_mm;
-    // At joints other surfaces are as wide as the joint: what is read there, and what lies apart, has to fit.
+    // At joints surfaces are as wide as the joint; the axis covers only the tree's radii and places away from joints.
     for (std::size_t i = plot.first; i < plot.end; ++i) {
         plot.top_mm = std::max(plot.top_mm, places[i].input_mm);
         if (places[i].alone)
@@ -94,7 +94,7 @@ void shade_joints(ImDrawList& list, const BranchPlot& plot) {
     }
 }
 
-// The place of the branch that a finding is at, where it is on this one.
+// Marks a finding's place if it is on this branch.
 void mark_finding(ImDrawList& list, const BranchPlot& plot, const TreeValidation& validation, int current) {
     if (current < 0 || static_cast<std::size_t>(current) >= validation.findings->size()) return;
     const Finding& finding = (*validation.findings)[static_cast<std::size_t>(current)];
@@ -111,7 +111,7 @@ void mark_finding(ImDrawList& list, const BranchPlot& plot, const TreeValidation
                  1.4F * theme::scale());
 }
 
-// What all lines say where the pointer is.
+// Shows the values of all curves at the pointer.
 void tell_values(const BranchPlot& plot, const Lengths& lengths) {
     if (!ImGui::IsItemHovered()) return;
     const double along = plot.length_mm * (ImGui::GetMousePos().x - plot.corner.x) / plot.size.x;

@@ -1,5 +1,5 @@
-// The radius along a branch in the validation's panel: as it was read, of the surface, of the truncated cones, and of a
-// mask's isosurface where there is one.
+// Plots the radius along a branch in the validation panel: of the tree, of the surface, of the truncated cones, and of
+// a mask's isosurface if there is one.
 #pragma once
 
 #include "app/assets/validation.h"
@@ -7,7 +7,7 @@
 
 namespace ramus::app {
 
-// `fits`: the validation is of the tree and options as they are; else the branch may be another one.
+// `fits`: the validation belongs to the current tree and options; otherwise its branch ids may be outdated.
 void draw_radius_plot(const Document& document, const TreeValidation& validation, bool fits, int current_finding);
 
 } // namespace ramus::app

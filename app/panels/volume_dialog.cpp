@@ -1,4 +1,4 @@
-// A mask or a scan was opened or dropped: a tree is made of it, or its surface is shown beside the tree that there is.
+// The dialog for an opened or dropped mask or scan: make a tree of it, or show its surface.
 #include "app/panels/volume_dialog.h"
 
 #include "app/panels/interface.h"
@@ -36,7 +36,7 @@ std::string VolumeDialog::why_not() const {
     return {};
 }
 
-// "1+3", "1,2"; empty: each label by itself, as usual.
+// "1+3", "1,2"; empty: each label separately, the default.
 std::string VolumeDialog::label_words() const {
     const std::vector<std::int32_t> some = chosen();
     const bool all = !facts || some.size() == facts->labels.size();
@@ -58,7 +58,7 @@ std::vector<std::string> VolumeDialog::tree_words() const {
 std::vector<std::vector<std::string>> VolumeDialog::context_words() const {
     if (scan) return {{"--isovalue", isovalue_text()}};
     const std::vector<std::int32_t> some = chosen();
-    // Labels that the file names are things of their own, unless they are very many.
+    // Named labels are separate objects, unless there are too many.
     constexpr std::size_t kMostNamed = 16;
     const bool named = facts && some.size() > 1 && some.size() <= kMostNamed &&
                        std::ranges::any_of(facts->labels, [](const LabelFacts& label) { return !label.name.empty(); });
@@ -79,7 +79,7 @@ struct Choice {
     std::string why_not; // empty: it can be done
 };
 
-// A button with a line below that says what it does, or why it cannot be done now. `key`: a letter that does the same.
+// A button with an explanation below, or the reason why it is unavailable. `key`: a letter that presses it.
 bool draw_choice(const Choice& choice, bool marked) {
     const float scale = theme::scale();
     const float height = 2.0F * ImGui::GetTextLineHeight() + 18.0F * scale;
@@ -104,7 +104,7 @@ bool draw_choice(const Choice& choice, bool marked) {
     return pressed;
 }
 
-// A key that brought the dialog does not answer it.
+// The key that opened the dialog does not answer it.
 bool pressed(int key) { return !ImGui::IsWindowAppearing() && ImGui::IsKeyPressed(key, false); }
 
 std::string sizes(const glm::dvec3& v) { return digits(v.x) + " x " + digits(v.y) + " x " + digits(v.z); }
@@ -118,7 +118,7 @@ void draw_facts(const VolumeFacts& facts) {
     widgets::fact("File", facts.type);
 }
 
-// Which of them; one alone leaves nothing to choose.
+// The choice of labels; nothing with a single label.
 void draw_labels(VolumeDialog& dialog, float height) {
     const VolumeFacts& facts = *dialog.facts;
     const Lengths lengths(facts.claims);
@@ -160,7 +160,7 @@ void draw_labels(VolumeDialog& dialog, float height) {
     widgets::note_item("Labels together");
 }
 
-// So many columns, each as high as the logarithm of the voxels with these values; those that are inside stand out.
+// A histogram of this many columns with logarithmic heights; values inside are highlighted.
 void draw_histogram(const volume::ThresholdCurve& curve, std::size_t threshold, const ImVec2& size) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::Dummy(size);
@@ -184,13 +184,13 @@ void draw_histogram(const volume::ThresholdCurve& curve, std::size_t threshold, 
     list.AddLine({at.x, at.y + size.y}, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(theme::kLine));
 }
 
-// The whole number of pieces that every step-th voxel shows is theirs, and about that of all.
+// The number of pieces in the subsampled volume, which approximates the true number.
 std::string pieces_text(const volume::ThresholdCurve& curve, std::size_t threshold) {
     const std::string number = counted(curve.pieces[threshold], "piece", "pieces");
     return curve.step == 1 ? number : "about " + number;
 }
 
-// From where on a scan's values are inside, and what that makes. In all the room there is.
+// The threshold of a scan with its effect. Uses all remaining space.
 void draw_threshold(VolumeDialog& dialog) {
     const VolumeFacts& facts = *dialog.facts;
     const volume::ThresholdCurve& curve = *facts.curve;
@@ -201,7 +201,7 @@ void draw_threshold(VolumeDialog& dialog) {
     const int last = static_cast<int>(curve.thresholds.size()) - 1;
     ImGui::SetNextItemWidth(room.x);
     ImGui::SliderInt("##threshold", &place, 0, last, "", ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
-    widgets::note_item("Threshold");    // no words over what it changes
+    widgets::note_item("Threshold");    // no tooltip over the values it changes
     constexpr int kFew = 1, kMany = 16; // of the curve's thresholds
     const int step = ImGui::GetIO().KeyShift ? kMany : kFew;
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_LeftArrow))) place -= step;
@@ -215,7 +215,7 @@ void draw_threshold(VolumeDialog& dialog) {
     widgets::quiet("A threshold is no segmentation: whatever is as bright is inside.");
 }
 
-// As high before the file is read as after it, so that nothing moves under the pointer.
+// Equally high before and after the file is read, so that nothing moves under the pointer.
 void draw_contents(InterfaceContext& context, VolumeDialog& dialog) {
     const float line = ImGui::GetTextLineHeightWithSpacing(), row = ImGui::GetFrameHeightWithSpacing();
     const float labels = 5.0F * row;

@@ -1,4 +1,4 @@
-// VolumeDialog: what becomes of a mask or a scan that is opened, with what the file holds.
+// VolumeDialog: asks how to open a mask or a scan, and shows what the file contains.
 #pragma once
 
 #include "app/workspace/volume_facts.h"
@@ -14,20 +14,20 @@ namespace ramus::app {
 struct VolumeDialog {
     enum class As : std::uint8_t { kTree, kContext, kSurface };
     std::filesystem::path file; // empty: the dialog is closed
-    As as = As::kTree;          // what Return does
-    // What the file holds; null: it is being read.
+    As as = As::kTree;          // the default action
+    // Content of the file; null: being read.
     std::shared_ptr<const VolumeFacts> facts;
-    bool scan = false;         // it is taken for one, whose values are no labels
-    std::vector<char> labels;  // of the facts' labels: not 0 where it is taken
-    bool together = false;     // those are one tree
-    std::size_t threshold = 0; // of the facts' curve, where it is a scan
+    bool scan = false;         // treated as a scan, whose values are no labels
+    std::vector<char> labels;  // by label of `facts`: not 0 if chosen
+    bool together = false;     // the chosen labels form one tree
+    std::size_t threshold = 0; // index into the curve of `facts`, for scans
 
     [[nodiscard]] bool open() const { return !file.empty(); }
     void take(VolumeFacts read);
-    // Why nothing can be made of it; empty: something can.
+    // Why the choice cannot be opened; empty: it can.
     [[nodiscard]] std::string why_not() const;
-    // What the commands `open` and `context` get beside the file: {"--labels", "1+3"}, {"--isovalue", "200"}; nothing:
-    // as usual. There is one list for each call of `context`.
+    // Arguments of the commands `open` and `context` in addition to the file: {"--labels", "1+3"}, {"--isovalue",
+    // "200"}; empty: the defaults. `context` runs once per list.
     [[nodiscard]] std::vector<std::string> tree_words() const;
     [[nodiscard]] std::vector<std::vector<std::string>> context_words() const;
 

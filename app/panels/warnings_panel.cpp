@@ -1,5 +1,5 @@
-// The list of warnings: a panel over the picture's left edge, and its mark in the status bar, which counts what nobody
-// has read yet.
+// The warnings panel at the left edge of the picture, and its mark in the status bar with the number of unread
+// warnings.
 #include "app/panels/interface.h"
 #include "app/panels/left_panel.h"
 #include "app/panels/theme.h"
@@ -19,7 +19,7 @@ std::string as_sentence(std::string text) {
     return text;
 }
 
-// What is to be done after the list is drawn: what is done here changes it.
+// Actions to run after the list is drawn, since they change it.
 struct Pressed {
     std::optional<std::size_t> read;
     std::string command;

@@ -1,5 +1,5 @@
-// What a person sees who starts ramus for the first time, without a file: what this is, and three things to try. Closed
-// once, it does not come again.
+// The welcome panel, on a start without a file: what ramus is, and three things to try. Once closed, it does not appear
+// again.
 #include "app/panels/interface.h"
 #include "app/panels/left_panel.h"
 #include "app/panels/theme.h"

@@ -11,7 +11,7 @@ namespace ramus::app::widgets {
 namespace {
 
 Controls* noted = nullptr;
-int dialog_frame = -1; // the frame of ImGui in which a dialog was begun last
+int dialog_frame = -1; // ImGui frame of the last dialog
 
 } // namespace
 
@@ -41,7 +41,7 @@ bool begin_dialog(const char* name, float width, float height) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float scale = theme::scale();
     const float margin = 24.0F * scale;
-    // A second dialog would close the first one, and the first one the second in the next frame: neither was visible.
+    // Two dialogs would close each other in alternate frames, and neither would be visible.
     if (std::exchange(dialog_frame, ImGui::GetFrameCount()) == ImGui::GetFrameCount()) return false;
     if (!ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
     ImGui::SetNextWindowPos({std::round(0.5F * window.x), std::round(0.5F * window.y)}, ImGuiCond_Always, {0.5F, 0.5F});
@@ -210,7 +210,7 @@ void quiet_right(const std::string& text) {
 
 namespace {
 
-// Next to the item, toward the middle of the window: it hides neither the item nor what the pointer goes to next.
+// Next to the item, towards the middle of the window, where it covers neither the item nor its neighbours.
 void place_tooltip(TooltipAt at) {
     const ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax(), window = ImGui::GetIO().DisplaySize;
     const float gap = 4.0F * theme::scale();
@@ -229,13 +229,13 @@ void tooltip(const char* text, const char* key, TooltipAt at) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     place_tooltip(at);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10.0F * theme::scale(), 7.0F * theme::scale()});
-    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F); // also of what is disabled
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F); // also for disabled items
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(320.0F * theme::scale());
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     if (key != nullptr) {
-        ImGui::SameLine(0.0F, 12.0F * theme::scale()); // whatever stands between items here
+        ImGui::SameLine(0.0F, 12.0F * theme::scale()); // independent of the local item spacing
         quiet(key);
     }
     ImGui::EndTooltip();

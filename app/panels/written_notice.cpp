@@ -1,4 +1,5 @@
-// What was written last: where, and the way to its folder. It lies over the picture's lower edge until it is put away.
+// The notice of the last file written, with a button for its folder. Stays at the lower edge of the picture until
+// dismissed.
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"

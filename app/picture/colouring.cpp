@@ -29,7 +29,8 @@ glm::vec3 distinct(std::size_t index) {
     return {channel(5.0), channel(3.0), channel(1.0)};
 }
 
-// Few things told apart, by colour-blind eyes too (M. Okabe and K. Ito, 2008); then any others.
+// Distinguishable colours for a few things, also for colour-blind people (M. Okabe and K. Ito, 2008); then arbitrary
+// ones.
 glm::vec3 label_colour(std::size_t index) {
     constexpr std::array<glm::vec3, 7> kPalette{{{0.902F, 0.624F, 0.000F},
                                                  {0.337F, 0.706F, 0.914F},
@@ -47,7 +48,7 @@ double mean_diameter(const tree::VesselTree& tree, const tree::Branch& branch) {
     return branch.points.empty() ? 0.0 : sum / static_cast<double>(branch.points.size());
 }
 
-// A system that is hidden as a whole is not explained.
+// The legend omits systems that are completely hidden.
 std::set<int> shown_systems(const tree::VesselTree& tree, const Marks& marks) {
     std::set<int> shown;
     for (std::size_t id = 0; id < tree.branches.size(); ++id)
@@ -56,7 +57,7 @@ std::set<int> shown_systems(const tree::VesselTree& tree, const Marks& marks) {
     return shown;
 }
 
-// From values to colours, as a person asked for it.
+// Maps values to colours by the user's choices.
 struct ValueScale {
     ColourMap map = ColourMap::kViridis;
     double low = 0.0, high = 1.0;
@@ -72,7 +73,7 @@ struct ValueScale {
     }
 };
 
-// The least and the largest of some values, and the least above 0; those that are not known do not count.
+// Least and largest value, and least value above 0; unknown values are skipped.
 struct ValueRange {
     double least = HUGE_VAL, largest = -HUGE_VAL, least_positive = HUGE_VAL;
     std::size_t known = 0, unknown = 0;
@@ -92,7 +93,7 @@ ValueRange range_of(const std::vector<double>& values) {
     return range;
 }
 
-// A logarithm of values of 0 and below begins at the least above; where there is none, the scale is linear.
+// A logarithmic scale starts at the least value above 0; if there is none, the scale is linear.
 ValueScale scale_for(const ValueRange& values, const Marks& marks, bool usually_logarithmic) {
     const ColourLook& look = marks.colour_look;
     ValueScale scale{marks.colour_map, values.least, values.largest, look.logarithmic.value_or(usually_logarithmic)};
@@ -119,7 +120,7 @@ render::ColourScale shader_scale(render::ColourScale::Value value, const ValueSc
         value, static_cast<float>(scale.low), static_cast<float>(scale.high), scale.logarithmic, 0, ramp_of(scale.map)};
 }
 
-// Whole numbers: each its swatch while they are few and nobody has asked for a scale.
+// Integers: a swatch for each if there are few, unless the user has chosen a range.
 bool colour_by_count(Colouring& colouring, const std::vector<double>& values, const ValueRange& range,
                      const Marks& marks, const std::string& title) {
     constexpr int kFew = 9;
@@ -170,7 +171,7 @@ void colour_by_root_distance(Colouring& colouring, const TreeFacts& facts, const
     colouring.scale = shader_scale(render::ColourScale::Value::kRootDistance, scale);
 }
 
-// What the shaders know along a branch has colours of its own; every other quantity one colour for each branch.
+// Quantities that shaders know along branches vary in colour; every other quantity gives one colour per branch.
 void colour_by_quantity(Colouring& colouring, const QuantityRow& row, const tree::VesselTree& tree,
                         const TreeFacts& facts, const Marks& marks) {
     const std::string title = std::string(row.label) +
@@ -185,7 +186,7 @@ void colour_by_quantity(Colouring& colouring, const QuantityRow& row, const tree
     colour_by_measure(colouring, values, range, marks, title, row.colours.logarithmic);
 }
 
-// Of an array of the tree's file: those of points vary along the branches, those of branches have one colour for each.
+// An array of the tree's file: arrays of points vary along branches, arrays of branches give one colour each.
 void colour_by_data(Colouring& colouring, const tree::VesselTree& tree, const Marks& marks) {
     const std::string &name = marks.colour_by.data, title = latin1(name);
     if (const tree::DataArray* array = array_named(tree.branch_data, name)) {
@@ -215,7 +216,7 @@ void colour_by_data(Colouring& colouring, const tree::VesselTree& tree, const Ma
     colouring.some_unknown = range.unknown > 0;
 }
 
-// Systems stay what they are, so quiet that margins stand out.
+// Keeps a system's hue, but so pale that margins stand out.
 glm::vec3 beyond_margins(const glm::vec3& system) { return glm::mix(kBeyondMargins, system, kOwnBeyondMargins); }
 
 std::vector<glm::vec3> colours_beyond_margins(const tree::VesselTree& tree, const Marks& marks) {
@@ -332,7 +333,7 @@ Legend bar_legend(const std::string& title, ColourMap map, double low, double hi
 }
 
 void mark_ends(Legend& legend, const std::optional<double>& low, const std::optional<double>& high) {
-    constexpr double kApart = 0.08; // of the bar: closer, one text would lie on the other
+    constexpr double kApart = 0.08; // of the bar: closer texts would overlap
     const auto put = [&](double at, const std::string& text) {
         std::erase_if(legend.ticks, [&](const Legend::Tick& tick) { return std::abs(tick.at - at) < kApart; });
         legend.ticks.push_back({at, text});
@@ -342,8 +343,8 @@ void mark_ends(Legend& legend, const std::optional<double>& low, const std::opti
 }
 
 glm::vec3 margin_colour(std::size_t index, std::size_t count) {
-    // From what is near to what is far, after the sequential yellow-orange-red maps, safe for colour-blind eyes. None
-    // is blue or grey: vessels beyond the margins, and systems, are.
+    // From near to far, like the sequential yellow-orange-red maps, which are safe for colour-blind people. No blue or
+    // grey: vessels beyond the margins, and systems, have those.
     constexpr std::array<glm::vec3, 5> kStations{{{0.565F, 0.0F, 0.149F},
                                                   {0.843F, 0.188F, 0.153F},
                                                   {0.957F, 0.545F, 0.263F},
@@ -394,7 +395,7 @@ Colouring colouring_of(const tree::VesselTree& tree, const TreeFacts& facts, con
     case ColourBy::kSystem:
         colour_by_system(colouring, tree, marks);
         break;
-    case ColourBy::kDeviation: // the surface's own, which show_deviation() adds
+    case ColourBy::kDeviation: // values of the surface: show_deviation() adds them
         colouring.branches.assign(tree.branches.size(), kNotMeasuredColour);
         colouring.legend.title = "Deviation";
         colouring.legend.swatches.push_back({kNotMeasuredColour, "not of branches"});

@@ -1,5 +1,5 @@
-// What the colours of a picture say: the colour of every branch, what varies along branches or with the distance to
-// lesions, and the legend of it. Derived from a session; the picture, flat pictures of the tree and reports use it.
+// Colouring: the colours of a picture with their legend: per branch, along branches, by distance from lesions. Derived
+// from a session; used by pictures, the overview and reports.
 #pragma once
 
 #include "app/assets/plan.h"
@@ -13,32 +13,32 @@
 namespace ramus::app {
 
 struct Colouring {
-    std::vector<glm::vec3> branches; // sRGB by branch id, of the branch as a whole; empty: all have the vessels' colour
-    render::ColourScale scale;       // finer than `branches`, for the picture
-    render::Margins margins;         // the same
-    std::vector<glm::vec3> beyond;   // sRGB by branch id, beyond `margins`; empty: there are none
-    bool some_unknown = false;       // of `scale`: places without a value, which have kUnknownColour
-    render::Legend legend;           // without a title when there is nothing to explain
+    std::vector<glm::vec3> branches; // sRGB by branch id, one per branch; empty: the default colour
+    render::ColourScale scale;       // replaces `branches` in the picture
+    render::Margins margins;         // replaces `branches` in the picture, near lesions
+    std::vector<glm::vec3> beyond;   // sRGB by branch id, beyond `margins`; empty: no margins
+    bool some_unknown = false;       // `scale` has places without a value, in kUnknownColour
+    render::Legend legend;           // without a title: no legend
 };
 
-// `facts` of the tree; `plan`: of the same marks (Assets::plan); null: as without lesions and cuts.
+// `facts`: of the tree. `plan`: of the same marks (Assets::plan); null: no lesions and cuts.
 [[nodiscard]] Colouring colouring_of(const tree::VesselTree& tree, const TreeFacts& facts, const Marks& marks,
                                      const Plan* plan);
 
-// A bar from `low` to `high`, ticks at round numbers.
+// A bar from `low` to `high` with ticks at round numbers.
 [[nodiscard]] render::Legend bar_legend(const std::string& title, ColourMap map, double low, double high,
                                         bool logarithmic);
-// Its ends, where values lie beyond them, say so: "< 5", "> 90".
+// Labels the ends beyond which there are values: "< 5", "> 90".
 void mark_ends(render::Legend& legend, const std::optional<double>& low, const std::optional<double>& high);
 
-// The colour of a margin around lesions, the innermost first; beyond all of them. Of several systems each has so much
-// of its own colour there.
+// The colour of the margin with this index, innermost first. kBeyondMargins: beyond all margins; trees with several
+// systems mix in the system's colour by kOwnBeyondMargins.
 [[nodiscard]] glm::vec3 margin_colour(std::size_t index, std::size_t count);
 inline constexpr glm::vec3 kBeyondMargins{0.56F, 0.60F, 0.66F};
 // Tuned so that portal and hepatic veins differ from each other and from the margins.
 inline constexpr float kOwnBeyondMargins = 0.55F;
 
-// UTF-8 as the Latin-1 that pictures are lettered in; what that does not have becomes a question mark.
+// Converts UTF-8 to Latin-1, the encoding of text in pictures; other characters become question marks.
 [[nodiscard]] std::string latin1(const std::string& utf8);
 
 } // namespace ramus::app

@@ -31,8 +31,7 @@ void show_plan(render::Frame& frame, const Assets& assets, const Marks& marks) {
 
 constexpr glm::vec3 kCutColour{0.94F, 0.95F, 0.97F}, kReconstructColour{1.00F, 0.62F, 0.20F};
 
-// A ring around every cut. Nothing without `frame`'s centerlines. `plan`: of the same marks; null: no cut is
-// marked.
+// Draws a ring around every cut; needs the frame's centerlines. `plan`: of the same marks; null: no cuts are marked.
 void draw_cuts(render::Frame& frame, const Marks& marks, const Plan* plan) {
     for (std::size_t i = 0; i < marks.cuts.size() && frame.centerlines; ++i) {
         const auto& [branch, fraction] = marks.cuts[i];
@@ -44,7 +43,7 @@ void draw_cuts(render::Frame& frame, const Marks& marks, const Plan* plan) {
     }
 }
 
-// The one that is there, where it is of this session.
+// Shows the outline in the assets if it fits the session.
 void show_outline(render::Frame& frame, const Session& session, const Assets& assets) {
     const Marks& marks = session.marks;
     if (marks.selection.empty()) return;
@@ -56,9 +55,9 @@ void show_outline(render::Frame& frame, const Session& session, const Assets& as
 
 void show_glass(render::Appearance& appearance, const GlassLook& glass) {
     appearance.glass_opacity = static_cast<float>(glass.opacity);
-    // A grey with a cool tint, as bright as it says.
+    // A grey of the given brightness with a cool tint.
     appearance.glass = glm::min(static_cast<float>(glass.grey) * glm::vec3(0.943F, 1.0F, 1.086F), 1.0F);
-    // Many thin vessels of glass are mostly centerlines: no brighter than vessels in focus.
+    // Many thin glass vessels consist mostly of centerlines, which must not be brighter than vessels in focus.
     constexpr float kLineShare = 0.66F; // tuned on a tree of 2,000 branches
     appearance.centerline = kLineShare * appearance.glass;
 }
@@ -72,7 +71,7 @@ void show_claims(render::Frame& frame, const tree::Claims& claims) {
 
 namespace {
 
-// What is shown without a tree. Where all of it is clear no depth is read back of the picture: the scale is that of its
+// Shows objects without a tree. If all are transparent there are no depths to read back, and the scale is that of their
 // middle.
 void show_alone(render::Frame& frame, const Assets& assets, const std::vector<ContextItem>& context) {
     show_claims(frame, assets.claims_of(context));
@@ -83,7 +82,7 @@ void show_alone(render::Frame& frame, const Assets& assets, const std::vector<Co
         frame.overlays.scale = render::scale_of(frame.camera, frame.size, {box.centre(), glm::dot(half, forward)});
 }
 
-// The camera, the picture's size, states and looks: what needs no assets.
+// A frame with everything that needs no assets: camera, size, states, looks.
 render::Frame bare_frame(const Session& session, const Viewing& viewing) {
     render::Frame frame;
     frame.camera = session.camera;
@@ -108,8 +107,8 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     frame.mesh = std::move(mesh);
     draw_objects({frame, assets, viewing}, session.marks);
     const bool alone = !assets.tree && std::ranges::any_of(frame.context, &render::ContextMesh::shown);
-    frame.overlays.orientation_cube = frame.overlays.scale_bar = frame.mesh || alone; // else nothing to measure
-    // In perspective the scale is that of the middle of all that is shown.
+    frame.overlays.orientation_cube = frame.overlays.scale_bar = frame.mesh || alone; // otherwise nothing to measure
+    // In perspective the scale depends on everything in the picture.
     if (viewing.context_awaited && !frame.camera.orthographic) frame.overlays.scale_bar = false;
     if (alone) show_alone(frame, assets, viewing.context ? *viewing.context : session.marks.context);
     if (!assets.tree) return frame;

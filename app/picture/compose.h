@@ -1,5 +1,5 @@
-// compose(): a session, its assets and its mesh as the Frame that the renderer draws: a function of its arguments
-// alone. The window and `ramus render` call the same one, which is why their pictures are the same.
+// compose(): converts a session, its assets and its mesh to the Frame that the renderer draws. A pure function: the
+// window and `ramus render` call it, so their pictures are equal.
 #pragma once
 
 #include "app/picture/ground.h"
@@ -14,31 +14,31 @@ namespace ramus::app {
 
 struct Assets; // app/assets/assets.h
 
-// What the picture depends on beside the session.
+// Inputs of the picture that are not part of the session.
 struct Viewing {
     glm::ivec2 size{1280, 960}; // pixels
     float pixel_ratio = 1.0F;
-    int hovered = render::kNoBranch; // what depends on it glows with it
+    int hovered = render::kNoBranch; // its dependents glow, too
     Ground ground = Ground::kDark;
-    std::optional<mesh::Method> method{}; // of the surface that is shown, where it is not the session's
+    std::optional<mesh::Method> method{}; // of the shown surface, if not the session's
     render::Quality quality = render::Quality::kFull;
-    std::optional<GlassLook> glass{};                  // instead of the session's, while it is being tried
-    std::optional<std::vector<ContextItem>> context{}; // likewise
-    std::optional<mesh::SurfaceOptions> options{};     // likewise
-    std::optional<render::AxisNames> axes{};           // likewise: instead of those that are known
-    bool notes = false;           // the places that reading the tree repaired or suspects are marked
-    int note = -1;                // this one more than the others; -1: none
-    int measurement = kNoObject;  // the id of the measurement that is left out, because a tool draws it
-    PointedLesion lesion{};       // the shortest distances of this one are drawn, more than the others if these are
-    bool context_awaited = false; // what is visible of the session's context is not all there yet
-    int contact = -1;             // of the contacts this one is marked, more than the others if these are; -1: none
+    std::optional<GlassLook> glass{};                  // trial value that replaces the session's
+    std::optional<std::vector<ContextItem>> context{}; // trial value
+    std::optional<mesh::SurfaceOptions> options{};     // trial value
+    std::optional<render::AxisNames> axes{};           // trial value that replaces the known names
+    bool notes = false;                                // marks the places that reading the tree repaired or suspects
+    int note = -1;                                     // index of the emphasised note; -1: none
+    int measurement = kNoObject;  // id of a measurement to omit, because a tool draws it; kNoObject: none
+    PointedLesion lesion{};       // draws its shortest distances, emphasised if others are drawn
+    bool context_awaited = false; // some visible context is still being read
+    int contact = -1;             // index of a contact to mark, emphasised if others are marked; -1: none
 };
 
-// Sides and a unit are shown where somebody has said them of the tree.
+// Shows the patient's sides and a unit if the tree claims them.
 void show_claims(render::Frame& frame, const tree::Claims& claims);
 
-// `assets` are those of the session; what is not there yet is not shown, and without a tree
-// there are no colours. `mesh` may be null: an empty picture.
+// `assets`: of the session; missing assets are not drawn, and without a tree there are no colours. `mesh` may be null:
+// an empty picture.
 [[nodiscard]] render::Frame compose(const Session& session, const Assets& assets,
                                     std::shared_ptr<const render::PagedMesh> mesh, const Viewing& viewing);
 

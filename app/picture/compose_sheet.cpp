@@ -11,12 +11,12 @@ namespace ramus::app {
 
 namespace {
 
-constexpr glm::vec3 kLineColour{0.62F, 0.90F, 1.00F}; // of what is superimposed: far from the vessels' own
+constexpr glm::vec3 kLineColour{0.62F, 0.90F, 1.00F}; // of superimposed lines: unlike the vessels' colours
 
-// Of what shows all systems at once: bone, that no system, state or quantity has; lines are lighter.
+// For surfaces of all systems together: a bone colour that no system, state or quantity has; lines are lighter.
 constexpr glm::vec3 kNeutralColour{0.76F, 0.74F, 0.69F}, kNeutralLineColour{0.95F, 0.93F, 0.87F};
 
-// What is left of a frame on a surface that knows no branches.
+// Removes everything that needs branches from a frame whose surface has none.
 void take_branches_away(render::Frame& frame) {
     frame.states.clear();
     frame.colours.clear();
@@ -26,7 +26,7 @@ void take_branches_away(render::Frame& frame) {
     frame.hovered = render::kNoBranch;
     frame.hovered_dependents.clear();
     frame.selected.clear();
-    frame.centerlines = nullptr; // what moves would be drawn as cones along them
+    frame.centerlines = nullptr; // otherwise moving views would be drawn as cones along them
     frame.overlays.legend = {};
 }
 
@@ -37,21 +37,21 @@ std::string lowered(std::string title) {
 
 std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
 
-// "Truncated cones 30 %, isosurface of liver.nii.gz 70 %"; at either end the one that is seen.
+// "Truncated cones 30 %, isosurface of liver.nii.gz 70 %"; at either end only the visible one.
 std::string blend_heading(const std::string& first, const std::string& second, double blend) {
     if (blend <= 0.0) return first;
     if (blend >= 1.0) return second;
     return first + " " + percent(1.0 - blend) + ", " + lowered(second) + " " + percent(blend);
 }
 
-// "Truncated cones left, isosurface of liver.nii.gz right"; at either end the one that is seen.
+// "Truncated cones left, isosurface of liver.nii.gz right"; at either end only the visible one.
 std::string wipe_heading(const std::string& first, const std::string& second, double wipe) {
     if (wipe <= 0.0) return second;
     if (wipe >= 1.0) return first;
     return first + " left, " + lowered(second) + " right";
 }
 
-// Whether two pictures become one.
+// Whether the mode mixes two pictures.
 bool mixes(Comparison::Mode mode) { return mode == Comparison::Mode::kBlend || mode == Comparison::Mode::kWipe; }
 
 } // namespace
@@ -63,7 +63,7 @@ std::vector<Viewport> viewports_of(const Marks& marks, glm::ivec2 size, float pi
     std::vector<Viewport> viewports;
     for (const Compared kind : kinds)
         viewports.push_back({glm::ivec2(0), size, kind, title_of(kind, comparison), kind != Compared::kIsosurface});
-    // Voxels of a file belong to no branch: they stay when branches are hidden.
+    // Voxels of a mask's file belong to no branch, and stay when branches are hidden.
     if (!comparison.mask.empty() && std::ranges::find(marks.states, render::BranchState::kHidden) != marks.states.end())
         for (Viewport& viewport : viewports)
             if (viewport.surface == Compared::kIsosurface) viewport.title += ", with what is hidden";
@@ -78,7 +78,7 @@ std::vector<Viewport> viewports_of(const Marks& marks, glm::ivec2 size, float pi
     const int side = std::max(1, (size[axis] - (count - 1) * line) / count);
     for (int i = 0; i < count; ++i) {
         Viewport& viewport = viewports[static_cast<std::size_t>(i)];
-        // What does not divide goes into the lines: all viewports have one size.
+        // The remainder of the division goes into the dividing lines: all viewports have equal size.
         viewport.at[axis] = std::max(0, (size[axis] - side) * i / (count - 1));
         viewport.size[axis] = side;
     }
@@ -94,7 +94,7 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
     render::Sheet sheet;
     sheet.size = viewing.size;
     sheet.divider = kDividerColour;
-    // One viewport has it: the last that has colours of branches, or the one that has colours of a scale of its own.
+    // Only one viewport shows the legend: the last with colours of branches, or the one with its own scale.
     const auto is_own_surface = [&](const Viewport& viewport) { return is_own(viewport.surface, marks.options); };
     const bool of_surface = marks.colour_by == ColourBy::kDeviation && std::ranges::any_of(viewports, is_own_surface);
     std::size_t with_legend = 0;
@@ -106,7 +106,7 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
         own.method = row_of(viewports[i].surface).method;
         render::Frame frame = compose(session, assets, surfaces.of(viewports[i].surface), own);
         if (!viewports[i].has_branches) take_branches_away(frame);
-        // In a colour of its own it would be taken for a system that has this colour.
+        // In its own colour it could be mistaken for a system of that colour.
         const bool systems = assets.tree && !assets.tree->systems.empty();
         if (!viewports[i].has_branches && systems) frame.appearance.vessel = kNeutralColour;
         if (comparison.mode == Comparison::Mode::kSuperimposed && surfaces.lines)
@@ -115,7 +115,7 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
                                      .colour = systems ? kNeutralLineColour : kLineColour,
                                      .opacity = 0.9F,
                                      .wireframe = true});
-        // They are the same in all: viewports beside each other share one each.
+        // These overlays are equal in all viewports; viewports side by side share one of each.
         const bool there = assets.tree || frame.overlays.scale_bar;
         frame.overlays.orientation_cube = there && (!beside || i + 1 == viewports.size());
         frame.overlays.scale_bar = there && (!beside || i == 0);
@@ -135,7 +135,7 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
             sheet.heading = latin1(wipe_heading(first_title, second_title, *sheet.wipe));
         }
         sheet.heading_top = sheet_viewing.heading_top + static_cast<int>(std::lround(8.0F * viewing.pixel_ratio));
-        // What lies over both is that of both.
+        // Overlays of a mixed picture belong to both.
         render::Overlays& first = sheet.viewports[0].frame.overlays;
         render::Overlays& second = sheet.viewports[1].frame.overlays;
         (with_legend == 0 ? second : first).legend = sheet.viewports[with_legend].frame.overlays.legend;

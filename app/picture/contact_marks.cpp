@@ -19,8 +19,8 @@ bool is_hidden(const render::Frame& frame, int branch) {
     return index < frame.states.size() && frame.states[index] == render::BranchState::kHidden;
 }
 
-// Each of the two vessels in a colour of its own, which a selection would hide: for as long as somebody looks at the
-// contact. Colours that vary along a branch stay.
+// Colours the two vessels of the contact that a person looks at; a selection would hide the colours. Colours that vary
+// along a branch stay.
 void colour_sides(render::Frame& frame, const tree::Contact& contact, std::size_t branches) {
     constexpr std::array<glm::vec3, 2> kSideColours{{{0.20F, 0.70F, 0.62F}, {0.66F, 0.48F, 0.90F}}};
     if (frame.scale.value != render::ColourScale::Value::kNone) return;

@@ -1,4 +1,4 @@
-// Where vessels press on each other, as rings in the picture.
+// Marks contacts between vessels with rings in the picture.
 #pragma once
 
 #include "app/session/numbers.h"
@@ -10,14 +10,14 @@
 namespace ramus::app {
 
 inline constexpr std::size_t kMostContactMarks = 500;    // more would hide what they mark
-inline constexpr std::size_t kMostNumberedContacts = 25; // likewise
+inline constexpr std::size_t kMostNumberedContacts = 25; // more would overlap
 
 enum class ContactMarks { kCurrent, kAll };
 
-// Adds a ring for each contact, facing the eye and wide enough to be seen from anywhere: yellow where the tubes
-// overlap, blue where there is a gap. Few of them have their numbers, from 1. `current`: an index, drawn stronger and
-// named, its two vessels in two colours; -1: none. `branches`: of the tree. Contacts of branches that the frame hides
-// have none. The frame has its states, camera, size and pixel ratio.
+// Adds a ring per contact, facing the eye and large enough to be visible at any distance: yellow where tubes overlap,
+// blue where there is a gap. If there are few, rings are numbered from 1. `current`: index of a contact that is
+// emphasised and labelled, with its two vessels in two colours; -1: none. `branches`: number of branches of the tree.
+// Contacts of hidden branches have no ring. `frame` must have states, camera, size and pixel ratio.
 void mark_contacts(render::Frame& frame, std::span<const tree::Contact> contacts, ContactMarks which, int current,
                    std::size_t branches, const Lengths& lengths);
 

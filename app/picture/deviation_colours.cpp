@@ -10,7 +10,7 @@ namespace ramus::app {
 
 namespace {
 
-// With two digits, and not below it but for rounding.
+// Rounded up to two digits.
 double rounded_up(double value) {
     const double step = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
     constexpr double kRounding = 1e-3;
@@ -21,9 +21,9 @@ std::string title_in(DeviationChoice::Unit unit) {
     return unit == DeviationChoice::Unit::kMm ? "Deviation (mm)" : "Deviation (voxel diagonals)";
 }
 
-// The end of the scale says how far it reaches and, where there is more, that it is cut off there.
+// Labels the end of the scale, and marks it as clipped if there are larger values.
 void mark_end(render::Legend& legend, double end, bool clipped) {
-    constexpr double kApart = 0.08; // of the bar: closer, one text would lie on the other
+    constexpr double kApart = 0.08; // of the bar: closer texts would overlap
     std::erase_if(legend.ticks, [](const render::Legend::Tick& tick) { return tick.at > 1.0 - kApart; });
     legend.ticks.push_back({1.0, (clipped ? "> " : "") + rounded(end)});
 }
@@ -36,7 +36,7 @@ double mm_per_unit(const DeviationChoice& choice, const SurfaceDeviation& deviat
 
 double scale_end(const DeviationChoice& choice, const SurfaceDeviation& deviation) {
     if (choice.most > 0.0) return choice.most;
-    constexpr double kLeastEnd = 1e-3; // mm: surfaces that are the same
+    constexpr double kLeastEnd = 1e-3; // mm: for equal surfaces
     const double mm = deviation.percentile_99_mm > 0.0 ? deviation.percentile_99_mm : deviation.most_mm;
     return rounded_up(std::max(mm, kLeastEnd) / mm_per_unit(choice, deviation));
 }

@@ -1,4 +1,4 @@
-// The colours of a surface by how far it lies from another one, and what the legend says of them.
+// Colours a surface by its deviation from another one, with a legend.
 #pragma once
 
 #include "app/assets/deviation.h"
@@ -7,19 +7,19 @@
 
 namespace ramus::app {
 
-// Of a surface whose distances are not known: no colour of a scale.
+// The colour of surfaces without distances; occurs in no scale.
 inline constexpr glm::vec3 kNotMeasuredColour{0.62F, 0.63F, 0.65F};
 
-// mm a unit of the scale: a voxel's diagonal, or 1.
+// mm per unit of the scale: a voxel's diagonal, or 1.
 [[nodiscard]] double mm_per_unit(const DeviationChoice& choice, const SurfaceDeviation& deviation);
-// Where the scale ends, in its unit: as the session says or, with two digits, above 99 % of the distances.
+// The end of the scale, in its unit: the session's value, or 99 % of the distances rounded up to two digits.
 [[nodiscard]] double scale_end(const DeviationChoice& choice, const SurfaceDeviation& deviation);
 
-// Gives the frame scale and legend; `deviation` of the frame's own mesh, or null where that is not measured. Colours of
-// branches are neutral: where the picture shows no distances it shows none of the scale's colours.
+// Sets the frame's scale and legend. `deviation`: of the frame's own mesh; null: not measured. Branches get a neutral
+// colour, so that places without distances have no colour of the scale.
 void show_deviation(render::Frame& frame, const Marks& marks, const SurfaceDeviation* deviation);
 
-// Gives the frame this surface; the one with distances, where the frame shows them and they are of it.
+// Sets the frame's surface: the version with distances if the frame shows them and they belong to this surface.
 void put_surface(render::Frame& frame, const SurfaceDeviation& deviation, const SurfaceDeviation::Paged& mesh,
                  const SurfaceDeviation::Paged& preview);
 

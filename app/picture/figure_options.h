@@ -1,5 +1,4 @@
-// What a picture for a paper, a slide or a video shall be, beside the document: plain values, and the words that say
-// them in the command `export`.
+// Options of pictures for papers, slides and videos, as plain values and as words of the command `export`.
 #pragma once
 
 #include "app/picture/ground.h"
@@ -17,7 +16,7 @@
 
 namespace ramus::app {
 
-// What may lie over the tree.
+// Overlays that figures can show.
 struct OverlayRow {
     std::string_view key;
     const char* label;
@@ -33,33 +32,32 @@ inline constexpr int kMostTurntable = 9999, kUsualTurntable = 120; // pictures
 inline constexpr double kLeastTextSize = 0.25, kMostTextSize = 16.0;
 
 struct FigureOptions {
-    int supersample = 1; // pixels a side that become one
-    int samples = 16;    // of each pixel, where nothing is drawn larger
-    int turntable = 0;   // pictures once around; 0: one picture
+    int supersample = 1; // the picture is drawn this many times larger per side and reduced
+    int samples = 16;    // per pixel, if supersample is 1
+    int turntable = 0;   // number of pictures in a full turn; 0: one picture
     bool sheet = false;
-    bool moving = false;               // as while the view moves
-    bool whole = true;                 // a turntable comes so near that the tree stays whole
-    int frames_a_second = 30;          // of a video
+    bool moving = false;               // drawn as while the view moves
+    bool whole = true;                 // the turntable's distance keeps the whole tree in the picture
+    int frames_a_second = 30;          // for videos
     std::string caption;               // UTF-8
-    std::vector<std::string> overlays; // of kFigureOverlays; "none"
-    bool overlays_given = false;       // else the usual ones
-    std::optional<Ground> ground;      // none: as without
-    double text_size = 1.0;            // pixels a point of words, bar and cube
+    std::vector<std::string> overlays; // keys of kFigureOverlays; "none"
+    bool overlays_given = false;       // false: the defaults
+    std::optional<Ground> ground;      // none: unchanged
+    double text_size = 1.0;            // pixels per point of text, scale bar and cube
     bool operator==(const FigureOptions&) const = default;
 };
 
-// A file with it.
+// A figure to write to a file.
 struct FigureRequest {
-    std::filesystem::path file;     // .png; of a turntable also .mp4
-    std::optional<glm::ivec2> size; // pixels; none: of the picture that there is
+    std::filesystem::path file;     // .png; for a turntable also .mp4
+    std::optional<glm::ivec2> size; // pixels; none: of the current picture
     FigureOptions options;
 };
 
-// "1600x1200", within what can be drawn.
+// Parses "1600x1200"; fails if it exceeds what can be drawn.
 [[nodiscard]] Result<glm::ivec2> size_in(const std::string& text);
 
-// `words`: "--size", "1920x1080", "--caption", ... Fails on what it does not know. `figure_words` of what was read are
-// read the same.
+// `words`: "--size", "1920x1080", "--caption", ... Fails on unknown words. figure_words() is the inverse.
 [[nodiscard]] Result<void> read_figure_words(std::span<const std::string> words, FigureRequest& request);
 [[nodiscard]] std::vector<std::string> figure_words(const FigureRequest& request);
 inline constexpr const char* kFigureUsage =

@@ -38,7 +38,8 @@ Result<void> check_enlarged(glm::ivec2 size, const FigureOptions& options) {
     return fits;
 }
 
-// Headings go below the caption of their own viewport by themselves; those beside them, and that of a blend, with them.
+// A heading is placed below the caption of its own viewport; this moves headings of other viewports, and of a blend,
+// down as well.
 void make_room_for_caption(render::Sheet& sheet) {
     const render::Sheet::Viewport& first = sheet.viewports.front();
     const int bottom = render::OverlayPainter().caption_bottom(render::SpriteSource(first.frame));
@@ -62,7 +63,7 @@ void enlarge(render::Frame& frame, const FigureOptions& options) {
 constexpr std::array kViews{render::View::kAnterior, render::View::kLeft, render::View::kPosterior,
                             render::View::kSuperior};
 
-// The cameras around the middle of `box`, all at the distance from which it is in the picture of each of them.
+// Moves the cameras to the same distance from the middle of `box`, at which it fits all pictures.
 std::vector<render::Camera> at_one_scale(std::vector<render::Camera> cameras, const render::Box& box, glm::ivec2 size) {
     constexpr double kMargin = 1.05;
     const double aspect = double(size.x) / size.y;
@@ -97,7 +98,7 @@ void include_context(render::Box& box, const render::Frame& frame) {
     }
 }
 
-// A box around what can be seen of the surfaces in the viewports; where there are none, of what is shown without them.
+// Bounding box of the visible surfaces in the viewports; without surfaces, of the visible objects.
 render::Box visible_box(const render::Sheet& sheet) {
     constexpr std::array kAlongAxes{glm::dvec3(1, 0, 0),  glm::dvec3(0, 1, 0),  glm::dvec3(0, 0, 1),
                                     glm::dvec3(-1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, -1)};
@@ -124,12 +125,12 @@ void look_from(render::Sheet& sheet, const render::Camera& camera) {
     for (render::Sheet::Viewport& viewport : sheet.viewports) viewport.frame.camera = camera;
 }
 
-// Parts of one size, so many of them in a row and below each other.
+// A grid of parts of equal size.
 struct Grid {
     glm::ivec2 size, count;
-    int line; // pixels between them, at least
+    int line; // smallest distance in pixels
     [[nodiscard]] glm::ivec2 part() const { return (size - line * (count - 1)) / count; }
-    // What does not divide goes between them.
+    // The remainder of the division goes between them.
     [[nodiscard]] glm::ivec2 at(int index) const {
         const glm::ivec2 cell(index % count.x, index / count.x);
         return cell * (size - part()) / glm::max(count - 1, glm::ivec2(1));
@@ -144,16 +145,16 @@ Grid grid_for(const render::Sheet& sheet, glm::ivec2 size) {
     return {size, size.x >= size.y ? glm::ivec2(views, 1) : glm::ivec2(1, views), 1};
 }
 
-// "Anterior", "From +y"; "anterior" behind other words.
+// "Anterior", "From +y"; "anterior" after other words.
 std::string title_of(render::View view, bool first, bool sides_known) {
     std::string name = render::title_of(view, sides_known);
     if (!first) name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
     return name;
 }
 
-// The words at the corner of each cell. In a table of views and surfaces the head of its row and of its column.
+// Labels each cell. In a table of views and surfaces, labels rows and columns.
 void label(render::Sheet& sheet, std::size_t view, bool table) {
-    const std::string caption = sheet.viewports.front().frame.overlays.caption; // the whole sheet's
+    const std::string caption = sheet.viewports.front().frame.overlays.caption; // of the whole sheet
     for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {
         render::Overlays& overlays = sheet.viewports[i].frame.overlays;
         std::string words;
@@ -169,7 +170,7 @@ void label(render::Sheet& sheet, std::size_t view, bool table) {
     if (view > 0) sheet.heading.clear();
 }
 
-// The window shows its quick picture from the second view on that moves.
+// The window shows an interactive picture only from the second moving view on.
 Result<void> draw_moving(render::SheetRenderer& renderer, render::Sheet& sheet) {
     const render::Camera there = sheet.viewports.front().frame.camera;
     for (render::Sheet::Viewport& viewport : sheet.viewports) viewport.frame.quality = render::Quality::kInteractive;
@@ -180,7 +181,7 @@ Result<void> draw_moving(render::SheetRenderer& renderer, render::Sheet& sheet) 
     return {};
 }
 
-// The bar that pictures have in common.
+// Keeps the scale bar if it is common to all pictures.
 void keep_common(std::optional<render::ScaleBar>& common, const std::optional<render::ScaleBar>& next, bool first) {
     if (first)
         common = next;
@@ -193,7 +194,7 @@ void keep_common(std::optional<render::ScaleBar>& common, const std::optional<re
 void dress(render::Sheet& sheet, const FigureOptions& options) {
     for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {
         render::Overlays& overlays = sheet.viewports[i].frame.overlays;
-        const render::Overlays shared = overlays; // what viewports beside each other have once, they have once
+        const render::Overlays shared = overlays; // overlays that viewports share
         dress(sheet.viewports[i].frame, options);
         if (sheet.viewports.size() == 1 || sheet.blend) continue;
         overlays.orientation_cube &= i + 1 == sheet.viewports.size();
@@ -236,7 +237,7 @@ Result<FourViews> four_views(const ComposeSheet& compose, glm::ivec2 size, const
     for (const render::View view : kViews)
         cameras.push_back(render::looking(composed.viewports.front().frame.camera, view));
     cameras = at_one_scale(std::move(cameras), visible_box(composed), composed.viewports.front().frame.size);
-    // Views in one direction and surfaces in the other, unless the picture is so long that both go the same way.
+    // Views and surfaces are arranged in different directions, unless the picture is very long.
     const bool below = composed.viewports.back().at.y > 0;
     const bool table = side_by_side(composed) && below == (grid.count.x > 1);
     FourViews all{render::Image(size.x, size.y), {}};

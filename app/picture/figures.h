@@ -1,4 +1,4 @@
-// Pictures for papers and slides: drawn larger and reduced, with a caption and letters, and from several sides.
+// Draws pictures for papers and slides: supersampled, with caption and letters, from several sides, or as a turntable.
 #pragma once
 
 #include "app/picture/figure_options.h"
@@ -13,31 +13,31 @@
 
 namespace ramus::app {
 
-// What the options say about what lies behind the tree and over it.
+// Applies the options' background and overlays to a sheet.
 void dress(render::Sheet& sheet, const FigureOptions& options);
 
-// A picture, and the scale bar that it has, in its own pixels: of several views the one that all of them have.
+// A picture and its scale bar, in the picture's pixels; for several views only if all have the same bar.
 struct Figure {
     render::Image image;
-    std::optional<render::ScaleBar> scale_bar; // none: there is none, or they differ
+    std::optional<render::ScaleBar> scale_bar; // none: no bar, or different ones
 };
 
-// The picture, drawn `supersample` times as large and reduced; all headings that stand beside each other stand below
-// the caption. Fails where that is too large.
+// Draws the sheet `supersample` times as large and reduces it. Headings side by side are placed below the caption.
+// Fails if the picture is too large to draw.
 [[nodiscard]] Result<Figure> draw_figure(render::SheetRenderer& renderer, render::Sheet sheet,
                                          const FigureOptions& options);
 
 // Pictures from several sides: four views on one sheet, and once around. Surfaces that are compared are in every one of
 // them, seen by one camera.
 
-// The document's picture in another size: its viewports are where that has room for them.
+// The document's picture in another size, with its viewports arranged for that size.
 using ComposeSheet = std::function<Result<render::Sheet>(glm::ivec2 size)>;
 
-// Anterior, left, posterior and superior, all at one scale, in a picture of this size: two and two; where surfaces are
-// compared side by side a column each, with the surfaces below each other, or a row each in a picture that is higher
-// than wide. What stands over all of a row or a column stands there once.
+// Four views (anterior, left, posterior, superior) at one scale in a picture of this size: two by two. If surfaces are
+// compared side by side, each view has a column with the surfaces below each other, or a row in a picture that is
+// higher than wide. Headings common to a row or column appear once.
 struct FourViews {
-    render::Image ground; // of the whole size, what lies between the views in it
+    render::Image ground; // of the whole size, with everything between the views
     struct View {
         render::Sheet sheet; // for draw_figure()
         glm::ivec2 at;       // its upper left pixel
@@ -48,23 +48,23 @@ struct FourViews {
 [[nodiscard]] Result<Figure> draw_four_views(render::SheetRenderer& renderer, const ComposeSheet& compose,
                                              glm::ivec2 size, const FigureOptions& options);
 
-// name_001.png: the file of this picture of a turntable of so many, from 0.
+// The file of picture `index` of `count` of a turntable, counted from 0: name_001.png.
 [[nodiscard]] std::filesystem::path numbered(const std::filesystem::path& output, int index, int count);
-// The sheet as this picture of a turntable has it, from 0.
+// Turns the sheet's cameras to this picture of a turntable, counted from 0.
 void look_around(render::Sheet& sheet, const FigureOptions& options, std::size_t picture);
 
-// Once around the tree to the viewer's right, which stays whole in all of them where `options.whole`. name.png becomes
-// name_001.png, ...; name.mp4 is a video, which takes ffmpeg. Files appear when all are drawn; cancelled before, none
-// does.
+// Writes pictures once around the tree, turning to the viewer's right; with `options.whole` the tree stays completely
+// in all of them. name.png becomes name_001.png, ...; name.mp4 is a video and requires ffmpeg. Files appear after all
+// pictures are drawn; a cancelled job leaves none.
 struct Turntable {
     std::vector<std::filesystem::path> files;
-    std::optional<render::ScaleBar> scale_bar; // as of Figure
+    std::optional<render::ScaleBar> scale_bar; // see Figure
 };
 [[nodiscard]] Result<Turntable> write_turntable(render::SheetRenderer& renderer, const render::Sheet& sheet,
                                                 const FigureOptions& options, const std::filesystem::path& output,
                                                 Job& job);
 
-// The file or files of a request, of a document's picture that would have this size.
+// Writes the file or files of a request. `size`: of the document's picture, used if the request has none.
 [[nodiscard]] Result<void> write_figure(render::SheetRenderer& renderer, const ComposeSheet& compose, glm::ivec2 size,
                                         const FigureRequest& request, Job& job);
 

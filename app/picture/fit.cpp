@@ -18,7 +18,7 @@ render::Camera with_room(render::Camera camera, const Comparison& comparison) {
 }
 
 render::View opening_view(const tree::VesselTree& tree) {
-    constexpr double kFlat = 0.1; // thickness of the middle side; tuned on networks of mesentery and organs' trees
+    constexpr double kFlat = 0.1; // thickness by the middle side; tuned on mesentery and trees of organs
     glm::dvec3 least(HUGE_VAL), most(-HUGE_VAL);
     for (const tree::Point& point : tree.points) {
         least = glm::min(least, point.position - point.radius);
@@ -47,7 +47,7 @@ bool context_in_view(const render::Frame& frame) {
         for (int corner = 0; corner < 8; ++corner) {
             const glm::bvec3 high((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0);
             const auto pixel = render::project(frame.camera, frame.size, glm::mix(box.lower, box.upper, high));
-            if (!pixel) return true; // around the eye
+            if (!pixel) return true; // the box surrounds the eye
             least = glm::min(least, glm::dvec2(*pixel));
             most = glm::max(most, glm::dvec2(*pixel));
         }

@@ -1,4 +1,4 @@
-// Cameras that bring a tree into the picture.
+// Fits cameras to trees, context and places.
 #pragma once
 
 #include "app/assets/assets.h"
@@ -10,22 +10,21 @@
 
 namespace ramus::app {
 
-// `camera`, that a tree's own surface fills the picture of, farther away where the isosurface stands beside it: a mask
-// reaches beyond the ends of its centerlines.
+// Moves `camera`, which is fitted to the tree's own surface, farther away if an isosurface is shown next to it: a mask
+// extends beyond the ends of centerlines.
 [[nodiscard]] render::Camera with_room(render::Camera camera, const Comparison& comparison);
 
-// From where a tree is seen first: from the front, or facing the largest side of one that is flat, so that it is not
-// seen edge-on.
+// The initial view: from the front, or facing the largest side of a flat tree, which would otherwise be seen edge-on.
 [[nodiscard]] render::View opening_view(const tree::VesselTree& tree);
 
-// Of the context that is shown, as far as it was read.
+// Positions of the visible context that has been read; mm.
 [[nodiscard]] std::vector<glm::vec3> shown_positions(const Marks& marks, const Assets& assets);
 
-// Whether anything of the context that is shown may be in the picture, as far as boxes tell.
+// Whether visible context may be in the picture, judged by bounding boxes.
 [[nodiscard]] bool context_in_view(const render::Frame& frame);
 
-// `camera` from the same side, near enough to see what is around `at`, where vessels have this radius; never farther
-// than it is. `size`: of the picture.
+// Moves `camera` close to `at`, where vessels have this radius, without turning it; never farther away than before.
+// `size`: of the picture.
 [[nodiscard]] render::Camera looking_at(const render::Camera& camera, const glm::dvec3& at, double radius_mm,
                                         glm::ivec2 size);
 

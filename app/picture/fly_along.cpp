@@ -12,14 +12,14 @@ namespace ramus::app {
 
 namespace {
 
-// All tuned on grown and real portal veins, to see a few branchings ahead without losing the vessel.
+// Tuned on grown and real portal veins, to show a few branchings ahead without losing the vessel.
 constexpr int kSamples = 1600;
 constexpr double kDiametersAway = 9.0;
-constexpr double kLeastDistance = 0.06; // of the whole way: a twig is seen with what is around it
+constexpr double kLeastDistance = 0.06; // of the whole path: twigs are shown with their surroundings
 constexpr double kSmoothing = 0.22;     // standard deviation, in distances to the vessel
 constexpr double kMostTurn = 0.017;     // radians from sample to sample
 constexpr double kTurnSmoothing = 16.0; // standard deviation, in samples
-constexpr double kElevation = 0.60;     // radians above the way ahead
+constexpr double kElevation = 0.60;     // radians above the direction of flight
 constexpr double kLookAhead = 0.18;     // of the distance
 constexpr double kDiametersAhead = 1.5; // inside
 constexpr double kOffAxis = 0.4;        // inside: of the radius, at most
@@ -62,10 +62,10 @@ std::vector<tree::Point> resampled(const Polyline& way) {
     return samples;
 }
 
-// Beyond the ends values go on as they were, or as their point reflection, so that the ends stay where they are.
+// Extension beyond the ends: constant, or by point reflection, which keeps the ends in place.
 enum class Beyond { kHold, kReflect };
 
-// Gaussian mean with a width (in samples) that may change along the way.
+// Gaussian mean whose width (in samples) may vary along the path.
 template <class T>
 std::vector<T> smoothed(const std::vector<T>& values, const std::vector<double>& widths, Beyond beyond) {
     const auto count = static_cast<int>(values.size());
@@ -102,8 +102,8 @@ glm::dvec3 across(const glm::dvec3& vector, const glm::dvec3& direction) {
     return length > 1e-3 ? rest / length : any_across(direction);
 }
 
-// Directions that turn by kMostTurn from one to the next at most, and follow the given ones as fast as that allows.
-// They begin to turn before the way does: half of a sharp bend is flown before it, half behind.
+// Limits the turn between consecutive directions to kMostTurn, following the given ones as fast as possible. Turns
+// begin early: half of a sharp bend is flown before it, half after.
 std::vector<glm::dvec3> limited(const std::vector<glm::dvec3>& given) {
     std::vector<glm::dvec3> result{given.front()};
     constexpr std::size_t kAhead = 30; // samples
@@ -126,7 +126,7 @@ FlyPath::FlyPath(const tree::VesselTree& tree, int end, Flight flight) : end_(en
     const std::vector<tree::Point> points = resampled(way);
     const double step = length_mm_ / (kSamples - 1);
 
-    // The thickness of what is followed, without its jumps at branchings: their ratios count.
+    // The thickness of the vessel without jumps at branchings: averages ratios.
     std::vector<double> distances;
     std::vector<glm::dvec3> positions;
     for (const tree::Point& point : points) {
@@ -151,7 +151,7 @@ FlyPath::FlyPath(const tree::VesselTree& tree, int end, Flight flight) : end_(en
         if (length > most) focus[i] = positions[i] + most / length * off;
     }
 
-    // Directions of the smoothed way, smoothed once more: they are what the viewer sees turning.
+    // Directions of the smoothed path, smoothed again, since the viewer sees them turn.
     std::vector<glm::dvec3> ahead;
     for (std::size_t i = 0; i < focus.size(); ++i) {
         const glm::dvec3 along = focus[std::min(i + 1, focus.size() - 1)] - focus[i > 0 ? i - 1 : 0];
@@ -160,14 +160,14 @@ FlyPath::FlyPath(const tree::VesselTree& tree, int end, Flight flight) : end_(en
     }
     ahead = smoothed(limited(ahead), std::vector<double>(ahead.size(), kTurnSmoothing), Beyond::kHold);
 
-    glm::dvec3 above(0.0, 1.0, 0.0); // begin in front of the patient
+    glm::dvec3 above(0.0, 1.0, 0.0); // start in front of the patient
     double seconds = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         Sample sample;
         sample.point = positions[i];
         sample.focus = focus[i];
-        sample.ahead = glm::normalize(ahead[i]);            // of directions that hardly differ: never zero
-        sample.above = above = across(above, sample.ahead); // carried along: never turns about the way
+        sample.ahead = glm::normalize(ahead[i]);            // the mean of similar directions is never zero
+        sample.above = above = across(above, sample.ahead); // parallel transport: no twist
         sample.distance_mm = std::exp(distances[i]);
         samples_.push_back(sample);
         seconds_.push_back(seconds);

@@ -4,7 +4,7 @@ namespace ramus::app {
 
 namespace {
 
-// What is far sinks into the background; into white it would fade (tuned by eye, on airways and vessels of the brain).
+// Fog towards white would wash out far vessels (tuned by eye, on airways and vessels of the brain).
 constexpr float kCueOnWhite = 0.35F, kCueOnGrey = 0.55F;
 
 } // namespace

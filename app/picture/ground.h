@@ -1,4 +1,4 @@
-// What lies behind the tree in a picture: a choice of the window and of exports.
+// The background of a picture: a choice of the window and of exports.
 #pragma once
 
 #include "render/scene/frame.h"
@@ -20,7 +20,7 @@ inline constexpr std::array<GroundRow, 4> kGrounds{{{Ground::kDark, "dark", "Dar
                                                     {Ground::kWhite, "white", "White"},
                                                     {Ground::kTransparent, "transparent", "Transparent"}}};
 
-// Sets the background, the colour of words and the strength of fog that go with the ground. `frame` has its depth cues.
+// Sets background, text colour and strength of fog for the ground. `frame` must have its depth cues.
 void put_on(render::Frame& frame, Ground ground);
 
 } // namespace ramus::app

@@ -1,4 +1,4 @@
-// The shortest distances from lesions to vessels, as pictures show them.
+// Draws the shortest distances from lesions to vessels.
 #pragma once
 
 #include "app/assets/plan.h"
@@ -7,14 +7,14 @@
 
 namespace ramus::app {
 
-// Which of Plan::vessels a person points at: those of a lesion, of one system or of all (-1).
+// The entries of Plan::vessels under the pointer: of a lesion and one system, or all systems (-1).
 struct PointedLesion {
     int lesion = -1, system = -1; // lesion -1: none
     bool operator==(const PointedLesion&) const = default;
 };
 
-// A line with its length for each shortest distance: all where the session shows them, else those that are pointed at.
-// Hidden branches have none unless they are pointed at. `plan` is of `marks`.
+// Adds a line labelled with its length per shortest distance: all if the session shows them, otherwise those pointed
+// at. Hidden branches are omitted unless pointed at. `plan`: of `marks`.
 void draw_shortest_distances(render::Frame& frame, const Plan& plan, const Marks& marks, const PointedLesion& pointed,
                              const tree::Claims& claims);
 

@@ -16,7 +16,7 @@ namespace ramus::app {
 
 namespace {
 
-// Cells that the mesh covers in the picture, with a rim of empty ones around them.
+// Cells covered by the mesh in the picture, with a rim of empty cells.
 struct CoveredCells {
     glm::dvec2 corner{0.0};
     double step = 1.0; // pixels
@@ -49,17 +49,17 @@ void cover(CoveredCells& cells, const std::array<glm::dvec2, 3>& corners) {
         }
 }
 
-// The borders of what is covered, each a loop of the middles of pairs of cells of which one is covered: from the
-// squares between four cells, covered ones on the left.
+// The borders of the covered cells, each a loop of midpoints between a covered and an empty cell, with covered cells on
+// the left (marching squares).
 std::vector<std::vector<glm::dvec2>> borders(const CoveredCells& cells) {
-    using Place = std::pair<int, int>; // doubled, so that middles are whole
+    using Place = std::pair<int, int>; // doubled, so that midpoints are integers
     std::map<Place, Place> next;
     for (int y = 0; y + 1 < cells.size.y; ++y)
         for (int x = 0; x + 1 < cells.size.x; ++x) {
             const std::array in{cells.at(x, y), cells.at(x + 1, y), cells.at(x + 1, y + 1), cells.at(x, y + 1)};
             const std::array<Place, 4> sides{
                 {{2 * x + 1, 2 * y}, {2 * x + 2, 2 * y + 1}, {2 * x + 1, 2 * y + 2}, {2 * x, 2 * y + 1}}};
-            // From each side where one steps out of a covered cell to the next one where one steps into one.
+            // Connects each transition from covered to empty with the next one from empty to covered.
             for (std::size_t k = 0; k < 4; ++k) {
                 if (!in[k] || in[(k + 1) % 4]) continue;
                 std::size_t to = (k + 1) % 4;
@@ -81,7 +81,7 @@ std::vector<std::vector<glm::dvec2>> borders(const CoveredCells& cells) {
     return loops;
 }
 
-// Without the steps of the cells.
+// Smooths the steps of the cells.
 void smooth(std::vector<glm::dvec2>& loop) {
     constexpr int kPasses = 4;
     const std::size_t n = loop.size();
@@ -93,7 +93,7 @@ void smooth(std::vector<glm::dvec2>& loop) {
     }
 }
 
-// The circle in which a sphere is seen; nothing from within.
+// The outline of a sphere; empty from inside.
 std::vector<glm::dvec3> outline_of(const glm::dvec4& sphere, const render::Camera& camera) {
     const glm::dvec3 centre(sphere), forward = render::axes_of(camera).forward;
     if (camera.orthographic) return ring_around(centre, forward, sphere.w);

@@ -1,6 +1,5 @@
-// Outlines of lesions, for pictures in which clear context lies around them: a lesion inside an organ is seen through
-// it only faintly. An outline is drawn over the context, fainter where vessels hide it, so that it says where the
-// lesion is and not that it lies before anything.
+// Draws outlines of lesions in pictures with transparent context, through which a lesion is only faintly visible. An
+// outline is drawn over the context but fainter behind vessels, so that it does not seem to be in front of them.
 #pragma once
 
 #include "app/session/session.h"
@@ -12,12 +11,12 @@ namespace ramus::app {
 
 struct Assets; // app/assets/assets.h
 
-// Adds the outlines of the frame's spheres, and of the session's meshes. Nothing without clear context. `frame` has its
-// camera, size, lesions and context.
+// Adds outlines of the frame's spheres and the session's lesion meshes; nothing without transparent context. `frame`
+// must have camera, size, lesions and context.
 void outline_lesions(render::Frame& frame, const Assets& assets, const Marks& marks);
 
-// Closed polylines in the plane through `middle` that faces the eye: where the mesh ends in the picture. Steps are as
-// large as a hundredth of the mesh, and at least a pixel. Empty where a part of the mesh lies behind the eye.
+// The silhouette of a mesh: closed polylines in the plane through `middle` that faces the eye. The step is a hundredth
+// of the mesh's size, at least a pixel. Empty if part of the mesh is behind the eye.
 [[nodiscard]] std::vector<std::vector<glm::dvec3>> silhouette(const mesh::TriangleMesh& mesh, const glm::dvec3& middle,
                                                               const render::Camera& camera, glm::ivec2 size);
 

@@ -32,7 +32,7 @@ void mark_notes(render::Frame& frame, const tree::VesselTree& tree, int current)
     const bool has_current = current >= 0 && chosen < tree.notes.size() && tree.notes[chosen].at;
     if (has_current && std::ranges::find(marked, chosen) == marked.end()) marked.push_back(chosen);
     if (marked.empty()) return;
-    // Most stand at a point of the tree, and go around the vessel there.
+    // Most notes are at a point of the tree, and the ring surrounds the vessel there.
     std::unordered_map<glm::dvec3, double, PlaceHash> radius_at;
     for (const std::size_t n : marked) radius_at.emplace(*tree.notes[n].at, 0.0);
     for (const tree::Point& point : tree.points)

@@ -1,4 +1,4 @@
-// The places that reading a tree repaired, or that look wrong, as rings in the picture.
+// Marks places that reading a tree repaired or suspects with rings in the picture.
 #pragma once
 
 #include "render/scene/frame.h"
@@ -7,9 +7,9 @@ namespace ramus::app {
 
 inline constexpr std::size_t kMostNoteMarks = 500; // more would hide what they mark
 
-// Adds a ring for each note that has a place, facing the eye and wide enough to be seen from anywhere: amber for a
-// repair, pink for what is suspect. `current`: an index into the tree's notes, drawn stronger and named; -1: none. The
-// frame has its camera, size and pixel ratio. Beyond kMostNoteMarks places only the first are marked, and the current.
+// Adds a ring per note with a place, facing the eye and large enough to be visible at any distance: amber for repairs,
+// pink for suspicions. `current`: index into the tree's notes, emphasised and labelled; -1: none. `frame` must have
+// camera, size and pixel ratio. Beyond kMostNoteMarks places only the first ones and the current one are marked.
 void mark_notes(render::Frame& frame, const tree::VesselTree& tree, int current);
 
 } // namespace ramus::app

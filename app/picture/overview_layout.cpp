@@ -13,14 +13,14 @@ namespace {
 
 std::size_t index(int id) { return static_cast<std::size_t>(id); }
 
-// Which branch ends where a branch that closes a loop ends; kNoBranch: at a root.
+// For each branch that closes a loop: the branch that ends at the same place; kNoBranch: at a root.
 struct Links {
     std::vector<char> is_link;
     std::vector<int> target;
 };
 
-// A branch closes a loop when it ends where an earlier one ends, or at a root. One that comes back to where it began
-// has nowhere else to go: it is drawn as a line.
+// A branch closes a loop if it ends where an earlier one ends, or at a root. A branch that returns to its own start is
+// drawn as a line.
 Links find_links(const tree::VesselTree& tree) {
     constexpr int kNobody = -2;
     Links links{std::vector<char>(tree.branches.size(), 0), std::vector<int>(tree.branches.size(), tree::kNoBranch)};
@@ -42,7 +42,7 @@ Links find_links(const tree::VesselTree& tree) {
     return links;
 }
 
-// Where a subtree lies in the anterior view, from left to right: the mean of its ends.
+// Horizontal position of subtrees in the anterior view: the mean of their ends.
 std::vector<double> places_across(const tree::VesselTree& tree) {
     std::vector<double> sum(tree.branches.size(), 0.0);
     std::vector<int> ends(tree.branches.size(), 0);
@@ -98,7 +98,7 @@ private:
         }
         layout_.first_child.push_back(static_cast<int>(layout_.children.size()));
 
-        // Trees stand side by side, from left to right too.
+        // Trees are side by side, from left to right as well.
         layout_.roots = branches_where(tree_.branches.size(), [&](std::size_t id) {
             return tree_.branches[id].parent == tree::kNoBranch && links_.is_link[id] == 0;
         });
@@ -215,7 +215,7 @@ private:
             const OverviewLink link{static_cast<int>(id), end_of(branch.parent, branch.points.front()),
                                     end_of(links_.target[id], branch.points.back())};
             layout_.links.push_back(link);
-            OverviewLine& line = layout_.lines[id]; // where it is on the whole
+            OverviewLine& line = layout_.lines[id]; // its index in the whole tree
             line.at = line.first = line.last = 0.5 * (link.from.x + link.to.x);
             line.from = std::min(link.from.y, link.to.y);
             line.to = line.deepest = line.mean_end = std::max(link.from.y, link.to.y);
@@ -229,7 +229,7 @@ private:
     OverviewLayout layout_;
 };
 
-constexpr double kNarrow = 1.5; // pixels: what takes less is drawn as one
+constexpr double kNarrow = 1.5; // pixels: narrower subtrees are merged
 
 OverviewView clamped(OverviewView view) {
     for (int axis = 0; axis < 2; ++axis) {
@@ -308,7 +308,7 @@ int branch_near(const OverviewLayout& layout, const OverviewView& view, glm::dve
         if (line.first - slack > std::max(across, layout.root_middle[i]) ||
             line.last + slack < std::min(across, layout.root_middle[i]))
             continue;
-        // The bar at a root belongs to the branches that it joins.
+        // The bar at a root belongs to the branches it connects.
         consider(id, distance_to_line(pixel, view.to_pixel({line.at, line.from}),
                                       view.to_pixel({layout.root_middle[i], line.from})));
         open.push_back(id);
@@ -340,7 +340,7 @@ std::vector<int> branches_within(const OverviewLayout& layout, std::span<const g
     glm::dvec2 least = polygon[0];
     glm::dvec2 most = polygon[0];
     for (const glm::dvec2& corner : polygon) least = glm::min(least, corner), most = glm::max(most, corner);
-    std::vector<double> crossings; // of the polygon with the line that a branch lies on, as shares of the branch
+    std::vector<double> crossings; // of the polygon with the branch's line, as fractions of the branch
     const auto inside = [&](glm::dvec2 a, glm::dvec2 b) {
         if (std::max(a.x, b.x) < least.x || std::min(a.x, b.x) > most.x || std::max(a.y, b.y) < least.y ||
             std::min(a.y, b.y) > most.y)

@@ -1,10 +1,11 @@
-// The tree as a flat picture, a dendrogram: every branch a line that runs down from its parent's end, the deeper the
-// further from the root. Leaves stand evenly across; a parent stands in the middle of its children, so lines never
-// cross. Left and right are as the anterior view has them. Branches that close a loop are thin links between two ends.
+// Layout of the overview: the tree as a dendrogram. Each branch is a line that runs down from its parent's end; depth
+// increases with the distance from the root. Leaves are evenly spaced; parents are centred above their children, so
+// lines never cross. Left and right are those of the anterior view. Branches that close a loop are thin links between
+// two ends.
 //
-// Pure geometry in a unit square, x across and y down, without pixels, colours or ImGui; time is linear in the branches
-// but for sorting siblings, nothing recurses. What the window draws of it follows from visible_pieces(), whose number
-// is bounded by the pixels there are and not by the branches.
+// Pure geometry in a unit square, x to the right and y down, without pixels, colours or ImGui. Time is linear in the
+// number of branches except for sorting siblings; no recursion. The window draws visible_pieces(), whose number is
+// bounded by the number of pixels, not of branches.
 #pragma once
 
 #include "app/session/branch_facts.h"
@@ -16,19 +17,19 @@
 
 namespace ramus::app {
 
-// What "down" means.
-enum class OverviewDepth { kGeneration, kDistance }; // branchings, or mm along the vessels
+// The vertical axis.
+enum class OverviewDepth { kGeneration, kDistance }; // number of branchings, or mm along the vessels
 
 struct OverviewLine {
-    double at = 0.0;                // across
-    double from = 0.0, to = 0.0;    // down, of the branch itself
-    double first = 0.0, last = 0.0; // extent across of it and all below
-    double deepest = 0.0;           // down, of it and all below
-    double mean_end = 0.0;          // down, mean of the leaves below
-    int begin = -1, end = -1;       // indices into OverviewLayout::order of it and all below; -1: a link
+    double at = 0.0;                // x
+    double from = 0.0, to = 0.0;    // y, of the branch
+    double first = 0.0, last = 0.0; // range in x of the branch and its subtree
+    double deepest = 0.0;           // largest y of the branch and its subtree
+    double mean_end = 0.0;          // mean y of the leaves of its subtree
+    int begin = -1, end = -1;       // range in OverviewLayout::order of the branch and its subtree; -1: a link
 };
 
-// A branch that closes a loop: from where it begins to where it ends.
+// A branch that closes a loop: its two ends.
 struct OverviewLink {
     int branch = tree::kNoBranch;
     glm::dvec2 from{0.0}, to{0.0};
@@ -37,18 +38,18 @@ struct OverviewLink {
 struct OverviewLayout {
     std::vector<OverviewLine> lines; // by branch id
     std::vector<OverviewLink> links;
-    std::vector<int> order;          // branches but links, each before all below it, from left to right
-    std::vector<int> children;       // but links, from left to right: of branch id those from
-    std::vector<int> first_child;    // first_child[id] up to first_child[id + 1]
+    std::vector<int> order;          // branches except links, parents before children, from left to right
+    std::vector<int> children;       // except links, from left to right; those of branch id are from
+    std::vector<int> first_child;    // first_child[id] up to, not including, first_child[id + 1]
     std::vector<int> roots;          // branches at a root, from left to right
-    std::vector<double> root_middle; // of these: where their root stands, across
+    std::vector<double> root_middle; // x of the root of each of `roots`
     int leaves = 0;
-    double depth = 0.0; // what y = 1 means: generations, or mm
+    double depth = 0.0; // value of y = 1: generations, or mm
 };
 
 [[nodiscard]] OverviewLayout overview_layout(const tree::VesselTree& tree, const TreeFacts& facts, OverviewDepth depth);
 
-// The part of the unit square that is seen, and on how many pixels.
+// The visible part of the unit square, and its size in pixels.
 struct OverviewView {
     glm::dvec2 least{0.0}, most{1.0};
     glm::dvec2 pixels{1.0};
@@ -58,23 +59,23 @@ struct OverviewView {
     [[nodiscard]] glm::dvec2 to_unit(glm::dvec2 pixel) const { return least + pixel / pixels * (most - least); }
 };
 
-// Magnified about a pixel that stays where it is, and moved by pixels; never beyond the whole, nor closer than makes
-// sense for so many leaves.
+// Zooms about a fixed pixel, and pans by pixels. Both stay within the unit square; the largest zoom depends on the
+// number of leaves.
 [[nodiscard]] OverviewView zoomed(const OverviewView& view, const OverviewLayout& layout, glm::dvec2 pixel,
                                   glm::dvec2 factors);
 [[nodiscard]] OverviewView panned(const OverviewView& view, glm::dvec2 by);
 
-// A branch, or one with all below it where that is too narrow to be told apart.
+// A branch, or a branch merged with its subtree if that is too narrow to distinguish.
 struct OverviewPiece {
     int branch = tree::kNoBranch;
     bool merged = false;
 };
 [[nodiscard]] std::vector<OverviewPiece> visible_pieces(const OverviewLayout& layout, const OverviewView& view);
 
-// The branch whose line is nearest to a pixel, no farther than `reach` pixels; kNoBranch when none is.
+// The branch whose line is nearest to a pixel, within `reach` pixels; kNoBranch: none.
 [[nodiscard]] int branch_near(const OverviewLayout& layout, const OverviewView& view, glm::dvec2 pixel, double reach);
 
-// The branches that have at least half of their line within a closed polygon in the unit square (even-odd), ascending.
+// The branches with at least half of their line inside a closed polygon (even-odd) in the unit square, ascending.
 [[nodiscard]] std::vector<int> branches_within(const OverviewLayout& layout, std::span<const glm::dvec2> polygon);
 
 } // namespace ramus::app

@@ -43,7 +43,7 @@ render::MarkLine ring_facing_eye(const render::Frame& frame, const glm::dvec3& a
 }
 
 render::MarkLine dot_at(const render::Frame& frame, const glm::dvec3& at, const glm::vec3& colour) {
-    // A ring as wide as its line is thick has no hole.
+    // A ring whose radius equals half its line width has no hole.
     const double radius = 0.5 * kDotPoints * static_cast<double>(frame.pixel_ratio) * mm_per_pixel_at(frame, at);
     return {circle(render::axes_of(frame.camera), at, radius), colour, static_cast<float>(kDotPoints)};
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr glm::vec3 kMeasureColour{0.55F, 0.93F, 0.82F};
 
-// The item while a slider or a colour of it is tried.
+// The item, or its trial version while a slider or colour is changed.
 const ContextItem& as_tried(const Viewing& viewing, const ContextItem& item) {
     if (!viewing.context) return item;
     const auto tried = std::ranges::find(*viewing.context, item.id, &ContextItem::id);
@@ -38,12 +38,12 @@ void draw_object(const SceneDrawing& drawing, const ContextItem& item) {
         {shape->mesh, shape->preview, colour / 255.0F, static_cast<float>(shown.opacity), shown.wireframe});
 }
 
-// Lines, end marks and the label; nothing where it could not be measured.
+// Draws lines, end marks and the label; nothing if the measurement failed.
 void draw_object(const SceneDrawing& drawing, const Measurement& measurement) {
     const auto* found = drawing.assets.measured(measurement.id);
     if (found == nullptr || !*found || measurement.id == drawing.viewing.measurement) return;
     render::Frame& frame = drawing.frame;
-    // From an axis to the wall before it is seldom more than this.
+    // The distance from an axis to the wall in front of it is rarely larger.
     constexpr double kRadii = 2.0;
     const Measured& measured = **found;
     for (const auto& line : measured.lines)
@@ -55,7 +55,7 @@ void draw_object(const SceneDrawing& drawing, const Measurement& measurement) {
     frame.labels.push_back({measured.label_place, measured.label});
 }
 
-// A ring around the place and the first words of the text.
+// Draws a ring around the place and the first words of the text.
 void draw_object(const SceneDrawing& drawing, const Pin& pin) {
     constexpr glm::vec3 kPinColour{0.98F, 0.80F, 0.35F};
     drawing.frame.lines.push_back(ring_facing_eye(drawing.frame, pin.at, 0.0, kPinColour, false));

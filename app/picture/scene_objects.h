@@ -1,4 +1,4 @@
-// The objects of the scene in a frame. scene_objects.cpp has a function for each kind.
+// Draws the objects of the scene into a frame; scene_objects.cpp has one function per kind.
 #pragma once
 
 #include "app/picture/compose.h"
@@ -9,14 +9,14 @@ namespace ramus::app {
 
 struct Assets; // app/assets/assets.h
 
-// What drawing an object may read, and the frame that it adds to: camera, size and pixel ratio are set.
+// Inputs of drawing an object, and the frame to add to; its camera, size and pixel ratio are set.
 struct SceneDrawing {
     render::Frame& frame;
     const Assets& assets;
     const Viewing& viewing;
 };
 
-// All that are visible. What has not been read yet is left out. Lesions and measurements need a tree.
+// Draws all visible objects; files that are not read yet are omitted. Lesions and measurements need a tree.
 void draw_objects(const SceneDrawing& drawing, const Marks& marks);
 
 } // namespace ramus::app

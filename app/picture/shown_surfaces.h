@@ -1,4 +1,4 @@
-// The meshes of a picture, by kind; null: not there yet.
+// The meshes of a picture by kind; null: not available yet.
 #pragma once
 
 #include "app/session/comparison.h"
@@ -14,14 +14,14 @@ namespace ramus::app {
 struct ShownSurfaces {
     using Paged = std::shared_ptr<const render::PagedMesh>;
     std::array<Paged, kCompared.size()> meshes, previews;
-    std::shared_ptr<const mesh::TriangleMesh> lines, lines_preview; // of the one that is superimposed
+    std::shared_ptr<const mesh::TriangleMesh> lines, lines_preview; // of the superimposed surface
     [[nodiscard]] const Paged& of(Compared kind) const { return meshes[static_cast<std::size_t>(kind)]; }
     [[nodiscard]] const Paged& preview_of(Compared kind) const { return previews[static_cast<std::size_t>(kind)]; }
     void set(Compared kind, Paged mesh, Paged preview) {
         meshes[static_cast<std::size_t>(kind)] = std::move(mesh);
         previews[static_cast<std::size_t>(kind)] = std::move(preview);
     }
-    // The session's own, whatever it is compared as.
+    // Sets the session's own surface for every kind that it represents.
     void set_own(const mesh::SurfaceOptions& options, const Paged& mesh, const Paged& preview) {
         for (const ComparedRow& row : kCompared)
             if (is_own(row.kind, options)) set(row.kind, mesh, preview);

@@ -1,4 +1,4 @@
-// What the parts of a surface are called and how they are coloured when it is written to a file that can say so.
+// Names and colours of the parts of a surface, for file formats that store them.
 #pragma once
 
 #include "app/assets/plan.h"
@@ -10,16 +10,15 @@
 
 namespace ramus::app {
 
-// "none", "system", "branch"; none: no such word.
+// Parses "none", "system" or "branch".
 [[nodiscard]] std::optional<io::PartsBy> parts_named(std::string_view word);
 
-// A part for each system of a tree that has systems, else for each branch.
+// The default: parts are systems if the tree has any, otherwise branches.
 [[nodiscard]] io::PartsBy usual_parts(const tree::VesselTree& tree);
 
-// The colours of the picture (of branches as a whole); where it has none, those of the systems as the session has
-// them; else the vessels'.
-// Branches have their names, or bear that of what they depend on, or a number alone: "branch 12". `plan`: of the same
-// marks; null: as without lesions and cuts.
+// Colours: those of the picture per branch, otherwise the session's colours of systems, otherwise the default colour of
+// vessels. Names: the branch's label, otherwise its number ("branch 12"). `plan`: of the same marks; null: no lesions
+// and cuts.
 [[nodiscard]] io::MeshNames surface_names(const tree::VesselTree& tree, const TreeFacts& facts, const Marks& marks,
                                           const Plan* plan, io::PartsBy by);
 

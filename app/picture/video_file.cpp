@@ -45,10 +45,10 @@ Result<VideoFile> VideoFile::create(const fs::path& target, glm::ivec2 size, int
 
 Result<void> VideoFile::add(const render::Image& image) {
     if (glm::ivec2(image.width, image.height) != size_) return fail("pictures of a video have one size");
-    const auto* const bytes = reinterpret_cast<const char*>(image.rgba.data()); // as ffmpeg is told
+    const auto* const bytes = reinterpret_cast<const char*>(image.rgba.data()); // matches ffmpeg's arguments
     if (ffmpeg_.write({bytes, image.rgba.size()})) return {};
     Job job;
-    auto ended = ffmpeg_.wait(job); // it says why
+    auto ended = ffmpeg_.wait(job); // ffmpeg says why
     return ended ? fail("ffmpeg ended before the last picture", target_.string())
                  : fail("ffmpeg: " + ended.error().what, target_.string());
 }

@@ -1,4 +1,4 @@
-// VideoFile: pictures as a video (H.264 in MP4), made by ffmpeg where that is installed; whole or not there.
+// VideoFile: encodes pictures as H.264 in MP4 with ffmpeg, which must be installed. The file is complete or absent.
 #pragma once
 
 #include "core/base/child_program.h"
@@ -9,18 +9,18 @@
 
 namespace ramus::app {
 
-[[nodiscard]] bool is_video(const std::filesystem::path& path); // by its ending
-// Whether videos can be made here; looked up when it is asked.
+[[nodiscard]] bool is_video(const std::filesystem::path& path); // by its extension
+// Whether ffmpeg is installed; checked at every call.
 [[nodiscard]] bool can_make_videos();
 inline constexpr const char* kNoVideos = "ffmpeg is not installed; it makes the videos";
 
 class VideoFile {
 public:
-    // Of pictures of this size, so many a second. Odd sides get a row or column of black, which the format demands.
+    // `size`: of the pictures. Odd sides get a row or column of black, since the format needs even ones.
     [[nodiscard]] static Result<VideoFile> create(const std::filesystem::path& target, glm::ivec2 size,
                                                   int frames_a_second);
     [[nodiscard]] Result<void> add(const render::Image& image); // opaque
-    // Puts it in its place.
+    // Finishes the file and moves it to its place.
     [[nodiscard]] Result<void> commit(Job& job);
 
 private:

@@ -1,5 +1,5 @@
-// The file of answers that a rater saves from a sheet, read without trust: it may be of another study, of another
-// program, changed by hand, or not whole.
+// Reads the answers that a rater saved from a rating page. The file is not trusted: it may belong to another study or
+// program, be edited, or be incomplete.
 #pragma once
 
 #include "app/ratings/rating_study.h"
@@ -14,15 +14,15 @@
 namespace ramus::app {
 
 struct RatingAnswers {
-    int rater = 0;            // from 1 on
-    std::string role;         // of kRaterRoles; empty: no answer
+    int rater = 0;            // counted from 1
+    std::string role;         // a key of kRaterRoles; empty: no answer
     std::optional<int> years; // of experience
-    double seconds = 0.0;     // all scenes together
-    std::vector<int> scores;  // by scene, method and criterion, in the order of measure::Scores
+    double seconds = 0.0;     // for all study views
+    std::vector<int> scores;  // by study view, method and criterion, in the order of measure::Scores
 };
 
-// Fails with the file's name on answers of another study, in another order than the key has for this rater, missing,
-// given twice, or out of range: it names scene, picture and criterion.
+// Fails if answers are missing, repeated or out of range, belong to another study, or differ from the key's order for
+// this rater. The error names the file, and study view, picture and criterion.
 [[nodiscard]] Result<RatingAnswers> answers_from_json(const nlohmann::json& value, const RatingStudy& study,
                                                       const std::string& where);
 
@@ -32,8 +32,8 @@ struct RatingsRead {
     measure::Scores scores;
 };
 
-// One key and answers, in any order. Fails on answers without a key, two keys, the same rater twice, files that are
-// neither.
+// Reads a key and answers, in any order. Fails without a key, with two keys, with two files of one rater, and on other
+// files.
 [[nodiscard]] Result<RatingsRead> read_ratings(const std::vector<std::string>& files);
 
 } // namespace ramus::app

@@ -16,7 +16,7 @@ template <class List> void shuffle(List& list, const std::string& seed) {
     for (std::size_t left = list.size(); left > 1; --left) std::swap(list[left - 1], list[random() % left]);
 }
 
-// All orders of so many things.
+// All permutations of this many things.
 std::vector<std::vector<std::size_t>> permutations(std::size_t count) {
     std::vector<std::size_t> order(count);
     std::iota(order.begin(), order.end(), std::size_t{0});

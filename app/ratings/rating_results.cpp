@@ -19,7 +19,7 @@ using Words = std::vector<std::string>;
 
 constexpr double kSignificant = 0.05;
 constexpr double kLeastShownP = 0.0001;
-constexpr std::size_t kLeastRaters = 2; // of whom anything can be concluded
+constexpr std::size_t kLeastRaters = 2; // minimum for any conclusion
 
 std::string fixed(double value, int decimals = 2) {
     std::array<char, 64> text{};
@@ -34,7 +34,7 @@ std::string p_text(const std::optional<double>& p) {
     return *p < kLeastShownP ? "<0.0001" : fixed(*p, 4);
 }
 
-// Columns as wide as they need to be; the first `names` to the left, the others to the right.
+// Aligns columns; the first `names` are left-aligned, the others right-aligned.
 std::string columns(const std::vector<Words>& rows, std::size_t names) {
     std::vector<std::size_t> widths(rows.front().size(), 0);
     for (const Words& row : rows)
@@ -77,7 +77,7 @@ std::string summaries_text(const RatingResults& results) {
     return text;
 }
 
-// What so few raters cannot show, if so.
+// A warning if there are too few raters.
 std::string too_few_text(const RatingResults& results) {
     const auto tests = static_cast<double>(results.table.comparisons.size());
     const std::size_t raters = results.ratings.answers.size();

@@ -1,4 +1,4 @@
-// Table II as text, JSON and a table of CSV.
+// Results of a study (Table II of the paper) as text, JSON and CSV.
 #pragma once
 
 #include "app/ratings/rating_answers.h"
@@ -20,7 +20,7 @@ struct RatingResults {
 
 [[nodiscard]] std::string results_text(const RatingResults& results);
 [[nodiscard]] nlohmann::ordered_json results_json(const RatingResults& results);
-// A row for each criterion and method; the columns of the test are empty where nothing was tested.
+// One row per criterion and method; columns of the test are empty without a test.
 [[nodiscard]] Table results_table(const RatingResults& results);
 
 } // namespace ramus::app

@@ -12,7 +12,7 @@ namespace ramus::app {
 
 namespace {
 
-// JSON that may stand in a script element: "</script>" and "<!--" would end or change it.
+// JSON that is safe inside a script element: "</script>" and "<!--" would end or change it.
 std::string script_json(const nlohmann::ordered_json& value) {
     std::string text;
     for (const char c : value.dump()) c == '<' ? text += "\\u003c" : text += c;
@@ -53,7 +53,7 @@ std::string rating_sheet(const RatingStudy& study, int rater, const StudyPngs& p
                                                                 {"script", std::string(kSheetTexts.at("sheet.js"))},
                                                                 {"rater", std::to_string(rater)},
                                                                 {"sheet", script_json(sheet_json(study, rater, pngs))}};
-    // In one pass, so that what is put in is not looked at again.
+    // Replaces in one pass, so that inserted text is not searched again.
     std::string_view left = kSheetTexts.at("sheet.html");
     std::string page;
     for (std::size_t open = left.find("{{"); open != std::string_view::npos; open = left.find("{{")) {

@@ -1,6 +1,6 @@
-// The sheet of one rater: a web page that needs nothing beside it, with the pictures inside. It asks for a score of
-// each picture by each criterion and gives a file of answers. The page forbids the browser to load or send anything
-// (Content-Security-Policy). It holds no method's name: neither in words, nor in its order, nor in the pictures.
+// Writes the rating page of one rater: a self-contained web page with all pictures inside. It asks for a score per
+// picture and criterion, and saves a file of answers. The page forbids the browser to load or send anything
+// (Content-Security-Policy). It does not reveal the methods: neither by text, nor by order, nor by the pictures' data.
 #pragma once
 
 #include "app/ratings/rating_study.h"
@@ -15,10 +15,10 @@ namespace ramus::app {
 
 using StudyPngs = std::map<std::string, std::string>; // code to the bytes of the file
 
-// UTF-8. `rater` counts from 1 and has an order; each picture has its bytes.
+// Returns UTF-8. `rater`: counted from 1, must have an order; `pngs` must have every picture.
 [[nodiscard]] std::string rating_sheet(const RatingStudy& study, int rater, const StudyPngs& pngs);
 
-// FOLDER/sheets/rater_001.html and so on in a folder that exists, and FOLDER/key.json. Returns the files of the sheets.
+// Writes FOLDER/sheets/rater_001.html, ... and FOLDER/key.json; FOLDER must exist. Returns the rating pages.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> write_study(const RatingStudy& study, const StudyPngs& pngs,
                                                                      const std::filesystem::path& folder,
                                                                      io::OutputSet& together);

@@ -13,7 +13,7 @@ using namespace session_json;
 
 namespace {
 
-constexpr std::uint64_t kMostStudyParts = 100; // methods, scenes
+constexpr std::uint64_t kMostStudyParts = 100; // methods, study views
 
 const json& member_of(const json& object, const char* name) {
     if (!object.contains(name)) throw Refusal{std::string("there is no \"") + name + "\""};
@@ -91,7 +91,7 @@ RatingStudy study_in(const json& key) {
     if (!seed.is_number_unsigned()) throw Refusal{"seed is not a whole number"};
     study.seed = seed.get<std::uint64_t>();
     for (const json& order : list_of(key, "orders", kMostRaters)) study.orders.push_back(order_in(order, study));
-    // Whatever was changed by hand, and criteria of another ramus.
+    // Detects manual changes, and criteria of another version of ramus.
     if (text(member_of(key, "study"), "study") != id_of(study)) throw Refusal{"the checksum of the study is wrong"};
     return study;
 }

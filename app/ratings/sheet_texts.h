@@ -1,4 +1,4 @@
-// The text of the files in assets/rating_sheet, by their name, embedded at build time.
+// The files of assets/rating_sheet by name, embedded at build time.
 #pragma once
 
 #include <map>

@@ -46,7 +46,7 @@ tr.flag td { background: #fff1ec; } tr.sum td { font-weight: 600; border-top: 2p
 
 constexpr std::string_view kNoLetter = "\xEF\xBF\xBD"; // U+FFFD
 
-// Bytes of the letter that UTF-8 has at the front; 0: there is none that a page or a drawing may hold.
+// Length in bytes of the first UTF-8 character; 0: invalid, or not allowed in a page.
 std::size_t letter_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned first = byte(0);
@@ -58,8 +58,8 @@ std::size_t letter_length(std::string_view text) {
         if ((byte(i) & 0xC0U) != 0x80) return 0;
         letter = letter << 6U | (byte(i) & 0x3FU);
     }
-    constexpr std::array<std::uint32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000}; // no longer spelling than needed
-    const bool is_half = letter >= 0xD800 && letter < 0xE000;                  // of a letter of UTF-16
+    constexpr std::array<std::uint32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000}; // no overlong encodings
+    const bool is_half = letter >= 0xD800 && letter < 0xE000;                  // surrogates of UTF-16
     return letter < kLeast[length] || letter > 0x10FFFF || is_half || letter == 0xFFFE || letter == 0xFFFF ? 0 : length;
 }
 
@@ -72,7 +72,7 @@ std::string cell_text(const Cell& cell, int significant) {
     return digits(number, significant);
 }
 
-// Before the words of a colour, which a page can show: "#c98268".
+// A swatch before the text of a colour: "#c98268".
 std::string swatch(const Column& column, const Cell& cell) {
     const bool colour = column.name == "colour" && cell.text.size() == 7 && cell.text[0] == '#' &&
                         cell.text.find_first_not_of("0123456789abcdef", 1) == std::string::npos;
@@ -127,7 +127,7 @@ std::string now_text() { return local_time_text(std::chrono::system_clock::now()
 std::string page_begin(const std::string& title, const std::string& what, const std::string& made) {
     const std::string name = html_text(title);
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-           // As of rating sheets, without their script: whatever a name may hold, nothing runs and nothing is loaded.
+           // As in rating pages, without their script: nothing runs and nothing is loaded, whatever names contain.
            "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
            "'unsafe-inline'; form-action 'none'; base-uri 'none'\">\n<meta name=\"referrer\" content=\"no-referrer\">\n"
            "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +

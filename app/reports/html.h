@@ -1,5 +1,5 @@
-// What reports as web pages are made of: head and style of a page that needs nothing beside it, on a screen of any
-// width and on paper; tables, facts, pictures. Whatever comes from files or people is escaped. UTF-8.
+// Building blocks of self-contained web pages for reports, on screens of any width and on paper: head, style, tables,
+// facts, pictures. Text from files and people is escaped. UTF-8.
 #pragma once
 
 #include "app/reports/report_tables.h"
@@ -14,37 +14,36 @@ namespace ramus::app {
 
 struct ReportPicture {
     std::string caption; // "Anterior"
-    std::string png;     // the file's bytes
+    std::string png;     // the bytes of the PNG file
 };
 
 using Facts = std::vector<std::pair<std::string, std::string>>; // name, value
 
-// For HTML and XML alike: & < > " ' escaped, and U+FFFD for bytes that are no letters of UTF-8 and for control
-// characters.
+// Escapes & < > " ' for HTML and XML, and replaces invalid UTF-8 and control characters by U+FFFD.
 [[nodiscard]] std::string html_text(std::string_view text);
 
-[[nodiscard]] std::string now_text(); // "2005-04-01 16:30", the machine's time
+[[nodiscard]] std::string now_text(); // "2005-04-01 16:30", local time
 
-// Up to and with the heading. `what` the report is: "Vessel tree report"; `made`: when.
+// The page up to and including the heading. `what`: kind of report, "Vessel tree report"; `made`: time.
 [[nodiscard]] std::string page_begin(const std::string& title, const std::string& what, const std::string& made);
 [[nodiscard]] std::string page_end();
 
 [[nodiscard]] std::string facts_html(const Facts& facts);
 
-// The first picture is the large one. Empty without pictures.
+// The first picture is large, the others small. Empty without pictures.
 [[nodiscard]] std::string pictures_html(const std::vector<ReportPicture>& pictures);
-// The same, all of one size.
+// The same with pictures of one size.
 [[nodiscard]] std::string even_pictures_html(const std::vector<ReportPicture>& pictures);
 
 struct TableLook {
     std::string note{};                                 // under the heading
-    std::string flag_column{};                          // rows whose text there is "yes" stand out
-    std::size_t sums = 0;                               // so many of the last rows stand apart
-    bool is_part = false;                               // with a smaller heading
-    std::size_t most_rows = 100;                        // more make no page that anybody reads
-    std::string all_rows_in{"the same report as .csv"}; // where those are that the page has no room for
+    std::string flag_column{};                          // rows with "yes" in this column are highlighted
+    std::size_t sums = 0;                               // this many last rows are set off as sums
+    bool is_part = false;                               // has a smaller heading
+    std::size_t most_rows = 100;                        // further rows are omitted
+    std::string all_rows_in{"the same report as .csv"}; // where to find omitted rows
 };
-// Heading, note and rows. Of long tables the first rows.
+// Heading, note and rows; long tables are truncated.
 [[nodiscard]] std::string table_html(const Table& all, const TableLook& look = {});
 
 } // namespace ramus::app

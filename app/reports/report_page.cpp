@@ -90,7 +90,7 @@ std::string lesions_html(const Document& document, const Plan& plan) {
     return table_html(table, {.note = note});
 }
 
-// As the file names it, where that is known.
+// The file's name of the label, if known.
 std::string label_text(const ContextItem& item, const ContextShape* shape) {
     if (item.isovalue) return "from " + rounded(*item.isovalue);
     if (item.label.none()) return "";
@@ -98,7 +98,7 @@ std::string label_text(const ContextItem& item, const ContextShape* shape) {
     return named ? shape->label->name : item.label.name.empty() ? std::to_string(item.label.number) : item.label.name;
 }
 
-// `asked`: what a person said, in the words of the options.
+// `asked`: the user's statement, in the words of the options.
 std::string said_text(tree::SaidBy who, const std::string& asked) {
     return who == tree::SaidBy::kFile     ? "as the file says"
            : who == tree::SaidBy::kPerson ? (asked.empty() ? "as the user says" : asked + ", as the user says")

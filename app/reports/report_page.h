@@ -1,5 +1,5 @@
-// The report as one web page that needs nothing beside it: pictures are inside, it prints on paper, and whatever comes
-// from files or people is escaped. No GL: who has pictures gives them.
+// Writes the report of a document as a self-contained web page that can be printed. Text from files and people is
+// escaped. No GL: the caller provides the pictures.
 #pragma once
 
 #include "app/reports/html.h"
@@ -13,11 +13,11 @@ namespace ramus::app {
 struct Assets; // app/assets/assets.h
 
 struct ReportHead {
-    std::string made;      // when
-    std::string case_line; // what a person typed to say which case the report is of; may be empty
+    std::string made;      // time
+    std::string case_line; // the user's description of the case; may be empty
 };
 
-// UTF-8. The first picture is the large one. The document has a tree, and the assets are up to it.
+// Returns UTF-8. The first picture is large. The document must have a tree, and the assets must be complete.
 [[nodiscard]] std::string report_page(const Document& document, const Assets& assets,
                                       const std::vector<ReportPicture>& pictures, const ReportHead& head);
 

@@ -16,7 +16,7 @@ namespace ramus::app {
 
 namespace {
 
-// What branches are called, their own name or that of what they depend on.
+// Labels of branches: their own name or that of a branch they depend on.
 class Names {
 public:
     explicit Names(const Document& document)
@@ -31,7 +31,7 @@ private:
     std::vector<int> sources_;
 };
 
-// A column `at` for the systems of branches, where the tree has systems; the ids stand in column `branch_at`.
+// Inserts column `at` with the systems of branches, if the tree has any; column `branch_at` has the ids.
 void add_systems(Table& table, const Document& document, std::size_t branch_at, std::size_t at) {
     const tree::VesselTree& tree = *document.tree();
     if (tree.systems.empty()) return;
@@ -44,7 +44,7 @@ void add_systems(Table& table, const Document& document, std::size_t branch_at, 
     }
 }
 
-// Of quantities that vary along a branch: mean, least and largest.
+// Mean, least and largest for quantities that vary along a branch.
 void add_columns(std::vector<Column>& columns, const QuantityRow& row) {
     const std::string name(row.report.name), heading(row.report.heading);
     if (row.least == nullptr) {
@@ -63,7 +63,7 @@ void add_cells(std::vector<Cell>& cells, const QuantityRow& row, const Document&
     cells.emplace_back(row.largest(facts, branch));
 }
 
-// What depends on a branch: as add() gives it.
+// Columns for the dependents of a branch, in the order of add().
 void add_dependents(std::vector<Column>& columns) {
     for (const Quantity quantity :
          {Quantity::kDependents, Quantity::kDependentLength, Quantity::kDependentVolume, Quantity::kDependentLeaves})
@@ -74,7 +74,7 @@ void add(std::vector<Cell>& row, const measure::Amount& amount) {
     row.insert(row.end(), {amount.branches, amount.length_mm, amount.volume_mm3, amount.leaves});
 }
 
-// Data of the tree's file, one column each, of which a page may have no room for all.
+// Data of the tree's file, one column each; a page may lack room for all.
 void add_data(Table& table, const tree::VesselTree& tree, std::span<const int> branches) {
     if (branches.empty()) return;
     std::vector<std::string> names;
@@ -100,7 +100,7 @@ namespace {
 
 constexpr std::string_view kCubicMm = "mm\xC2\xB3";
 
-// As Lengths::volume() says a single volume, for a whole column, so that its numbers can be compared.
+// Like Lengths::volume(), but with one unit for the whole column, so that its numbers are comparable.
 void in_millilitres(Table& table, std::size_t c) {
     constexpr double kCubicMmInMl = 1000.0;
     std::string& heading = table.columns[c].heading;

@@ -1,6 +1,5 @@
-// The tables of reports: what is selected, what cuts cost, what lies within the margins of lesions, what was measured,
-// the systems. Values with columns, from which CSV and the page are written. Numbers are kept as numbers: CSV gives
-// nine digits, pages round them.
+// Tables of reports: selection, cuts, margins of lesions, measurements, systems. They are values with columns, written
+// as CSV or HTML. Numbers stay numbers: CSV has nine digits, pages round.
 #pragma once
 
 #include "app/session/document.h"
@@ -18,13 +17,13 @@ struct Assets; // app/assets/assets.h
 struct Column {
     std::string name;    // in CSV, without a unit: "length"
     std::string heading; // for people, with the unit: "Length, mm"
-    int digits = 3;      // that people read, of numbers that are not whole
+    int digits = 3;      // significant digits for people, of non-integers
     bool in_csv_alone = false;
 };
 
 struct Cell {
     std::string text;
-    std::optional<double> number; // then `text` is empty
+    std::optional<double> number; // if set, `text` is empty
     Cell(std::string words) : text(std::move(words)) {}
     Cell(const char* words) : text(words) {}
     Cell(double value) : number(value) {}
@@ -34,41 +33,40 @@ struct Cell {
 struct Table {
     std::string title;
     std::vector<Column> columns;
-    std::vector<std::vector<Cell>> rows; // as long as `columns` each
+    std::vector<std::vector<Cell>> rows; // each as long as `columns`
 };
 
-// The document has a tree, and the assets are up to it.
-[[nodiscard]] Table selection_table(const Document& document, const Assets& assets); // a row for each selected branch
+// The document must have a tree, and the assets must be complete.
+[[nodiscard]] Table selection_table(const Document& document, const Assets& assets); // one row per selected branch
 [[nodiscard]] Table branches_table(const Document& document, const Assets& assets,
-                                   std::span<const int> branches); // the same of any branches, in their order
+                                   std::span<const int> branches); // one row per branch, in the given order
 [[nodiscard]] Table cuts_table(const Document& document,
-                               const Assets& assets); // a row for each cut; all together in the last
+                               const Assets& assets); // one row per cut, and a last row for all cuts
 [[nodiscard]] Table bands_table(const Document& document,
-                                const Assets& assets); // a row for each branch within a margin
-// A row for each lesion and each system: the shortest distance and the contact.
+                                const Assets& assets); // one row per branch within a margin
+// One row per lesion and system: the shortest distance and the contact.
 [[nodiscard]] Table lesions_table(const Document& document, const Assets& assets);
-[[nodiscard]] Table systems_table(const Document& document, const Assets& assets);      // a row for each system
-[[nodiscard]] Table measurements_table(const Document& document, const Assets& assets); // a row for each measurement
-// A row for each contact, the closest first; none where they were not looked for.
+[[nodiscard]] Table systems_table(const Document& document, const Assets& assets);      // one row per system
+[[nodiscard]] Table measurements_table(const Document& document, const Assets& assets); // one row per measurement
+// One row per contact, closest first; empty if contacts were not searched.
 [[nodiscard]] Table contacts_table(const Document& document, const Assets& assets);
 
-// A row for each finding of the validation, as its panel lists them; none where nobody looked.
+// One row per finding of the validation, as in its panel; empty without validation.
 [[nodiscard]] Table validation_table(const Document& document, const Assets& assets);
 
-// The column `unit`: what the lengths of a row are in, "mm" or "unknown"; areas and volumes are in squares and cubes of
-// it. The names of the other columns never depend on it. add_unit() gives it to all rows alike.
+// The column `unit`: the unit of a row's lengths, "mm" or "unknown"; areas and volumes are in its square and cube.
+// Names of other columns never depend on the unit. add_unit() sets one unit for all rows.
 [[nodiscard]] Column unit_column();
 void add_unit(Table& table, const Lengths& lengths);
 
-// As people read it, without the columns of CSV alone: the unit stands in the headings, and volumes of which one is a
-// millilitre or more are in ml. Rows of different units keep their column, and headings name none.
+// Formats a table for people, without CSV-only columns: the unit is in the headings, and volumes are in ml if one is 1
+// ml or more. Rows with different units keep the unit column.
 [[nodiscard]] Table in_words(Table table);
 
-// RFC 4180: comma, CRLF, a heading line; quotes around and doubled quotes inside where a field needs them. UTF-8.
-// A name that spreadsheets would take for a formula has an apostrophe in front, which tells them that it is text; names
-// with what other spreadsheets part cells by are in quotes.
+// CSV by RFC 4180: commas, CRLF, a heading line, quotes where necessary. UTF-8. Names that spreadsheets would interpret
+// as formulas get a leading apostrophe, which marks text. Names with other separators of spreadsheets are quoted.
 [[nodiscard]] std::string csv_of(const Table& table);
-[[nodiscard]] std::string csv_lines(const Table& table); // the same for standard output, whose lines end with LF alone
+[[nodiscard]] std::string csv_lines(const Table& table); // the same for standard output, with LF as line end
 [[nodiscard]] std::string csv_field(std::string_view text);
 
 } // namespace ramus::app

@@ -1,4 +1,4 @@
-// What a surface was made with, as facts of a page.
+// The options of a surface as facts for a page.
 #pragma once
 
 #include "app/reports/html.h"

@@ -1,4 +1,4 @@
-// The tables that a report has, by name: one row for each.
+// The table of report tables, by name.
 #pragma once
 
 #include "app/reports/report_tables.h"
@@ -13,13 +13,13 @@ struct TableKind {
     std::string_view name;
     const char* label; // for people
     Table (*table)(const Document&, const Assets&);
-    bool (*there)(const Document&, const Assets&); // what its rows are about
-    bool plain_on_page = false;                    // the report's page has the table as it is, without a note
+    bool (*there)(const Document&, const Assets&); // whether it would have rows
+    bool plain_on_page = false;                    // shown on the report's page unchanged, without a note
 };
 
 [[nodiscard]] std::string table_names(); // "cuts, bands, ..."
-// In the order of what is written when no kind is named.
+// In the order of output if no kind is named.
 [[nodiscard]] std::span<const TableKind> table_kinds();
-[[nodiscard]] const TableKind* table_kind_named(std::string_view name); // null: there is none
+[[nodiscard]] const TableKind* table_kind_named(std::string_view name); // null: unknown
 
 } // namespace ramus::app

@@ -1,5 +1,6 @@
-// What a person wants to know of a branch, computed once for a whole tree: tooltips, panels, commands and colours look
-// it up. "Depends" is core/tree/dependency.h's: reached only through the branch, right in networks with loops too.
+// Facts about each branch, computed once per tree and looked up by tooltips, panels, commands and colours. "Dependents"
+// as in core/tree/dependency.h: branches that are reached only through the branch; correct for networks with loops,
+// too.
 #pragma once
 
 #include "core/measure/amount.h"
@@ -11,29 +12,29 @@
 namespace ramus::app {
 
 struct BranchFacts : measure::BranchStatistics {
-    measure::Amount dependents;    // branches that are reached only through this one, without itself
-    double root_distance_mm = 0.0; // along the vessels, from the root to where the branch begins
+    measure::Amount dependents;    // the branch itself excluded
+    double root_distance_mm = 0.0; // along the vessels, from the root to the start of the branch
 };
 
 struct TreeFacts {
     std::vector<BranchFacts> branches; // by id
     tree::Dependency dependency;
     measure::TreeStatistics statistics;
-    std::vector<measure::Amount> dependents; // by id, as in the branches' facts
+    std::vector<measure::Amount> dependents; // by id; equal to branches[id].dependents
     double usual_thin_mm = 0.0;              // UsualSizes::thin_mm
 };
 
 [[nodiscard]] TreeFacts facts_of(const tree::VesselTree& tree);
 
-// Whether there are several branches and none depends on another: separate vessels, each with a root of its own.
-// Nothing can be said then of what a cut would cost beyond the vessel itself.
+// Whether the tree consists of several separate vessels, each with its own root. The effect of a cut beyond the vessel
+// itself is then unknown.
 [[nodiscard]] bool nothing_depends(const TreeFacts& facts);
 inline constexpr const char* kNothingDepends = "not known: separate vessels";
 
-// Every branch, behind the one that it comes from.
+// All branches in topological order: parents before children.
 [[nodiscard]] std::vector<int> parents_first(const tree::VesselTree& tree);
 
-// Of so many branches those that are so, ascending.
+// The ids below `count` for which `is` holds, ascending.
 template <class Is> [[nodiscard]] std::vector<int> branches_where(std::size_t count, const Is& is) {
     std::vector<int> ids;
     for (std::size_t id = 0; id < count; ++id)
@@ -41,7 +42,7 @@ template <class Is> [[nodiscard]] std::vector<int> branches_where(std::size_t co
     return ids;
 }
 
-// From the root to `branch`, both included.
+// The branches from the root to `branch`, both included.
 [[nodiscard]] std::vector<int> path_to(const tree::VesselTree& tree, int branch);
 
 } // namespace ramus::app

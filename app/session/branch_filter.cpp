@@ -110,7 +110,7 @@ private:
         return BranchCondition{.text = word};
     }
 
-    // With the quotes around it.
+    // Parses text in quotes.
     Result<std::string> take_quoted() {
         const std::size_t end = text_.find('"', at_ + 1);
         if (end == std::string_view::npos) return fail("a quote is not closed");
@@ -148,7 +148,7 @@ private:
     std::size_t at_ = 0;
 };
 
-// Numbers are shown with three digits: what looks equal is.
+// Numbers are shown with three digits; values that look equal compare equal.
 constexpr double kShownPrecision = 5e-4;
 
 bool holds(double value, Relation comparison, double wanted, double precision) {

@@ -1,13 +1,13 @@
-// What somebody types to find branches: conditions and words, all of which must hold.
+// The filter language of the list of branches. A branch passes if all conditions and words hold.
 //
 //     d>3            mean diameter in mm; also gen, strahler, len, deps, vol, dist (mm from the root), id
-//     gen<=5 len>=20 operators < <= > >= = !=; blanks around them are fine, so are units ("d > 3 mm")
+//     gen<=5 len>=20 operators < <= > >= = !=; blanks around them and units are allowed ("d > 3 mm")
 //     system:portal  occurs in the name of the branch's system; system:"hepatic vein" with blanks
 //     is:hidden      also selected, highlighted, defocused, normal, leaf, named
-//     right hepatic  words occur in the label or in the system's name, whatever their case; "quoted words" together
+//     right hepatic  words occur in the label or in the system's name, ignoring case; "quoted words" as a phrase
 //     17             a whole number is an id, or occurs in the label
 //
-// Parsing is pure and total: it gives a filter or says what is wrong with the text.
+// Parsing is a pure function: it returns a filter or an error for any text.
 #pragma once
 
 #include "app/session/labels.h"
@@ -22,7 +22,7 @@
 namespace ramus::app {
 
 enum class Relation { kLess, kLessOrEqual, kGreater, kGreaterOrEqual, kEqual, kNotEqual };
-// The states in the order of render::BranchState, then others.
+// States in the order of render::BranchState, then other properties.
 enum class BranchProperty { kNormal, kHighlighted, kDefocused, kHidden, kSelected, kLeaf, kNamed };
 
 struct BranchCondition {

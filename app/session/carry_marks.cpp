@@ -14,8 +14,8 @@ using render::BranchState;
 
 namespace {
 
-// The branches of `after` of systems that are in both and hidden as a whole; those of `before` are taken out of
-// `hidden`.
+// Returns the branches of `after` in systems that exist in both trees and are completely hidden; removes those of
+// `before` from `hidden`.
 std::vector<int> take_hidden_systems(std::vector<int>& hidden, const tree::VesselTree& before,
                                      const tree::VesselTree& after) {
     std::vector<int> whole;
@@ -30,7 +30,7 @@ std::vector<int> take_hidden_systems(std::vector<int>& hidden, const tree::Vesse
     return whole;
 }
 
-// Appends what `ids` became to `there`; returns how many are gone.
+// Appends the branches that `ids` became; returns how many are gone.
 std::size_t append_there(std::vector<int>& there, const std::vector<int>& ids, const BranchMap& map) {
     std::size_t lost = 0;
     for (const int id : ids) {
@@ -106,7 +106,7 @@ std::size_t carry_measurements(Marks& marks, const BranchMap& map) {
     return lost;
 }
 
-// Names and colours were given to the systems before.
+// Names and colours belong to the old systems.
 std::size_t carry_systems(Marks& marks, const BranchMap& map) {
     if (map.before().systems != map.after().systems) marks.systems.clear();
     return 0;

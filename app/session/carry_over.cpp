@@ -27,7 +27,7 @@ std::tuple<double, double, double> place(const tree::VesselTree& tree, std::uint
     return {p.x, p.y, p.z};
 }
 
-// The same whichever end comes first.
+// Independent of the branch's direction.
 auto looks_of(const tree::VesselTree& tree, const tree::Branch& branch) {
     using Place = std::tuple<double, double, double>;
     const std::size_t last = branch.points.size() - 1;
@@ -126,11 +126,11 @@ void follow_unit(Marks& marks, const TreeFile& file) {
 
 namespace {
 
-// Which turn of the axes, a mirror image included, made one tree of the other beside a change of scale: that of the
-// first of all points, which RAS is unless something was turned.
+// The permutation and reflection of axes that maps one tree to the other, apart from scaling. Uses the first of all
+// points; identity (RAS) unless something was turned.
 io::Orientation turn_between(const tree::VesselTree& before, const tree::VesselTree& after, double scale, double size) {
     constexpr double kSame = 1e-6;
-    constexpr std::size_t kLooked = 200; // places: what turns so many alike turns all
+    constexpr std::size_t kLooked = 200; // places: if these agree, all do
     const std::size_t count = before.points.size(), step = std::max<std::size_t>(1, count / kLooked);
     if (count == 0 || count != after.points.size()) return {};
     const glm::dvec3 from = before.points.front().position, to = after.points.front().position;

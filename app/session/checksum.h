@@ -1,4 +1,4 @@
-// 64-bit FNV-1a, in hexadecimal: tells whether something is still what it was. It keeps out mistakes, not intent.
+// 64-bit FNV-1a, to detect that something has changed. Detects mistakes, not manipulation.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ public:
         return *this;
     }
     [[nodiscard]] std::uint64_t number() const { return hash_; }
-    [[nodiscard]] std::string text() const { // sixteen digits
+    [[nodiscard]] std::string text() const { // sixteen hexadecimal digits
         constexpr const char* kDigits = "0123456789abcdef";
         std::string digits(16, '0');
         for (std::size_t i = 0; i < 16; ++i) digits[15 - i] = kDigits[(hash_ >> (4 * i)) & 15];

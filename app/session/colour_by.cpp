@@ -78,7 +78,7 @@ constexpr Stations kCoolwarm{{{0.229806F, 0.298718F, 0.753683F},
 constexpr Stations kGrey{{glm::vec3(0.0F), glm::vec3(0.125F), glm::vec3(0.25F), glm::vec3(0.375F), glm::vec3(0.5F),
                           glm::vec3(0.625F), glm::vec3(0.75F), glm::vec3(0.875F), glm::vec3(1.0F)}};
 
-// By ColourMap: stations, and how much of the dark end is left out.
+// By ColourMap: stops, and the omitted share of the dark end.
 struct MapRow {
     std::string_view name;
     const Stations& stations;
@@ -154,7 +154,7 @@ std::optional<std::array<double, 2>> colour_range_in(std::string_view text) {
     const std::vector<std::string_view> parts = parts_of(text);
     if (parts.size() != 2) return {};
     const auto low = parsed<double>(parts[0]), high = parsed<double>(parts[1]);
-    constexpr double kMost = 1e14; // of what shaders tell from what is not known
+    constexpr double kMost = 1e14; // shaders would take larger values for unknown ones
     if (!low || !high || !(std::abs(*low) <= kMost) || !(std::abs(*high) <= kMost) || !(*low < *high)) return {};
     return std::array{*low, *high};
 }

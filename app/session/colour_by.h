@@ -1,6 +1,6 @@
-// What colours say, of a branch or of a place of the surface: one row for each possibility, those of quantities from
-// their own table (app/session/quantity.h). Commands, the menu and sessions read it. Arrays of the tree's file
-// (core/tree/data_array.h) are further possibilities, by their names; how colours follow a quantity is a ColourLook.
+// The table of colourings: what colours can show of a branch or a surface point. Rows for quantities come from
+// app/session/quantity.h. Commands, the menu and sessions read this table. Arrays of the tree's file
+// (core/tree/data_array.h) are further colourings, identified by name. ColourLook says how colours follow a quantity.
 #pragma once
 
 #include "app/session/quantity.h"
@@ -31,8 +31,8 @@ struct ColourBy {
     };
     using enum Kind;
     Kind kind = kNothing;
-    Quantity quantity{}; // of kQuantity
-    std::string data;    // of kData: the name of the array
+    Quantity quantity{}; // for kQuantity
+    std::string data;    // for kData: the name of the array
     ColourBy() = default;
     ColourBy(Kind what) : kind(what) {}
     ColourBy(Quantity what) : kind(kQuantity), quantity(what) {}
@@ -46,49 +46,49 @@ struct ColourBy {
 
 struct ColouringRow {
     ColourBy by;
-    std::string_view key;   // what colour-by takes, and sessions say
+    std::string_view key;   // in sessions and for the command colour-by
     std::string_view label; // in the menu
     std::string_view help;
 };
 
 [[nodiscard]] const std::vector<ColouringRow>& colourings(); // in the order of the menu
-[[nodiscard]] std::string name_of(const ColourBy& by);       // its key; of an array of the file "file:NAME"
-// A key of the table, or "file:" with any name behind it.
+[[nodiscard]] std::string name_of(const ColourBy& by);       // the key; "file:NAME" for an array of the file
+// Accepts a key of the table, or "file:" followed by any name.
 [[nodiscard]] std::optional<ColourBy> colouring_named(std::string_view key);
-// The same, and the bare names of a tree's arrays: what is in the table comes first. Fails with all that there is.
+// Also accepts the plain names of the tree's arrays, after the keys of the table. Errors list all colourings.
 [[nodiscard]] Result<ColourBy> colouring_of_tree(std::string_view key, const tree::VesselTree& tree);
 
-// Colour maps for quantities: even steps look even, in grey and to colour-blind eyes as well. viridis, magma and plasma
-// by S. van der Walt and N. Smith (2015), cividis by J. Nunez, C. Anderton and R. Renslow (2018), all in the public
-// domain (CC0); coolwarm, for values on both sides of a middle, by K. Moreland (2009). Here as nine stations each;
-// their sRGB values are mixed, as the tables are meant.
+// Perceptually uniform colour maps, also in grey and for colour-blind people. viridis, magma and plasma by S. van der
+// Walt and N. Smith (2015), cividis by J. Nunez, C. Anderton and R. Renslow (2018), all in the public domain (CC0);
+// coolwarm, which diverges from its middle, by K. Moreland (2009). Stored as nine sRGB values each, interpolated in
+// sRGB.
 enum class ColourMap : std::uint8_t { kViridis, kCividis, kMagma, kPlasma, kCoolwarm, kGrey };
 inline constexpr std::array kColourMaps{ColourMap::kViridis, ColourMap::kCividis,  ColourMap::kMagma,
                                         ColourMap::kPlasma,  ColourMap::kCoolwarm, ColourMap::kGrey};
 [[nodiscard]] std::string_view name_of(ColourMap map); // "viridis", ...
 [[nodiscard]] std::optional<ColourMap> colour_map_named(std::string_view name);
 
-// sRGB at t from 0 to 1. The darkest end is left out: it would sink into the dark background.
+// sRGB at t from 0 to 1. Omits the darkest end, which would be invisible on the dark background.
 [[nodiscard]] glm::vec3 colour_at(ColourMap map, double t);
-// The whole map in `steps` even steps, both ends included.
+// Samples the whole map in `steps` even steps, both ends included.
 [[nodiscard]] std::vector<glm::vec3> ramp_of(ColourMap map, std::size_t steps = 64);
 
-// How the colours of a quantity follow its values.
+// Maps the values of a quantity to colours.
 struct ColourLook {
-    std::optional<std::array<double, 2>> range{}; // of the colour map, ascending; none: the least and largest value
-    std::optional<bool> logarithmic{};            // none: as is usual for the quantity
+    std::optional<std::array<double, 2>> range{}; // values at the ends of the colour map, ascending; none: of the data
+    std::optional<bool> logarithmic{};            // none: the quantity's default
     bool legend = true;
     bool operator==(const ColourLook&) const = default;
 };
-// "12,80"; none: it is no two numbers that ascend, of 1e14 at most.
+// Parses "12,80": two ascending numbers of at most 1e14; none if invalid.
 [[nodiscard]] std::optional<std::array<double, 2>> colour_range_in(std::string_view text);
-// Fails where both cannot be: a logarithmic scale from 0 or below.
+// Fails if a logarithmic scale starts at or below 0.
 [[nodiscard]] Result<void> check(const ColourLook& look);
 
-// Of what nothing is known, sRGB: no colour of any map but grey, and darker than its middle.
+// The colour of unknown values, sRGB: a grey that occurs in no other map, darker than the middle of the grey map.
 inline constexpr glm::vec3 kUnknownColour{0.47F, 0.50F, 0.54F};
 
-// Colours as people write them: #RRGGBB, in sRGB. The sign may be left out: in commands files it begins a comment.
+// Colours as text: #RRGGBB, sRGB. The # is optional, because it starts a comment in command files.
 [[nodiscard]] std::string colour_text(const std::array<std::uint8_t, 3>& colour); // "#c98268"
 [[nodiscard]] std::optional<std::array<std::uint8_t, 3>> colour_in(std::string_view text);
 

@@ -1,4 +1,4 @@
-// Comparison: which surfaces of one tree are looked at together, and how. Plain values, part of what undo covers.
+// Comparison: which surfaces of one tree are shown together, and how. Plain values, covered by undo.
 #pragma once
 
 #include "core/mesh/surface.h"
@@ -13,8 +13,8 @@
 
 namespace ramus::app {
 
-// What can be compared, in the order of the methods; then the convolution surface as it blends along the tree, and as
-// the plain sum, whichever of them the session's own is.
+// The comparable surfaces: the methods in their order, then the convolution surface with vessels apart and with vessels
+// merged, whatever the session's own setting.
 enum class Compared : std::uint8_t { kConvolutionSurface, kTruncatedCones, kIsosurface, kApart, kMerged };
 
 struct ComparedRow {
@@ -22,7 +22,7 @@ struct ComparedRow {
     mesh::Method method;
     std::optional<mesh::Blend> blend; // none: the session's
     std::string_view key;             // on the command line, in sessions and commands
-    std::string_view label;           // where it stands alone
+    std::string_view label;           // alone
     std::string_view noun;            // within a sentence
 };
 
@@ -48,25 +48,25 @@ inline constexpr std::array<ComparedRow, 5> kCompared{
 [[nodiscard]] constexpr Compared compared(mesh::Method method) { return static_cast<Compared>(method); }
 // "cs, cones, iso, tree, paper"
 [[nodiscard]] std::string compared_names();
-// Whether it is the surface that a session with these options shows by itself.
+// Whether this is the surface that a session with these options shows without a comparison.
 [[nodiscard]] bool is_own(Compared kind, const mesh::SurfaceOptions& options);
 
 struct Comparison {
     enum class Mode : std::uint8_t {
         kOff,
-        kSideBySide,   // each in a viewport of its own, seen by one camera
+        kSideBySide,   // each in its own viewport, with one camera
         kBlend,        // the first two, one fading into the other
         kSuperimposed, // the first shaded, the second as a wireframe over it
-        kWipe,         // the first two, one left of a line and the other right of it
+        kWipe,         // the first two, left and right of a line
     };
     Mode mode = Mode::kOff;
-    // Two or three, none twice.
+    // Two or three, without repeats.
     std::vector<Compared> surfaces{Compared::kConvolutionSurface, Compared::kTruncatedCones};
-    std::string mask;                        // of the isosurface: a file, absolute; empty: the tree's own voxels
-    std::string mask_units;                  // of its lengths, "cm"; empty: as its file says
-    std::vector<volume::LabelChoice> labels; // in the mask, ascending; empty: whatever is inside
+    std::string mask;                        // for the isosurface: absolute path; empty: the tree's own voxels
+    std::string mask_units;                  // unit of the mask, "cm"; empty: as its file says
+    std::vector<volume::LabelChoice> labels; // of the mask, ascending; empty: all labels
     double blend = 0.5;                      // 0: the first surface alone; 1: the second
-    double wipe = 0.5;                       // where the line is, of the picture's width
+    double wipe = 0.5;                       // position of the line as a fraction of the width
     bool operator==(const Comparison&) const = default;
 };
 inline constexpr std::array kComparisonModes{Comparison::Mode::kOff, Comparison::Mode::kSideBySide,
@@ -75,18 +75,18 @@ inline constexpr std::array kComparisonModes{Comparison::Mode::kOff, Comparison:
 [[nodiscard]] std::string_view name_of(Comparison::Mode mode); // "off", "side-by-side", "blend", "superimposed", "wipe"
 [[nodiscard]] std::optional<Comparison::Mode> comparison_mode_named(std::string_view name);
 
-// The surfaces that are in the picture, in their order; none when nothing is compared.
+// The surfaces in the picture, in their order; empty without a comparison.
 [[nodiscard]] std::vector<Compared> compared_surfaces(const Comparison& comparison);
 
 // "Convolution surface", "Truncated cones", "Isosurface of liver.nii.gz".
 [[nodiscard]] std::string title_of(Compared kind, const Comparison& comparison);
 
-// "cs,iso": two or three, none twice.
+// Parses "cs,iso": two or three, without repeats.
 [[nodiscard]] std::optional<std::vector<Compared>> surface_list(std::string_view text);
-// "1,portal vein": whole numbers other than 0, and names, made ascending, without repeats. What stands between double
-// quotes is a name, commas and digits included.
+// Parses "1,portal vein": whole numbers other than 0, and names; sorts and removes repeats. Quoted text is a name, even
+// with commas or digits.
 [[nodiscard]] std::optional<std::vector<volume::LabelChoice>> label_list(std::string_view text);
-// "1+3,portal vein": the labels of each of several groups, as label_list() has them; a name with + needs quotes.
+// Parses "1+3,portal vein": groups of labels as for label_list(); a name that contains + needs quotes.
 [[nodiscard]] std::optional<std::vector<std::vector<volume::LabelChoice>>> label_groups(std::string_view text);
 
 } // namespace ramus::app

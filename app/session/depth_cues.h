@@ -1,5 +1,4 @@
-// What tells near from far in a picture, each by itself: the table that commands, menus, session files and pictures
-// read.
+// Depth cues (visual hints about near and far): the table that commands, menus, session files and pictures read.
 #pragma once
 
 #include "render/scene/frame.h"
@@ -16,9 +15,9 @@ struct DepthCue {
 };
 
 [[nodiscard]] std::span<const DepthCue> depth_cues();                 // the first two are on in a new session
-[[nodiscard]] const DepthCue* depth_cue_named(std::string_view name); // null: there is none
+[[nodiscard]] const DepthCue* depth_cue_named(std::string_view name); // null: no such cue
 
-// Those that are on.
+// The set of active depth cues.
 class DepthCues {
 public:
     [[nodiscard]] bool has(const DepthCue& cue) const { return (bits_ >> place_of(cue) & 1U) != 0; }

@@ -1,5 +1,5 @@
-// What the surface is held against when colours say how far it lies from another one, and the scale of these colours.
-// A plain value, part of what undo covers. The isosurface is that of the mask of the comparison (comparison.h).
+// DeviationChoice: the reference surface and the scale for colouring a surface by its distance from another one. A
+// plain value, covered by undo. The reference isosurface uses the mask of the comparison (comparison.h).
 #pragma once
 
 #include <array>
@@ -14,16 +14,16 @@ struct Comparison;
 
 struct DeviationChoice {
     enum class From : std::uint8_t { kCones, kIsosurface, kFile };
-    enum class Unit : std::uint8_t { kMm, kVoxels }; // of the scale: voxels are diagonals of the mask's
+    enum class Unit : std::uint8_t { kMm, kVoxels }; // of the scale; kVoxels: diagonals of the mask's voxels
     From from = From::kCones;
-    std::string file;      // of kFile: a mesh, absolute
-    Unit unit = Unit::kMm; // kVoxels of isosurfaces alone
-    double most = 0.0;     // where the scale ends, in its unit; 0: where nearly all distances lie below
-    std::string axes{};    // of a mesh that does not state them: "LPS"; empty: nobody has said
+    std::string file;      // for kFile: absolute path of a mesh
+    Unit unit = Unit::kMm; // kVoxels only for isosurfaces
+    double most = 0.0;     // end of the scale, in its unit; 0: chosen so that nearly all distances lie below
+    std::string axes{};    // of a mesh that does not state them: "LPS"; empty: not specified
     bool operator==(const DeviationChoice&) const = default;
 };
 inline constexpr std::array kDeviationUnits{DeviationChoice::Unit::kMm, DeviationChoice::Unit::kVoxels};
-inline constexpr double kLeastDeviation = 1e-6, kMostDeviation = 1e6; // ends of scales
+inline constexpr double kLeastDeviation = 1e-6, kMostDeviation = 1e6; // bounds of `most`
 
 [[nodiscard]] std::string_view name_of(DeviationChoice::Unit unit); // "mm", "voxels"
 [[nodiscard]] std::optional<DeviationChoice::Unit> deviation_unit_named(std::string_view name);

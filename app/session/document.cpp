@@ -35,7 +35,7 @@ const tree::Dependency& Document::dependency() const {
 }
 
 void Document::change(Marks next) {
-    // Changes are made of differences, which need lists in order.
+    // Changes are differences, which require sorted lists.
     if (std::ranges::adjacent_find(next.selection, std::ranges::greater_equal{}) != next.selection.end())
         next.selection = canonical(std::move(next.selection));
     set_state(next, {}, render::BranchState::kNormal);
@@ -64,7 +64,7 @@ Result<void> Document::take_edit(const MadeEdit& made) {
     return {};
 }
 
-// The first tree, every sixteenth and the last few: undo makes few edits again, and memory stays small.
+// Keeps the first tree, every sixteenth and the last few, so that undo repeats few edits and memory stays small.
 void Document::keep_tree() {
     constexpr std::size_t kSpacing = 16, kLast = 4;
     if (!tree_) return;
@@ -84,7 +84,7 @@ void Document::follow_edits(const std::vector<tree::Edit>& before) {
     tree_ = start.tree;
     facts_ = start.facts;
     if (start.edits == now.size() && facts_) return;
-    // They were made before, of the same tree.
+    // They succeeded before on the same tree.
     if (start.edits < now.size())
         tree_ = std::make_shared<const tree::VesselTree>(
             tree::apply_all(*start.tree, std::span(now).subspan(start.edits)).value());
@@ -100,7 +100,7 @@ void Document::forget_undone() {
     steps_.resize(position_);
 }
 
-// The undone steps lead on from `now`, which is looked at in another way than what they were made of.
+// Rebases the undone steps onto `now`, which has other looks than the marks they were made from.
 void Document::carry_undone(const Marks& now) {
     Marks was = session_.marks, is = now;
     for (auto step = steps_.begin() + static_cast<std::ptrdiff_t>(position_); step != steps_.end(); ++step) {

@@ -1,12 +1,12 @@
-// Document: the session that is open, the tree it is about, and the way back. Every change of what undo covers goes
-// through change(), which remembers what it changed; files are not covered, and of the camera only what a step that
-// changes other things too does with it. There is no limit to the steps: they are kept small
-// (app/session/marks_change.h). No GL, no window.
+// Document: the open session, its tree and the undo history. Marks change only through change() and the functions that
+// edit or reread the tree, which record each change. Undo does not cover files; it covers the camera only in steps that
+// change other things, too. The number of steps is unlimited, since each is small (app/session/marks_change.h). No GL,
+// no window. Not thread-safe.
 //
-// Looking never costs work: a step that changes nothing but how the tree is looked at (differ_in_looks_alone(): the
-// selection, colours, depth cues) is put between what is done and what is undone, and what is undone can still be
-// redone. It then gives what it gave, seen as it is looked at by then, unless it changed that itself. Any other change
-// forgets what was undone. Steps of looking are none that closing would lose.
+// Changing the view never costs undone work. A step that changes only looks (differ_in_looks_alone(): selection,
+// colours, depth cues) is inserted between the done and the undone steps, and the undone steps can still be redone.
+// Redoing keeps the current looks, unless the step itself changed them. Any other change discards the undone steps.
+// Steps that change only looks do not count as unsaved work.
 #pragma once
 
 #include "app/session/branch_facts.h"
@@ -27,74 +27,73 @@ struct MadeEdit; // app/session/tree_edits.h
 
 class Document {
 public:
-    // Another tree, or none: history starts anew. `facts` are the tree's, where they are known already; `file`: the
-    // session file that it came from; empty for none.
-    // `base`: the tree as its file has it, where the session has edits; they are those that made `tree` of it.
+    // Opens a session with its tree (null: no tree) and clears the history. `facts`: of the tree, if known. `file`: the
+    // session file it was read from; empty: none. `base`: the unedited tree of the file, if the session's edits
+    // produced `tree` from it.
     void open(std::shared_ptr<const tree::VesselTree> tree, Session session,
               std::shared_ptr<const TreeFacts> facts = nullptr, std::filesystem::path file = {},
               std::shared_ptr<const tree::VesselTree> base = nullptr);
 
     [[nodiscard]] const Session& session() const { return session_; }
     [[nodiscard]] const Marks& marks() const { return session_.marks; }
-    // As edited: another one after every edit, and after undo and redo of one.
+    // The edited tree; the pointer changes with every edit, and with undo and redo of edits.
     [[nodiscard]] const std::shared_ptr<const tree::VesselTree>& tree() const { return tree_; }
-    // As its file has it: the same until another file is opened, or this one is read in another way.
+    // The unedited tree of the file; the pointer changes when a file is opened or reread with other options.
     [[nodiscard]] const std::shared_ptr<const tree::VesselTree>& base_tree() const { return base_; }
     [[nodiscard]] const std::shared_ptr<const TreeFacts>& facts() const { return facts_; } // null without a tree
     [[nodiscard]] const tree::Dependency& dependency() const;                              // empty without a tree
-    // Whether there is something to see: a tree, or masks, scans and meshes without one.
+    // Whether there is anything to show: a tree, or masks, scans or meshes without one.
     [[nodiscard]] bool has_scene() const { return branch_count() > 0 || !session_.marks.context.empty(); }
     [[nodiscard]] std::filesystem::path subject() const { return subject_of(session_); }
-    // Who says the unit and the sides of what is shown. Without a tree that is known to who has read what is shown.
+    // The origin of unit and orientation of what is shown. Without a tree, set_claims() provides it.
     [[nodiscard]] const tree::Claims& claims() const { return tree_ ? tree_->claims : claims_; }
     void set_claims(const tree::Claims& claims) { claims_ = claims; }
-    // How its lengths are written.
+    // The format of lengths.
     [[nodiscard]] Lengths lengths() const { return Lengths(claims()); }
     [[nodiscard]] int branch_count() const { return tree_ ? static_cast<int>(tree_->branches.size()) : 0; }
-    // The session file that it was read from or saved to last; empty: none yet.
+    // The session file last read or saved; empty: none.
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
-    // Nothing is remembered when nothing differs.
+    // Replaces the marks. Records nothing if they are equal.
     void change(Marks next);
-    // The tree and what is marked on it. Fails where it is not the tree that the edit was made of.
+    // Replaces the tree by an edited one and carries the marks over. Fails if the edit was made from another tree.
     Result<void> take_edit(const MadeEdit& made);
-    // Made here. A refusal leaves all as it was.
+    // Makes the edit and takes it. An error changes nothing.
     Result<void> edit_tree(const tree::Edit& edit);
-    // The same with another tree, that the file makes when it is read as next.reading says; for sessions without edits,
-    // which are those of the tree before. What is seen of it stays: the camera goes along where another unit or other
-    // axes move the tree, and back when this is undone.
+    // Replaces the tree after its file was reread with next.reading. Only for sessions without edits, which refer to
+    // the old tree. If another unit or other axes move the tree, the camera follows, and returns on undo.
     void change_tree(std::shared_ptr<const tree::VesselTree> tree, Marks next);
     void set_camera(const render::Camera& camera);
 
-    // What one command changes is one step, with a name: changes between begin_step() and the end_step() that belongs
-    // to it. Steps inside a step are part of it. Where such a step has moved the camera, undo and redo move it too,
-    // unless somebody has moved it since: what a person looks at stays.
+    // Groups all changes between begin_step() and the matching end_step() into one named undo step; nested steps are
+    // part of the outermost. If the step moves the camera, undo and redo move it, too, unless it was moved otherwise
+    // since.
     void begin_step();
     void end_step(const std::string& name);
-    // The step that is being made; null: nothing changed since begin_step().
+    // The last change in the current step; null: no change since begin_step().
     [[nodiscard]] const MarksChange* last_change() const;
 
-    bool undo(); // false: there was nothing to undo
+    bool undo(); // false: nothing to undo
     bool redo();
     [[nodiscard]] bool can_undo() const { return position_ > 0; }
     [[nodiscard]] bool can_redo() const { return position_ < steps_.size(); }
 
-    // All steps that are remembered, oldest first, by their names ("hide 12 branches"); the first position() of them
-    // are done, the others undone.
+    // The recorded steps, oldest first, with their names ("hide 12 branches"). The first position() steps are done, the
+    // others undone.
     [[nodiscard]] std::size_t step_count() const { return steps_.size(); }
     [[nodiscard]] const std::string& step_name(std::size_t step) const { return steps_[step].name; }
     [[nodiscard]] std::size_t position() const { return position_; }
 
-    // Whether there is something a session file does not have yet; and something that is worth asking a person about:
-    // how it is looked at alone is not.
+    // modified(): the marks differ from the session file. has_unsaved_work(): the same without looks, which are not
+    // worth a warning.
     [[nodiscard]] bool modified() const { return unsaved_ || session_.marks != saved_; }
     [[nodiscard]] bool has_unsaved_work() const;
-    [[nodiscard]] std::size_t unsaved_changes() const; // steps of work away from what was saved
+    [[nodiscard]] std::size_t unsaved_changes() const; // number of steps with work since the last save
     void mark_saved(std::filesystem::path file);
-    // What was opened is in no session file, however it looks: it was recovered, after so many changes.
+    // Marks the session as unsaved, after recovery; `changes`: how many were recovered.
     void mark_unsaved(std::size_t changes);
 
-    // Another number after every change of the session, its camera or what is saved.
+    // Changes whenever the session, its camera or its saved state changes.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
 private:
@@ -104,13 +103,13 @@ private:
     };
     struct Step {
         std::string name;
-        std::vector<MarksChange> changes;                                         // one, nearly always
+        std::vector<MarksChange> changes;                                         // nearly always one
         std::shared_ptr<const std::pair<render::Camera, render::Camera>> cameras; // before and after; null: the same
-        std::shared_ptr<const std::pair<TreeWithFacts, TreeWithFacts>> trees;     // likewise
-        bool tree_moves = false; // the second of them lies elsewhere, or is larger or smaller
-        bool looks_alone = true; // of all its changes
+        std::shared_ptr<const std::pair<TreeWithFacts, TreeWithFacts>> trees;     // before and after; null: the same
+        bool tree_moves = false;                                                  // the second tree is moved or scaled
+        bool looks_alone = true;                                                  // all changes are looks
     };
-    // The tree after so many edits of the session.
+    // The tree after the session's first `edits` edits.
     struct EditedState {
         std::size_t edits = 0;
         std::shared_ptr<const tree::VesselTree> tree;
@@ -127,7 +126,7 @@ private:
 
     std::shared_ptr<const tree::VesselTree> tree_, base_;
     std::shared_ptr<const TreeFacts> facts_;
-    std::vector<EditedState> known_; // ascending; so that undo need not make all edits again
+    std::vector<EditedState> known_; // ascending; spares undo from repeating all edits
     Session session_;
     tree::Claims claims_; // without a tree
     std::filesystem::path file_;
@@ -136,10 +135,10 @@ private:
     std::vector<Step> steps_;
     std::size_t position_ = 0;
     std::size_t saved_position_ = 0;
-    std::size_t lost_changes_ = 0; // between what was saved and where the history left the way there
-    int depth_ = 0;                // of begin_step()
-    render::Camera step_camera_;   // as it was at the outermost of them
-    bool joining_ = false;         // the last step is the one that is being made
+    std::size_t lost_changes_ = 0; // unsaved steps that are no longer in the history
+    int depth_ = 0;                // nesting of begin_step()
+    render::Camera step_camera_;   // at the outermost begin_step()
+    bool joining_ = false;         // changes go to the last step
     std::uint64_t revision_ = 0;
 };
 

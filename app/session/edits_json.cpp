@@ -8,7 +8,7 @@ namespace ramus::app::session_json {
 
 namespace {
 
-// How many fractions a kind has.
+// Number of fractions of a kind of edit.
 std::size_t places(tree::Edit::Kind kind) {
     using Kind = tree::Edit::Kind;
     return kind == Kind::kJoin ? 2 : kind == Kind::kCut || kind == Kind::kMoveRoot ? 1 : 0;

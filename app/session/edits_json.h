@@ -1,4 +1,4 @@
-// Edits of the tree, as a session file has them: {"edit": "cut", "branches": [12], "at": [0.4], "value": 3}.
+// Edits of the tree as JSON of session files: {"edit": "cut", "branches": [12], "at": [0.4], "value": 3}.
 #pragma once
 
 #include "core/tree/edit_tree.h"

@@ -1,4 +1,4 @@
-// Errors of functions that do not know the file that they work on: the caller names it.
+// Adds the file's name to errors of functions that do not know the file they work on.
 #pragma once
 
 #include "core/base/error.h"
@@ -8,7 +8,7 @@
 
 namespace ramus::app {
 
-// The same, and an error that does not say where names `file`.
+// Returns `result`; an error without a place gets the name of `file`.
 template <class T> [[nodiscard]] Result<T> with_file(Result<T> result, const std::string& file) {
     if (!result && result.error().where.empty()) result.error().where = io::input_name(file);
     return result;

@@ -1,5 +1,5 @@
-// JSON as the text of a file. Names of files and folders are bytes, JSON is UTF-8: what cannot be told is an error, not
-// an exception.
+// Converts JSON to the text of a file. File names are bytes but JSON is UTF-8; names that cannot be encoded are an
+// error, not an exception.
 #pragma once
 
 #include "core/base/error.h"
@@ -9,7 +9,7 @@
 
 namespace ramus::app {
 
-// Indented by one, with a line end. `where` names the file in the message.
+// Indented by one blank, with a final newline. `where` names the file in errors.
 [[nodiscard]] Result<std::string> json_text(const nlohmann::json& value, const std::string& where);
 
 } // namespace ramus::app

@@ -1,6 +1,5 @@
-// Values of a session file, read with what is asked of them. One place throws and one place catches: nesting Results
-// through every member would hide the format. Internal to the files that read and write ramus' own JSON: sessions,
-// settings, studies.
+// Checked reading of JSON values. Functions throw Refusal, which one place catches: a Result for every member would
+// obscure the format. Internal to the code that reads and writes ramus' own JSON (sessions, settings, studies).
 #pragma once
 
 #include "app/session/session.h"
@@ -16,7 +15,7 @@ namespace ramus::app::session_json {
 
 using nlohmann::json;
 
-// What is wrong with a file.
+// Describes what is wrong with a file.
 struct Refusal {
     std::string what;
 };
@@ -45,7 +44,7 @@ inline std::string text(const json& value, const std::string& name) {
     return value.get<std::string>();
 }
 
-// A word of those that named(word) knows.
+// Reads a word that named(word) recognises.
 template <class Named>
 auto word(const json& value, const std::string& name, const std::string& what, const Named& named) {
     const std::string wanted = text(value, name);
@@ -54,7 +53,7 @@ auto word(const json& value, const std::string& name, const std::string& what, c
     return *found;
 }
 
-// The list of this name; an empty one when there is none.
+// The list of this name; empty if it is missing.
 inline json list_in(const json& object, const std::string& name) {
     if (!object.contains(name)) return json::array();
     if (!object[name].is_array()) throw Refusal{name + " is not a list"};
@@ -75,7 +74,7 @@ inline std::vector<int> ids(const json& value, const std::string& name) {
     return canonical(std::move(found));
 }
 
-// The keys that all objects of the scene have, where they are not the default.
+// The keys common to all objects of the scene; defaults are omitted.
 inline void write_object(json& value, const SceneObject auto& object) {
     if (!object.name.empty()) value["name"] = object.name;
     if (!object.visible) value["visible"] = false;
@@ -86,7 +85,7 @@ inline void read_object(const json& value, SceneObject auto& object) {
     if (value.contains("visible")) object.visible = truth(value["visible"], "visible");
 }
 
-// `value` alone, or an object that has it as `key` where there is more to say.
+// Returns `value`, or an object with `value` under `key` if there are further keys to write.
 inline json with_object_keys(json value, const char* key, const SceneObject auto& object) {
     json whole = json::object();
     write_object(whole, object);

@@ -17,7 +17,7 @@ int label_source(const tree::Dependency& dependency, const Marks& marks, int bra
 std::vector<int> label_sources(const tree::Dependency& dependency, const Marks& marks) {
     std::vector<int> sources(static_cast<std::size_t>(dependency.branch_count()), tree::kNoBranch);
     if (marks.names.empty()) return sources;
-    std::vector<int> below = sources; // what a branch without a name is called under each
+    std::vector<int> below = sources; // label that each branch passes on to unnamed dependents
     for (const int id : dependency.order()) {
         const auto index = static_cast<std::size_t>(id);
         const int parent = dependency.parent(id);

@@ -28,7 +28,7 @@ static std::string lesion_json(int id, const Marks& marks) {
     if (id == kNoObject) return {};
     const auto index = lesion_index(marks, id);
     const std::size_t spheres = spheres_of(marks).size();
-    if (!index) return "sphere " + std::to_string(spheres + 1); // it stays one that there is not
+    if (!index) return "sphere " + std::to_string(spheres + 1); // stays a reference to a missing lesion
     return *index < spheres ? "sphere " + std::to_string(*index + 1) : "mesh " + std::to_string(*index + 1 - spheres);
 }
 
@@ -88,7 +88,7 @@ Measurement measurement_in(const json& value, const Marks& marks) {
     read_lesions_of(value, marks, found);
     const json points = value.value("points", json::array());
     const json branches = value.value("branches", json::array());
-    // Of one branch an angle is where that begins, of three between places on them.
+    // An angle of one branch is at its start; an angle of three is between places on them.
     if (found.kind == Measurement::Kind::kAngle && branches.is_array() && branches.size() == 3)
         found.places[1].branch = found.places[2].branch = 0;
     const std::size_t wants_points = point_count(found), wants_branches = place_count(found);
@@ -104,7 +104,7 @@ Measurement measurement_in(const json& value, const Marks& marks) {
     for (std::size_t i = 0; i < branches.size(); ++i)
         found.places[i].branch = integer(branches[i], "branch id of a measurement", 0, kMostBranches);
     if (value.contains("fraction")) found.places[0].fraction = number(value["fraction"], "fraction", 0.0, 1.0);
-    if (!value.contains("fractions")) return found; // a path of before: between the middles of its branches
+    if (!value.contains("fractions")) return found; // older files: between the middles of the branches
     const json& fractions = value["fractions"];
     if (!fractions.is_array() || fractions.size() != wants_branches)
         throw Refusal{"a measurement of kind " + wanted + " has as many fractions as branches"};

@@ -1,5 +1,5 @@
-// The values of marks as a session file has them. What a file says wrongly throws Refusal (app/session/json_values.h).
-// `folder` is the one of the session file.
+// Marks as JSON of session files. Invalid values throw Refusal (app/session/json_values.h). `folder`: of the session
+// file.
 #pragma once
 
 #include "app/session/session.h"
@@ -9,11 +9,11 @@
 
 namespace ramus::app::session_json {
 
-// How a file in `folder` names another file: relative to `folder` when it lies below, else absolute.
+// The path written into a file in `folder`: relative if `file` lies below `folder`, otherwise absolute.
 [[nodiscard]] std::filesystem::path written_path(const std::filesystem::path& file,
                                                  const std::filesystem::path& folder);
 
-// `marks` have the lesions that measurements name.
+// `marks` must contain the lesions that measurements refer to.
 [[nodiscard]] nlohmann::json measurement_json(const Measurement& m, const Marks& marks);
 [[nodiscard]] Measurement measurement_in(const nlohmann::json& value, const Marks& marks);
 [[nodiscard]] std::string mesh_axes_in(const nlohmann::json& value); // "LPS" or "RAS"

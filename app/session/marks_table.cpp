@@ -27,10 +27,10 @@ namespace {
 template <class T> constexpr bool kIsList = false;
 template <class T> constexpr bool kIsList<std::vector<T>> = true;
 
-// What follows from the member's type.
+// Fills in what follows from the member's type.
 template <auto Member> MarksRow row(MarksRow facts) {
     using T = std::remove_cvref_t<decltype(std::declval<Marks>().*Member)>;
-    static constexpr T Marks::*kMember = Member; // it may be one of a base
+    static constexpr T Marks::*kMember = Member; // may belong to a base class
     facts.same = [](const Marks& a, const Marks& b) { return a.*Member == b.*Member; };
     facts.take = [](Marks& to, const Marks& from) { to.*Member = from.*Member; };
     if (facts.change == nullptr)
@@ -46,7 +46,7 @@ template <auto Member> MarksRow option(const std::vector<MarksEntry>& entries, b
     return row<Member>({.entries = entries, .place = MarksPlace::kOptions, .is_look = is_look});
 }
 
-// A value that is left out where it is the default.
+// A value that is omitted at its default.
 template <auto Member, class Write, class Read> MarksEntry entry(const char* key, Write write, Read read) {
     return {key,
             [write](const Marks& marks, const fs::path& folder) {
@@ -91,7 +91,7 @@ MarksEntry states_entry() {
             }};
 }
 
-// [x, y, z, radius], or an object that has more to say.
+// [x, y, z, radius], or an object with further keys.
 MarksEntry spheres_entry() {
     return {"lesions",
             [](const Marks& marks, const fs::path&) {
@@ -113,7 +113,7 @@ MarksEntry spheres_entry() {
                         lesion.sphere[i] = session_json::number(sphere[i], "lesion", i == 3 ? 0.0 : -1e9, 1e9);
                     add_lesion(marks, std::move(lesion));
                 }
-                number_objects(marks); // measurements name lesions
+                number_objects(marks); // measurements refer to lesions by id
             }};
 }
 
@@ -122,7 +122,7 @@ std::pair<int, double> cut_in(const json& value, const fs::path& /*folder*/) {
     return {integer(value[0], "branch id of a cut", 0, kMostBranches), session_json::number(value[1], "cut", 0.0, 1.0)};
 }
 
-// A path, or an object that has more to say.
+// A path, or an object with further keys.
 MarksEntry lesion_meshes_entry() {
     return {"lesion_meshes",
             [](const Marks& marks, const fs::path& folder) {

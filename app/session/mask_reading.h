@@ -1,4 +1,4 @@
-// How a segmentation mask becomes a tree, as people write it: on the command line, in commands, in sessions.
+// Options for turning a segmentation mask into a tree, as text: on the command line, in commands, in sessions.
 #pragma once
 
 #include "core/base/error.h"
@@ -12,11 +12,12 @@ namespace ramus::app {
 
 [[nodiscard]] bool is_mask_option(std::string_view key);
 
-// `mask` with one option changed. Keys: labels (apart, together, or those of each system: 1+3,2), fill-holes (on, off),
-// bulge-size, islands (mm), root (X,Y,Z in mm, RAS); "auto" takes it back. Fails with what the key takes.
+// Returns `mask` with one option changed. Keys: labels (apart, together, or those of each system: 1+3,2), fill-holes
+// (on, off), bulge-size, islands (mm), root (X,Y,Z in mm, RAS); "auto" resets the option. Errors say what the key
+// takes.
 [[nodiscard]] Result<io::MaskReading> with(io::MaskReading mask, std::string_view key, const std::string& value);
 
-// What a session asks for, but for what somebody says now.
+// Merges options: those specified in `said` override the session's.
 [[nodiscard]] io::MaskReading over(const io::MaskReading& said, io::MaskReading session);
 
 // "together", "1+3,portal vein": as with() reads them.

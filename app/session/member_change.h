@@ -1,5 +1,5 @@
-// What undo keeps of one member of Marks: the difference between two values, both ways. A list costs the part that was
-// replaced, a set of branches a few bits for each, everything else both values.
+// MemberChange: the difference between two values of one member of Marks, in both directions, for undo. Memory: a list
+// stores the replaced part, a set of branches a few bits per change, every other type both values.
 #pragma once
 
 #include "app/session/session.h"
@@ -19,7 +19,7 @@ namespace ramus::app {
 
 enum class ChangeDirection : std::uint8_t { kBack, kForward };
 
-// The difference between `before` and `after`. apply() turns one of them into the other; other values are not allowed.
+// apply() turns `before` into `after` or back; it must not be applied to other values.
 class MemberChange {
 public:
     MemberChange() = default;
@@ -29,7 +29,7 @@ public:
     virtual void apply(Marks& marks, ChangeDirection direction) const = 0;
 };
 
-// Ascending branch ids, as gaps or as bits, whichever is shorter.
+// Ascending branch ids, compressed as gaps or as bits, whichever is shorter.
 class PackedIds {
 public:
     PackedIds() = default;
@@ -40,7 +40,7 @@ public:
 private:
     std::vector<std::uint8_t> bytes_;
     std::uint32_t count_ = 0;
-    int first_ = 0; // of the bits
+    int first_ = 0; // id of the first bit
     bool bits_ = false;
 };
 
@@ -54,7 +54,7 @@ private:
     PackedIds toggled_;
 };
 
-// The branches whose state differs, by the two bits of a state.
+// The branches whose state differs, for each of the two bits of a state.
 class StatesChange : public MemberChange {
 public:
     using States = std::vector<render::BranchState>;
@@ -66,7 +66,7 @@ private:
     std::array<PackedIds, 2> toggled_; // by bit
 };
 
-// One part of a list was replaced; all in front of it and behind it stayed.
+// A contiguous part of a list was replaced.
 template <class T> class ListChange : public MemberChange {
 public:
     using List = std::vector<T>;
@@ -142,7 +142,7 @@ private:
     T before_, after_;
 };
 
-// The change of one member, in the form that suits its type.
+// The change of one member; the overload selects the form that suits its type.
 template <class T>
 std::shared_ptr<const MemberChange> member_change(T Marks::*member, const T& before, const T& after) {
     return std::make_shared<ValueChange<T>>(member, before, after);

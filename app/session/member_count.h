@@ -1,4 +1,5 @@
-// How many members an aggregate has, counted by the compiler: a table of its members that lacks one does not compile.
+// Counts the members of an aggregate at compile time, to check that a table of its members is complete. A test does so
+// for the table of marks (marks_table.h).
 #pragma once
 
 #include <cstddef>
@@ -11,7 +12,7 @@ struct AnyMember {
 };
 } // namespace details
 
-// `T` is an aggregate whose members are no aggregates with braces left out, and no C arrays.
+// `T` must be an aggregate without C arrays and without nested aggregates that allow brace elision.
 template <class T, class... Found> consteval std::size_t member_count() {
     if constexpr (requires { T{Found{}..., details::AnyMember{}}; })
         return member_count<T, Found..., details::AnyMember>();

@@ -25,7 +25,7 @@ std::string exact_text(double value) {
 
 std::string rounded(double number) {
     char text[32];
-    // Four digits, but none of a whole number's lost.
+    // Four digits, but all digits of integers.
     std::snprintf(text, sizeof text, std::abs(number) >= 1e4 ? "%.0f" : "%.4g", number);
     return text;
 }
@@ -64,7 +64,7 @@ std::string seconds_text(double seconds) {
 std::vector<double> round_numbers(double low, double high, bool logarithmic) {
     std::vector<double> found;
     if (logarithmic) {
-        // Over many decades the powers of ten alone, at last some of them.
+        // Over many decades only powers of ten, or some of them.
         const double decades = std::log10(high / low);
         const int stride = std::max(1, static_cast<int>(std::ceil(decades / 10.0)));
         for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= std::log10(high); decade += stride)

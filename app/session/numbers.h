@@ -1,4 +1,4 @@
-// Numbers as people read them, in the window and on the command line.
+// Formats numbers for people, in the window and on the command line.
 #pragma once
 
 #include "core/measure/amount.h"
@@ -13,16 +13,16 @@
 namespace ramus::app {
 
 [[nodiscard]] std::string grouped(std::uint64_t number);             // "1,234,567"
-[[nodiscard]] std::string exact_text(double value);                  // as few digits as read as the same number
+[[nodiscard]] std::string exact_text(double value);                  // the fewest digits that parse as the same number
 [[nodiscard]] std::string rounded(double number);                    // "0.1235"
 [[nodiscard]] std::string digits(double value, int significant = 3); // "0.031", "12.3", "1,234"
 [[nodiscard]] std::string seconds_text(double seconds);              // "12 ms", "1.42 s"
 
-// How lengths of a tree are written for people: the one place that puts a unit behind a number. Where nobody has said
-// what the unit is they are never called mm: "12.3 units".
+// Formats lengths of a tree; the only place that appends a unit to a number. If the unit is unknown, lengths are never
+// called mm: "12.3 units".
 class Lengths {
 public:
-    Lengths() = default; // of what is in mm
+    Lengths() = default; // the unit is mm
     explicit Lengths(const tree::Claims& claims) : claims_(claims) {}
     [[nodiscard]] bool known() const { return claims_.has_unit(); }
     [[nodiscard]] std::string unit() const { return worded("mm"); }
@@ -31,9 +31,9 @@ public:
     [[nodiscard]] std::string area(double area) const;                // "12.3 mm²", "1,420 units²"
     [[nodiscard]] std::string volume(double volume) const;            // "12.3 mm³", "1.42 ml"; "1,420 units³"
     [[nodiscard]] std::string range(double least, double most) const; // "1.4 – 12.3 mm"
-    // A text that says mm where it is known: "Ø mm", "Margins 5, 10, 20 mm"; else the same about units.
+    // Replaces mm in a text if the unit is unknown: "Ø mm", "Margins 5, 10, 20 mm".
     [[nodiscard]] std::string worded(std::string_view text) const { return claims_.worded(text); }
-    // As tables and JSON say it: "mm", or "unknown".
+    // The unit in tables and JSON: "mm" or "unknown".
     [[nodiscard]] std::string word() const { return std::string(claims_.unit_word()); }
 
 private:
@@ -49,11 +49,11 @@ private:
 // "3 branches, 16.0 mm, 1.55 ml of vessel volume, 2 leaves".
 [[nodiscard]] std::string amount_text(const measure::Amount& amount, const Lengths& lengths);
 
-// "over 5.00 mm": of a cut through a vessel that is larger than the limit.
+// "over 5.00 mm": for a cut through a vessel that is larger than the limit.
 [[nodiscard]] std::string over_text(double limit_mm, const Lengths& lengths);
 
-// From `low` to `high`, ascending: multiples of 1, 2 or 5 times a power of ten, ten at most. Logarithmic: 1, 2 and 5
-// times every power of ten, both ends above 0.
+// Round numbers between `low` and `high`, ascending: at most ten multiples of 1, 2 or 5 times a power of ten.
+// Logarithmic: 1, 2 and 5 times every power of ten; both ends must be positive.
 [[nodiscard]] std::vector<double> round_numbers(double low, double high, bool logarithmic = false);
 
 } // namespace ramus::app

@@ -1,9 +1,8 @@
-// Objects of the scene: what a session has next to the tree. The set is closed: for_each_object()
-// goes through all kinds, and the function that it calls has a function for each kind, so that
-// a kind without one does not compile.
+// Objects of the scene: everything a session has next to the tree. The set of kinds is closed: for_each_object() visits
+// all kinds, and its callback needs an overload for each, so a missing kind does not compile.
 //
-// Every object has an id that is its own as long as it is in the session, a name that a person may give, and says
-// whether it is visible. Values only: what is read from files is among the assets (app/assets/assets.h).
+// Every object has an id that is unique within the session, an optional name and a visibility. Plain values: data read
+// from files is in app/assets/assets.h.
 #pragma once
 
 #include "core/measure/branch_point.h"
@@ -20,35 +19,34 @@
 
 namespace ramus::app {
 
-inline constexpr int kNoObject = 0;    // the id of none
-inline constexpr int kLostObject = -1; // of an object that a session file names and does not have
+inline constexpr int kNoObject = 0;    // no object
+inline constexpr int kLostObject = -1; // an object that a session file refers to but does not contain
 
 // A sphere, or a closed mesh from a file.
 struct Lesion {
     static constexpr std::string_view kNoun = "lesion";
-    std::array<double, 4> sphere{}; // centre and radius, mm, RAS; of a lesion without a file
-    std::string file{};             // of a mesh, absolute; empty: a sphere
-    std::string axes{};             // of a mesh that does not state them: "LPS"; empty: nobody has said
+    std::array<double, 4> sphere{}; // centre and radius, mm, RAS; unused for meshes
+    std::string file{};             // absolute path of a mesh; empty: a sphere
+    std::string axes{};             // of a mesh that does not state them: "LPS"; empty: not specified
     int id = kNoObject;
     std::string name{};
-    bool visible = true; // in the picture; margins and distances are those of all lesions
+    bool visible = true; // in the picture; margins and distances always use all lesions
     [[nodiscard]] bool is_mesh() const { return !file.empty(); }
     bool operator==(const Lesion&) const = default;
 };
 
-// A distance, path, diameter or angle that is kept.
+// A measured distance, path, diameter or angle.
 struct Measurement {
     static constexpr std::string_view kNoun = "measurement";
     enum class Kind { kDistance, kPath, kDiameter, kAngle };
     Kind kind = Kind::kDistance;
     std::array<glm::dvec3, 2> points{};               // kDistance: mm, RAS
-    std::array<int, 2> lesions{kNoObject, kNoObject}; // kDistance: ids of the lesions that these points lie on
-    // kDistance: the shortest from the surface of the first of `lesions` to the wall of the branch of the first of
-    // `places`; there are no points.
+    std::array<int, 2> lesions{kNoObject, kNoObject}; // kDistance: the lesions on which the points lie
+    // kDistance: the shortest distance between the surface of lesions[0] and the wall of the branch of places[0];
+    // `points` is unused.
     bool shortest = false;
-    // The places on centerlines that the others are of. kPath: from the first to the second. kDiameter: at the first.
-    // kAngle: at the second, between the straight lines to the first and the third; of one alone, where its branch
-    // begins.
+    // Places on centerlines for the other kinds. kPath: from the first to the second. kDiameter: at the first. kAngle:
+    // at the second, between the straight lines to the first and the third; with one place, at the start of its branch.
     std::array<measure::BranchPlace, 3> places{};
     int id = kNoObject;
     std::string name{};
@@ -56,31 +54,32 @@ struct Measurement {
     bool operator==(const Measurement&) const = default;
 };
 
-[[nodiscard]] std::size_t point_count(const Measurement& measurement); // of `points`
-[[nodiscard]] std::size_t place_count(const Measurement& measurement); // of `places`
-// An angle where a branch begins: it has no place that could be moved.
+[[nodiscard]] std::size_t point_count(const Measurement& measurement); // used entries of `points`
+[[nodiscard]] std::size_t place_count(const Measurement& measurement); // used entries of `places`
+// An angle at the start of a branch, which has no movable place.
 [[nodiscard]] bool of_branching(const Measurement& measurement);
 [[nodiscard]] bool names_lesion(const Measurement& measurement);
-[[nodiscard]] bool measure_alike(const Measurement& a, const Measurement& b); // whatever they are called
+[[nodiscard]] bool measure_alike(const Measurement& a,
+                                 const Measurement& b); // equal except for id, name and visibility
 
 // A surface in the coordinates of the tree: an organ, a bone, another surface of the vessels.
 struct ContextItem {
     static constexpr std::string_view kNoun = "context";
-    std::string file;                                  // absolute: a mask or a mesh (STL, PLY, OBJ)
-    volume::LabelChoice label;                         // of a mask: this one alone; none: everything that is not zero
+    std::string file;                                  // absolute path: a mask or a mesh (STL, PLY, OBJ)
+    volume::LabelChoice label;                         // of a mask: only this label; none: everything but 0
     std::array<std::uint8_t, 3> colour{201, 130, 104}; // sRGB
-    double opacity = 0.25;                             // where it faces the eye; 1: solid
+    double opacity = 0.25;                             // where it faces the eye; 1: opaque
     bool wireframe = false, visible = true;
-    bool exact = false;               // of a mask: with the steps of its voxels
-    std::string units;                // of the file's lengths, "cm"; empty: as it says itself
-    std::optional<double> isovalue{}; // of a scan: what is at least that is inside
-    std::string axes{};               // of a mesh that does not state them: "LPS"; empty: nobody has said
+    bool exact = false;               // of a mask: keep the steps of its voxels
+    std::string units;                // of the file's lengths, "cm"; empty: as the file says
+    std::optional<double> isovalue{}; // of a scan: threshold
+    std::string axes{};               // of a mesh that does not state them: "LPS"; empty: not specified
     int id = kNoObject;
     std::string name{};
     bool operator==(const ContextItem&) const = default;
 };
 
-// A text that a person pinned to a place: its name.
+// A text pinned to a place; the text is the name.
 struct Pin {
     static constexpr std::string_view kNoun = "pin";
     glm::dvec3 at{0.0}; // mm, RAS
@@ -92,16 +91,16 @@ struct Pin {
 
 template <class T>
 concept SceneObject = std::equality_comparable<T> && requires(T object) {
-    {std::string_view(T::kNoun)}; // what people call the kind, "lesion"
+    {std::string_view(T::kNoun)}; // the kind in messages, "lesion"
     { object.id + 0 } -> std::same_as<int>;
     {std::string(object.name)};
     { !object.visible } -> std::same_as<bool>;
 };
 
-// The lists of all kinds. A kind is listed here, and nowhere else.
+// The lists of all kinds. for_each_object_list() below is the only enumeration of kinds.
 struct SceneObjects {
-    std::vector<Lesion> lesions;      // spheres first, then meshes; a lesion's number is its place, from 1
-    std::vector<ContextItem> context; // in the order in which they came
+    std::vector<Lesion> lesions;      // spheres first, then meshes; a lesion's number is its index + 1
+    std::vector<ContextItem> context; // in order of addition
     std::vector<Measurement> measurements;
     std::vector<Pin> pins;
     bool operator==(const SceneObjects&) const = default;

@@ -1,4 +1,4 @@
-// The entries of a session file's "options": how the surface is made and how the picture looks.
+// Entries of "options" in a session file: settings of the surface and of the picture.
 #pragma once
 
 #include "app/session/marks_table.h"
@@ -14,6 +14,6 @@ namespace ramus::app::session_json {
 [[nodiscard]] MarksEntry colour_by_entry();
 [[nodiscard]] MarksEntry colour_map_entry();
 [[nodiscard]] MarksEntry depth_cues_entry();
-[[nodiscard]] MarksEntry flag_entry(const char* key, bool Marks::*member); // written where it is true
+[[nodiscard]] MarksEntry flag_entry(const char* key, bool Marks::*member); // written if true
 
 } // namespace ramus::app::session_json

@@ -1,10 +1,10 @@
-// How a command tells the window that has started it how far it is: lines on standard error.
+// The protocol by which a command reports its progress to the window that started it: lines on standard error.
 #pragma once
 
 namespace ramus::app {
 
-inline constexpr const char* kProgressVariable = "RAMUS_PROGRESS"; // in the environment
+inline constexpr const char* kProgressVariable = "RAMUS_PROGRESS"; // environment variable
 inline constexpr const char* kProgressLines = "lines";             // its value
-inline constexpr const char* kProgressLine = "progress ";          // then a fraction, a blank, and what
+inline constexpr const char* kProgressLine = "progress ";          // followed by a fraction, a blank, and the activity
 
 } // namespace ramus::app

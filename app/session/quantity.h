@@ -1,5 +1,5 @@
-// The quantities of a branch, one row each: colours, the filter and the columns of the list of branches, reports and
-// `ramus info` all read this table, so that a quantity is an enumerator and a row.
+// The table of quantities of a branch. Colours, the filter and columns of the list of branches, reports and `ramus
+// info` all read it, so a new quantity needs only an enumerator and a row.
 #pragma once
 
 #include "app/session/branch_facts.h"
@@ -27,21 +27,21 @@ enum class Quantity : std::uint8_t {
     kDependentLeaves
 };
 
-// Where a quantity stands among others; 0: it is not there.
+// Position of a quantity among others; 0: not shown there.
 using Order = int;
 
 struct QuantityRow {
     Quantity quantity;
-    std::string_view key;   // "root-distance": what colour-by takes, and sessions say
+    std::string_view key;   // "root-distance": in sessions and for colour-by
     std::string_view label; // "Distance from root"
     std::string_view unit{};
-    bool whole = false; // a whole number
-    // Of the branch as a whole; of what varies along it: its mean, and its least and largest.
+    bool whole = false; // an integer
+    // The value of the branch (the mean if it varies along the branch); its least and largest value.
     double (*value)(const tree::VesselTree&, const TreeFacts&, int branch) = nullptr;
     double (*least)(const TreeFacts&, int branch) = nullptr;
     double (*largest)(const TreeFacts&, int branch) = nullptr;
 
-    // What the filter of the list calls it, and an example; none: it is no condition.
+    // Names in the filter of the list, and an example; empty: not usable as a condition.
     std::vector<std::string_view> filter_names{};
     std::string_view filter_example{};
 
@@ -49,20 +49,20 @@ struct QuantityRow {
         Order order = 0;
         const char* heading = "";
         bool largest_first = false;
-        int spare = 0; // where there is no room for all, columns are left out: the largest first, those of 0 never
+        int spare = 0; // columns with the largest value are dropped first if space is short; 0: never
     } list{};
     struct ReportColumn {
         Order order = 0;
         std::string_view name, heading; // "length", "Length, mm"
     } report{};
-    struct InfoColumn { // of `ramus info --branches`
+    struct InfoColumn { // in `ramus info --branches`
         Order order = 0;
         std::string_view json, heading; // "length_mm", "length mm"
         int width = 10;
     } info{};
     struct Colours {
         Order order = 0;
-        std::string_view help; // of colour-by
+        std::string_view help; // for colour-by
         bool logarithmic = false;
     } colours{};
 };
@@ -71,7 +71,7 @@ struct QuantityRow {
 [[nodiscard]] const QuantityRow& row_of(Quantity quantity);
 [[nodiscard]] double value_of(Quantity quantity, const tree::VesselTree& tree, const TreeFacts& facts, int branch);
 
-// The rows that have this kind of column, in its order.
+// The rows that have this kind of column, in its order; rows_with(&QuantityRow::list).
 template <class Kind> std::vector<const QuantityRow*> rows_with(Kind QuantityRow::*kind) {
     std::vector<const QuantityRow*> rows;
     for (const QuantityRow& row : quantities())
@@ -80,10 +80,10 @@ template <class Kind> std::vector<const QuantityRow*> rows_with(Kind QuantityRow
     return rows;
 }
 
-// The quantity that the filter calls so.
+// The quantity with this name in the filter.
 [[nodiscard]] std::optional<Quantity> filtered_quantity(std::string_view name);
 
-// Reports put the state of a branch after the quantities up to this one, and what depends on it behind.
+// Reports insert a branch's state after quantities up to this order, and its dependents after that.
 inline constexpr Order kBeforeState = 9;
 
 } // namespace ramus::app

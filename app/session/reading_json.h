@@ -1,4 +1,4 @@
-// How a tree's file is read, as sessions write it.
+// Options for reading a tree's file as JSON of session files.
 #pragma once
 
 #include "core/io/trees/imported_tree.h"
@@ -8,7 +8,7 @@
 
 namespace ramus::app::session_json {
 
-// `folder`: where the file that it stands in lies. Only what is not as usual; reading throws Refusal.
+// `folder`: of the session file. Defaults are omitted; reading throws Refusal.
 [[nodiscard]] nlohmann::json reading_json(const io::ReadOptions& reading, const std::filesystem::path& folder);
 [[nodiscard]] io::ReadOptions reading_in(const nlohmann::json& value, const std::filesystem::path& folder);
 

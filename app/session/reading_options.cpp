@@ -153,7 +153,7 @@ bool could_mislead(const Note& note, const io::ReadOptions& options) {
     case Note::Kind::kAssumed:
         return note.topic == "radius-is" && !options.radius_is;
     case Note::Kind::kRepaired:
-        // Holes and islands of a mask go where somebody wants it, cavities because there is no other way.
+        // Holes and islands of a mask are removed on request, cavities because there is no alternative.
         return note.topic != name_of(Repair::kRepeatedPoints) && note.topic != "fill-holes" && note.topic != "islands";
     }
     return false;

@@ -1,10 +1,9 @@
-// Session: what a person has made of a tree, as one plain value: which file, what is selected, the state of every
-// branch, the camera and the options of the surface. It is small, comparable and serialisable
-// (app/session/session_file.h); undo keeps what lies between such values (app/session/document.h). It holds no mesh and
-// no window.
+// Session: the state of work on a tree as one plain value: file, selection, state of every branch, camera, options of
+// the surface. It is small, comparable and serialisable (app/session/session_file.h); undo stores differences between
+// sessions (app/session/document.h). It contains no mesh and no window.
 //
-// The lists are kept canonical (ascending, without repeats; states without trailing normal ones), so that equal
-// sessions compare equal however they came about. The functions below keep them so.
+// Lists are canonical (ascending, without repeats; states without trailing normal ones), so that equal sessions compare
+// equal. The functions below maintain that.
 #pragma once
 
 #include "app/session/colour_by.h"
@@ -30,34 +29,34 @@ namespace ramus::app {
 
 struct TreeFile {
     std::filesystem::path path; // absolute
-    std::string checksum;       // of the file's bytes (app/session/session_file.h); empty when not known
+    std::string checksum;       // of the file's bytes (app/session/session_file.h); empty: unknown
     bool operator==(const TreeFile&) const = default;
 };
 
-// What distances and diameters mean to who plans an operation.
+// Distances and diameters that matter for planning an operation.
 struct Planning {
     std::vector<double> bands_mm{5.0, 10.0, 20.0}; // margins around lesions, ascending, positive
     double reconstruct_mm = 5.0;                   // cuts through vessels of a larger diameter are marked
-    double touch_mm = 0.5;                         // what is as near to a lesion touches it
+    double touch_mm = 0.5;                         // vessels this close to a lesion touch it
     bool operator==(const Planning&) const = default;
 };
 
 // How defocused branches look.
 struct GlassLook {
-    double opacity = 1.0; // 0: only their centerlines; 1: the usual veil; 2: nearly solid
+    double opacity = 1.0; // 0: only their centerlines; 1: the default; 2: nearly opaque
     double grey = 0.7;    // 0 black to 1 white
     bool operator==(const GlassLook&) const = default;
 };
 
 // Everything that undo and redo cover. Each member has a row in app/session/marks_table.h.
 struct Marks : SceneObjects {
-    std::vector<tree::Edit> edits;           // of the file's tree, in order; ids below are those of the tree after them
-    std::vector<int> selection;              // branch ids, ascending
-    std::vector<render::BranchState> states; // by branch id; branches beyond its end are normal
-    std::vector<std::pair<int, double>> cuts; // branch, and where: of its length from the parent's end
+    std::vector<tree::Edit> edits;            // of the file's tree, in order; branch ids below refer to the edited tree
+    std::vector<int> selection;               // branch ids, ascending
+    std::vector<render::BranchState> states;  // by branch id; branches without an entry are normal
+    std::vector<std::pair<int, double>> cuts; // branch, and fraction of its length from the parent's end
     std::map<int, std::string> names;
-    std::vector<int> subtree_names;    // ids of `names`, ascending: these are also what depends on the branch is called
-    std::vector<tree::System> systems; // all, renamed or recoloured; empty: as the tree has them (systems.h)
+    std::vector<int> subtree_names;    // ids of `names` that also label all dependents, ascending
+    std::vector<tree::System> systems; // all, with changed names or colours; empty: as in the tree (systems.h)
     ColourBy colour_by;
     ColourMap colour_map = ColourMap::kViridis;
     ColourLook colour_look;
@@ -77,7 +76,7 @@ struct Marks : SceneObjects {
 // Looks are the marks that say how a tree is viewed (MarksRow::is_look in app/session/marks_table.h).
 // `marks` with the looks of `looks`.
 [[nodiscard]] Marks with_looks(Marks marks, const Marks& looks);
-// Whether two of them differ in nothing else; true of equal ones.
+// Whether two marks differ only in looks, or not at all.
 [[nodiscard]] bool differ_in_looks_alone(const Marks& a, const Marks& b);
 // `after` with the looks of `now` that did not change between `before` and `after`. `same_branches`: both have the same
 // tree, so that a selection of one is a selection of the other.
@@ -90,29 +89,29 @@ struct Session {
     bool operator==(const Session&) const = default;
 };
 
-// What it is of: the tree's file, else the first of what is shown without one; empty: of nothing.
+// The file that the session is about: the tree's, otherwise the first object's; empty: none.
 [[nodiscard]] std::filesystem::path subject_of(const Session& session);
 
-// Gives an id to each object of the scene that has none.
+// Assigns an id to each object of the scene without one.
 void number_objects(Marks& marks);
 [[nodiscard]] std::vector<std::array<double, 4>> spheres_of(const Marks& marks);
-[[nodiscard]] std::vector<std::string> lesion_files(const Marks& marks); // of those that are meshes
-// What somebody said about the axes of a lesion's file; empty: nothing.
+[[nodiscard]] std::vector<std::string> lesion_files(const Marks& marks); // of lesions with meshes
+// The axes specified for a lesion's file; empty: not specified.
 [[nodiscard]] std::string axes_of_lesion(const Marks& marks, const std::string& file);
-[[nodiscard]] std::optional<std::size_t> lesion_index(const Marks& marks, int id); // none: there is no such lesion
-// Puts a lesion behind those of its shape.
+[[nodiscard]] std::optional<std::size_t> lesion_index(const Marks& marks, int id); // none: no such lesion
+// Inserts a lesion after the existing ones of the same shape (spheres, then meshes).
 void add_lesion(Marks& marks, Lesion lesion);
-// Takes an object out of its list in `marks`; a lesion with the measurements that name it. Returns how many other
-// objects went with it.
+// Removes an object from its list in `marks`; with a lesion also the measurements that refer to it. Returns how many
+// other objects were removed.
 std::size_t remove_object(Marks& marks, std::vector<Lesion>& list, std::size_t index);
 template <SceneObject T> std::size_t remove_object(Marks& /*marks*/, std::vector<T>& list, std::size_t index) {
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(index));
     return 0;
 }
-// Gives a sphere another centre and radius. Ends of measurements on it move with it.
+// Changes centre and radius of a sphere. Ends of measurements on it move along.
 void change_lesion(Marks& marks, std::size_t index, const std::array<double, 4>& sphere);
 
-// All states that a session lists; every other branch is normal.
+// The states that a session lists; every other branch is normal.
 inline constexpr std::array kListedStates{render::BranchState::kHighlighted, render::BranchState::kDefocused,
                                           render::BranchState::kHidden};
 [[nodiscard]] std::string_view name_of(render::BranchState state); // "normal", "highlighted", "defocused", "hidden"
@@ -120,7 +119,7 @@ inline constexpr std::array kListedStates{render::BranchState::kHighlighted, ren
 void set_state(Marks& marks, std::span<const int> branches, render::BranchState state);
 [[nodiscard]] std::vector<int> branches_in_state(const Marks& marks, render::BranchState state);
 
-// Any ids as a selection: ascending, without repeats.
+// Sorts ids and removes repeats.
 [[nodiscard]] std::vector<int> canonical(std::vector<int> branches);
 [[nodiscard]] bool is_selected(const Marks& marks, int branch);
 

@@ -27,7 +27,7 @@ using nlohmann::json;
 using namespace session_json;
 
 json to_json(const Session& session, const fs::path& folder) {
-    json tree; // null: something is shown without one
+    json tree; // null: objects are shown without a tree
     if (!session.tree.path.empty() || session.marks.context.empty())
         tree = {{"path", written_path(session.tree.path, folder).string()}, {"checksum", session.tree.checksum}};
     json value{{"version", kSessionVersion}, {"tree", tree}, {"camera", render::to_json(session.camera)}};
@@ -56,7 +56,7 @@ std::vector<fs::path> named_files(const Session& session) {
     return files;
 }
 
-// Keys that `known` has next to those of the table.
+// The keys of the table and those in `known`.
 std::vector<std::string_view> keys_of(MarksPlace place, std::vector<std::string_view> known) {
     for (const MarksRow& row : marks_table())
         for (const MarksEntry& entry : row.entries)
@@ -73,8 +73,8 @@ void read_entries(const json& object, MarksPlace place, const fs::path& folder, 
                 entry.absent(marks);
 }
 
-// A session may come from somebody else, and a pipe or a device would be waited for without end. What is missing is
-// told where it is read.
+// A session may come from another person; a pipe or device in it could block forever. Missing files are reported on
+// reading.
 void check_named_files(const Session& session) {
     for (const fs::path& file : named_files(session)) {
         std::error_code error;
@@ -125,7 +125,7 @@ Result<SavedSession> read_session(const fs::path& path) {
     }
     const json value = std::move(*parsed);
     auto saved = session_from_json(value, fs::absolute(path).parent_path(), path.string());
-    if (saved) // some are read late, or never; the session is worth nothing without them
+    if (saved) // some are read late or never, but the session needs them
         for (const fs::path& file : named_files(saved->session)) io::note_input(file);
     return saved;
 }
@@ -140,7 +140,7 @@ Result<void> write_session(const Session& session, const fs::path& path) {
 
 namespace {
 
-// Of a folder of images: the names and sizes of its files. It need not be read whole twice.
+// For a folder of images: names and sizes of its files, to avoid reading it completely twice.
 std::string contents_of(const fs::path& folder) {
     std::vector<std::string> files;
     std::error_code error;

@@ -1,4 +1,4 @@
-// How far smoothing moves a tree's points (core/tree/smooth.h), in words and as JSON.
+// Describes as text and JSON how far smoothing moves a tree's points (core/tree/smooth.h).
 #pragma once
 
 #include "app/session/numbers.h"
@@ -12,7 +12,7 @@ namespace ramus::app {
 
 struct Smoothing {
     int passes = 0;
-    std::optional<tree::Voxels> voxels; // of the tree; none: smoothing leaves it as it is
+    std::optional<tree::Voxels> voxels; // of the tree; none: smoothing changes nothing
     tree::Displacement moved;
 };
 // Smooths a copy of the tree.
@@ -24,7 +24,7 @@ struct Smoothing {
 // radii) at most"; "none: the points are no voxels".
 [[nodiscard]] std::string smoothing_text(const Smoothing& smoothing, const Lengths& lengths);
 
-// passes, voxel_mm (the three edges' lengths, or null), voxel_from ("mask" or "points", or null), displacement_mm and
+// Keys: passes, voxel_mm (three edge lengths, or null), voxel_from ("mask", "points" or null), displacement_mm and
 // displacement_radii {median, max}.
 [[nodiscard]] nlohmann::ordered_json smoothing_json(const Smoothing& smoothing);
 

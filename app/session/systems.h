@@ -1,5 +1,5 @@
-// The systems of a tree (portal vein, hepatic vein, artery) as a session has them: named and coloured as the file has
-// them, until a person renames or recolours one. A system is hidden when all of its branches are.
+// The vessel systems of a tree (portal vein, hepatic vein, artery) with the session's names and colours, which are the
+// file's until a person changes one. A system is hidden if all its branches are.
 #pragma once
 
 #include "app/session/branch_facts.h"
@@ -15,20 +15,20 @@ namespace ramus::app {
 
 using Systems = std::vector<tree::System>;
 
-// One each for the tree's; empty where it has none.
+// One entry per system of the tree; empty if it has none.
 [[nodiscard]] const Systems& systems_of(const tree::VesselTree& tree, const Marks& marks);
-// Other names or colours for them, as the session keeps them.
+// Sets names and colours, in the session's canonical form.
 void set_systems(Marks& marks, Systems systems, const tree::VesselTree& tree);
-// The tree with the session's names and colours: what is written of it.
+// The tree with the session's names and colours, for writing it to a file.
 [[nodiscard]] tree::VesselTree with_systems(tree::VesselTree tree, const Marks& marks);
 
-// "portal vein"; of one without a name "system 2". Empty where there are none.
+// "portal vein", or "system 2" without a name; empty if the tree has no systems.
 [[nodiscard]] std::string system_name(const Systems& systems, int system);
 [[nodiscard]] std::string system_of(const tree::VesselTree& tree, const Marks& marks, int branch);
-// sRGB. Black, which no background lets see, is no choice of anybody: one of a few colours that are told apart.
+// sRGB. Black means "not set"; the system then gets one of a few distinguishable colours.
 [[nodiscard]] glm::vec3 shown_colour(const Systems& systems, int system);
 
-// The one that a person means by a name, whatever its case, or by its number, counted from 1.
+// Finds a system by its name, ignoring case, or by its number, counted from 1.
 [[nodiscard]] Result<int> find_system(const Systems& systems, std::string_view word);
 [[nodiscard]] std::vector<int> branches_in_system(const tree::VesselTree& tree, int system); // ascending
 
@@ -39,7 +39,7 @@ struct SystemFacts {
 [[nodiscard]] std::vector<SystemFacts> system_facts(const tree::VesselTree& tree, const TreeFacts& facts,
                                                     const Marks& marks);
 
-// How a tree is coloured at first: several systems each in its own colour.
+// The initial colouring of a tree: by system if it has several, otherwise `wanted`.
 [[nodiscard]] ColourBy first_colouring(ColourBy wanted, const tree::VesselTree& tree);
 
 } // namespace ramus::app

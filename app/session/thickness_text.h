@@ -1,4 +1,4 @@
-// What measure::least_thicknesses() found, in words.
+// Describes the result of measure::least_thicknesses() as text.
 #pragma once
 
 #include "app/session/numbers.h"
@@ -9,20 +9,20 @@
 
 namespace ramus::app {
 
-// Below this, printed vessels break: two lines of a printer's nozzle of 0.4 mm.
+// Thinner printed vessels break: two lines of a printer's nozzle of 0.4 mm.
 inline constexpr double kThinnestPrintedMm = 0.8;
 
 [[nodiscard]] std::string place_text(const measure::Thickness& thickness); // "branch 12 at (1.5, -20.1, 33.4)"
 
-// "closed, in mm; thinnest place 0.62 mm, branch 12 at (1.5, -20.1, 33.4)"; of all thicknesses of a closed surface.
+// "closed, in mm; thinnest place 0.62 mm, branch 12 at (1.5, -20.1, 33.4)"; for all thicknesses of a closed surface.
 [[nodiscard]] std::string printing_text(std::span<const measure::Thickness> thicknesses, const Lengths& lengths);
 
-// Those below `least_mm`, of thicknesses in ascending order.
+// The thicknesses below `least_mm`; the input must be ascending.
 [[nodiscard]] std::span<const measure::Thickness> thinner_than(std::span<const measure::Thickness> thicknesses,
                                                                double least_mm);
 
 // "3 branches are thinner than 0.8 mm, the thinnest with 0.62 mm (branch 12 at (1.5, -20.1, 33.4)): they may break or
-// not be printed"; empty: none is.
+// not be printed"; empty if there are none.
 [[nodiscard]] std::string thin_text(std::span<const measure::Thickness> thicknesses, double least_mm,
                                     const Lengths& lengths);
 

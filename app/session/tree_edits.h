@@ -1,4 +1,4 @@
-// Edits of a session's tree (core/tree/edit_tree.h): made once, with what else follows from the new tree.
+// Makes edits of a session's tree (core/tree/edit_tree.h), with the facts of the result.
 #pragma once
 
 #include "app/session/branch_facts.h"
@@ -10,18 +10,18 @@
 
 namespace ramus::app {
 
-// What an edit makes of a tree.
+// An edit with its result.
 struct MadeEdit {
     tree::Edit edit;
     std::shared_ptr<const tree::VesselTree> before;
     std::shared_ptr<const tree::EditedTree> after;
-    std::shared_ptr<const TreeFacts> facts; // of that
+    std::shared_ptr<const TreeFacts> facts; // of `after`
 };
-// On any thread: it takes about a millisecond for a thousand segments. Fails as tree::apply().
+// Thread-safe. Takes about a millisecond per thousand segments. Fails as tree::apply().
 [[nodiscard]] Result<MadeEdit> made_edit(std::shared_ptr<const tree::VesselTree> tree, const tree::Edit& edit);
 
-// The tree of the file with a session's edits; the same pointer where there are none. Fails when the file is not the
-// one that was edited (`checksum`: its own). `where` names the session in the message.
+// Applies a session's edits to the file's tree; returns the same pointer if there are none. Fails if the file is not
+// the one that was edited (`checksum`: of the current file). `where` names the session in errors.
 [[nodiscard]] Result<std::shared_ptr<const tree::VesselTree>> with_edits(std::shared_ptr<const tree::VesselTree> base,
                                                                          const Session& session,
                                                                          const std::string& checksum,

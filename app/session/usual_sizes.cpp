@@ -9,7 +9,7 @@
 namespace ramus::app {
 
 UsualSizes usual_sizes(const tree::VesselTree& tree) {
-    constexpr double kOfDiagonal = 0.05; // that a lesion's radius is
+    constexpr double kOfDiagonal = 0.05; // radius of a lesion, relative to the diagonal
     UsualSizes sizes;
     const render::Box box = render::bounds_of(tree);
     if (box.empty()) return sizes;

@@ -11,7 +11,7 @@ namespace {
 
 using Words = std::pair<std::string_view, std::string_view>;
 
-// The longer of two that begin alike comes first.
+// Of two entries with a common prefix, the longer is first.
 constexpr auto kWindowWords = std::to_array<Words>({
     {"say which of them are vessels with --labels N,M, or take all that is at least X with --isovalue X",
      "File, Open asks which of them are vessels, or for a threshold"},
@@ -79,7 +79,7 @@ std::string window_words(std::string text) {
     for (const auto& [words, instead] : kWindowWords)
         for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + instead.size()))
             text.replace(at, words.size(), instead);
-    // Any other flag is the word that it is made of.
+    // Any other flag becomes its word.
     for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at)) {
         const bool flag = at + 2 < text.size() && std::islower(static_cast<unsigned char>(text[at + 2])) != 0 &&
                           (at == 0 || text[at - 1] == ' ' || text[at - 1] == '(');

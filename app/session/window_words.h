@@ -1,5 +1,4 @@
-// Advice that is given in the words of the command line, in those of the window: nobody is sent to a terminal who has a
-// window in front of them.
+// Rewords advice of the command line for the window, so that people in the window need no terminal.
 #pragma once
 
 #include "core/base/error.h"
@@ -8,11 +7,11 @@
 
 namespace ramus::app {
 
-// "lower --detail, or prune with --prune" becomes "lower the detail, or prune"; what names a command of `ramus` becomes
-// where the window does the same, or is left out.
+// "lower --detail, or prune with --prune" becomes "lower the detail, or prune". Names of `ramus` commands become their
+// place in the window, or are omitted.
 [[nodiscard]] std::string window_words(std::string text);
 
-// The same of all that an Error says.
+// The same for all texts of an Error.
 [[nodiscard]] Error in_window_words(Error error);
 
 } // namespace ramus::app

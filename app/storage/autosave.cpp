@@ -31,7 +31,7 @@ namespace {
 constexpr int kVersion = 1;
 constexpr const char* kEnding = ".json";
 
-// The file at this path is the one behind the descriptor: nobody cleared it away in between.
+// Whether the file at this path is still the one behind the descriptor, and was not deleted in between.
 bool still_there(const fs::path& path, int descriptor) {
     struct stat by_name {
     }, by_descriptor{};
@@ -66,7 +66,7 @@ pid_t process_of(const fs::path& file) {
                : 0;
 }
 
-// What io::OutputFile left of a process that was killed while it wrote: ".ramus-PID-N.part".
+// Deletes what io::OutputFile left when its process was killed while writing: ".ramus-PID-N.part".
 void clear_unfinished(const fs::path& path) {
     constexpr std::string_view kStart = ".ramus-";
     const std::string name = path.filename().string();
@@ -87,7 +87,7 @@ Result<Slot> Slot::take(const fs::path& folder) {
     constexpr int kAttempts = 1000;
     for (int i = 0; i < kAttempts; ++i) {
         Slot slot(folder / (std::to_string(::getpid()) + "-" + std::to_string(i) + kEnding), -1);
-        // A name that was used before stays what it is: something may lie there.
+        // Skips names in use, which may have a file.
         if (fs::exists(slot.file_, error)) continue;
         slot.lock_ = ::open(slot.lock_file().c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
         if (slot.lock_ < 0 && errno == EEXIST) continue;
@@ -143,7 +143,7 @@ void Slot::remove() {
     std::error_code ignored;
     if (file_.empty()) return;
     fs::remove(file_, ignored);
-    fs::remove(lock_file(), ignored); // while it is held: who waits for it finds that it is gone
+    fs::remove(lock_file(), ignored); // while locked: processes that wait for the lock find it deleted
     if (lock_ >= 0) ::close(std::exchange(lock_, -1));
     file_.clear();
 }
@@ -159,11 +159,11 @@ std::vector<Slot> find_abandoned(const fs::path& folder) {
         clear_unfinished(path);
         const bool is_lock = path.extension() == ".lock";
         if (!is_lock && path.extension() != kEnding) continue;
-        if (is_lock && fs::exists(fs::path(path).replace_extension(kEnding), error)) continue; // its file's turn comes
+        if (is_lock && fs::exists(fs::path(path).replace_extension(kEnding), error)) continue; // handled with its file
         const fs::path lock_path = fs::path(path).replace_extension(".lock");
         Slot slot(fs::path(path).replace_extension(kEnding), -1);
         slot.lock_ = ::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-        if (slot.lock_ < 0) continue; // a folder that can only be read: nothing can be decided here
+        if (slot.lock_ < 0) continue; // a read-only folder: nothing can be decided
         const Lock lock = try_lock(slot.lock_);
         if (lock == Lock::kTheirs || !still_there(lock_path, slot.lock_)) continue;
         if (!fs::exists(slot.file_, error)) {
@@ -182,7 +182,7 @@ std::vector<Slot> find_abandoned(const fs::path& folder) {
 
 } // namespace autosave
 
-// Used by the worker's tasks only, one after the other, but for take_over() and leave(), which wait for them.
+// Used only by the worker's tasks, sequentially, and by take_over() and leave(), which wait for them.
 struct Autosaver::Shared {
     fs::path folder;
     std::optional<autosave::Slot> slot;
@@ -198,7 +198,7 @@ std::optional<Error> Autosaver::update(const Document& document, double now) {
     if (document.revision() != seen_) {
         seen_ = document.revision();
         last_ = now;
-        if (document.has_unsaved_work()) { // a view that was turned is no loss
+        if (document.has_unsaved_work()) { // changes of the view alone are not saved
             if (!first_) first_ = now;
         } else {
             first_.reset();
@@ -249,7 +249,7 @@ void Autosaver::remove() {
 }
 
 void Autosaver::take_over(autosave::Slot slot) {
-    // std::function wants something to copy.
+    // std::function must be copyable.
     const auto given = std::make_shared<autosave::Slot>(std::move(slot));
     there_ = true;
     worker_.start("Saving", [shared = shared_, given](Job&, const Worker::Post&) {

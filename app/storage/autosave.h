@@ -1,11 +1,10 @@
-// Autosave: the session of a running process on the disk, so that nothing is lost when the process is killed; and what
-// such processes left behind, to be offered to the next one.
+// Autosave: writes the session of a running process to disk, so that nothing is lost if the process is killed, and
+// finds what killed processes left, to offer it to the next one.
 //
-// Each process has one file in the folder, NAME.json, and holds a lock on NAME.lock as long as it lives; the system
-// gives the lock back however the process ends. So a file whose lock can be had was left behind, and whoever has the
-// lock may decide about it: two processes that start at once never offer the same one. Files are whole or not there.
-//
-// The lock is flock()'s. Where a file system has none, the process id in the file decides.
+// Each process has one file NAME.json in the folder and holds a lock on NAME.lock while it runs; the system releases
+// the lock however the process ends. A file whose lock is free is abandoned, and the process that acquires the lock
+// decides about it, so two processes never offer the same file. Files are complete or absent. The lock uses flock(); on
+// file systems without it the process id in the file decides.
 #pragma once
 
 #include "app/session/session_file.h"
@@ -25,28 +24,27 @@ class Document;
 
 namespace autosave {
 
-// What is kept.
+// The saved data.
 struct Snapshot {
     Session session;
-    std::filesystem::path file; // the session file that it came from; empty: none
-    std::size_t changes = 0;    // since that was saved
+    std::filesystem::path file; // the session file it belongs to; empty: none
+    std::size_t changes = 0;    // since `file` was saved
     std::chrono::system_clock::time_point saved{};
     bool operator==(const Snapshot&) const = default;
 };
 
-// The place of one process among the files: its name and its lock. Movable; what lies there stays when it goes, until
-// remove().
+// A process's file and lock. Movable. Destruction keeps the file unless remove() was called.
 class Slot {
 public:
-    // A new one. The folder is made when it is not there.
+    // Creates a new slot, and the folder if necessary.
     [[nodiscard]] static Result<Slot> take(const std::filesystem::path& folder);
     Slot(Slot&& other) noexcept;
     Slot& operator=(Slot&& other) noexcept;
-    ~Slot(); // gives the lock back
+    ~Slot(); // releases the lock
 
     [[nodiscard]] Result<void> write(const Snapshot& snapshot) const; // atomic
     [[nodiscard]] Result<Snapshot> read() const;
-    void remove(); // the file and the lock's; nothing can be written any more
+    void remove(); // deletes file and lock; write() then fails
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
 private:
@@ -58,46 +56,46 @@ private:
     int lock_ = -1; // descriptor
 };
 
-// What processes left that are no more, newest first, with their locks. Locks without a file are cleared away.
+// Files of terminated processes, newest first, with their locks acquired. Deletes locks without a file.
 [[nodiscard]] std::vector<Slot> find_abandoned(const std::filesystem::path& folder);
 
 } // namespace autosave
 
-// Writes a document's session after it changed: when changes have settled, and at most every few seconds. It is written
-// on a thread of its own, and removed as soon as there is nothing that a session file does not have.
+// Autosaver: writes a document's session after changes have settled, at most every few seconds, on a worker thread.
+// Removes the file as soon as everything is saved in a session file.
 class Autosaver {
 public:
     static constexpr double kSettleSeconds = 0.7;  // after the last change
-    static constexpr double kLatestSeconds = 4.0;  // after the first one that is not written, if they never settle
-    static constexpr double kBetweenSeconds = 2.0; // two writings
+    static constexpr double kLatestSeconds = 4.0;  // after the first unsaved change, if changes never settle
+    static constexpr double kBetweenSeconds = 2.0; // between two writes
 
-    // An empty folder: nowhere, which is told like a disk that is full. `wake` is called on another thread.
+    // An empty folder means that there is none, which is reported like a full disk. `wake`: called on another thread.
     Autosaver(std::filesystem::path folder, std::function<void()> wake);
-    ~Autosaver(); // what was begun is finished; the file stays
+    ~Autosaver(); // finishes a running write; the file stays
 
-    // Call it whenever something may have happened. An error is handed back once, until writing succeeds again.
+    // Call whenever something may have changed. Returns an error once, until writing succeeds again.
     [[nodiscard]] std::optional<Error> update(const Document& document, double now);
     [[nodiscard]] double wait_seconds(double now) const; // infinite: nothing is due
     [[nodiscard]] bool busy() const { return worker_.busy(); }
 
-    // From now on writes over what another process left: the session that was recovered from it is the document's.
+    // From now on uses the slot of another process, whose session was recovered into the document.
     void take_over(autosave::Slot slot);
-    // The process ends in peace: nothing is left behind.
+    // Removes the file; call when the process ends normally.
     void leave();
 
 private:
-    struct Shared; // with the worker
+    struct Shared; // shared with the worker
     void write(const Document& document, double now);
     void remove();
     void finish(); // waits for the worker
 
     std::shared_ptr<Shared> shared_;
     std::uint64_t seen_ = 0;      // revision
-    std::optional<double> first_; // change that is not written
-    double last_ = 0.0;           // change
-    double started_ = -1e9;       // the last writing
-    bool there_ = false;          // a file of ours, or one on its way
-    bool told_ = false;           // of an error
+    std::optional<double> first_; // time of the first unsaved change
+    double last_ = 0.0;           // time of the last change
+    double started_ = -1e9;       // time of the last write
+    bool there_ = false;          // our file exists or is being written
+    bool told_ = false;           // the error was returned
     std::optional<Error> error_;
     Worker worker_; // last: its thread ends first
 };

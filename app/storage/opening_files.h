@@ -1,4 +1,4 @@
-// What kind of file it is that someone wants to open, its tree, and where the demo tree is that ships with ramus.
+// Recognises files to open, reads trees from them, and finds the demo tree.
 #pragma once
 
 #include "core/base/error.h"
@@ -10,16 +10,15 @@
 
 namespace ramus::app {
 
-// Whether the file says that it is a session, not a tree. False when it cannot be read: reading it then says why.
+// Whether the file is a session rather than a tree. False if it cannot be read; reading it then reports why.
 [[nodiscard]] bool is_session_file(const std::filesystem::path& path);
 
-// The tree in a file; of a segmentation mask the one that io::tree_of_mask() makes of it. `memory_bytes`: most that the
-// process may take for that; 0 = half of the machine's. Fails like io::read_tree(), io::read_volume() and
-// io::tree_of_mask().
+// Reads the tree in a file; for a segmentation mask, the result of io::tree_of_mask(). `memory_bytes`: limit for the
+// process; 0: half of the machine's memory. Fails like io::read_tree(), io::read_volume() and io::tree_of_mask().
 [[nodiscard]] Result<tree::VesselTree> read_tree_or_mask(const std::filesystem::path& path,
                                                          const io::ReadOptions& options, double memory_bytes, Job& job);
 
-// The demo tree: in $RAMUS_ASSETS, beside the program's installation, or in the sources it was built from.
+// The demo tree: in $RAMUS_ASSETS, in the installation, or in the source tree of the build.
 [[nodiscard]] std::optional<std::filesystem::path> demo_tree();
 
 } // namespace ramus::app

@@ -1,6 +1,6 @@
-// Settings: what a person wants of the window every time, kept in settings.json in the settings folder
-// (app/storage/user_folders.h). What belongs to a tree is the session's. Reading takes what is missing from the
-// defaults and refuses wrong types and values; names that it does not know are another version's, and ignored.
+// Settings: the user's preferences for the window, in settings.json in the settings folder
+// (app/storage/user_folders.h). Properties of a tree belong to the session. Reading uses defaults for missing names,
+// rejects wrong types and values, and ignores unknown names, which may belong to another version.
 #pragma once
 
 #include "app/picture/ground.h"
@@ -15,16 +15,16 @@
 namespace ramus::app {
 
 struct Settings {
-    double ui_scale = 0.0; // pixels per point; 0: what the display says
-    glm::ivec2 window{0};  // points; 0: what the display suggests, before there was a window
+    double ui_scale = 0.0; // pixels per point; 0: the display's
+    glm::ivec2 window{0};  // points; 0: suited to the display
     bool panel_open = true;
-    int recent_files = 10;                                // how many are remembered; 0: none
-    std::map<std::string, std::filesystem::path> folders; // that files of a kind were last chosen in
+    int recent_files = 10;                                                        // how many to remember; 0: none
+    std::map<std::string, std::filesystem::path> folders;                         // the last folder, by kind of file
     [[nodiscard]] std::filesystem::path folder_of(const std::string& kind) const; // empty: none yet
-    bool drop_beside = false; // a mask that is dropped on a tree was last shown beside it, not opened
+    bool drop_beside = false; // last choice for a mask dropped on a tree: show it next to the tree
     bool light_theme = false;
-    bool welcome = true;           // a start without a file says what ramus is
-    Ground ground = Ground::kDark; // behind the tree in the window
+    bool welcome = true;           // shows the welcome panel on a start without a file
+    Ground ground = Ground::kDark; // background in the window
     bool operator==(const Settings&) const = default;
 };
 
@@ -35,12 +35,12 @@ inline constexpr double kLeastUiScale = 0.5, kMostUiScale = 4.0;
 
 struct StoredSettings {
     Settings settings;
-    std::string trouble; // what was wrong with the file; empty: nothing
+    std::string trouble; // what is wrong with the file; empty: nothing
 };
-// From `folder`/settings.json. One that cannot be understood is kept beside it as settings.json.bad, where it does not
-// get lost when others are written; no file at all is fine.
+// Reads `folder`/settings.json; a missing file gives the defaults. An invalid file is kept as settings.json.bad, so
+// that later writes do not overwrite it.
 [[nodiscard]] StoredSettings read_settings(const std::filesystem::path& folder);
-// Atomic; makes the folder.
+// Atomic; creates the folder.
 [[nodiscard]] Result<void> write_settings(const Settings& settings, const std::filesystem::path& folder);
 
 } // namespace ramus::app

@@ -20,7 +20,7 @@ namespace user_folders {
 
 namespace {
 
-// Relative ones are to be ignored, say the rules.
+// The XDG rules require ignoring relative paths.
 fs::path absolute_from(const char* variable) {
     const char* value = std::getenv(variable);
     return value != nullptr && *value == '/' ? fs::path(value) : fs::path();
@@ -32,8 +32,7 @@ fs::path base(const char* variable, const char* below_home) {
     return own.empty() ? own : own / below_home;
 }
 
-// XDG_PICTURES_DIR="$HOME/Pictures" in user-dirs.dirs; or of that name in the environment; or as they are called in
-// English.
+// XDG_PICTURES_DIR="$HOME/Pictures" in user-dirs.dirs; otherwise the environment variable; otherwise the English name.
 fs::path own_folder(const std::string& variable, const char* usual) {
     std::error_code ignored;
     const auto when_there = [&](const fs::path& folder) {
@@ -79,7 +78,7 @@ fs::path documents() { return own_folder("XDG_DOCUMENTS_DIR", "Documents"); }
 std::error_code make_private(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    // Made by this program, now or by an older one that let others read what its user works on.
+    // Older versions created it readable by others.
     if (!error) fs::permissions(folder, fs::perms::owner_all, error);
     return error;
 }

@@ -66,7 +66,7 @@ std::optional<glm::dvec3> Aim::in_middle(const render::Camera& camera) {
         const auto at = map.nearest_point(0.5 * glm::dvec2(map.picture));
         const auto pixel = at ? render::project(camera, map.picture, *at) : std::nullopt;
         middle_ = pixel ? std::optional(Middle{*at, glm::dvec2(*pixel)}) : std::nullopt;
-    } else if (middle_) { // depths of this view are not there yet
+    } else if (middle_) { // depths of this view are not available yet
         const auto pixel = render::project(camera, map.picture, middle_->at);
         if (!pixel || glm::distance(glm::dvec2(*pixel), middle_->pixel) > 1.0) middle_.reset();
     }
@@ -75,7 +75,7 @@ std::optional<glm::dvec3> Aim::in_middle(const render::Camera& camera) {
 
 namespace {
 
-// Of the vessel on whose surface a place is; 0: it is on none.
+// Radius of the vessel at a surface point; 0: not on a vessel.
 double radius_around(const tree::VesselTree& tree, const glm::dvec3& at) {
     constexpr double kOnSurface = 1.5; // radii from the axis, at most
     double nearest = kOnSurface, radius = 0.0;

@@ -16,7 +16,7 @@ namespace {
 const glm::vec4 kGoes{1.0F, 0.92F, 0.35F, 1.0F};
 const glm::vec4 kComes{0.55F, 0.95F, 0.65F, 1.0F};
 const glm::vec4 kRefused{1.0F, 0.80F, 0.55F, 1.0F};
-constexpr double kAtEnd = 2.0; // radii from a free end: so near, the end is meant
+constexpr double kAtEnd = 2.0; // snaps to a free end within this many radii
 
 const tree::Branch& branch_of(const Pointing& pointing, int id) {
     return pointing.document.tree()->branches[static_cast<std::size_t>(id)];
@@ -38,7 +38,7 @@ void trace(ToolDrawing& drawing, const Pointing& pointing, int id, double from, 
         if (!place) return;
         line.points.emplace_back(*place);
     }
-    ToolDrawing::Line rim = line; // seen on vessels of any colour
+    ToolDrawing::Line rim = line; // visible on vessels of any colour
     rim.colour = {0.05F, 0.05F, 0.05F, 1.0F};
     rim.width = 8.0F;
     drawing.lines.push_back(std::move(rim));
@@ -57,7 +57,7 @@ std::optional<glm::dvec2> dot(ToolDrawing& drawing, const Pointing& pointing, in
 
 std::string end_word(double fraction) { return fraction > 0.5 ? "end" : "start"; }
 
-// The edit that a click would make; what it says is what the click would say.
+// Why the edit that a click would make fails; none: it succeeds.
 std::optional<Error> refusal(const Pointing& pointing, const tree::Edit& edit) {
     const auto tried = tree::apply(*pointing.document.tree(), edit);
     return tried ? std::nullopt : std::optional(tried.error());
@@ -132,7 +132,7 @@ void JoinTool::press(const Pointing& pointing) {
     if (!begun) {
         first_ = free_end(pointing, pick);
         first_of_ = pointing.document.tree();
-        // The refusal says what is wrong with this place.
+        // The error of the command explains what is wrong with this place.
         if (const auto wrong = spot(pointing, pick); wrong && !first_)
             command({"join", std::to_string(wrong->branch), end_word(wrong->fraction), std::to_string(wrong->branch),
                      end_word(wrong->fraction)});
@@ -203,7 +203,7 @@ void RootTool::press(const Pointing& pointing) {
     if (const auto end = free_end(pointing, pick))
         command({"move-root", std::to_string(end->branch), end_word(end->fraction)});
     else if (const auto wrong = spot(pointing, pick))
-        command({"move-root", std::to_string(wrong->branch)}); // the refusal says why
+        command({"move-root", std::to_string(wrong->branch)}); // fails and reports why
 }
 
 ToolDrawing RootTool::drawing(const Pointing& pointing) const {

@@ -1,5 +1,5 @@
-// The tools that mend the tree: each shows before the click what would be joined, cut or taken away, or why nothing can
-// be done at this place.
+// Tools that repair the tree. Each previews what a click would join, cut or remove, or says why nothing can be done
+// here.
 #pragma once
 
 #include "app/tools/tool.h"
@@ -10,35 +10,35 @@
 
 namespace ramus::app {
 
-// What all of them know: the branch under the pointer and the free ends of the tree.
+// Common base: the branch under the pointer, and the free ends of the tree.
 class EditTool : public Tool {
 public:
     void move(const Pointing& pointing) override;
 
 protected:
-    // A place on a branch. `free_end`: 0 or 1, where nothing else is.
+    // A place on a branch. `free_end`: `fraction` is 0 or 1 and no other branch is connected there.
     struct Spot {
         int branch = tree::kNoBranch;
         double fraction = 0.5;
         bool free_end = false;
         bool operator==(const Spot&) const = default;
     };
-    // Of the vessel under the pointer; none: there is no vessel. Near a free end it is that.
+    // The place under the pointer, snapped to a free end nearby; none: no vessel.
     [[nodiscard]] std::optional<Spot> spot(const Pointing& pointing, const render::Pick& pick) const;
-    // The free end of this branch nearest to the place that was picked.
+    // The free end of the branch that is nearest to the picked place.
     [[nodiscard]] std::optional<Spot> free_end(const Pointing& pointing, const render::Pick& pick) const;
-    [[nodiscard]] render::Pick under(const Pointing& pointing) const; // of the tree as it is now
+    [[nodiscard]] render::Pick under(const Pointing& pointing) const; // the pick, if it belongs to the current tree
 
 private:
     void learn(const Pointing& pointing) const;
     render::Pick under_;
-    glm::dvec2 under_at_{0.0}; // the pointer then: it may have left the picture since
+    glm::dvec2 under_at_{0.0}; // position of the pointer at that pick
     std::shared_ptr<const tree::VesselTree> under_of_;
-    mutable std::shared_ptr<const tree::VesselTree> tree_; // that the degrees are of
+    mutable std::shared_ptr<const tree::VesselTree> tree_; // the tree of degrees_
     mutable std::vector<int> degrees_;
 };
 
-// Takes a piece out of a branch.
+// Removes a piece of a branch.
 class DisconnectTool final : public EditTool {
 public:
     void press(const Pointing& pointing) override;
@@ -46,7 +46,7 @@ public:
     [[nodiscard]] std::string hint() const override { return "Click a false connection: what is marked goes"; }
 };
 
-// A free end first, then another or a place of a vessel.
+// Joins a free end to another free end or to a place on a vessel.
 class JoinTool final : public EditTool {
 public:
     void press(const Pointing& pointing) override;
@@ -61,7 +61,7 @@ private:
     std::shared_ptr<const tree::VesselTree> first_of_;
 };
 
-// Takes away a branch that carries no others.
+// Removes a branch without children.
 class SpurTool final : public EditTool {
 public:
     void press(const Pointing& pointing) override;

@@ -18,7 +18,7 @@ constexpr double kStep = 1.5;      // points between those of a stroke
 constexpr double kTolerance = 1.0; // points: how far the outline may be from the stroke
 constexpr double kLeastSize = 4.0; // points: a smaller stroke was a click
 
-// A tenth of a pixel is more than a mouse knows.
+// A tenth of a pixel is more precise than a mouse.
 std::string tenths(double pixel) {
     const long long number = std::llround(10.0 * pixel);
     std::string text(number < 0 ? "-" : "");
@@ -76,7 +76,7 @@ void LassoTool::move(const Pointing& pointing) {
 }
 
 void LassoTool::release(const Pointing& pointing) {
-    if (points_.empty()) return; // given up meanwhile
+    if (points_.empty()) return; // cancelled meanwhile
     points_.push_back(pointing.at);
     finish(pointing, simplified(points_, kTolerance * pointing.pixel_ratio));
 }
@@ -103,7 +103,7 @@ void PolygonLassoTool::press(const Pointing& pointing) {
         points_.push_back(pointing.at);
 }
 
-// Its first press was a corner already.
+// The first press has added the corner already.
 void PolygonLassoTool::double_click(const Pointing& pointing) { close(pointing); }
 
 bool PolygonLassoTool::right_click(const Pointing& pointing) {

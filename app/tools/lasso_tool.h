@@ -1,5 +1,5 @@
-// The lasso, drawn free-hand or clicked as a polygon. What comes out is one `lasso` command. Shift at its beginning
-// adds to the selection, Ctrl takes away from it.
+// Lasso tools, free-hand or as a clicked polygon. They produce one `lasso` command. Shift at the start adds to the
+// selection, Ctrl removes from it.
 #pragma once
 
 #include "app/tools/tool.h"
@@ -15,11 +15,11 @@ public:
 
 protected:
     void begin(const Pointing& pointing);
-    void finish(const Pointing& pointing, std::vector<glm::dvec2>&& drawn); // nothing when it encloses nothing
+    void finish(const Pointing& pointing, std::vector<glm::dvec2>&& drawn); // does nothing if it encloses nothing
     [[nodiscard]] glm::vec4 colour() const;
 
     std::vector<glm::dvec2> points_; // so far
-    Modifiers modifiers_;            // when it began
+    Modifiers modifiers_;            // at the start
 };
 
 class LassoTool final : public LassoBase {

@@ -14,7 +14,7 @@ namespace {
 const glm::vec4 kMeasureColour{0.55F, 0.95F, 0.75F, 1.0F};
 const glm::vec4 kRefusedMeasureColour{1.0F, 0.55F, 0.45F, 1.0F};
 constexpr double kHandlePoints = 4.5; // radius of a handle
-constexpr double kReachPoints = 9.0;  // that a press may miss its middle by
+constexpr double kReachPoints = 9.0;  // distance by which a press may miss it
 constexpr double kStillPoints = 4.0;  // a pointer that moved less was only clicked
 
 bool on_vessel(const Pointing& pointing, const render::Pick& pick) {
@@ -42,7 +42,7 @@ bool went_away(const Pointing& pointing, glm::dvec2 pressed_at) {
     return glm::distance(pointing.at, pressed_at) >= kStillPoints * pointing.pixel_ratio;
 }
 
-// As the command `measure` takes it.
+// Arguments of the command `measure`.
 std::vector<std::string> words_of(const Measurement& m, const Marks& marks) {
     const auto lesion = [&](std::size_t i) {
         return "lesion:" + std::to_string(lesion_index(marks, m.lesions[i]).value_or(marks.lesions.size()) + 1);
@@ -71,7 +71,7 @@ std::vector<std::string> words_of(const Measurement& m, const Marks& marks) {
 
 } // namespace
 
-// Branchings have no end to move.
+// Angles at branchings have no movable end.
 std::optional<MeasureTool::Handle> MeasureTool::handle_under(const Pointing& pointing) {
     if (!pointing.document.tree()) return {};
     std::optional<Handle> found;
@@ -190,7 +190,7 @@ void MeasureTool::look(const Pointing& pointing) {
     live_ = measured(*pointing.document.tree(), measurement_of(pointing, picks), pointing.lesions);
 }
 
-// A press that did not move is a click, on a handle too: what is measured next may begin where another one ends.
+// A press without a move is a click, even on a handle: a new measurement may begin where another one ends.
 void MeasureTool::release(const Pointing& pointing) {
     if (held_ && held(pointing) == nullptr) return void(escape());
     const auto held = std::exchange(held_, std::nullopt);

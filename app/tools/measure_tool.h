@@ -1,9 +1,8 @@
-// MeasureTool: distances between points of the surface, paths along vessels, diameters, angles between three places.
-// What was clicked is what is measured: a distance goes from point to point of the surface, of vessels or of lesions,
-// the others from foot to foot on the centerlines. A lesion that is clicked with Shift is meant as a whole: the
-// distance is the shortest from its surface to the wall of the branch that is the other end. The value is shown before
-// the last click. Ends of what was measured before are handles, of any kind of measurement: a drag moves one, with the
-// value of each place on the way, and is one command when it is let go.
+// MeasureTool: measures distances between surface points, paths along vessels, diameters, and angles between three
+// places. Distances connect the clicked points on the surfaces of vessels or lesions; the other kinds connect feet on
+// centerlines. A lesion clicked with Shift counts as a whole: the distance is the shortest from its surface to the wall
+// of the branch at the other end. The value is shown before the last click. Ends of existing measurements are handles:
+// dragging one updates the value and produces one command on release.
 #pragma once
 
 #include "app/assets/measured.h"
@@ -41,21 +40,21 @@ private:
     };
     [[nodiscard]] static std::optional<Handle> handle_under(const Pointing& pointing);
     [[nodiscard]] std::size_t points_wanted() const;
-    [[nodiscard]] bool takes(const Pointing& pointing, const render::Pick& pick) const; // it can be an end
+    [[nodiscard]] bool takes(const Pointing& pointing, const render::Pick& pick) const; // can be an end
     [[nodiscard]] Measurement measurement_of(const Pointing& pointing, const std::vector<render::Pick>& picks) const;
-    // What is held, unless it was changed meanwhile: undone, say, by a key.
+    // The dragged measurement, unless something else changed it meanwhile, for example undo.
     [[nodiscard]] const Held* held(const Pointing& pointing) const;
     void take_point(const Pointing& pointing);
-    void look(const Pointing& pointing); // what would be measured by a click now
+    void look(const Pointing& pointing); // computes what a click would measure
 
     Measurement::Kind kind_;
-    std::vector<render::Pick> begun_; // clicked so far
-    bool whole_ = false;              // a lesion among these, or the next one, is meant as a whole
-    std::string snapped_;             // the lesion under the pointer, "lesion 1", that a click takes a place of
+    std::vector<render::Pick> begun_; // clicks so far
+    bool whole_ = false;              // a clicked or the next lesion counts as a whole
+    std::string snapped_;             // the lesion under the pointer, "lesion 1", that a click would use
     glm::dvec2 pressed_at_{0.0};
     std::optional<Held> held_;
     bool over_handle_ = false;
-    std::optional<Result<Measured>> live_; // of the handle that is held, or of what the next click would finish
+    std::optional<Result<Measured>> live_; // of the dragged handle, or of the next click
     glm::dvec3 under_{0.0};                // the last point of the surface under the pointer
 };
 

@@ -10,7 +10,7 @@ namespace ramus::app {
 
 namespace {
 
-constexpr double kPinReachPoints = 11.0; // that a press may miss a pin by
+constexpr double kPinReachPoints = 11.0; // distance by which a press may miss a pin
 constexpr double kPinClickPoints = 3.0;  // a pointer that moved less was only clicked
 const glm::vec4 kPinColour{0.98F, 0.80F, 0.35F, 1.0F};
 
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    // It may have been removed meanwhile, by an undo.
+    // May have been removed meanwhile, for example by undo.
     [[nodiscard]] std::optional<std::size_t> held_pin(const Pointing& pointing) const {
         return held_ && *held_ < pointing.document.marks().pins.size() ? held_ : std::nullopt;
     }

@@ -1,7 +1,7 @@
-// PixelPolygon: which pixels lie inside a polygon, by the even-odd rule: inside is from where a ray to the right
-// crosses its edges an odd number of times. The polygon closes itself, may cross itself, and may be degenerate. Edges
-// are sorted into rows once, so that a question looks at the few edges near its height; the answer is exactly that of
-// the plain loop over all edges, rounding included.
+// PixelPolygon: tests whether points are inside a polygon by the even-odd rule (a ray to the right crosses the edges an
+// odd number of times). The polygon is closed implicitly, may cross itself and may be degenerate. Edges are sorted into
+// rows once, so a query examines only edges near its height; its result equals that of the loop over all edges,
+// including rounding.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ public:
     explicit PixelPolygon(std::vector<glm::dvec2> corners); // finite
 
     [[nodiscard]] bool contains(glm::dvec2 point) const;
-    // The runs inside at height y, from left to right: [first, second) each.
+    // The intervals inside at height y, from left to right, each [first, second).
     [[nodiscard]] std::vector<std::pair<double, double>> spans(double y) const;
     [[nodiscard]] std::span<const glm::dvec2> corners() const { return corners_; }
     [[nodiscard]] double top() const { return top_; }
@@ -27,16 +27,16 @@ private:
     struct Edge {
         glm::dvec2 a, b;
     };
-    [[nodiscard]] std::span<const Edge> edges_at(double y) const; // at least those that cross this height
+    [[nodiscard]] std::span<const Edge> edges_at(double y) const; // all that cross this height, perhaps more
     [[nodiscard]] std::size_t row_of(double y) const;
 
     std::vector<glm::dvec2> corners_;
     double top_ = 0.0, bottom_ = 0.0, rows_per_pixel_ = 0.0;
-    std::vector<std::uint32_t> row_starts_; // one more than there are rows; empty: no edge crosses anything
-    std::vector<Edge> edges_;               // row after row
+    std::vector<std::uint32_t> row_starts_; // one more than rows; empty: no edge crosses a row
+    std::vector<Edge> edges_;               // row by row
 };
 
-// A polyline with fewer points that stays within `tolerance` of it (Douglas and Peucker 1973). The ends stay.
+// Simplifies a polyline within `tolerance` (Douglas and Peucker 1973). Keeps its ends.
 [[nodiscard]] std::vector<glm::dvec2> simplified(std::span<const glm::dvec2> line, double tolerance);
 
 } // namespace ramus::app

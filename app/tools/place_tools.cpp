@@ -21,12 +21,12 @@ bool on_tree(const Pointing& pointing, const render::Pick& pick) {
     return pick.branch >= 0 && pick.branch < pointing.document.branch_count();
 }
 
-constexpr double kOutlineShare = 0.72; // of its radius: from here on a press takes the outline
-constexpr double kSlackPoints = 5.0;   // beyond the outline that still takes it
+constexpr double kOutlineShare = 0.72; // of its radius: presses farther out grab the outline
+constexpr double kSlackPoints = 5.0;   // distance outside the outline that still grabs it
 constexpr double kClickPoints = 3.0;   // a pointer that moved less was only clicked
 const glm::vec4 kLesionColour{1.0F, 0.86F, 0.35F, 1.0F};
 
-// A sphere as it lies in the picture.
+// A sphere projected into the picture.
 struct Disc {
     glm::dvec2 at{0.0};
     double radius = 0.0; // pixels
@@ -143,7 +143,7 @@ void LesionTool::move(const Pointing& pointing) {
     put(held_->sphere, glm::dvec3(held_->before[0], held_->before[1], held_->before[2]) + to - from);
 }
 
-// One that was changed meanwhile, by a key perhaps, is left as it is.
+// A lesion that was changed meanwhile, for example by a key, is left as it is.
 void LesionTool::release(const Pointing& pointing) {
     const auto held = std::exchange(held_, std::nullopt);
     if (!held) return;

@@ -1,4 +1,4 @@
-// The tools that put something at a place of a vessel: cuts and lesions. Measurements: app/tools/measure_tool.h.
+// Tools that place cuts and lesions. Measurements: app/tools/measure_tool.h.
 #pragma once
 
 #include "app/tools/tool.h"
@@ -9,8 +9,8 @@
 
 namespace ramus::app {
 
-// CutTool: cuts the branch under the pointer across, at the point of its centerline nearest to the pointer's on
-// the surface, which a ring shows before the click.
+// CutTool: cuts the branch under the pointer, at the centerline point nearest to the surface point under the pointer; a
+// ring previews the cut.
 class CutTool final : public Tool {
 public:
     void press(const Pointing& pointing) override;
@@ -22,9 +22,9 @@ private:
     render::Pick under_;
 };
 
-// LesionTool: places spherical lesions. A press puts the centre on the surface under the pointer, or, beside the
-// vessels, at the depth of the focal point; dragging sizes it, and a click alone gives it the usual size, less in a
-// small tree. A press on a lesion takes hold of that one: near its outline it is sized, elsewhere moved across the
+// LesionTool: places spherical lesions. A press sets the centre on the surface under the pointer, or at the depth of
+// the focal point if there is none. Dragging sets the radius; a click gives the default radius, which is smaller for
+// small trees. A press on an existing lesion grabs it: near its outline it is resized, elsewhere moved parallel to the
 // view.
 class LesionTool final : public Tool {
 public:
@@ -39,14 +39,14 @@ public:
 
 private:
     struct Held {
-        std::array<double, 4> sphere{}; // as it is now
+        std::array<double, 4> sphere{}; // current value
         std::array<double, 4> before{};
-        std::optional<std::size_t> index; // of a lesion that was there
+        std::optional<std::size_t> index; // of an existing lesion
         bool sizing = true;
         bool moved = false;
         glm::dvec2 pressed_at{0.0};
         double depth_mm = 0.0; // of its centre
-        double usual_mm = 0.0; // radius in this tree
+        double usual_mm = 0.0; // default radius for this tree
     };
     std::optional<Held> held_;
 };

@@ -1,5 +1,5 @@
-// Numbers as tools write them into command lines: positions to a hundredth of a millimetre, fractions to a thousandth;
-// what is measured as finely as a pick knows it, whatever the tree's unit is.
+// Formats numbers in the command lines of tools: positions to a hundredth of a millimetre, fractions to a thousandth;
+// finely_spelled(): measured values to single precision, whatever the tree's unit.
 #pragma once
 
 #include <cstdio>

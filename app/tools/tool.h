@@ -1,7 +1,7 @@
-// Tool: what takes the left mouse button over the picture instead of turning the view: lassoing, placing, measuring.
-// It is told what the pointer does, says what it wants drawn over the picture, and what comes out of it are command
-// lines, as in a commands file, that its owner performs. It changes nothing itself, draws nothing itself, and knows no
-// window: positions are pixels of the picture from the top left.
+// Tool: handles the left mouse button over the picture instead of navigation: lasso, placing, measuring. It receives
+// pointer events, returns what to draw over the picture, and produces command lines, as in a commands file, for its
+// owner to run. It does not change the document, does not draw and knows no window. Positions are pixels of the picture
+// from the top left.
 #pragma once
 
 #include "app/assets/measured.h"
@@ -22,23 +22,22 @@ namespace ramus::app {
 
 using CommandLine = std::vector<std::string>; // the command's name, then its arguments
 
-// How the tools work, as the user set it: a matter of the interface, not of the session.
+// User settings of tools; part of the interface, not of the session.
 struct ToolSettings {
-    bool lasso_any_part = false; // a branch is in with any part of it; else with at least half its length
-    bool lasso_visible = false;  // only what is visible; else through the whole tree
+    bool lasso_any_part = false; // any part of a branch suffices; false: at least half its length
+    bool lasso_visible = false;  // only visible parts; false: the whole tree
 };
 
-// The pointer over the picture, and what a tool may ask about it.
+// The pointer over the picture, and data that a tool may query.
 struct Pointing {
     glm::dvec2 at{0.0};
-    Modifiers modifiers; // those of the last press
+    Modifiers modifiers; // of the last press
     bool held = false;   // the left button is down
     glm::ivec2 size{1};  // of the picture
     float pixel_ratio = 1.0F;
     const Document& document; // its tree, marks and camera
     const ToolSettings& settings;
-    // The branch and the point of its surface that is shown there: of tools that pick(), when they are told of presses,
-    // moves and releases.
+    // The branch and surface point under the pointer; set for tools that pick(), in press, move and release events.
     render::Pick under{};
     LesionShapes lesions{}; // of the document's marks
 
@@ -46,8 +45,8 @@ struct Pointing {
     [[nodiscard]] const render::Camera& camera() const { return document.session().camera; }
 };
 
-// What a tool wants drawn over the picture. Positions and radii are pixels of the picture, widths are points; colours
-// are sRGB with straight alpha.
+// What to draw over the picture. Positions and radii are pixels of the picture, widths are points; colours are sRGB
+// with straight alpha.
 struct ToolDrawing {
     struct Line {
         std::vector<glm::dvec2> points;
@@ -55,7 +54,7 @@ struct ToolDrawing {
         float width = 1.5F;
         bool closed = false;
     };
-    struct Area { // what lies inside by the even-odd rule; may cross itself
+    struct Area { // filled by the even-odd rule; may cross itself
         std::vector<glm::dvec2> outline;
         glm::vec4 colour{1.0F};
     };
@@ -66,7 +65,7 @@ struct ToolDrawing {
         float width = 1.5F;
         bool filled = false;
     };
-    struct Text { // on a dark ground, its upper left corner at `at`
+    struct Text { // on a dark background, its upper left corner at `at`
         glm::dvec2 at{0.0};
         std::string text;
         glm::vec4 colour{1.0F};
@@ -88,33 +87,33 @@ public:
     Tool& operator=(const Tool&) = delete;
     virtual ~Tool() = default;
 
-    // The left button. The second press of a double-click comes as double_click() instead of press(). A move comes
-    // whether the button is held or not; a release only after a press or double-click.
+    // Events of the left button. The second press of a double-click arrives as double_click() instead of press(). Moves
+    // arrive with and without the button; a release only after a press or double-click.
     virtual void press(const Pointing&) {}
     virtual void move(const Pointing&) {}
     virtual void release(const Pointing&) {}
     virtual void double_click(const Pointing& pointing) { press(pointing); }
-    // A click with the right button that was no drag (which zooms). False: it means nothing here, a menu comes.
+    // A click with the right button (dragging it zooms). False: not used, the context menu opens.
     virtual bool right_click(const Pointing&) { return false; }
-    // Escape. True: something that had begun was given up. False: there was nothing; the tool is left.
+    // Escape. True: something in progress was cancelled. False: nothing was; the owner leaves the tool.
     virtual bool escape() { return false; }
 
-    // Whether it has to know what is under the pointer: then it is told of it once that is looked up.
+    // Whether events need Pointing::under; they then arrive after the pick.
     [[nodiscard]] virtual bool picks() const { return true; }
 
-    // Whether something has begun that escape() would give up.
+    // Whether something is in progress that escape() would cancel.
     [[nodiscard]] virtual bool busy() const { return false; }
 
     [[nodiscard]] virtual ToolDrawing drawing(const Pointing&) const { return {}; }
     [[nodiscard]] virtual Cursor cursor() const { return Cursor::kCross; }
     [[nodiscard]] virtual std::string hint() const = 0; // one line: what to do next
-    // Whether the branch under the pointer is shown as it is without a tool.
+    // Whether the branch under the pointer is highlighted as without a tool.
     [[nodiscard]] virtual bool points_at_branches() const { return false; }
 
-    // Of the session's measurements, one that is being changed: the tool draws it as it is now, the picture does not.
+    // Index of the measurement that is being changed: the tool draws it instead of the picture.
     [[nodiscard]] virtual std::optional<std::size_t> moved_measurement() const { return {}; }
 
-    // What came out since the last call.
+    // The command lines produced since the last call.
     [[nodiscard]] std::vector<CommandLine> take_commands() { return std::exchange(commands_, {}); }
 
 protected:

@@ -1,5 +1,5 @@
-// The tools that there are, in the order of menu and buttons. A new one is one more entry in tool_kinds.cpp; its menu
-// entry, key, button and the argument of the command `tool` follow from that.
+// The table of tools, in the order of menu and buttons. To add a tool, add an entry in tool_kinds.cpp; its menu entry,
+// key, button and the argument of the command `tool` follow from it.
 #pragma once
 
 #include "app/tools/tool.h"
@@ -12,7 +12,7 @@
 namespace ramus::app {
 
 struct ToolKind {
-    std::string name;  // "lasso", as the command `tool` takes it
+    std::string name;  // "lasso", the argument of the command `tool`
     std::string label; // in the menu
     std::string help;  // one sentence
     std::vector<std::string> keys;

@@ -9,7 +9,7 @@ void ToolMouse::press(const Tell& tell, Pointing pointing, double seconds) {
     modifiers_ = pointing.modifiers;
     const bool second = seconds - last_seconds_ < ViewportMouse::kDoubleClickSeconds &&
                         glm::distance(pointing.at, last_at_) < ViewportMouse::kDragThreshold * pointing.pixel_ratio;
-    last_seconds_ = second ? -1e9 : seconds; // a third click begins anew
+    last_seconds_ = second ? -1e9 : seconds; // a third click starts a new sequence
     last_at_ = pointing.at;
     tell(second ? &Tool::double_click : &Tool::press, pointing);
 }

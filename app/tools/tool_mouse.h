@@ -1,6 +1,5 @@
-// ToolMouse: the left button's presses, moves and releases over the picture, as a Tool is told of them: it tells
-// double-clicks from two clicks. No clock of its own. Who tells the tool may do so later: `tell` gets what there is to
-// be told.
+// ToolMouse: converts presses, moves and releases of the left button into events of a Tool, and detects double-clicks.
+// Time is passed in. The `tell` function receives the events and may deliver them to the tool later.
 #pragma once
 
 #include "app/tools/tool.h"
@@ -13,7 +12,7 @@ public:
     void press(const Tell& tell, Pointing pointing, double seconds);
     void move(const Tell& tell, Pointing pointing) const;
     void release(const Tell& tell, Pointing pointing);
-    void abandon() { held_ = false; } // another tool was taken
+    void abandon() { held_ = false; } // another tool was selected
     [[nodiscard]] bool held() const { return held_; }
     [[nodiscard]] Modifiers modifiers() const { return modifiers_; }
 

@@ -23,7 +23,7 @@ std::optional<Click> ViewportMouse::release(MouseButton button, glm::dvec2 at, d
     const bool plain = !modifiers_.alt && !modifiers_.ctrl && !modifiers_.shift;
     const bool second = plain && seconds - last_click_seconds_ < kDoubleClickSeconds &&
                         glm::distance(at, last_click_at_) < kDragThreshold * pixel_ratio_;
-    last_click_seconds_ = plain && !second ? seconds : -1e9; // a third click begins anew
+    last_click_seconds_ = plain && !second ? seconds : -1e9; // a third click starts a new sequence
     last_click_at_ = at;
     if (second) return Click{Click::Kind::kCentre, at};
     if (modifiers_.alt || (modifiers_.ctrl && modifiers_.shift)) return Click{Click::Kind::kSelectWithDependents, at};

@@ -1,7 +1,7 @@
-// ViewportMouse: presses, moves and releases of the mouse over the picture become camera changes and clicks, as in 3D
-// Slicer: left-drag rotates, middle-drag or Shift+left-drag pans, right-drag or the wheel zooms. Each is about the
-// point that a grip has (app/tools/aim.h says which). A drag is never a click: it begins when the pointer has moved
-// kDragThreshold. No window, no picking, no clock of its own.
+// ViewportMouse: converts mouse events over the picture into camera changes and clicks, as in 3D Slicer: left-drag
+// rotates, middle-drag or Shift+left-drag pans, right-drag or the wheel zooms, each about the point of a grip (see
+// app/tools/aim.h). A drag begins after the pointer has moved by kDragThreshold, and is never a click. No window, no
+// picking; time is passed in.
 #pragma once
 
 #include "render/scene/camera_moves.h"
@@ -19,7 +19,7 @@ struct Modifiers {
 struct Click {
     enum class Kind {
         kSelect,               // the branch, or nothing on the background
-        kSelectWithDependents, // Alt; Ctrl+Shift, since many window managers take Alt for themselves
+        kSelectWithDependents, // Alt; also Ctrl+Shift, since many window managers use Alt
         kToggle,               // Ctrl
         kAdd,                  // Shift; a drag with it pans
         kCentre,               // the second click of a double-click
@@ -29,11 +29,11 @@ struct Click {
     glm::dvec2 at;
 };
 
-// What drags hold on to, from when a button goes down.
+// The anchor of a drag, set when the button is pressed.
 struct Grip {
-    glm::dvec3 about{0.0};  // turns are about it, and moves are in its depth
-    glm::dvec3 goal{0.0};   // zooms come nearer to it
-    double least_mm = 1e-6; // but not nearer than that
+    glm::dvec3 about{0.0};  // centre of rotation; panning is in its depth
+    glm::dvec3 goal{0.0};   // target of zooming
+    double least_mm = 1e-6; // smallest distance from the target
     [[nodiscard]] static Grip at(const glm::dvec3& point) { return {point, point}; }
 };
 
@@ -46,11 +46,11 @@ public:
     void set_pixel_ratio(double ratio) { pixel_ratio_ = ratio; }
     void press(MouseButton button, Modifiers modifiers, glm::dvec2 at, const Grip& grip);
     [[nodiscard]] std::optional<Click> release(MouseButton button, glm::dvec2 at, double seconds);
-    // The camera after the pointer moved, when that changed it.
+    // The camera after the pointer moved; none if it did not change.
     [[nodiscard]] std::optional<render::Camera> move(const render::Camera& camera, glm::ivec2 size, glm::dvec2 to);
-    // What lies at the grip's goal stays where it is in the picture.
+    // Zooms; the grip's goal keeps its place in the picture.
     [[nodiscard]] static render::Camera wheel(const render::Camera& camera, const Grip& grip, double notches);
-    // Whether the drag that goes on turns the view; else it keeps what was under the pointer there, or zooms.
+    // Whether the current drag rotates the view; other drags pan or zoom.
     [[nodiscard]] bool turning() const { return dragging() && *held_ == MouseButton::kLeft && !modifiers_.shift; }
     [[nodiscard]] bool zooming() const { return dragging() && *held_ == MouseButton::kRight; }
     [[nodiscard]] const Grip& grip() const { return grip_; } // of the last press

@@ -16,7 +16,7 @@ namespace {
 constexpr int kSide = 32; // points
 constexpr glm::vec2 kTip{3.5F, 28.5F};
 
-// The rope from its tip to the loop: a curve of three points, in pieces.
+// The rope from its tip to the loop: a quadratic curve, in segments.
 std::vector<glm::vec2> rope() {
     constexpr glm::vec2 kBend{4.5F, 18.0F}, kKnot{10.5F, 15.5F};
     std::vector<glm::vec2> points;
@@ -54,7 +54,7 @@ std::optional<CursorImage> cursor_image(Cursor cursor, float scale) {
                 for (std::size_t i = 0; i + 1 < line.size(); ++i)
                     nearest = std::min(nearest, distance_to_line(p, line[i], line[i + 1]));
             nearest = std::min(nearest, glm::distance(p, kTip) - 1.2F);
-            // A light line with a dark edge reads over anything.
+            // A light line with a dark edge is visible on any background.
             const float light = glm::clamp((0.9F - nearest) * scale + 0.5F, 0.0F, 1.0F);
             const float dark = glm::clamp((2.0F - nearest) * scale + 0.5F, 0.0F, 1.0F);
             if (dark <= 0.0F) continue;

@@ -1,4 +1,4 @@
-// Pictures of pointers that no system has: the lassos. Painted from curves, so that they are crisp at any scale.
+// Paints the pointers that systems lack, the lassos, from curves, so that they are crisp at any scale.
 #pragma once
 
 #include "app/tools/tool.h"
@@ -14,7 +14,7 @@ struct CursorImage {
     glm::ivec2 hot_spot{0}; // pixels from the top left
 };
 
-// Nothing for pointers that the system has. `scale`: pixels per point.
+// None for pointers that the system provides. `scale`: pixels per point.
 [[nodiscard]] std::optional<CursorImage> cursor_image(Cursor cursor, float scale);
 
 } // namespace ramus::app

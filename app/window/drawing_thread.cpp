@@ -11,7 +11,7 @@ DrawingThread::DrawingThread(std::function<bool()> enter, std::function<void()> 
 }
 
 DrawingThread::~DrawingThread() {
-    if (!apart()) return;
+    if (!has_thread()) return;
     {
         const std::lock_guard lock(mutex_);
         ending_ = true;
@@ -21,7 +21,7 @@ DrawingThread::~DrawingThread() {
 }
 
 void DrawingThread::do_next(std::function<void()> task) {
-    if (!apart()) return task();
+    if (!has_thread()) return task();
     {
         const std::lock_guard lock(mutex_);
         todo_.push_back(std::move(task));

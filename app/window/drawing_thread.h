@@ -1,9 +1,9 @@
-// DrawingThread: pictures are drawn here, one thing after the other, so that the window's thread goes on looking at its
-// events: a graphics driver compiles a shader when something is drawn with it for the first time, which takes it up to
-// a second and cannot be stopped. Without a thread the same is done at once by who asks for it: pictures without a
-// window, and drivers that give one context only.
+// DrawingThread: a worker thread with a GL context that draws pictures one after the other, so that the window's thread
+// keeps handling events: a graphics driver may compile a shader on first use, which takes up to a second and cannot be
+// interrupted. Without a thread, work runs at once on the caller's thread: for headless pictures, and for drivers with
+// one context only.
 //
-// It knows no OpenGL: whoever makes it says how the thread gets a context, and what it does with it.
+// It knows no OpenGL: the constructor's functions provide the context.
 #pragma once
 
 #include "app/actions/hosts.h"
@@ -25,20 +25,20 @@ namespace ramus::app {
 
 class DrawingThread {
 public:
-    DrawingThread() = default; // none
-    // `enter` is the first that the thread does; false: it cannot, and there is none. `leave` is the last. `wake` is
-    // called on it when something is done that done() was asked for in vain.
+    DrawingThread() = default; // without a thread
+    // `enter` runs first on the thread; false: it failed, and there is no thread. `leave` runs last. `wake`: called on
+    // the thread when a result is ready for which done() returned false.
     DrawingThread(std::function<bool()> enter, std::function<void()> leave, std::function<void()> wake);
-    ~DrawingThread(); // what was asked for is done first
+    ~DrawingThread(); // finishes all queued work first
     DrawingThread(const DrawingThread&) = delete;
     DrawingThread& operator=(const DrawingThread&) = delete;
 
-    // The rest is for one thread, which owns this.
-    [[nodiscard]] bool apart() const { return thread_.joinable(); }
-    // Nothing is being done: run() does not wait for what was asked for before.
+    // Everything below must be called from one thread, the owner's.
+    [[nodiscard]] bool has_thread() const { return thread_.joinable(); }
+    // No work is queued or running: run() will not wait for earlier work.
     [[nodiscard]] bool idle() const { return tasks_ == 0; }
 
-    // Does `work` after all that was asked for before. Its result, or what it throws, is in the future.
+    // Queues `work`. The future gets its result or its exception.
     template <class Work> [[nodiscard]] auto begin(Work work) {
         using Value = std::invoke_result_t<Work&>;
         auto promise = std::make_shared<std::promise<Value>>();
@@ -48,33 +48,34 @@ public:
             [this, promise, its = std::make_shared<std::optional<Work>>(std::move(work))] { fulfil(*promise, *its); });
         return future;
     }
-    // The same, for who looks whether it is there; any thread may take it.
+    // The same as a Deferred, for polling; any thread may take the result.
     template <class Work> [[nodiscard]] auto later(Work work) -> Deferred<std::invoke_result_t<Work&>> {
         const auto future = std::make_shared<std::future<std::invoke_result_t<Work&>>>(begin(std::move(work)));
         return {[this, future] { return done(*future, 0.0); }, [future] { return future->get(); }};
     }
-    // The same, and waits for it.
+    // Queues `work` and waits for its result.
     template <class Work> auto run(Work work) {
         if (!idle()) ++waits_;
         return begin(std::move(work)).get();
     }
-    // How often that waited for something else, too.
+    // How often run() had to wait for earlier work.
     [[nodiscard]] int waits() const { return waits_; }
-    // The same, and nobody wants to know: `work` throws nothing.
-    template <class Work> void let(Work work) { (void)begin(std::move(work)); }
+    // Queues `work` and ignores its result; it must not throw.
+    template <class Work> void post(Work work) { (void)begin(std::move(work)); }
 
-    // Whether the result is there, after waiting for so long at most. If not, `wake` is called when the next is.
+    // Whether the result is ready, after waiting at most `seconds`. If not, `wake` is called when the next result is
+    // ready.
     template <class Value> [[nodiscard]] bool done(const std::future<Value>& future, double seconds) {
         const auto is_there = [&](double within) {
             return future.wait_for(std::chrono::duration<double>(within)) == std::future_status::ready;
         };
         if (is_there(seconds)) return true;
         wake_wanted_ = true;
-        return is_there(0.0); // since then
+        return is_there(0.0); // it may have become ready meanwhile
     }
 
 private:
-    // What `work` holds is let go, and the thread idle, before the result is known.
+    // Releases `work` and marks the thread as idle before the result becomes visible.
     template <class Value, class Work> void fulfil(std::promise<Value>& promise, std::optional<Work>& work) {
         const auto end = [&] {
             work.reset();
@@ -100,7 +101,7 @@ private:
 
     std::function<bool()> enter_;
     std::function<void()> leave_, wake_;
-    std::atomic<int> tasks_{0}; // that are not done
+    std::atomic<int> tasks_{0}; // queued or running
     int waits_ = 0;
     std::atomic<bool> wake_wanted_{false};
 

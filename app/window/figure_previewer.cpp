@@ -11,14 +11,14 @@ namespace ramus::app {
 
 namespace {
 
-// The largest of the shape of `full` in `most`.
+// The largest size with the aspect ratio of `full` within `most`.
 glm::ivec2 fitting(glm::ivec2 full, glm::ivec2 most) {
     const double shrink = std::min(double(most.x) / full.x, double(most.y) / full.y);
     return glm::max(glm::ivec2(glm::dvec2(full) * shrink + 0.5), glm::ivec2(1));
 }
 
-// Of large trees even the coarser surface takes longer to send and draw than a window may: centerlines are cast then,
-// as while the view moves.
+// For large trees even the preview takes a window too long to send and draw: casts centerlines instead, as in moving
+// views.
 void cast_if_large(render::Frame& frame) {
     constexpr std::uint64_t kMostDrawn = 300'000; // triangles
     const bool needs_mesh = frame.only_mesh || frame.scale.value == render::ColourScale::Value::kSurface;
@@ -29,7 +29,7 @@ void cast_if_large(render::Frame& frame) {
 
 } // namespace
 
-// The coarser surface is as good as the fine one, so small.
+// At this size the preview mesh looks like the full one.
 render::Sheet FigurePreviewer::small_sheet(glm::ivec2 size) const {
     Workspace& workspace = state_.workspace;
     const ShownSurfaces surfaces = workspace.surfaces();
@@ -63,34 +63,35 @@ void FigurePreviewer::begin(glm::ivec2 size) {
     if (auto views = views_of(size, options)) drawing_ = Drawing{std::move(*views), options};
 }
 
-// What draw_figure() asks for is drawn before, in parts as the window's picture is.
-Result<FigurePreviewer::Part> FigurePreviewer::draw_part(Its& its, const render::Sheet& sheet,
+// Draws the sheet in parts before draw_figure() needs it, as for the window's picture.
+Result<FigurePreviewer::Part> FigurePreviewer::draw_part(Drawer& drawer, const render::Sheet& sheet,
                                                          const FigureOptions& options, double seconds) {
     try {
-        if (!its.renderer) { // takes about as long as a part
+        if (!drawer.renderer) { // takes about as long as a part
             RAMUS_TRY(made, render::Renderer::create());
-            its.renderer = std::move(made);
-            its.renderer->let_first_wait();
-            its.sheets.emplace(*its.renderer);
+            drawer.renderer = std::move(made);
+            drawer.renderer->draw_first_in_parts();
+            drawer.sheets.emplace(*drawer.renderer);
             return Part();
         }
-        const auto drawn = its.sheets->draw(sheet, kUploadBudget, seconds);
+        const auto drawn = drawer.sheets->draw(sheet, kUploadBudget, seconds);
         if (!drawn) return tl::unexpected(drawn.error());
         if (drawn->unfinished || drawn->pending) return Part();
-        RAMUS_TRY(figure, draw_figure(*its.sheets, sheet, options));
+        RAMUS_TRY(figure, draw_figure(*drawer.sheets, sheet, options));
         return Part(std::move(figure.image));
     } catch (const render::OutOfGraphicsMemory& error) {
-        its.sheets.reset(); // the file is drawn elsewhere; the dialog goes without
-        its.renderer.reset();
+        drawer.sheets.reset(); // the export itself is drawn elsewhere; only the preview is missing
+        drawer.renderer.reset();
         return fail(error.what());
     }
 }
 
 void FigurePreviewer::begin_part() {
-    if (!its_) its_ = std::make_shared<Its>();
+    if (!drawer_) drawer_ = std::make_shared<Drawer>();
     const double seconds = state_.watched() ? kDrawingSeconds : render::kUntilDone;
-    part_ = thread_.begin([its = its_, sheet = drawing_->all.views[drawing_->next].sheet, options = drawing_->options,
-                           seconds] { return draw_part(*its, sheet, options, seconds); });
+    part_ =
+        thread_.begin([drawer = drawer_, sheet = drawing_->all.views[drawing_->next].sheet, options = drawing_->options,
+                       seconds] { return draw_part(*drawer, sheet, options, seconds); });
 }
 
 void FigurePreviewer::take_part(double seconds) {
@@ -124,16 +125,16 @@ void FigurePreviewer::show(const render::Image& image) {
     preview.size = {image.width, image.height};
 }
 
-// A part that is being drawn is finished for nobody.
-void FigurePreviewer::let_go() {
+// A part in progress finishes, and its result is dropped.
+void FigurePreviewer::release() {
     drawing_.reset();
     part_ = {};
-    if (its_)
-        thread_.let([its = std::move(its_)] {
-            its->sheets.reset();
-            its->renderer.reset();
+    if (drawer_)
+        thread_.post([drawer = std::move(drawer_)] {
+            drawer->sheets.reset();
+            drawer->renderer.reset();
         });
-    its_ = nullptr;
+    drawer_ = nullptr;
     texture_ = {};
     shown_.reset();
     state_.interface.preview.texture = 0;
@@ -142,7 +143,7 @@ void FigurePreviewer::let_go() {
 void FigurePreviewer::update() {
     FigurePreview& preview = state_.interface.preview;
     if (!preview.wanted || !preview.request.size || !state_.workspace.shown().mesh) {
-        if (its_ || shown_) let_go();
+        if (drawer_ || shown_) release();
         return;
     }
     take_part(0.0);
@@ -158,7 +159,7 @@ void FigurePreviewer::update() {
     }
     if (!drawing_) return give_up();
     begin_part();
-    if (!thread_.apart()) take_part(0.0);
+    if (!thread_.has_thread()) take_part(0.0);
 }
 
 } // namespace ramus::app

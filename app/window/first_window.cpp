@@ -14,7 +14,7 @@ constexpr glm::ivec2 kUsualPoints{1440, 900}, kTitleBarPoints{8, 36};
 } // namespace
 
 float suggested_scale(const MonitorFacts& monitor) {
-    constexpr float kSteps = 4.0F;                                        // a quarter each
+    constexpr float kSteps = 4.0F;                                        // per unit: steps of a quarter
     constexpr float kPixelsAtOne = 1440.0F, kFewestPixelsAtOne = 1080.0F; // tuned on 24 to 32 inches
     constexpr float kInchMm = 25.4F, kPointsInInch = 96.0F, kRounding = 0.02F;
     const float content = std::clamp(monitor.content_scale, kLeastScale, kMostScale);

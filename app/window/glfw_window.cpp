@@ -70,7 +70,7 @@ std::string last_error() {
     return text == nullptr ? "" : text;
 }
 
-// Workers may outlive the window, and begin before it.
+// Workers may outlive the window, and start before it exists.
 std::mutex wake_mutex;
 bool can_wake = false;
 
@@ -106,9 +106,9 @@ Result<std::unique_ptr<GlfwWindow>> GlfwWindow::create(glm::ivec2 size_points, f
     };
     if (!set("DISPLAY") && !set("WAYLAND_DISPLAY")) return fail(kNoDisplay, {}, remedy);
     if (glfwInit() != GLFW_TRUE) return fail(kNoDisplay, {}, remedy);
-    glfwWindowHint(GLFW_DEPTH_BITS, 0); // the renderer has framebuffers of its own
+    glfwWindowHint(GLFW_DEPTH_BITS, 0); // the renderer has its own framebuffers
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    // GLFW turns its units into pixels as the system does: by the desktop's scale.
+    // GLFW converts its units to pixels by the desktop's scale.
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "ramus");
@@ -126,7 +126,7 @@ Result<std::unique_ptr<GlfwWindow>> GlfwWindow::create(glm::ivec2 size_points, f
         if (handle != nullptr) break;
         why = last_error();
     }
-    if (handle == nullptr) { // whatever there is: load_gl() says that it is too old, and how old
+    if (handle == nullptr) { // any version: load_gl() reports that it is too old
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 1);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 0);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_ANY_PROFILE);
@@ -165,8 +165,8 @@ Result<void> GlfwWindow::make_current() {
         "FILE -o PNG");
 }
 
-// GL's functions are the process's, and loaded here: the thread only makes the context current. RAMUS_ONE_THREAD is for
-// drivers that say they can and cannot, and for tests.
+// GL's functions belong to the process and are loaded already: the thread only makes the context current.
+// RAMUS_ONE_THREAD is for tests, and for drivers that wrongly claim to support threads.
 std::unique_ptr<DrawingThread> GlfwWindow::make_drawing_thread() {
     auto none = std::make_unique<DrawingThread>();
     const char* one_thread = std::getenv("RAMUS_ONE_THREAD");
@@ -203,7 +203,7 @@ void GlfwWindow::key(int number, int scancode, int action, int modifiers) {
     if (viewer_ == nullptr) return;
     const Modifiers held = modifiers_of(modifiers);
     std::optional<KeyPress> press;
-    const bool is_arrow = number >= GLFW_KEY_RIGHT && number <= GLFW_KEY_UP; // held, it goes on turning
+    const bool is_arrow = number >= GLFW_KEY_RIGHT && number <= GLFW_KEY_UP; // repeats while held
     const bool pressed = action == GLFW_PRESS || (action == GLFW_REPEAT && is_arrow);
     const std::string name = pressed ? name_of_key(number, scancode) : "";
     if (!name.empty()) press = KeyPress{name, held.ctrl, held.shift, held.alt};
@@ -211,7 +211,7 @@ void GlfwWindow::key(int number, int scancode, int action, int modifiers) {
 }
 
 void GlfwWindow::resized() {
-    if (std::exchange(cursor_scale_, scale()) != cursor_scale_) { // pictures of pointers are of one scale
+    if (std::exchange(cursor_scale_, scale()) != cursor_scale_) { // pointer images depend on the scale
         set_cursor(Cursor::kArrow);
         for (const auto& [kind, shape] : cursors_)
             if (shape != nullptr) glfwDestroyCursor(shape);
@@ -234,14 +234,14 @@ void GlfwWindow::connect() {
         Viewer* viewer = self(window)->viewer_;
         if (viewer == nullptr) return;
         if (entered == GLFW_FALSE) return viewer->input().mouse_left();
-        // A window manager that looks at a press first takes the pointer away and gives it back where it was, which
-        // GLFW takes for no move. Where it is now may be farther on already.
+        // A window manager that inspects a press first takes the pointer away and returns it, which GLFW does not
+        // report as a move. The pointer may have moved on already.
         viewer->input().mouse_moved(self(window)->pointer_);
     });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int modifiers) {
         Viewer* viewer = self(window)->viewer_;
         if (viewer == nullptr || button > GLFW_MOUSE_BUTTON_MIDDLE) return;
-        // Where the pointer is now may be far from where the button went down: the moves before it said that.
+        // The pointer may already be far from where the button was pressed; earlier moves have reported that position.
         constexpr std::array kButtons{MouseButton::kLeft, MouseButton::kRight, MouseButton::kMiddle};
         viewer->input().mouse_button(kButtons[static_cast<std::size_t>(button)], action == GLFW_PRESS,
                                      modifiers_of(modifiers), glfwGetTime());

@@ -22,18 +22,19 @@ Result<WindowPicture> picture_with_interface(Workspace& workspace, render::Rende
     }
     RAMUS_TRY(viewer, Viewer::create(workspace, renderer, scale));
     viewer->resize(size, scale);
-    constexpr double kFrameSeconds = 0.2; // the clock goes on, so that a slow picture comes to rest in full
+    constexpr double kFrameSeconds = 0.2; // advances the clock, so that a slow picture reaches full quality
     double now = 0.0;
     const auto settle = [&] {
         Job job;
-        (void)complete(workspace.assets(), workspace.document(), job); // waits for what a window leaves to a worker
+        (void)complete(workspace.assets(), workspace.document(),
+                       job); // does synchronously what a window leaves to workers
         const auto more_to_come = [&] {
             workspace.update();
             return workspace.awaited(WorkKind::kComparison) || workspace.awaited(WorkKind::kContacts) ||
                    workspace.awaited(WorkKind::kDeviation) || workspace.awaited(WorkKind::kValidation);
         };
         while (more_to_come()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-        constexpr int kMostFrames = 20; // five are enough; a waiting worker must not keep a picture from being made
+        constexpr int kMostFrames = 20; // five suffice; a slow worker must not prevent the picture
         for (int i = 0; i < kMostFrames; ++i) {
             viewer->draw(now, target.framebuffer);
             now += kFrameSeconds;

@@ -1,5 +1,5 @@
-// The whole window as a picture without a window: `ramus render --ui`. The same Viewer as in the window draws it, once
-// everything has come to rest.
+// Draws the whole window as a picture without a window, for `ramus render --ui`. The Viewer of the window draws it,
+// after all work has finished.
 #pragma once
 
 #include "app/actions/action.h"
@@ -15,11 +15,11 @@ namespace ramus::app {
 
 struct WindowPicture {
     render::Image image;
-    std::optional<render::ScaleBar> scale_bar; // none: there is none
+    std::optional<render::ScaleBar> scale_bar; // none: no scale bar
 };
 
-// `size` is the window's, in pixels. A GL context is current; `workspace` has its tree and its surface (adopt()).
-// `prepare`, when given, runs once the interface is there: commands like `help` find their window in it.
+// `size`: of the window in pixels. A GL context must be current; `workspace` must have a tree and its surface
+// (adopt()). `prepare`, if given, runs after the interface was created, so that commands like `help` find it.
 [[nodiscard]] Result<WindowPicture>
 picture_with_interface(Workspace& workspace, render::Renderer& renderer, glm::ivec2 size, float scale,
                        const std::function<Result<void>(ActionContext&)>& prepare = {});

@@ -19,7 +19,7 @@ void ImguiInput::button(int index, bool down) {
 }
 void ImguiInput::wheel(float dx, float dy) { events_.push_back({.kind = Event::Kind::kWheel, .x = dx, .y = dy}); }
 void ImguiInput::key(int key, bool down) {
-    // The modifiers that come with a modifier's own key are those of before it, where X11 tells them.
+    // With a modifier's own key X11 reports the modifiers from before the event.
     const auto hold = [&](bool& modifier) {
         modifier = down;
         events_.push_back(held_);
@@ -59,7 +59,7 @@ bool ImguiInput::apply(ImGuiIO& io) {
         const Event& event = events_.front();
         switch (event.kind) {
         case Event::Kind::kMove:
-            if (any_button || wheeled) return false; // a click belongs to the place it happened at
+            if (any_button || wheeled) return false; // clicks keep their position
             io.MousePos = {event.x, event.y};
             break;
         case Event::Kind::kButton:
@@ -79,7 +79,7 @@ bool ImguiInput::apply(ImGuiIO& io) {
             io.KeysDown[event.index] = event.down;
             break;
         case Event::Kind::kModifiers:
-            // A key that was pressed with them is one that comes with them, whichever is let go first.
+            // Keys and buttons keep the modifiers that they came with: a change of modifiers waits for the next frame.
             if ((any_key || any_button) && (event.ctrl != io.KeyCtrl || event.shift != io.KeyShift ||
                                             event.alt != io.KeyAlt || event.super != io.KeySuper))
                 return false;

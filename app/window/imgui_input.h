@@ -1,6 +1,6 @@
-// ImguiInput: hands mouse and keyboard events to ImGui one change at a time. ImGui 1.86 looks only at the state a frame
-// begins with, so that a press and its release within one frame would be lost; here the second change of the same key
-// or button waits for the next frame.
+// ImguiInput: passes mouse and keyboard events to ImGui one change at a time. ImGui 1.86 reads only the state at the
+// beginning of a frame, so a press and its release within one frame would be lost; here the second change of a key or
+// button waits for the next frame.
 #pragma once
 
 #include <deque>
@@ -30,12 +30,12 @@ private:
         bool ctrl = false, shift = false, alt = false, super = false;
     };
     std::deque<Event> events_;
-    Event held_{.kind = Event::Kind::kModifiers}; // the modifiers, as told last
+    Event held_{.kind = Event::Kind::kModifiers}; // the latest modifiers
 };
 
-// Whether the interface of the last frame takes the mouse there: a window lies there, a popup is open, or a drag began
-// in it. ImGui's own answer (WantCaptureMouse) is about where the pointer was at the last frame: a press that comes
-// with the move before it would go to what lies where the pointer has left.
+// Whether the interface of the last frame handles the mouse at this position: a window, an open popup, or a drag that
+// began in one. ImGui's WantCaptureMouse refers to the pointer's position in the last frame, and would misdirect a
+// press that arrives together with a move.
 [[nodiscard]] bool interface_takes_mouse(float x, float y);
 
 // ImGui's navigation keys are GLFW's.

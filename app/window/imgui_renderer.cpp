@@ -20,7 +20,7 @@ void grow(render::Buffer& buffer, std::int64_t& bytes, std::int64_t needed) {
     bytes = capacity;
 }
 
-// Where a list begins in the buffers.
+// Start of a list in the buffers.
 struct First {
     std::int64_t vertex = 0, index = 0;
 };
@@ -88,7 +88,7 @@ void ImguiRenderer::upload_fonts() {
     fonts.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(GLuint(font_))));
 }
 
-// A driver compiles a program when something is drawn with it: before anybody looks, rather than in the first frame.
+// Makes the driver compile the program on its first use, before anything is visible, instead of in the first frame.
 void ImguiRenderer::draw_nothing() {
     ImDrawList list(ImGui::GetDrawListSharedData());
     list._ResetForNewFrame();
@@ -139,7 +139,7 @@ void ImguiRenderer::draw(const ImDrawData& data) {
     glDisable(GL_SCISSOR_TEST);
 }
 
-// False: there is no memory for them; a picture without panels rather than none, and the next frame tries again.
+// False: out of memory; a picture without panels is better than none, and the next frame tries again.
 bool ImguiRenderer::make_buffers(const ImDrawData& data) {
     std::int64_t vertex_bytes = 0, index_bytes = 0;
     for (int i = 0; i < data.CmdListsCount; ++i) {

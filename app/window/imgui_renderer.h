@@ -1,6 +1,6 @@
-// ImguiRenderer: draws Dear ImGui's draw lists with OpenGL through glad, into whatever framebuffer is bound. The
-// window and headless pictures with the interface (`ramus render --ui`) use the same one. It leaves GL's state as the
-// scene renderer expects it: blending, scissor and culling off, no program, no vertex array.
+// ImguiRenderer: draws Dear ImGui's draw lists with OpenGL into the bound framebuffer, for the window and for headless
+// pictures (`ramus render --ui`). Leaves the GL state that the scene renderer expects: blending, scissor and culling
+// off, no program, no vertex array.
 #pragma once
 
 #include "core/base/error.h"
@@ -21,12 +21,12 @@ struct ImguiContext {
 
 class ImguiRenderer {
 public:
-    // Needs a current context, and an ImGui context whose fonts upload_fonts() then takes.
+    // Needs a current GL context and an ImGui context with loaded fonts, which upload_fonts() then uploads.
     [[nodiscard]] static Result<std::unique_ptr<ImguiRenderer>> create();
     ImguiRenderer(const ImguiRenderer&) = delete;
     ImguiRenderer& operator=(const ImguiRenderer&) = delete;
 
-    // Makes the atlas of ImGui's fonts a texture; again after the fonts changed.
+    // Uploads ImGui's font atlas as a texture; call again after fonts changed.
     void upload_fonts();
     void draw(const ImDrawData& data);
 
@@ -41,7 +41,7 @@ private:
     std::int64_t vertex_bytes_ = 0, index_bytes_ = 0;
 };
 
-// Differs when the pictures differ: an interface that looks as before need not be drawn again.
+// A hash of the draw data: while it is equal, the interface looks the same and need not be drawn again.
 [[nodiscard]] std::uint64_t fingerprint(const ImDrawData& data);
 
 } // namespace ramus::app

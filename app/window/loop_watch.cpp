@@ -21,7 +21,7 @@ void LoopWatch::waits() {
     waiting_ = true;
 }
 
-// Events are answered at the end of a wait: of its time that on a processor counts.
+// Events are handled at the end of a wait: only the processor time of a wait counts.
 void LoopWatch::did(const char* step) {
     const Moment at = now();
     const double took = at.processor - last_.processor;

@@ -1,7 +1,6 @@
-// LoopWatch: how long a window did not look at its events, and what it did meanwhile. For --status, so that journeys
-// can hold the window to it. The time that the window's own thread was on a processor tells what it did even where
-// other programs have the machine; waiting for a software rasteriser's threads is in the clock's time alone. What is
-// written for --status is not counted: nobody else pays for it.
+// LoopWatch: measures how long the window did not handle events, and what it did meanwhile; for --status, so that tests
+// can limit it. Measures the processor time of the window's thread, which is independent of other programs, and the
+// clock's time, which includes waiting for threads of a software rasteriser. Writing --status itself is excluded.
 #pragma once
 
 #include <deque>
@@ -12,20 +11,20 @@ namespace ramus::app {
 class LoopWatch {
 public:
     struct Gap {
-        double ended = 0.0;             // the monotonic clock when it was over
-        double seconds = 0.0;           // by the clock, without waiting for events
-        double processor_seconds = 0.0; // of the thread that looks
-        std::string doing;              // the step that took the processor longest
-        std::string waiting;            // the step that took longest by the clock
-        std::string command;            // the last one when it was over
+        double ended = 0.0;             // monotonic clock at its end, seconds
+        double seconds = 0.0;           // clock time without waiting for events
+        double processor_seconds = 0.0; // of the window's thread
+        std::string doing;              // the step with the most processor time
+        std::string waiting;            // the step with the most clock time
+        std::string command;            // the last command at its end
     };
 
-    void waits();                                                 // events are looked at now, and waited for
-    void did(const char* step);                                   // what has been done since waits() or the last did()
-    void spare();                                                 // what has been done since then does not count
-    void ends(const std::string& command);                        // the gap is over
-    [[nodiscard]] const Gap& longest() const { return longest_; } // by the thread's processor time
-    [[nodiscard]] const std::deque<Gap>& latest() const { return latest_; } // those that may be felt
+    void waits();                                                 // events are handled and awaited now
+    void did(const char* step);                                   // names the work since waits() or the last did()
+    void spare();                                                 // excludes the work since then
+    void ends(const std::string& command);                        // ends the gap
+    [[nodiscard]] const Gap& longest() const { return longest_; } // by processor time
+    [[nodiscard]] const std::deque<Gap>& latest() const { return latest_; } // the noticeable ones
 
 private:
     static constexpr double kFelt = 0.02, kFeltByClock = 0.1; // seconds

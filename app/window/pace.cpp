@@ -25,7 +25,7 @@ bool Pace::slow(const render::Frame& frame) const {
 render::Quality Pace::quality(const render::Frame& frame, bool moving, bool provisional, double now) {
     View view{frame.mesh, frame.camera, frame.size, frame.states, {}, 0.0F};
     if (frame.surface_awaited) view.awaited = frame.centerlines, view.awaited_width = frame.width;
-    // Highlighting shades what is there already.
+    // Highlighting only shades again.
     for (render::BranchState& state : view.states)
         if (state == render::BranchState::kHighlighted) state = render::BranchState::kNormal;
     if (view != last_) {

@@ -14,7 +14,7 @@ PictureDrawer::PictureDrawer(render::Renderer& renderer, DrawingThread& thread)
 PictureDrawer::~PictureDrawer() {
     thread_.run([this] {
         sheets_.reset();
-        shown_.let_go();
+        shown_.release();
     });
 }
 
@@ -44,11 +44,12 @@ PictureDrawer::Made PictureDrawer::drawn(render::Sheet sheet, std::size_t upload
         made.drawn = sheets_->draw(made.sheet, upload_budget, seconds);
         made.scale_bar = sheets_->scale_bar();
         made.seen = sheets_->seen();
-        // What was drawn for others may be just this, and finer than what is shown.
+        // A picture drawn for another purpose may equal this sheet: then nothing is shaded again, but it is not shown
+        // yet.
         if (std::exchange(drawn_for_others_, false) && made.drawn && !made.drawn->unfinished) made.drawn->shaded = true;
         if (made.drawn && made.drawn->shaded)
             if (auto kept = keep(made.sheet); !kept) made.drawn = tl::unexpected(kept.error());
-    } catch (const std::exception& exception) { // a dead end of this picture's, not of the window's
+    } catch (const std::exception& exception) { // fails this picture, not the window
         made.drawn = fail("the picture was given up: " + std::string(exception.what()));
     }
     return made;
@@ -68,7 +69,7 @@ PictureDrawer::Made PictureDrawer::refined(render::Sheet sheet, double seconds) 
 }
 
 Result<void> PictureDrawer::keep(const render::Sheet& sheet) {
-    if (!thread_.apart()) return {}; // it is shown from where it was drawn
+    if (!thread_.has_thread()) return {}; // without a thread it is shown directly
     try {
         shown_.keep(*sheets_, sheet.size);
         return {};
@@ -78,7 +79,7 @@ Result<void> PictureDrawer::keep(const render::Sheet& sheet) {
 }
 
 void PictureDrawer::present(unsigned framebuffer, glm::ivec2 at, glm::ivec2 size) {
-    if (thread_.apart()) return shown_.present(framebuffer, at, size);
+    if (thread_.has_thread()) return shown_.present(framebuffer, at, size);
     sheets_->present(framebuffer, at.x, at.y);
 }
 
@@ -110,7 +111,7 @@ std::optional<render::Pick> PictureDrawer::poll_pick() {
     return pick;
 }
 
-// The first ones make a program.
+// The first request links a program.
 bool PictureDrawer::request_depths() {
     if (!idle()) return false;
     depths_asked_ = thread_.begin([this] { return sheets_->request_depths(); });

@@ -3,7 +3,7 @@
 #include "app/picture/deviation_colours.h"
 #include "app/picture/figures.h"
 #include "app/picture/fit.h"
-#include "app/window/work_elsewhere.h"
+#include "app/window/render_process.h"
 #include "render/gl/gl_context.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ void PictureView::move_camera(const render::Camera& camera) {
     state_.workspace.document().set_camera(camera);
 }
 
-// Nobody looks on while a script runs or a picture of the window is made.
+// No animation while a script runs or for a picture of the window.
 void PictureView::camera_leapt() {
     if (!state_.watched()) return;
     const bool orthographic = state_.workspace.document().session().camera.orthographic;
@@ -60,7 +60,7 @@ void PictureView::flew(int branch, double fraction) {
     state_.redraw();
 }
 
-// Slow at both ends. A picture that is asked for is never one on the way: see draw_for_keeping().
+// Eases in and out. Saved pictures never show a camera in between; see draw_for_keeping().
 render::Camera PictureView::camera_on_its_way() {
     const render::Camera& there = state_.workspace.document().session().camera;
     if (!glide_) return there;
@@ -100,8 +100,8 @@ bool PictureView::draw(bool dragging) {
     return taken.shaded;
 }
 
-// Seconds that this frame waits for a picture that is drawn elsewhere. Of another size a software rasteriser has it no
-// sooner than the next frame, and takes long for this one as well.
+// Seconds that this frame waits for a picture drawn on another thread. After a change of size a software rasteriser
+// finishes no sooner than the next frame.
 double PictureView::patience() const {
     const bool resized = drawer_.has_picture() && drawer_.shown_size() != sheet_.size;
     if (resized && render::is_software_rasteriser()) return 0.0;
@@ -149,17 +149,18 @@ void PictureView::take_depths() {
     if (depths->maps) aim_.see(std::move(*depths->maps), state_.workspace.document().session().camera);
 }
 
-// Those on their way are waited for: while the view moves some picture's depths come.
+// Waits for pending depths first, so that some picture's depths arrive while the view moves.
 void PictureView::ask_depths(bool drawn) {
     depths_wanted_ |= drawn;
-    // What the first ones need is made then: not after a first picture, which has taken its time.
+    // The first request creates programs and buffers, so it is postponed after the first picture, which was slow
+    // already.
     depths_put_off_ = drawn && !std::exchange(has_drawn_, true);
     if (depths_put_off_ || !depths_wanted_ || depths_pending_) return;
     depths_pending_ = drawer_.request_depths();
     depths_wanted_ = !depths_pending_;
 }
 
-// Clear context is seen and not pointed at.
+// Transparent context is visible but cannot be picked.
 void PictureView::tell_nothing_in_view() {
     const render::Frame& frame = sheet_.viewports.front().frame;
     const bool nothing =
@@ -168,7 +169,7 @@ void PictureView::tell_nothing_in_view() {
     state_.interface.nothing_in_view = nothing;
 }
 
-// In perspective a length holds at one depth: what the view turns about, what is pointed at, or the visible middle.
+// In perspective a length holds at one depth: at the pivot, at the point under the pointer, or at the visible middle.
 std::optional<render::Scale> PictureView::scale_now() const {
     const glm::ivec2 size = state_.viewport_size();
     if (pivot_) return render::scale_at(shown_camera_, size, *pivot_, render::Scale::At::kPivot);
@@ -179,7 +180,7 @@ std::optional<render::Scale> PictureView::scale_now() const {
     return render::scale_of(shown_camera_, size, *aim_.visible());
 }
 
-// The first viewport decides how quickly the others are seen.
+// The first viewport determines the quality of all.
 void PictureView::compose_window(const std::vector<Viewport>& viewports, const ShownSurfaces& surfaces) {
     Workspace& workspace = state_.workspace;
     const bool compares = !viewports.front().title.empty();
@@ -201,7 +202,7 @@ render::Quality PictureView::quality_now(bool dragging) {
     const render::Frame& first = sheet_.viewports.front().frame;
     const bool better_to_come = state_.workspace.shown().provisional || first.surface_awaited;
     const render::Quality quality = pace_.quality(first, dragging || glide_, better_to_come, state_.now);
-    // A picture that shows already what is wanted does not give way to the surface before.
+    // A picture that already shows the requested surface is not replaced by the previous surface.
     awaits_ = cast_ && first.surface_awaited;
     return awaits_ ? render::Quality::kInteractive : quality;
 }
@@ -238,7 +239,7 @@ void PictureView::take(const PictureDrawer::Made& made) {
     const Result<render::DrawStatistics>& drawn = made.drawn;
     const render::Quality quality = frame.quality;
     const render::DrawStatistics done = drawn.value_or(render::DrawStatistics{});
-    // Said once; the interface goes on without a picture.
+    // Reported once; the interface continues without a picture.
     const std::string problem = drawn ? std::string() : drawn.error().message();
     if (std::exchange(drawing_problem_, problem) != problem && !problem.empty())
         state_.warn(Warning{drawn.error().what, drawn.error().where, drawn.error().hint});
@@ -267,8 +268,8 @@ void PictureView::take(const PictureDrawer::Made& made) {
     upload_pending_ = done.pending;
     unfinished_ = done.unfinished;
     if (done.geometry && !cast_ && quality == render::Quality::kFull) full_seconds_ = done.seconds;
-    if (!drawn) refines_ = false; // there is nothing to make finer
-    if (done.shaded) refines_ = state_.persons_window && full_seconds_ < kSlowToRefine; // somebody is there to see it
+    if (!drawn) refines_ = false;                                                       // nothing to refine
+    if (done.shaded) refines_ = state_.persons_window && full_seconds_ < kSlowToRefine; // only for a person
 }
 
 bool PictureView::refine(bool stirred) {
@@ -281,7 +282,7 @@ bool PictureView::refine(bool stirred) {
     return std::exchange(finer_, false);
 }
 
-// A picture of one case next to the panel of another would be taken for that.
+// A picture of one case next to the panel of another would be misleading.
 void PictureView::present(unsigned framebuffer) {
     if (shows_other_case()) return;
     const Layout& layout = state_.layout;
@@ -290,7 +291,7 @@ void PictureView::present(unsigned framebuffer) {
 }
 
 double PictureView::wait_seconds(double now) const {
-    if (drawer_.busy()) { // the window wakes when it is there
+    if (drawer_.busy()) { // the window wakes when it is ready
         const double told_at = begun_at_ + kUntilTold;
         return drawer_.drawing() && now < told_at ? told_at - now + 1e-3 : std::numeric_limits<double>::infinity();
     }
@@ -312,7 +313,7 @@ bool PictureView::resting() const {
 
 std::shared_ptr<const render::PagedMesh> PictureView::picture_mesh() const { return state_.workspace.shown().mesh; }
 
-// As `ramus render` draws the session: without what the pointer is doing.
+// As `ramus render` draws the session: without hovering.
 render::Frame PictureView::frame_for_keeping(const render::Camera& camera, glm::ivec2 size) {
     state_.follow_tree();
     Workspace& workspace = state_.workspace;
@@ -353,7 +354,7 @@ Result<void> PictureView::write_picture(const std::filesystem::path& path) {
     return render::write_png(image, path);
 }
 
-// A script goes on when the file is there.
+// A script continues after the file is written.
 std::optional<Deferred<Result<render::Image>>> PictureView::deferred_picture() {
     if (!state_.watched()) return {};
     return picture_for_keeping();
@@ -367,10 +368,10 @@ Result<void> PictureView::write_figure(const FigureRequest& request, Job& job) {
     });
 }
 
-Result<std::function<Result<void>(Job&)>> PictureView::done_elsewhere(const std::vector<std::string>& words) {
+Result<std::function<Result<void>(Job&)>> PictureView::detached_work(const std::vector<std::string>& words) {
     if (!state_.watched()) return std::function<Result<void>(Job&)>();
     const Document& document = state_.workspace.document();
-    return work_elsewhere(document.session(), words, render::is_software_rasteriser());
+    return render_process_work(document.session(), words, render::is_software_rasteriser());
 }
 
 Result<render::Image> PictureView::draw_picture(const render::Camera& camera, glm::ivec2 size,

@@ -46,7 +46,7 @@ std::optional<std::filesystem::path> first_file(const WindowOptions& options) {
     return demo_tree();
 }
 
-// What outlives the window: the session, should the process be killed, and the settings.
+// Keeps what outlives the window: the session, in case the process is killed, and the settings.
 class Keeper {
 public:
     Keeper(const Settings& settings, bool own_scale)
@@ -106,8 +106,8 @@ private:
     Worker writer_;
 };
 
-// What surfaces were made in serves the next one, while somebody moves a slider; a window that is left alone gives it
-// back.
+// Keeps freed memory for the next surface while a person moves a slider; returns it to the system when the window is
+// idle.
 class SpareMemory {
 public:
     void update(bool busy, double now) {
@@ -129,21 +129,22 @@ private:
     static constexpr double kIdleSeconds = 20.0;
     double idle_since_ = 0.0;
     bool returned_ = true;
-    Worker returner_{[] {}}; // the system takes long for much of it
+    Worker returner_{[] {}}; // returning much memory takes the system long
 };
 
-// The renderer of a drawing thread: it ends where it draws. Without a thread a driver that cannot draw says so at once.
-class ItsRenderer {
+// Owns the renderer of a drawing thread and destroys it on that thread. Without a thread, a driver that cannot draw
+// reports it at once.
+class ThreadRenderer {
 public:
-    explicit ItsRenderer(DrawingThread& thread) : thread_(thread) {}
-    ~ItsRenderer() {
+    explicit ThreadRenderer(DrawingThread& thread) : thread_(thread) {}
+    ~ThreadRenderer() {
         thread_.run([this] { renderer_.reset(); });
     }
-    ItsRenderer(const ItsRenderer&) = delete;
-    ItsRenderer& operator=(const ItsRenderer&) = delete;
+    ThreadRenderer(const ThreadRenderer&) = delete;
+    ThreadRenderer& operator=(const ThreadRenderer&) = delete;
 
     [[nodiscard]] Result<void> make(std::size_t surface_bytes) {
-        if (thread_.apart()) {
+        if (thread_.has_thread()) {
             renderer_ = render::Renderer::create_later(render::kGlassBytes, surface_bytes);
             return {};
         }
@@ -164,7 +165,7 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
     SpareMemory spare_memory;
     watch.waits();
     bool script_begun = false;
-    std::size_t next_line = 0; // of the script: a line a frame, so that all else goes on
+    std::size_t next_line = 0; // of the script: one line per frame, so that everything else continues
     viewer.set_script_left(!script.empty());
     if (!options.status.empty()) viewer.note_controls();
     while (!viewer.files().closing()) {
@@ -185,7 +186,7 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
             viewer.set_script_left(next_line < script.size());
             if (!done) return done;
             viewer.redraw();
-            watch.waits(); // nobody is there to wait for a line
+            watch.waits(); // scripts do not count as waiting
         }
         window.set_title(viewer.title());
         window.set_cursor(viewer.input().cursor());
@@ -220,7 +221,7 @@ int run_window(const WindowOptions& options) {
         if (!read) return complain(read.error());
         script = std::move(*read);
     }
-    // The file is read while the display and the graphics driver get ready.
+    // Reads the file while the display and the graphics driver start.
     Workspace workspace(wake_window);
     workspace.set_reading(options.read);
     Session empty;
@@ -238,15 +239,15 @@ int run_window(const WindowOptions& options) {
     const float wanted_scale = own_scale ? options.scale : static_cast<float>(settings.ui_scale);
     const ImguiContext imgui;
     auto fonts = std::async(std::launch::async, [scale = wanted_scale > 0.0F ? wanted_scale : 1.0F] {
-        theme::apply(scale); // another scale of the display makes them anew
+        theme::apply(scale); // another scale of the display rebuilds them
         ImGui::GetIO().Fonts->Build();
     });
     auto window = GlfwWindow::create(options.size.x > 0 ? options.size : settings.window, wanted_scale);
     if (!window) return complain(window.error());
     const std::unique_ptr<DrawingThread> thread = (*window)->make_drawing_thread();
-    ItsRenderer renderer(*thread);
+    ThreadRenderer renderer(*thread);
     if (auto made = renderer.make(options.graphics_bytes); !made) return complain(made.error());
-    if (thread->apart()) ShownPicture::prepare();
+    if (thread->has_thread()) ShownPicture::prepare();
     fonts.wait();
     LoopWatch watch;
     auto viewer = Viewer::create(workspace, renderer.get(), (*window)->scale(), wake_window, thread.get());
@@ -263,7 +264,7 @@ int run_window(const WindowOptions& options) {
     Keeper keeper(settings, own_scale);
     (*window)->show();
     const auto done = loop(**window, **viewer, workspace, keeper, options, std::move(script), watch);
-    (*window)->hide(); // what is being drawn is waited for
+    (*window)->hide(); // pending drawing must finish first
     keeper.leave(**window, **viewer);
     (*window)->attach(nullptr);
     return done ? 0 : complain(done.error());

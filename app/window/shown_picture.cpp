@@ -12,18 +12,18 @@ void ShownPicture::keep(render::SheetRenderer& sheets, glm::ivec2 size) {
     if (picture.size != size) picture.make(size);
     sheets.present(picture.framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glFinish(); // the other context must find it whole
+    glFinish(); // it must be complete for the other context
     const std::lock_guard lock(mutex_);
     shown_ = {which, before.number + 1, picture.colour, size};
 }
 
 void ShownPicture::prepare() {
     render::PictureTarget picture;
-    picture.make({3, 3}); // of no power of two: Mesa compiles something else for those
-    for (const int side : {3, 5}) picture.present(0, 0, 0, {side, side}); // as it is, and scaled
+    picture.make({3, 3}); // not a power of two: Mesa compiles other code for those
+    for (const int side : {3, 5}) picture.present(0, 0, 0, {side, side}); // unscaled and scaled
 }
 
-void ShownPicture::let_go() {
+void ShownPicture::release() {
     pictures_ = {};
     const std::lock_guard lock(mutex_);
     shown_ = {};

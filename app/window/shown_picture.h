@@ -1,5 +1,5 @@
-// ShownPicture: the way of a picture from the thread that draws it to the window. It is copied into one of two
-// textures, which both contexts share; the other one is shown meanwhile.
+// ShownPicture: passes pictures from the drawing thread to the window by double buffering: a picture is copied into one
+// of two textures that both contexts share, while the other is shown.
 #pragma once
 
 #include "render/renderer/sheet.h"
@@ -13,33 +13,34 @@ namespace ramus::app {
 
 class ShownPicture {
 public:
-    // On the drawing thread. Copies the picture of `sheets`, of this size, and waits until it is there: it is shown
-    // from now on. Throws OutOfGraphicsMemory.
+    // Drawing thread: copies the picture of `sheets`, of this size, waits for the copy, and makes it the shown picture.
+    // Throws OutOfGraphicsMemory.
     void keep(render::SheetRenderer& sheets, glm::ivec2 size);
-    void let_go(); // of what the drawing thread has of it
+    void release(); // drawing thread: releases its textures
 
-    // On the window's. A driver compiles what copies a picture into the window when that is done for the first time:
-    // before anybody looks. Leaves something in the window's corner.
+    // Window's thread: makes the driver compile the shaders of the copy, before anything is visible. Draws into the
+    // window's corner.
     static void prepare();
-    // As PictureTarget::present().
+    // Window's thread: see PictureTarget::present().
     void present(unsigned framebuffer, glm::ivec2 at, glm::ivec2 filled);
-    [[nodiscard]] bool any() const; // there is a picture
+    [[nodiscard]] bool any() const; // whether there is a picture
 
 private:
     struct Kept {
         std::size_t which = 0;
-        int number = 0; // of the pictures so far; 0: there is none
+        int number = 0; // counts pictures; 0: none
         unsigned texture = 0;
         glm::ivec2 size{0};
     };
     [[nodiscard]] Kept shown() const;
 
-    // The drawing thread's.
+    // Belongs to the drawing thread.
     std::array<render::PictureTarget, 2> pictures_;
 
-    // The window's: framebuffers are of one context. What another one drew is sure to be seen when it is attached anew.
-    render::PictureTarget seen_; // without the texture, which is not its own
-    int attached_ = 0;           // the picture that it has
+    // Belongs to the window's thread, since framebuffers are not shared. Attaching a texture anew makes another
+    // context's drawing visible.
+    render::PictureTarget seen_; // without a texture of its own
+    int attached_ = 0;           // number of the attached picture
 
     mutable std::mutex mutex_; // guards what follows
     Kept shown_;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kQuestionSeconds = 0.02;
 
-// What the lists of notes and of contacts say, and where one has gone from them; and what was measured.
+// The lists of notes and contacts with their current entries, and the measurements.
 void add_lists(nlohmann::json& status, const Interface& interface, const Workspace& workspace) {
     status["doctor"] = {{"open", interface.doctor.open}, {"note", interface.doctor.current + 1}};
     status["units_panel"] = interface.units_panel.open;
@@ -84,7 +84,7 @@ void add_dialogs(nlohmann::json& status, const Interface& interface) {
     status["recoveries"] = interface.recovery.entries.size();
 }
 
-// What would be lost, and what can be taken back.
+// Unsaved work and the undo history.
 void add_document(nlohmann::json& status, const Document& document) {
     status["modified"] = document.modified();
     status["session_file"] = document.file().string();
@@ -164,13 +164,13 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const 
     status["longest_gap"] = to_json(watch.longest());
     status["gaps"] = nlohmann::json::array();
     for (const LoopWatch::Gap& gap : watch.latest()) status["gaps"].push_back(to_json(gap));
-    if (!viewer.commands().awaits()) known_ = asked_; // a click takes effect once it is known what it is on
+    if (!viewer.commands().awaits()) known_ = asked_; // a click takes effect only after its pick
     status["answered"] = known_;
     if (viewer.controls()) status["controls"] = *viewer.controls();
     std::string text = io::printed_json(status, -1) + "\n";
     if (text == written_) return;
     written_ = std::move(text);
-    (void)io::write_file(path_, written_); // a script that misses its file will say so
+    (void)io::write_file(path_, written_); // a script will notice a missing file
 }
 
 } // namespace ramus::app

@@ -31,7 +31,7 @@ Result<std::unique_ptr<Viewer>> Viewer::create(Workspace& workspace, render::Ren
                                                std::function<void()> wake, DrawingThread* thread) {
     std::unique_ptr<Viewer> viewer(new Viewer(workspace, renderer, std::move(wake), thread));
     ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr; // nothing of the interface is worth a file in the user's folder
+    io.IniFilename = nullptr; // ImGui must not write a file into the working folder
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     io.ConfigInputTextCursorBlink = false; // a caret that blinks would redraw the window twice a second
     map_keys(io);
@@ -61,7 +61,7 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     take_news();
     state_.did("news");
     lay_out_viewports();
-    // Of the picture that is there: where nothing else moves, this very frame shows what the pointer came to.
+    // Picks in the current picture: if nothing else moves, this frame shows the result.
     input_.ask_pick();
     input_.take_pick();
     state_.did("pick");
@@ -107,7 +107,7 @@ void Viewer::take_news() {
     state_.follow_tree();
 }
 
-// Nothing that was begun on the tree before goes on.
+// Ends everything that was begun on the previous tree.
 void Viewer::begin_tree(const Workspace::Opened& opened) {
     if (const auto mesh = picture_.picture_mesh(); mesh && !opened.has_camera) {
         const glm::ivec2 size = picture_.picture_size();
@@ -125,7 +125,7 @@ void Viewer::begin_tree(const Workspace::Opened& opened) {
     state_.interface.doctor = {};
     state_.interface.doctor.open = state_.tree && could_mislead(*state_.tree, document.marks().reading);
     state_.interface.units_panel = {};
-    // Who opens a session has been asked when it was made.
+    // For sessions the user was asked when the session was created.
     if (state_.persons_window && state_.tree && !state_.tree->claims.complete() && !opened.has_camera) {
         state_.interface.units_panel.show(document.marks().reading);
         state_.interface.doctor.open = false;
@@ -155,7 +155,7 @@ void Viewer::build_interface() {
     if (state_.frames_left > 0) --state_.frames_left;
     if (std::exchange(dialog_was_open_, interface.dialog_open()) == interface.dialog_open()) return;
     state_.frames_left = kDialogFrames;
-    input_.look_again(); // what is under a dialog is not under the pointer
+    input_.look_again(); // branches under a dialog are not hovered
 }
 
 void Viewer::present(unsigned framebuffer) {
@@ -187,7 +187,7 @@ bool Viewer::resting() const {
 std::string Viewer::title() const {
     const Document& document = state_.workspace.document();
     if (!document.has_scene()) return "ramus";
-    std::string text(document.has_unsaved_work() ? "*" : ""); // not for another view of it
+    std::string text(document.has_unsaved_work() ? "*" : ""); // not for changes of the view
     text += document.subject().filename().string();
     text += " \xE2\x80\x93 ramus";
     return text;

@@ -1,12 +1,11 @@
-// Viewer: the picture and the interface over it, drawn with whatever GL context is current, and what the mouse and the
-// keys do to them. It knows no window: run_window.cpp feeds it GLFW's events, headless_interface.h none at all. Times
-// are seconds of any one clock.
+// Viewer: draws the picture and the interface over it with the current GL context, and handles mouse and keys. It knows
+// no window: run_window.cpp passes it GLFW's events, headless_interface.h none. Times are seconds of one clock.
 //
-// Each of its parts fills a role that commands see (app/actions/hosts.h): PictureView, ViewerInput, ViewerFiles and
-// WindowParts; what they share is ViewerState.
+// Its parts implement the roles that commands use (app/actions/hosts.h): PictureView, ViewerInput, ViewerFiles and
+// WindowParts; they share ViewerState.
 //
-// Nothing is drawn while nothing changes: draw() says whether there is something new to show, wait_seconds() how long
-// nothing will happen by itself.
+// Nothing is drawn while nothing changes: draw() returns whether there is something new to show, wait_seconds() how
+// long nothing will happen without events. All calls from one thread.
 #pragma once
 
 #include "app/panels/widgets.h"
@@ -25,8 +24,8 @@ namespace ramus::app {
 
 class Viewer {
 public:
-    // An ImGui context must be current. All references outlive the viewer. `wake` is called from other threads when
-    // draw() has something to do. `thread` draws pictures, with `renderer`; null: draw() itself does.
+    // An ImGui context must be current. References must outlive the viewer. `wake`: called from other threads when
+    // draw() has something to do; must be thread-safe. `thread`: draws pictures with `renderer`; null: draw() does.
     [[nodiscard]] static Result<std::unique_ptr<Viewer>> create(Workspace& workspace, render::Renderer& renderer,
                                                                 float scale, std::function<void()> wake = {},
                                                                 DrawingThread* thread = nullptr);
@@ -41,31 +40,33 @@ public:
     [[nodiscard]] const ViewerFiles& files() const { return files_; }
     [[nodiscard]] ActionContext& actions() { return actions_; }
 
-    void redraw() { state_.redraw(); }               // something outside changed
-    void present_again() { state_.present_again(); } // the window's own pixels are lost
+    void redraw() { state_.redraw(); }               // call when something outside changed
+    void present_again() { state_.present_again(); } // call when the window's pixels are lost
     void say(const std::string& sentence) { state_.say(sentence); }
     void warn(Warning warning) { state_.warn(std::move(warning)); }
-    void tell(const Error& error) { state_.interface.errors.push_back(error); } // in a dialog
+    void tell(const Error& error) { state_.interface.errors.push_back(error); } // shows a dialog
     void set_script_runs(bool runs) { state_.script_runs = runs; }
     void set_script_left(bool left) { state_.script_left = left; }
     [[nodiscard]] bool script_left() const { return state_.script_left; }
-    void tell_steps(std::function<void(const char* step)> did) { state_.did = std::move(did); } // of draw()
+    void tell_steps(std::function<void(const char* step)> did) {
+        state_.did = std::move(did);
+    } // called after each step of draw()
 
-    // Takes results of workers and picks. Then draws into `framebuffer` what changed; false: it looks as before.
+    // Takes results of workers and picks, then draws changes into `framebuffer`. False: nothing changed.
     bool draw(double now, unsigned framebuffer);
-    [[nodiscard]] double wait_seconds(double now) const; // infinite: until an event
-    [[nodiscard]] bool resting() const;                  // the picture is the final one of what is known now
-    [[nodiscard]] bool refined() const { return resting() && !picture_.refines(); } // it gets no finer
+    [[nodiscard]] double wait_seconds(double now) const; // infinite: until the next event
+    [[nodiscard]] bool resting() const;                  // the picture is final for the current state
+    [[nodiscard]] bool refined() const { return resting() && !picture_.refines(); } // and will not be refined further
     [[nodiscard]] std::string title() const;
 
-    // Where the controls are, for scripts that drive the window: nothing until they are asked for.
+    // Positions of controls, for scripts that drive the window; recorded after note_controls().
     void note_controls() { controls_.emplace(); }
     [[nodiscard]] const std::optional<widgets::Controls>& controls() const { return controls_; }
 
 private:
-    static constexpr int kDialogFrames = 14; // what lies behind a dialog fades
+    static constexpr int kDialogFrames = 14; // for fading in the background of a dialog
     static constexpr double kPollSeconds = 0.004;
-    static constexpr double kProgressSeconds = 0.25; // each redraw takes from the work
+    static constexpr double kProgressSeconds = 0.25; // interval of progress updates: each redraw slows the work
 
     Viewer(Workspace& workspace, render::Renderer& renderer, std::function<void()> wake, DrawingThread* thread);
     [[nodiscard]] bool working() const {

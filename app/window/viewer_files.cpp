@@ -26,14 +26,14 @@ void ViewerFiles::when_saved(std::function<void()> next) {
 
 namespace {
 
-// A table that is no tree, of nodes or of edges, and nothing else that is known by its content.
+// Whether the file is a table other than a tree's nodes or edges, and no other known format.
 bool is_branch_table(const std::filesystem::path& path) {
     return can_be_table(path) && !io::recognised(path).by_content && !io::is_csv_pair(io::head_of(path));
 }
 
 } // namespace
 
-// The next line of a script is about this file: it waits until all is there.
+// The next line of a script refers to this file: waits until everything is ready.
 Result<void> ViewerFiles::open_and_wait(const std::filesystem::path& path) {
     Workspace& workspace = state_.workspace;
     workspace.open(path);
@@ -58,7 +58,7 @@ Result<void> ViewerFiles::open(const std::filesystem::path& path) {
 Result<void> ViewerFiles::open_as_tree(const std::filesystem::path& path, const io::ReadOptions& how) {
     const io::ReadOptions reading = over(how, state_.workspace.reading());
     if (state_.script_runs) return open_and_wait(path);
-    // What is shown without a tree stays around the one that comes in.
+    // Context that is shown without a tree stays for the next tree.
     const bool stays = !state_.workspace.document().tree() && !is_session_file(path);
     const auto when = [&](std::function<void()> next) { stays ? next() : when_saved(std::move(next)); };
     when([this, path, reading] {
@@ -92,7 +92,7 @@ void ViewerFiles::ask_for_file(FilePurpose purpose) {
     state_.redraw();
 }
 
-// The file, in the folder that was last used for such files; never over another one.
+// The file in the folder last used for this kind; never an existing file.
 std::filesystem::path ViewerFiles::in_remembered(const std::filesystem::path& file, FilePurpose purpose) const {
     namespace fs = std::filesystem;
     const fs::path folder = state_.interface.settings.folder_of(key_of(purpose));
@@ -107,7 +107,7 @@ std::filesystem::path ViewerFiles::in_remembered(const std::filesystem::path& fi
 void ViewerFiles::ask_for_export(std::string_view kind) {
     ExportChoice& choice = state_.interface.open_dialog.exported;
     if (const auto what = export_kind_named(kind)) choice.what = *what;
-    choice.case_line = {}; // nobody's name stays for the next report
+    choice.case_line = {}; // a patient's name must not stay for the next report
     choice.figure.window_size = state_.layout.view_size;
     choice.figure.window_text = state_.scale;
     choice.figure.videos = can_make_videos();
@@ -159,7 +159,7 @@ void ViewerFiles::ask_about_context(const std::filesystem::path& file) {
     state_.interface.volume.as = VolumeDialog::As::kContext;
 }
 
-// What cannot be read cannot be opened either.
+// A file that cannot be read cannot be opened either.
 void ViewerFiles::take_volume_facts(const Result<VolumeFacts>& facts) {
     VolumeDialog& dialog = state_.interface.volume;
     if (facts) {
@@ -177,15 +177,15 @@ void ViewerFiles::follow_dialogs() {
     if (const std::string why = volume_reader_.take_failure(); !why.empty())
         take_volume_facts(fail("the file cannot be read: " + why, volume_read_.string(), "give a smaller one"));
     if (!volume_reader_.busy()) return;
-    if (state_.interface.volume.file != volume_read_) volume_reader_.cancel(); // it was answered, or closed
+    if (state_.interface.volume.file != volume_read_) volume_reader_.cancel(); // answered or closed
     if (std::exchange(state_.interface.volume_progress, volume_reader_.progress()) != volume_reader_.progress())
         state_.redraw();
 }
 
-// Once; a dialog that was closed without going on sends the file away.
+// Asks once; closing the dialog discards the file.
 void ViewerFiles::ask_about_arrival() {
     Workspace& workspace = state_.workspace;
-    if (state_.commands.awaits()) return; // what a click brings may be lost, too
+    if (state_.commands.awaits()) return; // a pending click may create work that would be lost
     if (workspace.arrival_waits() && !state_.interface.unsaved.next) {
         if (std::exchange(asked_about_arrival_, true))
             workspace.discard_arrival();
@@ -202,7 +202,7 @@ void ViewerFiles::update() {
     remember(state_.workspace.document().file()); // a session that was saved
     while (const auto error = state_.workspace.take_error()) {
         state_.interface.errors.push_back(*error);
-        // What cannot be recovered now may be thrown away, or left for later.
+        // An entry that cannot be recovered may be discarded, or left for later.
         RecoveryDialog& recovery = state_.interface.recovery;
         recovery.failed = !std::exchange(recovering_, std::filesystem::path()).empty();
         recovery.open = recovery.open || recovery.failed;

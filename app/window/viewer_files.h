@@ -1,4 +1,4 @@
-// ViewerFiles: opening files, what was left by other runs, and what is asked before work is lost.
+// ViewerFiles: opens files, recovers work of crashed runs, and asks before work is lost.
 #pragma once
 
 #include "app/storage/recent_files.h"
@@ -13,7 +13,7 @@ namespace ramus::app {
 
 class ViewerFiles final : public FileHost {
 public:
-    // `opened` is called when a tree came in, before anything else is done with it.
+    // `opened`: called when a tree was opened, before anything else happens with it.
     ViewerFiles(ViewerState& state, std::function<void(const Workspace::Opened&)> opened)
         : state_(state), opened_(std::move(opened)), volume_reader_(state.wake) {
         state.interface.recent_files = read_recent_files();
@@ -31,17 +31,17 @@ public:
     void quit() override;
 
     void dropped(const std::filesystem::path& path);
-    void ask_about_volume(const std::filesystem::path& path);                   // what becomes of a mask or a scan
-    [[nodiscard]] bool reading_volume() const { return volume_reader_.busy(); } // for the dialog about it
-    void update(); // takes files that have been read, and what could not be
+    void ask_about_volume(const std::filesystem::path& path);                   // asks how to use a mask or a scan
+    [[nodiscard]] bool reading_volume() const { return volume_reader_.busy(); } // for that dialog
+    void update(); // takes files that were read, and errors
     [[nodiscard]] bool closing() const { return closing_; }
 
-    // What lives longer than the window: see run_window.cpp.
+    // State that outlives the window; see run_window.cpp.
     void use_settings(const Settings& settings);
     [[nodiscard]] Settings settings() const;
-    void welcome(); // unless a person has closed it before
+    void welcome(); // shows the welcome panel, unless dismissed earlier
     void offer(std::vector<autosave::Slot> abandoned);
-    // What was recovered since the last call, to be taken over.
+    // A slot recovered since the last call, for the autosaver to take over.
     [[nodiscard]] std::optional<autosave::Slot> take_recovered() { return std::exchange(recovered_, std::nullopt); }
 
 private:
@@ -50,7 +50,7 @@ private:
     Result<void> open_and_wait(const std::filesystem::path& path);
     void ask_about_arrival();
     void take(const Workspace::Opened& opened);
-    void remember(const std::filesystem::path& file); // among the recent ones; nothing the second time in a row
+    void remember(const std::filesystem::path& file); // adds to the recent files, except twice in a row
     [[nodiscard]] Result<RecoveryDialog::Entry*> recovery(int which);
 
     ViewerState& state_;
@@ -59,10 +59,10 @@ private:
     bool asked_about_arrival_ = false;
     void take_volume_facts(const Result<VolumeFacts>& facts);
     void follow_dialogs();
-    std::filesystem::path remembered_; // last
-    std::filesystem::path recovering_; // the file of the recovery that is being read; empty: none is
+    std::filesystem::path remembered_; // the last remembered file
+    std::filesystem::path recovering_; // the recovery file being read; empty: none
     std::optional<autosave::Slot> recovered_;
-    std::filesystem::path volume_read_; // what the dialog is about, or was
+    std::filesystem::path volume_read_; // the file of the current or last dialog
     Worker volume_reader_;              // last: its thread ends first
 };
 

@@ -45,7 +45,7 @@ void ViewerInput::settle() {
     if (picture_.gliding()) picture_.move_camera(render::Camera(picture_.shown_camera()));
 }
 
-// Where nothing is in view the focal point is all that there is, at some distance from which one gets anywhere.
+// Without a visible point uses the focal point, at a minimum distance.
 Grip ViewerInput::grip() {
     const render::Camera& camera = state_.workspace.document().session().camera;
     const auto mesh = picture_.picture_mesh();
@@ -63,7 +63,7 @@ Grip ViewerInput::grip() {
     return grip;
 }
 
-// What was under the pointer moves with it; about what it turns, and what it comes nearer to, stays where it is.
+// Panning moves the point under the pointer along; pivots and targets of zooming stay.
 void ViewerInput::drag_view(glm::dvec2 at) {
     const auto camera = mouse_.move(state_.workspace.document().session().camera, picture_.picture_size(), at);
     if (mouse_.dragging()) {
@@ -108,15 +108,14 @@ void ViewerInput::ask_pick() {
 
 void ViewerInput::in_order(std::function<void()> event) {
     moves_.reset();
-    state_.commands.after_what_is_awaited(*state_.actions, [this, event = std::move(event)] {
-        state_.follow_tree(); // the tool is that of the tree now
+    state_.commands.run_after_awaited(*state_.actions, [this, event = std::move(event)] {
+        state_.follow_tree(); // resets the tool for the new tree
         event();
         state_.redraw();
     });
 }
 
-// Those that follow each other wait together. They come faster than places are looked up: a tool that picks is told of
-// the last that came meanwhile.
+// Consecutive moves wait together. They arrive faster than picks: a tool that picks receives only the latest.
 void ViewerInput::mouse_moved(glm::dvec2 at) {
     input_.move(static_cast<float>(at.x), static_cast<float>(at.y));
     state_.redraw();
@@ -163,7 +162,7 @@ void ViewerInput::mouse_button(MouseButton button, bool down, Modifiers modifier
         else
             release(button, modifiers, now);
     });
-    // A press on the picture is also ImGui's: an open menu closes.
+    // Passes presses on the picture to ImGui, too, so that open menus close.
     input_.modifiers(modifiers.ctrl, modifiers.shift, modifiers.alt, false);
     input_.button(button == MouseButton::kLeft ? 0 : button == MouseButton::kRight ? 1 : 2, down);
     state_.redraw();
@@ -174,7 +173,7 @@ void ViewerInput::press(MouseButton button, Modifiers modifiers, double now) {
     const bool over = over_picture(pointer_);
     if (over) {
         settle();
-        state_.interface.context_menu.wanted = false; // of a click before
+        state_.interface.context_menu.wanted = false; // from an earlier click
     }
     if (state_.interface.wipe_held || tool_mouse_.held()) return;
     const bool left = button == MouseButton::kLeft && !mouse_.held();
@@ -212,7 +211,7 @@ void ViewerInput::mouse_wheel(glm::dvec2 notches) {
 void ViewerInput::turn_wheel(glm::dvec2 notches) {
     if (over_picture(pointer_) && notches.y != 0.0) {
         settle();
-        // Into empty space there is no way, only out of it.
+        // In empty space zooming in is ignored, zooming out is not.
         if (notches.y < 0.0 || !picture_.aim().sees_nothing()) {
             const render::Camera camera =
                 ViewportMouse::wheel(state_.workspace.document().session().camera, grip(), notches.y);
@@ -262,7 +261,7 @@ void ViewerInput::look_up(glm::dvec2 in_picture, const std::function<void(const 
                             [this, in_picture, then] { look_up(in_picture, then); });
     const Deferred<std::optional<render::Pick>> pick = picture_.pick(in_picture);
     state_.await(pick.ready, [this, pick, then, tree = state_.workspace.document().tree()] {
-        if (state_.workspace.document().tree() != tree) return; // an edit gives branches other ids
+        if (state_.workspace.document().tree() != tree) return; // an edit changes branch ids
         if (const auto found = pick.take()) return then(*found);
         const bool hovers = state_.interface.tool && !tool_mouse_.held();
         if (!hovers) state_.interface.tell("The picture has changed since: click again", state_.now);
@@ -327,7 +326,7 @@ void ViewerInput::right_click_on(const Pointing& pointing) {
     if (!taken) open_context_menu(pointing.under);
 }
 
-// About the branch there, which is selected first unless it is so already.
+// Opens the menu for the branch, and selects it first if necessary.
 void ViewerInput::open_context_menu(const render::Pick& pick) {
     const int branch = pick.branch;
     const bool hit = branch >= 0 && branch < state_.workspace.document().branch_count();
@@ -345,10 +344,9 @@ void ViewerInput::key(int number, bool down, const std::optional<KeyPress>& pres
 }
 
 void ViewerInput::press_key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers) {
-    // ImGui leads from menu to menu only once one of their entries has the keyboard.
+    // ImGui moves between menus only after an entry has the keyboard focus.
     Interface& interface = state_.interface;
-    // Arrows lead through menus that were opened by a click, too: the pointer, which still lies on the menu's name,
-    // would open it again.
+    // Arrows also work in menus opened by a click: moves the pointer's hover away, which would reopen the menu.
     if (down && press && !interface.open_menu.empty() && !interface.menu_by_keys &&
         (press->key == "Left" || press->key == "Right")) {
         interface.menu_by_keys = true;
@@ -371,11 +369,11 @@ void ViewerInput::press_key(int number, bool down, const std::optional<KeyPress>
     if (typing && (plain || press->key == "Tab" || press->key == "Delete" || press->key == "Z" || press->key == "Y" ||
                    (press->ctrl && (press->key == "C" || press->key == "V"))))
         return;
-    // Arrows are the field's, the list's or the menu's that has the keyboard.
+    // Arrows belong to the focused field, list or menu.
     const bool arrow = press->key == "Left" || press->key == "Right" || press->key == "Up" || press->key == "Down";
     if (arrow && (typing || state_.interface.list.focused || state_.interface.menus_have_keys())) return;
-    if (typing && press->key == "Escape" && !state_.interface.dialog_open()) return; // leaves the field, no more
-    // Under a dialog only what closes it works.
+    if (typing && press->key == "Escape" && !state_.interface.dialog_open()) return; // only leaves the field
+    // With an open dialog only keys that close it work.
     if (state_.interface.dialog_open() && command->name != "dismiss" &&
         !(command->name == "help" && state_.interface.help_open) &&
         !(command->name == "palette" && state_.interface.palette.open))

@@ -1,9 +1,9 @@
-// ViewerInput: what the mouse and the keys do: they turn the camera, work with tools, select by clicks, press the keys
-// of commands, or go to the interface; and what the pointer is over. Positions are framebuffer pixels from the top left
-// of the window.
+// ViewerInput: handles mouse and keys: they move the camera, drive tools, select by clicks, run commands by keys, or go
+// to the interface. Also tracks what is under the pointer. Positions are framebuffer pixels from the top left of the
+// window.
 //
-// What a person does takes effect in the order in which it was done. It may have to be looked up what a click is on
-// (look_up()); what is done meanwhile, with keys or the mouse, waits.
+// Guarantee: actions of the user take effect in order. A click may need a pick first (look_up()); later keys and mouse
+// events then wait.
 #pragma once
 
 #include "app/actions/keys.h"
@@ -28,10 +28,10 @@ public:
     void mouse_left();
     void mouse_button(MouseButton button, bool down, Modifiers modifiers, double now);
     void mouse_wheel(glm::dvec2 notches);
-    // `number` is GLFW's; `press` is empty for releases and for keys without a name.
+    // `number`: GLFW's key; `press`: none for releases and for keys without a name.
     void key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers, double now);
     void character(unsigned codepoint, double now);
-    void close(); // as the command quit does
+    void close(); // like the command quit
 
     // Before ImGui::NewFrame(). False: some events wait for another frame.
     bool apply(ImGuiIO& io) { return input_.apply(io); }
@@ -39,12 +39,12 @@ public:
     [[nodiscard]] bool dragging() const { return mouse_.dragging(); }
     [[nodiscard]] Cursor cursor() const;
 
-    // The branch under the pointer, in Interface::hovered: asked for after the picture or the pointer changed, and
-    // there a frame or two later.
+    // Updates Interface::hovered, the branch under the pointer: requested after the picture or the pointer changed,
+    // available a frame or two later.
     void look_again() { pick_wanted_ = true; }
     void ask_pick();
     void take_pick();
-    // While a button is held nobody asks: the window waits for the mouse.
+    // Not while a button is held: the window then waits for the mouse.
     [[nodiscard]] bool pick_wanted() const { return pick_wanted_ && !mouse_.held() && !state_.interface.wipe_held; }
     [[nodiscard]] bool pick_pending() const { return pick_pending_; }
 
@@ -63,24 +63,24 @@ private:
     void type(unsigned codepoint);
     [[nodiscard]] bool over_picture(glm::dvec2 at) const;
     [[nodiscard]] glm::dvec2 in_picture(glm::dvec2 at) const { return at - glm::dvec2(state_.layout.view_at); }
-    // From the corner of the viewport that the pointer is in, or was in when a button was pressed.
+    // Relative to the viewport under the pointer, or under it when a button was pressed.
     [[nodiscard]] glm::dvec2 in_viewport(glm::dvec2 at) const;
-    [[nodiscard]] glm::dvec2 from_viewport(glm::dvec2 at) const; // to the picture's corner
+    [[nodiscard]] glm::dvec2 from_viewport(glm::dvec2 at) const; // relative to the picture
     void enter_viewport();
-    // Tells what is pointed at of the pointer, and of what a drag turns about.
+    // Updates Aim with the pointer, and the pivot of a drag.
     void aim();
-    void settle(); // what is pressed is what is seen, should the view be on its way
+    void settle(); // stops an animation, so that a press refers to what is visible
     [[nodiscard]] Grip grip();
     void drag_view(glm::dvec2 at);
     [[nodiscard]] bool points_at_branches() const;
-    // The line between two surfaces that are wiped: whether the pointer is on it; it follows the pointer, and stays.
+    // The line of a wipe: whether it is under the pointer; dragging it; releasing it.
     [[nodiscard]] bool on_wipe_line() const;
     void drag_wipe_line();
     void drop_wipe_line();
     [[nodiscard]] Pointing pointing(Modifiers modifiers);
-    // `then` gets what the picture shows there now, once that is known; what is done after it takes effect after it.
+    // Picks at a pixel of the picture shown now and calls `then` with the result; later actions wait.
     void look_up(glm::dvec2 in_picture, const std::function<void(const render::Pick&)>& then);
-    // What the pointer did, once it is known what lies under it where the tool picks.
+    // Passes an event to the tool, after a pick if the tool needs it.
     void tell_tool(Tool::Event event, const Pointing& pointing);
     [[nodiscard]] ToolMouse::Tell tell() {
         return [this](Tool::Event event, const Pointing& pointing) { tell_tool(event, pointing); };
@@ -97,13 +97,13 @@ private:
     ImguiInput input_;
     ViewportMouse mouse_;
     ToolMouse tool_mouse_;
-    std::weak_ptr<std::vector<glm::dvec2>> moves_; // that wait, nothing else after them
+    std::weak_ptr<std::vector<glm::dvec2>> moves_; // waiting moves that are still last in the queue
     std::size_t viewport_ = 0;                     // see in_viewport()
     glm::dvec2 pointer_{-1.0};
-    double wipe_grip_ = 0.0; // from the line to where it was taken, pixels
+    double wipe_grip_ = 0.0; // distance from the line to where it was grabbed, pixels
     bool pointer_over_picture_ = false;
     bool pick_wanted_ = false, pick_pending_ = false;
-    int tools_taken_ = 0; // another tool is told nothing of what was done before it was taken
+    int tools_taken_ = 0; // counts selected tools: events from before a selection are not passed to the new tool
 };
 
 } // namespace ramus::app

@@ -1,5 +1,4 @@
-// What the parts of a Viewer share: the document with the work behind it, what is drawn around the picture, and how
-// large all of it is.
+// State shared by the parts of a Viewer: the workspace, the interface around the picture, and sizes.
 #pragma once
 
 #include "app/actions/command_runner.h"
@@ -16,39 +15,39 @@
 
 namespace ramus::app {
 
-// What pictures may take of a frame while somebody watches.
-inline constexpr double kDrawingSeconds = 0.03;                     // and a part more
-inline constexpr std::size_t kUploadBudget = std::size_t{24} << 20; // bytes that are sent: a few milliseconds
+// Limits per frame for pictures while a person watches.
+inline constexpr double kDrawingSeconds = 0.03; // may be exceeded by one part
+inline constexpr std::size_t kUploadBudget = std::size_t{24}
+                                             << 20; // bytes sent to the graphics card: a few milliseconds
 
 struct ViewerState {
-    // ImGui needs a few frames until popups and their sizes have settled.
+    // ImGui needs a few frames until the sizes of popups settle.
     static constexpr int kFramesAfterEvent = 3;
 
     ViewerState(Workspace& with, std::function<void()> its_wake)
         : wake(std::move(its_wake)), workspace(with), commands(wake) {}
 
-    std::function<void()> wake; // called on other threads when there is something to do
-    std::function<void(const char* step)> did = [](const char*) {}; // told after each step of a frame (LoopWatch)
+    std::function<void()> wake;                                     // called on other threads; thread-safe
+    std::function<void(const char* step)> did = [](const char*) {}; // called after each step of a frame (LoopWatch)
 
     Workspace& workspace;
     CommandRunner commands;
-    ActionContext* actions = nullptr; // of all hosts, once they are there
+    ActionContext* actions = nullptr; // with all hosts, once they exist
     Interface interface;
     Layout layout;
-    std::shared_ptr<const tree::VesselTree> tree; // that the panels know
+    std::shared_ptr<const tree::VesselTree> tree; // of the panels' state
     float scale = 1.0F;                           // pixels per point
     double now = 0.0;                             // seconds, of the last event or frame
     Stopwatch frame;                              // since the frame began
     int frames_left = kFramesAfterEvent;
-    std::uint64_t presented = 0; // fingerprint of the interface that is on the screen
-    bool persons_window = false; // not a picture of one: settings and recent files are kept
-    bool script_runs = false;    // nobody is asked about unsaved changes
-    bool script_left = false;    // lines of it are still to come
+    std::uint64_t presented = 0; // fingerprint of the interface on the screen
+    bool persons_window = false; // a real window: settings and recent files are saved
+    bool script_runs = false;    // does not ask about unsaved changes
+    bool script_left = false;    // the script has further lines
 
-    // Whether somebody waits for the next picture.
+    // Whether a person watches the window.
     [[nodiscard]] bool watched() const { return persons_window && !script_runs; }
-    // What panels and tools remember by the ids of branches is worth nothing once the tree was edited, or its file read
-    // in another way.
+    // After an edit or a reread, branch ids that panels and tools remember are invalid: forgets them.
     void follow_tree() {
         (void)workspace.follow_tree();
         if (std::exchange(tree, workspace.document().tree()) == workspace.document().tree()) return;
@@ -57,7 +56,7 @@ struct ViewerState {
         redraw();
     }
     void redraw() { frames_left = kFramesAfterEvent; }
-    void present_again() { // what is on the screen is not the last frame
+    void present_again() { // the screen does not show the last frame
         presented = 0;
         redraw();
     }
@@ -74,7 +73,7 @@ struct ViewerState {
         context().perform(name, arguments);
     }
 
-    // What takes effect once `ready`, before all that is done after it.
+    // Runs `then` once `ready`, before any later command.
     void await(std::function<bool()> ready, std::function<void()> then) {
         const auto act = [this, then = std::move(then)](ActionContext&) -> Result<void> {
             then();

@@ -1,4 +1,4 @@
-// WindowParts: how commands show and hide what is around the picture, and the clipboard.
+// WindowParts: lets commands show and hide parts of the window, and use the clipboard.
 #pragma once
 
 #include "app/window/viewer_state.h"

@@ -1,10 +1,10 @@
-// Work behind the window: values that the assets lack and that take longer than a frame. One kind of work is one entry
-// of background_works() (app/workspace/background_works.h): what is missing, how it is made on a worker, and where the
-// result goes. Everything else is the same for all kinds and stands here: starting, replacing and cancelling work,
-// not trying again what could not be had, progress, errors.
+// Background work: computes, on worker threads, values that the assets lack and that take longer than a frame. Each
+// kind of work is an entry of background_works() (app/workspace/background_works.h): what is missing, how to compute
+// it, and where the result goes. This file has what all kinds share: starting, replacing and cancelling work,
+// remembering failures, progress, errors.
 //
-// Guarantees: a result is put among the assets on the owner's thread only. What could not be made is not tried again as
-// long as it is missing in the same form. For one thread, its owner's.
+// Guarantees: results are stored among the assets only on the owner's thread. Work that failed is not retried as long
+// as the same input is missing. All calls must come from the owner's thread.
 #pragma once
 
 #include "app/assets/assets.h"
@@ -24,7 +24,7 @@
 
 namespace ramus::app {
 
-// In the order in which the status bar names them.
+// In the order of priority in the status bar.
 enum class WorkKind : std::uint8_t {
     kLesions,
     kContext,
@@ -36,16 +36,16 @@ enum class WorkKind : std::uint8_t {
     kCones
 };
 
-// What a kind of work may look at to find out what is missing.
+// The inputs by which a kind of work decides what is missing.
 struct WorkView {
     const Document& document;
-    SurfaceRequest request;      // the surface that is shown, or about to be
+    SurfaceRequest request;      // of the surface that is shown or being made
     const ReadySurface& shown;   // the surface that is shown
-    bool of_this_tree = false;   // `shown` and the assets are of the document's tree
+    bool of_this_tree = false;   // `shown` and the assets belong to the document's tree
     bool surface_busy = false;   // a tree or a surface is being made
-    bool surface_final = false;  // nothing takes the place of `shown`
-    bool surface_failed = false; // `shown` is no more than provisional
-    bool tried = false;          // the request is of options that are only tried
+    bool surface_final = false;  // nothing will replace `shown`
+    bool surface_failed = false; // `shown` stays provisional
+    bool tried = false;          // the request has trial options
     bool contacts_wanted = false, validation_wanted = false, cones_wanted = false;
 };
 
@@ -57,32 +57,32 @@ public:
     virtual ~BackgroundWork() = default;
 
     [[nodiscard]] virtual WorkKind kind() const = 0;
-    // Puts among the assets what was made, and starts what is missing. True: the assets changed, or an error came.
+    // Stores finished results and starts missing work. True: the assets changed or an error was added.
     virtual bool follow(const WorkView& view, Assets& assets, std::deque<Error>& errors) = 0;
-    // Whether something is being made, or about to be.
+    // Whether work is running or about to start.
     [[nodiscard]] virtual bool awaited(const WorkView& view, const Assets& assets) const = 0;
-    virtual void forget() = 0;               // everything: it belonged to another tree
-    virtual void cancel(Assets& assets) = 0; // what is being made is not tried again until retry()
+    virtual void forget() = 0;               // drops everything, when the tree is replaced
+    virtual void cancel(Assets& assets) = 0; // the cancelled work is not repeated until retry()
     virtual void retry() = 0;
-    // Why something cannot be had; empty: everything can.
+    // Why some work failed; empty: none failed.
     [[nodiscard]] virtual std::string problem() const = 0;
     [[nodiscard]] virtual const Worker& worker() const = 0;
-    [[nodiscard]] virtual bool quiet() const = 0; // not named, and not counted as busy
+    [[nodiscard]] virtual bool quiet() const = 0; // not shown in the status bar, and not counted as busy
 };
 
 template <class Wanted, class Made> struct WorkRow {
     WorkKind kind;
     std::function<std::string(const Wanted&)> title;
-    // Everything that is missing, the most urgent first.
+    // All missing values, the most urgent first.
     std::function<std::vector<Wanted>(const WorkView&, const Assets&)> missing;
     std::function<Result<Made>(const Wanted&, Job&)> make; // on the worker
-    // Leaves out what belongs to another tree by now.
+    // Stores a result; must skip results for another tree.
     std::function<void(const Wanted&, const Made&, Assets&)> put;
     std::function<void(const Wanted&, const std::string& problem, Assets&)> refused{};
-    std::function<std::optional<Error>(const Made&)> trouble{}; // that a person is told of
-    std::function<void(const WorkView&, Assets&)> tidy{};       // drops from the assets what nobody looks at any more
-    std::function<bool(const WorkView&)> waits{};               // something else comes first
-    bool finishes = false;                                      // what is being made is finished though it is stale
+    std::function<std::optional<Error>(const Made&)> trouble{}; // an error to show with the result
+    std::function<void(const WorkView&, Assets&)> tidy{};       // removes values that are no longer needed
+    std::function<bool(const WorkView&)> waits{};               // true: other work comes first
+    bool finishes = false;                                      // outdated work is finished instead of cancelled
     bool quiet = false;
 };
 
@@ -155,7 +155,7 @@ private:
                       [&](const Failed& one) { return std::ranges::find(missing, one.wanted) == missing.end(); });
         auto next = next_of(missing);
         if (worker_.busy() && !row_.finishes && current_ != next) {
-            worker_.cancel(); // nobody looks at it any more
+            worker_.cancel(); // no longer needed
             current_.reset();
         }
         if (!next || worker_.busy() || (row_.waits && row_.waits(view))) return;
@@ -174,9 +174,9 @@ private:
     }
 
     WorkRow<Wanted, Made> row_;
-    std::optional<Wanted> current_;    // what is being made
-    std::optional<Result<Made>> news_; // what was made of it, not taken yet
-    std::vector<Failed> failed_;       // what could not be made, as long as it is missing
+    std::optional<Wanted> current_;    // input of the running work
+    std::optional<Result<Made>> news_; // its result, not yet taken
+    std::vector<Failed> failed_;       // failures, as long as their input is missing
     bool changed_ = false;
     Worker worker_; // last: its thread ends first
 };

@@ -23,7 +23,7 @@ std::unique_ptr<BackgroundWork> work_of(const std::function<void()>& wake, WorkR
 
 bool after_surface(const WorkView& view) { return view.surface_busy; }
 
-// Reads meshes of lesions and measures the distances to them, on a copy of the assets. It looks at no job.
+// Reads meshes of lesions and measures the distances to them, on a copy of the assets. Cannot be cancelled.
 struct LesionWork {
     PlannedMarks of;
     Marks marks;
@@ -115,7 +115,7 @@ std::unique_ptr<BackgroundWork> comparison_work(const std::function<void()>& wak
          .waits = after_surface});
 }
 
-// Of the surface that is shown, once it is more than provisional.
+// For the shown surface, once it is not provisional.
 std::vector<DeviationWork> missing_deviation(const WorkView& view, const Assets& assets) {
     const Marks& marks = view.document.marks();
     if (!view.of_this_tree || marks.colour_by != ColourBy::kDeviation || !view.shown.mesh || view.surface_failed)
@@ -152,7 +152,7 @@ std::unique_ptr<BackgroundWork> deviation_work(const std::function<void()>& wake
          .waits = [](const WorkView& view) { return view.surface_busy || !view.surface_final; }});
 }
 
-// After the surface that is shown, which it makes again with all branches.
+// After the shown surface is complete; makes the surface again with all branches.
 std::unique_ptr<BackgroundWork> validation_work(const std::function<void()>& wake) {
     return work_of<ValidationOf, TreeValidation>(
         wake, {.kind = WorkKind::kValidation,
@@ -176,7 +176,7 @@ struct ContactWork {
 
 bool contacts_are_wanted(const WorkView& view) { return view.contacts_wanted || view.document.marks().contact_marks; }
 
-// When there is nothing better to do, and at once where they are wanted; those of large trees only then.
+// When nothing else is to do, and at once if wanted; for large trees only if wanted.
 std::unique_ptr<BackgroundWork> contact_work(const std::function<void()>& wake) {
     constexpr std::size_t kMostUnasked = 1'000'000; // points of the tree
     return work_of<ContactWork, TreeContacts>(
@@ -209,7 +209,7 @@ struct CenterlineWork {
     }
 };
 
-// Of large trees: until they are there pictures have those before, as they have the surface before.
+// For large trees. Until they are ready, pictures use the previous ones, as for the surface.
 std::unique_ptr<BackgroundWork> centerline_work(const std::function<void()>& wake) {
     return work_of<CenterlineWork, SurfaceCenterlines>(
         wake, {.kind = WorkKind::kCenterlines,
@@ -234,8 +234,8 @@ struct ConesWork {
     bool operator==(const ConesWork&) const = default;
 };
 
-// What the processor draws while the view moves (render/caster/fitted_cones.h). Until it is there pictures take what
-// was there before, where that is of the same centerlines.
+// Cones for the caster (render/caster/fitted_cones.h). Until they are ready, pictures use the previous ones if they
+// belong to the same centerlines.
 std::unique_ptr<BackgroundWork> cones_work(const std::function<void()>& wake) {
     using Cones = std::shared_ptr<const render::caster::FittedCones>;
     return work_of<ConesWork, Cones>(

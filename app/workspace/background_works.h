@@ -1,4 +1,4 @@
-// The registry of the work behind the window: what is missing, how it is made, where it goes, for each kind.
+// The registry of background work, one entry per kind.
 #pragma once
 
 #include "app/workspace/background_work.h"
@@ -10,7 +10,7 @@
 
 namespace ramus::app {
 
-// In the order of WorkKind. `compared` is where the surfaces to compare with go; it outlives the works.
+// In the order of WorkKind. `compared` receives the surfaces of comparisons and must outlive the result.
 [[nodiscard]] std::vector<std::unique_ptr<BackgroundWork>> background_works(const std::function<void()>& wake,
                                                                             std::vector<ComparedSurface>& compared);
 

@@ -15,12 +15,12 @@ namespace ramus::app {
 
 namespace {
 
-constexpr int kWireDetail = 10; // triangles around a vessel; more are a wall of lines (by eye)
+constexpr int kWireDetail = 10; // triangles around a vessel; more lines would merge (tuned by eye)
 
-// What a software rasteriser draws fluently, and from how many triangles on it does not.
+// Numbers of triangles that a software rasteriser draws fluently, and too slowly.
 constexpr std::size_t kFluent = 60'000, kManyTriangles = 150'000;
 
-// Branch 0, as meshes that are drawn have one.
+// Assigns branch 0 to all vertices, since drawn meshes need a branch.
 std::shared_ptr<const render::PagedMesh> in_one_branch(mesh::TriangleMesh mesh, const tree::VesselTree& tree) {
     mesh.branches.assign(mesh.positions.size(), 0);
     mesh.radii.assign(mesh.positions.size(), 0.0F);
@@ -33,7 +33,7 @@ void take_lines(mesh::TriangleMesh mesh, ComparedSurface& made) {
     made.lines = std::make_shared<const mesh::TriangleMesh>(std::move(mesh));
 }
 
-// For voxels: branches have other ids in it.
+// For voxelizing: branch ids differ from those of the input.
 template <class Flags> tree::VesselTree without(tree::VesselTree tree, const Flags& hidden) {
     if (hidden.empty()) return tree;
     std::size_t kept = 0;

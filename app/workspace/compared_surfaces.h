@@ -1,5 +1,5 @@
-// The surfaces that are compared with each other: how one is asked for and made, for the window, pictures without one
-// and studies alike. A mask's surface has no branches: its mesh calls all of it branch 0.
+// Makes the surfaces of a comparison, for the window, headless pictures and studies. A mask's surface has no branches:
+// all of its mesh is branch 0.
 #pragma once
 
 #include "app/picture/shown_surfaces.h"
@@ -14,17 +14,17 @@
 
 namespace ramus::app {
 
-// Everything that it depends on beside its tree.
+// Everything that a compared surface depends on, except its tree.
 struct ComparedRequest {
     Compared kind = Compared::kConvolutionSurface;
-    SurfaceRequest surface;                  // of an isosurface threads and memory alone
-    std::string mask;                        // of an isosurface; empty: a mask of the tree's own voxels
-    std::string units;                       // of its lengths; empty: as its file says
-    std::vector<volume::LabelChoice> labels; // in it; empty: all
-    double voxel_mm = 0.0;                   // without a mask; 0: a sensible size
-    bool wire = false;                       // for lines: triangles large enough to be seen one by one
+    SurfaceRequest surface;                  // for an isosurface only threads and memory
+    std::string mask;                        // for an isosurface; empty: voxelize the tree
+    std::string units;                       // unit of the mask; empty: as its file says
+    std::vector<volume::LabelChoice> labels; // labels of the mask; empty: all
+    double voxel_mm = 0.0;                   // for voxelizing the tree; 0: a default size
+    bool wire = false;                       // for a wireframe: triangles large enough to be distinguishable
     bool operator==(const ComparedRequest&) const = default;
-    // Whether a surface of the one takes the place of one of the other.
+    // Whether a surface for one request replaces a surface for the other.
     [[nodiscard]] bool same_place(const ComparedRequest& other) const {
         return kind == other.kind && wire == other.wire;
     }
@@ -33,35 +33,36 @@ struct ComparedRequest {
 struct ComparedSurface {
     ComparedRequest request;
     std::shared_ptr<const render::PagedMesh> mesh;           // null for lines
-    std::shared_ptr<const render::PagedMesh> preview;        // of an isosurface that is large: for while the view moves
+    std::shared_ptr<const render::PagedMesh> preview;        // of a large isosurface, for moving views
     std::shared_ptr<const mesh::TriangleMesh> lines;         // null for surfaces
-    std::shared_ptr<const mesh::TriangleMesh> lines_preview; // likewise
-    double voxel_mm = 0.0;                                   // of a mask that was made; 0: none was
-    std::vector<std::string> notes;                          // what was assumed where the mask does not say
+    std::shared_ptr<const mesh::TriangleMesh> lines_preview; // the same for lines
+    double voxel_mm = 0.0;                                   // voxel size if the tree was voxelized; otherwise 0
+    std::vector<std::string> notes;                          // assumptions where the mask says nothing
 };
 
 [[nodiscard]] ComparedRequest compared_request(const Marks& marks, Compared kind);
-// All that the picture needs beside the session's own surface, in the order of its viewports.
+// The surfaces that the picture needs in addition to the session's own, in the order of viewports.
 [[nodiscard]] std::vector<ComparedRequest> compared_requests(const Marks& marks);
 
-// The surface alone, as triangles.
+// A compared surface as triangles.
 struct ComparedMesh {
-    mesh::TriangleMesh mesh;                 // without any triangle where all is hidden
-    double voxel_mm = 0.0;                   // of a mask that was made; 0: none was
-    std::optional<double> voxel_diagonal_mm; // of the mask's voxels, made or read
-    std::vector<std::string> notes;          // what was assumed where the mask does not say
+    mesh::TriangleMesh mesh;                 // empty if all branches are hidden
+    double voxel_mm = 0.0;                   // voxel size if the tree was voxelized; otherwise 0
+    std::optional<double> voxel_diagonal_mm; // of the mask's voxels
+    std::vector<std::string> notes;          // assumptions where the mask says nothing
 };
-// Fails as surfaces, volumes and isosurfaces do, with the mask's name, and when the mask lies elsewhere than the tree.
+// Fails like making surfaces, volumes and isosurfaces, with the mask's name in the error, and if the mask does not
+// overlap the tree.
 [[nodiscard]] Result<ComparedMesh> compared_mesh(const tree::VesselTree& tree, const ComparedRequest& request,
                                                  Job& job);
-// Whether the box around a surface and the one around the tree have nothing in common.
+// Whether the bounding boxes of the surface and the tree are disjoint.
 [[nodiscard]] bool lies_elsewhere(const mesh::TriangleMesh& surface, const tree::VesselTree& tree);
 
-// The same for pictures.
+// The same, prepared for pictures.
 [[nodiscard]] Result<ComparedSurface> make_compared(const tree::VesselTree& tree, const ComparedRequest& request,
                                                     Job& job);
 
-// `surface` in the place of one of its kind.
+// Puts `surface` in the place of its kind.
 void show(ShownSurfaces& shown, const ComparedSurface& surface);
 
 } // namespace ramus::app

@@ -16,14 +16,15 @@ namespace ramus::app {
 
 namespace {
 
-// The other surface, and the diagonal of its voxels.
+// The other surface, and the diagonal of its voxels if it is an isosurface.
 struct OtherSurface {
     mesh::TriangleMesh mesh;
     std::optional<double> voxel_mm;
 };
 
-// Triangles around cones that are finer than for pictures: their chords lie below the cones, and that would be seen as
-// stripes. As many as are soon measured from; a cone with its half-spheres has half the square of it.
+// Triangles around cones are finer than for pictures, because their chords lie below the cones, which would be visible
+// as stripes. Uses as many as are quick to measure from; a cone with its half-spheres has about half the square of this
+// number.
 int detail_of_cones(const DeviationOf& of) {
     constexpr double kMostTriangles = 8e6, kFinest = 48.0;
     const double segments = std::max(1.0, static_cast<double>(of.tree->segment_count()));
@@ -65,7 +66,7 @@ Result<OtherSurface> other_surface(const DeviationOf& of, int threads, std::size
     return OtherSurface{std::move(made.mesh), made.voxel_diagonal_mm};
 }
 
-// In stretches, so that work can be cancelled and tells how far it is. Vertices that no triangle uses have no distance.
+// In blocks, to allow cancelling and progress. Unused vertices have no distance.
 Result<LargeArray<float>> distances_of(const render::PagedMesh& mesh, const measure::PackedTriangles& other,
                                        const JobRange& job) {
     constexpr std::size_t kStretch = 1U << 17U;
@@ -98,7 +99,7 @@ void summarise(const LargeArray<float>& values, SurfaceDeviation& deviation) {
 }
 
 Result<SurfaceDeviation> measured_from(const OtherSurface& other, SurfaceDeviation deviation, Job& job) {
-    constexpr float kPacked = 0.3F, kMesh = 0.9F; // of the job
+    constexpr float kPacked = 0.3F, kMesh = 0.9F; // shares of the job's progress
     const measure::PackedTriangles triangles(other.mesh);
     RAMUS_TRY(values, distances_of(*deviation.mesh, triangles, JobRange(job, kPacked, kMesh)));
     summarise(values, deviation);
@@ -119,7 +120,7 @@ Result<SurfaceDeviation> make_deviation(const DeviationOf& of, int threads, std:
     deviation.of = of;
     deviation.mesh = mesh;
     deviation.preview = preview;
-    if (mesh->triangle_count() == 0) { // all is hidden
+    if (mesh->triangle_count() == 0) { // all branches are hidden
         deviation.valued_mesh = mesh;
         return deviation;
     }

@@ -1,5 +1,5 @@
-// How far the surface that is shown lies from another one: measured for the window, pictures without one and tests
-// alike (core/measure/deviation; S. Oeltze and B. Preim, 2005, Figs. 8 and 9).
+// Measures the deviation of the shown surface from another one, for the window, headless pictures and tests
+// (core/measure/deviation; S. Oeltze and B. Preim, 2005, Figs. 8 and 9).
 #pragma once
 
 #include "app/assets/deviation.h"
@@ -10,13 +10,13 @@
 
 namespace ramus::app {
 
-// Exact distances of all vertices of both; the preview may be null. Fails as making or reading the other surface does,
-// and when that lies elsewhere than the tree.
+// Exact distances of all vertices of `mesh` and `preview`; the preview may be null. Fails if the other surface cannot
+// be made or read, and if it does not overlap the tree.
 [[nodiscard]] Result<SurfaceDeviation> make_deviation(const DeviationOf& of, int threads, std::size_t memory_bytes,
                                                       const SurfaceDeviation::Paged& mesh,
                                                       const SurfaceDeviation::Paged& preview, Job& job);
 
-// What is measured for the surface that is shown.
+// The inputs of make_deviation().
 struct DeviationWork {
     DeviationOf of;
     int threads = 0;

@@ -15,7 +15,7 @@ validate::ValidationOptions how_to_validate(const mesh::SurfaceOptions& options)
     return {mesh::kernel_of(options).limits, options.threads};
 }
 
-// Where steps end, as shares of the work (of a tree of 30,000 branches).
+// Ends of the steps as shares of the work (measured on a tree of 30,000 branches).
 struct Steps {
     explicit Steps(bool with_mask) {
         if (with_mask) looked = 0.4F, cones = 0.7F;
@@ -29,7 +29,7 @@ Result<std::vector<double>> radii_of(const ValidationOf& of, const validate::Val
     request.kind = kind;
     request.surface.options = of.options;
     request.surface.options.method = mesh::Method::kTruncatedCones;
-    request.surface.options.smooth_passes = 0; // the tree as it was read
+    request.surface.options.smooth_passes = 0; // the tree as read
     request.mask = of.mask;
     request.units = of.mask_units;
     request.labels = of.labels;
@@ -47,7 +47,7 @@ Result<TreeValidation> make_validation(const ValidationOf& of, Job& job) {
     const Steps steps(!of.mask.empty());
     Job making(job, 0.0F, steps.made), looking(job, steps.made, steps.looked);
     RAMUS_TRY(surface, mesh::make_surface(*of.tree, of.options, making));
-    surface.mesh.radii = {}; // nobody asks for these, and of millions of vertices they are large
+    surface.mesh.radii = {}; // unused, and large for millions of vertices
     surface.mesh.branches = {};
     const bool large = surface.mesh.triangles.size() >= kWorthReleasing;
     if (large) release_unused_memory();

@@ -1,5 +1,5 @@
-// Holds the surface of the session's options against its tree (app/assets/validation.h), for the window and for
-// commands without one alike.
+// Validates the surface of the session's options against its tree (app/assets/validation.h), for the window and
+// headless commands.
 #pragma once
 
 #include "app/assets/validation.h"
@@ -8,8 +8,8 @@
 
 namespace ramus::app {
 
-// Makes the surface, the cones and the mask's isosurface where there is a mask, and looks. A mask that cannot be had is
-// told in the result. Fails as mesh::make_surface() and validate::validate() do.
+// Makes the surface, the cones and, with a mask, its isosurface, and compares them. The result reports a mask that
+// cannot be used. Fails as mesh::make_surface() and validate::validate() do.
 [[nodiscard]] Result<TreeValidation> make_validation(const ValidationOf& of, Job& job);
 
 } // namespace ramus::app

@@ -11,8 +11,8 @@ namespace ramus::app {
 
 namespace {
 
-// Different values, 0 left out. Masks of whole bodies have more than a hundred labels, scans of 8 bits nearly all of
-// 255; in between somebody has to say.
+// Numbers of different values except 0. Masks of whole bodies have more than a hundred labels, 8-bit scans nearly all
+// 255 values; in between the user must decide.
 constexpr std::size_t kSurelyLabels = 64, kRatherLabels = 150, kMostLabels = 255;
 
 std::vector<LabelFacts> labels_of(const volume::Volume& volume, const std::vector<volume::LabelCount>& counts) {

@@ -12,9 +12,9 @@ Workspace::Workspace(const std::function<void()>& wake)
 }
 
 void Workspace::open(const std::filesystem::path& path) {
-    io::note_input(path, io::InputKind::kSession); // until a tree is read from it
+    io::note_input(path, io::InputKind::kSession); // until its tree is read
     asked_for_ = std::filesystem::absolute(path).lexically_normal();
-    // What is shown without a tree waits for one; what is shown beside a tree belongs to that.
+    // Context that is shown without a tree is kept for the next tree; context next to a tree belongs to that tree.
     Marks like = document_.marks();
     if (document_.tree()) like.context.clear();
     load_with(path, [path, like = std::move(like), how = reading_](Job& job) { return load(path, like, how, job); });
@@ -89,7 +89,7 @@ bool Workspace::follow_tree() {
     return true;
 }
 
-// Centerlines of a large tree come later than its cones.
+// Centerlines of a large tree are ready later than its cones.
 bool Workspace::between_trees() const {
     if (!document_.tree() || tree_shown_ != document_.tree()) return false;
     const bool no_lines = assets_.tree == tree_shown_ && !assets_.centerlines.lines;
@@ -117,7 +117,7 @@ const Assets& Workspace::current_assets() {
 
 void Workspace::follow_surface() {
     if (!document_.tree()) return;
-    // The first surface of a tree comes with it.
+    // The loader makes the first surface of a tree.
     if (first_is_coming_ && loader_.worker().busy()) return;
     first_is_coming_ = false;
     surface_.follow(request(), tried_.has_value());

@@ -1,10 +1,10 @@
-// Workspace: a document and the work that goes on behind it. Files are read and surfaces computed on worker threads;
-// results arrive in update(), on the owner's thread, which waits a frame or two at most. The cones are there as soon as
-// the tree is; the surface of the session's options, without its hidden branches, replaces them when it is ready, and
-// follows. A file that cannot be read leaves everything as it was. No GL, no window.
+// Workspace: a document and its background work. Files are read and surfaces computed on worker threads; results arrive
+// in update() on the owner's thread, which waits at most a frame or two. Cones are shown as soon as the tree is read;
+// the surface of the session's options without hidden branches replaces them when it is ready, and follows changes. A
+// file that cannot be read changes nothing. No GL, no window.
 //
-// The tree is loaded and its surface made by objects of their own; all other work is an entry of the registry
-// (app/workspace/background_works.h).
+// Separate objects load the tree and make its surface; all other work is an entry of the registry
+// (app/workspace/background_works.h). All calls must come from one thread, the owner's.
 #pragma once
 
 #include "app/assets/assets.h"
@@ -26,92 +26,88 @@ namespace ramus::app {
 
 class Workspace {
 public:
-    // `wake` is called from other threads when update() has something to do.
+    // `wake`: called from other threads when update() has something to do. It must be thread-safe.
     explicit Workspace(const std::function<void()>& wake);
 
     void open(const std::filesystem::path& path);
-    // The file that was opened last, whether it could be or not; in full.
+    // Absolute path of the file that was opened last, successfully or not.
     [[nodiscard]] const std::filesystem::path& asked_for() const { return asked_for_; }
     void recover(const autosave::Snapshot& snapshot);
-    // What was loaded elsewhere, at once.
+    // Opens a tree that was loaded elsewhere, immediately.
     void adopt(LoadedTree loaded, const std::filesystem::path& path);
-    // How files are read that are opened from now on; wins over what sessions say.
+    // Options for reading files opened from now on; they override those of sessions.
     [[nodiscard]] const io::ReadOptions& reading() const { return reading_; }
     void set_reading(io::ReadOptions reading) { reading_ = std::move(reading); }
 
-    // A file was read while work on the tree before went on, and that work is not saved: the file waits until it is
-    // accepted or discarded.
+    // A file was read, but the current tree has unsaved work: the file waits to be accepted or discarded.
     [[nodiscard]] bool arrival_waits() const { return arrival_.has_value(); }
     void accept_arrival();
     void discard_arrival() { arrival_.reset(); }
 
     void cancel_work();
-    // Takes what the workers finished and starts what the session needs. True when something changed. Call it again
-    // after the picture has been drawn.
+    // Takes finished results and starts missing work. True if something changed. Call again after drawing the picture.
     bool update();
 
     [[nodiscard]] Document& document() { return document_; }
     [[nodiscard]] const Document& document() const { return document_; }
-    // What belongs to the document, as of the last refresh(); and brought up to it, and to the options that are tried.
+    // The document's assets as of the last refresh(). current_assets() refreshes them first, for the trial options if
+    // any.
     [[nodiscard]] Assets& assets() { return assets_; }
     [[nodiscard]] const Assets& assets() const { return assets_; }
     const Assets& current_assets();
 
     [[nodiscard]] const std::shared_ptr<const TreeFacts>& facts() const { return document_.facts(); }
     [[nodiscard]] const ReadySurface& shown() const { return surface_.shown(); }
-    // After an edit of the tree, or reading its file in another way, or undoing either: what is shown and measured is
-    // of the new tree from here on. update() does so too; who draws after commands in between asks for it. True when
-    // the tree is another.
+    // Makes surface and measurements follow the document's tree after an edit, a reread, or their undo. update() does
+    // this, too; call it when drawing between commands. True if the tree changed.
     bool follow_tree();
-    // Whether what is to be shown of an edited tree is on its way: until it is there the picture stays as it is. And
-    // waiting for it, for who keeps a picture.
+    // between_trees(): the first surface of an edited tree is being made, and the picture should stay unchanged until
+    // then. await_tree(): waits for it, for callers that save pictures.
     [[nodiscard]] bool between_trees() const;
     void await_tree();
-    // Whether what is shown is the surface of the session as it is now.
+    // Whether the shown surface is that of the session's current state.
     [[nodiscard]] bool surface_ready() const {
         return tree_shown_ == document_.tree() && shown().mesh && !shown().provisional &&
                shown().request == surface_request(document_.marks());
     }
-    // Whether all is there that the document shows, a tree's surface or what is shown without one.
+    // Whether everything that the document shows is ready: a tree's surface, or the objects shown without a tree.
     [[nodiscard]] bool all_shown() const {
         return document_.tree() ? surface_ready() && !work(WorkKind::kCenterlines).worker().busy()
                                 : document_.has_scene() && !awaited(WorkKind::kContext);
     }
-    // What is shown, and the surfaces that it is compared with, as far as they are there: those that are being made are
-    // as they were before.
+    // The shown surface and the surfaces it is compared with, as far as available; outdated ones stay until replaced.
     [[nodiscard]] ShownSurfaces surfaces() const;
-    // Work behind the window: whether something of a kind is being made, or about to be; why it cannot be had, which is
-    // empty where it can; trying it again; and how far it is, 0 to 1.
+    // Background work by kind: whether some is running or about to start; why it failed (empty: it did not); retrying
+    // it; and its progress, 0 to 1.
     [[nodiscard]] bool awaited(WorkKind kind) const { return work(kind).awaited(view(), assets_); }
     [[nodiscard]] std::string problem(WorkKind kind) const { return work(kind).problem(); }
     void retry(WorkKind kind);
     [[nodiscard]] float progress(WorkKind kind) const { return work(kind).worker().progress(); }
-    // The surface is held against its tree (app/assets/validation.h) where that is wanted: in its panel. Contacts are
-    // looked for at once where they are wanted: listed, or marked in the picture. Cones are what the processor draws:
-    // wanted where there is no graphics card.
+    // Switches optional work on or off. Validation of the surface (app/assets/validation.h): while its panel is open.
+    // Contacts: while they are listed or marked. Cones for the caster: needed where OpenGL is software.
     void want_validation(bool wanted) { validation_wanted_ = wanted; }
     void want_contacts(bool wanted) { contacts_wanted_ = wanted; }
     void want_cones(bool wanted) { cones_wanted_ = wanted; }
-    // Waits a moment for the preview of the surface that is shown, when it is about to come. For who draws so slowly
-    // that the surface itself would take longer.
+    // Waits briefly for the preview of the shown surface if it is due. For callers that draw so slowly that drawing the
+    // full surface would take longer.
     void await_preview();
-    // Options that are being tried, while a slider is held, say: the surface follows them instead of the session's.
+    // Trial options, for example while a slider is held: the surface follows them instead of the session's. None: no
+    // trial.
     void try_options(const std::optional<mesh::SurfaceOptions>& options) { tried_ = options; }
     [[nodiscard]] const std::optional<mesh::SurfaceOptions>& tried_options() const { return tried_; }
-    // Whether a surface is on its way, or about to be, that takes the place of the one that is shown.
+    // Whether a surface that replaces the shown one is being made or about to be.
     [[nodiscard]] bool surface_awaited() const { return document_.tree() && surface_.awaited(request()); }
-    // The surface of these options could not be made, or its making was cancelled; the cones or an older surface are
-    // shown. Empty otherwise.
+    // Why the surface could not be made or was cancelled; cones or an older surface are shown. Empty otherwise.
     [[nodiscard]] const std::string& surface_problem() const { return surface_.problem(); }
     void retry_surface();
 
     [[nodiscard]] bool busy() const;
     [[nodiscard]] std::string activity() const; // "Reading liver.swc", "Computing the surface"; empty when idle
-    [[nodiscard]] float progress() const;       // of that, 0 to 1
+    [[nodiscard]] float progress() const;       // of the activity, 0 to 1
 
-    // Set when a tree came in since the last call: the window fits its camera then.
+    // Set if a tree was opened since the last call; the window then fits its camera.
     struct Opened {
-        std::filesystem::path path; // as it was asked for: a session's own name
+        std::filesystem::path path; // as requested; for sessions the session file
         bool has_camera = false;
         bool recovered = false;
     };
@@ -126,16 +122,16 @@ private:
     void follow_surface();
     [[nodiscard]] WorkView view() const;
     [[nodiscard]] const BackgroundWork& work(WorkKind kind) const { return *works_[static_cast<std::size_t>(kind)]; }
-    // Of the tree and its surface.
+    // Workers of the tree and its surface.
     [[nodiscard]] std::array<const Worker*, 3> surface_workers() const {
         return {&loader_.worker(), &surface_.worker(), &surface_.cones_worker()};
     }
-    [[nodiscard]] const BackgroundWork* busy_work() const; // the first that is named; null: none
+    [[nodiscard]] const BackgroundWork* busy_work() const; // the first that the status bar names; null: none
 
     Document document_;
     Assets assets_;
     io::ReadOptions reading_;
-    std::shared_ptr<const tree::VesselTree> tree_shown_; // that the surfaces are of
+    std::shared_ptr<const tree::VesselTree> tree_shown_; // the tree of the surfaces
     std::filesystem::path asked_for_;
     std::optional<mesh::SurfaceOptions> tried_;
     std::optional<Opened> opened_;
@@ -144,11 +140,11 @@ private:
     std::optional<TreeLoader::Arrival> arrival_; // waits to be accepted
     bool contacts_wanted_ = false, validation_wanted_ = false, cones_wanted_ = false;
     bool changed_ = false;
-    bool first_is_coming_ = false; // the loader, which read the tree, is at its first surface
+    bool first_is_coming_ = false; // the loader is making the first surface
     // Last: their threads end first.
     TreeLoader loader_;
     SurfaceFollower surface_;
-    std::vector<ComparedSurface> compared_; // as far as they are there
+    std::vector<ComparedSurface> compared_; // as far as available
     std::vector<std::unique_ptr<BackgroundWork>> works_;
 };
 

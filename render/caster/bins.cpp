@@ -58,7 +58,7 @@ Bins bins_of(int across, int up, const std::vector<RoundCone>& cones,
             const float most = cone.image_half_width + 0.7072F * kTile;
             for (int y = y0; y <= y1; ++y)
                 for (int x = x0; x <= x1; ++x) {
-                    if (x1 - x0 + y1 - y0 > 1) { // slanting ones pass many tiles of their box by
+                    if (x1 - x0 + y1 - y0 > 1) { // slanting cones miss many tiles of their box
                         const float px = (float(x) + 0.5F) * kTile - cone.image_from[0],
                                     py = (float(y) + 0.5F) * kTile - cone.image_from[1];
                         const float t = std::clamp(px * cone.image_direction[0] + py * cone.image_direction[1], 0.0F,

@@ -14,7 +14,7 @@ namespace ramus::render::caster::HWY_NAMESPACE {
 
 using namespace record;
 
-// Blocks from the first to the last of a row or column that [from, to] touches, `corner` being the tile's first pixel.
+// The blocks of a row or column that [from, to] touches; `corner`: the tile's first pixel.
 struct BlockRange {
     int first, last;
 };
@@ -23,7 +23,7 @@ HWY_INLINE BlockRange blocks_touched(float from, float to, int corner) {
     return {low <= 0.0F ? 0 : static_cast<int>(low >= float(kTile) ? float(kTile) : low) / kBlock,
             high < 0.0F ? -1 : static_cast<int>(high >= float(kTile - 1) ? float(kTile - 1) : high) / kBlock};
 }
-// Under the box around the cone's outline, `axis`: 0 across, 1 up.
+// The blocks under the bounding box of the cone's outline; `axis`: 0 across, 1 up.
 HWY_INLINE BlockRange blocks_under(const RoundCone& cone, int axis, int corner) {
     const float from = cone.image_from[axis], to = from + cone.image_length * cone.image_direction[axis];
     return blocks_touched((from < to ? from : to) - cone.image_half_width,
@@ -51,7 +51,7 @@ template <bool Flat> HWY_INLINE void cast_cones(const TileTask& tile, const Tile
 void cast_lanes(const TileTask& tile, const TileCones& cones, Samples& samples) {
     for (int block = 0; block < kBlocks * kBlocks; ++block) {
         samples.farthest[block] = kNothing;
-        samples.touched[block] = false; // what it holds is of another tile
+        samples.touched[block] = false; // its content belongs to another tile
     }
     if (tile.view.flat)
         cast_cones<true>(tile, cones, samples);
@@ -59,16 +59,16 @@ void cast_lanes(const TileTask& tile, const TileCones& cones, Samples& samples) 
         cast_cones<false>(tile, cones, samples);
 }
 
-// Some pixels of a block: their samples, and what those have in common.
+// A vector of pixels of a block: a summary of their samples.
 struct Pixels {
     VU id[kSamples], normal[kSamples];
     Float depth[kSamples];
     Float nearest, farthest, mean_depth;
-    Float opaque;                  // nearest but lines
-    VU nearest_id, nearest_normal; // of the nearest sample
-    VU all_bits;                   // of the ids
-    Mask hit, one_surface;         // all samples are hit; by the same surface
-    Mask whole;                    // so, and they face about the same way: shaded as one
+    Float opaque;                  // nearest depth, except lines
+    VU nearest_id, nearest_normal; // at the nearest sample
+    VU all_bits;                   // of the ids of all samples
+    Mask hit, one_surface;         // all samples are hit; all hits are of one surface
+    Mask whole;                    // both, with similar normals: shaded as one
     Vec3 normal_sum;               // of the samples
 };
 
@@ -115,7 +115,7 @@ HWY_INLINE void load(const Samples& samples, int block, int lane, Pixels& p) {
     }
 }
 
-// Mean of the squares of how far a pixel's samples are from its middle, across as well as up.
+// Mean square distance of a pixel's samples from its middle, in x and in y.
 constexpr float spread_of(const float (&at)[kSamples]) {
     float sum = 0.0F;
     for (const float x : at) sum += (x - 0.5F) * (x - 0.5F) / kSamples;
@@ -124,7 +124,7 @@ constexpr float spread_of(const float (&at)[kSamples]) {
 constexpr float kSpread = spread_of(kSampleX);
 static_assert(kSpread == spread_of(kSampleY));
 
-// Where the surface goes on through a pixel it is smooth, across creases of cones and from vessel to vessel.
+// Smooths normals across creases of cones and from vessel to vessel, where one surface covers the whole pixel.
 HWY_INLINE void smooth_with_field(const Block& block, int lane, const Samples& samples, Pixels& p) {
     const TileTask& tile = block.tile;
     const DU du;
@@ -133,7 +133,7 @@ HWY_INLINE void smooth_with_field(const Block& block, int lane, const Samples& s
     const Mask on_surface = surface && (p.whole || p.farthest - p.nearest < 3.0F * pixel_mm);
     if (tile.field.segments == nullptr || !any(on_surface)) return;
     const VU cones = hn::Load(du, samples.cone[block.index] + lane);
-    const Mask goes_on = on_surface && Uint{cones} != kNoCone; // triangles have their vertices' normals
+    const Mask goes_on = on_surface && Uint{cones} != kNoCone; // triangles have smooth normals already
     if (!any(goes_on)) return;
     const Rays<Float> middle = pixel_rays(block, lane);
     const Vec3 sight = tile.view.flat ? Vec3(0.0F, 0.0F, 1.0F) : normalize(Vec3(middle.x, middle.y, 1.0F));
@@ -151,8 +151,7 @@ struct RecordLanes {
     Float depth, value;
 };
 
-// Whole vectors, of which the next ones overwrite what does not count: storing only what counts is microcode on some
-// processors.
+// Stores whole vectors, which the next ones partly overwrite: masked stores are microcode on some processors.
 HWY_INLINE void append(Mask which, const RecordLanes& lanes, Records& records) {
     const D d;
     const DU du;
@@ -167,10 +166,10 @@ HWY_INLINE void append(Mask which, const RecordLanes& lanes, Records& records) {
     records.count += hn::CountTrue(d, which.m);
 }
 
-// One record for each pixel of one surface, one for each sample that is hit elsewhere.
+// One record per pixel that shows one surface, one per hit sample of other pixels.
 HWY_INLINE void append(const Block& block, int lane, const Samples& samples, const Pixels& p, Records& records) {
     const DU du;
-    // Pixels of a block lie in four rows of the tile.
+    // A block covers four rows of the tile.
     const VU in_block = hn::Iota(du, static_cast<std::uint32_t>(lane));
     const VU row = hn::ShiftRight<2>(in_block), column = hn::And(in_block, hn::Set(du, std::uint32_t{kBlock - 1}));
     static_assert(kBlock == 4 && kTile == 32);
@@ -190,7 +189,7 @@ HWY_INLINE void append(const Block& block, int lane, const Samples& samples, con
     }
 }
 
-// Rows of a block that is there in full, into the picture.
+// Copies the rows of a complete block into the picture.
 template <class Value> HWY_INLINE void store_rows(const Value* block, std::size_t stride, Value* to) {
     for (std::size_t row = 0; row < kBlock; ++row)
         __builtin_memcpy(to + row * stride, block + row * kBlock, sizeof(Value) * kBlock);

@@ -1,4 +1,4 @@
-// One opaque cone and the samples of one block. Included once per instruction set.
+// Casts the samples of one block at one opaque cone and keeps the nearest hit. Included once per instruction set.
 #if defined(RAMUS_CASTER_CAST_BLOCK_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_CASTER_CAST_BLOCK_INL_H
 #undef RAMUS_CASTER_CAST_BLOCK_INL_H
@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
-// An untouched block holds what is left of another tile.
+// Blocks are cleared on first use: until then a block holds samples of an earlier tile.
 HWY_INLINE void clear_untouched(int block, Samples& samples) {
     if (samples.touched[block]) return;
     samples.touched[block] = true;
@@ -24,15 +24,15 @@ HWY_INLINE void clear_untouched(int block, Samples& samples) {
         }
 }
 
-// What samples see of a cone.
+// One sample's hit on a cone, for a vector of pixels.
 struct Hit {
     Mask where;
     Float depth; // of all lanes, hit or not
-    Float along; // the cone
+    Float along; // position along the cone's axis, 0 to 1
     VU normal;
 };
 
-// `number`: of the cone.
+// `number`: index of the cone.
 HWY_INLINE void write(const Block& block, const RoundCone& cone, std::uint32_t number, int sample, int lane,
                       const Hit& hit, Samples& samples) {
     const D d;
@@ -52,7 +52,7 @@ HWY_INLINE void write(const Block& block, const RoundCone& cone, std::uint32_t n
     hn::Store(select(hit.where, value, hn::Load(d, values)).v, d, values);
 }
 
-// Two samples at a time.
+// Handles two samples at a time (see FloatPair).
 template <bool Flat>
 HWY_INLINE void cast_block(const Block& block, const RoundCone& cone, std::uint32_t number, Samples& samples) {
     const D d;
@@ -88,8 +88,8 @@ HWY_INLINE void cast_block(const Block& block, const RoundCone& cone, std::uint3
     samples.farthest[block.index] = hn::GetLane(hn::MaxOfLanes(d, farthest.v));
 }
 
-// Of a cone that has neighbours in glass. Where glass goes on from it, it is open: the eye looks through to the inside
-// of its far wall, which faces the eye as a lid would.
+// For a cone some of whose neighbours are glass. Where the vessel continues as glass, the cone is open: the eye sees
+// the inside of its far wall. That wall gets a normal towards the eye, so that it looks like a lid.
 template <bool Flat>
 HWY_INLINE void cast_mixed_block(const Block& block, const RoundCone& cone, std::uint32_t number, Samples& samples) {
     const TileTask& tile = block.tile;

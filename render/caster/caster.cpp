@@ -16,7 +16,7 @@ using namespace record;
 
 namespace {
 
-// The same steps for outlines and halos as in the shaders.
+// Uses the shaders' code for the steps of outlines and halos.
 struct RingSteps : LookBlock {
     static float cos(float x) { return std::cos(x); }
     static float sin(float x) { return std::sin(x); }
@@ -26,8 +26,8 @@ struct RingSteps : LookBlock {
 
 } // namespace
 
-// Cones of glass in a tile, from which on what one sees through them is not told from half as many samples: vessels
-// narrower than pixels, in many layers. Tuned on the kidney of 78,000 segments, a third of a second a picture without.
+// From this many glass cones in a tile, half as many samples look the same, because the vessels are thinner than pixels
+// and in many layers. Tuned on the kidney of 78,000 segments, which takes a third of a second per picture without it.
 constexpr std::size_t kCrowded = 64;
 
 struct Caster::Scratches {
@@ -52,7 +52,7 @@ struct Caster::Scratches {
     tbb::enumerable_thread_specific<std::unique_ptr<Scratch>> all{[] { return std::make_unique<Scratch>(); }};
 };
 
-// Vectors read beyond the end: what lies there must be something.
+// Vectors read beyond the end, where values must be initialised.
 void Caster::KeptRecords::keep(const Records& records) {
     count = records.count;
     if (count == 0) return;
@@ -74,9 +74,9 @@ Records Caster::KeptRecords::view() {
 
 bool Caster::draws(const Frame& frame) {
     if (frame.only_mesh) return false;
-    // A point of a vessel has one value: its diameter cannot go with where it is cut.
+    // A cone has one value per point: diameters and positions of cuts exclude each other.
     const bool whole = std::ranges::all_of(frame.lost, &LostPart::whole);
-    // Cones have no vertices, and know of lines what their shape needs.
+    // Cones have no values of vertices, and of centerlines only the data of their shape.
     using Value = ColourScale::Value;
     if (frame.scale.value == Value::kSurface || frame.scale.value == Value::kOfLines) return false;
     return whole || frame.scale.value != Value::kDiameter;
@@ -85,7 +85,7 @@ bool Caster::draws(const Frame& frame) {
 void Caster::resize(const View& view) {
     const bool same_reach = view.block.depth_range.z == view_.block.depth_range.z;
     if (view.width == view_.width && view.height == view_.height && same_reach && !rgba_.empty()) return;
-    rgba_.clear(); // until all is there: memory may run out
+    rgba_.clear(); // valid only once everything is allocated: memory may run out
     across_ = (view.width + kTile - 1) / kTile;
     up_ = (view.height + kTile - 1) / kTile;
     // Taps to the left and right of the picture read the padding.
@@ -94,7 +94,7 @@ void Caster::resize(const View& view) {
     for (auto* array : {&rough_sky_, &smooth_sky_, &rough_key_, &smooth_key_}) array->assign(pixels, 0.0F);
     for (auto* array : {&ids_, &normals_}) array->assign(pixels, 0);
     tiles_ = std::vector<Tile>(std::size_t(across_) * std::size_t(up_));
-    // As are those where pixels beside the picture would be.
+    // The same holds for the padding beside the picture.
     const auto beside = static_cast<std::ptrdiff_t>(view.block.depth_range.z) / 4 + 2;
     const std::ptrdiff_t plane_stride = view.stride / 4 + 2 * beside, plane_size = plane_stride * view.height;
     depth_planes_.assign(4 * std::size_t(plane_size), kNothing);
@@ -160,7 +160,7 @@ Caster::Binned Caster::bin() const {
             bins_of(across_, up_, solid_triangles_), bins_of(across_, up_, clear_triangles_)};
 }
 
-// How much of the sky and of the key light what is around takes. Noise is removed once it is there for all tiles.
+// Computes occlusion and shadows. Denoises after all tiles are complete, since it reads neighbouring tiles.
 void Caster::occlude() {
     if (view_.taps == 0) std::ranges::fill(smooth_sky_, 0.0F);
     if (view_.taps == 0 && !view_.shadows) return;
@@ -211,7 +211,7 @@ Shading Caster::shading_of(const Frame& frame, const Content& content) const {
     return shading;
 }
 
-// By tile: an outline reaches into the tiles around at most.
+// By tile. An outline reaches at most into adjacent tiles.
 std::vector<std::uint8_t> Caster::tiles_with_outline(const Content& content) const {
     std::vector<std::uint8_t> found(tiles_.size(), 0);
     if (!content.outlined) return found;

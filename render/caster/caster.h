@@ -1,11 +1,14 @@
-// Caster: pictures of vessels while the view moves, made on the processor's own cores where OpenGL is software. Rays
-// are cast at round cones along the centerlines, as cone.frag does it, with the samples, the occlusion and the light of
-// the picture at rest; where they hit a cone, the field of the convolution surface gives its normal, so that
-// forks and bends look as smooth as they are. A vector of pixels goes through each step at once (run-time choice of
-// instruction set), tiles in parallel. In the time that a software rasteriser takes for a picture of half the size this
-// makes one of full size and quality. Pictures are the same whatever the number of threads.
+// Caster: draws pictures of vessels on the processor's cores while the view moves, for machines where OpenGL is
+// software.
 //
-// What it cannot draw stays with OpenGL: see Caster::draws().
+// It casts rays at round cones along the centerlines, as cone.frag does, with the samples, the occlusion and the light
+// of the picture at rest. Where a ray hits a cone, the field of the convolution surface gives the normal, so that forks
+// and bends look smooth. Each step processes a vector of pixels, with the instruction set chosen at run time; tiles run
+// in parallel. A picture of full size and quality takes about the time that a software rasteriser needs for half the
+// size.
+//
+// Guarantees: pictures do not depend on the number of threads. Not guaranteed: that it can draw every frame; draws()
+// tells, and OpenGL draws the others. One Caster must be used by one thread at a time.
 #pragma once
 
 #include "render/caster/bins.h"
@@ -26,42 +29,42 @@
 
 namespace ramus::render::caster {
 
-// What a picture shows and how it looks. Only referred to.
+// What a picture shows and how it looks. Its references must stay valid during draw().
 struct Content {
     const Uniforms& uniforms;
     bool outlined;                                            // something is selected
-    const std::vector<Layer>& layers;                         // of branches
-    const std::vector<std::array<std::uint16_t, 4>>& records; // of branches: linear colour and flags, as in ids.glsl
+    const std::vector<Layer>& layers;                         // by branch
+    const std::vector<std::array<std::uint16_t, 4>>& records; // by branch: linear colour and flags, as in ids.glsl
     const LookData& data;
-    const std::vector<Body>& bodies; // lesions that are meshes, and context
-    const PagedMesh* surface;        // the vessels' surface as it is at rest; null: it is not there
+    const std::vector<Body>& bodies; // lesions with meshes, and context
+    const PagedMesh* surface;        // the vessels' surface at rest; null: not available
     glm::dmat4 surface_to_clip;      // from positions relative to its origin
 };
 
 class Caster {
 public:
-    // As VesselCones::follow().
+    // See VesselCones::follow().
     void follow(const Frame& frame, const std::shared_ptr<const FittedCones>& known) { vessels_.follow(frame, known); }
     [[nodiscard]] const std::shared_ptr<const FittedCones>& fitted() const { return vessels_.fitted(); }
 
-    // Whether it can draw all that the frame shows.
+    // Whether the caster can draw everything that the frame shows.
     [[nodiscard]] static bool draws(const Frame& frame);
 
-    // The picture as sRGB, premultiplied, rows from below; it lasts until the next. `to_eye`: from mm to eye space,
-    // depth as +z. Returns how many cones.
+    // Draws the picture, which rgba(), ids() and depths() then return until the next call. `to_eye`: from mm to eye
+    // space, depth as +z. Returns the number of visible cones.
     std::size_t draw(const Frame& frame, const View& view, const glm::dmat4& to_eye, const Content& content);
-    [[nodiscard]] const std::uint32_t* rgba() const { return rgba_.data(); }
+    [[nodiscard]] const std::uint32_t* rgba() const { return rgba_.data(); } // sRGB, premultiplied, rows from below
 
-    // Of the last picture: ids as in ids.glsl and depths in mm, `stride` a row from below.
+    // Of the last picture: ids as in ids.glsl, and depths in mm; rows `stride()` apart, from below.
     [[nodiscard]] const std::uint32_t* ids() const { return ids_.data() + kTile; }
     [[nodiscard]] const float* depths() const { return picked_.data() + kTile; }
     [[nodiscard]] int stride() const { return view_.stride; }
 
 private:
-    // What a tile keeps from casting to shading.
+    // Records that a tile keeps between casting and shading.
     struct KeptRecords {
         std::vector<std::uint32_t> position, id, normal;
-        std::vector<float> depth, value; // value: empty where there is none
+        std::vector<float> depth, value; // value: empty if surfaces have no values
         std::size_t count = 0;
 
         void keep(const Records& records);
@@ -73,7 +76,7 @@ private:
     struct Binned {
         Bins opaque, glass, solid_triangles, clear_triangles;
     };
-    struct Scratches; // what threads work in
+    struct Scratches; // working memory of the threads
 
     // The steps of a picture.
     void resize(const View& view);
@@ -95,9 +98,9 @@ private:
     int across_ = 0, up_ = 0; // tiles
     std::vector<Tile> tiles_;
     std::vector<float> depths_, depth_planes_, picked_;
-    std::vector<float> rough_sky_, smooth_sky_, rough_key_, smooth_key_; // as PictureArrays has them
+    std::vector<float> rough_sky_, smooth_sky_, rough_key_, smooth_key_; // see PictureArrays
     std::vector<std::uint32_t> ids_, normals_;
-    std::vector<std::uint32_t> rgba_; // a pixel each
+    std::vector<std::uint32_t> rgba_; // one per pixel
     PictureArrays picture_{};
     std::shared_ptr<Scratches> scratches_;
 };

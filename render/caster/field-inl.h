@@ -1,7 +1,7 @@
-// The field of the convolution surface around a cone, two segments at a time: which layer a point of the surface
-// belongs to where glass meets what is opaque (that of the branch that adds most there, as in the mesh), and which way
-// the surface faces: cones alone have creases where vessels fork and bend, and the field has none. Included once per
-// instruction set.
+// Evaluates the field of the convolution surface around a cone, two segments at a time. It answers two questions: which
+// layer a surface point belongs to where glass meets opaque vessels (that of the branch with the largest contribution,
+// as in the mesh), and the surface's normal. Cones alone have creases where vessels fork and bend; the field has none.
+// Included once per instruction set.
 #if defined(RAMUS_CASTER_FIELD_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_CASTER_FIELD_INL_H
 #undef RAMUS_CASTER_FIELD_INL_H
@@ -17,8 +17,8 @@ namespace ramus::render::caster::HWY_NAMESPACE {
 
 namespace kernel = ramus::field::HWY_NAMESPACE;
 
-// Calls call(i, pair, foot) for the segments list[i] and list[i + 1] from the first to before the last, as seen from
-// `at`.
+// Calls call(i, pair, foot) for the pairs list[i], list[i + 1] with i from `first` up to but excluding `last`. `foot`:
+// the foot of the point `at` on both segments.
 template <class Call>
 HWY_INLINE void for_neighbours(const Field& field, const std::uint32_t* list, std::uint32_t first, std::uint32_t last,
                                Vec3 at, const Call& call) {
@@ -39,9 +39,9 @@ HWY_INLINE void for_neighbours(const Field& field, const std::uint32_t* list, st
     }
 }
 
-// What each branch adds to the field at a point.
+// Sum of the field's contributions per branch, at one point per lane.
 struct BranchSums {
-    static constexpr int kMax = 8; // branches; more hardly meet
+    static constexpr int kMax = 8; // branches; further ones are ignored, since more rarely meet
     std::uint32_t branches[kMax];
     V sums[kMax];
     int count = 0;
@@ -60,7 +60,8 @@ struct BranchSums {
     }
 };
 
-// Those of the points `at` where rays hit `cone`, `which` of them, that belong to a branch of its layer.
+// Of the points `at` where rays hit `cone` (only lanes in `which` count): those that belong to a branch of the cone's
+// layer.
 HWY_INLINE Mask own_layer_leads(const Field& field, std::uint32_t cone, Mask which, Vec3 at) {
     BranchSums others, own;
     for_neighbours(field, field.other_layer, field.first_other[cone], field.first_other[cone + 1], at,
@@ -70,7 +71,7 @@ HWY_INLINE Mask own_layer_leads(const Field& field, std::uint32_t cone, Mask whi
                            others.add(field.branch[field.other_layer[i + s]], value.v[s]);
                    });
     const Float other = others.largest();
-    // Who leads on the surface has a good share of the isovalue.
+    // The leading branch contributes a good share of the isovalue on the surface.
     const Mask doubtful = which && other > 0.25F * field.isovalue;
     if (!any(doubtful)) return which;
     for_neighbours(field, field.neighbours, field.first[cone], field.first[cone + 1], at,
@@ -86,7 +87,7 @@ HWY_INLINE Mask own_layer_leads(const Field& field, std::uint32_t cone, Mask whi
     return which && !(doubtful && own.largest() < other);
 }
 
-// Gradient of the field around the cone, per mm; depth as +z.
+// Gradient of the field around the cone, per mm, with depth as +z; in the lanes `here`.
 HWY_INLINE Vec3 local_gradient(const Field& field, std::uint32_t cone, Mask here, Vec3 at) {
     const auto inverse_root = kernel::set(kernel::PackTag<2>(), 1.0F / field.root_width);
     Vec3 sum(0.0F);
@@ -105,20 +106,20 @@ HWY_INLINE Vec3 local_gradient(const Field& field, std::uint32_t cone, Mask here
     return sum;
 }
 
-// What samples see of a vessel through a pixel.
+// Summary of the points where one pixel's samples hit a vessel.
 struct SeenPoints {
-    Vec3 at;      // where the ray through the pixel's middle has come to the samples' mean depth
-    Vec3 sight;   // that ray's direction, of unit length
-    Float spread; // of the samples around the middle: mean square, mm^2, of x as of y
+    Vec3 at;      // point on the ray through the pixel's middle, at the samples' mean depth
+    Vec3 sight;   // unit direction of that ray
+    Float spread; // mean square distance of the samples from the middle, mm^2, in x and in y alike
 };
 
-// From there towards the eye, mm, to where the planes that touch the vessel at the samples meet the ray: for which
-// normals count see sample_normal(). The vessel falls away from its plane by v^2 / 2 r at a distance of v around its
-// axis; that is how far the mean depth lies behind the vessel, and the planes lie as far before it. Of samples around a
-// ray that meets the vessel at an angle, of cosine f, the mean square of v is spread sin^2(ray, axis) / f^2, and what
-// falls away along the normal is 1 / f times that along the ray.
+// Distance in mm from `seen.at` towards the eye, to where the ray meets the planes that touch the vessel at the
+// samples; sample_normal() says why normals are taken there. At a distance v around its axis, the vessel has fallen v^2
+// / 2r behind its tangent plane. The mean depth lies that far behind the vessel, and the planes lie as far in front of
+// it. For samples around a ray that meets the vessel at an angle of cosine f, the mean square of v is spread *
+// sin^2(ray, axis) / f^2, and a distance along the normal is 1 / f times as long along the ray.
 HWY_INLINE Float way_to_planes(const FieldSegment& vessel, const SeenPoints& seen, Vec3 normal) {
-    constexpr float kLeastFacing = 0.25F; // tuned: beyond it the vessel has ended before it falls away so far
+    constexpr float kLeastFacing = 0.25F; // tuned: at flatter angles the vessel ends before it falls so far
     const Vec3 axis(vessel.direction[0], vessel.direction[1], vessel.direction[2]);
     const Float along = dot(axis, seen.sight), across = nmad(along, along, 1.0F);
     const Float facing = nmad(normal.x, seen.sight.x, msub(normal.z, seen.sight.z, normal.y * seen.sight.y));
@@ -127,8 +128,8 @@ HWY_INLINE Float way_to_planes(const FieldSegment& vessel, const SeenPoints& see
     return min(seen.spread * across * (1.0F / radius) * inverse * inverse * inverse, 0.5F * radius);
 }
 
-// Normals where rays hit `cones`, of `which` of them; `normal` (of any length) elsewhere, and where the field says
-// nothing sound.
+// Normals where rays hit `cones`, for the lanes in `which`. Other lanes, and lanes where the field's gradient is
+// unreliable, keep `normal`, which may have any length.
 HWY_INLINE Vec3 field_normals(const Field& field, Mask which, VU cones, const SeenPoints& seen, Vec3 normal) {
     const D d;
     const DU du;
@@ -137,7 +138,7 @@ HWY_INLINE Vec3 field_normals(const Field& field, Mask which, VU cones, const Se
     const Vec3 before = normalize(normal);
     for (Mask left = which; any(left);) {
         const std::uint32_t cone = index[hn::FindFirstTrue(d, left.m)];
-        // Neighbours of one cone are those of the cones next to it, in the few pixels looked at.
+        // In the few pixels of a vector, the neighbours of one cone also serve the cones next to it.
         Mask here = {hn::FirstN(d, 0)};
         for (std::uint32_t i = field.first[cone]; i < field.first[cone + 1]; ++i)
             here = here || Uint{cones} == field.neighbours[i];

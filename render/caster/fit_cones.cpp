@@ -1,5 +1,5 @@
-// Cones that lie where the surface does: it is not quite around the vessels' lines where they bend, and thinner than
-// they are at free ends. Once for all pictures.
+// Fits cones to the convolution surface, which is not quite centred on bent lines, and thinner at free ends. Done once
+// for all pictures.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/caster/fit_cones.cpp"
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
-constexpr int kDirections = 16; // across a vessel
+constexpr int kDirections = 16; // around a cross-section
 alignas(64) constexpr float kCosine[kDirections] = {
     1.0F,  0.92387953F,  0.70710678F,  0.38268343F,  0.0F, -0.38268343F, -0.70710678F, -0.92387953F,
     -1.0F, -0.92387953F, -0.70710678F, -0.38268343F, 0.0F, 0.38268343F,  0.70710678F,  0.92387953F};
@@ -26,8 +26,8 @@ alignas(64) constexpr float kSine[kDirections] = {
     0.0F, 0.38268343F,  0.70710678F,  0.92387953F,  1.0F,  0.92387953F,  0.70710678F,  0.38268343F,
     0.0F, -0.38268343F, -0.70710678F, -0.92387953F, -1.0F, -0.92387953F, -0.70710678F, -0.38268343F};
 
-// How far the surface is from `middle`: the logarithm of a kernel is linear in the square of that, and of a few of them
-// nearly.
+// Distance of the surface from `middle`: the logarithm of a kernel is linear in the squared distance, and that of a sum
+// of few kernels nearly so.
 HWY_INLINE Float surface_distance(const Field& field, const CrossSection& section, Vec3 middle, Vec3 direction) {
     const float w = kernel::kNaturalLog * field.root_width * field.root_width, radius = section.radius;
     const float least = section.least * radius, most = section.most * radius;
@@ -87,13 +87,13 @@ HWY_EXPORT(fit_circles);
 
 namespace {
 
-// Of a vessel's radius. Beside another one the circle would be that one's as well, which has its own cones. Tuned for
-// the least difference from the picture at rest, on grown trees.
+// Bounds of the fit, in radii of the vessel. Next to another vessel the circle would also enclose that vessel, which
+// has its own cones. Tuned for the least difference from the picture at rest, on grown trees.
 constexpr float kLeast = 0.9F, kMost = 1.03F;
 
-// The ball at a free end, in radii: its own, and how far before the end its middle lies. It goes through the tip of the
-// surface, which is `beyond` the end, and around the end itself as the surface does, whose radius there is
-// sqrt(1 - 1 / width): exp(-w d^2) / 2 is the isovalue exp(-w), and w = width ln 2.
+// The ball at a free end, in radii: its radius, and the distance of its centre from the end. It passes through the tip
+// of the surface, `beyond` the end, and around the end like the surface, whose radius there is sqrt(1 - 1 / width):
+// exp(-w d^2) / 2 is the isovalue exp(-w), and w = width ln 2.
 struct Tip {
     float radius, before;
 };
@@ -104,7 +104,7 @@ Tip tip_of(float width, float beyond) {
     return {radius, radius - beyond};
 }
 
-// The mesh's corners lie on the surface, what is between them within. Tuned like those, with 16 cells around a vessel.
+// Vertices of the mesh are on the surface, so its triangles are inside. Tuned as above, with 16 cells around a vessel.
 constexpr float kInscribed = 0.995F;
 
 CrossSection cross_section(const glm::vec3& middle, const glm::vec3& direction, float radius, std::size_t segment) {
@@ -131,7 +131,7 @@ void fit_to_field(FittedCones& cones) {
     field.neighbours = cones.neighbours.segments.data();
     field.root_width = std::sqrt(cones.neighbours_width);
     std::vector<CrossSection> sections;
-    std::vector<std::uint32_t> points; // that the sections are at
+    std::vector<std::uint32_t> points; // positions of the sections
     for (std::size_t s = 0; s < segments.size(); ++s) {
         const std::uint32_t first = segments[s].point, last = first + 1;
         const auto add = [&](std::uint32_t point, std::uint32_t from, std::uint32_t to) {
@@ -141,7 +141,7 @@ void fit_to_field(FittedCones& cones) {
             sections.push_back(cross_section(glm::vec3(on_line[point]), direction, radius, s));
             points.push_back(point);
         };
-        // Each point with the segment that begins there; a branch's last one with the one that ends there.
+        // Each point with the segment that starts there; the last point of a branch with the segment that ends there.
         add(first, s > 0 && segments[s - 1].point + 1 == first ? first - 1 : first, last);
         if (s + 1 == segments.size() || segments[s + 1].point != last) add(last, first, last);
     }
@@ -162,7 +162,7 @@ void fit_balls(FittedCones& cones) {
     cones.fitted = on_line;
     for (std::size_t i = 0; i < cones.fitted.size(); ++i) cones.fitted[i].w = radius(i);
     if (cones.neighbours_width > 0.0F) fit_to_field(cones);
-    // A ball of the vessel's radius at a free end would reach beyond it by that.
+    // A ball of the vessel's radius would reach beyond a free end.
     const Tip tip = tip_of(cones.width, cones.beyond_ends);
     const auto end_at = [&](std::uint32_t end, std::uint32_t inward) {
         const glm::vec3 axis = glm::vec3(on_line[inward]) - glm::vec3(on_line[end]);

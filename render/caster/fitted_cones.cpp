@@ -1,4 +1,4 @@
-// From centerlines to cones: where they lie, and which vessels go on into which.
+// Builds cones from centerlines, and finds which vessels continue into which.
 #include "render/caster/fitted_cones.h"
 
 #include "core/base/grouped.h"
@@ -19,16 +19,16 @@ namespace ramus::render::caster {
 
 namespace {
 
-constexpr std::size_t kMaxNeighbours = 48; // the others add next to nothing, and take their time
+constexpr std::size_t kMaxNeighbours = 48; // further ones contribute next to nothing, and cost time
 
-constexpr double kThinnedShare = 5e-5; // of the tree's extent: a twentieth of a pixel where it fills the window
+constexpr double kThinnedShare = 5e-5; // of the tree's extent: a twentieth of a pixel if it fills the window
 
-// With one point more before each free end that has room for it: there the surface grows thin. In radii, of where it is
-// as wide as the vessel to 0.3 % at width 5.
+// Adds a point before each free end with room for it, because the surface becomes thinner there. In radii: the distance
+// at which it is as wide as the vessel, to 0.3 % at width 5.
 constexpr float kBeforeEnd = 0.8F;
 Centerlines with_ends(const Centerlines& lines) {
     const std::vector<std::uint32_t> coincident = coincident_points(lines);
-    std::vector<int> ends(coincident.size(), 0); // of branches, by point
+    std::vector<int> ends(coincident.size(), 0); // number of ends of branches, by point
     for (const Centerlines::Run& run : lines.runs)
         if (run.count > 1) ++ends[coincident[run.first]], ++ends[coincident[run.first + run.count - 1]];
     Centerlines more;
@@ -83,7 +83,7 @@ std::vector<std::uint32_t> coincident_points(const Centerlines& lines) {
 
 Neighbours find_neighbours(const Centerlines& lines, std::span<const std::uint32_t> coincident,
                            std::span<const std::uint32_t> points, float support_radii) {
-    const Grouped<std::uint32_t> segments_at(coincident.size(), [&](const auto& put) { // by their ends
+    const Grouped<std::uint32_t> segments_at(coincident.size(), [&](const auto& put) { // segments by their ends
         for (std::uint32_t s = 0; s < points.size(); ++s)
             for (const std::uint32_t end : {points[s], points[s] + 1}) put(coincident[end], s);
     });
@@ -91,7 +91,7 @@ Neighbours find_neighbours(const Centerlines& lines, std::span<const std::uint32
     const auto radius = [&](std::uint32_t s) {
         return 0.5F * std::max(lines.details[points[s]].diameter_mm, lines.details[points[s] + 1].diameter_mm);
     };
-    // Adds the neighbours of a segment to `found`: outward from both ends, as far as anything reaches back.
+    // Adds the neighbours of a segment to `found`, searching outward from both ends as far as kernels reach back.
     const auto add_neighbours = [&](std::uint32_t s, std::vector<std::uint32_t>& found) {
         const auto begin = static_cast<std::ptrdiff_t>(found.size());
         const auto count = [&] { return found.size() - static_cast<std::size_t>(begin); };
@@ -123,13 +123,13 @@ Neighbours find_neighbours(const Centerlines& lines, std::span<const std::uint32
     return neighbours;
 }
 
-// Branches that meet have an end at the very same point. There the two widest are one vessel that goes on, if they do
-// not turn back; the others go into it.
+// Connected branches have an end at the same position. The two widest continue into each other unless they turn back;
+// the others join them.
 void find_joints(FittedCones& cones, std::span<const std::uint32_t> coincident) {
     using Segment = FittedCones::Segment;
     const Centerlines& thinned = cones.thinned;
     struct End {
-        std::uint32_t* beyond;       // to fill in
+        std::uint32_t* beyond;       // output
         std::uint32_t joint, inward; // points
     };
     std::map<std::uint32_t, std::vector<End>> joints;
@@ -182,7 +182,7 @@ std::shared_ptr<const FittedCones> fitted_cones(std::shared_ptr<const Centerline
     std::ranges::transform(cones.segments, cones.segment_branches.begin(),
                            [](const Segment& segment) { return static_cast<std::uint32_t>(segment.branch); });
     find_joints(cones, coincident);
-    // The vessels of larger trees are narrower than pixels, and nobody waits for what they look like in between.
+    // The vessels of larger trees are thinner than pixels, and their look during the short wait does not matter.
     constexpr std::size_t kMostSegments = 250'000;
     cones.neighbours_width = cones.segments.size() > kMostSegments ? 0.0F : width;
     if (cones.neighbours_width > 0.0F) {

@@ -1,5 +1,6 @@
-// FittedCones: round cones along centerlines that lie where the surface does, and which vessels go on into which. For
-// large trees they take a while: any thread may make them. Immutable from then on, and shared between pictures.
+// FittedCones: round cones along centerlines, fitted to the convolution surface, and how vessels continue at their
+// ends. Lengths in mm. Building them takes a while for large trees; any thread may do it. They are immutable afterwards
+// and shared between pictures.
 #pragma once
 
 #include "render/caster/cast_types.h"
@@ -17,52 +18,55 @@ namespace ramus::render::caster {
 
 // Which segments of a tree add to the field on each other's surface: found along the tree, once for all pictures.
 
-// By point: the first one at the same position. Only ends of branches can share one.
+// For each point: the first point at the same position. Only ends of branches can coincide.
 [[nodiscard]] std::vector<std::uint32_t> coincident_points(const Centerlines& lines);
 
-// Of segment s: segments[first[s]] to segments[first[s + 1] - 1], itself first; an even number, made so by one that
-// there is not (their count).
+// For each segment, the segments that contribute to the field on its surface: segments[first[s]] to segments[first[s +
+// 1] - 1], the segment itself first. Their number is even; where necessary, the index of a segment that does not exist
+// (the number of segments) fills up.
 struct Neighbours {
     std::vector<std::uint32_t> first, segments;
 };
 
-// `coincident`: coincident_points() of the lines. `points`: the first point of each segment, which ends at the next
-// one. Segments are joined where they have a point in common and where their points coincide. `support_radii`: how far
-// a segment's kernel reaches, in radii. Vessels that pass close by without being joined there are not found.
+// Searches along the tree, once for all pictures. `coincident`: coincident_points() of the lines. `points`: the first
+// point of each segment; the segment ends at the next point. Segments are connected where they share a point or where
+// their points coincide. `support_radii`: the reach of a segment's kernel, in radii. Does not find vessels that pass
+// close by without being connected there.
 [[nodiscard]] Neighbours find_neighbours(const Centerlines& lines, std::span<const std::uint32_t> coincident,
                                          std::span<const std::uint32_t> points, float support_radii);
 
-// Of centerlines that are cast before there is a surface; of more, what the caster begins with takes too long.
+// Largest number of points of centerlines that are cast before a surface exists. For more, building the cones takes too
+// long.
 inline constexpr std::size_t kMostCastPoints = 300'000;
 
 struct FittedCones {
     struct Segment {
-        std::uint32_t point; // and the next one
+        std::uint32_t point; // start; the next point is the end
         std::int32_t branch;
-        // Points that the vessel comes from and goes on to; or one of these.
-        static constexpr std::uint32_t kFree = ~0U, kJoins = ~0U - 1; // ends here; goes into another vessel here
+        // The points before and after the segment on the vessel, or one of these.
+        static constexpr std::uint32_t kFree = ~0U, kJoins = ~0U - 1; // free end; joins another vessel
         std::uint32_t previous, next;
     };
 
-    std::shared_ptr<const Centerlines> lines; // that they are of
+    std::shared_ptr<const Centerlines> lines; // the input
     float width = 0.0F, beyond_ends = 0.0F;   // as in Frame
-    Centerlines thinned;                      // with the points that cones join
-    // By point of those: the ball around it that is nearest to the surface; and where the point itself is.
+    Centerlines thinned;                      // only the points that cones connect
+    // For each point of `thinned`: the ball that fits the surface best, and the point itself with its radius.
     std::vector<glm::vec4> fitted, on_line;
-    // By segment; what the field reads has one more, which is nowhere.
+    // By segment. The arrays for the field have one more entry, a segment far away from everything (see Neighbours).
     std::vector<Segment> segments;
     std::vector<std::uint32_t> segment_branches;
     Neighbours neighbours;
-    float neighbours_width = 0.0F; // of the kernel that those are for; 0: of none, the surface is the cones
+    float neighbours_width = 0.0F; // kernel width they were computed for; 0: none, the cones are the surface
 
     [[nodiscard]] FieldSegment field_segment(const Segment& segment, const glm::mat4& to_eye) const;
 };
 
-// `width`, `beyond_ends`: of the surface, as Frame has them. `lines` may be null: then there are none.
+// Thread-safe. `width`, `beyond_ends`: as in Frame. `lines` may be null; the result is null then, too.
 [[nodiscard]] std::shared_ptr<const FittedCones> fitted_cones(std::shared_ptr<const Centerlines> lines, float width,
                                                               float beyond_ends);
 
-// The steps of that.
+// The steps of fitted_cones().
 void find_joints(FittedCones& cones, std::span<const std::uint32_t> coincident);
 void fit_balls(FittedCones& cones); // needs the neighbours, where there are any
 

@@ -13,46 +13,46 @@ namespace ramus::render::caster::HWY_NAMESPACE {
 
 using namespace record;
 
-// The stretches of one ray inside cones, sorted by where they begin.
+// The intervals of one ray inside cones, sorted by their start.
 struct RayIntervals {
     float entry[kMaxFragments], exit[kMaxFragments];
-    std::uint32_t id[kMaxFragments], normal[kMaxFragments]; // id 0: from what is opaque, through no front
-    std::uint32_t cone[kMaxFragments];                      // kNoCone: of a triangle
+    std::uint32_t id[kMaxFragments], normal[kMaxFragments]; // id 0: starts at an opaque surface, without a front
+    std::uint32_t cone[kMaxFragments];                      // kNoCone: a triangle
     int count;
 
     HWY_INLINE void copy(int from, int to) {
         entry[to] = entry[from], exit[to] = exit[from], id[to] = id[from], normal[to] = normal[from];
         cone[to] = cone[from];
     }
-    // When it is full, the farthest gives way.
+    // Drops the farthest interval if full.
     HWY_INLINE void insert(float from, float to, std::uint32_t of, std::uint32_t facing, std::uint32_t number) {
         if (count == kMaxFragments && entry[kMaxFragments - 1] <= from) return;
         put(count < kMaxFragments ? count++ : kMaxFragments - 1, from, to, of, facing, number);
     }
-    // At its place among those before `at`, which go on by one; `at` itself is free.
+    // Inserts in order before `at`, which is free; moves the later ones by one.
     HWY_INLINE void put(int at, float from, float to, std::uint32_t of, std::uint32_t facing, std::uint32_t number) {
         for (; at > 0 && entry[at - 1] > from; --at) copy(at - 1, at);
         entry[at] = from, exit[at] = to, id[at] = of, normal[at] = facing, cone[at] = number;
     }
 };
 
-// Of a vector of rays.
+// The intervals of a vector of rays.
 struct IntervalLanes {
     Mask where;
     Float entry, exit;
     VU id, normal;
 };
 
-// Those of a block's rays and pixels.
+// The intervals of a block's rays.
 struct BlockIntervals {
     RayIntervals of[kSamples][kBlockPixels];
-    bool in_pairs;   // a ray for two samples each, of the first half of `of`; else one for each
+    bool in_pairs;   // one ray per two samples, in the first half of `of`; false: one per sample
     bool any = true; // something was inserted since clear()
 
     [[nodiscard]] HWY_INLINE int rays() const { return in_pairs ? kSamples / 2 : kSamples; }
     [[nodiscard]] HWY_INLINE float right(int ray) const { return in_pairs ? kPairX[ray] : kSampleX[ray]; }
     [[nodiscard]] HWY_INLINE float up(int ray) const { return in_pairs ? kPairY[ray] : kSampleY[ray]; }
-    // What a ray sees before anything opaque: before what any of its samples sees.
+    // Depth of the nearest opaque surface at any of the ray's samples.
     [[nodiscard]] HWY_INLINE Float opaque_depth(const Samples& samples, int block, int ray, int lane) const {
         if (!samples.touched[block]) return kNothing;
         const auto of_sample = [&](int s) { return Float(hn::Load(D(), samples.depth[block][s] + lane)); };
@@ -90,7 +90,7 @@ HWY_INLINE void insert_cone(const Block& block, const RoundCone& cone, std::uint
                             BlockIntervals& intervals) {
     const DU du;
     for (int lane = 0; lane < kBlockPixels; lane += kN) {
-        bool any_hit = false; // normals are those at the pixels' middles, once there is a sample to have them
+        bool any_hit = false; // normals are evaluated at the pixels' middles, only if a sample is hit
         VU normal = hn::Zero(du);
         const auto insert = [&](int ray, const Rays<Float>& rays, Mask hit, Float depth, Float exit) {
             const Mask before = hit && depth < intervals.opaque_depth(samples, block.index, ray, lane);
@@ -120,7 +120,7 @@ template <bool Flat>
 HWY_INLINE void insert_triangle(const Block& block, const Triangle& t, const Samples& samples,
                                 BlockIntervals& intervals) {
     const DU du;
-    constexpr float kLeastShare = 0.004F; // of a pixel that a line takes
+    constexpr float kLeastShare = 0.004F; // smallest visible share of a pixel covered by a line
     for (int lane = 0; lane < kBlockPixels; lane += kN) {
         bool any_covered = false;
         VU normal = hn::Zero(du);
@@ -153,7 +153,7 @@ HWY_INLINE void find_intervals(const Block& block, const BlockCones& cones, cons
         insert_triangle<Flat>(block, triangles.all[*i], samples, intervals);
 }
 
-// Whether two cones that overlap are of one vessel there, or of vessels that are joined: then one adds to the other's
+// Whether two overlapping cones belong to one vessel or to connected vessels: then one contributes to the other's
 // surface.
 HWY_INLINE bool are_joined(const Field& field, std::uint32_t a, std::uint32_t b) {
     if (field.segments == nullptr) return true;
@@ -165,7 +165,7 @@ HWY_INLINE bool are_joined(const Field& field, std::uint32_t a, std::uint32_t b)
     return has(a, b) || has(b, a);
 }
 
-// What was found of pairs of cones: rays side by side meet the same ones.
+// Caches are_joined() per pair: adjacent rays meet the same cones.
 class JoinedCones {
 public:
     explicit HWY_INLINE JoinedCones(const Field& field) : field_(field) {
@@ -187,15 +187,15 @@ private:
     Pair pairs_[1024];
 };
 
-// What of a ray's stretches it is in.
+// The intervals that contain the current point of a ray.
 struct OpenIntervals {
     float exit[kMaxFragments];
     std::uint32_t cone[kMaxFragments];
     int count = 0;
 
-    // Where the ray enters a cone's vessel that it comes to at `from`, nowhere before the one asked for last; kNothing:
-    // it is in there already. Where it is in another vessel that only presses on it, a wall parts the two half-way
-    // through what both claim.
+    // Returns where the ray enters the vessel of a cone whose interval starts at `from`; calls must be in order of
+    // `from`. kNothing: it is inside the vessel already. In a vessel that only presses on another one, the wall is
+    // halfway through the overlap.
     HWY_INLINE float front(JoinedCones& joined, float from, float to, std::uint32_t number) {
         int left = 0;
         for (int k = 0; k < count; ++k)
@@ -210,7 +210,7 @@ struct OpenIntervals {
     }
 };
 
-// Leaves those where the ray goes into glass or meets a shell. Of lesions and context each is one, wherever.
+// Keeps the intervals at which the ray enters glass or meets a shell. Every interval of lesions and context is kept.
 HWY_INLINE void keep_fronts(RayIntervals& ray, JoinedCones& joined) {
     OpenIntervals open;
     int kept = 0;
@@ -225,7 +225,7 @@ HWY_INLINE void keep_fronts(RayIntervals& ray, JoinedCones& joined) {
     ray.count = kept;
 }
 
-// Whether all rays of a pixel see the same fragments, which then are shaded once.
+// Whether all rays of a pixel see the same fragments, so that shading once suffices.
 HWY_INLINE bool all_see_the_same(const BlockIntervals& intervals, int lane) {
     const RayIntervals& first = intervals.of[0][lane];
     for (int r = 1; r < intervals.rays(); ++r) {
@@ -237,7 +237,7 @@ HWY_INLINE bool all_see_the_same(const BlockIntervals& intervals, int lane) {
     return true;
 }
 
-// Appends number k of the ray. `position`: as of records; `at`: of the pixel in the picture.
+// Appends interval k of the ray. `position`: as in Records; `at`: the pixel's index in the picture.
 HWY_INLINE void add_fragment(const RayIntervals& ray, int k, float depth, std::uint32_t position, std::size_t at,
                              const PictureArrays& picture, Records& fragments) {
     const std::size_t n = fragments.count++;
@@ -246,7 +246,7 @@ HWY_INLINE void add_fragment(const RayIntervals& ray, int k, float depth, std::u
     fragments.id[n] = id;
     fragments.normal[n] = ray.normal[k];
     fragments.depth[n] = depth;
-    // A lesion is pointed at as if it were opaque, also through glass; context never is.
+    // Lesions are picked as if opaque, also through glass; context is never picked.
     const bool context = (id & kSolid) != 0 && (id & kContext) != 0, lesion = (id & kSolid) != 0 && !context;
     const std::uint32_t picked = picture.id[at];
     const bool nearer_lesion = lesion && ((picked & kSolid) == 0 || depth < picture.picked_depth[at]);
@@ -255,7 +255,7 @@ HWY_INLINE void add_fragment(const RayIntervals& ray, int k, float depth, std::u
     picture.picked_depth[at] = depth;
 }
 
-// Of one pixel of a block.
+// Adds the fragments of one pixel of a block.
 HWY_INLINE void add_pixel(BlockIntervals& intervals, JoinedCones& joined, int lane, std::uint32_t position,
                           std::size_t at, const PictureArrays& picture, Records& fragments) {
     const int rays = intervals.rays();

@@ -1,5 +1,5 @@
-// The language of shaders/look for vectors of pixels: what look/lanes.glsl says for GLSL. Functions have GLSL's names
-// and meanings; where they differ in precision, that is said. Included once per instruction set.
+// Implements the GLSL that shaders/look uses for vectors of pixels: the counterpart of look/lanes.glsl. Functions have
+// GLSL's names and meanings; comments note lower precision. Included once per instruction set.
 #if defined(RAMUS_CASTER_GLSL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_CASTER_GLSL_INL_H
 #undef RAMUS_CASTER_GLSL_INL_H
@@ -32,7 +32,7 @@ HWY_INLINE V inverse_root(V x) {
     const V guess = hn::ApproximateReciprocalSqrt(x);
     return hn::Mul(guess, hn::NegMulAdd(hn::Mul(hn::Mul(set(0.5F), x), guess), guess, set(1.5F)));
 }
-// sqrt(x) for x > 0, and 1 / x: with one step of Newton's method both take a third of the processor's own.
+// sqrt(x) for x > 0, and 1 / x. With one step of Newton's method both take a third of the time of the processor's own.
 HWY_INLINE V root_of(V x) { return hn::Mul(x, inverse_root(x)); }
 HWY_INLINE V inverse_of(V x) {
     const V guess = hn::ApproximateReciprocal(x);
@@ -44,7 +44,7 @@ HWY_INLINE M any_of(VU flags, std::uint32_t bits) {
     return mask(hn::Ne(hn::And(flags, hn::Set(DU(), bits)), hn::Zero(DU())));
 }
 
-// To 4e-6, of x > 0; interpolated at the Chebyshev nodes between the roots of 1/2 and 2.
+// For x > 0, with an error of 4e-6. Interpolates at the Chebyshev nodes between sqrt(1/2) and sqrt(2).
 HWY_INLINE V binary_logarithm(V x) {
     const DI di;
     const VI bits = hn::BitCast(di, hn::Max(x, set(1e-30F)));
@@ -57,7 +57,7 @@ HWY_INLINE V binary_logarithm(V x) {
     p = hn::MulAdd(p, t, set(1.44270044F));
     return hn::MulAdd(p, t, hn::ConvertTo(D(), exponent));
 }
-// To 4e-6 of its value, for x from -120 to 120.
+// With a relative error of 4e-6, for x from -120 to 120.
 HWY_INLINE V power_of_two(V x) {
     const DI di;
     x = hn::Max(x, set(-120.0F));
@@ -71,7 +71,7 @@ HWY_INLINE V power_of_two(V x) {
 }
 
 HWY_INLINE VI index_of(VI row, VI stride, VI column) { return hn::Add(hn::Mul(row, stride), column); }
-// One load a lane: processors that guard their gathers against leaks take several times as long for those.
+// One load per lane: processors with mitigations for leaks through gathers take several times as long for a gather.
 template <class Value> HWY_INLINE void gather_lanes(const Value* values, VI index, Value* to) {
     alignas(64) std::int32_t at[hn::MaxLanes(D())];
     hn::Store(index, DI(), at);
@@ -137,8 +137,8 @@ HWY_INLINE Float smoothstep(float from, float to, Float a) {
 }
 HWY_INLINE Float reciprocal(Float a) { return inverse_of(a.v); }
 HWY_INLINE Float with_sign(Float size, Float of) { return hn::CopySign(size.v, of.v); }
-HWY_INLINE Float rough_inversesqrt(Float a) { return hn::ApproximateReciprocalSqrt(a.v); } // to 4e-4
-// These three to 4e-6; pow() and log() of what is positive.
+HWY_INLINE Float rough_inversesqrt(Float a) { return hn::ApproximateReciprocalSqrt(a.v); } // relative error 4e-4
+// Error 4e-6; pow() and log() for positive arguments only.
 HWY_INLINE Float exp(Float a) { return power_of_two((a * 1.44269504F).v); }
 HWY_INLINE Float log(Float a) { return Float(binary_logarithm(a.v)) * 0.69314718F; }
 HWY_INLINE Float pow(Float a, Float exponent) { return power_of_two((exponent * binary_logarithm(a.v)).v); }
@@ -185,9 +185,8 @@ HWY_INLINE Vec4 mix(Vec4 a, Vec4 b, Float t) {
     return {mix(a.x, b.x, t), mix(a.y, b.y, t), mix(a.z, b.z, t), mix(a.w, b.w, t)};
 }
 
-// FloatPair: two vectors that go through the same operations side by side. The intersection of a ray with a cone is one
-// long chain in which every operation waits for the one before; two chains interleaved finish in little more than the
-// time of one.
+// FloatPair: two vectors that go through the same operations interleaved. The intersection of a ray with a cone is a
+// long chain of dependent operations; two interleaved chains take little more time than one.
 struct MaskPair {
     Mask a, b;
     friend HWY_INLINE MaskPair operator&&(MaskPair x, MaskPair y) { return {x.a && y.a, x.b && y.b}; }
@@ -223,11 +222,11 @@ HWY_INLINE Float msub(Float x, Float y, Float z) { return hn::MulSub(x.v, y.v, z
 HWY_INLINE Float nmad(Float x, Float y, Float z) { return hn::NegMulAdd(x.v, y.v, z.v); }
 HWY_INLINE FloatPair msub(FloatPair x, FloatPair y, FloatPair z) { return {msub(x.a, y.a, z.a), msub(x.b, y.b, z.b)}; }
 HWY_INLINE FloatPair nmad(FloatPair x, FloatPair y, FloatPair z) { return {nmad(x.a, y.a, z.a), nmad(x.b, y.b, z.b)}; }
-// To single precision, of what is positive.
+// To single precision, for positive arguments.
 HWY_INLINE Float quick_sqrt(Float x) { return root_of(x.v); }
 HWY_INLINE FloatPair quick_sqrt(FloatPair x) { return {quick_sqrt(x.a), quick_sqrt(x.b)}; }
 
-// Normals in 32 bits, as the shaders have them.
+// Normals in 32 bits, in the shaders' format.
 
 #define INLINE HWY_INLINE
 #include "shaders/look/octahedral.glsl"

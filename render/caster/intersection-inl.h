@@ -1,5 +1,5 @@
-// Where rays through a block's pixels meet a round cone, and which samples of a block a triangle covers, at which
-// depth, and how it faces there. Included once per instruction set.
+// Intersects the rays of a block with a round cone; finds which samples of a block a triangle covers, with depths and
+// normals. Included once per instruction set.
 #if defined(RAMUS_CASTER_INTERSECTION_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_CASTER_INTERSECTION_INL_H
 #undef RAMUS_CASTER_INTERSECTION_INL_H
@@ -23,15 +23,15 @@ HWY_INLINE Block block_of(const TileTask& tile, int index) {
     return {tile, index, static_cast<float>(tile.x + column * kBlock), static_cast<float>(tile.y + row * kBlock)};
 }
 
-// A point on a ray is (x, y, 1) times its depth when perspective, (x, y, depth) when flat: ways along rays are depths.
-// `Number`: Float or FloatPair.
+// A point on a ray is (x, y, 1) * depth in perspective and (x, y, depth) in orthographic views, so the parameter along
+// a ray is the depth. `Number`: Float or FloatPair.
 template <class Number> struct Rays { Number x, y; };
 
-// Of a block's pixels in it.
+// Column and row of each pixel in its block.
 alignas(64) constexpr float kColumn[kBlockPixels] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
 alignas(64) constexpr float kRow[kBlockPixels] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 
-// Through the pixels from `lane` on, `right` and `up` of their lower left corners.
+// Rays through the pixels from `lane` on, at the offset (right, up) from their lower left corners.
 HWY_INLINE Rays<Float> rays_at(const Block& block, int lane, float right, float up) {
     const View& view = block.tile.view;
     const Float x = Float(hn::Load(D(), kColumn + lane)) + (block.x + right - view.centre_x);
@@ -48,16 +48,16 @@ HWY_INLINE Vec3 point_on(const View& view, const Rays<Float>& rays, Float depth)
     return {rays.x * depth, rays.y * depth, depth};
 }
 
-// Rays against a cone, from the depth of the cone's middle on: small numbers. `off`: from the first ball's centre to
-// where they are there.
+// Terms of the intersection of rays with a cone. Parameters count from the depth of the cone's middle, which keeps
+// numbers small. `off`: from the first ball's centre to the ray's point at that depth.
 template <bool Flat, class Number> struct RaysAndCone {
     Number off_x, off_y;
     float off_z;
     Number ray_squared, slope, to_ray; // ray . ray, ray . axis, ray . off
     Number along, squared;             // off . axis, off . off
-    Number to_first, to_last;          // squared distance to a ball's centre, less its squared radius
-    Number along_side;                 // times side_squared: along the axis where the side's normal goes through off
-    Number quadratic, linear, discriminant; // of the way to the side, t: quadratic t^2 + 2 linear t + ... = 0
+    Number to_first, to_last;          // squared distance to a ball's centre minus its squared radius
+    Number along_side;                 // side_squared * (position on the axis whose side normal passes through off)
+    Number quadratic, linear, discriminant; // of the parameter t of the side: quadratic t^2 + 2 linear t + ... = 0
 
     HWY_INLINE RaysAndCone(const RoundCone& cone, const Rays<Number>& rays) {
         const float start = cone.middle_depth;
@@ -80,7 +80,7 @@ template <bool Flat, class Number> struct RaysAndCone {
     }
 };
 
-// Along rays: where they enter and leave what was found so far, and where on the cone that is, 0 to 1.
+// Where rays enter and leave the parts found so far, and the position on the cone (0 to 1) where they enter.
 template <class Number> struct Passage { Number entry, exit, along; };
 
 // Adds a ball at `end` of the cone. `to_centre`: (start - centre) . ray; `distance`: |start - centre|^2 - radius^2.
@@ -104,7 +104,7 @@ template <class Number, class MaskOf> struct Intersection {
     Number along; // the cone, 0 to 1
 };
 
-// `WithExit`: for what is seen through.
+// `WithExit`: also computes where rays leave, for glass.
 template <bool Flat, bool WithExit, class Number>
 HWY_INLINE auto intersect(const RoundCone& cone, const Rays<Number>& rays) {
     const RaysAndCone<Flat, Number> of(cone, rays);
@@ -120,14 +120,14 @@ HWY_INLINE auto intersect(const RoundCone& cone, const Rays<Number>& rays) {
         const Number along_exit = mad(exit, of.slope, of.along_side) * cone.inverse_side_squared;
         found.exit = select(real && along_exit >= 0.0F && along_exit <= 1.0F, exit, found.exit);
     }
-    // The cone that the side goes on in holds both balls: who misses it misses them.
+    // The infinite cone through the side contains both balls: a ray that misses it misses the balls.
     const auto may_meet_balls = WithExit ? real || !tapers : (real || !tapers) && !on_side;
     if (any(may_meet_balls)) {
         const Number per_ray = Flat ? Number(1.0F) : reciprocal(of.ray_squared);
         if (WithExit || !cone.shares_first_ball)
             add_ball<WithExit>(of.to_ray, of.to_first, of.ray_squared, per_ray, 0.0F, found);
         add_ball<WithExit>(of.to_ray - of.slope, of.to_last, of.ray_squared, per_ray, 1.0F, found);
-        // Where the side is met, a ball that is met before it can only be so by rounding.
+        // A ray that meets the side can only meet a ball earlier because of rounding.
         found.entry = select(on_side, entry, found.entry);
         found.along = select(on_side, along, found.along);
     }
@@ -135,15 +135,15 @@ HWY_INLINE auto intersect(const RoundCone& cone, const Rays<Number>& rays) {
                                                    found.exit + cone.middle_depth, found.along};
 }
 
-// Which way the cone faces a ray that may pass it by, closely: as it does where the ray comes nearest. Upright on
-// the vessel's own direction rather than on the segment's: the eye sees no joints. Y up, z towards the eye; not of unit
-// length.
+// The normal of the cone towards a ray, also for rays that narrowly miss it: the normal at the closest point. It is
+// perpendicular to the vessel's interpolated direction instead of the segment's, so that joints are invisible. Y up, z
+// towards the eye; any length.
 template <bool Flat> HWY_INLINE Vec3 pixel_normal(const RoundCone& cone, const Rays<Float>& rays) {
     const RaysAndCone<Flat, Float> of(cone, rays);
     const Float tiny = 1e-30F, quadratic = max(of.quadratic, tiny);
     const Float side = -(of.linear + quick_sqrt(max(of.discriminant, tiny))) * reciprocal(quadratic);
     const Float on_axis = mad(side, of.slope, of.along_side) * cone.inverse_side_squared;
-    // Beyond an end, the ball there.
+    // Beyond an end, use the ball of that end.
     const Mask tapers = of.quadratic > tiny && Float(cone.side_squared) > 0.0F;
     const Mask last = (tapers && on_axis > 1.0F) || (!tapers && of.slope < 0.0F);
     const Mask on_side = tapers && on_axis >= 0.0F && on_axis <= 1.0F;
@@ -163,17 +163,17 @@ template <bool Flat> HWY_INLINE Vec3 pixel_normal(const RoundCone& cone, const R
     return {nmad(slant, dx, x), nmad(slant, dy, y), msub(slant, dz, z)};
 }
 
-// Which way samples see a cone face, y up and z towards the eye; of any length.
+// Normal of the cone at a sample, y up and z towards the eye; any length.
 template <class Number> struct SampleNormal { Number x, y, z; };
 
-// As the resting picture has it: there the samples of a pixel have their triangle's normal at the pixel's middle, which
-// goes on beyond the triangle along its plane. So this is the normal where the ray through the middle meets the plane
-// that touches the cone at the sample: along the outline of a vessel some pixels wide it faces the eye more than the
-// cone does. Upright on the vessel's own direction, as pixel_normal(). `depth` and `along`: of the hit.
+// Reproduces the picture at rest, whose samples have their triangle's normal at the pixel's middle, extrapolated along
+// the triangle's plane. The result is the normal where the ray through the middle meets the plane that touches the cone
+// at the sample; along the outline of a vessel a few pixels wide it faces the eye more than the cone does. It is
+// perpendicular to the vessel's own direction, as in pixel_normal(). `depth` and `along`: of the hit.
 template <bool Flat, class Number>
 HWY_INLINE SampleNormal<Number> sample_normal(const RoundCone& cone, const Rays<Number>& rays,
                                               const Rays<Number>& middle, Number depth, Number along) {
-    // No triangle that is seen is steeper: it spans a sixteenth of the way around.
+    // No visible triangle is steeper, since it spans a sixteenth of the circumference.
     constexpr float kLeastFacing = 0.1F;
     const Number x = nmad(along, cone.axis[0], Flat ? rays.x - cone.from[0] : msub(rays.x, depth, cone.from[0]));
     const Number y = nmad(along, cone.axis[1], Flat ? rays.y - cone.from[1] : msub(rays.y, depth, cone.from[1]));
@@ -194,7 +194,7 @@ HWY_INLINE SampleNormal<Number> sample_normal(const RoundCone& cone, const Rays<
     return {nmad(slant, ux, px), nmad(slant, uy, py), msub(slant, uz, pz)};
 }
 
-// Whether the cone may come into the block before `farthest`.
+// Whether the cone may cover samples of the block at a depth less than `farthest`. Conservative.
 HWY_INLINE bool reaches(const RoundCone& cone, const Block& block, float farthest) {
     constexpr float kHalf = 0.5F * kBlock;
     if (cone.nearest_depth >= farthest) return false;
@@ -204,11 +204,12 @@ HWY_INLINE bool reaches(const RoundCone& cone, const Block& block, float farthes
         const float most = cone.image_half_width + 1.4143F * kHalf;
         return x * x + y * y <= most * most;
     }
-    // Half of the block as it is seen along the cone, and across: a square is the same both ways.
+    // Half the extent of the block along the cone and across it; equal, since a block is square.
     const float half = kHalf * (__builtin_fabsf(dx) + __builtin_fabsf(dy)), beside = cone.image_half_width + half;
     const float along = x * dx + y * dy, across = __builtin_fabsf(x * dy - y * dx);
     if (across > beside || along < -beside || along > length + beside) return false;
-    // The part of its axis that may be seen there: depths are even in the picture when flat, else their inverse is.
+    // The part of the axis that may project into the block. Depth is linear in the picture in orthographic views; in
+    // perspective its inverse is.
     const float from = along - beside, to = along + beside, scale = 1.0F / length;
     const float t0 = from <= 0.0F ? 0.0F : from * scale, t1 = to >= length ? 1.0F : to * scale;
     const float d0 = cone.depth[0] + t0 * cone.depth[1], d1 = cone.depth[0] + t1 * cone.depth[1];
@@ -216,7 +217,7 @@ HWY_INLINE bool reaches(const RoundCone& cone, const Block& block, float farthes
     return (d0 > d1 ? d0 : d1) * (farthest + cone.larger_radius) > 1.0F;
 }
 
-// Twice the areas that points of the picture span with the edges: positive inside.
+// Twice the signed areas of the triangles between a point and each edge: positive inside.
 struct EdgeFunctions {
     Float of[3];
 };
@@ -250,7 +251,7 @@ template <bool Flat> HWY_INLINE Coverage coverage(const Triangle& t, const Block
     return coverage_at<Flat>(t, block, lane, kSampleX[sample], kSampleY[sample]);
 }
 
-// At the pixels' middles, as in fragment.frag: of any length; of lines, in x how much of the pixel they take.
+// Normals at the pixels' middles, as in fragment.frag; any length. For lines, x is the covered share of the pixel.
 HWY_INLINE Vec3 pixel_normal(const Triangle& t, const Block& block, int lane) {
     const EdgeFunctions edges = edge_functions(t, block, lane, 0.5F, 0.5F);
     if (t.half_width > 0.0F) { // as line_share() of context.frag

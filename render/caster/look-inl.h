@@ -1,4 +1,4 @@
-// The formulas of shaders/look for a vector of pixels, and what they read: uniforms and, in place of textures, arrays.
+// Compiles the formulas of shaders/look for vectors of pixels, with the uniforms and the arrays that replace textures.
 // Included once per instruction set.
 #if defined(RAMUS_CASTER_LOOK_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAMUS_CASTER_LOOK_INL_H
@@ -15,8 +15,8 @@ namespace ramus::render::caster::HWY_NAMESPACE {
 
 using namespace record;
 
-// Uniforms are its members, as they are global names in GLSL. The shaders' variants are all there: uniforms say what
-// is on.
+// Deriving from Uniforms makes them visible by name, as globals are in GLSL. All variants of the shaders are compiled
+// in; uniforms select what is on.
 class LookOfPixels : Uniforms {
 public:
     HWY_INLINE LookOfPixels(const Shading& shading, const PictureArrays& arrays)
@@ -31,7 +31,7 @@ public:
 #define CONTOURS
 #define HALOS
 #define SHADOWS
-// In the order in which they need each other.
+// In the order of their dependencies.
 // clang-format off
 #include "shaders/look/point.glsl"
 #include "shaders/look/position.glsl"
@@ -53,7 +53,7 @@ public:
 #undef HALOS
 #undef SHADOWS
 
-    // Linear colour, and opacity; negative: lines. Of lanes that are neither lesions nor context it is something.
+    // Linear colour and opacity (negative: lines). Arbitrary but valid for lanes that show neither lesions nor context.
     HWY_INLINE Vec4 context_mesh(Uint id) const {
         const M there = hn::And(any_of(id.v, kSolid), any_of(id.v, kContext));
         const VU index = hn::Sub(hn::And(id.v, hn::Set(DU(), kNumberBits)), hn::Set(DU(), 1U));
@@ -65,7 +65,7 @@ public:
     HWY_INLINE Vec4 lesion() const { return {Vec3(lesion_colour), lesion_colour.w}; }
 
 private:
-    // Index of the picture's nearest pixel.
+    // Index of the nearest pixel in the picture.
     HWY_INLINE VI index_at(Vec2 pixel) const {
         const auto held = [](Float at, int count) {
             return hn::Min(hn::Max(hn::ConvertTo(DI(), at.v), hn::Zero(DI())), hn::Set(DI(), count - 1));
@@ -93,7 +93,7 @@ private:
     HWY_INLINE const vec4& cut_texel(int i) const { return shading_.cuts[i]; }
     HWY_INLINE const vec4& lesion_sphere(int i) const { return shading_.lesions[i]; }
 
-    // sRGB. The ends of the scale have the first and the last colour, as in the shaders.
+    // sRGB. The ends of the scale get the first and the last colour, as in the shaders.
     HWY_INLINE Vec3 ramp_colour(Float along) const {
         const auto steps = static_cast<float>(shading_.ramp_steps);
         const Float at = along * (steps - 1.0F);
@@ -106,7 +106,7 @@ private:
         return {channel(0), channel(1), channel(2)};
     }
 
-    // Between eight samples, as a texture is read; 1e30 outside the grid.
+    // Trilinear interpolation, as for a texture; 1e30 outside the grid.
     HWY_INLINE Float distance_in_grid(Vec3 position) const {
         const DI di;
         const LesionGrid& grid = shading_.grid;

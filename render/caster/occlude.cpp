@@ -32,7 +32,7 @@ void split_depth_lanes(int x0, int y0, const View& view, const PictureArrays& pi
     }
 }
 
-// Pixels of row y, four apart from column x + k on.
+// Reads pixels of row y, four columns apart, starting at column x + k.
 struct FarPixels {
     int x, k, y;
     Float depth;
@@ -53,7 +53,7 @@ HWY_INLINE Float occlusion_of(const View& view, const Taps& taps, const PictureA
     for (int i = 0; i < taps.count; ++i) {
         const int dx = offsets.x[i], y = at.y + offsets.y[i], column = at.k + dx;
         if (y < 0 || y >= view.height) continue;
-        // Where there is nothing it is so far away that it weighs nothing.
+        // Empty pixels have such a large depth that their weight is 0.
         const Float tap = hn::LoadU(D(), picture.depth_planes + (column & 3) * picture.plane_size +
                                              y * picture.plane_stride + at.x / 4 + (column >> 2));
         const Float tap_x = first_x + static_cast<float>(dx) * view.mm_a_pixel;
@@ -82,7 +82,7 @@ void occlude_lanes(const View& view, const Taps& taps, int x0, int y0, const Pic
                 there[k] = hn::Lt(depth[k], set(0.5F * kNothing));
                 any = hn::Or(any, there[k]);
             }
-            if (hn::AllFalse(d, any)) continue; // their depth keeps them out of every mean
+            if (hn::AllFalse(d, any)) continue; // their depth gives them no weight
             VU normal[4];
             hn::LoadInterleaved4(du, picture.normal + first, normal[0], normal[1], normal[2], normal[3]);
             for (int k = 0; k < 4; ++k) {
@@ -100,8 +100,8 @@ void occlude_lanes(const View& view, const Taps& taps, int x0, int y0, const Pic
 constexpr int kBlurReach = 3; // pixels
 constexpr int kBlurRows = kTile + 2 * kBlurReach;
 
-// Of kN pixels, the mean of what lies up to kBlurReach steps away: their depths are `depth_stride` apart, their values
-// `value_stride`. Steps from `first` to `last` count.
+// Means of up to kBlurReach steps around kN pixels. `depth_stride`, `value_stride`: distance of steps in the arrays.
+// Only steps from `first` to `last` count.
 HWY_INLINE V blurred(OcclusionOfPixels& formulas, const float* depths, std::ptrdiff_t depth_stride, const float* values,
                      std::ptrdiff_t value_stride, int first, int last) {
     const D d;
@@ -119,7 +119,7 @@ HWY_INLINE V blurred(OcclusionOfPixels& formulas, const float* depths, std::ptrd
     return hn::IfThenElseZero(there.m, (sum / max(weights, 1e-6F)).v);
 }
 
-// Along rows, of the tile's and of those around it that the blur across needs; then across them.
+// Blurs along rows, including the rows around the tile that the second blur needs, then across them.
 void smooth_lanes(const View& view, int x0, int y0, const float* picture_depths, const PictureArrays::Taken& taken) {
     const D d;
     OcclusionOfPixels formulas{view.block};

@@ -1,4 +1,4 @@
-// Where the cones lie before the eye of a picture.
+// Transforms cones into eye space for a picture.
 #include "core/field/skeleton.h"
 #include "render/caster/vessel_cones.h"
 #include "render/scene/record_flags.h"
@@ -19,7 +19,7 @@ using record::kSolid;
 
 namespace {
 
-// As outline() of cone.vert: half the width of a ball's outline at depth 1.
+// See outline() of cone.vert: half the width of a ball's outline at depth 1.
 float outline(const glm::vec3& centre, float radius) {
     const float away = glm::length(centre), sine = radius / away,
                 cosine = std::sqrt(std::max(1.0F - sine * sine, 0.0F));
@@ -30,7 +30,7 @@ float outline(const glm::vec3& centre, float radius) {
 void put(float (&to)[3], const glm::vec3& v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
 void put(float (&to)[4], const glm::vec4& v) { to[0] = v.x, to[1] = v.y, to[2] = v.z, to[3] = v.w; }
 
-// And what follows from them; the axis is there.
+// Sets the radii and values derived from them; the axis must be set.
 void set_radii(RoundCone& cone, float first, float last) {
     cone.first_radius = first;
     cone.last_radius = last;
@@ -40,12 +40,12 @@ void set_radii(RoundCone& cone, float first, float last) {
     cone.inverse_side_squared = cone.side_squared > 0.0F ? 1.0F / cone.side_squared : 0.0F;
 }
 
-// As cone.vert, the hull of two balls in eye space. False: there is nothing of it to see.
+// As cone.vert: the hull of two balls in eye space. False: it is invisible.
 bool project(const View& view, const glm::vec4& first, const glm::vec4& last, RoundCone& cone) {
     const glm::vec3 from(first), to(last), axis = to - from;
     cone = {};
     cone.nearest_depth = std::min(from.z - first.w, to.z - last.w);
-    // What reaches behind the eye has no outline.
+    // Cones that reach behind the eye have no outline.
     if (!view.flat && std::min(from.z - 1.05F * first.w, to.z - 1.05F * last.w) <= 1e-4F * view.block.depth_range.y)
         return false;
     const glm::vec2 a = view.flat ? glm::vec2(from) : glm::vec2(from) / from.z;
@@ -72,9 +72,9 @@ bool project(const View& view, const glm::vec4& first, const glm::vec4& last, Ro
     return true;
 }
 
-// Segments of glass that one cone may stand for, and how far the points between may be aside of its axis, pixels. Tuned
-// on the kidney of 78,000 segments, most of them a pixel long. What is opaque has a cone for each: a twentieth of a
-// pixel would show there.
+// Number of glass segments that one cone may replace, and how far points between may be off its axis, in pixels. Tuned
+// on the kidney of 78,000 segments, most of them a pixel long. Opaque segments are not merged: a twentieth of a pixel
+// would be visible.
 constexpr std::size_t kMostJoined = 8;
 constexpr float kMostAside = 0.075F;
 
@@ -119,7 +119,7 @@ bool VesselCones::prepare(const Run& run, const Placement& placement, const std:
     if (!project(placement.view, glm::vec4(from, points[i].w), glm::vec4(to, points[end].w), cone)) return false;
     const float length = glm::length(to - from);
     const glm::vec3 direction = length > 0.0F ? (to - from) / length : glm::vec3(0.0F, 0.0F, 1.0F);
-    // At the joint of two segments the vessel goes half as the one, half as the other.
+    // At a joint the direction of the vessel is the mean of both segments' directions.
     const auto direction_at = [&](std::size_t joint, std::uint32_t beyond, float outward) {
         if (beyond >= Segment::kJoins) return glm::vec4(direction, 0.0F);
         const glm::vec3 other = outward * (in_eye_space(beyond) - in_eye_space(joint));
@@ -140,7 +140,7 @@ bool VesselCones::prepare(const Run& run, const Placement& placement, const std:
     return true;
 }
 
-// Inside glass, from end to end: as wide as centerline.vert draws it, wherever it is.
+// A centerline inside glass: as wide as centerline.vert draws it.
 bool VesselCones::prepare_line(const Run& run, const Placement& placement, RoundCone& line) const {
     if (!prepare(run, placement, fitted_->on_line, line)) return false;
     const View& view = placement.view;
@@ -170,7 +170,7 @@ bool VesselCones::is_straight(const Run& run, const Placement& placement) const 
     for (std::size_t point = from + 1; point < to; ++point) {
         const glm::vec4 off = points[point] - points[from];
         const float share = squared > 0.0F ? glm::dot(glm::vec3(off), glm::vec3(whole)) / squared : 0.0F;
-        const glm::vec4 aside = off - share * whole; // and how much the radius differs
+        const glm::vec4 aside = off - share * whole; // w: the difference of the radius
         if (share < 0.0F || share > 1.0F || glm::dot(aside, aside) > most * most) return false;
     }
     return true;

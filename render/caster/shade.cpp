@@ -11,7 +11,7 @@ namespace ramus::render::caster::HWY_NAMESPACE {
 
 using SurfacePoint = LookOfPixels::SurfacePoint;
 
-// Four numbers a lane, one lane after the other.
+// Stores four numbers per lane, lane by lane.
 HWY_INLINE void spread(Vec4 colour, float* to) {
     hn::StoreInterleaved4(colour.x.v, colour.y.v, colour.z.v, colour.w.v, D(), to);
 }
@@ -20,7 +20,7 @@ HWY_INLINE void spread(Vec4 colour, float* to) {
 struct ShadedPoints {
     SurfacePoint point;
     VI in_picture;
-    Mask whole; // the pixel, of all samples
+    Mask whole; // the record stands for all samples of the pixel
 };
 
 HWY_INLINE ShadedPoints points_of(LookOfPixels& look, const Shading& shading, const Records& records, std::size_t first,
@@ -72,7 +72,7 @@ HWY_INLINE Vec4 veil_of(LookOfPixels& look, SurfacePoint p, VU normals) {
     return veil;
 }
 
-// Nearest first: each veils what lies behind it in its sample.
+// Nearest first; each fragment veils what is behind it in its sample.
 void shade_glass(LookOfPixels& look, const Shading& shading, const Records& glass, const ShadedTile& tile) {
     alignas(64) float found[64];
     for (std::size_t first = 0; first < glass.count; first += kN) {
@@ -141,7 +141,7 @@ HWY_INLINE VU packed_bytes(Vec4 colour) {
                   hn::Or(hn::ShiftLeft<16>(byte(colour.z)), hn::ShiftLeft<24>(byte(colour.w))));
 }
 
-// Of kN pixels: `sum` is what is there, premultiplied and linear, `behind` what it stands before.
+// Composes kN pixels: `sum` (premultiplied, linear) over `behind`.
 HWY_INLINE Vec4 finished(LookOfPixels& look, Vec4 sum, Vec3 behind, bool transparent, Float outline, Float dither) {
     Float alpha = clamp(sum.w, 0.0F, 1.0F);
     Vec3 light(sum.x, sum.y, sum.z);
@@ -149,7 +149,7 @@ HWY_INLINE Vec4 finished(LookOfPixels& look, Vec4 sum, Vec3 behind, bool transpa
     return look.encoded(look.outlined(Vec4(light, alpha), outline), dither);
 }
 
-// The tile's bytes. `lit`: there is something in it.
+// Writes the tile's bytes. `lit`: the tile is not empty.
 void encode(LookOfPixels& look, const Shading& shading, bool lit, const ShadedTile& tile) {
     const D d;
     alignas(64) std::uint32_t words[16];

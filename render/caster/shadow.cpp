@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
-// Uniforms are its members, as they are global names in GLSL.
+// Deriving from the block makes its uniforms visible by name, as globals are in GLSL.
 class ShadowOfPixels : ViewBlock {
 public:
     HWY_INLINE ShadowOfPixels(const View& view, const float* depths)
@@ -26,7 +26,7 @@ public:
 #undef INLINE
 
 private:
-    // Of the picture's nearest pixel.
+    // Depth of the nearest pixel of the picture.
     HWY_INLINE Float opaque_depth_at(Vec2 pixel) const {
         const auto held = [](Float at, int count) {
             return hn::Min(hn::Max(hn::ConvertTo(DI(), at.v), hn::Zero(DI())), hn::Set(DI(), count - 1));
@@ -39,7 +39,7 @@ private:
     const float* depths_;
 };
 
-// Four pixels' rays at a time are the same for every fourth pixel of a row.
+// Every fourth pixel of a row has the same rays.
 void shadow_lanes(const View& view, const ShadowRays& rays, int x0, int y0, const PictureArrays& picture) {
     const D d;
     const DU du;
@@ -54,7 +54,7 @@ void shadow_lanes(const View& view, const ShadowRays& rays, int x0, int y0, cons
             for (int k = 0; k < 4; ++k) {
                 const Float depth = hn::LoadU(d, dealt + k * picture.plane_size);
                 const Mask there = depth < 0.5F * kNothing;
-                found[k] = hn::Zero(d); // depth keeps it out of every mean where there is nothing
+                found[k] = hn::Zero(d); // the depth of empty pixels gives them no weight
                 if (!any(there)) continue;
                 const Float column = mad(hn::Iota(d, 0), 4.0F, static_cast<float>(x + k) + 0.5F);
                 const Vec2 pixel(column, static_cast<float>(y) + 0.5F);

@@ -1,39 +1,42 @@
-// What the caster does with a tile or two at a time, stage by stage.
+// The stages of the ray caster. Each processes one tile, or two adjacent ones, and may run for several tiles in
+// parallel. Order:
+//
+//   all tiles: cast_tile(), raster_tile(), resolve_tile(), list_fragments(), split_depths()
+//   all tiles: occlude_tiles(), shadow_tiles(); then smooth_tile(); then shade_tile()
 #pragma once
 
 #include "render/caster/cast_types.h"
 
 namespace ramus::render::caster {
 
-// The caster's first stage: cones to samples, samples to one value a pixel and to records to shade.
+// First stage: cones to samples, samples to one value per pixel and to records to shade.
 
 // Casts the tile's rays at opaque cones.
 void cast_tile(const TileTask& tile, const TileCones& cones, Samples& samples);
 
-// Fills the tile of `picture`, and `records` with what there is to shade.
+// Fills the tile of `picture`, and `records` with what is to be shaded.
 void resolve_tile(const TileTask& tile, const Samples& samples, const PictureArrays& picture, Records& records);
 
-// The caster's second stage: opaque triangles among the cones.
+// Second stage: draws opaque triangles among the cones.
 
-// Draws the triangles into the tile's samples, after the cones.
+// Draws the triangles into the tile's samples; call it after cast_tile().
 void raster_tile(const TileTask& tile, const BlockTriangles& triangles, Samples& samples);
 
-// The caster's glass: the fragments of it that every sample sees, nearest first. The cones of one vessel tree overlap,
-// so that a ray goes through glass from where it enters any of them to where it has left all of them: one fragment, at
-// its front.
+// Glass: the fragments that every sample sees, nearest first. The cones of a vessel tree overlap: a ray passes through
+// glass from where it enters any cone until it has left all of them, which is one fragment, at the front.
 inline constexpr std::size_t kMaxFragmentsOfTile = std::size_t{kTilePixels} * kSamples * kMaxFragments + 16;
 
-// What lies before the samples' opaque surfaces: pixel by pixel, fragments of all its samples together where they are
-// the same, else sample by sample; nearest first. Pixels of `picture` without anything opaque are picked as the glass
-// they show, lesions before all else.
-// `in_pairs`: two samples of a pixel look along one ray in between, for half of the work.
+// Lists the glass in front of the samples' opaque surfaces, nearest first: one list per pixel where all its samples see
+// the same, else one per sample. Sets the picked id of pixels without an opaque surface to the glass they show; lesions
+// take precedence. `in_pairs`: two samples of a pixel share one ray between them, which halves the work.
 void list_fragments(const TileTask& tile, const BlockCones& cones, const BlockTriangles& triangles,
                     const Samples& samples, bool in_pairs, const PictureArrays& picture, Records& fragments);
 
-// The caster's second and third stage: ambient occlusion from the picture's depths, and its noise removed; what
-// occlusion.frag and occlusion_blur.frag do.
+// Third stage: ambient occlusion from the picture's depths, and denoising, as in occlusion.frag and
+// occlusion_blur.frag.
 
-// Where the occlusion of a pixel looks, pixels from there: the same for all whose column and row are the same modulo 4.
+// Offsets in pixels at which the occlusion of a pixel samples depths. Pixels whose columns and rows are equal modulo 4
+// share them.
 struct Taps {
     static constexpr int kMost = 32;
     int count;
@@ -43,36 +46,36 @@ struct Taps {
 };
 [[nodiscard]] Taps taps_of(const View& view);
 
-// Each fills the tile, or tiles, whose lower left pixel is (x, y). Depths must have been dealt for the whole picture
-// when it is occluded, and occlusion be there for the tiles around when it is smoothed.
+// Each fills the tile or tiles whose lower left pixel is (x, y). Call order: split_depths() for the whole picture, then
+// occlude_tiles(), then smooth_tile() once the tiles around are occluded.
 void split_depths(int x, int y, const View& view, const PictureArrays& picture);
 void occlude_tiles(const View& view, const Taps& taps, int x, int y, const PictureArrays& picture);
 void smooth_tile(const View& view, int x, int y, const float* depths, const PictureArrays::Taken& taken);
 
-// Shadows, likewise; what occlusion.frag does for them. Rays are the same for all pixels whose column and row are the
-// same modulo 4; of what is in w see look/shadow_ray.glsl.
+// Shadows, as occlusion.frag computes them. Pixels whose columns and rows are equal modulo 4 share their ray;
+// look/shadow_ray.glsl explains w.
 struct ShadowRays {
     vec4 of[4][4]; // [row][column]
 };
 [[nodiscard]] ShadowRays shadow_rays();
 void shadow_tiles(const View& view, const ShadowRays& rays, int x, int y, const PictureArrays& picture);
 
-// The caster's last stage: light. What shade.frag does for a picture at rest, with the same formulas (shaders/look).
+// Last stage: light, with the formulas of shade.frag (shaders/look).
 
-// Colours of a tile while it is shaded.
+// Colours of a tile during shading.
 struct alignas(64) Colours {
-    float sum[kTilePixels][4];             // of the samples' linear colours, and the share of them that is there
+    float sum[kTilePixels][4];             // of the samples' linear colours, and of their coverage
     float front[kSamples][kTilePixels][4]; // glass: premultiplied, by sample
 };
 
-// A tile that is shaded.
+// A tile to shade.
 struct ShadedTile {
     int x, y; // lower left pixel
     Colours& colours;
-    std::uint32_t* rgba; // of the picture: bytes in this order, sRGB, premultiplied; its width in pixels a row
+    std::uint32_t* rgba; // the whole picture: bytes in this order, sRGB, premultiplied, rows without padding
 };
 
-// `glass`: what is seen through, without values, nearest first in each sample.
+// `glass`: transparent surfaces, without values, nearest first in each sample.
 void shade_tile(const Shading& shading, const Records& records, const Records& glass, const PictureArrays& picture,
                 const ShadedTile& tile);
 

@@ -18,9 +18,9 @@ namespace ramus::render::caster {
 
 namespace {
 
-// Half a vessel's width in pixels from which on its triangles are drawn, and how many may be, before those that face
-// away are dropped. Tuned on the kidney at 1280 x 800: thinner vessels differ by less than a pixel, and more triangles
-// take longer than the cones that they replace.
+// Vessels of this half width in pixels or more are drawn as triangles; the other constant limits their number, before
+// dropping back faces. Tuned on the kidney at 1280 x 800: thinner vessels differ by less than a pixel, and more
+// triangles take longer than the cones that they replace.
 constexpr float kThick = 10.0F;
 constexpr std::size_t kMostTriangles = 250'000;
 
@@ -33,7 +33,7 @@ Pages pages_in_picture(const Surface& surface) {
     return found;
 }
 
-// By branch: half its width in the picture where it is widest, 0 where its triangles cannot stand in for its cones.
+// By branch: largest half width in the picture; 0: its triangles cannot replace its cones.
 std::vector<float> widths_in_picture(const ConeList& list, std::size_t branches) {
     std::vector<float> widths(branches, 0.0F);
     for (std::size_t i = 0; i < list.cones.size(); ++i) {
@@ -73,7 +73,7 @@ public:
 
     void add(const glm::uvec3& t, std::uint32_t branch, std::vector<Triangle>& to) const {
         constexpr TriangleKind kSurface{true, 0.0F};
-        if (faces_away(t)) return; // half of them do: all that follows takes longer
+        if (faces_away(t)) return; // half of them; this test is cheaper than the rest
         project_triangle({corner(t.x), corner(t.y), corner(t.z)}, kSurface, branch + 1, view_, to);
     }
     [[nodiscard]] const GpuVertex& vertex(std::uint32_t number) const {
@@ -96,10 +96,10 @@ private:
     const View& view_;
     glm::mat4 to_eye_;
     glm::mat3 turn_;
-    glm::vec3 eye_, forward_; // where the eye is and looks, as the mesh has it
+    glm::vec3 eye_, forward_; // position and direction of the eye, in the mesh's space
 };
 
-// Where branches meet a triangle is of the branch that most of its corners have, of those that are drawn.
+// At borders a triangle belongs to the branch of most of its corners, among the branches that are drawn.
 void append(const TrianglePage& page, const std::vector<std::uint8_t>& chosen, const PageProjection& projection,
             std::vector<Triangle>& to) {
     for (const TrianglePage::Run& run : page.runs)

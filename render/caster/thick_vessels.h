@@ -1,10 +1,9 @@
-// Thick vessels in the caster's pictures: those that take many pixels across are drawn by the triangles that they have
-// at rest, in place of their cones. No cone follows a surface to the pixel where wide vessels meet or where segments
-// are far shorter than they are wide; and as the mesh has so many triangles around a vessel however wide it is, wide
-// ones are few triangles.
+// Draws vessels that are many pixels wide with the triangles of the picture at rest, in place of their cones. Where
+// wide vessels meet, or where segments are far shorter than wide, cones deviate visibly from the surface. The mesh has
+// the same number of triangles around a vessel of any width, so wide vessels have few.
 //
-// Vessels that go on as glass stay cones: those tell what is inside of what. So do all where surfaces have values,
-// which cones have along their axes.
+// Vessels that continue as glass stay cones, which tell inside from outside. So do all vessels when surfaces have
+// values, since cones interpolate values along their axes.
 #pragma once
 
 #include "render/caster/cast_types.h"
@@ -16,15 +15,15 @@
 
 namespace ramus::render::caster {
 
-// The vessels' surface, before the eye of a picture.
+// The vessels' surface with its transforms for one picture.
 struct Surface {
     const PagedMesh& mesh;
     const glm::dmat4& to_eye;  // from mm, depth as +z
     const glm::dmat4& to_clip; // from positions relative to the mesh's origin
 };
 
-// Takes the cones of thick vessels off the list and appends their triangles, in the mesh's order: of the widest vessels
-// first, as long as they are not more than can be drawn quickly.
+// Removes the cones of thick vessels from the list and appends their triangles, in the mesh's order. Takes the widest
+// vessels first, up to a number of triangles that can be drawn quickly.
 void draw_thick_vessels(const Surface& surface, const View& view, ConeList& list, std::vector<Triangle>& triangles);
 
 } // namespace ramus::render::caster

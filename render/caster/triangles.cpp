@@ -14,7 +14,7 @@ namespace ramus::render::caster {
 
 namespace {
 
-// Before the eye, all of it at this depth or farther; the eye itself would be nowhere in the picture.
+// Clips a triangle at this depth in front of the eye, where projection is defined.
 std::size_t cut_off(const std::array<Corner, 3>& corners, float nearest, std::array<Corner, 4>& polygon) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -28,7 +28,7 @@ std::size_t cut_off(const std::array<Corner, 3>& corners, float nearest, std::ar
     return count;
 }
 
-// All of it before the eye.
+// Projects a triangle that is completely in front of the eye.
 void project_whole(std::array<Corner, 3> corners, const TriangleKind& kind, std::uint32_t id, const View& view,
                    std::vector<Triangle>& to) {
     std::array<glm::vec2, 3> at;
@@ -59,8 +59,8 @@ void project_whole(std::array<Corner, 3> corners, const TriangleKind& kind, std:
     const float share = 1.0F / area;
     float widest = 0.0F;
     for (std::size_t i = 0; i < 3; ++i) {
-        // The edge across from corner i. Of two triangles that share it both compute the same numbers, of opposite
-        // sign, and a point that lies on it is one's.
+        // The edge opposite to corner i. Two triangles that share it compute the same numbers with opposite signs, so a
+        // point on it belongs to exactly one of them.
         const glm::vec2 from = at[(i + 1) % 3], to_corner = at[(i + 2) % 3], direction = to_corner - from;
         const bool first = from.x < to_corner.x || (from.x == to_corner.x && from.y < to_corner.y);
         const glm::vec2 base = first ? from : to_corner;
@@ -75,7 +75,7 @@ void project_whole(std::array<Corner, 3> corners, const TriangleKind& kind, std:
     t.share = share;
     t.id = id;
     t.half_width = kind.half_width;
-    // Where triangles are hardly wider than lines, those get fainter.
+    // Lines become fainter where triangles are hardly wider than lines.
     t.crowded = std::clamp(1.0F / (8.0F * std::max(kind.half_width, 1e-6F) * widest), 0.22F, 1.0F);
     to.push_back(t);
 }

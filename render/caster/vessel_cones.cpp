@@ -4,7 +4,7 @@
 
 namespace ramus::render::caster {
 
-// Of another width they are not far off: who makes them ahead brings the right ones soon.
+// Cones of another width are a good approximation, and the owner will provide the right ones soon.
 void VesselCones::follow(const Frame& frame, const std::shared_ptr<const FittedCones>& known) {
     const auto before = fitted_;
     const auto fits = [&](const FittedCones& cones) {
@@ -24,7 +24,7 @@ void VesselCones::follow(const Frame& frame, const std::shared_ptr<const FittedC
     other_layer_.first.clear();
 }
 
-// There a point of the surface can be either.
+// Where layers are mixed, a surface point can belong to either.
 void VesselCones::find_mixed_layers(const std::vector<Layer>& layers) {
     const FittedCones& fitted = *fitted_;
     const Neighbours& neighbours = fitted.neighbours;

@@ -1,4 +1,4 @@
-// The numbers that shaders and C++ agree on, from the shaders' own files.
+// The binding numbers that shaders and C++ share, included from the shaders' own file.
 #pragma once
 
 namespace ramus::render {

@@ -1,7 +1,7 @@
 #include "render/gl/gl_context.h"
 
 #include "core/base/memory.h"
-#include "render/gl/gl_floor.h"
+#include "render/gl/gl_fallback.h"
 
 #include <algorithm>
 #include <array>
@@ -17,15 +17,15 @@ namespace ramus::render {
 
 namespace {
 
-// What a context has to tell comes by a callback of the process, on any thread, and its functions are the process's.
+// Debug messages arrive by a callback on any thread; function pointers belong to the process.
 std::atomic<int> error_count{0};
 std::mutex last_error_mutex;
 std::string last_error;
 GlVersion found_version;
 GlVersion newest_allowed{99, 0};
-// Of the context that is current on a thread.
+// For the current context of a thread.
 thread_local bool out_of_memory = false;
-thread_local int looked_at = 0; // error_count when glGetError() was last asked
+thread_local int looked_at = 0; // error_count at the last glGetError()
 
 void count_error(std::string text) {
     std::fprintf(stderr, "ramus: OpenGL: %s\n", text.c_str());
@@ -38,7 +38,7 @@ void GLAD_API_PTR note_message(GLenum source, GLenum type, GLuint, GLenum severi
                                const void*) {
     if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
     if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return; // make_program() reports it
-    // Memory that is short is no mistake of the program's: who asked for it reports it.
+    // Running out of memory is not an error of the program; the allocating code reports it.
     if (std::string_view(message).find("OUT_OF_MEMORY") != std::string_view::npos) return;
     count_error(message);
 }
@@ -48,9 +48,9 @@ std::string text_of(GLenum name) {
     return value != nullptr ? reinterpret_cast<const char*>(value) : "unknown";
 }
 
-// Names of the two extensions, which no core loader has. What they tell is in KiB.
+// Constants of two extensions, which core loaders lack. Values are in KiB.
 constexpr GLenum kDedicatedMemory = 0x9047;  // GPU_MEMORY_INFO_DEDICATED_VIDMEM_NVX
-constexpr GLenum kFreeBufferMemory = 0x87FB; // VBO_FREE_MEMORY_ATI: of the pool in all, and three more
+constexpr GLenum kFreeBufferMemory = 0x87FB; // VBO_FREE_MEMORY_ATI: of the whole pool, and three other values
 
 bool has_extension(std::string_view name) {
     GLint count = 0;
@@ -70,7 +70,7 @@ Result<void> load_gl(GlLoader loader, const void* context, const std::string& re
         return fail("OpenGL " + found_version.text() + " is too old, " + kOldestGl.text() + " is needed",
                     gl_description(),
                     remedy.empty() ? "update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1" : remedy);
-    install_gl_floor(GLAD_MAKE_VERSION(found_version.major, found_version.minor), context);
+    install_gl_fallback(GLAD_MAKE_VERSION(found_version.major, found_version.minor), context);
     GLint flags = 0;
     glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
     if (glDebugMessageCallback != nullptr) {
@@ -108,13 +108,13 @@ double graphics_memory_bytes() {
 }
 
 void note_gl_errors(const char* where) {
-    constexpr int kMost = 16; // without a context, or a lost one, it never ends
+    constexpr int kMost = 16; // glGetError() never ends without a context or with a lost one
     for (int i = 0; i < kMost; ++i) {
         const GLenum error = glGetError();
         if (error == GL_NO_ERROR) break;
         if (error == GL_OUT_OF_MEMORY)
             out_of_memory = true;
-        else if (error_count == looked_at) // no debug message has told it
+        else if (error_count == looked_at) // not reported by a debug message
             count_error("error " + std::to_string(error) + " after " + where);
     }
     looked_at = error_count;

@@ -2,7 +2,7 @@
 
 #include "core/base/free_in_background.h"
 #include "render/gl/gl_context.h"
-#include "render/gl/gl_floor.h"
+#include "render/gl/gl_fallback.h"
 #include "render/gl/shader_text.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace ramus::render {
 
 namespace {
 
-// For tests: objects of all contexts, what each thread has linked, and what memory there seems to be.
+// For tests: number of objects in all contexts, programs linked per thread, and the simulated limit of memory.
 std::atomic<int> alive{0};
 thread_local int programs_made = 0;
 std::size_t largest_allocation = std::numeric_limits<std::size_t>::max();
@@ -25,7 +25,7 @@ std::size_t texel_bytes(GLenum format) {
     return format == GL_R8 ? 1 : format == GL_RG32UI || format == GL_RGB16F ? 8 : format == GL_RGBA32F ? 16 : 4;
 }
 
-// Around an allocation: what went wrong before is not its fault.
+// Wraps an allocation; earlier errors are not attributed to it.
 template <class Allocate> void allocate(std::size_t bytes, const Allocate& call) {
     if (bytes > largest_allocation) throw OutOfGraphicsMemory(bytes);
     (void)gl_ran_out_of_memory();
@@ -105,7 +105,7 @@ constexpr GLenum kOwnMemory = 0x9160; // GL_EXTERNAL_VIRTUAL_MEMORY_BUFFER_AMD
 
 } // namespace
 
-// What was drawn from them is waited for.
+// Waits for pending draws from these pages.
 void GiveBackPages::operator()(void* pages) const {
     glFinish();
     free_in_background([pages, all = bytes] { munmap(pages, all); });
@@ -136,7 +136,7 @@ LargeBuffer::LargeBuffer(const SharedPages& pages, bool& shared) {
     allocate(pages.bytes(), [&] { lie_in(again, pages.bytes()); });
 }
 
-// Bound, the driver takes them as the buffer's memory.
+// Binding to this target makes the driver use the pages as the buffer's memory.
 void LargeBuffer::lie_in(void* pages, std::size_t bytes) {
     pages_ = {pages, GiveBackPages{bytes}};
     glBindBuffer(kOwnMemory, buffer_);
@@ -204,7 +204,7 @@ Result<Program> make_program(std::string_view vertex_shader, std::string_view fr
     };
     of_all(glAttachShader);
     glLinkProgram(program);
-    of_all(glDetachShader); // nothing needs them any more
+    of_all(glDetachShader); // no longer needed after linking
     GLint linked = GL_FALSE;
     glGetProgramiv(program, GL_LINK_STATUS, &linked);
     if (linked != GL_TRUE)

@@ -1,8 +1,8 @@
-// Owners of GL objects, their memory, and programs from the embedded shaders. Moving is allowed, copying is not; each
-// must die while its context is current.
+// RAII owners of GL objects, their allocation, and programs from the embedded shaders. They are movable, not copyable,
+// and must be destroyed while their context is current.
 //
-// Graphics memory may run out in any allocation. Functions here then throw OutOfGraphicsMemory, as `new` throws: what
-// was made dies, nothing is used that is not there, and Renderer::draw() returns it as an Error.
+// Any allocation may run out of graphics memory. Functions here then throw OutOfGraphicsMemory, as `new` throws; partly
+// built objects are destroyed, and Renderer::draw() returns an Error.
 #pragma once
 
 #include "core/base/error.h"
@@ -27,10 +27,10 @@ public:
     explicit OutOfGraphicsMemory(std::size_t bytes);
 };
 
-// GL objects that are alive, of all contexts: 0 once everything that draws is gone.
+// Number of live GL objects in all contexts; 0 after everything that draws was destroyed.
 [[nodiscard]] int gl_objects_alive();
 void count_gl_object(int change);
-// Programs that the calling thread has linked so far. A driver takes its time for each, and for the first use.
+// Number of programs that the calling thread has linked. Linking, and the first use, take the driver noticeable time.
 [[nodiscard]] int gl_programs_made();
 
 template <void (*destroy)(GLuint)> class GlObject {
@@ -69,14 +69,14 @@ using Query = GlObject<delete_query>;
 using Program = GlObject<delete_program>;
 using Shader = GlObject<delete_shader>;
 
-// By one of OpenGL's functions that make objects; `target` is that of a texture.
+// Creates one object with a glCreate... function; `target`: of a texture.
 template <class Object> [[nodiscard]] Object created(auto create, auto... target) {
     GLuint id = 0;
     create(target..., 1, &id);
     return Object(id);
 }
 
-// A point in the stream of commands that the graphics card passes some time.
+// A point in the stream of GL commands, to wait for or to poll.
 class Fence {
 public:
     Fence() = default;
@@ -85,37 +85,38 @@ public:
         std::swap(sync_, other.sync_);
         return *this;
     }
-    ~Fence() { glDeleteSync(sync_); } // none: nothing
+    ~Fence() { glDeleteSync(sync_); }
 
-    void put(); // here, after what was drawn so far
-    // Whether all before it is done, after waiting for so long at most; true where none was put.
+    void put(); // after the commands issued so far
+    // Whether the commands before the fence are complete, after waiting at most this long; true if put() was never
+    // called.
     [[nodiscard]] bool passed(double seconds);
 
 private:
     GLsync sync_ = nullptr;
 };
 
-// An offset into the buffer that is bound, in the pointer that OpenGL takes it in.
+// A byte offset into the bound buffer, as the pointer that OpenGL expects.
 [[nodiscard]] inline void* offset_pointer(std::size_t bytes) {
-    return reinterpret_cast<void*>(bytes); // NOLINT(performance-no-int-to-ptr): nothing lies there
+    return reinterpret_cast<void*>(bytes); // NOLINT(performance-no-int-to-ptr): never dereferenced
 }
 
-// `flags` as of glBufferStorage; `data` may be null.
+// `flags`: of glBufferStorage; `data` may be null.
 [[nodiscard]] Buffer make_buffer(std::size_t bytes, const void* data, GLbitfield flags = 0);
 struct GiveBackPages {
     std::size_t bytes = 0;
     void operator()(void* pages) const;
 };
 
-// A buffer for much that comes in pieces, by glNamedBufferSubData. A software rasteriser clears a buffer when it makes
-// it, which takes seconds where it is large: there it lies in pages of this process's own memory, which the system
-// clears as each is written (GL_AMD_pinned_memory).
+// A large buffer that glNamedBufferSubData fills in pieces. A software rasteriser clears new buffers, which takes
+// seconds for large ones. There the buffer uses pages of this process's own memory (GL_AMD_pinned_memory), which the
+// system clears on first write.
 class LargeBuffer {
 public:
     LargeBuffer() = default;
     explicit LargeBuffer(std::size_t bytes);
-    // Of these bytes, which take memory once as long as nothing else is written; where the driver takes no pages of
-    // this process's own, or the system gives none, of as many bytes that are unset. `shared`: whether they are there.
+    // Shares these pages, without a copy as long as nothing else is written. If the driver or the system does not
+    // support that, allocates uninitialised memory of the same size. `shared`: out, whether the pages are shared.
     LargeBuffer(const SharedPages& pages, bool& shared);
     LargeBuffer(LargeBuffer&& other) noexcept = default;
     LargeBuffer& operator=(LargeBuffer&& other) noexcept {
@@ -129,17 +130,17 @@ public:
 private:
     void lie_in(void* pages, std::size_t bytes);
 
-    std::unique_ptr<void, GiveBackPages> pages_; // none: the memory is the driver's
-    Buffer buffer_;                              // goes before its memory
+    std::unique_ptr<void, GiveBackPages> pages_; // null: the driver owns the memory
+    Buffer buffer_;                              // destroyed before its memory
 };
 [[nodiscard]] inline VertexArray make_vertex_array() { return created<VertexArray>(glCreateVertexArrays); }
-// What is read of the one buffer that the array has.
+// Enables these attributes; they read from the buffer at the array's binding index `source`.
 void use_attributes(GLuint array, std::initializer_list<GLuint> attributes, GLuint source = 0);
-// A texture without mipmaps, nearest filtering, of the given internal format; multisampled when samples > 0.
+// A texture without mipmaps, with nearest filtering; multisampled if samples > 0.
 [[nodiscard]] Texture make_texture(GLenum format, int width, int height, int samples = 0);
-// The same with layers, of GL_TEXTURE_2D_ARRAY or GL_TEXTURE_3D.
+// The same for GL_TEXTURE_2D_ARRAY or GL_TEXTURE_3D.
 [[nodiscard]] Texture make_deep_texture(GLenum target, GLenum format, int width, int height, int depth);
-void set_filter(GLuint texture, GLint filter); // its edges are clamped
+void set_filter(GLuint texture, GLint filter); // also clamps to the edge
 // A buffer that shaders read texel by texel.
 struct BufferTexture {
     Buffer buffer;
@@ -149,11 +150,11 @@ struct BufferTexture {
 [[nodiscard]] BufferTexture make_buffer_texture(GLenum format, const auto& texels) {
     return make_buffer_texture(format, texels.data(), texels.size() * sizeof texels[0]);
 }
-// Few values of one format that change from picture to picture, read by shaders texel by texel.
+// A small buffer texture whose values change from picture to picture.
 class TexelTable {
 public:
     explicit TexelTable(GLenum format) : format_(format) {}
-    // Grows as it is needed; of no texels nothing is sent. Throws OutOfGraphicsMemory.
+    // Grows when necessary; sends nothing if there are no texels. Throws OutOfGraphicsMemory.
     template <class Texel> void send(const std::vector<Texel>& texels) {
         send(texels.data(), texels.size() * sizeof(Texel));
     }
@@ -177,38 +178,39 @@ private:
 // A framebuffer that draws into `colours` (attachments 0, 1, ...) and tests against `depth` when it is not 0.
 [[nodiscard]] Framebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint depth = 0);
 
-// What a single buffer or texture may take from now on, in bytes. Tests let memory run out with it.
+// Limits the size of a single buffer or texture from now on, in bytes. Tests use it to exhaust memory.
 void limit_gl_allocation(std::size_t bytes = std::numeric_limits<std::size_t>::max());
 
-// From two or three of the embedded files, for the version of the current context (render/gl/shader_text.h). `defines`
-// goes into all, after their #version lines. A failure names the file and the line.
+// Builds a program from two or three embedded files, for the version of the current context (render/gl/shader_text.h).
+// `defines` goes into each, after the #version line. Errors name the file and the line.
 [[nodiscard]] Result<Program> make_program(std::string_view vertex_shader, std::string_view fragment_shader,
                                            std::string_view defines = {}, std::string_view geometry_shader = {});
 
-// Programs for passes: several made at once, and those that run over a picture's pixels.
-struct ProgramSource { // as for make_program()
+// A program to build with make_programs().
+struct ProgramSource { // see make_program()
     Program* to;
     std::string_view vertex, fragment, defines = {}, geometry = {};
 };
 [[nodiscard]] Result<void> make_programs(std::initializer_list<ProgramSource> sources);
 
-// Of rows from `first` to before `end` those to be drawn first by a software rasteriser: the row after them. They are
-// few enough that another context can wait for them, and end where tiles of the rasteriser end. Rows are 0 or more.
+// On a software rasteriser rows are drawn in bands. Returns the end of the first band of the rows [first, end): few
+// enough rows that another context can wait for them, ending at a tile border of the rasteriser. `first` is 0 or more.
 [[nodiscard]] int end_of_band(int first, int end, int width);
 
-// A fragment shader over the pixels of the framebuffer that is bound.
+// Runs a fragment shader over the pixels of the bound framebuffer.
 class Fullscreen {
 public:
     [[nodiscard]] Result<void> make(std::string_view fragment, std::string_view defines = {});
     [[nodiscard]] bool made() const { return program_ != 0; }
 
-    // Every pixel; every one, whose depth the program writes; or only those where the depth that is attached says that
-    // there is something: the early depth test is the one branch that a software rasteriser really skips. The triangle
-    // lies at depth 0, the far plane. Leaves the depth test off and depths written.
+    // kAll: every pixel. kAllDepths: every pixel, and the program writes its depth. kCovered: only pixels whose
+    // attached depth is not empty; the early depth test is the only branch that a software rasteriser really skips. The
+    // triangle lies at depth 0, the far plane. Leaves the depth test off and depth writes on.
     enum class Pixels { kAll, kAllDepths, kCovered };
     void draw(Pixels pixels = Pixels::kAll) const;
-    // The same in a rectangle, in GL's sense of y; leaves the scissor test off. On a software rasteriser it comes some
-    // rows at a time, each waited for: Mesa has one for all contexts, and a window's would wait for all that is queued.
+    // The same in a rectangle, y from below; leaves the scissor test off. On a software rasteriser it draws and waits
+    // for some rows at a time: Mesa has one rasteriser for all contexts, and a window's context would wait for
+    // everything queued.
     void draw_in(glm::ivec2 at, glm::ivec2 size, Pixels pixels = Pixels::kAll) const;
 
     operator GLuint() const { return program_; } // NOLINT: it stands for its program

@@ -11,10 +11,10 @@ namespace ramus::render {
 
 namespace {
 
-// At last whatever there is: load_gl() says that it is too old, and how old.
+// Finally any version: load_gl() then reports which version was found to be too old.
 constexpr std::array kAskedFor{kWantedGl[0], kWantedGl[1], kWantedGl[2], GlVersion{}};
 
-// Functions of a library by their names; none where there is no such library.
+// Loads functions of a shared library by name; null if the library is missing.
 class Library {
 public:
     explicit Library(const char* name) : handle_(dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
@@ -27,7 +27,7 @@ public:
         return function != nullptr;
     }
 
-    [[nodiscard]] const std::string& why() const { return why_; } // it cannot be loaded
+    [[nodiscard]] const std::string& why() const { return why_; } // why it cannot be loaded
 
 private:
     void* handle_;
@@ -39,7 +39,7 @@ Result<std::unique_ptr<GlContext>> made_current(std::unique_ptr<GlContext> conte
     return context;
 }
 
-// Loaded when it is first needed: it brings a compiler of 100 MB, which the window and most commands do without.
+// Loaded on first use: it contains a compiler of 100 MB, which the window and most commands do not need.
 struct OsMesa {
     decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
     decltype(&OSMesaMakeCurrent) make_current = nullptr;
@@ -67,7 +67,7 @@ public:
     ~OsMesaGlContext() override { osmesa().destroy_context(context_); }
 
     Result<void> make_current() override {
-        // OSMesa wants a colour buffer; nobody draws into it.
+        // OSMesa requires a colour buffer, which is unused.
         if (osmesa().make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSide, kSide) == GL_FALSE)
             return fail("OSMesa could not make its context current", {}, "check the installation of libosmesa6");
         return load_gl([](const char* name) { return reinterpret_cast<GlFunction>(osmesa().get_proc_address(name)); },
@@ -89,7 +89,7 @@ struct Egl {
     decltype(&eglCreateContext) create_context = nullptr;
     decltype(&eglDestroyContext) destroy_context = nullptr;
     decltype(&eglMakeCurrent) make_current = nullptr;
-    // Of extensions; null where there are none.
+    // Extension functions; null if not supported.
     PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display = nullptr;
     PFNEGLQUERYDEVICESEXTPROC query_devices = nullptr;
     PFNEGLQUERYDEVICESTRINGEXTPROC query_device_string = nullptr;
@@ -112,7 +112,7 @@ struct Egl {
         extend(query_device_string, "eglQueryDeviceStringEXT");
     }
 
-    // Of a display; of none: of EGL itself.
+    // Extensions of a display, or without a display of EGL itself.
     [[nodiscard]] bool has(EGLDisplay display, std::string_view extension) const {
         const char* const all = query_string(display, EGL_EXTENSIONS);
         return all != nullptr && std::string_view(all).find(extension) != std::string_view::npos;
@@ -134,7 +134,7 @@ std::vector<EGLDeviceEXT> device_handles() {
     return devices;
 }
 
-// Empty: the device does not say.
+// Empty: not provided.
 std::string_view text_of(EGLDeviceEXT device, EGLint what) {
     const char* text = egl().query_device_string != nullptr ? egl().query_device_string(device, what) : nullptr;
     return text != nullptr ? text : "";
@@ -147,7 +147,7 @@ bool is_software(EGLDeviceEXT device) {
 class EglGlContext final : public GlContext {
 public:
     EglGlContext(EGLDisplay display, EGLContext context) : display_(display), context_(context) {}
-    // The display stays: EGL hands out the same one again, and others may be using it.
+    // The display is not terminated: EGL returns the same one again, and others may use it.
     ~EglGlContext() override {
         egl().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         egl().destroy_context(display_, context_);
@@ -166,7 +166,7 @@ private:
     EGLContext context_;
 };
 
-// Null: this display is not for us.
+// Null: the display is unsuitable.
 Result<std::unique_ptr<GlContext>> context_on(EGLDisplay display) {
     const auto no = [](const char* why) { return fail(std::string("EGL ") + why); };
     EGLint major = 0, minor = 0;
@@ -212,7 +212,7 @@ Result<std::unique_ptr<GlContext>> make_osmesa_context() {
         return fail("OSMesa cannot be loaded: " + osmesa().why, RAMUS_OSMESA, remedy + ", or use --backend egl");
     for (const GlVersion version : kAskedFor) {
         const bool any = version == GlVersion{};
-        const int first = any ? 0 : OSMESA_PROFILE; // neither depths nor stencil if they are not named
+        const int first = any ? 0 : OSMESA_PROFILE; // no depth and stencil unless requested
         const std::array attributes{first,
                                     OSMESA_CORE_PROFILE,
                                     OSMESA_CONTEXT_MAJOR_VERSION,

@@ -1,6 +1,6 @@
-// OpenGL core contexts without a display: on the processor or on a graphics card, one choice for every command that
-// draws pictures. They have no visible surface: the Renderer draws into framebuffers of its own. Each is current and
-// its functions are loaded when its maker returns.
+// Creates OpenGL core contexts without a display, on the processor or on a graphics card, for commands that draw
+// pictures. They have no visible surface; the Renderer draws into its own framebuffers. A returned context is current
+// and its functions are loaded.
 #pragma once
 
 #include "render/gl/gl_context.h"
@@ -15,24 +15,23 @@
 namespace ramus::render {
 
 enum class Backend : std::uint8_t {
-    kOsMesa, // on the processor, the same everywhere
-    kEgl,    // on the graphics card where there is one
+    kOsMesa, // on the processor; the same pixels on every machine
+    kEgl,    // on the graphics card, if there is one
 };
-[[nodiscard]] std::string_view name_of(Backend backend); // as on the command line
+[[nodiscard]] std::string_view name_of(Backend backend); // the name on the command line
 
-// `device`: one of egl_devices(); without it EGL chooses.
+// `device`: index into egl_devices(); by default EGL chooses.
 [[nodiscard]] Result<std::unique_ptr<GlContext>> make_headless_context(Backend backend, std::optional<int> device = {});
 
-// In memory: Mesa's llvmpipe through OSMesa.
+// Mesa's llvmpipe through OSMesa.
 [[nodiscard]] Result<std::unique_ptr<GlContext>> make_osmesa_context();
 
-// Through EGL without a surface: a graphics card's where the machine has one, Mesa's llvmpipe else. libEGL is loaded
-// when the first one is asked for; ramus starts without it. Without `device` graphics cards are tried before
-// EGL_MESA_platform_surfaceless, and devices that are software after it.
+// Surfaceless EGL: a graphics card if there is one, otherwise Mesa's llvmpipe. libEGL is loaded on first use; ramus
+// starts without it. Without `device` the order is: graphics cards, EGL_MESA_platform_surfaceless, software devices.
 [[nodiscard]] Result<std::unique_ptr<GlContext>> make_egl_context(std::optional<int> device = {});
 
-// What EGL_EXT_device_enumeration finds, in its order: "/dev/dri/card0", "software" where it says no more. None
-// without libEGL.
+// The devices of EGL_EXT_device_enumeration, in its order: "/dev/dri/card0", or "software" if the device has no name.
+// Empty without libEGL.
 [[nodiscard]] std::vector<std::string> egl_devices();
 
 } // namespace ramus::render

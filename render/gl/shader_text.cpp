@@ -17,7 +17,7 @@ class Assembler {
 public:
     Assembler(ShaderText& text, int version) : text_(text), version_(version) {}
 
-    // The file's lines, with those that it includes between.
+    // Appends the file's lines, including those of included files.
     void add(std::string_view name, int depth = 0) {
         const auto found = kShaderSources.find(name);
         const std::size_t file = number_of(name);
@@ -61,7 +61,7 @@ private:
                                    line.substr(is + kIs.size(), line.find(';') - is - kIs.size()));
     }
 
-    // "layout(binding = kName)..." with the number in place of the name: not every version takes a constant there.
+    // Replaces the name in "layout(binding = kName)..." by its number: not every version accepts a constant there.
     [[nodiscard]] std::string with_number(const std::string& line) const {
         const std::size_t end = line.find(')'), is = line.rfind(' ', end) + 1;
         const auto found = constants_.find(line.substr(is, end - is));
@@ -86,7 +86,7 @@ private:
 
     ShaderText& text_;
     int version_;
-    std::map<std::string, std::string> constants_; // by name, of the files so far
+    std::map<std::string, std::string> constants_; // by name, from the files so far
     std::ostringstream out_;
 };
 
@@ -94,15 +94,15 @@ private:
 
 ShaderText shader_text(std::string_view name, std::string_view defines, int version, bool full_depth) {
     ShaderText text;
-    text.files.emplace_back(name); // 0: what a driver says without a number is about this one
+    text.files.emplace_back(name); // number 0: messages without a number refer to this file
     Assembler assembler(text, version);
     const bool wrapped = full_depth && name.ends_with(".vert");
     std::string head = "#version " + std::to_string(version) + " core\n";
-    if (version < 430) head += "#define FLOOR\n";
+    if (version < 430) head += "#define FALLBACK\n";
     if (full_depth) head += "#define FULL_DEPTH\n";
     head += defines;
     if (wrapped) head += "#define main place_vertex\n";
-    if (version < 430) assembler.add("floor.glsl");
+    if (version < 430) assembler.add("fallback.glsl");
     for (const char* common : kInAllShaders) assembler.add(common);
     assembler.add(name);
     text.glsl = head + assembler.finish();

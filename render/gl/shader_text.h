@@ -1,9 +1,8 @@
-// ShaderText: a shader file as a driver gets it, for the version of GLSL that the driver has. Files are written once,
-// for `#version 450 core`, which they need not say; before each stands what all have in common: numbers, ids, the
-// language of shaders/look. `#include "name"` lines are replaced by the file of that name, names of
-// shaders/bindings.glsl in layout(...) by their numbers, and compilers' messages are turned back to files and lines.
-// Below 4.30 a shader cannot say where its uniforms, samplers and blocks lie: that is taken out of the text and told,
-// for the program to be given it when it is linked (render/gl/gl_floor.h).
+// ShaderText: an embedded shader file, preprocessed for the driver's version of GLSL. Shaders are written for `#version
+// 450 core`, which they omit. Each gets a common preamble (numbers, ids, the language of shaders/look). `#include
+// "name"` lines are replaced by that file, and names from shaders/bindings.glsl in layout(...) by their numbers. Below
+// 4.30 a shader cannot declare the locations of uniforms, samplers and blocks: these are removed from the text and
+// listed, and number_program() (render/gl/gl_fallback.h) assigns them after linking.
 #pragma once
 
 #include <map>
@@ -15,9 +14,9 @@ namespace ramus::render {
 
 struct ShaderText {
     std::string glsl;
-    std::vector<std::string> files; // by the number that #line directives, and so the driver's messages, have for them
+    std::vector<std::string> files; // indexed by the file number in #line directives and in the driver's messages
 
-    // What `layout(...)` said, below 4.30.
+    // The numbers that layout(...) declared; below 4.30 only.
     struct Numbered {
         std::string name;
         int number = 0;
@@ -25,17 +24,17 @@ struct ShaderText {
     std::vector<Numbered> uniforms, samplers, blocks;
 };
 
-// The text of the files in shaders/, by their path in there, embedded at build time.
+// The embedded files of shaders/ by their relative path.
 extern const std::map<std::string_view, std::string_view> kShaderSources;
 
-// The embedded file `name`. `defines` goes after the #version line. `version` is 450, 430 or 330; at 330 FLOOR is
-// defined. With `full_depth`, clip space has depths from -w to w: a vertex shader, which reckons from 0 to w, is
-// brought to that at its end, and FULL_DEPTH is defined for what comes after it.
+// Preprocesses the embedded file `name`. `defines` goes after the #version line. `version`: 450, 430 or 330; at 330
+// FALLBACK is defined. `full_depth`: clip-space depths run from -w to w. Vertex shaders, which compute depths from 0 to
+// w, get a conversion at their end, and FULL_DEPTH is defined for later stages.
 [[nodiscard]] ShaderText shader_text(std::string_view name, std::string_view defines, int version,
                                      bool full_depth = false);
 
-// A compiler's log with names in place of numbers: "view.glsl:13: error: ...". Knows the forms of Mesa, NVIDIA, AMD,
-// Intel and Apple; what it does not know stays as it is.
+// Replaces file numbers in a compiler's log by names: "view.glsl:13: error: ...". Supports the formats of Mesa, NVIDIA,
+// AMD, Intel and Apple; other text is unchanged.
 [[nodiscard]] std::string with_file_names(const std::string& log, const std::vector<std::string>& files);
 
 } // namespace ramus::render

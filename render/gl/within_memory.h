@@ -1,5 +1,4 @@
-// What is made for a picture may take more memory than there is, on the graphics card or beside it: then what there was
-// of it is let go, and an error says so.
+// Turns running out of memory, on the graphics card or on the processor, into an Error.
 #pragma once
 
 #include "core/base/error.h"
@@ -10,16 +9,17 @@
 
 namespace ramus::render {
 
-// The Result of `work()`; where that throws for want of memory, an error with this hint, after `let_go()`.
-template <class LetGo, class Work>
-auto within_memory(const std::string& hint, const LetGo& let_go, const Work& work) -> decltype(work()) {
+// Returns the Result of `work()`. If it throws for lack of memory, calls `release()` and returns an Error with this
+// hint.
+template <class Release, class Work>
+auto within_memory(const std::string& hint, const Release& release, const Work& work) -> decltype(work()) {
     try {
         return work();
     } catch (const OutOfGraphicsMemory& error) {
-        let_go();
+        release();
         return fail(error.what(), {}, hint);
     } catch (const std::bad_alloc&) {
-        let_go();
+        release();
         return fail("not enough memory for this picture", {}, hint);
     }
 }

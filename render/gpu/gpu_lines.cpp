@@ -10,7 +10,7 @@ namespace ramus::render {
 
 namespace {
 
-constexpr double kThinnedShare = 3e-4; // of the tree's extent: less than a pixel where it fills the window
+constexpr double kThinnedShare = 3e-4; // of the tree's extent: less than a pixel if it fills the window
 
 } // namespace
 
@@ -43,7 +43,7 @@ const GpuLines::Copy& GpuLines::thinned() {
     return thinned_;
 }
 
-// The step from a branch to the next one is no segment, which the shader sees: neighbours are drawn as one.
+// Merges adjacent runs; the shader discards the false segment between branches.
 void GpuLines::Stretches::add(int level, const Centerlines::Run& run) {
     std::uint32_t first = run.first;
     segments_ += run.count - 1;
@@ -107,7 +107,7 @@ void GpuLines::Copy::bind() const {
 
 std::uint64_t GpuLines::Copy::draw(const std::vector<Layer>& layers, std::initializer_list<Layer> drawn) const {
     bind();
-    // Neighbouring runs are drawn as one: the step from a branch to the next is no segment, which the shader sees.
+    // Merges adjacent runs; the shader discards the false segment between branches.
     std::vector<GLint> firsts;
     std::vector<GLsizei> counts;
     std::uint32_t end = 0;
@@ -122,7 +122,7 @@ std::uint64_t GpuLines::Copy::draw(const std::vector<Layer>& layers, std::initia
         end = run.first + run.count;
         segments += run.count - 1;
     }
-    for (GLsizei& count : counts) count -= 6; // the last point begins no segment
+    for (GLsizei& count : counts) count -= 6; // the last point starts no segment
     if (!counts.empty())
         glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), static_cast<GLsizei>(counts.size()));
     return segments;
@@ -151,7 +151,7 @@ std::vector<SkeletonRing> skeleton_rings(const Centerlines& lines) {
             while (segment + 1 < run.count && along[segment] < at) ++segment;
             const double step = along[segment] - along[segment - 1];
             const auto share = static_cast<float>(step > 0.0 ? (at - along[segment - 1]) / step : 0.0);
-            // The way on over a radius before and behind: voxel-long segments turn at every step.
+            // The direction over a radius to both sides, since segments of a voxel's length turn at every step.
             std::uint32_t from = segment - 1, to = segment;
             while (from > 0 && along[from] > at - mean) --from;
             while (to + 1 < run.count && along[to] < at + mean) ++to;

@@ -1,7 +1,6 @@
-// GpuLines: centerlines on the graphics card, sent once for each that comes. The passes read them as buffer textures:
-// lines are drawn from them, and a point of the surface finds what its branch is like there. Lines are drawn with as
-// many points as the view needs (render/scene/line_levels.h), in parts that a software rasteriser takes a few
-// milliseconds for.
+// GpuLines: centerlines on the graphics card, sent once per Centerlines value. Passes read them as buffer textures: to
+// draw lines, and to look up properties of a branch at a surface point. Lines are drawn with as many points as the view
+// needs (render/scene/line_levels.h), in parts that take a software rasteriser a few milliseconds.
 #pragma once
 
 #include "render/gl/gl_objects.h"
@@ -22,14 +21,14 @@ class GpuLines {
 public:
     void follow(const std::shared_ptr<const Centerlines>& lines);
     [[nodiscard]] const Centerlines* shown() const { return shown_.get(); } // null: nothing
-    [[nodiscard]] const Box& bounds() const { return bounds_; }             // around the vessels that they run in
+    [[nodiscard]] const Box& bounds() const { return bounds_; }             // of the vessels around the lines
 
     class Copy {
     public:
         void send(const Centerlines& lines);
-        void bind() const; // to the units of lines
-        // Draws six corners a segment, without attributes, of branches whose entry in `layers` is one of `drawn`
-        // (missing entries are opaque); bound. Returns the number of segments.
+        void bind() const; // to the texture units of lines
+        // Draws six vertices per segment, without attributes, for the branches whose entry in `layers` is in `drawn`
+        // (branches without an entry are opaque). Needs bind(). Returns the number of segments.
         [[nodiscard]] std::uint64_t draw(const std::vector<Layer>& layers, std::initializer_list<Layer> drawn) const;
         [[nodiscard]] bool sent() const { return points_.buffer != 0; }
 
@@ -41,11 +40,11 @@ public:
         BufferTexture run_table_; // RG32UI: first point, count
     };
     [[nodiscard]] const Copy& whole() const { return whole_; }
-    // Binds one of the lines' lists of numbers in place of diameters: after whole().bind(), for what colours by it.
+    // Binds the given list of Centerlines::lists in place of diameters, for colouring by it. Call after whole().bind().
     void bind_list(std::uint32_t list);
-    [[nodiscard]] const Copy& thinned(); // for what moves; made and sent when it is asked for first
+    [[nodiscard]] const Copy& thinned(); // for moving views; built and sent on first use
 
-    // Stretches of lines that are drawn together.
+    // Ranges of lines that are drawn together.
     class Stretches {
     public:
         [[nodiscard]] std::size_t parts() const { return parts_.size(); }
@@ -56,20 +55,20 @@ public:
         friend GpuLines;
         struct Part {
             int level;
-            std::size_t begin; // in what follows
+            std::size_t begin; // index into firsts_, counts_
         };
         void add(int level, const Centerlines::Run& run);
-        std::vector<GLint> firsts_; // of vertices
+        std::vector<GLint> firsts_; // in vertices
         std::vector<GLsizei> counts_;
         std::vector<Part> parts_;
-        std::uint32_t end_ = 0, in_part_ = 0; // of the last stretch: its last point; segments of the last part
+        std::uint32_t end_ = 0, in_part_ = 0; // last point of the last range; segments in the last part
         std::uint64_t segments_ = 0;
     };
-    // The lines in a picture of `size` of branches whose entry in `layers` is one of `drawn` (missing entries are
-    // opaque).
+    // The ranges visible in a picture of `size` pixels, for the branches whose entry in `layers` is in `drawn`
+    // (branches without an entry are opaque).
     [[nodiscard]] Stretches stretches(const Camera& camera, glm::ivec2 size, const std::vector<Layer>& layers,
                                       std::initializer_list<Layer> drawn);
-    void draw_part(const Stretches& stretches, std::size_t part) const; // six corners a segment, without attributes
+    void draw_part(const Stretches& stretches, std::size_t part) const; // six vertices per segment, without attributes
 
 private:
     [[nodiscard]] const Copy& level(int number) const {
@@ -82,13 +81,13 @@ private:
     double extent_mm_ = 0.0;
     Copy whole_, thinned_;
     BufferTexture list_;                       // RG32UI: bits of a number, branch
-    std::uint32_t list_sent_ = 0;              // the list in it, where there is one
-    std::array<Copy, kLineLevels - 1> levels_; // made and sent when they are first needed
+    std::uint32_t list_sent_ = 0;              // the list in it, if any
+    std::array<Copy, kLineLevels - 1> levels_; // built and sent on first use
 };
 
-// GpuSkeleton: centerlines with rings of the local radius on the graphics card, sent once for each that comes. Rings
-// stand across the vessel, evenly along every branch, far enough apart not to crowd; which of them are large enough in
-// a picture to be seen is found anew for each.
+// GpuSkeleton: centerlines with rings of the local radius on the graphics card, sent once per Centerlines value. Rings
+// are perpendicular to the vessel and spaced evenly along every branch, without crowding. Each picture draws those that
+// are large enough to be seen.
 
 // A circle around a vessel.
 struct SkeletonRing {
@@ -98,8 +97,8 @@ struct SkeletonRing {
     std::int32_t branch = -1;
 };
 
-// Evenly along each branch, at a distance of kRingSpacing of its mean radii or more; one in the middle of a branch that
-// is shorter than that, none on one that is shorter than a radius. By branch, ascending.
+// The rings of all branches, by ascending branch. Spacing is at least kRingSpacing times the branch's mean radius. A
+// shorter branch has one ring in its middle; a branch shorter than a radius has none.
 inline constexpr double kRingSpacing = 2.0;
 [[nodiscard]] std::vector<SkeletonRing> skeleton_rings(const Centerlines& lines);
 
@@ -111,7 +110,7 @@ public:
     [[nodiscard]] GpuLines& lines() { return lines_; }
     [[nodiscard]] GLuint rings() const { return rings_.texture; } // RGBA32F: centre, radius; axis
 
-    // The rings that can be seen, by how many corners they need: indices into rings().
+    // Visible rings by the number of steps they need: indices into rings().
     struct Seen {
         std::vector<std::uint32_t> small, large;
     };
@@ -123,7 +122,8 @@ private:
     BufferTexture rings_;
 };
 
-// Of a ring in a picture: below the least its radius in pixels is too small to be told from the line.
+// Ring radii in pixels: a smaller ring than the first is indistinguishable from the line; from the second on, a ring
+// needs more steps.
 inline constexpr double kLeastRingPixels = 3.5, kLargeRingPixels = 16.0;
 inline constexpr int kSmallRingSteps = 20, kLargeRingSteps = 72, kMovingRingSteps = 12;
 

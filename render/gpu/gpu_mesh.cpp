@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kVertexPageBytes = sizeof(VertexPage::vertices);
 constexpr std::size_t kValuePageBytes = sizeof(ValuePage::values);
-constexpr std::size_t kCostOfFresh = 3;               // of memory, measured on a software rasteriser
+constexpr std::size_t kCostOfFresh = 3;               // cost of writing fresh memory; measured on a software rasteriser
 constexpr GLuint kVertexSource = 0, kValueSource = 1; // of a vertex array
 
 std::size_t with_reserve(std::size_t pages) { return pages + pages / 8 + 1; }
@@ -23,7 +23,7 @@ template <class Pages> std::size_t differing(const Pages& have, const Pages& wan
     return count;
 }
 
-// Sends pages that differ, in order, until the budget is spent; true: no more differ.
+// Sends differing pages in order until the budget is spent; true: none differ any more.
 template <class Pages, class Bytes>
 bool send_pages(GLuint buffer, Pages& have, const Pages& want, std::size_t& budget, const Bytes& bytes) {
     for (std::size_t i = 0; i < want.size(); ++i) {
@@ -40,7 +40,7 @@ bool send_pages(GLuint buffer, Pages& have, const Pages& want, std::size_t& budg
 
 } // namespace
 
-// Neighbours are joined.
+// Merges adjacent ranges.
 void GpuMesh::Ranges::add(std::size_t first, std::size_t count, bool near) {
     constexpr std::size_t kPart = std::size_t{1} << 15; // triangles
     while (count > 0) {
@@ -164,7 +164,7 @@ void GpuMesh::follow(const std::shared_ptr<const PagedMesh>& mesh, std::size_t& 
         return;
     }
     if (!coming_ || !coming_->fits(*mesh)) coming_ = std::make_unique<Copy>(*mesh);
-    // Memory that nothing was written to costs the system more than the copying.
+    // First writes to fresh memory cost more than copying.
     const std::size_t part = budget / kCostOfFresh + (budget % kCostOfFresh != 0 ? 1 : 0);
     std::size_t left = part;
     const bool whole = coming_->send(*mesh, left);
@@ -180,7 +180,7 @@ void GpuMesh::show(const std::shared_ptr<const PagedMesh>& mesh) {
     if (!mesh) near_copy_.reset();
 }
 
-void GpuMesh::come_near(NearSurface surface) {
+void GpuMesh::use_near_surface(NearSurface surface) {
     near_ = std::move(surface);
     if (!near_.mesh) return;
     if (!near_copy_ || !near_copy_->fits(*near_.mesh)) {

@@ -1,7 +1,7 @@
-// GpuMesh: a copy of a PagedMesh on the graphics card that follows it from one state to the next. Only pages that
-// differ are sent: a small change at once and in place; a large one beside what is there, some at every call, which
-// goes on being drawn until all has come. States, colours and views send nothing. Where the processor draws, the pages
-// of a large mesh are shared with it (PageMemory): nothing is sent of them, and they are there once.
+// GpuMesh: a copy of a PagedMesh on the graphics card, updated incrementally. Only pages that differ are sent. Small
+// changes are sent at once and in place. Large changes go to a second copy over several calls, while the old copy is
+// still drawn. States, colours and views send nothing. A software rasteriser shares the pages of a large mesh
+// (PageMemory), so that nothing is sent and memory holds them once.
 #pragma once
 
 #include "render/gl/gl_objects.h"
@@ -18,19 +18,19 @@ namespace ramus::render {
 
 class GpuMesh {
 public:
-    // What a copy of `mesh` takes, and what there is, in bytes.
+    // Size of a copy of `mesh`, and of this copy, in bytes.
     [[nodiscard]] static std::size_t bytes_of(const PagedMesh& mesh);
     [[nodiscard]] std::size_t bytes() const;
-    // Takes up `mesh` (null: lets go of everything), sending about `budget` bytes at most, and subtracts what it sent.
-    // A mesh of another origin leaves nothing of the old one to be drawn.
+    // Follows `mesh` (null: releases everything). Sends at most about `budget` bytes and subtracts what it sent. A mesh
+    // with another origin discards the old copy at once.
     void follow(const std::shared_ptr<const PagedMesh>& mesh, std::size_t& budget);
-    // What is drawn: the mesh last given to follow(), or the one before until that has come; null: nothing.
+    // The mesh that is drawn: the last one given to follow(), or its predecessor until it has arrived; null: none.
     [[nodiscard]] const std::shared_ptr<const PagedMesh>& shown() const { return shown_; }
-    // Draws `surface`, of what is shown now, in place of those of its pages, until something else is shown.
-    void come_near(NearSurface surface);
+    // From now on draws `surface` in place of the pages of shown() that it replaces, until another mesh is shown.
+    void use_near_surface(NearSurface surface);
 
-    // Triangles that are drawn together: stretches of the index buffer, in parts that a software rasteriser takes a
-    // few milliseconds for.
+    // Triangles that are drawn together: ranges of the index buffer, in parts that take a software rasteriser a few
+    // milliseconds.
     class Ranges {
     public:
         [[nodiscard]] std::uint64_t triangles() const { return triangles_; }
@@ -39,55 +39,55 @@ public:
     private:
         friend GpuMesh;
         struct Part {
-            std::size_t begin; // in what follows
-            bool near;         // of the near surface
+            std::size_t begin; // index into counts_, offsets_
+            bool near;         // belongs to the near surface
         };
         void add(std::size_t first, std::size_t count, bool near);
-        std::vector<GLsizei> counts_; // of indices
+        std::vector<GLsizei> counts_; // in indices
         std::vector<const void*> offsets_;
         std::vector<Part> parts_;
-        std::size_t end_ = 0;     // of the last stretch
+        std::size_t end_ = 0;     // of the last range
         std::size_t in_part_ = 0; // triangles of the last part
         std::uint64_t triangles_ = 0;
     };
 
-    // The branches whose entry in `layers` is `layer` (missing entries are opaque) of the pages that `to_clip` (from
-    // positions relative to origin) leaves in the picture, as far as their triangles go that are one branch's.
+    // Chooses the triangles that belong to one branch with this layer (branches without an entry are opaque), on the
+    // pages that may be visible. `to_clip`: from positions relative to the origin.
     [[nodiscard]] Ranges choose(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const;
-    // The triangles where branches meet, for programs that tell whose each point is (shaders/border.glsl): those of
-    // pages where a branch of this layer meets another.
+    // Chooses the triangles where branches meet, for programs that determine the branch per point
+    // (shaders/border.glsl), on pages where a branch of this layer meets another.
     [[nodiscard]] Ranges choose_borders(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const;
     void draw_part(const Ranges& ranges, std::size_t part) const;
-    [[nodiscard]] std::uint64_t draw(const Ranges& ranges) const; // all of them; returns how many triangles
-    // Of the pages that would be looked at, with branches of any layer.
+    [[nodiscard]] std::uint64_t draw(const Ranges& ranges) const; // all parts; returns the number of triangles
+    // Number of triangles on the pages that may be visible, of all layers.
     [[nodiscard]] std::uint64_t triangles_in_picture(const glm::dmat4& to_clip) const;
 
 private:
-    // call(page, its first triangle, whether it is the near surface's) for those in the picture.
+    // Calls call(page, its first triangle, whether it is of the near surface) for the pages that may be visible.
     template <class Call> void for_pages(const glm::dmat4& to_clip, const Call& call) const;
 
-    // Buffers and what is in them, page by page.
+    // Buffers, and the pages that they hold.
     struct Copy {
         VertexArray vertex_array;
-        LargeBuffer vertices, triangles, values; // the last when it has any
+        LargeBuffer vertices, triangles, values; // `values`: if it has any
         PagedMesh::VertexPages vertex_pages;
         PagedMesh::TrianglePages triangle_pages;
         PagedMesh::ValuePages value_pages;
 
-        explicit Copy(const PagedMesh& mesh); // for it, and a reserve for growth; shares its memory where it can
+        explicit Copy(const PagedMesh& mesh); // with a reserve for growth; shares its memory if possible
         void set_out();
         [[nodiscard]] bool fits(const PagedMesh& mesh) const;
         [[nodiscard]] std::size_t bytes() const;
         [[nodiscard]] std::size_t missing(const PagedMesh& mesh) const; // bytes
         void make_room_for_values();
-        bool send(const PagedMesh& mesh, std::size_t& budget); // true: all is there
+        bool send(const PagedMesh& mesh, std::size_t& budget); // true: complete
     };
 
     void show(const std::shared_ptr<const PagedMesh>& mesh);
 
     std::unique_ptr<Copy> drawn_, coming_, near_copy_;
     std::shared_ptr<const PagedMesh> shown_;
-    NearSurface near_; // of that
+    NearSurface near_; // of shown_
 };
 
 } // namespace ramus::render

@@ -16,8 +16,8 @@ std::uint64_t mixed(std::uint64_t x) { // splitmix64 (Steele, Lea, Flood, 2014)
     return x ^ (x >> 31U);
 }
 
-// Whether every edge is gone along as often one way as the other: the sums of random numbers for both are the same (of
-// meshes that are not closed, once in 2^64). Vertices of the same position are one, as along seams.
+// Whether every edge is traversed equally often in both directions: compares sums of random numbers for both directions
+// (wrong for an open mesh with probability 2^-64). Vertices at the same position count as one, as along seams.
 bool is_closed(const mesh::TriangleMesh& mesh) {
     std::vector<std::uint64_t> positions;
     positions.reserve(mesh.positions.size());
@@ -51,7 +51,7 @@ ShapeTriangles::ShapeTriangles(const mesh::TriangleMesh& mesh)
         volume += double(glm::dot(a, area));
         for (const std::uint32_t corner : {t.x, t.y, t.z}) vertices[corner].normal += area;
     }
-    // Normals that were given may be those of triangles that are inside out, or already face outward.
+    // Given normals may belong to inverted triangles, or face outward already.
     const bool turn = closed && volume < 0.0, given = mesh.normals.size() == mesh.positions.size();
     double agree = 0.0;
     if (given)

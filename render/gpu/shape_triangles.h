@@ -1,5 +1,5 @@
-// ShapeTriangles: a mesh beside the tree as it is drawn, by graphics card and caster alike: relative to the middle of
-// its bounds, facing outward where it is closed, with a normal at every vertex. An immutable value.
+// ShapeTriangles: a mesh next to the tree, prepared for drawing by graphics card and caster: relative to the middle of
+// its bounds, oriented outward if closed, with a normal at every vertex. An immutable value.
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
@@ -15,14 +15,15 @@ struct ShapeTriangles {
         glm::vec3 position, normal; // position: relative to the middle of `bounds`
     };
     Box bounds; // mm
-    // Every edge is met once from either side, and triangles face outward: backs are never seen.
+    // Every edge is shared by exactly two triangles of consistent orientation, facing outward: back faces are
+    // invisible.
     bool closed = false;
     std::vector<Vertex> vertices;
     std::vector<glm::uvec3> triangles;
 
     ShapeTriangles() = default;
-    // Lit by the mesh's own normals, or by those of its triangles, weighted by their areas. A closed mesh that is
-    // inside out is turned, and so are normals that agree with it.
+    // Uses the mesh's normals; without any, area-weighted normals of the triangles. Reverses a closed mesh that is
+    // inside out, together with its normals if they agree with the triangles.
     explicit ShapeTriangles(const mesh::TriangleMesh& mesh);
 };
 

@@ -23,7 +23,7 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
 
 constexpr std::uint32_t kLargestPngSide = 32768;
 
-// A channel as seen over black.
+// A premultiplied channel.
 int premultiplied(const std::uint8_t* pixel, int channel) {
     return channel == 3 ? pixel[3] : (pixel[channel] * pixel[3] + 127) / 255;
 }
@@ -64,7 +64,7 @@ Result<Image> read_png(const std::filesystem::path& path) {
         png_image_free(&png);
         return fail("picture is too large", path.string(), "give one of at most 32768 pixels a side");
     }
-    // A pixel takes a bit at least, and no byte of a PNG stands for more than 1032.
+    // A pixel has at least one bit, and a byte of a PNG expands to at most 1032.
     constexpr std::uint64_t kMostPixelsAByte = 8 * 1032;
     std::error_code error;
     const std::uintmax_t bytes = std::filesystem::file_size(path, error);
@@ -102,7 +102,7 @@ Result<void> check_png_name(const std::filesystem::path& path) {
 }
 
 Result<void> write_png(const Image& image, const std::filesystem::path& path, io::OutputSet* together) {
-    if (auto possible = io::check_output(path); !possible) return possible; // says first what would be lost
+    if (auto possible = io::check_output(path); !possible) return possible; // checks first
     if (auto fits = check_png_name(path); !fits) return fits;
     auto encoded = encode_png(image);
     if (encoded) return together != nullptr ? together->add(path, *encoded) : io::write_file(path, *encoded);

@@ -1,5 +1,5 @@
-// Image: 8-bit RGBA pixels, sRGB, straight (not premultiplied) alpha, rows from the top. PNG in and out, and the
-// comparison that golden pictures and `ramus render --reference` use. Writing is atomic: a file is whole or not there.
+// Image: 8-bit RGBA pixels, sRGB, straight (not premultiplied) alpha, rows from the top. Reads and writes PNG, and
+// compares images for golden pictures and `ramus render --reference`. Writing is atomic: a file is complete or absent.
 #pragma once
 
 #include "core/base/error.h"
@@ -31,37 +31,37 @@ struct Image {
     }
     [[nodiscard]] const std::uint8_t* pixel(int x, int y) const { return const_cast<Image*>(this)->pixel(x, y); }
     void fill(const glm::vec3& srgb);            // opaque
-    void put(const Image& other, glm::ivec2 at); // all of it, its upper left corner there
+    void put(const Image& other, glm::ivec2 at); // `at`: its upper left corner; it must fit
     bool operator==(const Image&) const = default;
 };
 
-// Each pixel the mean of a square of factor x factor, in linear light: what a picture drawn larger becomes. The sides
-// must be multiples of `factor`.
+// Downsamples: each pixel is the mean of factor x factor pixels in linear light. Width and height must be multiples of
+// `factor`.
 [[nodiscard]] Image reduced(const Image& image, int factor);
 
-// From premultiplied alpha.
+// Converts from premultiplied to straight alpha.
 void straighten(Image& image);
 
 // Any PNG (grey, palette, 16 bit, ...) as 8-bit RGBA.
 [[nodiscard]] Result<Image> read_png(const std::filesystem::path& path);
 [[nodiscard]] Result<std::string> encode_png(const Image& image);
-// A name that ends as another format's files do (.jpg, .gif) is refused: it would say what the file is not.
+// Refuses names with another format's extension (.jpg, .gif), which would misstate the content.
 [[nodiscard]] Result<void> check_png_name(const std::filesystem::path& path);
-// `together`: the files that it belongs to, with which it comes to its place.
+// `together`: a set of files that are put in place together.
 [[nodiscard]] Result<void> write_png(const Image& image, const std::filesystem::path& path,
                                      io::OutputSet* together = nullptr);
 
 struct Comparison {
-    std::uint64_t pixels = 0;    // of the picture
+    std::uint64_t pixels = 0;    // in total
     std::uint64_t differing = 0; // with a channel that differs by more than the threshold
     int largest = 0;             // largest difference of any channel, 0 to 255
     [[nodiscard]] double fraction() const { return pixels == 0 ? 0.0 : double(differing) / double(pixels); }
 };
 
-// Colours are compared as seen over black (premultiplied), and alpha with them. Fails when the sizes differ.
+// Compares premultiplied colours and alpha. Fails if the sizes differ.
 [[nodiscard]] Result<Comparison> compare(const Image& actual, const Image& reference, int threshold = 8);
-// Where and how much the two differ: grey picture, differences above the threshold from red to yellow. Of the larger
-// size when the sizes differ.
+// Shows where and how much two images differ: the picture in grey, differences above the threshold from red to yellow.
+// Has the larger size if the sizes differ.
 [[nodiscard]] Image difference(const Image& actual, const Image& reference, int threshold = 8);
 
 } // namespace ramus::render

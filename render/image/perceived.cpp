@@ -19,16 +19,16 @@ namespace {
 
 using Channel = std::vector<float>;
 
-// One of the blurs that a channel's is made of: its share, and where it has fallen to 1/e, degrees.
+// One term of a channel's blur: its weight, and the angle in degrees where it has fallen to 1/e.
 struct Blur {
     double share, spread;
 };
 constexpr std::array<std::array<Blur, 2>, 3> kBlurs{
     {{{{0.921, 0.0283}, {0.105, 0.133}}}, {{{0.531, 0.0392}, {0.330, 0.494}}}, {{{0.488, 0.0536}, {0.371, 0.386}}}}};
 
-// Columns: what X, Y and Z add to brightness, red - green and blue - yellow.
+// Columns: contributions of X, Y and Z to luminance, red-green and blue-yellow.
 const glm::dmat3 kOpponent{{0.279, -0.449, 0.086}, {0.72, 0.29, -0.59}, {-0.107, -0.077, 0.501}};
-// And red, green and blue of sRGB to X, Y and Z.
+// Columns: contributions of linear red, green and blue to X, Y and Z.
 const glm::dmat3 kFromRgb{{0.4124, 0.2126, 0.0193}, {0.3576, 0.7152, 0.1192}, {0.1805, 0.0722, 0.9505}};
 constexpr glm::dvec3 kWhite{0.9505, 1.0, 1.0890};
 
@@ -44,7 +44,8 @@ std::vector<float> weights_of(double spread) {
     return weights;
 }
 
-// Along rows, and turned: twice is along both, and as it was. The picture goes on beyond its edges as it ends there.
+// Blurs along rows and transposes; applied twice, it blurs in both directions and restores the orientation. Edges are
+// extended.
 Channel blurred_and_turned(const Channel& from, int width, int height, const std::vector<float>& weights) {
     Channel to(from.size());
     const int reach = static_cast<int>(weights.size()) / 2;
@@ -88,7 +89,7 @@ std::array<Channel, 3> opponent_channels(const Image& image, double pixels_per_d
     return channels;
 }
 
-// CIE 1976 L*a*b* of what is seen of a pixel.
+// CIE 1976 L*a*b* of a pixel after the blur.
 glm::dvec3 lab(const std::array<Channel, 3>& channels, std::size_t i, const glm::dmat3& to_xyz) {
     const glm::dvec3 xyz = to_xyz * glm::dvec3(channels[0][i], channels[1][i], channels[2][i]) / kWhite;
     const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116.0; };

@@ -9,7 +9,7 @@
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wcast-qual"
 #define STB_TRUETYPE_IMPLEMENTATION
-#define STBTT_STATIC // another library in the program may carry a copy of its own
+#define STBTT_STATIC // another library may contain its own copy
 #include <stb/stb_truetype.h>
 #pragma GCC diagnostic pop
 

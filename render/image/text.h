@@ -1,5 +1,5 @@
-// Letters for the pictures' own overlays, as coverage bitmaps without GL or user interface: of the TrueType font that
-// was configured when ramus was built and is part of the program. Deterministic.
+// Draws text for overlays as coverage bitmaps, without GL or user interface. Uses the TrueType font that was configured
+// at build time and is embedded in the program. Deterministic.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct Coverage {
                    : values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                             static_cast<std::size_t>(x)];
     }
-    // Where something is already, the larger of both.
+    // Keeps the larger of the old and the new value.
     void put(int x, int y, std::uint8_t value) {
         auto& old = values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
         old = std::max(old, value);
@@ -32,7 +32,7 @@ struct Coverage {
     }
 };
 
-// Latin-1 letters of one line; `capital_height` in pixels.
+// One line of Latin-1; `capital_height` in pixels.
 [[nodiscard]] Coverage draw_text(std::string_view latin1, double capital_height);
 
 } // namespace ramus::render

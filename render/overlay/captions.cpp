@@ -9,7 +9,7 @@
 namespace ramus::render {
 
 Image haloed(const Coverage& ink, int halo) {
-    constexpr double kDark = 0.85, kEdge = 0.4; // next to the letters; of that at the halo's edge
+    constexpr double kDark = 0.85, kEdge = 0.4; // next to the letters; at the halo's edge, relative to that
     const int side = 2 * halo + 1;
     std::vector<double> weights(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
     for (int i = 0; i < side * side; ++i) {

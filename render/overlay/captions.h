@@ -1,4 +1,4 @@
-// Words on a picture: a caption, and the letters of radiology at its edges. Painted without GL.
+// Text on a picture: the caption and the orientation letters at its edges. Painted without GL.
 #pragma once
 
 #include "render/image/image.h"
@@ -10,17 +10,17 @@
 
 namespace ramus::render {
 
-// Light ink with a dark halo of so many pixels: it reads over vessels and over any background.
+// Light ink with a dark halo of `halo` pixels, readable over vessels and any background.
 [[nodiscard]] Image haloed(const Coverage& ink, int halo);
 
-// The same with dark ink in a light halo, or back.
+// Swaps the ink and the halo: dark ink in a light halo, or back.
 [[nodiscard]] Image with_dark_ink(Image haloed);
 
-// Which way of the patient a direction (RAS) goes, the most first: "L", "LA", "SAL". A part below about 20 degrees has
-// no letter.
+// The anatomical name of a direction (RAS), its largest component first: "L", "LA", "SAL". Components below about 20
+// degrees are omitted.
 [[nodiscard]] std::string orientation_letters(const glm::dvec3& direction, const AxisNames& axes = side_letters());
 
-// Latin-1, in lines of at most so many pixels where words allow it.
+// Latin-1 text, wrapped at words to `width` pixels where possible.
 [[nodiscard]] Image paint_caption(const std::string& text, double pixel_ratio, int width);
 
 } // namespace ramus::render

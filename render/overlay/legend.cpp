@@ -9,7 +9,7 @@ namespace ramus::render {
 
 namespace {
 
-// A small dark sheet with letters and patches of colour on it. Straight alpha, sRGB.
+// A small dark plate with text and patches of colour. Straight alpha, sRGB.
 class Plate {
 public:
     // Round corners of `radius` pixels; `opacity` 0 to 1.
@@ -25,7 +25,7 @@ public:
             }
     }
 
-    // The part of the plate from `left`, `top`, in pixels and shares of them.
+    // Fills a rectangle; coordinates in fractional pixels.
     void fill(double left, double top, double width, double height, const glm::vec3& srgb) {
         const auto covered = [](int pixel, double from, double to) {
             return std::clamp(std::min(pixel + 1.0, to) - std::max(double(pixel), from), 0.0, 1.0);
@@ -65,7 +65,7 @@ glm::vec3 at(const std::vector<glm::vec3>& bar, double t) {
     return glm::mix(bar[below], bar[above], static_cast<float>(along - static_cast<double>(below)));
 }
 
-// Diagonal stripes, as what is lost is drawn.
+// Diagonal stripes, as lost parts are drawn.
 void hatch(Plate& plate, int left, int top, int width, int height, double period, const glm::vec3& srgb) {
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {

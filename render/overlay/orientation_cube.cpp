@@ -12,7 +12,7 @@ namespace ramus::render {
 namespace {
 
 constexpr int kLetterSide = 64; // texels of a face's letter
-constexpr int kSubsamples = 4;  // a side: 16 rays a pixel
+constexpr int kSubsamples = 4;  // per side: 16 rays per pixel
 
 // The six faces in the order of AxisNames: outward normal, and right and up of its name as its standard view shows it.
 struct Face {
@@ -74,7 +74,7 @@ const Coverage& OrientationCube::tile_of(const std::string& name) const {
     return tiles_.at(letter < kFaces.size() ? letter : kFaces.size() + std::min(axis, kFaces.size() - 1));
 }
 
-// Parallel rays of one camera: the nearest entry into the three slabs is the face that is seen.
+// Parallel rays of one camera: the latest entry into the three slabs is on the visible face.
 class OrientationCube::Rays {
 public:
     Rays(const OrientationCube& cube, const Camera& camera, int side, const AxisNames& axes)
@@ -90,7 +90,7 @@ public:
 
     // Through a point of the picture, in pixels.
     [[nodiscard]] Hit cast(double sx, double sy) const {
-        constexpr double kExtent = 1.76; // half the picture in units of half the cube: a corner never leaves it
+        constexpr double kExtent = 1.76; // half the picture in units of half the cube: corners stay inside
         const glm::dvec3 start =
             kExtent * ((2.0 * sx / side_ - 1.0) * axes_.right + (1.0 - 2.0 * sy / side_) * axes_.up);
         double entry = -1e9, exit = 1e9;
@@ -123,7 +123,7 @@ private:
     int side_;
     CameraAxes axes_;
     glm::dvec3 light_;
-    glm::dvec3 ahead_{0.0}, inverse_{0.0}; // of the rays' direction: its sign, 1 / it
+    glm::dvec3 ahead_{0.0}, inverse_{0.0}; // direction of the rays; its reciprocal
 };
 
 void OrientationCube::paint_pixel(const Rays& rays, int px, int py, std::uint8_t* out) {
@@ -135,7 +135,7 @@ void OrientationCube::paint_pixel(const Rays& rays, int px, int py, std::uint8_t
         if (hit.face >= 0) ++hits, sum += hit.colour;
         return hit;
     };
-    // Where all corners see the same plain colour, so does what lies between.
+    // If all corners of a pixel see the same plain colour, so does the rest.
     constexpr int kLast = kSubsamples - 1;
     const std::array<Hit, 4> corners{add(0, 0), add(kLast, 0), add(0, kLast), add(kLast, kLast)};
     const bool plain = std::ranges::all_of(

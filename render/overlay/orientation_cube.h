@@ -1,5 +1,5 @@
-// OrientationCube: a cube seen from the camera's direction, with the name of its axis on each face: R L A P S I, or
-// +x -x +y -y +z -z where no side of the patient is known. Painted without GL.
+// OrientationCube: a cube seen from the camera's direction with the name of an axis on each face: R L A P S I, or +x -x
+// +y -y +z -z if the patient's sides are unknown. Painted without GL.
 #pragma once
 
 #include "render/image/image.h"
@@ -12,15 +12,15 @@ namespace ramus::render {
 
 class OrientationCube {
 public:
-    OrientationCube(); // draws the letters once: the cube turns in every frame
-    // `side` in pixels. Names are those of side_letters() and plain_axes(), in any order.
+    OrientationCube(); // draws the letters once, since the cube is painted every frame
+    // `side` in pixels. Names must come from side_letters() or plain_axes(), in any order.
     [[nodiscard]] Image paint(const Camera& camera, int side, const AxisNames& axes = side_letters()) const;
 
 private:
     class Rays;
     static void paint_pixel(const Rays& rays, int px, int py, std::uint8_t* out);
     [[nodiscard]] const Coverage& tile_of(const std::string& name) const;
-    std::array<Coverage, 12> tiles_; // of all names: letters, then plain axes
+    std::array<Coverage, 12> tiles_; // by name: letters, then plain axes
 };
 
 } // namespace ramus::render

@@ -21,13 +21,13 @@ Image inked(Image words, const SpriteSource& frame) {
 
 } // namespace
 
-// What sprites have to keep to: smaller pictures have smaller ones, nearer to the edge.
+// The space for sprites: smaller pictures have smaller sprites, nearer to the edge.
 struct OverlayPainter::Space {
-    glm::ivec2 corner, free; // upper left and size of what nothing else takes
+    glm::ivec2 corner, free; // upper left corner and size of the free area
     bool readable;
     double ratio;
     int margin;
-    int top, bottom; // of what is left between sprites at the left side
+    int top, bottom; // of the free space at the left side
 
     explicit Space(const SpriteSource& frame)
         : corner(frame.overlays.inset_left, frame.overlays.inset_top),
@@ -134,8 +134,8 @@ bool overlap(const glm::ivec2& corner, const Image& image, const Sprite& other) 
 
 } // namespace
 
-// Beside its point, above it and to the right, and whole inside the picture; where something else is written there, at
-// the next place around the point, or farther up or down, that is free. Where the point is outside, there is no label.
+// Places the label above and to the right of its point, completely inside the picture; if that is occupied, at the next
+// free place around the point, or farther up or down. No label if the point is outside.
 void OverlayPainter::add_label(const Space& space, const SpriteSource& frame, const MarkLabel& label,
                                std::vector<Sprite>& sprites) const {
     const auto at = project(frame.camera, frame.size, label.at);

@@ -1,6 +1,5 @@
-// The small pictures that lie over the tree: the orientation cube with its letters, the scale bar, the legend, the
-// labels of lines, the caption. Painted without GL, so that they are the same bytes in the window and without one, and
-// can be tested alone.
+// Paints the small pictures (sprites) over the tree: orientation cube and letters, scale bar, legend, labels of lines,
+// caption. Painted without GL, so that the window and headless commands get the same bytes.
 #pragma once
 
 #include "render/image/image.h"
@@ -21,7 +20,7 @@ struct Sprite {
     glm::ivec2 corner{0}; // top left, in pixels of the picture
 };
 
-// All of a frame that its sprites depend on: while it stays, they do, and need not be painted again.
+// The parts of a frame that determine its sprites. While they are equal, sprites need not be painted again.
 struct SpriteSource {
     Camera camera;
     glm::ivec2 size{0};
@@ -36,14 +35,14 @@ struct SpriteSource {
 
 class OverlayPainter {
 public:
-    // What `frame` shows over the tree; nothing where the picture is too small to read it. Of the same view the cube is
-    // painted once: it takes longest, and other sprites change while a pointer moves.
+    // The sprites of a frame; none if the picture is too small to read them. Caches the cube of the last view: painting
+    // it takes longest, and other sprites change while the pointer moves.
     [[nodiscard]] std::vector<Sprite> paint(const SpriteSource& frame);
-    // Words for the middle of the top (Latin-1), as large and as wide as such a picture has room for.
+    // The heading at the top middle (Latin-1), as large and wide as the picture allows.
     [[nodiscard]] Image heading(const std::string& text, const SpriteSource& frame) const;
-    // The scale bar that it has; none: none is wanted, no length holds, or the picture is too small.
+    // The frame's scale bar. None if it is switched off, if no length holds, or if the picture is too small.
     [[nodiscard]] static std::optional<ScaleBar> scale_bar(const SpriteSource& frame);
-    // Where the caption ends, pixels from the top; 0 where there is none.
+    // Bottom of the caption in pixels from the top; 0 without a caption.
     [[nodiscard]] int caption_bottom(const SpriteSource& frame) const;
 
 private:
@@ -59,7 +58,7 @@ private:
     void add_label(const Space& space, const SpriteSource& frame, const MarkLabel& label, Sprites& sprites) const;
 
     OrientationCube cube_;
-    Camera cube_of_; // what it was painted of last, and that
+    Camera cube_of_; // camera, axes and image of the last cube
     AxisNames cube_axes_ = side_letters();
     Image cube_image_;
 };

@@ -12,9 +12,9 @@ namespace ramus::render {
 
 namespace {
 
-constexpr double kUnspoken = 0.02; // a share that nobody would measure
+constexpr double kUnspoken = 0.02; // negligible relative difference
 
-// "0.002", "20": a step of the scale bar, whatever its power of ten.
+// "0.002", "20": a step of the scale bar without exponent.
 std::string plain_number(double value) {
     std::ostringstream text;
     text << value; // six digits, of which a step has one
@@ -86,7 +86,7 @@ std::string place_of(const ScaleBar& bar) {
     return place;
 }
 
-// The length over the bar, in its middle; where it holds below, from its left end on.
+// The length is centred above the bar; the place where it holds is below, left-aligned.
 Image paint_scale_bar(const ScaleBar& bar, double pixel_ratio) {
     const int line = std::max(1, whole_pixels(1.5 * pixel_ratio)), tick = std::max(3, whole_pixels(5.0 * pixel_ratio));
     const int halo = std::max(2, whole_pixels(2.0 * pixel_ratio)), gap = whole_pixels(2.0 * pixel_ratio);

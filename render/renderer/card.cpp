@@ -7,7 +7,7 @@ namespace ramus::render {
 
 namespace {
 
-constexpr std::uint64_t kMostMovingTriangles = 40'000; // more are drawn as cones while the view moves
+constexpr std::uint64_t kMostMovingTriangles = 40'000; // larger surfaces are drawn as cones while the view moves
 
 } // namespace
 
@@ -46,7 +46,7 @@ InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& t
     view.look(frame, subject.has_mesh() ? subject.mesh.shown()->bounds() : scene.shapes().bounds(frame.context),
               scene.beside_tree(frame));
     send(view);
-    scene.come_near(frame, view);
+    scene.divide_near_surface(frame, view);
     co_await kPartEnds;
     targets.has_glass = subject.has_glass();
     if (subject.has_mesh()) scene.branch_layers().send(*subject.mesh.shown(), subject.layers);
@@ -105,10 +105,10 @@ void Passes::draw_overlays(const Subject& subject, const ViewTargets& targets, c
     glDisable(GL_BLEND);
 }
 
-void Card::let_go() {
+void Card::release() {
     end_passes();
-    scene.let_go();
-    passes.shade.let_go();
+    scene.release();
+    passes.shade.release();
     targets = {};
     picture = {};
 }

@@ -29,7 +29,7 @@ DepthMap depth_map_of(const Frame& frame, const float* depths, glm::ivec2 size, 
     return map;
 }
 
-// The card picks the places: one number for each of them comes back.
+// The card subsamples: only the map's entries are transferred.
 void DepthRequest::ask(const Frame& frame, const ViewSetup& view, const ResolvedTarget& from) {
     drop();
     DepthMap map = empty_map_of(frame);

@@ -1,5 +1,4 @@
-// DepthRequest: the depths of what a picture shows, read back at half its resolution into a DepthMap, without waiting:
-// they are on their way from the card.
+// DepthRequest: reads the depths of a picture back into a DepthMap at half resolution, asynchronously.
 #pragma once
 
 #include "render/gl/gl_objects.h"
@@ -11,16 +10,17 @@
 
 namespace ramus::render {
 
-// At the same places of what is in memory already, rows from below, `stride` numbers each.
+// The same from depths in memory, rows from below and `stride` numbers apart.
 [[nodiscard]] DepthMap depth_map_of(const Frame& frame, const float* depths, glm::ivec2 size, std::ptrdiff_t stride);
 
 class DepthRequest {
 public:
-    // A newer one replaces an older one. `view`: of what was drawn into `from`. Throws OutOfGraphicsMemory.
+    // Requests the depths; replaces an older request. `view`: of what was drawn into `from`. Throws
+    // OutOfGraphicsMemory.
     void ask(const Frame& frame, const ViewSetup& view, const ResolvedTarget& from);
-    void answer(DepthMap map); // known already
+    void answer(DepthMap map); // answers the request without reading back
     void drop() { wanted_.reset(); }
-    // Once: the answer when it is there.
+    // Returns the answer once, when it has arrived; waits at most `seconds`.
     [[nodiscard]] std::optional<DepthMap> poll(double seconds = 0.0);
 
 private:
@@ -28,8 +28,8 @@ private:
     Texture texture_;
     Framebuffer framebuffer_;
     Buffer buffer_;
-    std::optional<Fence> fence_;     // none: the answer is there
-    std::optional<DepthMap> wanted_; // what was asked for
+    std::optional<Fence> fence_;     // none: the answer has arrived
+    std::optional<DepthMap> wanted_; // the request; none: no request
 };
 
 } // namespace ramus::render

@@ -7,7 +7,7 @@ namespace ramus::render {
 
 namespace {
 
-// Colours, and how clear what is clear is, only shade.
+// Colours and the degree of transparency affect only shading.
 bool same_shapes(const std::vector<ContextMesh>& a, const std::vector<ContextMesh>& b) {
     const auto shape = [](const ContextMesh& m) {
         return std::tuple(m.shown() ? m.mesh : nullptr, m.shown() ? m.preview : nullptr, m.clear(), m.wireframe);

@@ -1,4 +1,5 @@
-// What two frames have in common, and so what of one's picture serves the other's; and what passes ask of a frame.
+// Compares two frames to find what can be reused of the first one's picture, and answers questions of passes about a
+// frame.
 #pragma once
 
 #include "render/scene/frame.h"
@@ -8,17 +9,17 @@
 
 namespace ramus::render {
 
-// By branch id, as the passes draw them; what is not named is opaque.
+// Layers by branch id; branches without an entry are opaque.
 [[nodiscard]] std::vector<Layer> layers_of(const std::vector<BranchState>& states);
 
-// Whether anything over the picture is fainter behind vessels while these are the ray caster's.
+// Whether the picture has lines that are fainter behind vessels, and so need depths; for pictures of the ray caster.
 [[nodiscard]] bool lies_over_depths(const Frame& frame);
 [[nodiscard]] bool outlines_selection(const Frame& frame);
 
-// What lies over a picture is painted anew, and nothing under it.
+// True if only overlays differ.
 [[nodiscard]] bool differs_in_overlays_only(const Frame& before, const Frame& after);
 [[nodiscard]] bool differs_in_hover_and_overlays_only(const Frame& before, const Frame& after);
-// Whether the passes up to the occlusion would make the same of both, where all else is the same.
+// Whether the passes up to the occlusion produce the same for both frames.
 [[nodiscard]] bool same_geometry(const Frame& a, const Frame& b, bool has_glass);
 
 } // namespace ramus::render

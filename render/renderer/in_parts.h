@@ -1,5 +1,5 @@
-// InParts: work that stops after every part, so that a window can answer in between: a coroutine with a result. Who
-// wants it at once resumes it to its end.
+// InParts: a coroutine with a result that suspends after every part, so that a window can answer in between. Use
+// finish() to run it at once.
 #pragma once
 
 #include <coroutine>
@@ -31,13 +31,13 @@ public:
         if (handle_) handle_.destroy();
     }
 
-    // Does the next part; false: it was the last. Throws what the work throws.
+    // Runs the next part; false: it was the last. Rethrows exceptions of the work.
     bool resume() {
         handle_.resume();
         if (handle_.promise().thrown) std::rethrow_exception(std::exchange(handle_.promise().thrown, nullptr));
         return !handle_.done();
     }
-    // Does all parts that are left.
+    // Runs all remaining parts.
     T& finish() {
         while (resume()) {
         }
@@ -51,7 +51,7 @@ private:
     Handle handle_;
 };
 
-// Where a part ends: `co_await kPartEnds`.
+// Ends a part: `co_await kPartEnds`.
 inline constexpr std::suspend_always kPartEnds{};
 
 } // namespace ramus::render

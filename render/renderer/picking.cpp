@@ -11,7 +11,7 @@ namespace ramus::render {
 
 namespace {
 
-// Ids less 1: those of lesions are beyond every branch, those of context beyond every lesion.
+// Ids minus 1: lesions are above all branches, context above all lesions.
 constexpr int kFirstLesion = int{record::kSolid}, kFirstContext = int{record::kSolid | record::kContext};
 
 } // namespace
@@ -101,7 +101,7 @@ std::optional<Pick> PickRequest::poll(const ViewSetup& view) {
     if (!fence_ || !fence_->passed(0.0)) return std::nullopt;
     fence_.reset();
     const std::size_t bytes = 4 * window_.pixels();
-    // A picture of another size or view has come in between: the answer would be about the old one.
+    // The picture's size or view has changed since the request, so the answer would be wrong.
     if (bytes == 0 || window_.x + window_.width > view.size.x || window_.y + window_.height > view.size.y)
         return Pick{};
     const auto* data = static_cast<const std::byte*>(

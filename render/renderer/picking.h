@@ -1,5 +1,5 @@
-// What lies under a pixel, from ids and depths that were read back. Pixels of pictures have their origin at the top
-// left, those of windows are GL's, of what passes drew.
+// Finds what lies under a pixel, from ids and depths that were read back. Pixels of pictures count from the top left;
+// windows are in GL's pixels of the passes, from the lower left.
 #pragma once
 
 #include "render/gl/gl_objects.h"
@@ -11,7 +11,7 @@
 
 namespace ramus::render {
 
-// The part of what was drawn that a pick looks at; of no size: the pixel is outside.
+// The pixels that a pick reads back; empty if the point is outside the picture.
 struct PickWindow {
     glm::dvec2 at{0.0};
     double reach = 0.0;
@@ -22,25 +22,25 @@ struct PickWindow {
 };
 [[nodiscard]] PickWindow pick_window(float pixel_ratio, const ViewSetup& view, double x, double y);
 
-// The id nearest to the middle of the window, within its reach. Row by row as `window` has them; depths in mm.
+// The id nearest to `window.at`, within its reach. `ids` and `depths` (mm): the window's pixels, row by row.
 [[nodiscard]] Pick nearest_in(const PickWindow& window, const std::uint32_t* ids, const float* depths,
                               const Camera& camera, const ViewSetup& view);
 
-// Copies ids (kTargetIdNormal) or depths (kTargetPickedDepth) of the window: to memory, or into the pixel pack buffer
-// that is bound.
+// Copies ids (kTargetIdNormal) or depths (kTargetPickedDepth) of the window to memory, or into the bound pixel pack
+// buffer.
 void read_pixels(const PickWindow& window, const ResolvedTarget& from, int target, void* to);
 
-// kNoBranch where the id is none, or of something else.
+// kNoBranch if the id is 0 or belongs to something else.
 [[nodiscard]] int branch_of(std::uint32_t id);
 
-// A pick that does not wait: its pixels are on their way from the card.
+// An asynchronous pick.
 class PickRequest {
 public:
-    // A newer one replaces an older one. Throws OutOfGraphicsMemory.
+    // Requests a pick; replaces an older request. Throws OutOfGraphicsMemory.
     void ask(const PickWindow& window, const Camera& camera, const ResolvedTarget& from);
-    void answer(const Pick& pick); // known already
+    void answer(const Pick& pick); // answers the request without reading back
     void drop();
-    // Once: the answer when it is there. `view` is that of now: after one of another size there is nothing.
+    // Returns the answer once, when it has arrived. `view`: the current one; after a change of size there is no answer.
     [[nodiscard]] std::optional<Pick> poll(const ViewSetup& view);
 
 private:

@@ -1,8 +1,8 @@
-// PictureState: how far the picture is that a Renderer shows, and what the targets of its passes hold of it. A value
-// without GL: the renderer tells it what has happened, and asks it what may be done.
+// PictureState: state machine of the picture that a Renderer shows, and of what its render targets contain. A value
+// without GL: the renderer reports events to it and queries what is possible.
 //
-//   event            from which stage to which; all other stages stay as they are
-//   begin            any -> kPartial, or kPartialOverCast where the caster's picture is shown
+//   event            transitions; an event does not change any other stage
+//   begin            any -> kPartial, or kPartialOverCast if the caster's picture is shown
 //   finish           kPartial, kPartialOverCast -> kDrawn
 //   interrupt        kPartial -> kAbandoned, kPartialOverCast -> kCast, kRefining -> kDrawn, kFiner -> kFineInParts
 //   shade            any that is held() -> kDrawn
@@ -20,41 +20,41 @@ namespace ramus::render {
 class PictureState {
 public:
     enum class Stage : std::uint8_t {
-        kEmpty,           // there is no picture
-        kPartial,         // the next one is being drawn into the targets, in parts; the one before is shown
-        kPartialOverCast, // the same, where the one before is the caster's
-        kAbandoned,       // that was given up: a picture is shown that the targets do not hold
+        kEmpty,           // no picture
+        kPartial,         // the next picture is being drawn into the targets; the previous one is shown
+        kPartialOverCast, // the same, and the previous one is the caster's
+        kAbandoned,       // drawing was interrupted: the targets do not contain the shown picture
         kCast,            // the caster's picture
         kDrawn,           // the passes' picture, one view
-        kRefining,        // the same, while further views are added up
+        kRefining,        // the same, while further views are summed
         kFiner,           // the mean of some views, while more are added
-        kFine,            // as fine as it gets
-        kFineInParts,     // a mean of views, but for branches that were shaded again since
+        kFine,            // the mean of all views
+        kFineInParts,     // a mean of views, except branches that were shaded again since
     };
 
     [[nodiscard]] Stage stage() const { return stage_; }
-    // Whether a picture is on its way in parts.
+    // Whether a picture is being drawn in parts.
     [[nodiscard]] bool partial() const { return is(Stage::kPartial) || is(Stage::kPartialOverCast); }
-    // Whether the caster made what is shown: it says what lies under a pixel.
+    // Whether the shown picture is the caster's, which then answers picks.
     [[nodiscard]] bool by_caster() const { return is(Stage::kCast) || is(Stage::kPartialOverCast); }
-    // Whether the targets hold what is shown: shading alone changes its colours, and they say what lies under a pixel.
+    // Whether the targets contain the shown picture: its colours can change by shading alone, and they answer picks.
     [[nodiscard]] bool held() const;
-    // Whether what lies under a pixel can be told now.
+    // Whether picks can be answered now.
     [[nodiscard]] bool answers() const { return by_caster() || held(); }
     [[nodiscard]] bool can_refine() const { return held() && !is(Stage::kFine); }
     [[nodiscard]] bool refining() const { return is(Stage::kRefining) || is(Stage::kFiner); }
 
-    // What has happened.
+    // Events.
     void lose() { stage_ = Stage::kEmpty; } // memory ran out, or drawing failed
-    void begin();                           // the first part of a picture goes into the targets
-    void interrupt();                       // what was on its way, picture or mean, is given up
-    void finish();                          // a picture is whole, shaded and shown
-    void shade();                           // all of what is held was shaded again
-    void shade_changed();                   // some branches of what is held were
-    void cast() { stage_ = Stage::kCast; }  // the caster has made a picture, and it is shown
+    void begin();                           // drawing into the targets starts
+    void interrupt();                       // the picture or the mean in progress is discarded
+    void finish();                          // the picture is complete, shaded and shown
+    void shade();                           // the held picture was shaded again
+    void shade_changed();                   // some branches of it were shaded again
+    void cast() { stage_ = Stage::kCast; }  // a picture of the caster is shown
     void begin_refining();
     void show_mean();
-    void end_refining(); // there are no more views, or no memory for them
+    void end_refining(); // no more views, or no memory for them
 
 private:
     [[nodiscard]] bool is(Stage stage) const { return stage_ == stage; }

@@ -41,8 +41,8 @@ Result<bool> Refinement::add_views(double seconds) {
     return any;
 }
 
-// A software rasteriser draws one thing after the other, for all contexts: whoever presents a picture waits for the
-// parts that are on their way, so that there is one.
+// A software rasteriser works sequentially for all contexts: presenting a picture waits for all queued parts, so only
+// one is queued.
 bool PartialView::draw_on(double seconds) {
     const Stopwatch watch;
     Fence& before = is_software_rasteriser() ? fences_.back() : fences_.front();
@@ -60,7 +60,7 @@ bool PartialView::draw_on(double seconds) {
     if (at_once) return true;
     for (Fence& fence : fences_)
         if (!fence.passed(seconds - watch.seconds())) return false;
-    return !worked || watch.seconds() < seconds; // the shading is a part by itself
+    return !worked || watch.seconds() < seconds; // shading is a separate part
 }
 
 } // namespace ramus::render

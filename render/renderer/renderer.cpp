@@ -1,4 +1,4 @@
-// What the picture shows under its pixels.
+// Picks and read-backs of the picture.
 #include "render/renderer/renderer.h"
 
 #include "render/gl/within_memory.h"
@@ -37,7 +37,7 @@ std::unique_ptr<Renderer> Renderer::create_later(std::size_t glass_bytes, std::s
 Pick Renderer::pick(double x, double y) {
     if (!state_.answers()) finish();
     if (!last_ || !state_.answers()) return {};
-    const Under shown{number_, shown_view_, last_->camera, last_->pixel_ratio};
+    const PickSource shown{number_, shown_view_, last_->camera, last_->pixel_ratio};
     return state_.by_caster() ? pick_in_cast(shown, x, y) : pick_in(shown, card_.targets.resolved, x, y);
 }
 
@@ -49,18 +49,18 @@ std::optional<Pick> Renderer::pick(double x, double y, int of, glm::ivec2 size) 
     return pick(x, y);
 }
 
-Pick Renderer::pick_in(const Under& under, const ResolvedTarget& from, double x, double y) {
-    const PickWindow window = pick_window(under.pixel_ratio, under.view, x, y);
+Pick Renderer::pick_in(const PickSource& source, const ResolvedTarget& from, double x, double y) {
+    const PickWindow window = pick_window(source.pixel_ratio, source.view, x, y);
     if (window.pixels() == 0) return {};
     std::vector<std::uint32_t> ids(window.pixels());
     std::vector<float> depths(window.pixels());
     read_pixels(window, from, kTargetIdNormal, ids.data());
     read_pixels(window, from, kTargetPickedDepth, depths.data());
-    return nearest_in(window, ids.data(), depths.data(), under.camera, under.view);
+    return nearest_in(window, ids.data(), depths.data(), source.camera, source.view);
 }
 
-Pick Renderer::pick_in_cast(const Under& under, double x, double y) const {
-    const PickWindow window = pick_window(under.pixel_ratio, under.view, x, y);
+Pick Renderer::pick_in_cast(const PickSource& source, double x, double y) const {
+    const PickWindow window = pick_window(source.pixel_ratio, source.view, x, y);
     if (window.pixels() == 0) return {};
     std::vector<std::uint32_t> ids(window.pixels());
     std::vector<float> depths(window.pixels());
@@ -71,15 +71,15 @@ Pick Renderer::pick_in_cast(const Under& under, double x, double y) const {
         std::copy_n(caster.ids() + from, window.width, ids.data() + to);
         std::copy_n(caster.depths() + from, window.width, depths.data() + to);
     }
-    return nearest_in(window, ids.data(), depths.data(), under.camera, under.view);
+    return nearest_in(window, ids.data(), depths.data(), source.camera, source.view);
 }
 
-Renderer::Under Renderer::next_under(const Frame& frame, const ViewSetup& view) {
+Renderer::PickSource Renderer::next_pick_source(const Frame& frame, const ViewSetup& view) {
     return {++number_, view, frame.camera, frame.pixel_ratio};
 }
 
-// Before another picture is drawn into the targets. What is there of one that was given up is nobody's.
-void Renderer::keep_under() {
+// Call before drawing another picture into the targets. Contents of an interrupted picture are not kept.
+void Renderer::keep_pick_source() {
     if (in_targets_.number == 0) return;
     card_.targets.keep_resolved(kept_);
     in_kept_ = std::exchange(in_targets_, {});
@@ -104,7 +104,7 @@ BranchPicture Renderer::read_branches() {
     picture.height = view.picture.y;
     picture.branches.reserve(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
     for (std::int64_t y = 0; y < picture.height; ++y) {
-        // GL counts from below; a picture that is drawn quickly has fewer pixels inside.
+        // GL counts from below; an interactive picture has fewer pixels.
         const std::uint32_t* row = ids + stride * ((picture.height - 1 - y) * drawn.y / picture.height);
         for (std::int64_t x = 0; x < picture.width; ++x)
             picture.branches.push_back(branch_of(row[x * drawn.x / picture.width]));

@@ -1,4 +1,4 @@
-// The pictures that the caster makes: at once, or on a thread of its own while the one before is shown.
+// Pictures of the caster: synchronous, or on a worker thread while the previous picture is shown.
 #include "render/renderer/frame_changes.h"
 #include "render/renderer/renderer.h"
 
@@ -6,7 +6,7 @@
 
 namespace ramus::render {
 
-// The caster draws every pixel of a picture, whatever passes are to draw next.
+// The caster draws every pixel, whatever the passes' resolution.
 ViewSetup Renderer::cast_view(const Subject& subject) const {
     ViewSetup view = card_.targets.view;
     view.size = view.picture = subject.frame.size;
@@ -44,7 +44,7 @@ Result<void> Renderer::show_cast(CastPass::Made made) {
     card_.targets.view = made.view;
     card_.passes.begin(made.view);
     state_.cast();
-    in_cast_ = next_under(made.frame, made.view);
+    in_cast_ = next_pick_source(made.frame, made.view);
     show(subject_of(made.frame, made.layers), {glm::ivec2(0), made.view.size});
     last_ = std::move(made.frame);
     last_layers_ = std::move(made.layers);
@@ -52,7 +52,7 @@ Result<void> Renderer::show_cast(CastPass::Made made) {
     return {};
 }
 
-// What was to come was of another size or camera, and is not wanted any more.
+// Discards a pending picture of another size or camera.
 Result<void> Renderer::back_to_cast() {
     if (auto fits = resize(*last_, Plan::kCast); !fits) return tl::unexpected(fits.error());
     card_.targets.view = shown_view_;

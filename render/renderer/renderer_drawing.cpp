@@ -1,4 +1,4 @@
-// From one frame's picture to the next one's: which passes run, and what state that leaves.
+// Draws the next frame: selects the passes to run, and the state that they leave.
 #include "core/base/stopwatch.h"
 #include "render/gl/gl_context.h"
 #include "render/gl/within_memory.h"
@@ -15,9 +15,9 @@ namespace {
 
 constexpr const char* kLessMemory = "give a smaller size or a coarser --detail";
 
-constexpr int kInteractiveDivisor = 2; // of width and height
+constexpr int kInteractiveDivisor = 2; // divides width and height
 
-// The picture comes in another call.
+// The picture will be complete in a later call.
 DrawStatistics later(DrawStatistics done) {
     end_passes();
     done.unfinished = true;
@@ -42,20 +42,19 @@ int most_samples() {
 
 } // namespace
 
-// Memory may run out in any pass: then nothing is kept of the picture and of what was sent for it, so that the next
-// draw(), perhaps of less, begins with what was there before the first.
+// Any pass may run out of memory: then the picture and its data are released, so that the next draw(), perhaps of less,
+// starts from the initial state.
 Result<DrawStatistics> Renderer::draw(const Frame& wanted, std::size_t upload_budget, double seconds) {
     if (auto fits = check_size(wanted.size.x, wanted.size.y); !fits) return tl::unexpected(fits.error());
-    return or_let_go([&] { return draw_all(wanted, upload_budget, seconds); });
+    return or_release([&] { return draw_all(wanted, upload_budget, seconds); });
 }
 
-template <class Work> auto Renderer::or_let_go(const Work& work) -> decltype(work()) {
+template <class Work> auto Renderer::or_release(const Work& work) -> decltype(work()) {
     return within_memory(
-        kLessMemory, [this] { let_go(); }, work);
+        kLessMemory, [this] { release(); }, work);
 }
 
-// The picture turns or has another size, and nothing else about it changes: then the eye takes cones for the surface.
-// Until the view rests it stays with them.
+// Only the view or the size changes: cones may then replace the surface, until the view rests.
 bool Renderer::moves(const Frame& wanted, const Frame& frame) const {
     return frame.quality == Quality::kInteractive && last_ && wanted_mesh_ == wanted.mesh &&
            last_->states == frame.states &&
@@ -63,7 +62,7 @@ bool Renderer::moves(const Frame& wanted, const Frame& frame) const {
 }
 
 Renderer::Plan Renderer::plan_for(const Frame& wanted, const Frame& frame, const std::vector<Layer>& layers) const {
-    // With what is under its pixels, or it is made anew for that.
+    // The picture must also answer picks; otherwise it is drawn again.
     if (last_ && *last_ == frame && state_.answers()) return Plan::kNothing;
     if (unfinished_ && unfinished_->view.layers() == layers &&
         same_geometry(unfinished_->view.frame(), frame, unfinished_->view.subject().has_glass()))
@@ -77,8 +76,8 @@ Renderer::Plan Renderer::plan_for(const Frame& wanted, const Frame& frame, const
     return Plan::kDraw;
 }
 
-// Most programs, and what passes draw into, are made when the first of them draws: a window's first picture is the
-// caster's, and comes that much sooner.
+// Programs and targets are created on first use: a window's first picture is the caster's, and appears earlier that
+// way.
 Result<bool> Renderer::resize(const Frame& frame, Plan plan) {
     const auto what = plan == Plan::kDraw ? Passes::For::kAll : Passes::For::kCast;
     if (auto made = card_.passes.make(what); !made) return tl::unexpected(made.error());
@@ -100,20 +99,20 @@ Result<bool> Renderer::resize(const Frame& frame, Plan plan) {
     in_targets_ = {};
     targets.make(samples);
     if (is_complete(targets.samples.framebuffer)) return true;
-    let_go();
+    release();
     return cannot_draw(frame.size);
 }
 
-// The picture before is shown until the next one is there.
+// The previous picture stays until the next one is ready.
 Result<void> Renderer::fit_picture(glm::ivec2 size) {
     if (card_.picture.size == size) return {};
     card_.picture.make(size);
     if (is_complete(card_.picture.framebuffer)) return {};
-    let_go();
+    release();
     return cannot_draw(size);
 }
 
-// Draws on at what is on its way; true: its geometry is whole.
+// Continues the picture in progress; true: its geometry is complete.
 Result<bool> Renderer::draw_parts(double seconds, DrawStatistics& done) {
     if (!unfinished_->view.draw_on(seconds)) return false;
     const auto& triangles = unfinished_->view.triangles();
@@ -124,7 +123,7 @@ Result<bool> Renderer::draw_parts(double seconds, DrawStatistics& done) {
     return true;
 }
 
-// What is on its way goes on, if it is of the plan.
+// Continues the picture in progress if it fits the plan.
 void Renderer::go_on_or_give_up(Plan plan, const Frame& wanted, const Frame& frame) {
     if (plan == Plan::kGoOn) {
         unfinished_->wanted = wanted;
@@ -141,18 +140,18 @@ Result<bool> Renderer::make_room(Plan plan, const Frame& wanted, const Frame& fr
     }
     if (plan != Plan::kCast && plan != Plan::kDraw) return false;
     card_.passes.cast.forget();
-    if (plan == Plan::kDraw) keep_under();
+    if (plan == Plan::kDraw) keep_pick_source();
     const bool other_size = card_.picture.size != frame.size;
     RAMUS_TRY(made_targets, resize(frame, plan));
     if (plan == Plan::kDraw) begin(wanted, frame, layers);
-    // Of another size in each frame, as while an edge is dragged, no picture would come.
+    // While the user resizes the window, every frame has another size, and otherwise no picture would ever be finished.
     return plan == Plan::kDraw && made_targets && !other_size;
 }
 
 Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t upload_budget, double seconds) {
     const Stopwatch watch;
     DrawStatistics done;
-    card_.scene.hurry(seconds != kUntilDone);
+    card_.scene.set_in_time(seconds != kUntilDone);
     const auto taken = card_.scene.take_up(wanted, upload_budget, done);
     if (!taken) {
         give_up();
@@ -163,12 +162,12 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
     const Plan plan = plan_for(wanted, frame, layers);
     go_on_or_give_up(plan, wanted, frame);
     if (plan == Plan::kNothing) return done;
-    // The caster may be given a thread of its own; what is shown says what lies under its pixels meanwhile.
+    // The caster may use the worker thread; the shown picture answers picks meanwhile.
     const bool in_time = plan == Plan::kCast && seconds != kUntilDone && last_;
     if (!in_time) {
         const auto took_long = make_room(plan, wanted, frame, layers);
         if (!took_long) return failed(took_long.error());
-        if (!last_ && !first_waits_) seconds = kUntilDone; // there is no picture meanwhile
+        if (!last_ && !first_in_parts_) seconds = kUntilDone; // no picture to show meanwhile
         if (*took_long && seconds != kUntilDone) return later(done);
     }
     card_.passes.begin(card_.targets.view);
@@ -186,14 +185,14 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
         done.cones = cast(subject);
         done.geometry = true;
         state_.cast();
-        in_cast_ = next_under(frame, card_.targets.view);
+        in_cast_ = next_pick_source(frame, card_.targets.view);
     } else if (plan != Plan::kShow) {
         if (unfinished_) {
             const auto whole = draw_parts(seconds - watch.seconds(), done);
             if (!whole) return failed(whole.error());
             if (!*whole) return unfinished_->seconds += watch.seconds(), later(done);
             unfinished_.reset();
-            in_targets_ = next_under(frame, card_.targets.view);
+            in_targets_ = next_pick_source(frame, card_.targets.view);
         }
         const auto shaded = shade(subject, plan);
         if (!shaded) return failed(shaded.error());
@@ -205,7 +204,7 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
     last_ = frame;
     last_layers_ = std::move(layers);
     shown_view_ = card_.targets.view;
-    if (gl_ran_out_of_memory()) throw OutOfGraphicsMemory(0); // drivers may say it late
+    if (gl_ran_out_of_memory()) throw OutOfGraphicsMemory(0); // drivers may report it late
     done.seconds += watch.seconds();
     return done;
 }
@@ -219,8 +218,7 @@ void Renderer::begin(const Frame& wanted, const Frame& frame, const std::vector<
 }
 
 Result<Region> Renderer::shade(const Subject& subject, Plan plan) {
-    // Pointing elsewhere changes what few pixels show; a software rasteriser takes its time for all. Layers of glass
-    // are not kept.
+    // Hovering changes few pixels, and a software rasteriser is slow for all. Layers of glass are not kept.
     const bool can_change_parts = plan == Plan::kShade && (!card_.targets.has_glass || gl_has_lists());
     const bool part = can_change_parts && differs_in_hover_and_overlays_only(*last_, subject.frame);
     const auto extent = part ? ShadePass::Extent::kChanged : ShadePass::Extent::kAll;
@@ -236,7 +234,7 @@ Result<Region> Renderer::shade(const Subject& subject, Plan plan) {
     return shaded;
 }
 
-// What was lit, or the caster's picture, with what lies over it.
+// Composes the lit image, or the caster's picture, with the overlays.
 void Renderer::show(const Subject& subject, const Region& region) {
     const ViewTargets& targets = card_.targets;
     const PictureTarget& picture = card_.picture;
@@ -254,8 +252,8 @@ void Renderer::show(const Subject& subject, const Region& region) {
     end_passes();
 }
 
-// Further views may be too much for memory: then the picture stays as it is. Their mean is shown over it, with what
-// lies over pictures: where there is no memory for that it is lost.
+// If memory does not suffice for further views, the picture stays as it is. If it does not suffice for showing their
+// mean with overlays, the picture is lost.
 Result<Refined> Renderer::refine(double seconds) {
     if (!last_ || !state_.can_refine() || last_->quality != Quality::kFull) return Refined{};
     const auto added = within_memory(
@@ -270,7 +268,7 @@ Result<Refined> Renderer::refine(double seconds) {
     done.changed = *added;
     if (!done.changed)
         end_passes();
-    else if (auto shown = or_let_go([&] { return show_mean(); }); !shown)
+    else if (auto shown = or_release([&] { return show_mean(); }); !shown)
         return tl::unexpected(shown.error());
     if (refinement_->whole()) {
         refinement_.reset();
@@ -280,7 +278,7 @@ Result<Refined> Renderer::refine(double seconds) {
     return done;
 }
 
-// The sum of views begins with the one that is there, all of it.
+// The sum starts with the current view.
 Result<void> Renderer::begin_refinement() {
     card_.passes.begin(card_.targets.view);
     if (state_.stage() == PictureState::Stage::kFineInParts) {
@@ -309,9 +307,9 @@ Result<void> Renderer::show_mean() {
     return {};
 }
 
-// Where memory runs out there is nothing to be told of.
+// An error is ignored here: without memory there is no picture.
 void Renderer::finish() {
-    (void)or_let_go([&]() -> Result<void> {
+    (void)or_release([&]() -> Result<void> {
         auto made = card_.passes.cast.take(kUntilDone);
         if (!made) return {};
         return show_cast(std::move(*made));
@@ -335,8 +333,8 @@ tl::unexpected<Error> Renderer::failed(const Error& error) {
     return result;
 }
 
-// After memory has run out.
-void Renderer::let_go() {
+// After running out of memory.
+void Renderer::release() {
     give_up();
     last_.reset();
     state_.lose();
@@ -344,7 +342,7 @@ void Renderer::let_go() {
     wanted_mesh_ = nullptr;
     in_targets_ = in_kept_ = in_cast_ = {};
     kept_ = {};
-    card_.let_go();
+    card_.release();
 }
 
 } // namespace ramus::render

@@ -13,13 +13,13 @@ namespace ramus::render {
 
 namespace {
 
-// More made take more memory than smooth outlines are worth: 120 MB.
+// Limits memory for smooth outlines to 120 MB.
 constexpr NearLimits kMostNear{3'000'000, std::numeric_limits<std::size_t>::max()};
-// So many take some tenths of a second at the most. Of what has more, the outlines that are left are off by little.
+// These limits take at most some tenths of a second; the remaining outlines have small errors.
 constexpr NearLimits kMostNearInTime{500'000, 250'000};
 
 std::size_t most_surface_bytes() {
-    constexpr double kShare = 0.75; // of the graphics card's memory
+    constexpr double kShare = 0.75; // share of the graphics card's memory
     const double bytes = kShare * graphics_memory_bytes();
     return std::isinf(bytes) ? std::numeric_limits<std::size_t>::max() : static_cast<std::size_t>(bytes);
 }
@@ -50,7 +50,7 @@ Result<Frame> SceneOnCard::take_up(const Frame& wanted, std::size_t upload_budge
     }
     RAMUS_TRY(whole, fits(wanted));
     done.coarse = !whole;
-    // Where both do not fit, the surface before gives way first.
+    // If both do not fit, the previous surface is released first.
     const bool crowded = whole && wanted.mesh && mesh_.shown() != wanted.mesh &&
                          preview_.bytes() + mesh_.bytes() + GpuMesh::bytes_of(*wanted.mesh) > surface_bytes_;
     if (done.coarse || (crowded && mesh_.shown())) mesh_.follow(nullptr, left);
@@ -69,29 +69,29 @@ Result<Frame> SceneOnCard::take_up(const Frame& wanted, std::size_t upload_budge
     whole_surface_ = mesh_there && !done.coarse ? wanted.mesh : nullptr;
     frame.mesh = mesh.shown();
     frame.preview = nullptr;
-    // The surface before may have values, but the frame's scale is not theirs.
+    // The previous surface may have values, but not those of the frame's scale.
     const bool is_wanted = frame.mesh && (frame.mesh == wanted.mesh || frame.mesh == wanted.preview);
     if (frame.scale.value == ColourScale::Value::kSurface && !is_wanted) frame.scale = {};
     frame.surface_awaited = false;
-    if (frame.quality != Quality::kInteractive) frame.cones = nullptr; // nothing casts it
+    if (frame.quality != Quality::kInteractive) frame.cones = nullptr; // not drawn by the caster
     done.quality = frame.quality;
     return frame;
 }
 
-// Views of a picture that are shifted by less than a pixel have the same.
-void SceneOnCard::come_near(const Frame& frame, const ViewSetup& view) {
+// Views that are shifted by less than a pixel share the division.
+void SceneOnCard::divide_near_surface(const Frame& frame, const ViewSetup& view) {
     const bool bends = frame.bends && frame.quality == Quality::kFull && drawn_ == &mesh_;
     const Near near = bends ? Near{mesh_.shown(), frame.camera, view.size} : Near{};
     if (near == near_) return;
     near_ = {};
-    mesh_.come_near(bends ? near_surface(*near.mesh,
-                                         near_view(frame.camera, near.mesh->origin(), view.to_clip, view.size.y),
-                                         in_time_ ? kMostNearInTime : kMostNear)
-                          : NearSurface{});
+    mesh_.use_near_surface(bends ? near_surface(*near.mesh,
+                                                near_view(frame.camera, near.mesh->origin(), view.to_clip, view.size.y),
+                                                in_time_ ? kMostNearInTime : kMostNear)
+                                 : NearSurface{});
     near_ = near;
 }
 
-// Whether the mesh does. Its preview has to.
+// Returns whether the mesh fits; fails if its preview does not.
 Result<bool> SceneOnCard::fits(const Frame& wanted) const {
     const auto bytes = [](const auto& mesh) { return mesh ? GpuMesh::bytes_of(*mesh) : 0; };
     if (bytes(wanted.mesh) + bytes(wanted.preview) <= surface_bytes_) return true;
@@ -109,7 +109,7 @@ bool SceneOnCard::casts(const Frame& frame) const {
     return !frame.surface_awaited || lines_.shown()->points.size() <= caster::kMostCastPoints;
 }
 
-void SceneOnCard::let_go() {
+void SceneOnCard::release() {
     drawn_ = nullptr;
     whole_surface_ = nullptr;
     near_ = {};

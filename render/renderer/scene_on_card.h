@@ -1,4 +1,5 @@
-// SceneOnCard: what pictures are made of, as far as the graphics card holds it, and what a view of it shows.
+// SceneOnCard: the copies of a frame's large values (mesh, centerlines, shapes) on the graphics card. Subject: one view
+// of them.
 #pragma once
 
 #include "render/gpu/gpu_lines.h"
@@ -9,41 +10,41 @@
 
 namespace ramus::render {
 
-// The layer of every branch of a mesh, for shaders that tell whose a point is.
+// The layer of every branch of a mesh, for shaders that determine the branch per point.
 struct BranchLayers {
     std::vector<Layer> all;
-    TexelTable table{GL_R8UI}; // a byte a branch
+    TexelTable table{GL_R8UI}; // one byte per branch
     void send(const PagedMesh& mesh, const std::vector<Layer>& layers);
 };
 
 class SceneOnCard {
 public:
-    // `surface_bytes` as for Renderer::create().
+    // `surface_bytes`: see Renderer::create().
     explicit SceneOnCard(std::size_t surface_bytes);
 
-    // The frame as it can be drawn now: its mesh is the one that the card has and that its quality asks for. The
-    // preview is sent first, and stands in until the mesh has come: drawing the mesh before it in full would be in
-    // vain. Fails where neither fits.
+    // Returns the frame as it can be drawn now, with the mesh that is on the card and fits the requested quality. The
+    // preview is sent first and stands in until the mesh is complete. Fails if neither fits.
     [[nodiscard]] Result<Frame> take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done);
-    // Before the frame taken up last is drawn as `view` looks at it: its surface is divided where that shows.
-    void come_near(const Frame& frame, const ViewSetup& view);
-    // Whether somebody waits for the picture: it is divided as far as that takes no time to speak of.
-    void hurry(bool in_time) { in_time_ = in_time; }
-    // Whether the caster can draw it.
+    // Call before drawing the frame of the last take_up() from `view`: divides its surface where straight edges would
+    // show.
+    void divide_near_surface(const Frame& frame, const ViewSetup& view);
+    // `in_time`: a person waits for the picture, so the surface is divided only as far as that is quick.
+    void set_in_time(bool in_time) { in_time_ = in_time; }
+    // Whether the caster can draw the frame.
     [[nodiscard]] bool casts(const Frame& frame) const;
-    void let_go(); // after memory has run out
+    void release(); // call after running out of memory
 
     [[nodiscard]] std::size_t surface_bytes() const { return surface_bytes_; }
-    // Of the frame taken up last; an empty one: there is no surface.
+    // The mesh of the last take_up(); empty if there is no surface.
     [[nodiscard]] const GpuMesh& mesh() const { return drawn_ != nullptr ? *drawn_ : none_; }
-    // The surface of the frame taken up last in full; null: it is not there, or only its preview is.
+    // The full surface of the last take_up(); null if it is missing or only its preview is on the card.
     [[nodiscard]] const std::shared_ptr<const PagedMesh>& whole_surface() const { return whole_surface_; }
     [[nodiscard]] GpuLines& lines() { return lines_; }
     [[nodiscard]] const GpuLines& lines() const { return lines_; }
     [[nodiscard]] const GpuShapes& shapes() const { return shapes_; }
     [[nodiscard]] GpuSkeleton& skeleton() { return skeleton_; }
-    [[nodiscard]] BranchLayers& branch_layers() { return branch_layers_; } // of the view drawn last
-    // Lesions and context, around their centres.
+    [[nodiscard]] BranchLayers& branch_layers() { return branch_layers_; } // of the last view drawn
+    // Bounding spheres of lesions and context.
     [[nodiscard]] std::vector<ViewSetup::Ball> beside_tree(const Frame& frame) const;
 
 private:
@@ -55,9 +56,9 @@ private:
     GpuSkeleton skeleton_;
     GpuShapes shapes_;
     BranchLayers branch_layers_;
-    const GpuMesh* drawn_ = nullptr; // null: nothing
+    const GpuMesh* drawn_ = nullptr; // null: no surface
     std::shared_ptr<const PagedMesh> whole_surface_;
-    struct Near { // what mesh_ is divided for
+    struct Near { // the view for which mesh_ is divided
         std::shared_ptr<const PagedMesh> mesh;
         Camera camera;
         glm::ivec2 size{0};
@@ -65,13 +66,13 @@ private:
     };
     Near near_;
     bool in_time_ = false;
-    std::size_t surface_bytes_; // that surfaces may take
+    std::size_t surface_bytes_; // limit for surfaces
 };
 
-// What a view shows. All of it outlives the drawing.
+// What a view shows. References must outlive the drawing.
 struct Subject {
     const Frame& frame;
-    const std::vector<Layer>& layers; // by branch; branches beyond its end are opaque
+    const std::vector<Layer>& layers; // by branch; branches without an entry are opaque
     const GpuMesh& mesh;              // may be empty
     SceneOnCard& scene;
 
@@ -79,14 +80,14 @@ struct Subject {
     [[nodiscard]] bool has_values() const { return has_mesh() && mesh.shown()->has_values(); }
     [[nodiscard]] bool has_lesions() const { return !frame.lesions.spheres.empty() || !frame.lesions.meshes.empty(); }
     [[nodiscard]] bool has_glass_vessels() const;
-    // Glass, context that is clear, or lesions.
+    // Glass, transparent context, or lesions.
     [[nodiscard]] bool has_glass() const;
     [[nodiscard]] bool quick() const { return frame.quality == Quality::kInteractive; }
-    // Positions relative to the mesh's origin.
+    // From positions relative to the mesh's origin.
     [[nodiscard]] glm::dmat4 mesh_to_clip(const ViewSetup& view) const;
 };
 
-// Context meshes and lesions in ids: numbers from 1 on, as far as there are any.
+// Number of a context mesh or lesion in ids: counts from 1 and saturates.
 [[nodiscard]] std::uint32_t number_of(std::size_t index);
 
 } // namespace ramus::render

@@ -13,7 +13,7 @@ namespace ramus::render {
 
 namespace {
 
-// Where things are and what is under them, without what is drawn there.
+// The layout of a sheet, without its contents.
 Sheet outline_of(const Sheet& sheet) {
     Sheet outline = sheet;
     for (Sheet::Viewport& viewport : outline.viewports) {
@@ -44,7 +44,7 @@ Sheet sheet_of(Frame frame) {
     return sheet;
 }
 
-// Before they are drawn, so that there is memory for that. Nothing is shown until it is done: it may fail.
+// Releases renderers before drawing, to free memory. Nothing is shown until drawing has succeeded.
 void SheetRenderer::keep(std::size_t viewports) {
     if (others_.size() < viewports) return;
     others_.resize(viewports - 1);
@@ -60,12 +60,12 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
     const bool at_once = seconds == kUntilDone;
     while (others_.size() + 1 < sheet.viewports.size()) {
         RAMUS_TRY(made, Renderer::create(kGlassBytes, first_.surface_bytes()));
-        if (first_.first_waits()) made->let_first_wait();
+        if (first_.draws_first_in_parts()) made->draw_first_in_parts();
         others_.push_back(std::move(made));
         sum.unfinished = !at_once;
-        if (sum.unfinished) return sum; // its programs take as long as a part
+        if (sum.unfinished) return sum; // linking its programs takes as long as a part
     }
-    // Nobody can wait for a picture where there is none yet: one in a call.
+    // A new viewport has no earlier picture to show meanwhile; draws one such picture per call.
     for (std::size_t i = 1; i < sheet.viewports.size() && !at_once; ++i) {
         if (renderer(i).has_picture()) continue;
         auto first = renderer(i).draw(sheet.viewports[i].frame, upload_budget, seconds);
@@ -95,7 +95,7 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
         first_.picture_size() == sheet.size && (!sheet.mixed() || others_[0]->picture_size() == sheet.size);
     if (!sheet.mixed()) {
         blend_.reset();
-    } else if (whole && (sum.shaded || arranged || !blend_)) { // else one is of the size before
+    } else if (whole && (sum.shaded || arranged || !blend_)) { // otherwise one has the previous size
         if (auto blended = blend(sheet); !blended) return tl::unexpected(blended.error());
     }
     shown_ = std::move(outline);
@@ -138,7 +138,7 @@ Result<void> SheetRenderer::blend(const Sheet& sheet) {
 
 Result<Refined> SheetRenderer::refine(const Sheet& sheet, double seconds) {
     Refined sum;
-    if (sheet.viewports.size() != shown_.viewports.size()) return sum; // it could not be drawn, or not yet
+    if (sheet.viewports.size() != shown_.viewports.size()) return sum; // not drawn, or not yet
     const Stopwatch watch;
     for (std::size_t i = 0; i < sheet.viewports.size() && !sum.more; ++i) {
         RAMUS_TRY(done, renderer(i).refine(seconds - watch.seconds()));
@@ -211,7 +211,7 @@ std::size_t SheetRenderer::viewport_at(const Sheet& sheet, glm::dvec2 at) {
     return nearest;
 }
 
-// Places on a surface without branches are none that tools could take for a vessel's.
+// Places on a surface without branches must not be taken for places on vessels.
 Pick SheetRenderer::without_branch(const Sheet& outline, std::size_t viewport, Pick pick) {
     if (viewport < outline.viewports.size() && !outline.viewports[viewport].has_branches) pick.branch = kNoBranch;
     return pick;
@@ -285,7 +285,7 @@ void Blend::draw(unsigned first, unsigned second, const Mix& mix, glm::ivec2 siz
     const auto line = static_cast<float>(mix.line.value_or(0.0) * size.x);
     const bool seen = mix.line && *mix.line > 0.0 && *mix.line < 1.0;
     glProgramUniform1f(mix_, kUniformShare, static_cast<float>(mix.share));
-    const int above = heading.width > 0 ? top + heading.height : 0; // the heading stands over the line
+    const int above = heading.width > 0 ? top + heading.height : 0; // the heading covers the line
     glProgramUniform3f(mix_, kUniformLine, mix.line ? line : -1.0F, seen ? 0.5F * mix.line_width : 0.0F,
                        static_cast<float>(size.y - above));
     glBindTextureUnit(kUnitImage, first);

@@ -1,9 +1,8 @@
-// Sheet: one picture of several frames, in viewports beside each other or one fading into the other, as a plain
-// comparable value; and SheetRenderer, which draws it. A sheet of one viewport is that frame's picture, to the bit.
-// Each viewport keeps what it drew, so that what changes in one draws nothing in the others, and fading draws no frame
-// again.
+// Sheet: a picture of several frames, in adjacent viewports or mixed, as a comparable value. SheetRenderer draws it. A
+// sheet with one viewport equals that frame's picture, bit by bit. Each viewport keeps its picture, so a change in one
+// draws nothing in the others, and fading draws no frame again.
 //
-// As of Renderer: GL context, pixels from the top left, here of the sheet.
+// GL context and pixels as for Renderer; pixels are those of the sheet.
 #pragma once
 
 #include "core/base/error.h"
@@ -19,24 +18,24 @@
 
 namespace ramus::render {
 
-// How two pictures of one size become one: the second fades in as its share grows, in linear light, 0 to 1; or it lies
-// right of a line, and the first left of it.
+// How to mix two pictures of equal size: fade, where the second has a weight in linear light; or wipe, where a vertical
+// line separates the first picture on its left from the second on its right.
 struct Mix {
-    double share = 0.0;
-    std::optional<double> line{}; // from the left, of the width, 0 to 1; at either end there is none to be seen
+    double share = 0.0;           // weight of the second, 0 to 1
+    std::optional<double> line{}; // position from the left as a fraction of the width; invisible at 0 and 1
     float line_width = 1.0F;      // pixels
     bool operator==(const Mix&) const = default;
 };
 
-// Blend: two pictures mixed. At a share of 0 it is the first, at 1 the second, and beside a line either, to the bit. It
-// keeps what it made: equal pictures mixed alike are mixed once.
+// Blend: draws two mixed pictures. At a share of 0 or 1, and on either side of the line, the result equals a picture
+// bit by bit. Caches the last result.
 //
-// All calls need the GL context current that was current at make(), the destructor too.
+// All calls, including the destructor, need the GL context that was current at make().
 class Blend {
 public:
     [[nodiscard]] Result<void> make();
 
-    // `heading` lies in the middle, `top` pixels from the edge; of no size: none. Throws OutOfGraphicsMemory.
+    // `heading`: drawn centred, `top` pixels from the edge; empty: none. Throws OutOfGraphicsMemory.
     void draw(unsigned first, unsigned second, const Mix& mix, glm::ivec2 size, const Image& heading, int top);
 
     [[nodiscard]] const PictureTarget& picture() const { return picture_; }
@@ -50,80 +49,79 @@ struct Sheet {
     struct Viewport {
         glm::ivec2 at{0}; // its upper left corner; its size is the frame's
         Frame frame;
-        bool has_branches = true; // else what is under a pixel is no branch
+        bool has_branches = true; // false: picks find no branch here
         bool operator==(const Viewport&) const = default;
     };
     glm::ivec2 size{1};              // pixels
-    std::vector<Viewport> viewports; // one at least; two of the sheet's size where they are mixed
-    std::optional<double> blend;     // how much there is of the second, 0 to 1
-    std::optional<double> wipe;      // where the line is, of the width: the first lies left of it, the second right
+    std::vector<Viewport> viewports; // at least one; exactly two of the sheet's size if mixed
+    std::optional<double> blend;     // weight of the second, 0 to 1
+    std::optional<double> wipe;      // line as a fraction of the width: first left of it, second right
     float line_width = 1.0F;         // of the line, pixels
-    std::string heading;             // of two that are mixed: Latin-1, in the middle at the top
+    std::string heading;             // of mixed sheets: Latin-1, at the top middle
     int heading_top = 0;             // pixels above it
-    glm::vec3 divider{0.0F};         // sRGB, between viewports; nothing where the background is transparent
+    glm::vec3 divider{0.0F};         // sRGB, between viewports; not drawn on transparent backgrounds
     [[nodiscard]] bool mixed() const { return blend || wipe; }
     bool operator==(const Sheet&) const = default;
 };
 
-// Of one frame.
+// A sheet with one viewport.
 [[nodiscard]] Sheet sheet_of(Frame frame);
 
 class SheetRenderer {
 public:
-    // `first` outlives it. Others are made as sheets need them, and let go.
+    // `first` must outlive the object. Further renderers are created and released as sheets need them.
     explicit SheetRenderer(Renderer& first) : first_(first) {}
 
-    // Statistics are sums over the viewports.
+    // See Renderer::draw(); statistics are summed over the viewports.
     [[nodiscard]] Result<DrawStatistics> draw(const Sheet& sheet, std::size_t upload_budget = kUploadAll,
                                               double seconds = kUntilDone);
-    // The same for pictures that are kept: scale bars of perspective viewports get the scale at the middle of what all
-    // of them show. Waits for that.
+    // For pictures to save: scale bars of perspective viewports get the scale at the middle of what all viewports show.
+    // Waits for the depths.
     [[nodiscard]] Result<DrawStatistics> draw_with_scale(Sheet sheet);
-    // The bar of the picture that was drawn last, of any of its viewports; none: it has none. Pixels are the picture's.
+    // A scale bar of the last sheet, from any of its viewports; none if it has none. Pixels are the picture's.
     [[nodiscard]] std::optional<ScaleBar> scale_bar() const { return scale_bar_; }
-    // As Renderer::refine(), of one viewport after the other; `sheet` is the last one that draw() was given.
+    // See Renderer::refine(); refines one viewport after the other. `sheet`: the last argument of draw().
     [[nodiscard]] Result<Refined> refine(const Sheet& sheet, double seconds = kUntilDone);
-    static void finish(); // waits until all that was drawn is there
+    static void finish(); // waits until OpenGL has drawn everything
     [[nodiscard]] Image read_image();
-    void present(unsigned framebuffer, int x = 0, int y = 0); // as Renderer::present()
+    void present(unsigned framebuffer, int x = 0, int y = 0); // see Renderer::present()
 
-    // Of every pixel of the sheet whether a surface is there, in either of two pictures that are mixed.
+    // For every pixel of the sheet: whether it shows a surface, in either picture if mixed.
     [[nodiscard]] std::vector<bool> read_covered();
 
-    // As of Renderer. Of a blend what there is more of that has branches; beside a line what is seen.
+    // See Renderer. In a fade, picks in the picture with the larger weight; in a wipe, in the visible one.
     [[nodiscard]] Pick pick(glm::dvec2 at);
-    // What a person points at who sees a sheet: where its viewports are, without what is drawn there, and
-    // Renderer::number() of each.
+    // Identifies a sheet that a person saw: the layout of its viewports, without their contents, and each
+    // Renderer::number().
     struct Seen {
         Sheet outline{};
         std::vector<int> numbers{};
         bool operator==(const Seen&) const = default;
     };
-    [[nodiscard]] Seen seen() const; // of the sheet that was drawn last
-    // The same as the first in a sheet that was seen, as long as its pictures are there; none: it is not known any
-    // more.
+    [[nodiscard]] Seen seen() const; // of the last sheet drawn
+    // Picks in a sheet that was seen earlier, as long as its pictures exist; otherwise none.
     [[nodiscard]] std::optional<Pick> pick(glm::dvec2 at, const Seen& of);
     void request_pick(glm::dvec2 at);
     [[nodiscard]] std::optional<Pick> poll_pick();
-    // How far away all is that each viewport shows. False: ask again after the next draw().
+    // Requests the depths of each viewport. False: ask again after the next draw().
     bool request_depths();
     [[nodiscard]] std::optional<std::vector<DepthMap>> poll_depths();
-    // The viewport that a pixel lies in; the nearest of them between viewports.
+    // The viewport at a pixel; between viewports the nearest.
     [[nodiscard]] static std::size_t viewport_at(const Sheet& sheet, glm::dvec2 at);
 
 private:
     [[nodiscard]] Renderer& renderer(std::size_t viewport) { return viewport == 0 ? first_ : *others_[viewport - 1]; }
-    void keep(std::size_t viewports); // so many, and lets the others go
+    void keep(std::size_t viewports); // releases further renderers
     [[nodiscard]] Result<void> blend(const Sheet& sheet);
     [[nodiscard]] static Pick without_branch(const Sheet& outline, std::size_t viewport, Pick pick);
 
     Renderer& first_;
     std::vector<std::unique_ptr<Renderer>> others_;
     std::optional<Blend> blend_;
-    std::optional<OverlayPainter> painter_; // of its heading
-    Sheet shown_;                           // of its frames only what tells where they are; each has its renderer
+    std::optional<OverlayPainter> painter_; // for the heading
+    Sheet shown_;                           // the last sheet; frames reduced to their layout
     std::size_t asked_ = 0;                 // the viewport of request_pick()
-    std::vector<DepthMap> depths_;          // of viewports, from the first on, that have answered request_depths()
+    std::vector<DepthMap> depths_;          // of the viewports that have answered request_depths(), in order
     std::optional<ScaleBar> scale_bar_;
 };
 

@@ -48,7 +48,7 @@ void ViewTargets::make(int samples_a_pixel) {
     occlusion.blurred_target = make_framebuffer({occlusion.blurred}, resolved.covered);
     lit.framebuffer = make_framebuffer({lit.colour}, resolved.covered);
     if (gl_has_lists()) lists.framebuffer = make_framebuffer({}, samples.depth);
-    layers.fragments = {}; // makes the others anew when they are needed
+    layers.fragments = {}; // the others are recreated when needed
     samples.values = {};   // likewise
     samples.positions = sample_positions(samples.framebuffer, samples_a_pixel);
     view.samples = samples_a_pixel;

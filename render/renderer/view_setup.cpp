@@ -12,16 +12,16 @@ namespace ramus::render {
 
 namespace {
 
-// Of the views that a fine picture is the mean of, in sixteenths of a pixel. Found by search: with samples in the
-// positions that four have by convention, these tell best how much of a pixel lies beside a line, or between two.
+// Shifts of the views of a refined picture, in sixteenths of a pixel. Found by search: with the four conventional
+// sample positions, these estimate the coverage of a pixel by a half-plane or by a stripe best.
 constexpr std::array<glm::vec2, kFineViews> kShifts{{{0.0F, 0.0F}, {-3.0F, -1.0F}, {1.0F, 3.0F}, {2.0F, -2.0F}}};
 constexpr double kOcclusionShare =
     0.055; // of the picture's height: the reach of the occlusion (tuned by eye on brain and airway trees)
 
-// The near plane where the eye is among vessels: of the distance to what is looked at, and of the far plane's.
+// The near plane if the eye is among vessels, relative to the focal distance and to the far plane.
 constexpr double kShareOfFocus = 0.02, kLeastNearPlane = 1e-6, kMostNearPlane = 1e-4;
 
-constexpr float kLesionOpacity = 0.6F; // where they face the eye (tuned by eye: solid, and vessels inside show)
+constexpr float kLesionOpacity = 0.6F; // where they face the eye (tuned by eye: solid, with vessels inside visible)
 
 } // namespace
 
@@ -44,7 +44,8 @@ void ViewSetup::look(const Frame& frame, const Box& box, const std::vector<Ball>
     const bool flat = camera.orthographic;
     if (!flat) {
         far = std::max(far, 1e-3 * radius);
-        // Nearer than what is looked at, also between vessels; no nearer than depths have bits for on every driver.
+        // Nearer than the focal point, also between vessels, but not so near that depths lose precision on some
+        // drivers.
         const double focus = glm::distance(camera.position, camera.focal_point);
         near = std::max(near, std::clamp(kShareOfFocus * focus, kLeastNearPlane * far, kMostNearPlane * far));
     }

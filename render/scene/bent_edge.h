@@ -1,7 +1,7 @@
-// Edges of a surface that bends between its vertices as their normals say. Where the surface is a cylinder or a ball,
-// and the normals are its own, an edge's middle lies on it; elsewhere it is off by the third order of the edge's
-// length, where the straight edge is off by the second. All that is said of an edge depends on its two ends alone, and
-// not on their order, to the last bit: triangles that share it stay together.
+// Computes bent edges: curves between two vertices that follow a smooth surface by the vertices' normals. On cylinders
+// and spheres with exact normals the middle of a bent edge lies on the surface. Elsewhere its error is of third order
+// in the edge's length; that of a straight edge is of second order. Results depend only on the two ends, not on their
+// order, bit by bit, so that triangles with a common edge stay connected.
 #pragma once
 
 #include <algorithm>
@@ -12,18 +12,19 @@
 
 namespace ramus::render {
 
-// Of lengths of an edge: the most that it bends. What would bend more is a crease.
+// The largest bend, in lengths of the edge. Larger bends count as creases.
 inline constexpr float kMostBend = 0.15F;
 
 struct EdgeEnd {
     glm::vec3 position, normal; // normal: of unit length
 };
 
-// From the middle of the straight edge to the middle of the bent one; 0 across creases.
+// Returns the vector from the middle of the straight edge to the middle of the bent edge; 0 across creases.
 //
-// A cubic whose ends are perpendicular to the normals there (Vlachos et al., Curved PN Triangles, 2001) has its middle
-// ((e . nb) nb - (e . na) na) / 8 beside the chord e. On an arc whose normals are 2 x apart that is
-// r sin^2 x cos x / 2, where the arc is r (1 - cos x) beside it: a factor 2 / ((1 + cos x) cos x) makes it that.
+// A cubic that is perpendicular to the normals at its ends (Vlachos et al., Curved PN Triangles, 2001) has its middle
+// ((e . nb) nb - (e . na) na) / 8 away from the middle of the chord e. On an arc of radius r whose normals include the
+// angle 2x, this is r sin^2 x cos x / 2, whereas the arc is r (1 - cos x) away. The factor 2 / ((1 + cos x) cos x)
+// corrects that.
 [[nodiscard]] inline glm::vec3 bend_of(const EdgeEnd& one, const EdgeEnd& other) {
     constexpr float kLeastCosine = 0.4F; // of normals that belong to one smooth surface
     const auto key = [](const glm::vec3& p) { return std::tuple(p.x, p.y, p.z); };
@@ -38,7 +39,8 @@ struct EdgeEnd {
     return crease ? glm::vec3(0.0F) : bend;
 }
 
-// The middle of the bent edge. Its normal is the mean of the ends', mirrored as the cubic asks (there, section 3.3).
+// The middle of the bent edge. Its normal is the mean of the ends' normals, reflected as for the cubic (ibid., section
+// 3.3).
 [[nodiscard]] inline EdgeEnd middle_of(const EdgeEnd& one, const EdgeEnd& other) {
     const glm::vec3 edge = other.position - one.position, sum = one.normal + other.normal;
     const float squared = glm::dot(edge, edge);

@@ -47,7 +47,7 @@ Box bounds_of(const Centerlines& lines) {
     return {lines.origin + glm::dvec3(box.least), lines.origin + glm::dvec3(box.most)};
 }
 
-// Outside means: all corners of the box beyond one plane of the clip volume.
+// Outside: all corners are beyond one plane of the clip volume.
 bool in_picture(const glm::vec3& lower, const glm::vec3& upper, const glm::dmat4& to_clip) {
     std::array<int, 4> beyond{};
     for (int corner = 0; corner < 8; ++corner) {

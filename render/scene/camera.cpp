@@ -51,7 +51,7 @@ CameraAxes axes_of(const Camera& camera) {
     forward = distance > 0.0 ? forward / distance : glm::dvec3(0.0, -1.0, 0.0);
     glm::dvec3 right = glm::cross(forward, camera.view_up);
     if (glm::length(right) <
-        1e-9 * std::max(1e-300, glm::length(camera.view_up))) // looking along view-up: any right will do
+        1e-9 * std::max(1e-300, glm::length(camera.view_up))) // looking along view-up: any right vector is valid
         right = glm::cross(forward, std::abs(forward.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0));
     right = glm::normalize(right);
     return {right, glm::cross(right, forward), forward};
@@ -159,8 +159,8 @@ Camera fitted(const Camera& from, std::span<const glm::vec3> points, glm::ivec2 
     const glm::dvec3 centre = box.centre();
     const double radius = box.radius(), t = tan_half_angle(camera) / kMargin, wide = aspect(size);
 
-    // A point at (x, y) across and z along the line of sight from the centre is in the picture of an eye at (cx, cy,
-    // -d) when |x - cx| <= t wide (z + d) and |y - cy| <= t (z + d): every side of the picture asks for one maximum.
+    // A point at offset (x, y, z) from the centre (z along the line of sight) is visible from an eye at (cx, cy, -d) if
+    // |x - cx| <= t wide (z + d) and |y - cy| <= t (z + d): each side of the picture needs one maximum over the points.
     constexpr double kNone = std::numeric_limits<double>::lowest();
     double right = kNone, left = kNone, top = kNone, bottom = kNone;
     for (const glm::vec3& point : points) {
@@ -173,20 +173,20 @@ Camera fitted(const Camera& from, std::span<const glm::vec3> points, glm::ivec2 
         bottom = std::max(bottom, -y - z);
     }
     if (points.empty()) right = left = top = bottom = 0.5;
-    // Half the height of what is seen in the plane through the centre.
+    // Half the visible height in the plane through the centre.
     const double half = std::max({0.5 * (top + bottom), 0.5 * (right + left) / wide, 0.05 * radius});
     Camera result = camera;
     result.scale = kMargin * half;
     result.focal_point = centre + 0.5 * (right - left) * axes.right + 0.5 * (top - bottom) * axes.up;
     double distance = half / t;
     if (camera.orthographic)
-        distance = std::max(distance, 1.5 * radius); // outside the tree, should the projection change
+        distance = std::max(distance, 1.5 * radius); // outside the tree, in case the projection changes
     result.position = result.focal_point - distance * axes.forward;
     result.view_up = axes.up;
     return result;
 }
 
-// Of the box, and of the four sides of the picture.
+// Directions of the box, and of the four sides of the picture.
 std::array<glm::dvec3, 10> fitting_directions(const Camera& camera, glm::ivec2 size) {
     const CameraAxes axes = axes_of(camera);
     const double t = camera.orthographic ? 0.0 : tan_half_angle(camera) / kMargin, wide = aspect(size);

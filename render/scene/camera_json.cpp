@@ -42,7 +42,7 @@ Result<void> read(const Json& json, const std::string& name, const std::string& 
     return {};
 }
 
-// Calls call(name, member) for all that a camera has.
+// Calls call(name, member) for every member of a camera.
 template <class Of, class Call> void for_members(Of& camera, const Call& call) {
     call("position", camera.position);
     call("focal_point", camera.focal_point);
@@ -58,7 +58,7 @@ template <class Of, class Call> void for_members(Of& camera, const Call& call) {
 nlohmann::json to_json(const Camera& camera) {
     nlohmann::json json;
     for_members(camera, [&](const char* name, const auto& member) { json[name] = value_of(member); });
-    if (!camera.inside) json.erase("inside"); // which readers before it do not know
+    if (!camera.inside) json.erase("inside"); // unknown to older readers
     return json;
 }
 

@@ -11,9 +11,9 @@ namespace ramus::render {
 namespace {
 
 constexpr double kDegreesPerPicture = 200.0; // 3D Slicer's rotation, over one picture width
-constexpr double kFarthestDepth = 1e8;       // mm: farther away nothing is seen of any tree
+constexpr double kFarthestDepth = 1e8;       // mm: no tree is visible from farther away
 
-// The focal point where the line of sight comes to the depth of `at`.
+// Moves the focal point along the line of sight to the depth of `at`.
 Camera focused(Camera camera, const glm::dvec3& at) {
     const double depth = depth_of(camera, at);
     if (depth > 0.0) camera.focal_point = camera.position + depth * axes_of(camera).forward;
@@ -66,11 +66,11 @@ Camera zoomed_about(const Camera& camera, const glm::dvec3& at, double factor, d
     const glm::dvec3 way = at - camera.position;
     const double depth = glm::dot(way, axes.forward);
     const double now = camera.orthographic ? camera.scale / std::tan(glm::radians(0.5 * camera.view_angle)) : depth;
-    // Where it is too near already, nearer changes nothing; farther always goes.
+    // If it is too near already, magnifying changes nothing; zooming out always works.
     const double then = std::min(factor > 1.0 ? std::max(now / factor, std::min(now, least_mm)) : now / factor,
                                  std::max(now, kFarthestDepth));
     if (!(now > 0.0) || then == now) return camera;
-    const double share = 1.0 - then / now; // of the way to the point
+    const double share = 1.0 - then / now; // share of the distance to the point
     Camera result = camera;
     if (!camera.orthographic) return focused(shifted(result, share * way), at);
     result.scale *= then / now;

@@ -1,32 +1,31 @@
-// What the mouse's moves make of a camera. Each is about a point `at` in mm that a person points at, on a surface or
-// elsewhere: it stays where it is in the picture while the view turns and zooms, and with the pointer while the view is
-// moved. The focal point comes to its depth, so that what is reckoned there (mm_per_pixel(), another projection) holds
-// for what was pointed at last. Pixels as in camera.h. A point that is not before the eye leaves a perspective camera
-// as it is.
+// Camera moves of the mouse. Each has an anchor `at` in mm that a person points at, on a surface or elsewhere. The
+// anchor keeps its place in the picture during rotation and zoom, and follows the pointer during panning. The focal
+// point moves to the anchor's depth, so that mm_per_pixel() and a change of projection refer to what was pointed at
+// last. Pixels as in camera.h. An anchor behind the eye leaves a perspective camera unchanged.
 #pragma once
 
 #include "render/scene/camera.h"
 
 namespace ramus::render {
 
-// Along the line of sight, mm from the eye.
+// Depth of a point: mm from the eye along the line of sight.
 [[nodiscard]] double depth_of(const Camera& camera, const glm::dvec3& at);
-// Millimetres that one pixel spans at a depth; in parallel projection at every one.
+// Millimetres that one pixel spans at a depth; in parallel projection independent of the depth.
 [[nodiscard]] double mm_per_pixel_at(const Camera& camera, glm::ivec2 size, double depth_mm);
 
-// By angles in degrees (azimuth moves the viewer to the right, elevation upward).
+// Rotates by angles in degrees (azimuth moves the viewer to the right, elevation upward).
 [[nodiscard]] Camera turned_about(const Camera& camera, const glm::dvec3& at, double azimuth_deg, double elevation_deg);
-// A drag as in 3D Slicer: 200 degrees per picture width, azimuth about view-up, then elevation.
+// Rotates by a drag as in 3D Slicer: 200 degrees per picture width, azimuth about view-up, then elevation.
 [[nodiscard]] Camera rotated(const Camera& camera, glm::ivec2 size, const glm::dvec3& at, glm::dvec2 from,
                              glm::dvec2 to);
-// So that what lay under `from` at the depth of the point lies under `to`.
+// Pans so that what was under `from`, at the anchor's depth, is under `to`.
 [[nodiscard]] Camera panned(const Camera& camera, glm::ivec2 size, const glm::dvec3& at, glm::dvec2 from,
                             glm::dvec2 to);
-// The point comes nearer by `factor` (> 1 magnifies), but not nearer than to a depth of `least_mm`: the eye moves along
-// the line to it, which nothing is on that is not hidden. In parallel projection the picture becomes as large as it
-// would be seen at that depth, and no larger.
+// Zooms by `factor` (> 1 magnifies), but brings the anchor no nearer than `least_mm`: the eye moves on the line to the
+// anchor, which is free if the anchor is visible. In parallel projection the magnification is limited to that of this
+// depth.
 [[nodiscard]] Camera zoomed_about(const Camera& camera, const glm::dvec3& at, double factor, double least_mm);
-// By how much a drag of the right button magnifies: upward comes nearer, as in 3D Slicer.
+// The zoom factor of a drag with the right button: upward magnifies, as in 3D Slicer.
 [[nodiscard]] double zoom_of_drag(glm::ivec2 size, glm::dvec2 from, glm::dvec2 to);
 
 } // namespace ramus::render

@@ -43,7 +43,8 @@ struct Most {
     double mm, radii;
 };
 
-// The point between `first` and `last` that is farthest from their line, in what it may be: 1 is too far.
+// The point between `first` and `last` with the largest deviation from their line, relative to the tolerance: more than
+// 1 is too far.
 std::pair<std::size_t, double> farthest(const Centerlines& lines, std::size_t first, std::size_t last,
                                         const Most& most) {
     const glm::dvec3 a(lines.points[first]), ab = glm::dvec3(lines.points[last]) - a;
@@ -63,7 +64,7 @@ std::pair<std::size_t, double> farthest(const Centerlines& lines, std::size_t fi
 
 } // namespace
 
-// Douglas and Peucker (1973): what is farthest off stays, and both sides are looked at again.
+// Douglas and Peucker (1973): keeps the farthest point and continues on both sides.
 Centerlines Centerlines::thinned(double most_mm, double most_radii) const {
     Centerlines fewer;
     fewer.origin = origin;
@@ -76,7 +77,7 @@ Centerlines Centerlines::thinned(double most_mm, double most_radii) const {
             fewer.details.push_back(details[point]);
         };
         if (run.count > 0) keep(run.first);
-        std::vector<std::size_t> ends; // of what is still to do, the nearest last
+        std::vector<std::size_t> ends; // stack of the ends of open intervals
         if (run.count > 1) ends.push_back(run.first + run.count - 1);
         for (std::size_t from = run.first; !ends.empty();) {
             const auto [point, share] = farthest(*this, from, ends.back(), {most_mm, most_radii});

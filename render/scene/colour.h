@@ -1,4 +1,4 @@
-// From the bytes of a picture (sRGB) to linear light, and back.
+// Conversion between sRGB and linear light.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace ramus::render {
 [[nodiscard]] inline glm::vec4 linear(const glm::vec3& srgb, float w) {
     return {linear(srgb.x), linear(srgb.y), linear(srgb.z), w};
 }
-// Of each byte.
+// Linear light of each sRGB byte.
 [[nodiscard]] inline std::array<float, 256> linear_of_bytes() {
     std::array<float, 256> light{};
     for (std::size_t i = 0; i < light.size(); ++i) light[i] = linear(static_cast<float>(i) / 255.0F);

@@ -9,13 +9,13 @@ namespace ramus::render {
 
 namespace {
 
-// Corners of the page's triangles whose normals are not those of a smooth surface that the triangles are inscribed in:
-// on creases, and beside walls between vessels.
+// Corners of the page's triangles whose normals contradict a smooth surface through them: on creases, and next to
+// walls.
 std::vector<std::uint32_t> creased_corners(const PagedMesh& mesh, const TrianglePage& page) {
-    // Of a triangle with its normals. Tuned: with 16 cells around a vessel, one vertex of two hundred at a fork is
-    // beyond it, and with a wider one walls are crossed that part vessels.
+    // Cosine between a triangle's normal and those at its corners. Tuned with 16 cells around a vessel: one of two
+    // hundred vertices at a fork is beyond it; with a larger angle, walls between vessels would be crossed.
     constexpr float kLeastCosine = 0.9F;
-    constexpr float kLeastHeight = 0.001F; // of its longest edge: what is thinner faces any way
+    constexpr float kLeastHeight = 0.001F; // of its longest edge: thinner triangles have unreliable normals
     std::vector<std::uint32_t> found;
     for (std::uint32_t i = 0; i < page.count; ++i) {
         const glm::uvec3& t = page.triangles[i];

@@ -1,4 +1,4 @@
-// Creased vertices of a surface of which nothing is known but its mesh: what is drawn between them stays straight.
+// Finds creased vertices of a surface that is known only by its mesh; edges at these vertices are drawn straight.
 #pragma once
 
 #include "render/scene/bent_edge.h"
@@ -16,9 +16,8 @@ namespace ramus::render {
     return {v.position, length > 0.0F ? normal / length : glm::vec3(0.0F)};
 }
 
-// By vertex of the mesh, of those that triangles of some pages use: 1 for corners whose normals are not those of a
-// smooth surface that the triangles are inscribed in, on creases and beside walls between vessels, and for what is no
-// more than two triangles away.
+// For the vertices that triangles of these pages use, by vertex of the mesh: 1 for vertices whose normals contradict a
+// smooth surface through the triangles (creases, walls between vessels), and for vertices up to two triangles away.
 [[nodiscard]] std::vector<std::uint8_t> creased_vertices(const PagedMesh& mesh, const std::vector<std::size_t>& pages);
 
 } // namespace ramus::render

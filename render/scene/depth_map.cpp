@@ -10,10 +10,10 @@ namespace ramus::render {
 namespace {
 
 constexpr int kPixelsAPlace = 2, kMostPlaces = 1024; // each way
-constexpr std::size_t kMostLookedAt = 20'000;        // that visible_in() looks at
-constexpr double kLeftOut = 0.02;                    // of the samples, at either end
+constexpr std::size_t kMostLookedAt = 20'000;        // samples used by visible_in()
+constexpr double kLeftOut = 0.02;                    // share of the samples omitted at each end
 
-// The middle and half the width of what lies between the ends that are left out. Reorders the values.
+// Middle and half width of the range without the omitted ends. Reorders the values.
 struct Stretch {
     double middle, half;
 };
@@ -21,7 +21,7 @@ Stretch stretch_of(std::vector<float>& values) {
     const auto out = static_cast<std::ptrdiff_t>(kLeftOut * static_cast<double>(values.size()));
     const auto low = values.begin() + out, high = values.end() - 1 - out;
     std::nth_element(values.begin(), low, values.end());
-    const double least = *low; // what follows may put another one there
+    const double least = *low; // the next call may move it
     std::nth_element(low, high, values.end());
     return {0.5 * (least + double{*high}), 0.5 * (double{*high} - least)};
 }
@@ -54,7 +54,7 @@ std::optional<glm::dvec3> DepthMap::nearest_in(glm::ivec2 from, glm::ivec2 to, g
         }
     }
     if (!(depth < kEmpty)) return found;
-    // Under the pixel itself where that is the same place.
+    // Exactly under the pixel if that is the same entry.
     const glm::dvec2 place = glm::dvec2(picture) / glm::dvec2(size), away = glm::abs(at - pixel);
     if (away.x <= 0.5 * place.x && away.y <= 0.5 * place.y) at = pixel;
     found = unproject(camera, picture, at, depth);

@@ -9,7 +9,7 @@ namespace ramus::render {
 
 namespace {
 
-// How far a branch is behind at a vertex, in steps of Dominance: as share() of border.geom.
+// How far a branch is behind the dominant one at a vertex, in steps of Dominance; as share() of border.geom.
 int behind(std::int32_t branch, const field::Dominance& dominance, std::uint8_t mark) {
     if ((static_cast<std::uint32_t>(branch) & 255U) == mark) return 0;
     return std::max<int>(dominance.rivals[0] == mark ? dominance.over[0] : dominance.over[1], 1);

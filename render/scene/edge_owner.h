@@ -1,5 +1,5 @@
-// Whose a place between two vertices of a surface is, so that where branches end does not depend on how triangles are
-// divided.
+// Finds which branch a point between two vertices belongs to, so that borders between branches do not depend on how
+// triangles are divided.
 #pragma once
 
 #include "core/field/dominance.h"
@@ -12,8 +12,8 @@ struct EdgeOwner {
     std::int32_t branch = 0;
     field::Dominance dominance{};
 };
-// Whose the middle of an edge is, and how clearly: between its ends logarithms of shares are linear, so that borders
-// run where they did.
+// Branch and dominance at the middle of an edge. Logarithms of shares are linear along the edge, so that borders stay
+// in place.
 [[nodiscard]] EdgeOwner owner_between(const EdgeOwner& a, const EdgeOwner& b);
 
 } // namespace ramus::render

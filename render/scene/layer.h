@@ -1,3 +1,4 @@
+// Layer: how a branch is drawn.
 #pragma once
 
 #include <cstddef>
@@ -6,10 +7,10 @@
 
 namespace ramus::render {
 
-// Which of the two layers a branch is drawn into, if any.
+// The layer that a branch is drawn into, if any.
 enum class Layer : std::uint8_t { kOpaque, kGlass, kNone };
 
-// Of a branch by its id; branches beyond the end of `layers` are opaque.
+// The layer of a branch; branches without an entry are opaque.
 [[nodiscard]] inline Layer layer_of(const std::vector<Layer>& layers, std::size_t branch) {
     return branch < layers.size() ? layers[branch] : Layer::kOpaque;
 }

@@ -9,17 +9,17 @@ namespace ramus::render {
 
 namespace {
 
-constexpr double kCoarsest = 4e-4; // of the extent: 0.25 pixels where the tree fills 625
+constexpr double kCoarsest = 4e-4; // of the extent: 0.25 pixels if the tree fills 625
 constexpr double kBeside = 8.0;    // pixels: lines are wider than their points
 
-// Where a ball is in the picture, as far as culling and levels ask: depths in mm, pixels from the middle.
+// Position of a ball in the picture, for culling and levels: depths in mm, pixels from the middle.
 class BallView {
 public:
     BallView(const Camera& camera, glm::ivec2 size)
         : axes_(axes_of(camera)), camera_(camera), half_(0.5 * glm::dvec2(size) + kBeside),
           mm_in_focus_(mm_per_pixel(camera, size)), focus_mm_(glm::distance(camera.position, camera.focal_point)) {}
 
-    // Millimetres of a pixel where the ball is nearest to the eye; 0 or less where it reaches behind the eye.
+    // Millimetres per pixel at the ball's point nearest to the eye; 0 or less if it reaches behind the eye.
     [[nodiscard]] double nearest_mm(const LineBall& ball) const { return mm_at(depth(ball) - ball.radius_mm); }
     [[nodiscard]] bool in_picture(const LineBall& ball) const {
         const double nearest = nearest_mm(ball), farthest = mm_at(depth(ball) + ball.radius_mm);
@@ -27,7 +27,7 @@ public:
         if (!(nearest > 0.0)) return true;
         const glm::dvec3 from_eye = ball.centre - camera_.position;
         const auto within = [&](double at_mm, double half) {
-            // The side towards the middle of the picture, where it is nearest to that.
+            // The side of the ball towards the middle of the picture.
             const double inner = std::abs(at_mm) - ball.radius_mm;
             return inner <= 0.0 || inner / farthest <= half;
         };

@@ -1,6 +1,6 @@
-// Line levels: how many of its points the line of a branch needs in a view. A level leaves out points as far as lines
-// stay near the whole ones (Centerlines::thinned()); each branch gets the coarsest whose error nobody can see, and none
-// where it is not in the picture. What a view draws then follows what it shows, not how finely the tree was traced.
+// Line levels: levels of detail of centerlines. Each level omits points within a tolerance (Centerlines::thinned()). A
+// branch gets the coarsest level whose error is invisible, and none outside the picture. The cost of a view thus
+// depends on what it shows, not on how finely the tree was traced.
 #pragma once
 
 #include "render/scene/camera.h"
@@ -12,20 +12,19 @@
 namespace ramus::render {
 
 inline constexpr int kLineLevels = 6;       // the last has every point
-inline constexpr double kLinePixels = 0.25; // that lines may be off by
+inline constexpr double kLinePixels = 0.25; // largest error of a line
 
-// How far lines of a level may be from the whole ones, in mm. `extent_mm`: Centerlines::extent_mm().
+// Tolerance of a level, in mm. `extent_mm`: Centerlines::extent_mm().
 [[nodiscard]] double level_mm(int level, double extent_mm);
 
-// A ball around the points of a branch; of a branch without a line the radius is below 0.
+// A ball around the points of a branch; the radius is negative if the branch has no line.
 struct LineBall {
     glm::dvec3 centre{0.0}; // mm
     double radius_mm = -1.0;
 };
 [[nodiscard]] std::vector<LineBall> line_balls(const Centerlines& lines); // by branch
 
-// By branch, its level in a picture of `size` pixels; kNotInPicture where no point of its ball is within a few pixels
-// of the picture.
+// Level of each branch in a picture of `size` pixels; kNotInPicture if its ball is more than a few pixels outside.
 inline constexpr std::int8_t kNotInPicture = -1;
 [[nodiscard]] std::vector<std::int8_t> line_levels(const std::vector<LineBall>& balls, double extent_mm,
                                                    const Camera& camera, glm::ivec2 size);

@@ -54,7 +54,7 @@ glm::mat4 eye_to_grid(const DistanceGrid& grid, const glm::dmat4& from_eye) {
                      from_eye);
 }
 
-// Whether there is what the frame's scale shows.
+// Whether the values of the frame's scale exist.
 bool has_values(const Frame& frame, const Centerlines* lines) {
     using Value = ColourScale::Value;
     if (frame.scale.value == Value::kNone || frame.scale.ramp.empty()) return false;
@@ -62,14 +62,14 @@ bool has_values(const Frame& frame, const Centerlines* lines) {
     return lines != nullptr && (frame.scale.value != Value::kOfLines || frame.scale.list < lines->lists.size());
 }
 
-// The shaders know values by the numbers of their enumerators.
+// Shaders identify values by the numbers of the enumerators.
 static_assert(static_cast<int>(ColourScale::Value::kDiameter) == 1 &&
               static_cast<int>(ColourScale::Value::kRootDistance) == 2 &&
               static_cast<int>(ColourScale::Value::kSurface) == 3);
 glm::vec4 scale_of(const ColourScale& scale) {
     const bool log = scale.logarithmic;
     const float low = log ? std::log(scale.low) : scale.low, high = log ? std::log(scale.high) : scale.high;
-    // Numbers of the lines stand in the place of their diameters (GpuLines::bind_list).
+    // Lists of numbers replace diameters (GpuLines::bind_list).
     const auto value = scale.value == ColourScale::Value::kOfLines ? ColourScale::Value::kDiameter : scale.value;
     return {low, high > low ? 1.0F / (high - low) : 0.0F, log ? 1.0F : 0.0F, static_cast<float>(value)};
 }

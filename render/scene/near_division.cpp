@@ -15,23 +15,22 @@ namespace ramus::render {
 
 namespace {
 
-constexpr int kMostDivisions = 8; // of an edge, each into two: at 16 around a vessel, 4096
+constexpr int kMostDivisions = 8; // bisections of an edge: with 16 edges around a vessel, 4096
 constexpr std::uint32_t kStraight = std::numeric_limits<std::uint32_t>::max();
-// Of what bends an edge by the normals at its ends: where it bends less in the picture it is not looked at.
+// An edge is evaluated on the exact surface if its bend by normals is at least this share of the tolerance.
 constexpr float kLeastGuess = 0.3F;
-constexpr float kLeastCosine = 0.4F; // of normals that tell how an edge bends
-// Of an edge: farther away than that its middle is on another part of the surface.
+constexpr float kLeastCosine = 0.4F; // between normals that determine a bend
+// In lengths of the edge: points farther away are on another part of the surface.
 constexpr float kMostMove = 0.35F;
-// Where vessels overlap, a crease is off by more than the surfaces that meet there: what these may be off, of others.
+// Creases amplify the errors of the surfaces that meet there: their tolerance as a share of that of other surfaces.
 constexpr float kShareAtCreases = 0.25F;
-// Of an edge: from so far below its vessel's own surface its middle goes on to that.
+// In lengths of the edge: a middle at most this far below its vessel's own surface is moved onto it.
 constexpr float kOnward = 1.2F;
-// Pixels of the longest edge around a vertex: where edges are shorter, what bends by the normals at their ends is off
-// by less than one sees.
+// Longest edge around a vertex in pixels: with shorter edges, bending by normals is precise enough.
 constexpr float kExactFrom = 6.0F;
-constexpr float kCreasePixels = 1.0F; // an edge so short that crosses a crease stays
+constexpr float kCreasePixels = 1.0F; // shorter edges across a crease are not divided
 
-// A vessel's surface between them goes into another vessel's.
+// Whether a vessel's surface enters another vessel between two vertices.
 bool cross_crease(NearPlace a, NearPlace b) {
     return (a == NearPlace::kCovered && b != NearPlace::kCovered && b != NearPlace::kWall) ||
            (b == NearPlace::kCovered && a != NearPlace::kCovered && a != NearPlace::kWall);
@@ -50,7 +49,7 @@ NearPlace place_of(const field::SurfaceProjector::Point& point) {
     return NearPlace::kWall;
 }
 
-// Between them a vessel's own surface ends on a wall, or on what is cut off, where one may see it.
+// Whether a vessel's own surface ends at a visible wall or cut between two vertices.
 bool end_on_wall(NearPlace a, NearPlace b) {
     const auto is_seen = [](NearPlace place) { return place == NearPlace::kSmooth || place == NearPlace::kOwn; };
     return (a == NearPlace::kWall && is_seen(b)) || (b == NearPlace::kWall && is_seen(a));
@@ -64,12 +63,12 @@ float value_between(float a, float b) { return std::min(a, b) > 0.5F * kNotKnown
 
 } // namespace
 
-// Of a mm there.
+// Pixels per mm at a place.
 float NearDivision::pixels_of(const glm::vec3& place, float length) const {
     return view_.pixels_at(glm::dot(place - view_.eye, view_.forward), length);
 }
 
-// Whether an edge may have to be divided, as far as its ends tell.
+// Whether an edge may need division, judged by its ends.
 bool NearDivision::may_bend(const Vertex& a, const Vertex& b) const {
     if (a.place == NearPlace::kCrease || b.place == NearPlace::kCrease) return false;
     const EdgeEnd &one = a.end, &other = b.end;
@@ -90,8 +89,7 @@ bool NearDivision::is_divided(const Vertex& a, const Vertex& b, const Vertex& mi
     const glm::vec3 straight = 0.5F * (a.end.position + b.end.position), off = middle.end.position - straight;
     const float length = glm::distance(a.end.position, b.end.position);
     const float pixels = pixels_of(straight, length);
-    // Toward a wall a vessel's own surface goes on within the other vessel. The edge of what an obstacle cuts off stays
-    // as it is.
+    // Towards a wall a vessel's own surface continues inside the other vessel. The rim that an obstacle cuts stays.
     if (a.place == NearPlace::kWall || b.place == NearPlace::kWall)
         return middle.place == NearPlace::kCovered && pixels * length > kCreasePixels;
     if (middle.place == NearPlace::kWall) return false;
@@ -111,7 +109,7 @@ bool NearDivision::concerns(const TrianglePage& page) const {
     });
 }
 
-// Numbers what the pages hold.
+// Collects the vertices and triangles of the pages.
 void NearDivision::take(const std::vector<std::size_t>& pages) {
     numbers_.assign(mesh_.vertex_pages().size() * VertexPage::kSize, kStraight);
     for (std::size_t i = 0; i < pages.size(); ++i) {
@@ -141,7 +139,7 @@ void NearDivision::take(const std::vector<std::size_t>& pages) {
     changed_.assign(pages.size(), 0);
 }
 
-// Where the surface itself is not looked at.
+// Marks creases where the exact surface is not evaluated.
 void NearDivision::mark_creases(const std::vector<std::size_t>& shown) {
     const std::vector<std::uint8_t> creased = creased_vertices(mesh_, shown);
     for (std::size_t n = 0; n < creased.size(); ++n)
@@ -149,10 +147,11 @@ void NearDivision::mark_creases(const std::vector<std::size_t>& shown) {
             vertices_[numbers_[n]].place = NearPlace::kCrease;
 }
 
-// Onto the surface, where one sees that they are not; but for those that shown pages have which stay as they are.
+// Moves vertices onto the surface if their error is visible, except vertices shared with shown pages that stay.
 void NearDivision::move_vertices(const std::vector<std::size_t>& pages, const std::vector<std::size_t>& shown) {
-    constexpr float kReach = 0.5F;       // of the longest edge there
-    constexpr float kMostAtRims = 0.45F; // of that. Tuned on a contact of a brain: what is farther is another surface
+    constexpr float kReach = 0.5F; // in lengths of the longest edge there
+    // In lengths of that edge; tuned on a contact in a brain: farther points are on another surface.
+    constexpr float kMostAtRims = 0.45F;
     std::vector<field::SurfaceProjector::Point> points;
     std::vector<std::uint32_t> exact;
     for (std::uint32_t n = 0; n < vertices_.size(); ++n) {
@@ -191,8 +190,8 @@ void NearDivision::move_vertices(const std::vector<std::size_t>& pages, const st
         if (moved[t.corners.x] + moved[t.corners.y] + moved[t.corners.z] > 0) changed_[t.page] = 1;
 }
 
-// The edges of the active triangles that may have to be divided, each once, in the order of their ends; and their sides
-// in the same order.
+// The edges of active triangles that may need division, each once, ordered by their ends; and their sides in the same
+// order.
 std::vector<NearDivision::Edge> NearDivision::find_edges(std::vector<Side>& sides) {
     tbb::parallel_for(std::size_t{0}, active_.size(), [&](std::size_t n) {
         Triangle& t = active_[n];
@@ -267,7 +266,7 @@ void NearDivision::split(const Triangle& triangle, const glm::uvec3& m) {
         for (int i = 0; i < 3; ++i) add({t[i], m[i], m[(i + 2) % 3]}, 0, 0, 0);
         return add(m, 0, 0, 0);
     }
-    int first = 0; // the divided edge, or the one of two that comes before the other
+    int first = 0; // the divided edge, or the first of two in order
     while (m[first] == kStraight || (count == 2 && m[(first + 1) % 3] == kStraight)) ++first;
     const std::uint32_t a = t[first], b = t[(first + 1) % 3], c = t[(first + 2) % 3];
     const std::uint32_t ab = m[first], bc = m[(first + 1) % 3];
@@ -325,7 +324,7 @@ bool NearDivision::divide(const std::vector<std::size_t>& pages, const std::vect
     return true;
 }
 
-// Of the pages in which something is another: in their order, so that what lies together stays together.
+// Writes the changed pages in their order, to keep locality.
 void NearDivision::write(const std::vector<std::size_t>& pages) {
     for (std::size_t i = 0; i < pages.size(); ++i)
         if (changed_[i] != 0) replaced.push_back(pages[i]);

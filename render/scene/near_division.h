@@ -1,10 +1,10 @@
-// NearDivision: divides triangles of a surface until no picture shows their edges to be straight.
+// NearDivision: subdivides triangles of a surface near the eye until their edges no longer look straight.
 //
-// An edge is divided where the surface bends away from it so far that one sees it, and where a vessel's surface goes on
-// into another vessel. Where the mesh knows what it is a mesh of (field::SurfaceProjector) and edges are longer than
-// some pixels, vertices are moved onto that, new ones and those of the mesh; else edges bend as the normals at their
-// ends say (bent_edge.h). Walls, and the edge of what an obstacle cuts off, stay as the mesh has them. Whether and
-// where an edge is divided is found once, for all triangles that share it: nothing opens between them.
+// An edge is divided where the surface visibly bends away from it, and where one vessel's surface continues into
+// another's. If the mesh knows its exact surface (field::SurfaceProjector) and edges are longer than some pixels, old
+// and new vertices are moved onto that surface; otherwise edges bend by the normals at their ends (bent_edge.h). Walls,
+// and the rim that an obstacle cuts, stay as in the mesh. Each edge is decided once for all triangles that share it, so
+// no gaps open.
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
@@ -19,31 +19,31 @@
 
 namespace ramus::render {
 
-// What is around a vertex.
+// Classification of a vertex by its surroundings.
 enum class NearPlace : std::uint8_t {
-    kSmooth,  // beside no contact
-    kOwn,     // beside one, on the vessel's own surface
-    kCovered, // the same, within another vessel
-    kWall,    // on a wall between vessels, or on what an obstacle cuts off
-    kCrease,  // as far as the mesh tells, where nothing more is known
+    kSmooth,  // not next to a contact
+    kOwn,     // next to a contact, on the vessel's own surface
+    kCovered, // next to a contact, inside another vessel
+    kWall,    // on a wall between vessels, or on the cut of an obstacle
+    kCrease,  // judged by the mesh, if its exact surface is unknown
 };
 
 class NearDivision {
 public:
-    // Pixels that the middle of an edge may be off in the picture: `most_off`. What is referred to outlasts it.
+    // `most_off`: largest error of an edge's middle, in pixels. References must outlive the object.
     NearDivision(const PagedMesh& mesh, const NearView& view, float most_off)
         : mesh_(mesh), view_(view), most_off_(most_off) {}
 
-    // Whether a page has an edge that may have to be divided.
+    // Whether a page may have an edge to divide.
     [[nodiscard]] bool concerns(const TrianglePage& page) const;
-    // Divides the triangles of some of the pages that the picture shows, ascending. False: there would be more than
-    // `most`, and nothing is made.
+    // Divides the triangles of `pages`; `shown`: all pages in the picture; both ascending. False: the result would have
+    // more than `most` triangles, and nothing is produced.
     [[nodiscard]] bool divide(const std::vector<std::size_t>& pages, const std::vector<std::size_t>& shown,
                               std::size_t most);
 
-    std::vector<std::size_t> replaced; // pages all of whose triangles are in `made`
+    std::vector<std::size_t> replaced; // pages that `made` replaces completely
     mesh::TriangleMesh made;
-    std::vector<float> values; // none where the mesh has none
+    std::vector<float> values; // by vertex of `made`; empty if the mesh has none
 
 private:
     struct Vertex {
@@ -52,15 +52,15 @@ private:
         float value = 0.0F;
         float edge = 0.0F; // the longest edge of the mesh around it, mm
         NearPlace place = NearPlace::kSmooth;
-        bool exact = false; // the surface itself is looked at there
+        bool exact = false; // evaluated on the exact surface
     };
     struct Triangle {
         glm::uvec3 corners;
-        std::uint32_t page = 0;   // its place among the pages
-        std::uint8_t settled = 0; // a bit for each edge that stays as it is
+        std::uint32_t page = 0;   // index into the pages given
+        std::uint8_t settled = 0; // a bit for each edge that needs no division
     };
     struct Edge {
-        std::uint32_t a = 0, b = 0; // the lower first
+        std::uint32_t a = 0, b = 0; // a < b
         Vertex middle{};
         bool divided = false;
     };
@@ -87,7 +87,7 @@ private:
     std::vector<Vertex> vertices_;
     std::vector<std::uint32_t> numbers_; // by vertex of the mesh
     std::vector<Triangle> active_, next_, done_;
-    std::vector<std::uint8_t> changed_; // by place among the pages
+    std::vector<std::uint8_t> changed_; // by index into the pages given
 };
 
 } // namespace ramus::render

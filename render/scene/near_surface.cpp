@@ -16,7 +16,7 @@ namespace ramus::render {
 
 namespace {
 
-// No edge of the page bends more in the picture than that, pixels.
+// Upper bound of the bend of the page's edges in the picture, pixels.
 float most_bend_in_picture(const TrianglePage& page, const NearView& view) {
     const glm::vec3 towards_eye(view.forward.x > 0.0F ? page.lower.x : page.upper.x,
                                 view.forward.y > 0.0F ? page.lower.y : page.upper.y,
@@ -25,12 +25,11 @@ float most_bend_in_picture(const TrianglePage& page, const NearView& view) {
     return kMostBend * page.longest_edge * view.pixels_at(depth, page.longest_edge);
 }
 
-// Pages of the picture in which an edge may be seen to be straight; of more than may be looked at those in which it may
-// be seen best. Ascending.
+// Visible pages with edges that may look straight; if there are too many, those where it is most visible. Ascending.
 std::vector<std::size_t> pages_to_look_at(const PagedMesh& mesh, const NearView& view, float most_off,
                                           std::size_t most_triangles) {
     std::vector<std::pair<float, std::size_t>> found;
-    // A little beyond the picture: views of it that are shifted show the same.
+    // Slightly more than the picture, so that shifted views show the same.
     constexpr double kWithin = 0.98;
     const glm::dmat4 to_clip = glm::scale(glm::dmat4(1.0), {kWithin, kWithin, 1.0}) * view.to_clip;
     for (std::size_t i = 0; i < mesh.triangle_pages().size(); ++i) {
@@ -51,7 +50,7 @@ std::vector<std::size_t> pages_to_look_at(const PagedMesh& mesh, const NearView&
     return pages;
 }
 
-// Those of some pages that have an edge to divide. From afar none has.
+// The pages with an edge to divide; none from afar.
 std::vector<std::size_t> pages_to_divide(const PagedMesh& mesh, const std::vector<std::size_t>& pages,
                                          const NearDivision& division) {
     std::vector<std::uint8_t> any(pages.size());

@@ -1,5 +1,5 @@
-// The surface near the eye: where the straight edges of its triangles can be told from a smooth outline, or the crease
-// between two vessels from a clean line, its triangles are divided (near_division.h). Branches end where they did.
+// Replaces pages of a surface near the eye by finer triangles: where straight edges would be visible on smooth outlines
+// or along the crease between two vessels (near_division.h). Borders between branches stay in place.
 #pragma once
 
 #include "render/scene/near_view.h"
@@ -11,21 +11,22 @@
 
 namespace ramus::render {
 
-// What stands for some pages of a surface. Its origin is 0: positions are relative to that of the surface.
+// Finer triangles that replace pages of a surface. Positions are relative to the surface's origin; the mesh's own
+// origin is 0.
 struct NearSurface {
-    std::shared_ptr<const PagedMesh> mesh; // null: nothing does
-    std::vector<std::uint8_t> replaced;    // by triangle page of the surface: 1 where all of it is in `mesh`
+    std::shared_ptr<const PagedMesh> mesh; // null: nothing is replaced
+    std::vector<std::uint8_t> replaced;    // by triangle page of the surface: 1 if `mesh` replaces it
 };
 
-// Pixels that the middle of an edge may be off its outline in a picture. Four samples a pixel tell a quarter.
+// Largest error of an edge's middle at an outline, in pixels. Four samples per pixel show errors of a quarter.
 inline constexpr float kMostOffOutline = 0.15F;
 
-// Triangles: that are made, and those that may have an edge to divide, which all take time.
+// Limits in triangles: of the result, and of the triangles examined, which cost time.
 struct NearLimits {
     std::size_t made, looked_at;
 };
-// The triangles of pages in the picture that have an edge to divide. Where more would have to be looked at, those of
-// the pages that are smallest in the picture stay as they are; where more would be made, outlines are coarser.
+// Divides pages in the picture that need it. If more than `looked_at` triangles would have to be examined, the pages
+// that are smallest in the picture stay; if more than `made` would result, the tolerance is increased.
 [[nodiscard]] NearSurface near_surface(const PagedMesh& mesh, const NearView& view, const NearLimits& most);
 
 } // namespace ramus::render

@@ -1,4 +1,4 @@
-// NearView: where a surface is looked at from, for what depends on how large it is in the picture.
+// NearView: a view of a surface, for decisions that depend on sizes in the picture.
 #pragma once
 
 #include "render/scene/camera.h"
@@ -12,26 +12,26 @@
 
 namespace ramus::render {
 
-// Positions relative to the surface's origin.
+// Positions are relative to the surface's origin.
 struct NearView {
     glm::vec3 eye, forward;
-    float pixels; // of a mm, at a depth of 1 mm when perspective
+    float pixels; // pixels per mm, in perspective at a depth of 1 mm
     bool flat;    // parallel projection
     glm::dmat4 to_clip;
-    std::array<glm::vec4, 4> sides{}; // of the picture, facing inward
+    std::array<glm::vec4, 4> sides{}; // planes through the picture's sides, facing inward
 
-    // Whether the picture may show some of what is no farther than `radius` from a place.
+    // Whether the picture may show part of the ball around `place`. Conservative.
     [[nodiscard]] bool shows(const glm::vec3& place, float radius) const {
         return std::ranges::none_of(
             sides, [&](const glm::vec4& side) { return glm::dot(glm::vec3(side), place) + side.w < -radius; });
     }
-    // Of how many pixels a mm is, for lengths across the line of sight, of an edge whose middle is at `depth`. One that
-    // the eye is closer to than half its length is seen from there.
+    // Pixels per mm across the line of sight, for an edge whose middle is at `depth`. The depth is at least half of the
+    // edge's length, for edges close to the eye.
     [[nodiscard]] float pixels_at(float depth, float edge_length) const {
         return flat ? pixels : pixels / (depth > 0.5F * edge_length ? depth : 0.5F * edge_length);
     }
 };
-// Of a picture `height` pixels high.
+// `height`: of the picture in pixels.
 [[nodiscard]] NearView near_view(const Camera& camera, const glm::dvec3& origin, const glm::dmat4& to_clip, int height);
 
 } // namespace ramus::render

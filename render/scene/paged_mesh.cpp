@@ -20,7 +20,7 @@ std::int16_t normalised(float v) {
     return static_cast<std::int16_t>(scaled + (scaled < 0.0F ? -0.5F : 0.5F));
 }
 
-// Area-weighted vertex normals for a mesh that came without.
+// Area-weighted vertex normals for a mesh without normals.
 LargeArray<glm::vec3> normals_of(const mesh::TriangleMesh& mesh) {
     LargeArray<glm::vec3> normals(mesh.positions.size(), glm::vec3(0.0F));
     for (const glm::uvec3& t : mesh.triangles) {
@@ -32,7 +32,7 @@ LargeArray<glm::vec3> normals_of(const mesh::TriangleMesh& mesh) {
     return normals;
 }
 
-// What pages are made from.
+// The input of pages.
 struct Source {
     const mesh::TriangleMesh& mesh;
     const LargeArray<glm::vec3>& normals;
@@ -47,7 +47,7 @@ struct Source {
     [[nodiscard]] glm::vec3 position(std::size_t vertex) const { return {glm::dvec3(mesh.positions[vertex]) - origin}; }
 };
 
-// In the page's place of `memory`, or where that is null elsewhere.
+// In the page's place in `memory`; if that is null, allocated separately.
 std::shared_ptr<const VertexPage> make_vertex_page(const Source& source, std::size_t page,
                                                    const std::shared_ptr<const PageMemory>& memory) {
     const auto made = memory ? std::shared_ptr<VertexPage>(memory, memory->vertex_page(page))
@@ -65,7 +65,7 @@ std::shared_ptr<const VertexPage> make_vertex_page(const Source& source, std::si
     return made;
 }
 
-// Notes which branches meet in a triangle; none where its corners have the same one.
+// Records the branches that meet in a triangle, if its corners have different ones.
 void note_borders(const glm::ivec3& branches, std::vector<std::array<std::int32_t, 2>>& borders) {
     for (int k = 0; k < 3; ++k) {
         const auto [low, high] = std::minmax(branches[k], branches[(k + 1) % 3]);
@@ -108,7 +108,7 @@ std::shared_ptr<const TrianglePage> make_triangle_page(const Source& source, std
             continue;
         }
         const std::int32_t branch = branches.x;
-        // Triangles come in stretches of one branch, and a page has few branches.
+        // Triangles come in runs of one branch, and a page has few branches.
         if (run >= runs.size() || runs[run].branch != branch) {
             run =
                 static_cast<std::uint32_t>(std::ranges::find(runs, branch, &TrianglePage::Run::branch) - runs.begin());
@@ -136,8 +136,8 @@ std::shared_ptr<const TrianglePage> make_triangle_page(const Source& source, std
     return made;
 }
 
-// Whether more than a third of a mesh's pages would lie elsewhere than in its memory, once so many have been written:
-// they take memory beside those that they stand for, for the mesh and again for who shares it.
+// Whether more than a third of the pages would be outside the mesh's memory after this many were written: such pages
+// cost memory in addition to those they replace, for the mesh and for a copy that shares it.
 bool lies_apart(const PagedMesh& mesh, std::size_t written) {
     const PageMemory& memory = *mesh.memory();
     std::size_t apart = written;
@@ -152,7 +152,7 @@ bool lies_apart(const PagedMesh& mesh, std::size_t written) {
 
 std::size_t pages_for(std::size_t count, std::size_t size) { return (count + size - 1) / size; }
 
-// Numbers of the pages that the ranges touch, ascending.
+// Indices of the pages that the ranges touch, ascending.
 std::vector<std::size_t> touched(std::span<const mesh::SlotRange> ranges, std::size_t size, std::size_t page_count) {
     std::vector<std::uint8_t> marked(page_count, 0);
     for (const mesh::SlotRange& range : ranges)
@@ -284,7 +284,7 @@ std::vector<glm::vec3> PagedMesh::positions(const std::function<bool(int)>& want
     return found;
 }
 
-// From the page that may reach farthest on, until none that is left can.
+// Examines pages in order of their possible reach, until no remaining page can reach farther.
 std::vector<glm::vec3> PagedMesh::farthest(std::span<const glm::dvec3> directions,
                                            const std::function<bool(int)>& wanted) const {
     const auto accepts = [&](int branch) { return !wanted || wanted(branch); };
@@ -325,11 +325,11 @@ std::vector<glm::vec3> PagedMesh::farthest(std::span<const glm::dvec3> direction
 std::shared_ptr<const PagedMesh> shared(PagedMesh mesh) {
     constexpr std::uint64_t kLarge = 2'000'000; // triangles
     const auto give_back = [](const PagedMesh* whole) {
-        const auto let_go = [whole] { const std::unique_ptr<const PagedMesh> last(whole); };
+        const auto release = [whole] { const std::unique_ptr<const PagedMesh> last(whole); };
         if (whole->triangle_count() < kLarge)
-            let_go();
+            release();
         else
-            free_in_background(let_go);
+            free_in_background(release);
     };
     return {new PagedMesh(std::move(mesh)), give_back};
 }

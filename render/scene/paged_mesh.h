@@ -1,14 +1,14 @@
-// PagedMesh: a surface as the graphics card takes it, cut into pages. An immutable value: a changed surface is another
-// PagedMesh that shares every page which did not change. So earlier ones (the picture on the screen, undo) stay whole,
-// any thread may read any of them, and a copy on the graphics card follows by comparing pointers.
+// PagedMesh: a surface in the layout of the graphics card, divided into pages. An immutable value: an edited surface is
+// another PagedMesh that shares all unchanged pages. Earlier surfaces (on the screen, in undo) stay complete, any
+// thread may read them, and a copy on the graphics card is updated by comparing pointers.
 //
-// It may be made from a mesh with gaps: triangles without area are left out, and vertices that no triangle uses
-// influence nothing. Positions are single precision relative to `origin`.
+// The input mesh may have gaps: triangles without area are omitted, and unused vertices have no effect. Positions are
+// single precision, mm relative to `origin`.
 //
-// Of a large mesh all pages lie side by side in memory that a copy for a software rasteriser may share (PageMemory).
+// The pages of a large mesh are adjacent in memory that a software rasteriser may share (PageMemory).
 //
-// It may have a value for each vertex, of any quantity that a scale of colours shows (ColourScale::Value::kSurface):
-// pages of their own, so that a surface with values shares all else with the one without.
+// It may have a value per vertex for a colour scale (ColourScale::Value::kSurface). Values have their own pages, so
+// that surfaces with and without values share everything else.
 #pragma once
 
 #include "core/base/shared_pages.h"
@@ -33,20 +33,19 @@ namespace ramus::render {
 struct GpuVertex {
     glm::vec3 position;
     std::int32_t branch;
-    field::Dominance dominance;         // of the branch over others
-    std::array<std::int16_t, 4> normal; // signed normalised; the last is nothing
+    field::Dominance dominance;         // of the branch over other branches
+    std::array<std::int16_t, 4> normal; // signed normalised; the last is unused
 };
 static_assert(sizeof(GpuVertex) == 28);
 
-// Pages are small enough to follow a change closely and to tell what the view leaves out, and large enough that a
-// surface has some hundred of them.
+// Pages are small enough to bound changes and culling closely, and large enough that a surface has only some hundred.
 struct VertexPage {
     static constexpr std::size_t kSize = 2048;
     std::array<GpuVertex, kSize> vertices;
 };
 
-// Triangles sorted by branch, so that hiding a branch or looking past one is a matter of which are drawn: those whose
-// corners have one branch, and then those on borders between branches, which run through them.
+// Triangles sorted by branch, so that branches can be hidden without a new mesh: first those whose corners belong to
+// one branch, then those on borders between branches.
 struct TrianglePage {
     static constexpr std::size_t kSize = 2048;
     struct Run {
@@ -55,20 +54,19 @@ struct TrianglePage {
     };
     std::vector<Run> runs;
     std::uint32_t first_border = 0, count = 0;        // triangles
-    std::vector<std::array<std::int32_t, 2>> borders; // branches that meet, each pair once, the lower first
+    std::vector<std::array<std::int32_t, 2>> borders; // pairs of adjacent branches, each once, the lower first
     glm::vec3 lower{0.0F}, upper{0.0F};               // relative to origin
     float longest_edge = 0.0F;                        // mm
-    std::span<const glm::uvec3> triangles;            // kSize of them, without area from `count` on
-    std::shared_ptr<const void> memory;               // in which they are
+    std::span<const glm::uvec3> triangles;            // kSize; degenerate from `count` on
+    std::shared_ptr<const void> memory;               // owner of `triangles`
 };
 inline constexpr std::size_t kTrianglePageBytes = TrianglePage::kSize * sizeof(glm::uvec3);
 
-// Where the pages of a mesh lie, by their number, that was made in one go, and room behind them. Pages that came later
-// lie elsewhere.
+// Contiguous memory for the pages of a mesh that was built at once, with a reserve. Pages added by edits are elsewhere.
 struct PageMemory {
     std::shared_ptr<const SharedPages> vertices, triangles;
 
-    // For so many pages; null: the system has none.
+    // Null: the system has no such memory.
     [[nodiscard]] static std::shared_ptr<const PageMemory> make(std::size_t vertex_pages, std::size_t triangle_pages);
     [[nodiscard]] VertexPage* vertex_page(std::size_t number) const {
         return reinterpret_cast<VertexPage*>(vertices->data()) + number;
@@ -80,8 +78,7 @@ struct PageMemory {
     [[nodiscard]] std::size_t triangle_pages() const { return triangles->bytes() / kTrianglePageBytes; }
 };
 
-// Of vertices, as a page has them; kNotKnown where there is none. What lies between a value that is known and one that
-// is not is not known either.
+// Values of the vertices of a page; kNotKnown if missing. Between a known and an unknown value the value is unknown.
 struct ValuePage {
     std::array<float, VertexPage::kSize> values;
 };
@@ -93,10 +90,12 @@ public:
     using TrianglePages = std::vector<std::shared_ptr<const TrianglePage>>;
 
     PagedMesh() = default;
-    // Relative to the middle of its bounds, or to a given point: surfaces of one tree shall have the same.
+    // The origin is the middle of the mesh's bounds, or the given point. All surfaces of one tree must have the same
+    // origin.
     explicit PagedMesh(const mesh::TriangleMesh& mesh);
     PagedMesh(const mesh::TriangleMesh& mesh, const glm::dvec3& origin);
-    // What `mesh` has become: this is what it was before `edit`. Values do not go on: they would be of another surface.
+    // The surface after `edit`: this is the surface before, `mesh` the result. Values are dropped, since they are
+    // outdated.
     [[nodiscard]] PagedMesh edited(const mesh::TriangleMesh& mesh, const mesh::SurfaceEdit& edit) const;
 
     [[nodiscard]] const Box& bounds() const { return bounds_; }
@@ -105,23 +104,23 @@ public:
     [[nodiscard]] std::uint64_t triangle_count() const { return triangle_count_; }
     [[nodiscard]] const VertexPages& vertex_pages() const { return vertex_pages_; }
     [[nodiscard]] const TrianglePages& triangle_pages() const { return triangle_pages_; }
-    // Null: every page lies for itself. Which lie there is told by their addresses.
+    // Null: pages are allocated one by one. A page belongs to this memory if its address does.
     [[nodiscard]] const std::shared_ptr<const PageMemory>& memory() const { return memory_; }
-    static constexpr std::size_t kSharedFrom = std::size_t{32} << 20; // bytes of pages: less is copied soon
-    // Of the pages that `other` does not have in the same place.
+    static constexpr std::size_t kSharedFrom = std::size_t{32}
+                                               << 20; // bytes of pages; smaller meshes are quickly copied
+    // Bytes of the pages that `other` does not have at the same index.
     [[nodiscard]] std::size_t bytes_beside(const PagedMesh& other) const;
 
-    // What it is a mesh of, for pictures of what is near the eye; null: that is not known. Not of what is made of it by
-    // edited().
+    // The exact surface that the mesh approximates, for close views; null: unknown. edited() drops it.
     [[nodiscard]] const std::shared_ptr<const field::SurfaceProjector>& projector() const { return projector_; }
     void set_projector(std::shared_ptr<const field::SurfaceProjector> projector) { projector_ = std::move(projector); }
 
-    // The same surface with these values, by vertex; vertices beyond their end have kNotKnown.
+    // The same surface with these values by vertex; vertices without an entry have kNotKnown.
     [[nodiscard]] PagedMesh with_values(std::span<const float> values) const;
-    [[nodiscard]] const ValuePages& value_pages() const { return value_pages_; } // as vertex_pages(), or none
+    [[nodiscard]] const ValuePages& value_pages() const { return value_pages_; } // parallel to vertex_pages(), or empty
     [[nodiscard]] bool has_values() const { return !value_pages_.empty(); }
 
-    // Numbers of the vertices that triangles use, ascending; and where one is, mm.
+    // Indices of the vertices that triangles use, ascending; and a vertex's position in mm.
     [[nodiscard]] std::vector<std::uint32_t> used_vertices() const;
     [[nodiscard]] glm::vec3 position(std::uint32_t vertex) const {
         return glm::vec3(origin_ + glm::dvec3(this->vertex(vertex).position));
@@ -129,17 +128,16 @@ public:
     [[nodiscard]] const GpuVertex& vertex(std::uint32_t number) const {
         return vertex_pages_[number / VertexPage::kSize]->vertices[number % VertexPage::kSize];
     }
-    [[nodiscard]] float value(std::uint32_t vertex) const { // of those that have any
+    [[nodiscard]] float value(std::uint32_t vertex) const { // requires has_values()
         return value_pages_[vertex / VertexPage::kSize]->values[vertex % VertexPage::kSize];
     }
 
-    // Positions in mm of the vertices that triangles use, of the branches that `wanted` accepts. Takes a few
-    // milliseconds for a million triangles.
+    // Positions in mm of the used vertices of branches that `wanted` accepts. Takes a few milliseconds for a million
+    // triangles.
     [[nodiscard]] std::vector<glm::vec3> positions(const std::function<bool(int)>& wanted = {}) const;
 
-    // Of the positions of branches that `wanted` accepts those that lie farthest along any of these directions, of any
-    // length: what a box, or a camera (fitting_directions()), is fitted to. Looks at few triangles. Empty: no branch is
-    // wanted.
+    // Of the positions of branches that `wanted` accepts: the farthest along each direction (of any length), which
+    // suffice to fit a box or a camera (fitting_directions()). Examines few triangles. Empty: no branch is wanted.
     [[nodiscard]] std::vector<glm::vec3> farthest(std::span<const glm::dvec3> directions,
                                                   const std::function<bool(int)>& wanted = {}) const;
 
@@ -157,8 +155,8 @@ private:
     std::uint64_t triangle_count_ = 0;
 };
 
-// A surface that a window shows. A large one has some ten thousand pieces of memory, and a window's thread may be the
-// last to have it: another thread gives them back.
+// Shares a surface with a window. A large surface has about ten thousand allocations; they are released on another
+// thread, because the window's thread may hold the last reference.
 [[nodiscard]] std::shared_ptr<const PagedMesh> shared(PagedMesh mesh);
 
 } // namespace ramus::render

@@ -1,4 +1,4 @@
-// Bits of ids and of branches' records, from the shaders' own file.
+// Bits of ids and of branch records, included from the shaders' own file.
 #pragma once
 
 #include <cstdint>

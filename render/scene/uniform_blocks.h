@@ -1,5 +1,4 @@
-// The uniform blocks as shaders/ declares them, for OpenGL and for the caster: std140 lays out vec4 and mat4 as C++
-// does.
+// The shaders' uniform blocks, for OpenGL and for the caster: std140 lays out vec4 and mat4 as C++ does.
 #pragma once
 
 #include <glm/mat4x4.hpp>

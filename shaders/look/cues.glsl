@@ -1,14 +1,14 @@
-// What tells near from far and one thing from another: chromadepth, contours, fog, halos, states of branches. A new cue
-// is one more function here and a line in radiance_of().
+// Depth cues and states of branches: chromadepth, contours, fog, halos, highlights. To add a cue: a function here and a
+// line in radiance_of().
 
-// Red comes forward and blue goes back: in the eye, by its lens, and by habit. Linear, about equally bright.
+// Chromadepth: red seems near and blue far, by the eye's lens and by habit. Linear, about equally bright.
 INLINE Vec3 chromatic(Float far) {
     Vec3 near_red = Vec3(0.78F, 0.045F, 0.03F), violet = Vec3(0.42F, 0.05F, 0.36F), blue = Vec3(0.035F, 0.11F, 0.72F);
     Float twice = far + far;
     return select(far < 0.5F, mix(near_red, violet, twice), mix(violet, blue, twice - 1.0F));
 }
 
-// The colour that light falls on: the material's, then depth, then the state of the branch.
+// The colour before lighting: the material's, modified by depth and by the state of the branch.
 INLINE Vec3 shown_colour(SurfacePoint p) {
     Mask selected = has(p.flags, kSelected), calm = has(p.flags, kCalm);
     Vec3 colour = material_colour(p);
@@ -16,7 +16,7 @@ INLINE Vec3 shown_colour(SurfacePoint p) {
     if (cues.z > 0.0F)
         colour = select(has(p.flags, kHighlighted) || p.fixed_colour, colour, mix(colour, chromatic(p.far), cues.z));
 #endif
-    // The outline says what is selected; the state of a branch stays to be seen in its colour.
+    // The outline shows the selection; the colour still shows the branch's state.
     if (ANY(selected)) {
         Float share = select(has(p.flags, kHighlighted), Float(0.0F), Float(0.62F));
         colour = select(selected, mix(colour, Vec3(selection_colour), share), colour);
@@ -28,19 +28,19 @@ INLINE Vec3 shown_colour(SurfacePoint p) {
     return colour;
 }
 
-// Dark where the surface turns away from the eye.
+// Darkness where the surface turns away from the eye.
 INLINE Float contour(Float facing) { return mad(-0.85F * cues.y, 1.0F - smoothstep(0.12F, 0.42F, facing), 1.0F); }
 
-// The far end sinks into what lies behind it, `strength` of it.
+// Fades far points into the background by `strength`.
 INLINE Vec3 fogged(Vec3 radiance, Float far, Float strength) {
     return mix(radiance, Vec3(far_colour), background_bottom.w * strength * (far * sqrt(far)));
 }
-// Lines and edges, which are thin: evenly.
+// Fog for lines and edges, which are thin: linear in the depth.
 INLINE Vec3 fogged_line(Vec3 radiance, Float far) {
     return mix(radiance, Vec3(far_colour), 0.62F * background_bottom.w * far);
 }
 
-// What the mouse is on, and what depends on it.
+// Glow of the hovered branch and its dependents.
 INLINE Vec3 glow(SurfacePoint p, Vec3 albedo, Float aside) {
     Mask hovered = has(p.flags, kHovered), glowing = has(p.flags, kGlowing);
     Vec3 sum = Vec3(0.0F);
@@ -51,8 +51,8 @@ INLINE Vec3 glow(SurfacePoint p, Vec3 albedo, Float aside) {
     return sum;
 }
 
-// How much of the ring around a point shows something nearer, the more the farther behind it the point lies: the seam
-// that a vessel leaves on what it passes (Bruckner and Groeller, 2007, have it for volumes).
+// The share of the ring around a point that shows something nearer, increasing with the distance behind it: the halo
+// that a vessel casts on what it passes (Bruckner and Groeller, 2007, for volumes).
 #ifdef HALOS
 INLINE Float halo(SurfacePoint p) {
     float least = 0.006F * (depth_range.y - depth_range.x), slope = 1.0F / (11.0F * least);
@@ -66,8 +66,8 @@ INLINE Float halo(SurfacePoint p) {
 #endif
 
 #ifdef SHADOWS
-// What is taken of the light of a sample on an edge: the pixel's own number is that of the nearest surface it shows.
-// One that lies behind has that of a pixel beside it where it is the nearest.
+// Occlusion and shadow of a sample on an edge. The pixel has the values of its nearest surface; a sample of a surface
+// behind uses a neighbouring pixel that shows this surface.
 INLINE Vec2 taken_beside(Vec2 pixel, Float depth) {
     Float least = abs(opaque_depth_at(pixel) - depth) - 0.1F * depth_range.w * (picture.w > 0.5F ? Float(1.0F) : depth);
     Vec2 from = pixel;
@@ -81,8 +81,7 @@ INLINE Vec2 taken_beside(Vec2 pixel, Float depth) {
 }
 #endif
 
-// What leaves an opaque surface towards the eye, linear. `taken`: how much of the sky its surroundings take, and how
-// much of the key light.
+// Radiance of an opaque surface towards the eye, linear. `taken`: hidden shares of the sky and of the key light.
 INLINE Vec3 radiance_of(SurfacePoint p, Vec2 taken) {
     Mask highlighted = has(p.flags, kHighlighted);
     Vec3 albedo = shown_colour(p);
@@ -100,7 +99,7 @@ INLINE Vec3 radiance_of(SurfacePoint p, Vec2 taken) {
     return radiance;
 }
 
-// Centerlines inside glass are plain: no light, only the tree's depth.
+// Centerlines inside glass are not lit; only fog applies.
 INLINE Vec3 line_radiance(SurfacePoint p) {
     Vec3 radiance = Vec3(line_colour);
     radiance = select(has(p.flags, kHovered), mix(radiance, Vec3(1.0F, 0.85F, 0.55F), 0.6F), radiance);

@@ -1,10 +1,10 @@
-// What is seen through: premultiplied colours, linear.
+// Transparent surfaces: premultiplied linear colours.
 
 INLINE Vec4 veiled(Vec3 radiance, Float veil, Float shine) {
     return Vec4(radiance * veil + Vec3(shine), clamp(veil + shine, 0.0F, 1.0F));
 }
 
-// Clear grey glass: nearly nothing where it faces the eye, a veil towards its outline.
+// Grey glass: almost invisible where it faces the eye, a veil towards its outline.
 INLINE Vec4 glass_veil(SurfacePoint p) {
     Mask hovered = has(p.flags, kHovered), glowing = has(p.flags, kGlowing);
     Vec3 tint = Vec3(glass_colour);
@@ -19,13 +19,13 @@ INLINE Vec4 glass_veil(SurfacePoint p) {
     float opacity = more.y;
     veil = opacity < 1.0F ? veil * opacity : mix(veil, 0.97F, opacity - 1.0F);
     veil = veil * mad(-0.5F * background_bottom.w, p.far, 1.0F);
-    // However many veils lie one behind the other, they are no brighter than vessels in focus.
+    // Any number of veils is no brighter than vessels in focus.
     Vec3 radiance = mad(0.28F, max(dot(p.normal, key_light()), 0.0F), 0.24F) * tint;
     return veiled(radiance, veil, min(opacity, 1.0F) * lights.w * 0.10F * to_60(mirrored(p, key_light())));
 }
 
-// Of lesions and of clear context: a shell of even thickness takes the more light the more aslant it is looked through.
-// Clear where it faces the eye, dense at its outline. `opacity` is below 1.
+// Lesions and transparent context: a shell of constant thickness absorbs more light at grazing angles. Clear where it
+// faces the eye, dense at its outline. `opacity` must be below 1.
 INLINE Vec4 shell_veil(SurfacePoint p, Float opacity) {
     Float veil = 1.0F - pow(1.0F - opacity, reciprocal(mix(0.14F, 1.0F, facing_eye(p))));
     Float light = mad(0.85F, max(dot(p.normal, key_light()), 0.0F),
@@ -34,5 +34,5 @@ INLINE Vec4 shell_veil(SurfacePoint p, Float opacity) {
     return veiled(radiance, veil, lights.w * 0.22F * opacity * to_60(mirrored(p, key_light())));
 }
 
-// Of a mesh that is lines, which take `share` of the pixel.
+// For a mesh drawn as lines, which cover `share` of the pixel.
 INLINE Vec4 edge_veil(SurfacePoint p, Float share) { return Vec4(share * fogged_line(p.albedo, p.far), share); }

@@ -1,13 +1,13 @@
-// The language of this folder's files, for GLSL. They hold the formulas of a look, once for the shaders and once more
-// compiled by render/caster/glsl-inl.h, where a Float is a vector of pixels. What may differ from pixel to pixel is
-// written in the types below, what is the same for all (uniforms, constants) in float, vec4 and uint.
+// The language of this folder's files, for GLSL. The formulas of the look are written once: for the shaders, and for
+// render/caster/glsl-inl.h, where a Float is a vector of pixels. Values that may differ between pixels have the types
+// below; uniforms and constants are float, vec4 and uint.
 //
 // - Numbers have the suffix F.
-// - `if` takes what is the same for all pixels, or ANY(mask): whether there may be a pixel where it is true. Inside, as
-//   everywhere, select(mask, a, b) says what each pixel gets.
-// - with_sign(a, b) is a with the sign of b, a being positive.
-// - mad(a, b, c) is a * b + c, in one step where the processor has it; reciprocal(x) may be off by 1e-7 of its value,
-//   rough_inversesqrt(x) by 4e-4.
+// - `if` takes a condition that is equal for all pixels, or ANY(mask): whether it may be true for some pixel. Inside,
+//   as everywhere, select(mask, a, b) chooses per pixel.
+// - with_sign(a, b) is a with the sign of b; a must be positive.
+// - mad(a, b, c) is a * b + c, in one step if the processor supports it; reciprocal(x) has a relative error of up to
+//   1e-7, rough_inversesqrt(x) of 4e-4.
 #define INLINE
 #define Float float
 #define Uint uint

@@ -2,7 +2,7 @@
 INLINE Vec3 key_light() { return Vec3(-0.429F, 0.572F, 0.699F); }
 INLINE Vec3 fill_light() { return Vec3(0.772F, -0.051F, 0.634F); }
 
-// Whole powers by multiplication: a software rasteriser takes ten times as long for pow().
+// Integer powers by multiplication: pow() takes a software rasteriser ten times as long.
 INLINE Float to_8(Float x) {
     Float x2 = x * x, x4 = x2 * x2;
     return x4 * x4;
@@ -20,23 +20,24 @@ INLINE Float to_70(Float x) {
     return x32 * x32 * (x2 * x2 * x2);
 }
 
-// With `wrap` light reaches around to what is turned away.
+// `wrap`: light also reaches surfaces that are turned away.
 INLINE Float diffuse(SurfacePoint p, Vec3 light, float wrap) {
     return max((dot(p.normal, light) + wrap) * (1.0F / (1.0F + wrap)), 0.0F);
 }
-// To be raised to a power.
+// The base of a specular term, to be raised to a power.
 INLINE Float mirrored(SurfacePoint p, Vec3 light) { return max(dot(p.normal, normalize(light + p.towards_eye)), 0.0F); }
 
 INLINE Float facing_eye(SurfacePoint p) { return clamp(dot(p.normal, p.towards_eye), 0.0F, 1.0F); }
 
-// `open`: how much of the sky reaches the point; `shadowed`: how much of the key light does not; `aside`: 0 where the
-// point faces the eye, 1 at its outline.
+// `open`: visible share of the sky; `shadowed`: hidden share of the key light; `aside`: 0 where the surface faces the
+// eye, 1 at its outline.
 INLINE Vec3 lit(SurfacePoint p, Vec3 albedo, Float open, Float shadowed, Float aside) {
-    Float shadow = mad(0.75F, open - 1.0F, 1.0F); // the key is soft: what takes the sky takes some of it as well
+    Float shadow = mad(0.75F, open - 1.0F, 1.0F); // the key is soft: what hides the sky also hides part of it
     Float fill_share = 1.0F;
 #ifdef SHADOWS
     if (more.w > 0.0F) {
-        // What is turned away from the key has no shadow of it: else the fill would end where the vessel turns.
+        // Surfaces turned away from the key light get no shadow: otherwise the fill light would end where the vessel
+        // turns.
         Float turned_to = clamp(2.5F * dot(p.normal, key_light()), 0.0F, 1.0F);
         Float taken = 0.85F * more.w * shadowed;
         shadow = shadow * (1.0F - taken);

@@ -1,8 +1,8 @@
-// The colour of a surface before it is lit: its branch's own or by a value along it, by its distance from lesions, and
-// dark and hatched where it is lost.
+// The colour of a surface before lighting: its branch's, by a value, or by its distance from lesions; lost parts are
+// dark and hatched.
 
 #ifdef SCALE
-// Linear. Points whose value is not known have their own colour.
+// Linear. Points without a value keep their own colour.
 INLINE Vec3 colour_on_scale(SurfacePoint p) {
     Float value = value_on_scale(p);
     Mask known = value > kLeastKnown;
@@ -22,8 +22,7 @@ INLINE Float distance_to_lesions(Vec3 position) {
     return nearest;
 }
 
-// Linear. Steps from band to band are as sharp as the pixels are, with a thin dark line between. Beyond the last one the
-// branch has its own colour.
+// Linear. Bands have antialiased borders with a thin dark line. Beyond the last band the branch has its own colour.
 INLINE Vec3 margin_colour(SurfacePoint p) {
     Float mm = distance_to_lesions(p.position), per_pixel = reciprocal(pixel_size(p.position.z)), edge = 2.0F;
     Vec3 colour = p.albedo;
@@ -37,15 +36,15 @@ INLINE Vec3 margin_colour(SurfacePoint p) {
 #endif
 
 #ifdef CUTS
-// How far outward of an end of a part that is lost, in mm. Near it its plane decides, farther away the way along the
+// Distance in mm outside an end of a lost part. Near the end its plane decides; farther away the distance along the
 // branch, which may turn back.
 INLINE Float outward_of(int end, Float from_root, Vec3 position) {
-    vec4 centre = cut_texel(end), along = cut_texel(end + 1); // and the radius there, and the way from the root, mm
+    vec4 centre = cut_texel(end), along = cut_texel(end + 1); // w: radius at the end; distance from the root, mm
     Float way = from_root - along.w;
     return select(abs(way) < 2.5F * centre.w, dot(position - Vec3(centre), Vec3(along)), way);
 }
 
-// How far inside the lost part of its branch, in mm; negative outside.
+// Distance inside the lost part of the branch, in mm; negative outside.
 INLINE Float behind_cut(SurfacePoint p) {
     Float inside = -1e30F, from_root = root_distance(p);
     for (int i = 0; i < int(counts.y); ++i) {
@@ -59,7 +58,7 @@ INLINE Float behind_cut(SurfacePoint p) {
     return inside;
 }
 
-// What is lost is dark and hatched; a clean ring ends it at the cut.
+// Lost parts are dark and hatched, with a plain ring at the cut.
 INLINE Vec3 colour_of_lost(SurfacePoint p, Vec3 kept) {
     Mask cut = has(p.flags, kCut);
     Float behind = select(has(p.flags, kLost), 1e30F, -1e30F);

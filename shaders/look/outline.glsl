@@ -1,4 +1,4 @@
-// Share of the ring around a pixel that differs from it in being selected.
+// Share of the ring around a pixel whose selection state differs from the pixel's.
 INLINE Float outline(Vec2 pixel) {
     Mask inside = selected_at(pixel);
     Float differing = 0.0F;

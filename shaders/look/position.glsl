@@ -1,6 +1,6 @@
-// Where pixels and points are. Eye space has depth as +z, mm.
+// Conversions between pixels and points. Eye space has depth as +z, mm.
 
-// Of a pixel at that depth, mm.
+// Size of a pixel at that depth, mm.
 INLINE Float pixel_size(Float depth) { return pixel_to_eye.z * (picture.w > 0.5F ? Float(1.0F) : depth); }
 
 INLINE Vec3 eye_position(Vec2 pixel, Float depth) {

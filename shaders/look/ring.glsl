@@ -1,4 +1,4 @@
-// Steps from a pixel to the twelve around it that outlines and halos look at. The same for all pixels: no vectors.
+// Offsets from a pixel to the twelve around it that outlines and halos sample. The same for all pixels: no vectors.
 vec2 ring_step(int i, float reach) {
     float angle = 0.5235988F * (float(i) + 0.5F);
     return round(reach * vec2(cos(angle), sin(angle)));

@@ -1,7 +1,7 @@
-// Shadows from the picture's own depths: how much of the key light what the picture shows takes from a point. From each
-// pixel one ray runs to a point of the light, which is a disc. Points of the light and where the ray's steps begin go
-// sixteen ways within four by four pixels, and others in each view that a fine picture is the mean of; the blur of the
-// occlusion takes their mean. So edges are as soft as the light is wide, and no row of steps shows.
+// Shadows in screen space: the share of the key light that visible surfaces hide from a point. Each pixel casts one ray
+// to a point of the light, which is a disc. Points of the light and offsets of the ray's steps vary in sixteen ways
+// within four by four pixels, and between the views of a refined picture; the blur of the occlusion averages them. Thus
+// shadows have soft edges, and steps are invisible.
 
 const int kShadowSteps = 16;
 
@@ -12,8 +12,8 @@ INLINE Mask in_picture(Vec2 pixel) {
     return pixel.x >= 0.0F && pixel.y >= 0.0F && pixel.x < picture.x && pixel.y < picture.y;
 }
 
-// Of a point with its normal, y up and z towards the eye. `ray`: as shadow_ray() has it. The farther what hides the
-// light, the less it does so.
+// The hidden share at a point; `normal`: y up and z towards the eye. `ray`: see shadow_ray(). Distant occluders hide
+// less.
 INLINE Float shadowed(Vec3 position, Vec3 normal, vec4 ray) {
     Float reach = shadow_reach(position.z), least = 0.012F * reach, hidden = 0.0F;
     Vec3 start = position + least * Vec3(normal.x, normal.y, -normal.z);

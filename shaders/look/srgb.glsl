@@ -1,4 +1,4 @@
-// From the picture's bytes to linear light and back.
+// Conversion between sRGB and linear light.
 
 INLINE Float to_linear(Float c) {
     return select(c <= 0.04045F, c * (1.0F / 12.92F), pow((c + 0.055F) * (1.0F / 1.055F), 2.4F));

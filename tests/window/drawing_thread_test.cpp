@@ -34,7 +34,7 @@ std::unique_ptr<DrawingThread> thread_of(Told& told, bool can = true) {
 class Held {
 public:
     explicit Held(DrawingThread& thread) {
-        thread.let([gate = gate_.get_future().share()] { gate.wait(); });
+        thread.post([gate = gate_.get_future().share()] { gate.wait(); });
     }
     ~Held() { gate_.set_value(); }
     Held(const Held&) = delete;
@@ -48,7 +48,7 @@ private:
 
 TEST_CASE("without a thread what is asked for is done at once, by who asks") {
     DrawingThread none;
-    CHECK_FALSE(none.apart());
+    CHECK_FALSE(none.has_thread());
     auto who = none.begin([] { return std::this_thread::get_id(); });
     CHECK(none.idle());
     REQUIRE(none.done(who, 0.0));
@@ -59,7 +59,7 @@ TEST_CASE("a thread that gets no context is none") {
     Told told;
     {
         const auto thread = thread_of(told, false);
-        CHECK_FALSE(thread->apart());
+        CHECK_FALSE(thread->has_thread());
         CHECK(thread->run([] { return std::this_thread::get_id(); }) == std::this_thread::get_id());
     }
     CHECK(told.entered == 1);
@@ -71,7 +71,7 @@ TEST_CASE("a drawing thread does one thing after the other, all of it, between t
     std::vector<int> done;
     {
         const auto thread = thread_of(told);
-        REQUIRE(thread->apart());
+        REQUIRE(thread->has_thread());
         CHECK(thread->run([] { return std::this_thread::get_id(); }) == told.who);
         const Held held(*thread);
         for (int i = 0; i < 20; ++i)

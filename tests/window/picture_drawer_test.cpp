@@ -19,7 +19,7 @@ struct DrawnElsewhere {
     std::unique_ptr<render::Renderer> renderer = render::Renderer::create_later();
     std::unique_ptr<PictureDrawer> drawer = std::make_unique<PictureDrawer>(*renderer, thread);
 
-    DrawnElsewhere() { REQUIRE(thread.apart()); }
+    DrawnElsewhere() { REQUIRE(thread.has_thread()); }
     ~DrawnElsewhere() {
         drawer.reset();
         thread.run([this] { renderer.reset(); });
@@ -36,7 +36,7 @@ struct DrawnElsewhere {
     // What is answered while something else is being done.
     [[nodiscard]] render::Pick pick_while_busy(glm::dvec2 at) {
         std::promise<void> gate;
-        thread.let([shut = gate.get_future().share()] { shut.wait(); });
+        thread.post([shut = gate.get_future().share()] { shut.wait(); });
         const auto coming = drawer->pick(at);
         gate.set_value();
         return coming.take().value();
@@ -80,7 +80,7 @@ TEST_CASE_FIXTURE(DrawnElsewhere, "a click is on the picture that is shown, what
     CHECK(shown.branch == 0);
 
     std::promise<void> gate;
-    thread.let([shut = gate.get_future().share()] { shut.wait(); });
+    thread.post([shut = gate.get_future().share()] { shut.wait(); });
     const auto begin = [&](const render::Sheet& sheet) {
         drawer->draw(sheet, render::kUploadAll, render::kUntilDone);
         auto coming = drawer->pick(middle); // before the next one is shown
@@ -96,7 +96,7 @@ TEST_CASE_FIXTURE(DrawnElsewhere, "a click is on the picture that is shown, what
     const glm::dvec2 in_second(450.0, 100.0);
     CHECK(pick_while_busy(in_second) == shown);
     gate = {};
-    thread.let([shut = gate.get_future().share()] { shut.wait(); });
+    thread.post([shut = gate.get_future().share()] { shut.wait(); });
     drawer->draw(render::sheet_of(frame), render::kUploadAll, render::kUntilDone);
     const auto gone = drawer->pick(in_second);
     gate.set_value();

@@ -50,7 +50,7 @@ Svg box_plots(const std::string& title, const std::vector<BoxRow>& rows, const S
         reach =
             std::max({reach, row.statistics->box.upper_whisker, row.statistics->mean, row.statistics->percentile_95});
     for (const BoxRow& row : rows) {
-        // A mark is worth a longer axis, not one on which the boxes are lines.
+        // Extends the axis for a mark, but not so far that boxes become lines.
         if (row.mark_mm && *row.mark_mm < 2.5 * reach) reach = std::max(reach, *row.mark_mm);
     }
     for (const BoxRow& row : rows) marked = marked || (row.mark_mm && *row.mark_mm <= 1.03 * reach);

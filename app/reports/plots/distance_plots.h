@@ -1,4 +1,4 @@
-// Plots of distances between surfaces: box plots of one or many data sets, and the histogram of one. mm.
+// Plots of distances between surfaces, in mm: box plots of several data sets, and the histogram of one.
 #pragma once
 
 #include "app/reports/plots/svg.h"
@@ -13,16 +13,15 @@ namespace ramus::app {
 struct BoxRow {
     std::string name;
     const measure::DeviationStatistics* statistics = nullptr;
-    std::optional<double> mark_mm; // half a voxel's diagonal, say
+    std::optional<double> mark_mm; // for example half a voxel's diagonal
 };
 
-// A row for each, with median, quartiles, whiskers, the mean, and words for what lies beyond the axis, which reaches to
-// where the boxes, means and 95th percentiles do. `mark`: what the marks are.
-// `unit`: of all lengths, "mm".
+// One row per data set with median, quartiles, whiskers and mean, and text for values beyond the axis, which covers
+// boxes, means and 95th percentiles. `mark`: meaning of the marks. `unit`: of all lengths, "mm".
 [[nodiscard]] Svg box_plots(const std::string& title, const std::vector<BoxRow>& rows, const Stroke& stroke,
                             const std::string& mark, const std::string& unit = "mm");
 
-// Shares of all distances, in percent on a logarithmic axis: the few far ones are what one looks for.
+// Percentages of all distances on a logarithmic axis, which makes the few large ones visible.
 [[nodiscard]] Svg histogram_plot(const std::string& title, const measure::DeviationStatistics& statistics,
                                  const Stroke& stroke, const std::optional<double>& mark_mm, const std::string& mark,
                                  const std::string& unit = "mm");

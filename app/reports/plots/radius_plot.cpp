@@ -9,9 +9,9 @@ namespace ramus::app {
 
 namespace {
 
-constexpr std::size_t kMostPoints = 600; // of a curve: finer than it is drawn
+constexpr std::size_t kMostPoints = 600; // per curve: finer than visible
 
-// Parts of a curve below the top of the plot.
+// Draws the parts of a curve below the top of the plot.
 void draw_curve(Svg& svg, const PlotArea& area, const std::vector<double>& along, const std::vector<double>& radii,
                 const Stroke& stroke) {
     std::vector<PlotPoint> part;
@@ -72,7 +72,7 @@ Svg radius_plot(const std::string& title, const RadiusCurves& curves, const std:
     draw_y_axis(svg, area, "Radius, " + unit);
     draw_x_axis(svg, area, "Along the branch, " + unit);
     std::vector<LegendLine> legend;
-    // The surface first: the thin line of what was read lies over it.
+    // The surface first: the thin line of the tree's radii is on top.
     for (const std::size_t n : {1, 2, 3, 0})
         draw_curve(svg, area, curves.along_mm, *lines[n].first, lines[n].second.stroke);
     for (const auto& [radii, line] : lines)

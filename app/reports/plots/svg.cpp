@@ -91,7 +91,7 @@ std::string Svg::file() const { return "<?xml version=\"1.0\" encoding=\"UTF-8\"
 double width_of(std::string_view words, double size) {
     std::size_t letters = 0;
     for (const char c : words) letters += begins_letter(c) ? 1 : 0;
-    return 0.56 * size * static_cast<double>(letters); // of a usual font's letters and digits, by eye
+    return 0.56 * size * static_cast<double>(letters); // average width of characters of a common font, by eye
 }
 
 std::string shortened(std::string_view words, double most, double size) {

@@ -1,5 +1,5 @@
-// Svg: a drawing as text, for pages and as a file of its own. It needs no style sheet, no script and no font of its
-// own; words in it are escaped. Units are those of the drawing, the width of which a page scales to its own.
+// Svg: a drawing as text, for pages and for separate files. It uses no style sheet, script or font; text is escaped.
+// Lengths are in units of the drawing, which a page scales to its width.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace ramus::app {
 
-// Colours that colour-blind eyes tell apart (M. Okabe and K. Ito, 2008), each with a dash of its own for paper without
-// colours.
+// Colours that colour-blind people can distinguish (M. Okabe and K. Ito, 2008), each with its own dash pattern for
+// printing without colours.
 struct Stroke {
     std::string_view colour = "#000000";
     double width = 1.0;
@@ -31,30 +31,30 @@ enum class Anchor { kStart, kMiddle, kEnd };
 
 class Svg {
 public:
-    // `title` is what readers of screens say.
+    // `title`: for screen readers.
     Svg(double width, double height, std::string_view title);
 
     void line(PlotPoint from, PlotPoint to, const Stroke& stroke);
     void polyline(const std::vector<PlotPoint>& points, const Stroke& stroke);
     void rectangle(PlotPoint corner, PlotPoint size, std::string_view fill, const Stroke* outline = nullptr);
     void diamond(PlotPoint middle, double radius, std::string_view fill);
-    // `at`: its baseline. `whole`: what a pointer that rests there shows, where words were shortened.
+    // `at`: on the baseline. `whole`: the full text for a tooltip, if `words` is shortened.
     void text(PlotPoint at, std::string_view words, Anchor anchor = Anchor::kStart, double size = 11.0,
               std::string_view colour = kInk, std::string_view whole = {});
-    void text_upward(PlotPoint at, std::string_view words); // in the middle of a vertical axis
+    void text_upward(PlotPoint at, std::string_view words); // turned by 90 degrees and centred, for vertical axes
 
     [[nodiscard]] double width() const { return width_; }
-    [[nodiscard]] std::string drawing() const; // as a page has it inside
-    [[nodiscard]] std::string file() const;    // as a file of its own
+    [[nodiscard]] std::string drawing() const; // for embedding in a page
+    [[nodiscard]] std::string file() const;    // as a separate file
 
 private:
     double width_;
     std::string text_;
 };
 
-// About how wide words are.
+// Approximate width of text.
 [[nodiscard]] double width_of(std::string_view words, double size = 11.0);
-// With an ellipsis in the middle where they are wider than `most`.
+// Shortened with an ellipsis in the middle if wider than `most`.
 [[nodiscard]] std::string shortened(std::string_view words, double most, double size = 11.0);
 
 } // namespace ramus::app

@@ -1,4 +1,4 @@
-// Radii along branches: curves of some, and all of them as CSV.
+// Radii along branches, as curves for plots and as CSV.
 #pragma once
 
 #include "app/reports/plots/radius_plot.h"
@@ -12,7 +12,8 @@ namespace ramus::app {
 
 [[nodiscard]] RadiusCurves curves_of(const ValidatedDataSet& set, const validate::BranchError& branch);
 
-// CSV: a line for each place of all branches. `numbered`: the number of the data set, from 1, stands first.
+// Writes CSV with one line per place of all branches. `numbered`: the first column is the number of the data set, from
+// 1.
 void write_radii(io::BufferedFile& file, std::span<const ValidatedDataSet> sets, bool numbered);
 
 } // namespace ramus::app

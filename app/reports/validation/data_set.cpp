@@ -19,7 +19,7 @@ double summary(const std::vector<double>& numbers, Of what) {
     return numbers.size() > 1 ? std::sqrt(squares / (count - 1.0)) : 0.0;
 }
 
-// Of what `value` gives, an optional number, of those that have it; none: none has.
+// Statistic of the optional numbers that `value` returns; none: no data set has one.
 template <class List, class Value> std::optional<double> summary_where(const List& list, Of what, const Value& value) {
     std::vector<double> numbers;
     for (const auto& one : list)
@@ -94,7 +94,7 @@ ValidationSummary summary_of(std::span<const ValidatedDataSet* const> sets, Of w
     all.surface_mm3 = volumes([](const Volumes& one) { return one.surface_mm3; });
     all.mask_mm3 = volumes([](const Volumes& one) { return std::optional(one.mask_mm3); });
     all.dice = volumes([](const Volumes& one) { return std::optional(one.dice); });
-    const auto alone = [&](const auto& value) { // of those that have places away from joints and others
+    const auto alone = [&](const auto& value) { // over data sets with places away from joints and other vessels
         return summary_where(sets, what, [&](const ValidatedDataSet* set) {
             return set->validation.radius_error.places > 0 ? std::optional<double>(value(set->validation))
                                                            : std::nullopt;

@@ -1,5 +1,5 @@
-// What validation found of one data set, a tree with its surface and perhaps its mask, as tables, plots and pages need
-// it; and what all data sets have on average. mm, RAS.
+// Results of validating one data set (a tree with its surface and optionally a mask) for tables, plots and pages, and
+// averages over several data sets. mm, RAS.
 #pragma once
 
 #include "app/reports/html.h"
@@ -16,27 +16,27 @@
 
 namespace ramus::app {
 
-// A vertex of the surface that is far from the other one.
+// A vertex of one surface that is far from the other surface.
 struct FarPlace {
     glm::dvec3 at{0.0};
     double distance_mm = 0.0;
-    int branch = 0; // whose centerline is nearest
+    int branch = 0; // with the nearest centerline
 };
 
-// From the vertices of one surface to another one.
+// Distances from the vertices of one surface to another surface.
 struct SurfaceDistances {
     measure::DeviationStatistics statistics;
-    std::vector<FarPlace> farthest; // the farthest first
-    // Of cones: without the vertices beyond free ends of vessels, where a cone has half a ball and the surface ends by
-    // the paper's sum. None: it is not known which those are.
+    std::vector<FarPlace> farthest; // farthest first
+    // For cones: statistics without the vertices beyond free ends, where a cone ends in half a sphere and the
+    // convolution surface by the paper's sum. None: these vertices are unknown.
     std::optional<measure::DeviationStatistics> but_for_ends{};
 };
 
-// Of the surface and the mask.
+// Volumes of the surface and the mask.
 struct Volumes {
-    std::optional<double> surface_mm3; // inside of the surface; none of one that is not closed
+    std::optional<double> surface_mm3; // of the surface; none if it is not closed
     double mask_mm3 = 0.0;             // of the voxels
-    double dice = 0.0;                 // Dice's coefficient of their voxels
+    double dice = 0.0;                 // Dice coefficient of their voxels
 };
 
 struct InputFile {
@@ -46,25 +46,25 @@ struct InputFile {
 };
 
 struct ValidatedDataSet {
-    std::string tree, surface, mask; // files as they were named; empty: the surface was made, there is no mask
+    std::string tree, surface, mask; // files as named by the user; empty: surface computed, no mask
     tree::Claims claims;             // of the tree
     SurfaceDistances to_cones;
-    std::optional<SurfaceDistances> to_mask, from_mask; // to the mask's isosurface, and from it to the surface
-    std::optional<Volumes> volumes;                     // with a mask
+    std::optional<SurfaceDistances> to_mask, from_mask; // to and from the mask's isosurface
+    std::optional<Volumes> volumes;                     // if there is a mask
     std::optional<double> half_voxel_mm;                // half the diagonal of the mask's voxels
     validate::Validation validation;
-    // At the places of `validation.radii`; empty: not asked for.
+    // At the places of `validation.radii`; empty: not requested.
     std::vector<double> cones_radii_mm, mask_radii_mm;
     std::vector<InputFile> files;
     std::vector<ReportPicture> pictures;
-    std::vector<ReportPicture> close_ups; // of places that answer the questions, the first of them
+    std::vector<ReportPicture> close_ups; // of the first findings of the questions
 };
 
-[[nodiscard]] std::string name_of(const ValidatedDataSet& set); // of its tree's file, without the folder
-// How people are told of all of them: in mm where all trees say so.
+[[nodiscard]] std::string name_of(const ValidatedDataSet& set); // file name of the tree, without its folder
+// The format of lengths for all data sets: mm if all trees claim mm.
 [[nodiscard]] Lengths lengths_of(std::span<const ValidatedDataSet> sets);
 
-// Data sets whose lengths are in one unit. Those of different units are never averaged together.
+// Data sets with the same unit of length. Data sets of different units are never averaged.
 struct UnitGroup {
     std::string unit;                          // "mm" or "unknown"
     std::vector<const ValidatedDataSet*> sets; // not empty
@@ -78,26 +78,25 @@ struct DistanceFigures {
 };
 [[nodiscard]] DistanceFigures figures_of(const measure::DeviationStatistics& statistics);
 
-// What is said of a figure of several data sets: its mean, or its standard deviation (of a sample: divided by one less
-// than there are; 0 of one).
+// The statistic over data sets: mean, or standard deviation of a sample (divided by n - 1; 0 for one data set).
 enum class Of { kMean, kDeviation };
 
-// Of each figure, every data set weighing the same, however many vertices it has: the mean of the means, of the
-// standard deviations, of the least and largest distances, as the paper's Table I has them of its ten trees. Not the
-// figures of all vertices together. The share above half a voxel is there when all have it. `all` is not empty.
+// The statistic of each figure with equal weight for every data set, whatever its number of vertices: the mean of the
+// means, of the standard deviations and so on, as for the ten trees of the paper's Table I; not the figures of all
+// vertices together. `above_percent` is set if all data sets have it. `all` must not be empty.
 [[nodiscard]] DistanceFigures summary_of(std::span<const DistanceFigures> all, Of what);
 
 struct ValidationSummary {
     std::size_t data_sets = 0;
     DistanceFigures to_cones;
-    std::optional<DistanceFigures> to_mask, from_mask; // when all have a mask
+    std::optional<DistanceFigures> to_mask, from_mask; // if all have a mask
     std::optional<double> surface_mm3, mask_mm3, dice; // of the data sets that have them
-    std::optional<double> radius_median, radius_p95;   // of the data sets that have places for it
+    std::optional<double> radius_median, radius_p95;   // over data sets with suitable places
     double points_outside_percent = 0.0;
-    std::optional<double> offset_median, offset_p95, offset_max; // of the same data sets; mm
+    std::optional<double> offset_median, offset_p95, offset_max; // over the same data sets; mm
     double lost = 0.0, false_parts = 0.0, merged = 0.0, constrictions = 0.0, widths = 0.0, positions = 0.0;
 };
-// Of a group, or of a part of one that has what is looked for. Not empty.
+// Summary of a unit group, or of a subset of it. Must not be empty.
 [[nodiscard]] ValidationSummary summary_of(std::span<const ValidatedDataSet* const> sets, Of what);
 
 [[nodiscard]] double outside_percent(const validate::Fidelity& fidelity);

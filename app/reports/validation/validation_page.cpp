@@ -17,13 +17,13 @@ constexpr const char* kHalfVoxel = "half the diagonal of the mask's voxels";
 
 const Stroke& stroke_of(Held how) { return how == Held::kToCones ? kConesStroke : kMaskStroke; }
 
-// A table as the page says it: of lengths in the unit that they have.
+// A table for the page, with the unit of its lengths.
 Table said(Table table, const Lengths& lengths) {
     add_unit(table, lengths);
     return table;
 }
 
-// A table whose last rows, those without a number, are of all data sets together.
+// A table whose last rows, without a number, are for all data sets.
 std::string table_of_sets(const Table& table, bool is_part) {
     const auto is_sum = [](const std::vector<Cell>& row) { return !row.front().number; };
     return table_html(for_people(table), {.sums = static_cast<std::size_t>(std::ranges::count_if(table.rows, is_sum)),
@@ -53,7 +53,7 @@ std::string summary_html(std::span<const ValidatedDataSet> sets) {
     return text + "<div class=\"plots\">\n" + plots + "</div>\n";
 }
 
-// The questions that have an answer, each with its places.
+// The questions with findings, each with its places.
 std::string places_html(const ValidatedDataSet& set) {
     const validate::Validation& found = set.validation;
     const Lengths lengths(set.claims);

@@ -1,5 +1,5 @@
-// The report of validation as one web page that needs nothing beside it: tables, plots, pictures, settings, files. No
-// GL: the data sets bring their pictures.
+// Writes the validation report as a self-contained web page: tables, plots, pictures, settings, files. No GL: the data
+// sets contain their pictures.
 #pragma once
 
 #include "app/reports/plots/svg.h"
@@ -11,12 +11,12 @@
 
 namespace ramus::app {
 
-// `settings`: what everything was made with; `made`: when. The data sets have their radii in cones and mask.
+// `settings`: options of the computation; `made`: time. The data sets must have their radii in cones and mask.
 [[nodiscard]] std::string validation_page(std::span<const ValidatedDataSet> sets, const Facts& settings,
                                           const std::string& made);
 
-// Box plots of all data sets; those to and from the mask where there are masks.
+// Box plots of all data sets; to and from the mask only for those with masks.
 [[nodiscard]] Svg boxes_of(std::span<const ValidatedDataSet> sets, Held how);
-[[nodiscard]] bool has_mask(std::span<const ValidatedDataSet> sets); // one of them
+[[nodiscard]] bool has_mask(std::span<const ValidatedDataSet> sets); // whether any has one
 
 } // namespace ramus::app

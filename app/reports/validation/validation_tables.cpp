@@ -35,12 +35,12 @@ void add_figures(std::vector<Cell>& row, const DistanceFigures& figures) {
                            figures.percentile_95, or_nothing(figures.above_percent)});
 }
 
-// Nothing in the columns that the row does not reach.
+// Fills missing cells of a row with empty ones.
 void fill(const Table& table, std::vector<Cell>& row) {
     while (row.size() < table.columns.size()) row.emplace_back("");
 }
 
-// Places of a branch with another radius than they should have, each with its code.
+// Places with a wrong radius, each with its code.
 template <class List> Table radii_table(const std::string& title, const List& list, char letter) {
     Table table{title, {{"place", "Place"}, {"branch", "Branch"}}, {}};
     add_place_columns(table);
@@ -57,8 +57,8 @@ template <class List> Table radii_table(const std::string& title, const List& li
 
 constexpr std::array kSummaries{std::pair{Of::kMean, "average"}, std::pair{Of::kDeviation, "standard deviation"}};
 
-// The last rows of a table of several data sets: an average and a standard deviation for each unit among them. `cells`
-// gives the figures of a group, behind number and name; none: the group has no such figures.
+// Appends summary rows for several data sets: average and standard deviation per unit. `cells` returns the figures of a
+// group, to follow number and name; none: the group has no such figures.
 template <class Cells> void add_summaries(Table& table, std::span<const ValidatedDataSet> sets, const Cells& cells) {
     if (sets.size() < 2) return;
     const std::vector<UnitGroup> groups = by_unit(sets);
@@ -154,7 +154,7 @@ Table questions_table(std::span<const ValidatedDataSet> sets) {
                               count_of(found.constrictions.size()), count_of(found.widths.size()),
                               count_of(found.positions.size())});
     }
-    std::vector<const ValidatedDataSet*> counted; // whatever their units are
+    std::vector<const ValidatedDataSet*> counted; // independent of units
     for (const ValidatedDataSet& set : sets) counted.push_back(&set);
     if (sets.size() > 1)
         for (const auto& [what, name] : kSummaries) {

@@ -54,7 +54,7 @@ caster::View view_of(const Frame& frame, const ViewSetup& from) {
 
 } // namespace
 
-// All that it is made of, so that nothing of it depends on what comes next.
+// All inputs, so that later changes do not affect it.
 struct CastPass::Work {
     Made made;
     bool outlined = false, done = false;
@@ -63,7 +63,7 @@ struct CastPass::Work {
     caster::Uniforms uniforms{};
     std::vector<BranchRecord> records;
     std::vector<caster::Body> bodies;
-    std::vector<std::shared_ptr<const ShapeTriangles>> shapes; // of the bodies
+    std::vector<std::shared_ptr<const ShapeTriangles>> shapes; // keeps the bodies' shapes alive
     std::shared_ptr<const PagedMesh> surface;
     Stopwatch watch;
 };
@@ -98,7 +98,7 @@ void CastPass::make(Work& work, caster::Caster& caster, const std::shared_ptr<co
 
 std::uint64_t CastPass::draw(const Subject& subject, const ViewSetup& view, BranchRecords& records) {
     work_.reset();
-    worker_.reset(); // waits for what it is at: the other caster is free then
+    worker_.reset(); // waits for the running work; then the other caster is free
     const auto work = prepare(subject, view, records);
     make(*work, other(), caster().fitted());
     shown_ = 1 - shown_;
@@ -119,7 +119,7 @@ std::optional<CastPass::Made> CastPass::take(double seconds) {
     if (!work_) return {};
     constexpr double kLong = 1e4; // seconds
     const Stopwatch watch;
-    do { // what comes may be the end of the work before
+    do { // the next notification may belong to earlier work
         const double left = std::clamp(seconds - watch.seconds(), 0.0, kLong);
         worker_->wait(std::chrono::milliseconds(std::lround(1e3 * left)));
         worker_->drain();

@@ -1,5 +1,5 @@
-// CastPass: has the caster make pictures, at once or on a thread of its own. What is shown stays as it is meanwhile,
-// and says what lies under its pixels. Beside sending pictures it uses no GL.
+// CastPass: lets the caster draw pictures, synchronously or on a worker thread. The shown picture stays valid meanwhile
+// and answers picks. Uses GL only to send pictures.
 #pragma once
 
 #include "core/base/worker.h"
@@ -17,28 +17,28 @@ namespace ramus::render {
 
 class CastPass {
 public:
-    // A picture that was made, and what it is of.
+    // A finished picture, with its inputs.
     struct Made {
         Frame frame;
         std::vector<Layer> layers;
         ViewSetup view;
         std::uint64_t cones = 0;
-        double seconds = 0.0; // that it took, by the clock
+        double seconds = 0.0; // elapsed time
     };
 
-    // The picture of the subject, which is shown from now on. `records`: of the branches, made for this. Returns the
-    // number of cones. What is on its way is dropped.
+    // Draws the picture of the subject and shows it. `records`: of the branches, updated here. Drops a picture in
+    // progress. Returns the number of cones.
     std::uint64_t draw(const Subject& subject, const ViewSetup& view, BranchRecords& records);
-    // The same on a thread of its own.
+    // The same on the worker thread.
     void begin(const Subject& subject, const ViewSetup& view, BranchRecords& records);
-    [[nodiscard]] bool busy() const { return work_ != nullptr; } // a picture is on its way
-    // Waits for it, so many seconds at most: it is shown from now on. Throws std::bad_alloc where its making did.
+    [[nodiscard]] bool busy() const { return work_ != nullptr; } // a picture is in progress
+    // Waits at most `seconds` for the picture in progress; shows and returns it. Rethrows std::bad_alloc of the worker.
     [[nodiscard]] std::optional<Made> take(double seconds);
-    void forget(); // nobody wants what is on its way
+    void forget(); // drops the picture in progress
 
     void send_picture(const PictureTarget& to) const;
-    void send_depths(const PictureTarget& picture, const ResolvedTarget& to) const; // for what is drawn over it
-    // Likewise: who is at its pixels, as a texture of ids. Throws OutOfGraphicsMemory.
+    void send_depths(const PictureTarget& picture, const ResolvedTarget& to) const; // for overlays with depth
+    // Sends the ids at the picture's pixels as a texture. Throws OutOfGraphicsMemory.
     void send_ids(const PictureTarget& picture);
     [[nodiscard]] GLuint ids() const { return ids_texture_; }
     [[nodiscard]] const caster::Caster& caster() const { return casters_.at(shown_); }
@@ -50,12 +50,12 @@ private:
     static void make(Work& work, caster::Caster& caster, const std::shared_ptr<const caster::FittedCones>& known);
     [[nodiscard]] caster::Caster& other() { return casters_.at(1 - shown_); }
 
-    std::array<caster::Caster, 2> casters_; // what is shown is one's, what is made the other's
+    std::array<caster::Caster, 2> casters_; // one has the shown picture, the other draws the next
     std::size_t shown_ = 0;
-    Texture ids_texture_; // R32UI, 4 bytes: made when it is needed
+    Texture ids_texture_; // R32UI, 4 bytes per pixel; created on first use
     glm::ivec2 ids_size_{0};
-    std::shared_ptr<Work> work_;     // on its way; null: nothing is
-    std::unique_ptr<Worker> worker_; // null: none yet. The last: its thread ends first
+    std::shared_ptr<Work> work_;     // in progress; null: nothing
+    std::unique_ptr<Worker> worker_; // null: none yet. Declared last, so that its thread ends first
 };
 
 } // namespace ramus::render

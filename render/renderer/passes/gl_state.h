@@ -1,23 +1,23 @@
-// The state of OpenGL that passes share. Each begins with what it needs; a picture ends with OpenGL's own defaults.
+// OpenGL state that passes share. Each pass sets what it needs; after a picture OpenGL has its default state.
 #pragma once
 
 #include "render/renderer/targets.h"
 
 namespace ramus::render {
 
-// Whatever others have left, before a pass: depths from 0 to 1, and viewports of `size`.
+// Call before a pass, whatever state OpenGL is in: sets depths from 0 to 1, and viewports of `size`.
 void begin_passes(glm::ivec2 size);
-// OpenGL's own defaults, for whoever draws next, and wherever a picture stops.
+// Restores OpenGL's defaults; call it wherever drawing stops.
 void end_passes();
 
-// Front faces of closed surfaces, by reversed depth.
+// Draws front faces of closed surfaces with reversed depth.
 void draw_front_faces(bool write_depth);
-// The same, into the samples of opaque surfaces; `values`: and into those of their values, which are there.
+// The same into the samples of opaque surfaces; `values`: also into those of their values, which must exist.
 void draw_opaque_into(const SampleTarget& target, bool values = false);
-// Ids and depths of what is bound: nothing is there.
+// Clears ids and depths of the bound framebuffer to "nothing".
 void clear_samples();
 
-// Premultiplied colours laid over or under what is there, or added to it.
+// Blends premultiplied colours over or under the existing ones, or adds them.
 enum class Blending { kOver, kUnder, kAdded };
 void begin_blending(Blending how);
 

@@ -15,14 +15,14 @@ constexpr std::size_t kFirstFragments = std::size_t{1} << 20;
 
 Buffer make_storage(std::size_t bytes) { return make_buffer(bytes, nullptr, GL_DYNAMIC_STORAGE_BIT); }
 
-// Empty lists for the band's pixels.
+// Clears the lists of the band's pixels.
 void clear_lists(FragmentLists& lists, std::size_t pixels) {
     if (lists.head_capacity < pixels) {
         lists.heads = make_storage(4 * pixels);
         lists.head_capacity = pixels;
     }
     if (lists.count == 0) lists.count = make_storage(4);
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // lists of the band before have been sorted and read
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // the previous band's lists have been read
     const GLuint zero = 0;
     glClearNamedBufferSubData(lists.heads, GL_R32UI, 0, static_cast<GLsizeiptr>(4 * pixels), GL_RED_INTEGER,
                               GL_UNSIGNED_INT, &zero);
@@ -53,10 +53,10 @@ void make_layers(GlassLayers& layers, const ViewSetup& view, GLuint covered) {
         glNamedFramebufferTextureLayer(layers.fronts_framebuffer, attachments[std::size_t(s)], layers.fronts, 0, s);
     }
     glNamedFramebufferDrawBuffers(layers.fronts_framebuffer, kMostSamples, attachments.data());
-    layers.fragments = std::move(fragments); // the last: all is there
+    layers.fragments = std::move(fragments); // last: everything is allocated
 }
 
-// For a program that keeps what lies behind the layer before.
+// Binds the previous layer, for a program that keeps fragments behind it.
 void bind_layer_before(const ViewTargets& targets, int layer) {
     glUniform1i(kUniformSamples, targets.view.samples);
     glUniform1i(kUniformLayer, layer);
@@ -73,7 +73,7 @@ Result<void> GlassPass::make() {
                           {&borders_, "geometry.vert", "fragment.frag", kBorders, "border.geom"}});
 }
 
-// Makes room for more fragments; false: there is as much as there may be. Fragments are numbered from 1.
+// Grows the lists; false: the limit is reached. Fragments are numbered from 1.
 bool FragmentListPass::grow(FragmentLists& lists, std::size_t wanted) const {
     GLint64 largest = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
@@ -84,13 +84,13 @@ bool FragmentListPass::grow(FragmentLists& lists, std::size_t wanted) const {
         lists.fragments = make_storage((capacity + 1) * kFragmentBytes);
     } catch (const OutOfGraphicsMemory&) {
         if (lists.capacity == 0) throw;
-        return false; // bands of what there is
+        return false; // use bands instead
     }
     lists.capacity = capacity;
     return true;
 }
 
-// In no order.
+// Collects fragments, unsorted.
 InParts<FragmentListPass::Listed> FragmentListPass::list(const Subject& subject, ViewTargets& targets,
                                                          Band band) const {
     FragmentLists& lists = targets.lists;
@@ -171,7 +171,7 @@ Result<void> LayerPass::make() {
     return GlassPass::make();
 }
 
-// Into the layers' fragments and depths[layer % 2]; false: no fragment is left.
+// Draws into `fragments` and depths[layer % 2]; false: no fragment is left.
 bool LayerPass::draw_layer(const Subject& subject, const ViewTargets& targets, int layer, Of what,
                            std::uint64_t& triangles) const {
     const ViewSetup& view = targets.view;
@@ -197,7 +197,7 @@ bool LayerPass::draw_layer(const Subject& subject, const ViewTargets& targets, i
     return any != GL_FALSE;
 }
 
-// What draw_layer() draws of what is clear.
+// Draws the transparent shapes of draw_layer().
 std::uint64_t LayerPass::draw_clear(const Subject& subject, const ViewTargets& targets, ContextPass::Clear what,
                                     int layer) const {
     const auto bind = [&](const Program&) { bind_layer_before(targets, layer); };
@@ -207,7 +207,7 @@ std::uint64_t LayerPass::draw_clear(const Subject& subject, const ViewTargets& t
         .finish();
 }
 
-// Their nearest layer alone: into the layers' fragments and the depths of `target`.
+// Draws only the nearest layer of shapes, into `fragments` and the depths of `target`.
 std::uint64_t LayerPass::draw_first_clear(const Subject& subject, const ViewTargets& targets, ContextPass::Clear what,
                                           std::size_t target) const {
     glBindFramebuffer(GL_FRAMEBUFFER, targets.layers.framebuffers.at(target));

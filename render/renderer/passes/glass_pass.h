@@ -1,13 +1,14 @@
-// Glass, exactly. FragmentListPass: every pixel has a list of all glass fragments that cover it, whatever order the
-// triangles come in. The lists have a bound in bytes; a picture that would need more is made band by band, each of
-// which fits: slower, never wrong.
+// Draws glass with exact order-independent transparency.
 //
-// LayerPass: the same where shaders cannot write lists (before OpenGL 4.3), layer by layer. Each pass draws the glass
-// again and keeps, in every pixel, the nearest fragment behind the one before (depth peeling: C. Everitt, Interactive
-// Order-Independent Transparency, 2001); that one goes onto those before it, sample by sample, as a list's next
-// fragment would. Where it differs: of fragments with the very same depth at a sample one is seen; and what lies behind
-// kMostLayers fragments of one pixel is not. A layer of glass is one to four of them where edges cross the pixel.
-// Branches beyond 8 million have no number here.
+// FragmentListPass (OpenGL 4.3 on): every pixel has a list of all glass fragments that cover it, in any order of
+// triangles. The lists have a limit in bytes; larger pictures are drawn in bands that fit, slower but with the same
+// result.
+//
+// LayerPass (before 4.3): depth peeling (C. Everitt, Interactive Order-Independent Transparency, 2001). Each pass draws
+// the glass again, keeps the nearest fragment behind the previous one in every pixel, and composes it, sample by
+// sample, as it would the next fragment of a list. Differences: of several fragments at exactly the same depth of a
+// sample only one is seen, fragments behind the first kMostLayers of a pixel are lost, and branches beyond 8 million
+// have no number. A surface layer takes one to four fragments where edges cross the pixel.
 #pragma once
 
 #include "render/renderer/passes/resolve_pass.h"
@@ -15,7 +16,7 @@
 
 namespace ramus::render {
 
-// What both draw and sort with, which outlives them.
+// What both passes share. The constructor's arguments must outlive the pass.
 class GlassPass {
 public:
     GlassPass(const ContextPass& context, const ResolvePass& resolve) : context_(context), resolve_(resolve) {}
@@ -29,18 +30,18 @@ protected:
 
 class FragmentListPass : public GlassPass {
 public:
-    // The lists take `most_bytes` at most.
+    // `most_bytes`: limit of the lists.
     FragmentListPass(const ContextPass& context, const ResolvePass& resolve, std::size_t most_bytes)
         : GlassPass(context, resolve), most_bytes_(most_bytes) {}
 
-    // Lists and sorts all fragments, in one band if there is room, and resolves. Returns the number of triangles.
+    // Collects and sorts all fragments, in one band if possible, and resolves. Returns the number of triangles.
     [[nodiscard]] InParts<Result<std::uint64_t>> draw(const Subject& subject, ViewTargets& targets) const;
-    // The same of one of several bands, whose lists have given way to those of others.
+    // Repeats this for one of several bands, whose lists were overwritten by those of other bands.
     void draw_again(const Subject& subject, ViewTargets& targets, Band band) const;
 
 private:
     struct Listed {
-        std::size_t fragments = 0; // more than there is room for: not all are there
+        std::size_t fragments = 0; // if this exceeds the capacity, some are missing
         std::uint64_t triangles = 0;
     };
     [[nodiscard]] InParts<Listed> list(const Subject& subject, ViewTargets& targets, Band band) const;
@@ -54,11 +55,11 @@ public:
     using GlassPass::GlassPass;
     [[nodiscard]] Result<void> make();
 
-    // The vessels' nearest layer alone, for what is picked and outlined, where context and lesions are, and the
-    // lesions' nearest layer alone, which is picked through no glass; resolves. Returns the number of triangles.
+    // Draws and resolves nearest layers for picking and outlines: of the vessels, of all transparent shapes, and of the
+    // lesions, each without the others. Returns the number of triangles.
     [[nodiscard]] std::uint64_t draw_first(const Subject& subject, ViewTargets& targets) const;
-    // All layers into the fronts of `targets`, front to back. `light` is a variant of shade.frag, whose blocks and
-    // tables are bound.
+    // Composes all layers front to back into `targets.layers.fronts`. `light`: a variant of shade.frag, with its blocks
+    // and tables bound.
     void draw_all(const Subject& subject, ViewTargets& targets, const Fullscreen& light) const;
 
 private:

@@ -11,10 +11,10 @@ namespace ramus::render {
 
 namespace {
 
-constexpr std::size_t kMostMovingRings = 400; // of one size: more hold up a software rasteriser, and wait for the rest
+constexpr std::size_t kMostMovingRings = 400; // per size; more delay a software rasteriser, and are drawn at rest
 constexpr float kRingWidth = 1.0F;            // points
 
-// How much is left of a line behind a surface, most of which lie in vessels, and of the far half of a ring.
+// Opacity of lines behind a surface (most are inside vessels), and of the far half of a ring.
 constexpr float kHiddenLine = 0.55F, kHiddenRing = 0.25F;
 constexpr glm::vec3 kLineColour{0.95F, 0.96F, 0.98F}, kRingColour{0.98F, 0.93F, 0.78F};
 
@@ -40,7 +40,7 @@ glm::dvec2 across(const glm::dvec2& from, const glm::dvec2& to) {
     return length > 1e-9 ? glm::dvec2(-way.y, way.x) / length : glm::dvec2(0.0);
 }
 
-// The stripe of a run of points that are before the eye.
+// The stripe of a run of points in front of the eye.
 void lay_out_run(const std::vector<Seen>& run, const MarkLine& line, double half, bool flat,
                  std::vector<MarkVertex>& out) {
     if (run.size() < 2) return;
@@ -57,14 +57,14 @@ void lay_out_run(const std::vector<Seen>& run, const MarkLine& line, double half
         if (glm::dot(b, b) == 0.0) b = a;
         const glm::dvec2 sum = a + b;
         const double squared = glm::dot(sum, sum);
-        // The mitre; a sharp turn is cut off.
+        // A mitre joint; bevelled at sharp turns.
         const glm::dvec2 offset = squared > 0.25 ? 2.0 * sum / squared : b;
-        constexpr double kNearest = 0.01; // of the depth: nothing is before the eye
+        constexpr double kNearest = 0.01; // relative depth below which points count as behind the eye
         const double wall =
             flat ? run[i].depth - line.inside_mm : std::max(run[i].depth - line.inside_mm, kNearest * run[i].depth);
         const double depth = flat ? wall : 1.0 / wall;
         const auto vertex = [&](double at) {
-            // A width below 0 says whose line it is.
+            // A negative width marks outlines of the selection.
             return MarkVertex{
                 glm::vec2(run[i].pixel + at * offset), {at, line.of_selection ? -half : half, depth}, line.colour};
         };
@@ -76,7 +76,7 @@ void lay_out_run(const std::vector<Seen>& run, const MarkLine& line, double half
             out.push_back(vertex);
 }
 
-// In as many runs as there are between points that lie behind the eye.
+// Splits the line into runs at points behind the eye.
 void lay_out(const MarkLine& line, const Frame& frame, std::vector<MarkVertex>& out) {
     std::vector<Seen> run;
     const double half = 0.5 * std::max(1.0, double(line.width) * double(frame.pixel_ratio));

@@ -1,5 +1,5 @@
-// What lies over the picture, in its own pixels: SkeletonPass draws centerlines and rings of the radius, MarkPass
-// lines, SpritePass small pictures. All blend over what is there.
+// Passes that draw over the picture, at its full resolution: SkeletonPass draws centerlines and rings of the radius,
+// MarkPass lines, SpritePass small pictures. All blend with the picture.
 #pragma once
 
 #include "render/gl/gl_objects.h"
@@ -12,7 +12,7 @@ namespace ramus::render {
 
 class SkeletonPass {
 public:
-    // Its programs are made when there is a skeleton first. `opaque_depth` is that of ResolvedTarget.
+    // Builds its programs on first use. `opaque_depth`: of ResolvedTarget.
     void draw(const Subject& subject, const ViewSetup& view, GLuint opaque_depth);
 
 private:
@@ -27,28 +27,27 @@ private:
 class MarkPass {
 public:
     [[nodiscard]] Result<void> make();
-    // Laid out in pixels, joined without gaps or overlaps, drawn with soft edges.
-    // `ids`: of who is at each pixel; `branches`: the table of their records (scene_tables.h), of the last picture that
-    // was shaded.
+    // Lines have widths in pixels, joints without gaps or overlaps, and soft edges. `ids`: texture with the id at each
+    // pixel. `branches`: table of the branches' records (scene_tables.h) of the picture shaded last.
     void draw(const Subject& subject, const ViewTargets& targets, GLuint ids, GLuint branches) const;
 
 private:
     Program program_;
 };
 
-// `image` (straight alpha) with its lower left corner at `at`, as far as it lies in `region`. `program`: overlay.frag.
+// Draws `image` (straight alpha) with its lower left corner at `at`, clipped to `region`. `program`: overlay.frag.
 void draw_sprite(const Fullscreen& program, const Image& image, glm::ivec2 at, const Region& region);
 
 class SpritePass {
 public:
     [[nodiscard]] Result<void> make() { return program_.make("overlay.frag"); }
-    // As far as they lie in `region`.
+    // Draws the frame's sprites, clipped to `region`.
     void draw(const Frame& frame, const Region& region);
 
 private:
     Fullscreen program_;
     OverlayPainter painter_;
-    std::vector<Sprite> sprites_; // painted once: that takes longer than shading
+    std::vector<Sprite> sprites_; // cached: painting takes longer than shading
     std::optional<SpriteSource> painted_of_;
 };
 

@@ -1,4 +1,5 @@
-// From what was lit to the picture: CopyPass brings it there, MeanPass makes it the mean of several views.
+// CopyPass copies the lit image to the picture, and enlarges it if it has fewer pixels. MeanPass averages several
+// views.
 #pragma once
 
 #include "render/renderer/passes/shade_pass.h"
@@ -9,7 +10,8 @@ namespace ramus::render {
 class CopyPass {
 public:
     [[nodiscard]] Result<void> make() { return enlarge_.make("enlarge.frag"); }
-    // Only `region`, which was shaded: the rest has its overlays already. All of a picture that is enlarged.
+    // Copies only `region`, which was shaded: the rest has its overlays already. Enlarged pictures are copied
+    // completely.
     void draw(const ViewSetup& view, const LitTarget& from, const PictureTarget& to, const Region& region) const;
 
 private:
@@ -17,8 +19,8 @@ private:
 };
 
 struct MeanTarget {
-    int views = 0; // in the sum
-    Texture sum;   // RGBA16F, 8 bytes a pixel: linear light
+    int views = 0; // number of views in the sum
+    Texture sum;   // RGBA16F, 8 bytes per pixel: linear light
     Framebuffer framebuffer;
 
     void make(glm::ivec2 size);

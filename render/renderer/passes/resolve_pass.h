@@ -1,5 +1,5 @@
-// ResolvePass: one value a pixel from the samples, for picking, outlines and the occlusion; the lists of glass are put
-// in order on the way. OcclusionPass: how much of the sky each pixel's surroundings take.
+// ResolvePass: reduces samples to one value per pixel, for picking, outlines and occlusion, and sorts the lists of
+// glass. OcclusionPass: ambient occlusion per pixel.
 #pragma once
 
 #include "render/gl/gl_objects.h"
@@ -10,8 +10,8 @@ namespace ramus::render {
 class ResolvePass {
 public:
     [[nodiscard]] Result<void> make();
-    // Of opaque surfaces; with glass, which the lists or the first layers have; or of lesions alone, whose first layer
-    // goes over what was there (before OpenGL 4.3).
+    // kOpaque: opaque surfaces. kGlass: also glass, from the lists or the first layers. kLesions: only the first layer
+    // of lesions, over the existing result (before OpenGL 4.3).
     enum class What { kOpaque, kGlass, kLesions };
     void draw(What what, ViewTargets& targets, Band band) const;
 
@@ -19,18 +19,18 @@ private:
     Fullscreen opaque_, glass_, lesions_;
 };
 
-// And shadows, where the frame has any.
+// Also computes shadows if the frame has any.
 class OcclusionPass {
 public:
     [[nodiscard]] Result<void> make();
-    // From what ResolvePass left. Blurred where `from` is covered, along one axis and then the other.
+    // Reads the output of ResolvePass. Blurs along one axis and then the other, where `from` is covered.
     void draw(const Frame& frame, const ViewSetup& view, const ResolvedTarget& from, const OcclusionTarget& to) const;
 
 private:
     Fullscreen taps_, with_shadows_, blur_;
 };
 
-// The lists of glass, for a program that is to draw or to read a band's.
+// Binds the lists of glass for a program that writes or reads one band.
 void bind_lists(GLuint program, const ViewTargets& targets, Band band);
 
 } // namespace ramus::render

@@ -39,7 +39,7 @@ BranchState state_of(const Frame& frame, std::size_t branch) {
 
 void add_flag(BranchRecord& record, std::uint32_t flag) { record[3] = static_cast<std::uint16_t>(record[3] | flag); }
 
-// Colours, highlights and what is hovered.
+// Records with colours, highlights and hovering.
 std::vector<BranchRecord> plain_records(const Frame& frame, std::size_t count) {
     std::vector<BranchRecord> records(count);
     const bool any_highlight = std::ranges::find(frame.states, BranchState::kHighlighted) != frame.states.end();
@@ -61,7 +61,7 @@ std::vector<BranchRecord> plain_records(const Frame& frame, std::size_t count) {
 
 void SceneTables::make() { block_ = make_buffer(sizeof(SceneBlock), nullptr, GL_DYNAMIC_STORAGE_BIT); }
 
-void SceneTables::let_go() {
+void SceneTables::release() {
     Buffer block = std::move(block_);
     *this = {};
     block_ = std::move(block);
@@ -92,7 +92,7 @@ SceneTables::Needs SceneTables::send(const Subject& subject) {
     }
     cuts_.send(data.cuts);
     if (!data.cuts.empty()) glBindTextureUnit(kUnitCuts, cuts_);
-    if (data.context.empty() && needs.context) data.context.emplace_back(0.0F); // what the variant reads is there
+    if (data.context.empty() && needs.context) data.context.emplace_back(0.0F); // the shader variant needs an entry
     context_.send(data.context);
     glBindTextureUnit(kUnitContext, context_);
     glNamedBufferSubData(block_, 0, sizeof data.block, &data.block);
@@ -103,7 +103,7 @@ SceneTables::Needs SceneTables::send(const Subject& subject) {
 BranchRecords::Made BranchRecords::send(const Subject& subject, bool mark_changed) {
     const Frame& frame = subject.frame;
     const Centerlines* lines = subject.scene.lines().shown();
-    // Cones and lines may be of branches that the surface does not have yet.
+    // Cones and lines may have branches that the surface lacks so far.
     const auto count = std::max({std::size_t{1}, lines != nullptr ? lines->runs.size() : 0,
                                  subject.has_mesh() ? std::size_t(subject.mesh.shown()->branch_count()) : 0});
     std::vector<BranchRecord> records = plain_records(frame, count);

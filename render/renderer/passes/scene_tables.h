@@ -1,5 +1,5 @@
-// SceneTables: what shade.frag knows of lesions, margins, scales, cuts and context: a uniform block and small textures.
-// What a plain tree does not need costs it nothing.
+// SceneTables: inputs of shade.frag about lesions, margins, scales, cuts and context, as a uniform block and small
+// textures. Features that a frame does not use cost nothing.
 #pragma once
 
 #include "render/renderer/scene_on_card.h"
@@ -13,41 +13,42 @@ namespace ramus::render {
 class SceneTables {
 public:
     void make();
-    void let_go(); // of all but the block
-    // What the shading of this frame has to do beside a plain tree's.
+    void release(); // releases everything but the block
+    // Features that the shading of this frame needs.
     struct Needs {
         bool margins = false, scale = false, values = false, context = false;
     };
-    // Sends and binds all of it.
+    // Sends and binds everything.
     Needs send(const Subject& subject);
 
 private:
     Buffer block_;
     TexelTable lesions_{GL_RGBA32F}, cuts_{GL_RGBA32F}, context_{GL_RGBA32F};
-    Texture ramp_;                              // RGB16F, 8 bytes a colour
-    Texture distances_;                         // R32F, 4 bytes a sample
-    std::shared_ptr<const DistanceGrid> shown_; // in distances_
+    Texture ramp_;                              // RGB16F, 8 bytes per colour
+    Texture distances_;                         // R32F, 4 bytes per sample
+    std::shared_ptr<const DistanceGrid> shown_; // the grid in distances_
 };
 
-// BranchRecords: one small record a branch, its colour and how it is seen (record_flags.h); nothing else changes when
-// the user points at things.
+// BranchRecords: one small record per branch, its colour and state (record_flags.h). Hovering and selecting change
+// nothing else.
 
-using BranchRecord = std::array<std::uint16_t, 4>; // linear colour of 65535, flags
+using BranchRecord = std::array<std::uint16_t, 4>; // linear colour, 65535 is 1; flags
 
 class BranchRecords {
 public:
     struct Made {
         bool any_selected = false, any_cut = false;
-        std::vector<std::uint8_t> changed; // by branch, where that was asked for
+        std::vector<std::uint8_t> changed; // by branch, if requested
     };
-    // Those of the subject's frame; with `mark_changed` branches are marked whose record is another than before.
+    // Sends the records of the subject's frame. With `mark_changed`, marks the branches whose records differ from
+    // before.
     Made send(const Subject& subject, bool mark_changed);
     [[nodiscard]] const std::vector<BranchRecord>& records() const { return records_; }
     [[nodiscard]] GLuint table() const { return table_; }
 
 private:
     std::vector<BranchRecord> records_;
-    TexelTable table_{GL_RGBA16UI}; // 8 bytes a branch
+    TexelTable table_{GL_RGBA16UI}; // 8 bytes per branch
 };
 
 } // namespace ramus::render

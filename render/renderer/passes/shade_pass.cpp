@@ -12,7 +12,7 @@ namespace ramus::render {
 
 namespace {
 
-// Of shade.frag.
+// Bits of the variants of shade.frag.
 enum Variant : unsigned {
     kGlass = 1,
     kOutline = 2,
@@ -45,9 +45,9 @@ Result<void> ShadePass::make() {
     return background_.make("background.frag");
 }
 
-void ShadePass::let_go() {
+void ShadePass::release() {
     records_ = {};
-    tables_.let_go();
+    tables_.release();
 }
 
 Result<const Fullscreen*> ShadePass::program(unsigned variant) {
@@ -60,12 +60,12 @@ Result<const Fullscreen*> ShadePass::program(unsigned variant) {
     return &program;
 }
 
-// By the bounds of the pages that have triangles of them: there are some hundred, each in one place.
+// Uses the bounds of pages with triangles of these branches; there are some hundred pages, each compact.
 Region region_of(const Subject& subject, const ViewSetup& view, bool has_glass,
                  const std::vector<std::uint8_t>& changed) {
     const Region all{glm::ivec2(0), view.size};
     const Frame& frame = subject.frame;
-    // Lines reach beyond pages, and a picture that is enlarged has no pixels of its own.
+    // Lines extend beyond pages, and an enlarged picture has no pixels of its own.
     if (!subject.has_mesh() || has_glass || !frame.lines.empty() || frame.skeleton || view.enlarged()) return all;
     const PagedMesh& mesh = *subject.mesh.shown();
     const Projector project(frame.camera, frame.size);
@@ -133,7 +133,7 @@ Result<Region> ShadePass::draw(const Subject& subject, ViewTargets& targets, Ext
 
     const Region region =
         part ? region_of(subject, targets.view, glass, records.changed) : Region{glm::ivec2(0), targets.view.size};
-    // An outline reaches beyond the surface it surrounds.
+    // Outlines extend beyond their surface.
     const auto pixels = records.any_selected && !part ? Fullscreen::Pixels::kAll : Fullscreen::Pixels::kCovered;
     if (!glass || !gl_has_lists()) {
         draw_rows(*light, targets, region, pixels);

@@ -1,5 +1,5 @@
-// ShadePass: light and colour of what was resolved. One program for each combination of what a picture shows, made when
-// it is needed first.
+// ShadePass: computes light and colour of the resolved surfaces. It has one program for each combination of features,
+// built on first use.
 #pragma once
 
 #include "render/renderer/passes/glass_pass.h"
@@ -9,7 +9,7 @@
 
 namespace ramus::render {
 
-// A rectangle of the picture, in GL's sense of y.
+// A rectangle of the picture, y from below.
 struct Region {
     glm::ivec2 at{0}, size{0};
     [[nodiscard]] glm::ivec2 end() const { return at + size; }
@@ -17,16 +17,16 @@ struct Region {
 
 class ShadePass {
 public:
-    // Glass, which it lays over what lies behind, is drawn by `lists` or `layers`, as `resolve` takes them.
+    // `lists` or `layers` provide the glass; both must outlive the pass.
     ShadePass(const FragmentListPass& lists, const LayerPass& layers) : lists_(lists), layers_(layers) {}
     [[nodiscard]] Result<void> make();
-    void let_go(); // after memory has run out: of what was sent for the last picture
+    void release(); // after running out of memory: releases what was sent for the last picture
 
-    // All of it, or only branches whose records are others than the last time: the rest stays as it is.
+    // kAll: the whole picture. kChanged: only branches whose records changed since the last call.
     enum class Extent { kAll, kChanged };
-    // Of what `targets` hold; returns what was shaded.
+    // Shades the contents of `targets`; returns the region that was shaded.
     [[nodiscard]] Result<Region> draw(const Subject& subject, ViewTargets& targets, Extent extent);
-    // What the caster shades by.
+    // The caster shades with the same records.
     [[nodiscard]] BranchRecords& records() { return records_; }
 
 private:
@@ -44,8 +44,8 @@ private:
     Buffer look_block_;
 };
 
-// The part of the picture that branches marked in `changed` can be seen in, or more: all of it where what is drawn over
-// the picture reaches beyond them.
+// A region that contains all pixels of the branches marked in `changed`: the whole picture if overlays reach beyond the
+// branches.
 [[nodiscard]] Region region_of(const Subject& subject, const ViewSetup& view, bool has_glass,
                                const std::vector<std::uint8_t>& changed);
 

@@ -14,8 +14,8 @@ namespace ramus::render {
 
 namespace {
 
-// Where glass begins, an opaque vessel is open: such vessels are drawn from both sides, the inside as the lid that
-// closes them. By branch: the layers of those that are closed, and of those that are open.
+// An opaque vessel is open where glass begins. Open vessels are drawn from both sides; their inside looks like a lid.
+// By branch: layers of closed and of open vessels.
 struct OpenAndClosed {
     std::vector<Layer> closed, open;
 };
@@ -60,7 +60,8 @@ Result<void> SurfacePass::make() {
                           {&valued_.borders, "geometry.vert", "geometry.frag", kBorderValue, "border.geom"}});
 }
 
-// Triangles that are cut in two inside a pixel. From 4.0 on a shader chooses samples; before, each is drawn by itself.
+// Draws triangles that a border divides inside pixels. From 4.0 on a shader selects samples; before, each sample is
+// drawn separately.
 void SurfacePass::draw_by_sample(const Program& borders, const ViewSetup& view, const SampleTarget& to,
                                  const std::function<void()>& draw) {
     if (gl_has_lists()) return draw();

@@ -245,14 +245,14 @@ TEST_CASE("what a person does after a click happens in its turn, of whatever tre
     Asked first, second;
     std::vector<std::string> done;
     const auto note = [&](const std::string& what) {
-        runner.after_what_is_awaited(stage.context, [&done, what] { done.push_back(what); });
+        runner.run_after_awaited(stage.context, [&done, what] { done.push_back(what); });
     };
     note("at once");
     CHECK(done == std::vector<std::string>{"at once"});
     done.clear();
     REQUIRE(runner.await(stage.context, first.select(2)));
     note("key");
-    runner.after_what_is_awaited(stage.context, [&] {
+    runner.run_after_awaited(stage.context, [&] {
         done.emplace_back("click");
         REQUIRE(runner.await(stage.context, second.select(4)));
     });

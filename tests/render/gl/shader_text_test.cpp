@@ -54,12 +54,12 @@ TEST_CASE("a shader that does not compile is told by file and line, inside of in
 }
 
 TEST_CASE("logs of all drivers are turned to files and lines") {
-    const std::vector<std::string> files{"shade.frag", "floor.glsl", "view.glsl"};
+    const std::vector<std::string> files{"shade.frag", "fallback.glsl", "view.glsl"};
     const auto turned = [&](const char* log) { return with_file_names(log, files); };
     CHECK(turned("2:13(5): error: syntax error\n") == "view.glsl:13: error: syntax error"); // Mesa
     CHECK(turned("0(7) : error C1008: undefined variable") ==
           "shade.frag:7: error C1008: undefined variable"); // NVIDIA
-    CHECK(turned("ERROR: 1:3: 'x' : undeclared identifier") == "ERROR: floor.glsl:3: 'x' : undeclared identifier");
+    CHECK(turned("ERROR: 1:3: 'x' : undeclared identifier") == "ERROR: fallback.glsl:3: 'x' : undeclared identifier");
     CHECK(turned("0:1(1): warning: a\n2:4(9): error: b") == "shade.frag:1: warning: a\nview.glsl:4: error: b");
     for (const char* other : {"", "Link error: out of registers", "9:1(1): error: no such file", "99999999999:1: what"})
         CHECK(turned(other) == other);
@@ -67,7 +67,7 @@ TEST_CASE("logs of all drivers are turned to files and lines") {
 
 TEST_CASE("below 4.30 the text has no numbers, and tells them") {
     const ShaderText floor = shader_text("shade.frag", "#define GLASS\n", 330);
-    CHECK(floor.glsl.starts_with("#version 330 core\n#define FLOOR\n#define GLASS\n"));
+    CHECK(floor.glsl.starts_with("#version 330 core\n#define FALLBACK\n#define GLASS\n"));
     for (const char* newer :
          {"#version 450", "\n#include", "layout(location = k", "layout(binding = ", "layout(std140, binding"})
         CHECK(floor.glsl.find(newer) == std::string::npos);

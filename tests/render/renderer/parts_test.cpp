@@ -102,7 +102,7 @@ TEST_CASE("the first picture comes in parts, too, for who can wait for it") {
     const PartsScene scene;
     (void)scene.draw(scene.frame);
     const auto other = Renderer::create().value();
-    other->let_first_wait();
+    other->draw_first_in_parts();
     int calls = 0;
     for (bool more = true; more; ++calls) {
         SheetRenderer::finish();

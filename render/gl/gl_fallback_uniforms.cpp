@@ -1,7 +1,7 @@
-// The half of gl_floor that gives uniforms, samplers and blocks their numbers. Below 4.3 the linker chooses locations:
-// calls name those of the shader files, and are sent on to the ones that were chosen.
+// The part of gl_fallback that assigns numbers to uniforms, samplers and blocks. Below 4.3 the linker chooses
+// locations: calls use the numbers of the shader files, which are translated here.
 #include "render/gl/bindings.h"
-#include "render/gl/gl_floor.h"
+#include "render/gl/gl_fallback.h"
 
 #include <array>
 #include <map>
@@ -13,19 +13,19 @@ namespace ramus::render {
 
 namespace {
 
-using Locations = std::array<GLint, kUniforms>; // by those of the shader files
+using Locations = std::array<GLint, kUniforms>; // actual locations by the numbers of the shader files
 
-std::unordered_map<GLuint, Locations>* programs = nullptr; // of the current context; null: it needs none of this
+std::unordered_map<GLuint, Locations>* programs = nullptr; // of the current context; null: not needed
 
 GLuint program_in_use = 0;
 
 GLint chosen(GLint location) {
     const auto found = programs->find(program_in_use);
     if (found == programs->end() || location < 0) return location;
-    return found->second.at(static_cast<std::size_t>(location)); // -1, which is ignored: the shader has no use for it
+    return found->second.at(static_cast<std::size_t>(location)); // -1 is ignored: the shader does not use the uniform
 }
 
-// glad's `function` as it was loaded, before it was turned here.
+// glad's original `function`, before it was replaced here.
 template <auto& function> std::remove_reference_t<decltype(function)> loaded = nullptr;
 
 template <auto& function> void turn(std::remove_reference_t<decltype(function)> here) {
@@ -53,7 +53,7 @@ private:
     GLuint before_;
 };
 
-// `of_program` as `uniform`, of a program that need not be in use.
+// Implements `of_program`, which takes a program, by `uniform`, which uses the current program.
 template <auto& uniform> void put_in_terms_of_use(auto& of_program) {
     of_program = [](GLuint program, GLint at, auto... values) {
         const Using here(program);
@@ -63,8 +63,8 @@ template <auto& uniform> void put_in_terms_of_use(auto& of_program) {
 
 } // namespace
 
-void install_uniform_floor(int version, const void* context) {
-    // Of the process, as GL's function pointers are, and by context.
+void install_uniform_fallback(int version, const void* context) {
+    // One per context; static, since function pointers belong to the process.
     static std::map<const void*, std::unordered_map<GLuint, Locations>> all;
     programs = version < GLAD_MAKE_VERSION(4, 3) ? &all[context] : nullptr;
     if (programs == nullptr) return;
@@ -80,7 +80,7 @@ void install_uniform_floor(int version, const void* context) {
     put_in_terms_of_use<glad_glUniform2i>(glad_glProgramUniform2i);
     put_in_terms_of_use<glad_glUniform2f>(glad_glProgramUniform2f);
     put_in_terms_of_use<glad_glUniform3f>(glad_glProgramUniform3f);
-    // A context that could more, told to do with less: what it must not use is not there.
+    // For a context that is limited to an older version: functions that must not be used are null.
     glad_glMemoryBarrier = nullptr;
     glad_glClearNamedBufferSubData = nullptr;
     glad_glGetNamedBufferSubData = nullptr;

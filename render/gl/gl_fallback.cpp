@@ -1,4 +1,4 @@
-#include "render/gl/gl_floor.h"
+#include "render/gl/gl_fallback.h"
 
 #include "render/gl/gl_objects.h"
 
@@ -11,18 +11,18 @@ namespace ramus::render {
 
 namespace {
 
-// Nobody else binds here: what is bound for a moment need not be bound back.
+// No other code uses these binding points, so bindings need not be restored.
 constexpr GLenum kBuffer = GL_COPY_WRITE_BUFFER;
-constexpr GLenum kUnit = GL_TEXTURE0 + 31; // 48 are the least that 3.3 has
+constexpr GLenum kUnit = GL_TEXTURE0 + 31; // 3.3 guarantees 48
 
-// 4.5 tells formats of vertices and their buffers apart, in any order; here they are put together.
+// 4.5 separates vertex formats from vertex buffers, in any order; here they are combined.
 struct Attribute {
     GLint size = 0;
     GLenum type = 0;
     GLboolean normalised = GL_FALSE;
     bool whole = false; // an integer in the shader
     GLuint offset = 0;
-    GLuint source = 0; // of the array's buffers
+    GLuint source = 0; // binding index of its buffer
 };
 struct VertexBuffer {
     GLuint buffer = 0;
@@ -35,8 +35,8 @@ struct VertexSource {
 };
 
 struct Names {
-    std::unordered_map<GLuint, GLenum> targets;       // of textures: a name alone does not tell, and binding asks
-    std::unordered_map<GLuint, VertexSource> sources; // of vertex arrays
+    std::unordered_map<GLuint, GLenum> targets;       // of textures by name, needed for binding
+    std::unordered_map<GLuint, VertexSource> sources; // by vertex array
 };
 Names* names = nullptr; // of the current context
 
@@ -46,7 +46,7 @@ GLuint bound(GLenum what) {
     return static_cast<GLuint>(id);
 }
 
-// `Bind` binds an object where a function of 3.3, which takes a target in place of a name, finds it.
+// Classes that bind an object to the target on which a function of 3.3 operates.
 
 struct BufferBound {
     explicit BufferBound(GLuint id) { glBindBuffer(target, id); }
@@ -61,7 +61,7 @@ struct TextureBound {
     GLenum target;
 };
 
-// Until it goes: then what was bound before, as `asked` tells, is bound again. `at`: the target of what is called.
+// Binds during its lifetime and then restores the previous binding, queried by `asked`. `at`: the target.
 template <GLenum asked, void (*bind)(GLuint), GLenum at> class BoundForNow {
 public:
     explicit BoundForNow(GLuint id) : before_(bound(asked)) { bind(id); }
@@ -80,7 +80,8 @@ using DrawnInto = BoundForNow<GL_DRAW_FRAMEBUFFER_BINDING, draw_into, GL_DRAW_FR
 void bind_array(GLuint array) { glBindVertexArray(array); }
 using ArrayBound = BoundForNow<GL_VERTEX_ARRAY_BINDING, bind_array, GL_ELEMENT_ARRAY_BUFFER>;
 
-// Makes `function`, which names its object, call `older`, whose other parameters are the same; some take no target.
+// Implements `function`, which takes an object, by `older`, which has the same further parameters and uses the bound
+// object.
 template <class Bind, auto& older> void put_in_terms_of(auto& function) {
     function = [](GLuint id, auto... values) {
         const Bind here(id);
@@ -91,7 +92,8 @@ template <class Bind, auto& older> void put_in_terms_of(auto& function) {
     };
 }
 
-// Makes `function`, which makes objects, do so by `generate`: what has but a name is an object once it is bound.
+// Implements `function`, which creates objects, by `generate`: a generated name becomes an object when it is first
+// bound.
 template <class Bind, auto& generate> void create_by(auto& function) {
     function = [](GLsizei count, GLuint* ids) {
         generate(count, ids);
@@ -99,9 +101,9 @@ template <class Bind, auto& generate> void create_by(auto& function) {
     };
 }
 
-// Makes `function`, which deletes objects, forget here what `known` says of them: drivers may never give a name again.
+// Makes `function`, which deletes objects, also delete their entries in `known`, since drivers reuse names.
 template <auto known> void forget_on(auto& function) {
-    static std::remove_reference_t<decltype(function)> loaded; // as glad has it
+    static std::remove_reference_t<decltype(function)> loaded; // glad's original function
     loaded = function;
     function = [](GLsizei count, const GLuint* ids) {
         for (GLsizei i = 0; i < count; ++i) (names->*known).erase(ids[i]);
@@ -142,7 +144,7 @@ struct PixelFormat {
     GLenum format, type;
 };
 
-// That goes with an inner format; of no meaning where nothing is sent, but glTexImage wants one that could be.
+// A pixel format that is valid for an internal format; irrelevant without data, but glTexImage checks it.
 PixelFormat pixels_of(GLenum inner) {
     if (inner == GL_RG32UI) return {GL_RG_INTEGER, GL_UNSIGNED_INT};
     return {inner == GL_DEPTH_COMPONENT32F       ? GLenum{GL_DEPTH_COMPONENT}
@@ -152,7 +154,7 @@ PixelFormat pixels_of(GLenum inner) {
             GL_FLOAT};
 }
 
-// Makes `function` call `older`, glTexImage of as many dimensions.
+// Implements `function` by `older`, glTexImage with the same number of dimensions.
 template <auto& older> void put_storage_in_terms_of(auto& function) {
     function = [](GLuint id, GLsizei, GLenum inner, auto... size) {
         const GLenum target = TextureBound(id).target;
@@ -229,13 +231,13 @@ void GLAD_API_PTR vertex_array_integer_format(GLuint array, GLuint index, GLint 
 
 } // namespace
 
-void install_uniform_floor(int version, const void* context); // gl_floor_uniforms.cpp
+void install_uniform_fallback(int version, const void* context); // gl_fallback_uniforms.cpp
 
-void install_gl_floor(int version, const void* context) {
-    // Of the process, as GL's function pointers are, and by context.
+void install_gl_fallback(int version, const void* context) {
+    // One per context; static, since function pointers belong to the process.
     static std::map<const void*, Names> all;
     names = &all[context];
-    if (version >= GLAD_MAKE_VERSION(4, 5)) return install_uniform_floor(version, context);
+    if (version >= GLAD_MAKE_VERSION(4, 5)) return install_uniform_fallback(version, context);
     create_by<BufferBound, glad_glGenBuffers>(glad_glCreateBuffers);
     glad_glNamedBufferStorage = buffer_storage;
     put_in_terms_of<BufferBound, glad_glBufferSubData>(glad_glNamedBufferSubData);
@@ -271,8 +273,8 @@ void install_gl_floor(int version, const void* context) {
     glad_glVertexArrayAttribIFormat = vertex_array_integer_format;
     glad_glVertexArrayAttribBinding = vertex_array_binding;
     put_in_terms_of<ArrayBound, glad_glEnableVertexAttribArray>(glad_glEnableVertexArrayAttrib);
-    glad_glClipControl = [](GLenum, GLenum) {}; // shaders see to it
-    install_uniform_floor(version, context);
+    glad_glClipControl = [](GLenum, GLenum) {}; // shaders convert depths
+    install_uniform_fallback(version, context);
 }
 
 } // namespace ramus::render

@@ -1,4 +1,4 @@
-#include "app/window/work_elsewhere.h"
+#include "app/window/render_process.h"
 
 #include "app/session/progress_lines.h"
 #include "app/session/session_file.h"
@@ -17,9 +17,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr float kSurfacesShare = 0.3F; // of the progress, before pictures are drawn
+constexpr float kSurfacesShare = 0.3F; // share of the progress before drawing
 
-// As a commands file has it.
+// A line of a commands file.
 std::string script_line(const std::vector<std::string>& words) {
     std::string line;
     for (const std::string& word : words) {
@@ -33,7 +33,7 @@ std::string script_line(const std::vector<std::string>& words) {
     return line + "\n";
 }
 
-// True for a line that tells how far it is.
+// Handles a progress line; false: another line.
 bool follow(std::string_view line, Job& job) {
     if (!line.starts_with(kProgressLine)) return false;
     line.remove_prefix(std::string_view(kProgressLine).size());
@@ -47,7 +47,7 @@ bool follow(std::string_view line, Job& job) {
     return true;
 }
 
-// What it says of the script that it was given means nothing to a person.
+// Removes references to the temporary script, which mean nothing to the user.
 Error without_script(Error error, const fs::path& script) {
     const std::string before = "ramus: ", line = script.string() + ":1: ";
     if (error.what.starts_with(before)) error.what.erase(0, before.size());
@@ -57,8 +57,8 @@ Error without_script(Error error, const fs::path& script) {
 
 } // namespace
 
-Result<std::function<Result<void>(Job&)>> work_elsewhere(const Session& session, const std::vector<std::string>& words,
-                                                         bool software) {
+Result<std::function<Result<void>(Job&)>> render_process_work(const Session& session,
+                                                              const std::vector<std::string>& words, bool software) {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
     if (error) return fail("the program's own file is not known: " + error.message());

@@ -1,4 +1,4 @@
-// What GLSL 3.30 lacks of 4.50, as 4.50 says it (section 8.4).
+// Functions that GLSL 3.30 lacks, as defined by 4.50 (section 8.4).
 uint packSnorm2x16(vec2 v) {
     ivec2 words = ivec2(round(clamp(v, -1.0, 1.0) * 32767.0));
     return (uint(words.x) & 0xffffu) | (uint(words.y) << 16);
