@@ -20,7 +20,8 @@ struct Synonyms {
     std::string_view words; // the most common first
 };
 
-// Search words that are in no name, label or help of these commands.
+// Words that are in no name, label or help of these commands, and that people look for: those of clinics, of other
+// programs, and of the paper on convolution surfaces (S. Oeltze and B. Preim, 2005).
 constexpr std::array kSynonyms{
     Synonyms{"lesion", "tumour tumor metastasis mass nodule sphere"},
     Synonyms{"lesion-mesh", "tumour tumor metastasis stl mesh load import"},
@@ -35,8 +36,10 @@ constexpr std::array kSynonyms{
     Synonyms{"save-as", "store keep project copy"},
     Synonyms{"open", "load import file dicom nifti mask tree session"},
     Synonyms{"context", "organ liver skin bone load import background mesh"},
-    Synonyms{"defocus", "fade grey gray glass transparent ghost"},
-    Synonyms{"defocus-others", "fade grey gray glass transparent ghost isolate solo"},
+    Synonyms{"defocus", "transparency transparent fade grey gray glass ghost"},
+    Synonyms{"defocus-others", "fade grey gray glass transparent transparency ghost isolate solo"},
+    Synonyms{"glass-opacity", "transparency transparent alpha"},
+    Synonyms{"context-opacity", "transparency transparent alpha"},
     Synonyms{"highlight", "emphasize emphasise mark focus colour color"},
     Synonyms{"hide", "remove invisible delete off"},
     Synonyms{"show", "restore visible reset on"},
@@ -48,7 +51,11 @@ constexpr std::array kSynonyms{
     Synonyms{"orthographic", "parallel perspective projection"},
     Synonyms{"view", "side orientation look anatomical"},
     Synonyms{"filter-diameter", "thin small twigs threshold"},
-    Synonyms{"surface", "smooth prune width detail cell quality triangles"},
+    Synonyms{"surface",
+             "smooth prune width detail cell quality triangles convolution coefficient isovalue method truncated "
+             "cones binomial filter smoothing pruning bounding volume bulging"},
+    Synonyms{"blend", "unwanted blending merging"},
+    Synonyms{"skeleton", "centerline centerlines centreline centrelines medial axis"},
     Synonyms{"reconstruct", "rebuild graft"},
     Synonyms{"tool lesion", "tumour tumor metastasis mass nodule sphere"},
     Synonyms{"tool cut", "clamp clip resect resection ligate transect"},
@@ -61,11 +68,17 @@ constexpr std::array kSynonyms{
     Synonyms{"fly-along", "endoscopy virtual tour travel animation"},
     Synonyms{"overview", "diagram dendrogram map scheme tree"},
     Synonyms{"doctor", "import problems warnings repairs units orientation notes"},
-    Synonyms{"contacts", "touching crossing kissing overlap false connections"},
+    Synonyms{"contacts", "touching crossing kissing overlap false connections unwanted blending merging"},
     Synonyms{"colour-by", "color map legend thickness calibre caliber"},
     Synonyms{"colour-map", "color palette scale"},
     Synonyms{"depth-cue", "shadow fog halo depth"},
-    Synonyms{"compare", "versus difference method isosurface cones"},
+    Synonyms{"compare side-by-side", "versus difference method isosurface truncated cones"},
+    Synonyms{"compare blend", "versus difference method isosurface truncated cones"},
+    Synonyms{"compare superimposed", "versus difference method isosurface truncated cones"},
+    Synonyms{"compare wipe", "versus difference method isosurface truncated cones"},
+    Synonyms{"colour-by deviation", "distance distances error accuracy voxdiag2"},
+    Synonyms{"deviation-scale", "voxdiag2 voxel diagonal half distance"},
+    Synonyms{"validation", "validate accuracy error correctness"},
     Synonyms{"ui-scale", "font text size zoom bigger dpi"},
     Synonyms{"help", "keys shortcuts mouse manual hotkeys"},
     Synonyms{"name", "rename label annotate annotation call"},

@@ -70,7 +70,7 @@ def cones_of(tree):
 
 
 def shapes():
-    """Artificial trees: how far the surface is from truncated cones, at width 1 and 5."""
+    """Artificial trees (paper, Figs. 1 to 3): how far the surface is from truncated cones, at width 1 and 5."""
     boxes, rows = [], []
     for label, tree in (("trifurcation", swc("trifurcation", trees.trifurcation())),
                         ("S-shape", swc("s_shape", trees.s_shape()))):
@@ -84,7 +84,7 @@ def shapes():
 
 
 def joints():
-    """Height of the surface over the joint of three branches, beside the formula of DESIGN: sqrt(1 + log2(3/2) / width)."""
+    """Height of the surface over the joint of three branches, next to the formula of docs/PAPER.md."""
     tree = swc("trifurcation", trees.trifurcation())
     rows = []
     for width in (1, 5):
@@ -97,7 +97,7 @@ def joints():
 
 
 def bounds():
-    """Bounding volumes: what leaving segments out beyond them does to the radius of the S-shape."""
+    """Bounding volumes (paper, Fig. 4): what leaving segments out beyond them does to the radius of the S-shape."""
     rows = [(name, f"{100.0 * mean:.4f}", f"{100.0 * most:.4f}")
             for name, mean, most in support.radius_changes(trees.s_shape())]
     return table(("segments are left out", "mean change of the radius, %", "largest, %"), rows)

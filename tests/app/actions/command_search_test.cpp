@@ -37,6 +37,32 @@ TEST_CASE("commands are found by what people call them") {
     CHECK(first_for("fly along") == "fly-along");
 }
 
+// S. Oeltze and B. Preim, "Visualization of Vasculature with Convolution Surfaces", 2005.
+TEST_CASE("commands are found by the words of the paper") {
+    const auto lists = [](std::string_view words, std::string_view name) {
+        return std::ranges::any_of(search_commands(words), [&](const Command* found) { return found->name == name; });
+    };
+    for (const char* words : {"width coefficient", "isovalue", "convolution surface", "binomial filter", "smoothing",
+                              "pruning", "bounding volume", "bulging"})
+        CHECK_MESSAGE(first_for(words) == "surface", words);
+    for (const char* words : {"truncated cones", "isosurface"}) // not "compare off", which shows one surface
+        CHECK_MESSAGE(first_for(words) == "compare side-by-side", words);
+    CHECK(lists("truncated cones", "surface"));
+    CHECK(lists("truncated cones", "deviation-from"));
+    for (const char* words : {"skeleton", "centerline"}) CHECK_MESSAGE(first_for(words) == "skeleton", words);
+    CHECK(first_for("unwanted blending") == "blend");
+    CHECK(lists("unwanted blending", "contacts"));
+    CHECK(first_for("VoxDiag2") == "deviation-scale");
+    CHECK(first_for("deviation") == "colour-by deviation");
+    CHECK(first_for("distance") == "tool measure-distance");
+    CHECK(lists("distance", "colour-by"));
+    CHECK(first_for("validation") == "validation");
+    CHECK(first_for("transparency") == "defocus");
+    CHECK(lists("transparency", "glass-opacity"));
+    CHECK(lists("transparency", "context-opacity"));
+    CHECK(first_for("territory") == "select-dependents");
+}
+
 TEST_CASE("what is called just so comes first") {
     for (const Command* command : search_commands("")) {
         CAPTURE(command->name);
