@@ -6,7 +6,6 @@
 #include "app/commands/subcommands.h"
 #include "core/base/stopwatch.h"
 #include "core/io/trees/tree_file.h"
-#include "core/tree/build_tree.h"
 
 #include <filesystem>
 #include <iostream>
@@ -23,14 +22,6 @@ struct Flags {
     std::string format;
     bool verbose = false;
 };
-
-tree::VesselTree as_vessel_tree(tree::GrownTree grown) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-    edges.reserve(grown.points.size());
-    for (std::uint32_t point = 1; point < grown.points.size(); ++point)
-        edges.emplace_back(static_cast<std::uint32_t>(grown.parents[point]), point);
-    return tree::assemble(std::move(grown.points), {}, edges, {0});
-}
 
 // The command line that grows this tree again; options that are as they are by default are left out.
 std::string command_line(const tree::GrowOptions& options) {
@@ -53,7 +44,7 @@ Result<int> grow(const Flags& flags) {
     const double seconds = watch.seconds();
     const double litres = grown.organ_volume_mm3 * 1e-6;
     const double terminal_mm = grown.terminal_radius_mm;
-    const tree::VesselTree tree = as_vessel_tree(std::move(grown));
+    const tree::VesselTree tree = tree::vessel_tree_of(std::move(grown));
     if (flags.verbose)
         std::cerr << "grew " << tree.branches.size() << " branches of " << tree.points.size() << " points in "
                   << seconds << " s; the organ holds " << litres << " l, the mean terminal radius is " << terminal_mm

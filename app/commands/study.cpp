@@ -7,6 +7,7 @@
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
+#include "app/picture/close_ups.h"
 #include "app/picture/compose.h"
 #include "app/ratings/rating_order.h"
 #include "app/ratings/rating_sheet.h"
@@ -24,24 +25,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 #include <system_error>
 
 namespace ramus::app {
 
 namespace {
-
-constexpr std::size_t kCloseUps = 3;
-constexpr double kCloseUpHeight = 14.0; // of a close-up's picture, in diameters of the vessel in its middle
-constexpr double kCloseUpShare = 0.35;  // of the whole tree's picture that it shows at most, in height
 
 struct StudyFlags {
     SurfaceFlags common;
@@ -89,62 +81,6 @@ Result<Surfaces> make_surfaces(const StudyFlags& flags, const tree::VesselTree& 
         made.all[index++] = {name, title, surface.mesh};
     }
     return made;
-}
-
-// A vessel that is worth a picture of its own.
-struct CloseUp {
-    glm::dvec3 position{0.0};
-    double radius = 0.0;
-};
-
-// Where vessels branch, the widest first; the middles of branches where nothing does.
-std::vector<CloseUp> close_ups_of(const tree::VesselTree& tree) {
-    std::map<std::uint32_t, int> meeting;
-    for (const tree::Branch& branch : tree.branches)
-        for (const std::uint32_t end : {branch.points.front(), branch.points.back()}) ++meeting[end];
-    std::vector<CloseUp> found;
-    for (const auto& [point, branches] : meeting)
-        if (branches > 2) found.push_back({tree.points[point].position, tree.points[point].radius});
-    for (std::size_t i = 0; found.size() < kCloseUps && i < tree.branches.size(); ++i) {
-        const auto& points = tree.branches[i].points;
-        const tree::Point& middle = tree.points[points[points.size() / 2]];
-        found.push_back({middle.position, middle.radius});
-    }
-    std::ranges::stable_sort(found, std::greater<>(), &CloseUp::radius);
-    return found;
-}
-
-// Of the widest, the middling and the thin ones one each, of those that can be seen in the picture that is drawn.
-std::vector<CloseUp> choose(render::Renderer& renderer, const render::Frame& context, const std::vector<CloseUp>& all) {
-    std::vector<CloseUp> seen;
-    for (const CloseUp& one : all) {
-        const auto at = render::project(context.camera, context.size, one.position);
-        const glm::dvec2 margin = 0.08 * glm::dvec2(context.size);
-        if (!at || at->x < margin.x || at->y < margin.y || at->x > context.size.x - margin.x ||
-            at->y > context.size.y - margin.y)
-            continue;
-        const render::Pick pick = renderer.pick(at->x, at->y);
-        if (pick.branch != render::kNoBranch && glm::distance(pick.position, one.position) < 2.0 * one.radius)
-            seen.push_back(one);
-    }
-    const std::vector<CloseUp>& from = seen.size() >= kCloseUps ? seen : all;
-    std::set<std::size_t> ranks;
-    for (const double share : {0.0, 0.4, 0.85})
-        ranks.insert(std::min(from.size() - 1, static_cast<std::size_t>(share * static_cast<double>(from.size()))));
-    std::vector<CloseUp> chosen;
-    for (const std::size_t rank : ranks) chosen.push_back(from[rank]);
-    return chosen;
-}
-
-render::Camera close_to(const CloseUp& close_up, render::Camera camera) {
-    const double slope = std::tan(glm::radians(0.5 * camera.view_angle));
-    const double whole = slope * glm::distance(camera.position, camera.focal_point);
-    const double half = std::min(0.5 * kCloseUpHeight * 2.0 * close_up.radius, kCloseUpShare * whole);
-    const glm::dvec3 forward = render::axes_of(camera).forward;
-    camera.focal_point = close_up.position;
-    camera.position = close_up.position - half / slope * forward;
-    camera.scale = half;
-    return camera;
 }
 
 // Draws the pictures as they are asked for.
@@ -259,7 +195,7 @@ Result<int> run_study(const StudyFlags& flags) {
     const render::Frame whole =
         painter.frame(smooth, render::camera_for(smooth->positions(), flags.view, flags.size), surfaces.all[2].title);
     if (auto done = painter.write(whole, "context"); !done) return tl::unexpected(done.error());
-    const std::vector<CloseUp> close_ups = choose(*renderer, whole, close_ups_of(tree));
+    const std::vector<CloseUp> close_ups = choose_close_ups(*renderer, whole, close_ups_of(tree));
     Sheets sheets;
     if (auto done = add_scene(sheets, painter, surfaces, whole.camera, "The whole tree"); !done)
         return tl::unexpected(done.error());

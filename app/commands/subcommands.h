@@ -11,6 +11,7 @@ void register_grow(CLI::App& app, Action& chosen);
 void register_render(CLI::App& app, Action& chosen);
 void register_study(CLI::App& app, Action& chosen);
 void register_ratings(CLI::App& app, Action& chosen);
+void register_paper(CLI::App& app, Action& chosen);
 void register_compare(CLI::App& app, Action& chosen);
 void register_validate(CLI::App& app, Action& chosen);
 void register_mesh(CLI::App& app, Action& chosen);
@@ -18,8 +19,8 @@ void register_info(CLI::App& app, Action& chosen);
 void register_convert(CLI::App& app, Action& chosen);
 void register_skeletonize(CLI::App& app, Action& chosen);
 
-inline constexpr std::array kSubcommands{register_grow,    register_render,     register_study, register_ratings,
-                                         register_compare, register_validate,   register_mesh,  register_info,
-                                         register_convert, register_skeletonize};
+inline constexpr std::array kSubcommands{register_grow,  register_render,  register_study,      register_ratings,
+                                         register_paper, register_compare, register_validate,   register_mesh,
+                                         register_info,  register_convert, register_skeletonize};
 
 } // namespace ramus::app

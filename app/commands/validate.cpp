@@ -24,14 +24,6 @@ namespace ramus::app {
 
 namespace {
 
-// Throws CLI::ValidationError.
-void check_count(const std::string& name, std::size_t count, std::size_t trees) {
-    if (count == 0 || count == trees) return;
-    throw CLI::ValidationError(name, "is given " + counted(count, "time", "times") + " for " +
-                                         counted(trees, "tree", "trees") +
-                                         "; give one for each tree, in the same order, or none");
-}
-
 Result<int> run_kernels(const ValidateFlags& flags) {
     RAMUS_TRY(trees, read_all(flags));
     if (auto printed =
@@ -111,8 +103,8 @@ void register_validate(CLI::App& app, Action& chosen) {
         kernels->excludes(command->get_option(other));
     command->callback([flags, &chosen] {
         if (flags->kernels && flags->count() != 1) throw CLI::ValidationError("--kernels", "takes one tree");
-        check_count("--mask", flags->masks.size(), flags->count());
-        check_count("--surface", flags->meshes.size(), flags->count());
+        check_one_for_each("--mask", flags->masks.size(), flags->count());
+        check_one_for_each("--surface", flags->meshes.size(), flags->count());
         chosen = [flags] { return run_validate(*flags); };
     });
 }

@@ -9,6 +9,7 @@
 #include "core/io/checksum.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/standard_input.h"
+#include "core/io/volumes/volume_file.h"
 #include "core/measure/deviation/deviation.h"
 #include "core/mesh/close_mesh.h"
 #include "core/validate/free_ends.h"
@@ -154,6 +155,13 @@ std::vector<std::string> ValidateFlags::files(std::size_t n) const {
     for (const std::string& file : {mask(n), mesh(n)})
         if (!file.empty()) all.push_back(file);
     return all;
+}
+
+void check_one_for_each(const std::string& option, std::size_t count, std::size_t trees) {
+    if (count == 0 || count == trees) return;
+    throw CLI::ValidationError(option, "is given " + counted(count, "time", "times") + " for " +
+                                           counted(trees, "tree", "trees") +
+                                           "; give one for each tree, in the same order, or none");
 }
 
 Result<std::vector<tree::VesselTree>> read_all(const ValidateFlags& flags) {

@@ -29,6 +29,9 @@ struct ValidateFlags {
     [[nodiscard]] std::vector<std::string> files(std::size_t n) const; // of data set n, those that are given
 };
 
+// Throws CLI::ValidationError where an option is given neither never nor once for each tree.
+void check_one_for_each(const std::string& option, std::size_t count, std::size_t trees);
+
 // All trees. Of several data sets also the masks and surfaces are read, and let go again: what is wrong with a file is
 // said before anything is computed. Errors name the file.
 [[nodiscard]] Result<std::vector<tree::VesselTree>> read_all(const ValidateFlags& flags);

@@ -202,8 +202,9 @@ class Terminal(Hostile):
         self.expect_done("render", "t.json", "--commands", "c.txt", *SIZE)
         self.expect_done("validate", "t.json", "--report", "v")
         self.expect_done("study", "tree.swc", "-o", "s", "--size", "64x48")
+        self.expect_done("paper", "--tree", "t.json", "-o", "p", "--figures", "8,I")
         pages = [path for path in self.folder.rglob("*.html")]
-        self.assertEqual(len(pages), 4)
+        self.assertEqual(len(pages), 5)
         for page in pages:
             with self.subTest(page.name):
                 text = page.read_text()

@@ -71,6 +71,9 @@ class InputsKept(CommandLineTest):
         (self.folder / "study").mkdir()
         os.link(self.folder / "tree.swc", self.folder / "study" / "context.png")
         self.expect_kept("context.png", "study", "tree.swc", "-o", "study", *SIZE)
+        (self.folder / "paper").mkdir()
+        os.link(self.folder / "tree.swc", self.folder / "paper" / "figure_08.png")
+        self.expect_kept("figure_08.png", "paper", "--tree", "tree.swc", "-o", "paper")
 
     def test_what_a_session_names_is_kept_though_it_is_not_read(self):
         self.write("c.txt", "compare-mask mask.nii\ncontext mesh.stl\nsave s.ramus.json\n")

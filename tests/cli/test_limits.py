@@ -39,7 +39,7 @@ class Limits(CommandLineTest):
         for kilobytes in (64, 1024):
             for command in (["info", "tree.swc", "--contacts"], ["mesh", "tree.swc", "-o", "a.stl"],
                             ["render", "tree.swc", "-o", "a.png", *SIZE], ["validate", "tree.swc"],
-                            ["compare", "a.stl", "a.stl"]):
+                            ["paper", "-o", "p", "--figures", "4,10,II", "--tree", "tree.swc"], ["compare", "a.stl", "a.stl"]):
                 with self.subTest(command, kilobytes=kilobytes):
                     result = self.limited(resource.RLIMIT_STACK, kilobytes << 10, *command)
                     self.assertEqual(result.returncode, 0, result.stderr)

@@ -31,6 +31,7 @@ COMMANDS = {
     "report": (["validate", "small.swc", "--report", "new/report"], False),
     "kernels": (["validate", "small.swc", "--kernels"], False),
     "study": (["study", "small.swc", "-o", "new/study", "--size", "100x80"], False),
+    "paper": (["paper", "-o", "new/paper", "--tree", "small.swc", "--figures", "2,5,12"], False),
     "compare": (["compare", "large.obj", "large.obj"], False),
     "ratings": (["ratings", "key.json", "/dev/stdin"], True),
     "a session that names a FIFO": (["render", "--session", "fifo.ramus.json", "-o", "a.png"], True),

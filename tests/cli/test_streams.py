@@ -94,6 +94,7 @@ class Input(Streams):
         self.assertEqual((found["a"]["file"], found["hausdorff"]), ("standard input", 0))
         found = json.loads(self.passed(mesh, "validate", "tree.swc", "--surface", "-", "--json"))
         self.assertEqual(found["surface"], "standard input")
+        self.passed(mask, "paper", "--tree", "tree.swc", "--mask", "-", "-o", "paper", "--figures", "10")
         found = json.loads(self.passed(mask, "validate", "tree.swc", "--mask", "/dev/stdin", "--json"))
         self.assertGreater(found["volumes"]["mask_mm3"], 0)
         self.passed(mesh, "render", "tree.swc", "--context", "-", "-o", "context.png", *SIZE)
@@ -134,6 +135,7 @@ class Input(Streams):
     def test_one_input_only(self):
         self.write("tree.swc", GOOD)
         for arguments in (["compare", "-", "-"], ["validate", "-", "/dev/stdin"], ["validate", "-", "--mask", "-"],
+                          ["paper", "-o", "p", "--tree", "-", "--mask", "-"],
                           ["info", "-", "tree.swc", "/dev/fd/0"]):
             self.refused(GOOD, *arguments, status=2, says=["standard input can be one input only"])
         self.refused(GOOD, "mesh", "--session", "-", "-o", "a.stl", says=["only for trees, masks and meshes"])

@@ -27,10 +27,10 @@ class WrongFiles(CommandLineTest):
 
     # Commands that read a tree, or the tree of a mask.
     OF_TREES = (["info"], ["mesh", "-o", "o.stl"], ["convert", "-o", "o.swc"], ["render", "-o", "o.png", *SIZE],
-                ["validate"], ["study", "-o", "s"])
+                ["validate"], ["study", "-o", "s"], ["paper", "-o", "p", "--tree"])
 
     def of_tree(self, command, file):
-        return [command[0], file, *command[1:]]
+        return [*command, file] if command[-1] == "--tree" else [command[0], file, *command[1:]]
 
     def test_a_mask_where_a_surface_is_validated(self):
         self.expect_failure("validate", "tree.swc", "--surface", "scan.nii", says=["scan.nii: this is a mask", "--mask"])
@@ -48,7 +48,8 @@ class WrongFiles(CommandLineTest):
 
     def test_where_a_mask_is_wanted(self):
         for command in (["skeletonize", "FILE", "-o", "o.swc"], ["mesh", "FILE", "-o", "o.stl", "--method", "iso"],
-                        ["validate", "tree.swc", "--mask", "FILE"]):
+                        ["validate", "tree.swc", "--mask", "FILE"],
+                        ["paper", "-o", "p", "--figures", "9", "--tree", "tree.swc", "--mask", "FILE"]):
             with self.subTest(command):
                 for file, words in (("missing", "no such file"), ("folder", "this folder holds no DICOM image"),
                                     ("empty", "the file is empty"), ("empty.nii", "the file is empty"),

@@ -2,7 +2,6 @@
 
 import csv
 import json
-import math
 import pathlib
 import resource
 import subprocess
@@ -84,16 +83,10 @@ def shapes():
 
 
 def joints():
-    """Height of the surface over the joint of three branches, next to the formula of docs/PAPER.md."""
-    tree = swc("trifurcation", trees.trifurcation())
-    rows = []
-    for width in (1, 5):
-        mesh = OUT / "trifurcation.obj"
-        ramus("mesh", tree, "-o", mesh, "--smooth", 0, "--width", width, "--detail", 48)
-        height = max((float(words[3]) for words in map(str.split, open(mesh, encoding="ascii"))
-                      if words and words[0] == "v" and math.hypot(float(words[1]), float(words[2])) < 0.25), default=0.0)
-        rows.append((f"width {width}", f"{height / 2.0:.4f}", f"{math.sqrt(1.0 + math.log2(1.5) / width):.4f}"))
-    return table(("three branches in a plane", "height / radius", "by the formula"), rows)
+    """Height of the surface over the joints of figure 1 of the paper, next to the closed form."""
+    found = ramus_json("paper", "-o", OUT / "paper", "--figures", "1")["figures"][0]["measured"]
+    rows = [(one["what"], f"{one['value']:.4f}", f"{one['formula']:.4f}") for one in found]
+    return table(("branches in a plane", "height / radius", "by the formula"), rows)
 
 
 def bounds():

@@ -1,9 +1,11 @@
 #include "core/tree/grow/grow.h"
 
+#include "core/tree/build_tree.h"
 #include "core/tree/grow/centerlines.h"
 #include "core/tree/grow/colonise.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ramus::tree {
 
@@ -79,6 +81,14 @@ Result<GrownTree> grow(const GrowOptions& options, Job& job) {
     grown.organ_volume_mm3 = organ.volume_mm3();
     job.report(1.0F);
     return grown;
+}
+
+VesselTree vessel_tree_of(GrownTree grown) {
+    std::vector<Edge> edges;
+    edges.reserve(grown.points.size());
+    for (std::uint32_t point = 1; point < grown.points.size(); ++point)
+        edges.emplace_back(static_cast<std::uint32_t>(grown.parents[point]), point);
+    return tree::assemble(std::move(grown.points), {}, edges, {0});
 }
 
 std::vector<double> organ_depths_mm(const GrowOptions& options, const std::vector<Point>& points) {

@@ -46,6 +46,9 @@ struct GrownTree {
 // Fails on wrong options, on an organ too small for so many branches, and when cancelled.
 [[nodiscard]] Result<GrownTree> grow(const GrowOptions& options, Job& job);
 
+// The same points with branches and their hierarchy.
+[[nodiscard]] VesselTree vessel_tree_of(GrownTree grown);
+
 // Depth of a point below the surface of the organ that these options grow in: positive inside (mm).
 [[nodiscard]] std::vector<double> organ_depths_mm(const GrowOptions& options, const std::vector<Point>& points);
 

@@ -1,5 +1,4 @@
 // Trees that are grown, made voxels of, and found again: what of them is there, and how well it lies.
-#include "core/tree/build_tree.h"
 #include "core/tree/grow/grow.h"
 #include "core/volume/skeletonize/skeletonize.h"
 #include "core/volume/voxelise.h"
@@ -22,10 +21,7 @@ tree::VesselTree grown(std::uint64_t seed) {
     Job job;
     auto grown = tree::grow(options, job);
     REQUIRE(grown);
-    std::vector<tree::Edge> edges;
-    for (std::uint32_t point = 1; point < grown->points.size(); ++point)
-        edges.emplace_back(static_cast<std::uint32_t>(grown->parents[point]), point);
-    return tree::assemble(std::move(grown->points), {}, edges, {0});
+    return tree::vessel_tree_of(std::move(*grown));
 }
 
 struct Nearest {
