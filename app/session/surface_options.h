@@ -3,7 +3,7 @@
 // a row.
 #pragma once
 
-#include "core/mesh/surface.h"
+#include "core/mesh/surface_options.h"
 
 #include <optional>
 #include <span>

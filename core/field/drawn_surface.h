@@ -6,7 +6,8 @@
 // the other one. Results depend on the points alone, not on threads.
 #pragma once
 
-#include "core/field/vessel_field.h"
+#include "core/field/field.h"
+#include "core/field/separation.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -31,7 +32,7 @@ public:
     };
 
     // Of systems that have surfaces of their own, a field each.
-    explicit DrawnSurface(std::vector<VesselField> fields);
+    explicit DrawnSurface(std::vector<Field> fields);
 
     // Moves points onto the surface, to what single precision tells of positions. From any thread.
     void move(std::span<Point> points) const;
@@ -39,7 +40,7 @@ public:
 private:
     [[nodiscard]] std::size_t field_of(std::int32_t branch) const;
 
-    std::vector<VesselField> fields_;
+    std::vector<Field> fields_;
     std::vector<std::uint32_t> field_of_branch_; // empty: there is one field
 };
 

@@ -6,6 +6,7 @@
 #include "core/field/apart/vessel_views.h"
 #include "core/field/brick_field.h"
 #include "core/field/dominance.h"
+#include "core/field/separation.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>

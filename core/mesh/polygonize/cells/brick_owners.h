@@ -2,7 +2,7 @@
 // between them go through edges of its grid.
 #pragma once
 
-#include "core/field/brick_field.h"
+#include "core/field/separation.h"
 #include "core/mesh/polygonize/cells/brick_cells.h"
 #include "core/mesh/polygonize/cells/cell_loops.h"
 
@@ -21,8 +21,8 @@ public:
     static constexpr int kFineSide = 2 * kBrickCells + 1;
     static constexpr int fine_index(int x, int y, int z) { return x + kFineSide * (y + kFineSide * z); }
 
-    // `field` is in the brick; `hanging`: points of the lattice that are inside, besides those of the grid.
-    void find(field::BrickField& field, const field::LatticeAxes& lattice, GridBits inside,
+    // `separation`: in the brick; `hanging`: points of the lattice that are inside, besides those of the grid.
+    void find(field::Separation& separation, const field::LatticeAxes& lattice, GridBits inside,
               std::span<const field::LatticePoint> hanging, SampleCounts& counts);
 
     [[nodiscard]] const std::array<GridBits, 3>& walls() const { return walls_; } // by axis, first points of the edges
@@ -36,7 +36,8 @@ public:
     // Which points of a cell belong to vessels that are apart. Whether any do; else nothing is written.
     [[nodiscard]] bool find_apart(glm::ivec3 cell, ApartPoints& apart) const;
     // Those that are apart from a vessel, bits of CellShape::inside: all where nobody is said to be the owner.
-    [[nodiscard]] std::uint32_t apart_from(const field::BrickField& field, glm::ivec3 cell, field::Owner owner) const;
+    [[nodiscard]] std::uint32_t apart_from(const field::Separation& separation, glm::ivec3 cell,
+                                           field::Owner owner) const;
     // Whose the loop through a crossing of a cell is.
     [[nodiscard]] field::Owner of_crossing(glm::ivec3 cell, int crossing) const;
 
@@ -48,7 +49,7 @@ private:
         std::array<std::uint32_t, 27> points{}; // of each, bits of CellShape::inside
         std::size_t count = 0;
     };
-    void find_pieces(const field::BrickField& field);
+    void find_pieces(const field::Separation& separation);
     void find_walls(GridBits inside, std::span<const field::LatticePoint> hanging);
     [[nodiscard]] CellPieces pieces_in(glm::ivec3 cell) const;
     [[nodiscard]] Piece piece_at(int x, int y, int z) const {
