@@ -2,6 +2,7 @@
 
 #include "app/session/branch_facts.h"
 #include "core/field/kernels/gaussian.h"
+#include "core/mesh/tree_field.h"
 #include "render/scene/bounds.h"
 #include "render/scene/uniform_blocks.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/session/smoothing_text.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/surface_options.h"
 #include "render/caster/fitted_cones.h"
 #include "render/scene/centerlines.h"
 

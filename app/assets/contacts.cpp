@@ -2,6 +2,7 @@
 
 #include "app/session/numbers.h"
 #include "core/field/kernel.h"
+#include "core/mesh/tree_field.h"
 
 #include <cmath>
 #include <utility>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/session/numbers.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/surface_options.h"
 #include "core/tree/contacts/contacts.h"
 
 #include <memory>

@@ -5,7 +5,7 @@
 
 #include "app/session/numbers.h"
 #include "app/session/session.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/surface_options.h"
 #include "core/tree/vessel_tree.h"
 #include "core/validate/validation.h"
 

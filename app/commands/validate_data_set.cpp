@@ -12,6 +12,7 @@
 #include "core/io/volumes/volume_file.h"
 #include "core/measure/deviation/deviation.h"
 #include "core/mesh/close_mesh.h"
+#include "core/mesh/tree_field.h"
 #include "core/validate/free_ends.h"
 #include "core/validate/overlap.h"
 #include "core/validate/worst_radii.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/surface_options.h"
 
 #include <string>
 

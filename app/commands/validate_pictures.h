@@ -4,7 +4,7 @@
 
 #include "app/reports/validation/data_set.h"
 #include "core/base/error.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/surface_options.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/tree/vessel_tree.h"
 #include "render/gl/gl_context.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/reports/html.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/surface_options.h"
 
 namespace ramus::app {
 

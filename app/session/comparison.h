@@ -1,7 +1,7 @@
 // Comparison: which surfaces of one tree are shown together, and how. Plain values, covered by undo.
 #pragma once
 
-#include "core/mesh/surface.h"
+#include "core/mesh/surface_options.h"
 #include "core/volume/label_choice.h"
 
 #include <array>

@@ -12,7 +12,7 @@
 #include "app/session/deviation.h"
 #include "app/session/objects.h"
 #include "core/io/trees/imported_tree.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/surface_options.h"
 #include "core/tree/edit_tree.h"
 #include "render/scene/frame.h"
 

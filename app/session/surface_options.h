@@ -2,7 +2,7 @@
 // read it, so a new option needs only a member of mesh::SurfaceOptions and a row.
 #pragma once
 
-#include "core/mesh/surface.h"
+#include "core/mesh/surface_options.h"
 
 #include <optional>
 #include <span>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/io/trees/tree_file.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/surface_options.h"
 
 #include <glm/vec2.hpp>
 #include <string>

@@ -3,10 +3,9 @@
 #include "core/base/memory.h"
 #include "core/base/run_limited.h"
 #include "core/base/stopwatch.h"
-#include "core/field/surface_projector.h"
 #include "core/mesh/check_kernel.h"
-#include "core/mesh/loops/match_tree.h"
-#include "core/mesh/systems.h"
+#include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "core/tree/prepare.h"
 #include "render/scene/bounds.h"
 
@@ -108,11 +107,12 @@ Result<ReadySurface> SurfaceMaker::next_surface(const SurfaceRequest& request, J
     const Stopwatch watch;
     if (auto takes = mesh::check_kernel(request.options); !takes) return tl::unexpected(takes.error());
     if (!field_ || field_options_ != request.options) {
-        field_ = mesh::make_field(*tree_, as_drawn(request.options), {});
-        prepared_ = mesh::prepare_tree(*tree_, request.options);
+        RAMUS_TRY(made, mesh::make_tree_field(*tree_, as_drawn(request.options)));
+        field_ = std::move(made);
         field_options_ = request.options;
     }
-    const std::vector<field::VesselField> fields = visible_fields(request.hidden);
+    const auto hidden = hidden_flags(request.hidden, tree_->branches.size());
+    const std::vector<mesh::SystemField> systems = mesh::fields_by_system(*tree_, field_->field, hidden);
 
     // What changes much is seen in the preview first; what changes little is soon there, and its preview comes after.
     mesh::PolygonizeOptions options;
@@ -122,15 +122,20 @@ Result<ReadySurface> SurfaceMaker::next_surface(const SurfaceRequest& request, J
     if (preview_first || (previews && preview_of_ != request && surface_of_ == request)) {
         options.detail = kPreviewDetail;
         preview_of_.reset();
-        if (auto made = follow(preview_, fields, options, job); !made) return tl::unexpected(made.error());
+        if (auto made = follow(preview_, systems, options, job); !made) return tl::unexpected(made.error());
         preview_of_ = request;
     }
     if (!preview_first && surface_of_ != request) {
         options.detail = request.options.detail;
         options.cell_mm = request.options.cell_mm;
         surface_of_.reset();
-        if (auto made = follow(surface_, fields, options, job); !made) return tl::unexpected(made.error());
-        match_loops(surface_, request, job);
+        if (auto made = follow(surface_, systems, options, job); !made) return tl::unexpected(made.error());
+        // A surface rarely has other loops or pieces than its tree; then it is shown with those of the tree.
+        if (mesh::row_of(request.options.blend).separates && surface_.current->triangle_count() > 0) {
+            const double memory = memory_left(static_cast<double>(request.options.memory_bytes));
+            if (const auto matched = surface_.surface.match(systems, field_->tree, memory, job))
+                surface_.current = paged(*matched, *tree_, surface_.surface.projector());
+        }
         if (job.cancelled()) return fail("cancelled");
         surface_of_ = request;
     }
@@ -146,98 +151,40 @@ Result<ReadySurface> SurfaceMaker::next_surface(const SurfaceRequest& request, J
     return ready;
 }
 
-std::vector<field::VesselField> SurfaceMaker::visible_fields(const std::vector<int>& hidden) const {
-    const auto flags = hidden_flags(hidden, tree_->branches.size());
-    std::vector<field::VesselField> fields;
-    if (tree_->systems.size() < 2) {
-        fields.push_back(flags.empty() ? *field_ : field_->without(flags));
-        return fields;
-    }
-    for (int system = 0; system < static_cast<int>(tree_->systems.size()); ++system)
-        fields.push_back(field_->without(mesh::hidden_beside(*tree_, system, flags)));
-    return fields;
-}
-
-Result<void> SurfaceMaker::follow(Followed& followed, const std::vector<field::VesselField>& fields,
+Result<void> SurfaceMaker::follow(Followed& followed, std::span<const mesh::SystemField> systems,
                                   const mesh::PolygonizeOptions& options, Job& job) const {
-    if (fields.front().skeleton().segments().empty())
+    if (systems.front().field.skeleton().segments().empty())
         return fail("the tree has no segments", {}, "nothing to make a surface of");
-    if (std::ranges::all_of(fields, [](const auto& field) { return field.skeleton().present().empty(); })) {
-        // The polygonizers stay where they are: what comes next is likely to be near that.
+    if (std::ranges::none_of(systems, &mesh::SystemField::visible)) {
+        // What is followed stays where it is: what comes next is likely to be near that.
         followed.current = paged({}, *tree_);
         return {};
     }
-    followed.polygonizers.resize(fields.size());
-    followed.projector = std::make_shared<const field::SurfaceProjector>(fields);
-    auto updated = fields.size() == 1 ? follow_one(followed, fields.front(), options, job)
-                                      : follow_systems(followed, fields, options, job);
-    if (!updated) {
+    if (auto updated = followed.surface.update(systems, options, job); !updated) {
         followed.mesh = nullptr;
         return updated;
     }
+    if (followed.surface.in_place())
+        edit_pages(followed);
+    else
+        followed.mesh = paged(followed.surface.together(), *tree_, followed.surface.projector());
     followed.current = followed.mesh;
     if (followed.mesh->triangle_count() == 0) return mesh::empty_surface(options.cell_mm);
     return {};
 }
 
-Result<void> SurfaceMaker::follow_one(Followed& followed, const field::VesselField& field,
-                                      const mesh::PolygonizeOptions& options, Job& job) const {
-    mesh::Polygonizer& polygonizer = followed.polygonizers.front();
-    if (auto updated = polygonizer.update(field, options, job); !updated) return updated;
-    const mesh::SurfaceEdit edit = polygonizer.take_edit();
-    const mesh::TriangleMesh& slots = polygonizer.slots();
-    // What polygonizing worked in is as large as its pages: they shall not come beside it.
+void SurfaceMaker::edit_pages(Followed& followed) const {
+    const mesh::SurfaceEdit edit = followed.surface.take_edit();
+    const mesh::TriangleMesh& slots = followed.surface.slots();
+    // What polygonizing worked in is as large as the pages, and is given back before they are made.
     if (edit.whole && slots.triangles.size() >= kWorthReleasing) release_unused_memory();
     if (!followed.mesh) {
-        followed.mesh = paged(slots, *tree_, followed.projector);
+        followed.mesh = paged(slots, *tree_, followed.surface.projector());
     } else if (edit.whole || !edit.vertices.empty() || !edit.triangles.empty()) {
         render::PagedMesh edited = followed.mesh->edited(slots, edit);
-        edited.set_projector(followed.projector);
+        edited.set_projector(followed.surface.projector());
         followed.mesh = render::shared(std::move(edited));
     }
-    return {};
-}
-
-Result<void> SurfaceMaker::follow_systems(Followed& followed, const std::vector<field::VesselField>& fields,
-                                          const mesh::PolygonizeOptions& options, Job& job) const {
-    mesh::TriangleMesh all;
-    for (std::size_t system = 0; system < fields.size(); ++system) {
-        if (fields[system].skeleton().present().empty()) continue; // its polygonizer stays where it is
-        mesh::Polygonizer& polygonizer = followed.polygonizers[system];
-        if (auto updated = polygonizer.update(fields[system], options, job); !updated) return updated;
-        static_cast<void>(polygonizer.take_edit()); // the mesh of all systems is put together anew
-        mesh::append(all, polygonizer.slots());
-    }
-    followed.mesh = paged(all, *tree_, followed.projector);
-    return {};
-}
-
-// Where a surface has other loops or pieces than its tree, which is rare, it is shown without the false ones, and with
-// lost loops opened. The polygonizers go on from what they made.
-void SurfaceMaker::match_loops(Followed& followed, const SurfaceRequest& request, Job& job) const {
-    if (request.options.blend != mesh::Blend::kTree || followed.current->triangle_count() == 0) return;
-    const auto flags = hidden_flags(request.hidden, tree_->branches.size());
-    const std::size_t systems = followed.polygonizers.size();
-    std::vector<tree::PreparedTree> visible;
-    bool matches = true;
-    for (std::size_t system = 0; system < systems; ++system) {
-        const auto hidden = systems == 1 ? flags : mesh::hidden_beside(*tree_, static_cast<int>(system), flags);
-        visible.push_back(mesh::visible_part(prepared_, hidden));
-        if (visible.back().tree.branches.empty()) continue;
-        matches = matches && mesh::matches_tree(followed.polygonizers[system].slots(), visible.back().tree);
-    }
-    if (matches) return;
-    mesh::TriangleMesh all;
-    bool changed = false;
-    for (std::size_t system = 0; system < systems; ++system) {
-        if (visible[system].tree.branches.empty()) continue;
-        mesh::TriangleMesh one = followed.polygonizers[system].compact();
-        const double memory = memory_left(static_cast<double>(request.options.memory_bytes));
-        const auto walled = followed.polygonizers[system].walled();
-        changed = mesh::match_tree(one, visible[system], walled, memory, job).changed() || changed;
-        mesh::append(all, std::move(one));
-    }
-    if (changed) followed.current = paged(all, *tree_, followed.projector);
 }
 
 void SurfaceFollower::open(std::shared_ptr<SurfaceMaker> maker, ReadySurface shown) {

@@ -8,8 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/job.h"
 #include "core/base/worker.h"
-#include "core/field/vessel_field.h"
-#include "core/mesh/polygonize/polygonizer.h"
+#include "core/mesh/followed_surface.h"
 #include "render/scene/paged_mesh.h"
 
 #include <chrono>
@@ -73,29 +72,21 @@ public:
 private:
     using Paged = std::shared_ptr<const render::PagedMesh>;
     struct Followed {
-        std::vector<mesh::Polygonizer> polygonizers; // one, or one for each system
-        std::shared_ptr<const field::SurfaceProjector> projector;
-        Paged mesh;    // of the polygonizers' state
+        mesh::FollowedSurface surface;
+        Paged mesh;    // of the surface's state
         Paged current; // what was asked for last
     };
     [[nodiscard]] Result<ReadySurface> next_cones(const SurfaceRequest& request, Job& job) const;
     [[nodiscard]] Result<ReadySurface> next_surface(const SurfaceRequest& request, Job& job);
-    // The field of what is visible; where there are several systems, of each on its own (core/mesh/systems.h).
-    [[nodiscard]] std::vector<field::VesselField> visible_fields(const std::vector<int>& hidden) const;
-    [[nodiscard]] Result<void> follow(Followed& followed, const std::vector<field::VesselField>& fields,
+    [[nodiscard]] Result<void> follow(Followed& followed, std::span<const mesh::SystemField> systems,
                                       const mesh::PolygonizeOptions& options, Job& job) const;
-    [[nodiscard]] Result<void> follow_one(Followed& followed, const field::VesselField& field,
-                                          const mesh::PolygonizeOptions& options, Job& job) const;
-    [[nodiscard]] Result<void> follow_systems(Followed& followed, const std::vector<field::VesselField>& fields,
-                                              const mesh::PolygonizeOptions& options, Job& job) const;
-    void match_loops(Followed& followed, const SurfaceRequest& request, Job& job) const;
+    void edit_pages(Followed& followed) const;
     [[nodiscard]] bool changes_much(const SurfaceRequest& request) const;
 
     std::shared_ptr<const tree::VesselTree> tree_;
-    std::mutex turn_;                         // guards what follows
-    std::optional<field::VesselField> field_; // of all branches, under field_options_
-    mesh::PreparedTree prepared_;
-    mesh::SurfaceOptions field_options_;                    // of these two
+    std::mutex turn_;                      // guards what follows
+    std::optional<mesh::TreeField> field_; // under field_options_
+    mesh::SurfaceOptions field_options_;
     std::optional<SurfaceRequest> surface_of_, preview_of_; // what the two are up to
     Followed surface_, preview_;
 };

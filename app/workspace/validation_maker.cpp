@@ -3,6 +3,8 @@
 #include "app/workspace/compared_surfaces.h"
 #include "core/base/memory.h"
 #include "core/field/kernel.h"
+#include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 
 #include <memory>
 #include <utility>

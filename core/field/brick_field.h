@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -156,40 +155,8 @@ struct ChildBounds {
 
 using SegmentIndices = std::span<const std::uint32_t>; // ascending
 
-// Of a point inside the surface: the segment that it belongs to, by its number in the field. Two such segments may be
-// parts of vessels that are kept apart, with a wall between them however their tubes overlap.
-using Owner = std::int32_t;
-inline constexpr Owner kNoOwner = -1;
-
-// How far apart the two sides of a wall are at their vertices, in radii of the thinner vessel. Where the wall is bent
-// their triangles come nearer to each other, and where they meet, core/mesh/untangle parts them.
-inline constexpr double kWallRadii = 0.02;
-
-// A point of a vessel's surface beside a contact, as a picture shows it: where vessels that are kept apart overlap,
-// each goes on along its own surface, and what is nearer to the eye makes a crease.
-struct DrawnPoint {
-    enum class Place : std::uint8_t {
-        kOwn,     // on the vessel's own surface
-        kCovered, // on that, within another vessel
-        kWall,    // on a wall, or on what an obstacle cuts off
-    };
-    glm::vec3 at{0.0F}; // mm
-    glm::vec3 normal{0.0F};
-    Place place = Place::kOwn;
-};
-
-// A point to be moved onto the surface of one vessel.
-struct OwnedGuess {
-    std::uint32_t guess = 0; // in a Projection
-    Owner owner = kNoOwner;  // of that vessel
-    // Where it stays, in a box relative to the brick's corner, in mm: kFree, where it was, if nothing is kept apart
-    // there, else within its reach and the box; kBox, in the box, which may be flat.
-    enum class Place : std::uint8_t { kFree, kBox };
-    Place place = Place::kFree;
-    glm::vec3 lower{std::numeric_limits<float>::lowest()}, upper{std::numeric_limits<float>::max()};
-};
-
-struct CutEnd; // core/field/cut_ends.h
+class Separation; // core/field/separation.h
+struct CutEnd;    // core/field/cut_ends.h
 
 // Counts returned: kernels evaluated, one for each segment and point.
 class BrickField {
@@ -211,26 +178,9 @@ public:
     // surface crosses it.
     [[nodiscard]] virtual float crossing(float from, float to) const = 0;
 
-    // Whether vessels are kept apart somewhere in this brick. Where they are not, nothing of what follows is asked.
-    [[nodiscard]] virtual bool parts_vessels() const { return false; }
-    // Owners of points that are inside; the same ones whichever brick is asked.
-    virtual std::uint64_t find_owners(const LatticeAxes& lattice, std::span<const LatticePoint> points,
-                                      std::span<Owner> owners);
-    // What an owner is a piece of, as far as it matters here: a number; -1 where it is apart from nothing. And whether
-    // two such pieces are apart.
-    [[nodiscard]] virtual int piece_of(Owner owner) const;
-    [[nodiscard]] virtual bool apart_pieces(int a, int b) const;
-    [[nodiscard]] bool apart(Owner a, Owner b) const { return a != b && apart_pieces(piece_of(a), piece_of(b)); }
-    // Whether something is kept apart at a point or near it; relative to the brick's corner, mm.
-    [[nodiscard]] virtual bool beside_contact(const glm::vec3& at);
-    // A point of a vessel's surface beside a contact, within the guess's box. What is on a wall goes on to the vessel's
-    // own surface if that is no farther than `onward` mm. 0: the point is of a mesh whose rims overlap, and on the
-    // vessel's own surface if it is near that.
-    [[nodiscard]] virtual DrawnPoint draw(const OwnedGuess& whose, const glm::vec3& guess, float onward);
-    // After project(): does it again for those points whose vessel is near another that it is kept apart from. Those
-    // that stay kFree and that nobody owns need not be among them.
-    virtual std::uint64_t project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
-                                        const SurfacePoints& to);
+    // How vessels are kept apart in this brick; null: they are not, and the field is smooth here. Until the next
+    // enter().
+    [[nodiscard]] virtual Separation* separation() { return nullptr; }
 
     // Ends that surfaces are flat at. They outlive the field.
     void set_cut_ends(const std::vector<CutEnd>& ends) { cut_ends_ = &ends; }

@@ -34,6 +34,8 @@ concept FieldModel = std::copy_constructible<M> && requires(const M& model, cons
     { model.bound_children(list, cubes, reaching) } -> std::same_as<ChildBounds>;
     // Which segments make the field differ from an earlier state; nothing when all of it may.
     { model.changes_since(before) } -> std::same_as<std::optional<SegmentChanges>>;
+    // The same without the branches (ids in the file's tree) whose entry is not 0.
+    { model.without(reaching) } -> std::same_as<M>;
     // Must not outlive the model.
     { model.in_brick() } -> std::same_as<std::unique_ptr<BrickField>>;
 };
@@ -57,6 +59,7 @@ public:
     [[nodiscard]] std::optional<SegmentChanges> changes_since(const Field& before) const {
         return model_->changes_since(*before.model_);
     }
+    [[nodiscard]] Field without(std::span<const std::uint8_t> hidden) const { return Field(model_->without(hidden)); }
     [[nodiscard]] std::unique_ptr<BrickField> in_brick() const { return model_->in_brick(); }
 
 private:
@@ -68,6 +71,7 @@ private:
         [[nodiscard]] virtual ChildBounds bound_children(SegmentIndices list, const ChildCubes& cubes,
                                                          std::span<std::uint8_t> reaching) const = 0;
         [[nodiscard]] virtual std::optional<SegmentChanges> changes_since(const Any& before) const = 0;
+        [[nodiscard]] virtual std::shared_ptr<const Any> without(std::span<const std::uint8_t> hidden) const = 0;
         [[nodiscard]] virtual std::unique_ptr<BrickField> in_brick() const = 0;
     };
     template <class M> struct Of final : Any {
@@ -83,9 +87,14 @@ private:
             const auto* same = dynamic_cast<const Of*>(&before);
             return same != nullptr ? model.changes_since(same->model) : std::nullopt;
         }
+        [[nodiscard]] std::shared_ptr<const Any> without(std::span<const std::uint8_t> hidden) const override {
+            return std::make_shared<const Of>(model.without(hidden));
+        }
         [[nodiscard]] std::unique_ptr<BrickField> in_brick() const override { return model.in_brick(); }
         M model;
     };
+    explicit Field(std::shared_ptr<const Any> model) : model_(std::move(model)) {}
+
     std::shared_ptr<const Any> model_;
 };
 

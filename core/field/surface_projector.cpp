@@ -58,8 +58,7 @@ Bounds<glm::dvec3> box_of(const std::array<int, 3>& cube, double side, double ar
 }
 
 // The segments of `among` that may reach a box.
-std::vector<std::uint32_t> segments_reaching(const VesselField& field, SegmentIndices among,
-                                             const Bounds<glm::dvec3>& box) {
+std::vector<std::uint32_t> segments_reaching(const Field& field, SegmentIndices among, const Bounds<glm::dvec3>& box) {
     std::vector<std::uint32_t> found;
     for (const std::uint32_t n : among) {
         const FieldSegment& s = field.skeleton().segments()[n];
@@ -77,7 +76,7 @@ std::vector<std::uint32_t> segments_reaching(const VesselField& field, SegmentIn
 // Projects the points of one brick.
 class BrickOfPoints {
 public:
-    BrickOfPoints(const VesselField& field, std::span<DrawnPlace> points)
+    BrickOfPoints(const Field& field, std::span<DrawnPlace> points)
         : field_(field), brick_(field.in_brick()), points_(points) {}
 
     void move(std::span<const CubeOfPoint> cubes, SegmentIndices list) {
@@ -92,12 +91,13 @@ public:
             axes.x[n] = corner_.x + along, axes.y[n] = corner_.y + along, axes.z[n] = corner_.z + along;
         }
         brick_->enter(list, axes);
+        Separation* separation = brick_->separation();
         plain_.clear();
         for (const CubeOfPoint& cube : cubes) {
             DrawnPlace& point = points_[cube.point];
             const glm::vec3 local(point.at - corner_);
-            if (brick_->parts_vessels() && brick_->beside_contact(local))
-                move_beside_contact(point, local);
+            if (separation != nullptr && separation->beside_contact(local))
+                move_beside_contact(*separation, point, local);
             else
                 plain_.push_back(cube.point);
         }
@@ -119,12 +119,12 @@ private:
         }
         return nearest;
     }
-    void move_beside_contact(DrawnPlace& point, const glm::vec3& local) {
+    void move_beside_contact(Separation& separation, DrawnPlace& point, const glm::vec3& local) {
         OwnedGuess whose;
         whose.owner = owner_of(point);
         whose.place = OwnedGuess::Place::kBox;
         whose.lower = local - point.reach, whose.upper = local + point.reach;
-        const DrawnPoint drawn = brick_->draw(whose, local, point.onward);
+        const DrawnPoint drawn = separation.draw(whose, local, point.onward);
         point.at = corner_ + glm::dvec3(drawn.at);
         point.normal = drawn.normal;
         point.place = drawn.place;
@@ -157,7 +157,7 @@ private:
         }
     }
 
-    const VesselField& field_;
+    const Field& field_;
     std::unique_ptr<BrickField> brick_;
     std::span<DrawnPlace> points_;
     SegmentIndices list_;
@@ -181,7 +181,7 @@ template <class Same> std::vector<std::size_t> stretches(std::span<const CubeOfP
 
 } // namespace
 
-SurfaceProjector::SurfaceProjector(std::vector<VesselField> fields) : fields_(std::move(fields)) {
+SurfaceProjector::SurfaceProjector(std::vector<Field> fields) : fields_(std::move(fields)) {
     if (fields_.size() < 2) return;
     for (std::size_t n = 0; n < fields_.size(); ++n) {
         const Skeleton& skeleton = fields_[n].skeleton();
@@ -218,7 +218,7 @@ void SurfaceProjector::move(std::span<Point> points) const {
     tbb::parallel_for(std::size_t{0}, blocks.size() - 1, [&](std::size_t b) {
         const std::span<const CubeOfPoint> block = std::span(cubes).subspan(blocks[b], blocks[b + 1] - blocks[b]);
         const CubeOfPoint& first = block.front();
-        const VesselField& field = fields_[first.field];
+        const Field& field = fields_[first.field];
         // Points move by less than a cell out of their bricks, and a cell is less than half a brick.
         const double around = 0.5 * first.side();
         const std::vector<std::uint32_t> near =

@@ -6,7 +6,8 @@
 // result for a point does not depend on the other points or on threads.
 #pragma once
 
-#include "core/field/vessel_field.h"
+#include "core/field/field.h"
+#include "core/field/separation.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -24,14 +25,14 @@ public:
         std::int32_t branch = 0;
         float cell = 0.0F;           // about the length of the mesh's edges there
         float reach = 0.0F;          // largest move along each axis
-        float onward = 0.0F;         // as in BrickField::draw()
+        float onward = 0.0F;         // as in Separation::draw()
         glm::vec3 normal{0.0F};      // output, unit length
         bool beside_contact = false; // output
         Place place = Place::kOwn;   // output; other than kOwn only near contacts
     };
 
     // One field for each vessel system.
-    explicit SurfaceProjector(std::vector<VesselField> fields);
+    explicit SurfaceProjector(std::vector<Field> fields);
 
     // Moves points onto the surface, to the resolution of single precision. May be called from any thread.
     void move(std::span<Point> points) const;
@@ -39,7 +40,7 @@ public:
 private:
     [[nodiscard]] std::size_t field_of(std::int32_t branch) const;
 
-    std::vector<VesselField> fields_;
+    std::vector<Field> fields_;
     std::vector<std::uint32_t> field_of_branch_; // empty if there is only one field
 };
 

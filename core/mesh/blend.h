@@ -1,4 +1,5 @@
-// The table of blend modes (which vessels blend into each other), for the command line, sessions and commands.
+// The table of blend modes (which vessels blend into each other, and the field that does it), for the command line,
+// sessions and commands.
 #pragma once
 
 #include <algorithm>
@@ -8,25 +9,38 @@
 #include <string>
 #include <string_view>
 
+namespace ramus::field {
+class Field;
+} // namespace ramus::field
+
 namespace ramus::mesh {
+
+struct FieldParts; // core/mesh/tree_field.h
 
 // kTree: vessels blend along the tree and not across contacts (core/tree/contacts/contacts.h). kPaper: vessels blend
 // wherever they come close, as in the paper.
 enum class Blend : std::uint8_t { kTree, kPaper };
 
+field::Field separated_field(const FieldParts& parts);
+field::Field plain_field(const FieldParts& parts);
+
 struct BlendRow {
     Blend blend;
     std::string_view key; // in files, commands and on the command line
     std::string_view help;
+    // Whether vessels that are not connected stay apart: then the surface gets the pieces and loops of its tree.
+    bool separates;
+    field::Field (*make)(const FieldParts& parts);
 };
 
 // In the order of `Blend`.
 inline constexpr std::array<BlendRow, 2> kBlends = {{
-    {Blend::kTree, "tree", "vessels that only press on each other stay apart (default)"},
-    {Blend::kPaper, "paper", "vessels merge wherever they come close"},
+    {Blend::kTree, "tree", "vessels that only press on each other stay apart (default)", true, separated_field},
+    {Blend::kPaper, "paper", "vessels merge wherever they come close", false, plain_field},
 }};
 
-[[nodiscard]] constexpr std::string_view name_of(Blend blend) { return kBlends[static_cast<std::size_t>(blend)].key; }
+[[nodiscard]] constexpr const BlendRow& row_of(Blend blend) { return kBlends[static_cast<std::size_t>(blend)]; }
+[[nodiscard]] constexpr std::string_view name_of(Blend blend) { return row_of(blend).key; }
 
 [[nodiscard]] inline std::optional<Blend> blend_named(std::string_view key) {
     const auto* found = std::ranges::find(kBlends, key, &BlendRow::key);

@@ -1,6 +1,7 @@
 #include "core/mesh/check_kernel.h"
 
 #include "core/field/kernel.h"
+#include "core/mesh/tree_field.h"
 
 #include <string>
 

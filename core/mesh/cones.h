@@ -5,12 +5,13 @@
 
 #include "core/base/error.h"
 #include "core/base/job.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/triangle_mesh.h"
+#include "core/tree/prepare.h"
 
 namespace ramus::mesh {
 
 // `detail`: the number of sides of a cone; below 8 its ends are pyramids. Normals are exact; every vertex has a radius
 // and a branch. Fails if cancelled, and if the mesh does not fit into 32-bit indices.
-[[nodiscard]] Result<TriangleMesh> cones(const PreparedTree& prepared, int detail, Job& job);
+[[nodiscard]] Result<TriangleMesh> cones(const tree::PreparedTree& prepared, int detail, Job& job);
 
 } // namespace ramus::mesh

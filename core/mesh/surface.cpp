@@ -4,25 +4,18 @@
 #include "core/base/memory.h"
 #include "core/base/run_limited.h"
 #include "core/base/stopwatch.h"
-#include "core/field/kernel.h"
-#include "core/field/kernel_radii.h"
 #include "core/field/surface_projector.h"
-#include "core/field/vessel_field.h"
 #include "core/mesh/check_kernel.h"
 #include "core/mesh/cones.h"
 #include "core/mesh/edge_balance.h"
 #include "core/mesh/polygonize/feasible.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/systems.h"
+#include "core/mesh/tree_field.h"
 #include "core/mesh/untangle/untangle.h"
-#include "core/tree/contacts/links.h"
-#include "core/tree/curves.h"
-#include "core/tree/smooth.h"
 
-#include <algorithm>
 #include <memory>
-#include <oneapi/tbb/parallel_invoke.h>
-#include <optional>
+#include <vector>
 
 namespace ramus::mesh {
 
@@ -51,106 +44,95 @@ Error at_memory_end() {
     return {"not enough memory for this surface", {}, "lower --detail, raise --cell or prune the tree"};
 }
 
-} // namespace
-
-PreparedTree prepare_tree(const tree::VesselTree& source, const SurfaceOptions& options) {
-    PreparedTree prepared = tree::prune(source, options.prune_ratio);
-    prepared.tree = tree::smooth(std::move(prepared.tree), options.smooth_passes);
-    // Truncated cones are the paper's: one for each segment.
-    if (options.centerline == tree::Centerline::kLines || options.method == Method::kTruncatedCones) return prepared;
-    // Numbers of pieces stay what they are, whatever is pruned.
-    const std::vector<tree::CurvePieces> pieces = tree::pieces_of_curves(
-        prepared.segment_index.empty() ? prepared.tree : tree::smooth(source, options.smooth_passes));
-    return tree::along_curves(std::move(prepared), pieces);
-}
-
-PreparedTree visible_part(PreparedTree prepared, std::span<const std::uint8_t> hidden) {
-    const auto is_hidden = [&](int branch) {
-        const auto index = static_cast<std::size_t>(branch);
-        return index < hidden.size() && hidden[index] != 0;
-    };
-    if (std::ranges::none_of(hidden, [](std::uint8_t h) { return h != 0; })) return prepared;
-    std::vector<int> kept_source;
-    std::vector<tree::Branch> kept;
-    std::size_t ordinal = 0;
-    for (const tree::Branch& branch : prepared.tree.branches) {
-        // Pruning joins branches of the file into one: the run is cut where hidden ones begin and end.
-        tree::Branch run;
-        for (std::size_t i = 1; i < branch.points.size(); ++i, ++ordinal) {
-            if (is_hidden(prepared.segment_source[ordinal])) {
-                if (run.points.size() > 1) kept.push_back(run);
-                run.points.clear();
-                continue;
-            }
-            if (run.points.empty()) run.points.push_back(branch.points[i - 1]);
-            run.points.push_back(branch.points[i]);
-            kept_source.push_back(prepared.segment_source[ordinal]);
-        }
-        if (run.points.size() > 1) kept.push_back(run);
-    }
-    prepared.tree.branches = std::move(kept);
-    prepared.segment_source = std::move(kept_source);
-    return prepared;
-}
-
-namespace {
-
-// Of all trees that pruning may leave. Pruning may take the thinnest vessel, or the one that reaches farthest; bounds
-// of the tree as it came hold what smoothing makes of any part of it.
-field::Frame frame_of_all_parts(const tree::VesselTree& source, SurfaceOptions options, double support_radii) {
-    const auto frame_of = [&](int smooth_passes) {
-        options.smooth_passes = smooth_passes;
-        return field::Skeleton(prepare_tree(source, options), support_radii).frame();
-    };
-    options.prune_ratio = 0.0;
-    const double thinnest = frame_of(options.smooth_passes).thinnest;
-    options.centerline = tree::Centerline::kLines; // curves stay within the hull of their points
-    field::Frame frame = frame_of(0);
-    frame.thinnest = thinnest;
-    return frame;
-}
-
-field::ConvolutionField plain_sum(const tree::VesselTree& source, const SurfaceOptions& options,
-                                  const PreparedTree& prepared) {
-    const field::Kernel kernel = kernel_of(options);
-    const bool exact = options.radii == Radii::kExact;
-    const PreparedTree& ready = exact ? field::with_kernel_radii(prepared, kernel) : prepared;
-    if (!(options.prune_ratio > 0.0)) return {field::Skeleton(ready, kernel.support_radii), kernel};
-    field::Frame frame = frame_of_all_parts(source, options, kernel.support_radii * (exact ? field::kWidest : 1.0));
-    if (exact) frame.thinnest *= field::kNarrowest;
-    return {field::Skeleton(ready, kernel.support_radii, frame), kernel};
-}
-
-// Of all systems. What cannot be met is known before contacts are looked for, which takes longer the thicker vessels
-// are. `pages`, which may be null, are kept where the surface does not fit into memory.
-Result<field::VesselField> feasible_field(const tree::VesselTree& source, const SurfaceOptions& options,
-                                          const PreparedTree& prepared, std::span<const std::uint8_t> hidden,
-                                          std::shared_ptr<DiskPages>& pages) {
-    std::optional<field::ConvolutionField> made;
-    std::optional<tree::Links> links;
-    tbb::parallel_invoke([&] { made = plain_sum(source, options, prepared); },
-                         [&] {
-                             if (options.blend == Blend::kTree) links.emplace(prepared);
-                         });
-    const field::ConvolutionField& sum = *made;
-    const field::VesselField merged(sum, std::make_shared<const tree::Contacts>());
-    const field::VesselField visible = hidden.empty() ? merged : merged.without(hidden);
-    if (!visible.skeleton().present().empty()) {
-        const PolygonizeOptions chosen = polygonize_options(options);
-        if (is_feasible(visible, chosen, PolygonizeMode::kWhole)) pages = nullptr;
-        const auto mode = pages != nullptr ? PolygonizeMode::kOnDisk : PolygonizeMode::kWhole;
-        if (auto possible = check_feasible(visible, chosen, mode); !possible) return tl::unexpected(possible.error());
-    }
-    if (options.blend != Blend::kTree) return merged;
-    return field::VesselField(
-        sum, std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, *links, kernel_of(options).limits)),
-        options.rims);
-}
-
 // What goes through itself is untangled for files alone.
 enum class MadeFor { kPictures, kFile };
 
-// `pages`: of the disk for what does not fit into memory; may be null.
+class SurfaceMaking {
+public:
+    // `pages`: of the disk for what does not fit into memory; may be null.
+    SurfaceMaking(const SurfaceOptions& options, MadeFor use, std::shared_ptr<DiskPages> pages)
+        : options_(options), use_(use), pages_(std::move(pages)), of_mesh_(pages_) {}
+
+    // What cannot be met is known before contacts are searched. The disk is let go of where memory suffices.
+    Result<void> check(const field::Field& sum) {
+        if (sum.skeleton().present().empty()) return {};
+        const PolygonizeOptions chosen = polygonize_options(options_);
+        if (is_feasible(sum, chosen, PolygonizeMode::kWhole)) of_mesh_ = nullptr;
+        return check_feasible(sum, chosen, of_mesh_ != nullptr ? PolygonizeMode::kOnDisk : PolygonizeMode::kWhole);
+    }
+
+    // Adds the surface of one system. `tree`: the tree as prepared.
+    Result<void> add(const SystemField& system, const PreparedTree& tree, Job& making, Job& repairing) {
+        PolygonizeStatistics statistics;
+        std::vector<TriangleBox> walled;
+        RAMUS_TRY(mesh, polygonize(system.field, polygonize_options(options_, of_mesh_), making, &statistics, &walled));
+        if (row_of(options_.blend).separates)
+            if (auto matched = match(mesh, visible_part(tree, system.hidden), walled, repairing); !matched)
+                return matched;
+        if (use_ == MadeFor::kFile && !repairing.cancelled())
+            surface_.statistics.untangled.add(untangle(mesh, walled, repairing));
+        repairing.report(1.0F);
+        if (repairing.cancelled()) return fail("cancelled");
+        if (use_ == MadeFor::kFile)
+            if (auto closed = check_balance(mesh); !closed) return closed;
+        if (surface_.mesh.positions.size() + mesh.positions.size() > kMostVertices) return too_many_vertices();
+        append(surface_.mesh, std::move(mesh));
+        surface_.statistics.evaluations += statistics.evaluations;
+        return {};
+    }
+
+    [[nodiscard]] Surface take() {
+        surface_.disk = of_mesh_;
+        return std::move(surface_);
+    }
+
+private:
+    Result<void> match(TriangleMesh& mesh, const PreparedTree& visible, std::span<const TriangleBox> walled, Job& job) {
+        const double memory = polygonize_options(options_, of_mesh_).memory_bytes;
+        const MatchedTree matched = match_tree(mesh, visible, walled, memory, job, pages_);
+        if (pages_ != nullptr && matched.false_loops.lacked_bytes > 0.0)
+            return fail(takes_too_much("looking for loops that the tree does not have",
+                                       matched.false_loops.lacked_bytes, memory),
+                        {}, "raise --memory, or lower --detail");
+        surface_.statistics.matched.add(matched);
+        return {};
+    }
+
+    const SurfaceOptions& options_;
+    MadeFor use_;
+    std::shared_ptr<DiskPages> pages_, of_mesh_;
+    Surface surface_;
+};
+
+Result<Surface> convolution_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
+                                    std::span<const std::uint8_t> hidden, MadeFor use,
+                                    const std::shared_ptr<DiskPages>& pages) {
+    SurfaceMaking making(options, use, pages);
+    RAMUS_TRY(whole, make_tree_field(source, options, [&](const field::Field& sum) {
+                  return making.check(hidden.empty() ? sum : sum.without(hidden));
+              }));
+    std::vector<SystemField> systems = fields_by_system(source, whole.field, hidden);
+    const auto all = std::exchange(systems, {});
+    for (const SystemField& system : all)
+        if (system.visible()) systems.push_back(system);
+    if (systems.empty()) systems.push_back(all.front()); // which says why there is nothing
+    for (std::size_t n = 0; n < systems.size(); ++n) {
+        const auto share = [&](float of_system) {
+            return (static_cast<float>(n) + of_system) / static_cast<float>(systems.size());
+        };
+        Job polygonizing(job, share(0.0F), share(kMade)), repairing(job, share(kMade), share(1.0F));
+        if (auto added = making.add(systems[n], whole.tree, polygonizing, repairing); !added)
+            return tl::unexpected(added.error());
+    }
+    Surface surface = making.take();
+    if (options.rims == field::Rims::kOverlapping) {
+        std::vector<field::Field> fields;
+        for (const SystemField& system : systems) fields.push_back(system.field);
+        surface.projector = std::make_shared<const field::SurfaceProjector>(std::move(fields));
+    }
+    return surface;
+}
+
 Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                      std::span<const std::uint8_t> hidden, MadeFor use, const std::shared_ptr<DiskPages>& pages = {}) {
     const Stopwatch watch;
@@ -159,45 +141,8 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
         RAMUS_TRY(mesh, cones(visible_part(prepare_tree(source, options), hidden), options.detail, job));
         surface.mesh = std::move(mesh);
     } else {
-        const auto parts = hidden_by_system(source, hidden);
-        const PreparedTree prepared = prepare_tree(source, options);
-        std::shared_ptr<DiskPages> of_mesh = pages;
-        RAMUS_TRY(whole, feasible_field(source, options, prepared, hidden, of_mesh));
-        surface.disk = of_mesh;
-        std::vector<field::VesselField> fields;
-        for (std::size_t n = 0; n < parts.size(); ++n) {
-            const std::vector<std::uint8_t>& part = parts[n];
-            const auto share = [&](float of_part) {
-                return (static_cast<float>(n) + of_part) / static_cast<float>(parts.size());
-            };
-            Job making(job, share(0.0F), share(kMade)), repairing(job, share(kMade), share(1.0F));
-            PolygonizeStatistics statistics;
-            std::vector<TriangleBox> walled;
-            fields.push_back(whole.without(part));
-            RAMUS_TRY(mesh,
-                      polygonize(fields.back(), polygonize_options(options, of_mesh), making, &statistics, &walled));
-            if (options.blend == Blend::kTree) {
-                const double memory = polygonize_options(options, of_mesh).memory_bytes;
-                const MatchedTree matched =
-                    match_tree(mesh, visible_part(prepared, part), walled, memory, repairing, pages);
-                if (pages != nullptr && matched.false_loops.lacked_bytes > 0.0)
-                    return fail(takes_too_much("looking for loops that the tree does not have",
-                                               matched.false_loops.lacked_bytes, memory),
-                                {}, "raise --memory, or lower --detail");
-                surface.statistics.matched.add(matched);
-            }
-            if (use == MadeFor::kFile && !job.cancelled())
-                surface.statistics.untangled.add(untangle(mesh, walled, repairing));
-            repairing.report(1.0F);
-            if (job.cancelled()) return fail("cancelled");
-            if (use == MadeFor::kFile)
-                if (auto closed = check_balance(mesh); !closed) return tl::unexpected(closed.error());
-            if (surface.mesh.positions.size() + mesh.positions.size() > kMostVertices) return too_many_vertices();
-            append(surface.mesh, std::move(mesh));
-            surface.statistics.evaluations += statistics.evaluations;
-        }
-        if (options.rims == field::Rims::kOverlapping)
-            surface.projector = std::make_shared<const field::SurfaceProjector>(std::move(fields));
+        RAMUS_TRY(made, convolution_surface(source, options, job, hidden, use, pages));
+        surface = std::move(made);
     }
     if (surface.mesh.triangles.empty()) return empty_surface(options.cell_mm);
     surface.statistics.seconds = watch.seconds();
@@ -205,17 +150,6 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
 }
 
 } // namespace
-
-field::Kernel kernel_of(const SurfaceOptions& options) { return field::make_kernel(options.kernel, options.width); }
-
-field::VesselField make_field(const tree::VesselTree& source, const SurfaceOptions& options,
-                              std::span<const std::uint8_t> hidden) {
-    const PreparedTree prepared = prepare_tree(source, options);
-    auto contacts = std::make_shared<tree::Contacts>();
-    if (options.blend == Blend::kTree) *contacts = tree::find_contacts(prepared, kernel_of(options).limits);
-    field::VesselField field(plain_sum(source, options, prepared), std::move(contacts), options.rims);
-    return hidden.empty() ? field : field.without(hidden);
-}
 
 tl::unexpected<Error> empty_surface(double cell_mm) {
     return fail(cell_mm > 0.0

@@ -1,16 +1,13 @@
-// How a vessel tree becomes a surface, with the options that every command and the window share.
+// From a vessel tree to its surface: the one way for commands, the window's first surface, comparisons and validation.
+// A surface that follows which branches are hidden is in followed_surface.h; both are made of the same fields
+// (tree_field.h).
 #pragma once
 
 #include "core/base/error.h"
 #include "core/base/job.h"
-#include "core/field/kernels/kernel_kind.h"
-#include "core/field/rims.h"
-#include "core/mesh/blend.h"
 #include "core/mesh/loops/match_tree.h"
-#include "core/mesh/method.h"
-#include "core/mesh/radii.h"
+#include "core/mesh/surface_options.h"
 #include "core/mesh/untangle/untangle.h"
-#include "core/tree/prepare.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -23,27 +20,9 @@ class DiskPages;
 
 namespace ramus::field {
 class SurfaceProjector;
-class VesselField;
 } // namespace ramus::field
 
 namespace ramus::mesh {
-
-struct SurfaceOptions {
-    Method method = Method::kConvolutionSurface; // of a tree
-    int smooth_passes = 1;                       // of voxels' stair-steps (core/tree/smooth.h)
-    double prune_ratio = 0.0; // leaf branches shorter than ratio x parent go (core/tree/prepare.h); 0 keeps all
-    double width = 5.0;       // kernel width; 5 is the paper's, 1 is Bloomenthal's
-    field::KernelKind kernel = field::KernelKind::kGaussian;
-    Blend blend = Blend::kTree; // where vessels blend
-    tree::Centerline centerline = tree::Centerline::kSmooth;
-    Radii radii = Radii::kPlain;            // which the surface has
-    field::Rims rims = field::Rims::kApart; // how it ends at walls; overlapping for pictures
-    int detail = 16;                        // triangles around a vessel
-    double cell_mm = 0.0;                   // one cell size everywhere instead of detail; 0 = use detail
-    int threads = 0;                        // 0 = all cores
-    std::uint64_t memory_bytes = 0;         // most that the process shall take; 0 = half of the machine's
-    bool operator==(const SurfaceOptions&) const = default;
-};
 
 // What a surface cost: for `--json`, `--verbose` and the benchmarks.
 struct SurfaceStatistics {
@@ -60,23 +39,6 @@ struct Surface {
     std::shared_ptr<const field::SurfaceProjector> projector;
     SurfaceStatistics statistics;
 };
-
-using tree::PreparedTree;
-
-// The tree as the surface sees it: pruned first, then smoothed.
-[[nodiscard]] PreparedTree prepare_tree(const tree::VesselTree& source, const SurfaceOptions& options);
-
-// What is left of a prepared tree without the hidden branches (by id in its source, not 0: hidden): its branches may be
-// fewer, and run where these did.
-[[nodiscard]] PreparedTree visible_part(PreparedTree prepared, std::span<const std::uint8_t> hidden);
-
-// The kernel that is asked for.
-[[nodiscard]] field::Kernel kernel_of(const SurfaceOptions& options);
-
-// The field of the tree as prepared, without the hidden branches (by id in `source`, not 0: hidden). Its frame is that
-// of the whole tree, so that hiding and pruning leave everything else as it is, to the last bit.
-[[nodiscard]] field::VesselField make_field(const tree::VesselTree& source, const SurfaceOptions& options,
-                                            std::span<const std::uint8_t> hidden);
 
 // Surface of `source` under `options`, closed where hidden branches were, with the loops of what is visible where
 // vessels blend along the tree; vertex branch ids are those of `source`. Of several systems each has a surface of its

@@ -3,6 +3,8 @@
 #include "core/field/kernel.h"
 #include "core/measure/deviation/deviation.h"
 #include "core/mesh/connectivity.h"
+#include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 
 #include <array>
 #include <utility>

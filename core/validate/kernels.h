@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/job.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/surface_options.h"
 #include "core/validate/joints.h"
 #include "core/validate/validation.h"
 

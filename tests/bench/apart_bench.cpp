@@ -16,6 +16,7 @@
 #include "core/io/trees/tree_file.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "core/tree/contacts/contacts.h"
 #include "tests/support/grown_tree.h"
 #include "tests/support/mesh_gap.h"

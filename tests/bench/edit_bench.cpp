@@ -3,7 +3,7 @@
 #include "core/field/vessel_field.h"
 #include "core/io/trees/tree_file.h"
 #include "core/mesh/polygonize/polygonizer.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "tests/support/grown_tree.h"
 
 #include <CLI/CLI.hpp>
@@ -58,14 +58,14 @@ void measure(const tree::VesselTree& tree, int runs, double share) {
     mesh::Polygonizer polygonizer;
     std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
     Job job;
-    const auto update = [&](Row& row, const field::VesselField& field) {
+    const auto update = [&](Row& row, const field::Field& field) {
         row.milliseconds.push_back(milliseconds_of([&] { (void)polygonizer.update(field, options, job); }));
         const mesh::SurfaceEdit edit = polygonizer.take_edit();
         row.written = edit.whole ? polygonizer.slots().triangles.size() : 0;
         for (const mesh::SlotRange& range : edit.triangles) row.written += edit.whole ? 0 : range.count;
     };
     std::printf("%-34s %9s %9s %12s\n", "", "median ms", "best ms", "triangles");
-    const field::VesselField all = mesh::make_field(tree, usual, {});
+    const field::Field all = mesh::make_field(tree, usual, {});
     Row whole;
     for (int run = 0; run < runs; ++run) {
         polygonizer = mesh::Polygonizer();

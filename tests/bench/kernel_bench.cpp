@@ -4,7 +4,7 @@
 #include "core/field/vessel_field.h"
 #include "core/mesh/polygonize/cells/brick_cells.h"
 #include "core/mesh/polygonize/octree/octree.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "tests/support/grown_tree.h"
 
 #include <benchmark/benchmark.h>
@@ -16,13 +16,14 @@ namespace {
 
 // Every so many bricks of the surface at detail 16, all that one needs to sample them.
 struct Scene {
-    field::ConvolutionField field;
+    field::Field field;
     mesh::bricks::Sizing sizing;
     mesh::bricks::Octree octree;
     std::vector<std::size_t> bricks;
 
     explicit Scene(const tree::VesselTree& tree)
-        : field(mesh::make_field(tree, {}, {}).sum()), sizing(mesh::bricks::make_sizing(field, 16, 0.0)) {
+        : field(mesh::make_field(tree, {.blend = mesh::Blend::kPaper}, {})),
+          sizing(mesh::bricks::make_sizing(field, 16, 0.0)) {
         Job job;
         octree = mesh::bricks::build_octree(field, sizing, job);
         constexpr std::size_t kBricks = 1000; // neighbours, as in real work

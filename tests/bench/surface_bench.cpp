@@ -15,6 +15,7 @@
 #include "core/mesh/cones.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "tests/support/grown_tree.h"
 
 #include <CLI/CLI.hpp>

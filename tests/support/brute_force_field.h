@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/field/skeleton.h"
-#include "core/mesh/surface.h"
 
 #include <algorithm>
 #include <cmath>

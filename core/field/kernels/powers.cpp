@@ -6,6 +6,7 @@
 #include "core/field/kernels/cut_power-inl.h"
 #include "core/field/kernels/powers.h"
 #include "core/field/sum/plain_sum-inl.h"
+#include "core/mesh/tree_field.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 
 #include "core/field/convolution_field.h"
 #include "core/field/rims.h"
+#include "core/field/separation.h"
 #include "core/field/separation/vessel_views.h"
 #include "core/field/separation/wall.h"
 
@@ -12,7 +13,7 @@
 
 namespace ramus::field {
 
-class VesselBrick final : public BrickField {
+class VesselBrick final : public BrickField, private Separation {
 public:
     VesselBrick(const ConvolutionField& sum, const Pieces& pieces, Rims rims);
 
@@ -24,19 +25,20 @@ public:
     void find_depths(const GridValues& values, GridValues& depths) const override { sum_->find_depths(values, depths); }
     [[nodiscard]] float crossing(float from, float to) const override { return sum_->crossing(from, to); }
 
-    [[nodiscard]] bool parts_vessels() const override { return parts_; }
+    [[nodiscard]] Separation* separation() override { return parts_ ? this : nullptr; }
+
+private:
     std::uint64_t find_owners(const LatticeAxes& lattice, std::span<const LatticePoint> points,
                               std::span<Owner> owners) override;
     [[nodiscard]] int piece_of(Owner owner) const override;
     [[nodiscard]] bool apart_pieces(int a, int b) const override { return views_.contacts().apart(a, b); }
     [[nodiscard]] bool beside_contact(const glm::vec3& at) override {
-        return parts_ && is_beside_contact(axes_.corner() + glm::dvec3(at));
+        return is_beside_contact(axes_.corner() + glm::dvec3(at));
     }
     [[nodiscard]] DrawnPoint draw(const OwnedGuess& whose, const glm::vec3& guess, float onward) override;
     std::uint64_t project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
                                 const SurfacePoints& to) override;
 
-private:
     [[nodiscard]] std::uint32_t place_of(Owner owner) const; // index in the brick's list
     // place_of(), or for kNoOwner the segment nearest to the point, in radii.
     [[nodiscard]] std::uint32_t place_near(Owner owner, const glm::dvec3& point);

@@ -1,6 +1,7 @@
 #include "core/mesh/loops/cut_loop.h"
 
 #include "core/field/brick_field.h"
+#include "core/field/separation.h"
 #include "core/mesh/loops/spanning_triangles.h"
 
 #include <algorithm>

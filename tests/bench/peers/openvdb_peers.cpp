@@ -1,6 +1,6 @@
 #include "brick_fill.h"
 #include "core/field/convolution_field.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/surface_options.h"
 #include "peers.h"
 
 #include <chrono>

@@ -12,7 +12,7 @@
 #include "core/field/kernels/gaussian.h"
 #include "core/io/trees/tree_file.h"
 #include "core/mesh/polygonize/polygonize.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "peers.h"
 #include "tests/support/grown_tree.h"
 

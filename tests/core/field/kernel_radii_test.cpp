@@ -4,6 +4,7 @@
 #include "core/field/vessel_field.h"
 #include "core/mesh/polygonize/polygonizer.h"
 #include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "tests/support/brute_force_field.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/grown_tree.h"
@@ -180,7 +181,7 @@ TEST_CASE("a surface with exact radii that follows its tree is the one made from
     for (int round = 0; round < 6; ++round) {
         options.prune_ratio = round < 3 ? 0.0 : 0.2 * (round - 2);
         hidden[random() % hidden.size()] ^= 1U;
-        const field::VesselField field = mesh::make_field(tree, options, hidden);
+        const field::Field field = mesh::make_field(tree, options, hidden);
         REQUIRE(polygonizer.update(field, {}, job));
         const auto whole = mesh::polygonize(field, {}, job);
         REQUIRE(whole);

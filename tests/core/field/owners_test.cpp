@@ -1,6 +1,6 @@
 // Whose points are, where vessels are kept apart.
-#include "core/field/vessel_field.h"
-#include "core/mesh/surface.h"
+#include "core/field/separation.h"
+#include "core/mesh/tree_field.h"
 #include "tests/support/built_tree.h"
 
 #include <cmath>
@@ -26,7 +26,7 @@ TEST_CASE("a point farther from every axis than vessels claim is nobody's, howev
     mesh::SurfaceOptions options;
     options.smooth_passes = 0;
     const tree::VesselTree tree = test::built_tree(points, edges, {0, kBranches + 1});
-    const VesselField field = mesh::make_field(tree, options, {});
+    const Field field = mesh::make_field(tree, options, {});
 
     const auto brick = field.in_brick();
     GridAxes axes;
@@ -38,13 +38,14 @@ TEST_CASE("a point farther from every axis than vessels claim is nobody's, howev
     }
     for (std::size_t n = 0; n < kLatticeSide; ++n) lattice.z[n] = kLeast + 0.02 * static_cast<double>(n);
     brick->enter(field.skeleton().present(), axes);
-    REQUIRE(brick->parts_vessels());
+    Separation* separation = brick->separation();
+    REQUIRE(separation != nullptr);
     const auto look = [&](std::uint8_t k) {
         const LatticePoint point{0, 0, k};
         float value = 0.0F;
         Owner owner = kNoOwner;
         (void)brick->sample_lattice(lattice, {&point, 1}, {&value, 1});
-        (void)brick->find_owners(lattice, {&point, 1}, {&owner, 1});
+        (void)separation->find_owners(lattice, {&point, 1}, {&owner, 1});
         return std::pair(value >= field.isovalue(), owner != kNoOwner);
     };
     CHECK(look(12) == std::pair(true, true));   // at 1.24

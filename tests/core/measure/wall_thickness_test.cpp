@@ -2,6 +2,7 @@
 #include "core/measure/wall_thickness.h"
 #include "core/mesh/close_mesh.h"
 #include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/icosphere.h"
 #include "tests/support/shared_data.h"

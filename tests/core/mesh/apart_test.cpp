@@ -4,6 +4,7 @@
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/polygonize/polygonizer.h"
 #include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/grown_tree.h"
 #include "tests/support/kept_apart.h"
@@ -248,7 +249,7 @@ TEST_CASE("with contacts too, what follows the tree is what is made from nothing
         Job job;
         std::mt19937 random(7);
         std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
-        const auto check = [&](const field::VesselField& field) {
+        const auto check = [&](const field::Field& field) {
             REQUIRE(polygonizer.update(field, options, job));
             const auto anew = polygonize(field, options, job);
             REQUIRE(anew.has_value());

@@ -5,6 +5,7 @@
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/polygonize/polygonizer.h"
 #include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "core/mesh/untangle/untangle.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/mesh_intersections.h"

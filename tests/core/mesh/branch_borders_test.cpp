@@ -1,5 +1,6 @@
 // Which branch a vertex is said to belong to, and how clearly, against the brute-force field.
 #include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "tests/support/brute_force_field.h"
 #include "tests/support/grown_tree.h"
 

@@ -2,7 +2,7 @@
 #include "core/field/vessel_field.h"
 #include "core/mesh/polygonize/join/edge_polygons.h"
 #include "core/mesh/polygonize/join/join_triangles.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "core/mesh/triangle_mesh.h"
 #include "tests/support/brute_force_field.h"
 #include "tests/support/grown_tree.h"
@@ -24,7 +24,7 @@ namespace {
 // An adaptive octree: bricks meet others of the same size, larger and smaller ones, and none at all.
 struct Scene {
     tree::VesselTree tree = *test::grown_tree(150);
-    field::VesselField field = make_field(tree, {.blend = Blend::kPaper}, {}); // walls are tested elsewhere
+    field::Field field = make_field(tree, {.blend = Blend::kPaper}, {}); // walls are tested elsewhere
     Octree octree;
     std::vector<std::uint32_t> subtrees;
     SurfaceCells cells;

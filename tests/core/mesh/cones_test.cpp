@@ -1,5 +1,6 @@
 // Truncated cones: closed, outward, and with the volume that geometry gives them.
 #include "core/mesh/cones.h"
+#include "core/mesh/tree_field.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/mesh_topology.h"
 

@@ -70,6 +70,7 @@ public:
     [[nodiscard]] std::optional<field::SegmentChanges> changes_since(const Torus& before) const {
         return skeleton_.changes_since(before.skeleton_);
     }
+    [[nodiscard]] Torus without(std::span<const std::uint8_t> /*hidden*/) const { return *this; } // it has no branches
     [[nodiscard]] field::ChildBounds bound_children(field::SegmentIndices list, const field::ChildCubes& cubes,
                                                     std::span<std::uint8_t> reaching) const {
         const field::ChildCentres centres(cubes);

@@ -1,6 +1,7 @@
 // Places where surfaces of centerlines go wrong easily: joints of very different or of many vessels, narrow angles, and
 // segments that are much shorter or longer than their radius.
 #include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/mesh_topology.h"
 #include "tests/support/surface_shape.h"

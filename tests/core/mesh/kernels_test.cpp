@@ -4,6 +4,7 @@
 #include "core/mesh/check_kernel.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/grown_tree.h"
 #include "tests/support/mesh_topology.h"

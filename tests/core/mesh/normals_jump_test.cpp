@@ -1,6 +1,6 @@
 // How far the field's normals turn across the planes at the ends of segments, where the paper's radii have kinks.
 #include "core/io/trees/tree_file.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "tests/support/brute_force_field.h"
 #include "tests/support/shared_data.h"
 

@@ -1,7 +1,7 @@
 // A surface that follows its tree is the one that is made from nothing, bit for bit.
 #include "core/field/vessel_field.h"
 #include "core/mesh/polygonize/polygonizer.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "tests/support/grown_tree.h"
 #include "tests/support/mesh_topology.h"
 
@@ -47,7 +47,7 @@ private:
     mesh::TriangleMesh mesh_;
 };
 
-void check_update(mesh::Polygonizer& polygonizer, Follower& follower, const field::VesselField& field,
+void check_update(mesh::Polygonizer& polygonizer, Follower& follower, const field::Field& field,
                   const mesh::PolygonizeOptions& options) {
     Job job;
     REQUIRE(polygonizer.update(field, options, job));

@@ -4,6 +4,7 @@
 #include "core/mesh/connectivity.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "core/tree/contacts/contacts.h"
 #include "tests/support/brute_force_field.h"
 #include "tests/support/mesh_intersections.h"

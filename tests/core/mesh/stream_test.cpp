@@ -6,6 +6,7 @@
 #include "core/mesh/polygonize/octree/subtree_schedule.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "tests/support/grown_tree.h"
 #include "tests/support/packed_trees.h"
 #include "tests/support/temporary_folder.h"
@@ -18,7 +19,7 @@
 using namespace ramus;
 
 TEST_CASE("a subtree is joined after all that it touches are filled, and let go after they are joined") {
-    const field::VesselField field = mesh::make_field(test::grown(150), {}, {});
+    const field::Field field = mesh::make_field(test::grown(150), {}, {});
     const mesh::bricks::Sizing sizing = mesh::bricks::make_sizing(field, 16, 0.0);
     Job job;
     const mesh::bricks::Octree octree = mesh::bricks::build_octree(field, sizing, job);
@@ -73,7 +74,7 @@ TEST_CASE("a subtree is joined after all that it touches are filled, and let go 
 TEST_CASE("a surface on the disk is the one in memory") {
     const TemporaryFolder folder;
     const auto pages = std::make_shared<DiskPages>(folder.path() / "surface.stl", 1e9);
-    const field::VesselField field = mesh::make_field(test::grown(400), {}, {});
+    const field::Field field = mesh::make_field(test::grown(400), {}, {});
     for (const double cell : {0.0, 0.4}) {
         mesh::PolygonizeOptions options;
         options.cell_mm = cell;
@@ -97,7 +98,7 @@ TEST_CASE("repairs on the disk are those in memory") {
     mesh::SurfaceOptions surface;
     surface.smooth_passes = 0;
     const tree::PreparedTree prepared = mesh::prepare_tree(tree, surface);
-    const field::VesselField field = mesh::make_field(tree, surface, {});
+    const field::Field field = mesh::make_field(tree, surface, {});
     const auto repaired = [&](std::shared_ptr<ArrayMemory> disk) {
         mesh::PolygonizeOptions options;
         options.detail = 8;

@@ -2,6 +2,7 @@
 #include "core/mesh/connectivity.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/systems.h"
+#include "core/mesh/tree_field.h"
 #include "core/tree/build_tree.h"
 #include "tests/support/mesh_topology.h"
 

@@ -1,4 +1,4 @@
-#include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "core/tree/curves.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/grown_tree.h"

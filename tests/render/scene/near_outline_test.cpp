@@ -1,6 +1,7 @@
 // Outlines and creases of vessels near the eye, held against those of the field that they are the surface of.
 #include "core/field/surface_projector.h"
 #include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "render/renderer/view_setup.h"
 #include "render/scene/near_surface.h"
 #include "tests/support/built_tree.h"
@@ -58,7 +59,7 @@ public:
     [[nodiscard]] double isovalue() const { return static_cast<double>(field_.isovalue()); }
 
 private:
-    field::VesselField field_;
+    field::Field field_;
     std::unique_ptr<field::BrickField> brick_;
 };
 

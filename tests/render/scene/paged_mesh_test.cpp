@@ -1,7 +1,7 @@
 // Pages of a surface, and a copy on the graphics card that follows them.
 #include "core/field/vessel_field.h"
 #include "core/mesh/polygonize/polygonizer.h"
-#include "core/mesh/surface.h"
+#include "core/mesh/tree_field.h"
 #include "render/gl/gl_context.h"
 #include "render/image/image.h"
 #include "render/renderer/renderer.h"

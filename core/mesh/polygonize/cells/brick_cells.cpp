@@ -49,7 +49,8 @@ std::uint64_t append_projected(field::BrickField& field, field::Projection& gues
                                   vertices.radii.data() + first, vertices.branches.data() + first,
                                   vertices.dominance.data() + first};
     std::uint64_t kernels = field.project(guesses, to);
-    if (!owned.empty()) kernels += field.project_apart(guesses, owned, to);
+    if (auto* separation = field.separation(); separation != nullptr && !owned.empty())
+        kernels += separation->project_apart(guesses, owned, to);
     field.flatten(to, guesses.size());
     return kernels;
 }

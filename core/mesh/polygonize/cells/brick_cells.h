@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/field/field.h"
+#include "core/field/separation.h"
 #include "core/mesh/polygonize/cells/cell_loops.h"
 #include "core/mesh/polygonize/octree/neighbours.h"
 #include "core/mesh/triangle_mesh.h"

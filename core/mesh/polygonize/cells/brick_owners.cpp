@@ -15,7 +15,7 @@ std::size_t index_of(const field::LatticePoint& point) {
 
 } // namespace
 
-void BrickOwners::find(field::BrickField& field, const field::LatticeAxes& lattice, GridBits inside,
+void BrickOwners::find(field::Separation& separation, const field::LatticeAxes& lattice, GridBits inside,
                        std::span<const field::LatticePoint> hanging, SampleCounts& counts) {
     owner_.fill(field::kNoOwner);
     points_.clear();
@@ -23,16 +23,16 @@ void BrickOwners::find(field::BrickField& field, const field::LatticeAxes& latti
         points_.push_back(lattice_point(grid_point(lowest_bit(left))));
     points_.insert(points_.end(), hanging.begin(), hanging.end());
     owners_.resize(points_.size());
-    counts.evaluations += field.find_owners(lattice, points_, owners_);
+    counts.evaluations += separation.find_owners(lattice, points_, owners_);
     for (std::size_t n = 0; n < points_.size(); ++n) owner_[index_of(points_[n])] = owners_[n];
-    find_pieces(field);
+    find_pieces(separation);
     cells_ = hanging_ = 0;
     walls_ = {};
     if (any_apart_) find_walls(inside, hanging);
 }
 
 // Numbers the pieces and fills in the matrix once, since it is looked up for many points of many cells.
-void BrickOwners::find_pieces(const field::BrickField& field) {
+void BrickOwners::find_pieces(const field::Separation& separation) {
     piece_.fill(0);
     pieces_.assign(1, -1);
     field::Owner last = field::kNoOwner; // neighbours often have the same one
@@ -40,9 +40,9 @@ void BrickOwners::find_pieces(const field::BrickField& field) {
     for (std::size_t n = 0; n < points_.size(); ++n) {
         if (owners_[n] != last) {
             last = owners_[n];
-            const auto known = std::ranges::find(pieces_, field.piece_of(last));
+            const auto known = std::ranges::find(pieces_, separation.piece_of(last));
             number = static_cast<Piece>(known - pieces_.begin());
-            if (known == pieces_.end()) pieces_.push_back(field.piece_of(last));
+            if (known == pieces_.end()) pieces_.push_back(separation.piece_of(last));
         }
         piece_[index_of(points_[n])] = number;
     }
@@ -51,7 +51,7 @@ void BrickOwners::find_pieces(const field::BrickField& field) {
     any_apart_ = false;
     for (std::size_t a = 1; a < count; ++a)
         for (std::size_t b = 1; b < count; ++b)
-            if (a != b && field.apart_pieces(pieces_[a], pieces_[b])) apart_[a * count + b] = 1, any_apart_ = true;
+            if (a != b && separation.apart_pieces(pieces_[a], pieces_[b])) apart_[a * count + b] = 1, any_apart_ = true;
 }
 
 void BrickOwners::find_walls(GridBits inside, std::span<const field::LatticePoint> hanging) {
@@ -109,13 +109,13 @@ bool BrickOwners::find_apart(glm::ivec3 cell, ApartPoints& apart) const {
     return true;
 }
 
-std::uint32_t BrickOwners::apart_from(const field::BrickField& field, glm::ivec3 cell, field::Owner owner) const {
+std::uint32_t BrickOwners::apart_from(const field::Separation& separation, glm::ivec3 cell, field::Owner owner) const {
     if (owner == field::kNoOwner) return kAllPoints;
-    const int own = field.piece_of(owner);
+    const int own = separation.piece_of(owner);
     const CellPieces pieces = pieces_in(cell);
     std::uint32_t others = 0;
     for (std::size_t n = 0; n < pieces.count; ++n)
-        if (field.apart_pieces(own, pieces_[pieces.piece[n]])) others |= pieces.points[n];
+        if (separation.apart_pieces(own, pieces_[pieces.piece[n]])) others |= pieces.points[n];
     return others;
 }
 

@@ -2,7 +2,7 @@
 // of its grid that walls pass through (core/field/separation/README.md).
 #pragma once
 
-#include "core/field/brick_field.h"
+#include "core/field/separation.h"
 #include "core/mesh/polygonize/cells/brick_cells.h"
 #include "core/mesh/polygonize/cells/cell_loops.h"
 
@@ -21,8 +21,8 @@ public:
     static constexpr int kFineSide = 2 * kBrickCells + 1;
     static constexpr int fine_index(int x, int y, int z) { return x + kFineSide * (y + kFineSide * z); }
 
-    // Finds the owners of the brick that `field` has entered. `hanging`: further points inside the surface.
-    void find(field::BrickField& field, const field::LatticeAxes& lattice, GridBits inside,
+    // Finds the owners of the brick that `separation` is of. `hanging`: further points inside the surface.
+    void find(field::Separation& separation, const field::LatticeAxes& lattice, GridBits inside,
               std::span<const field::LatticePoint> hanging, SampleCounts& counts);
 
     [[nodiscard]] const std::array<GridBits, 3>& walls() const { return walls_; } // by axis: first points of edges
@@ -38,7 +38,8 @@ public:
     [[nodiscard]] bool find_apart(glm::ivec3 cell, ApartPoints& apart) const;
     // The points of a cell that are apart from the vessel of `owner`, as bits of CellShape::inside; all points for
     // kNoOwner.
-    [[nodiscard]] std::uint32_t apart_from(const field::BrickField& field, glm::ivec3 cell, field::Owner owner) const;
+    [[nodiscard]] std::uint32_t apart_from(const field::Separation& separation, glm::ivec3 cell,
+                                           field::Owner owner) const;
     // The owner of the loop through a crossing of a cell.
     [[nodiscard]] field::Owner of_crossing(glm::ivec3 cell, int crossing) const;
 
@@ -50,7 +51,7 @@ private:
         std::array<std::uint32_t, 27> points{}; // by piece: its points, as bits of CellShape::inside
         std::size_t count = 0;
     };
-    void find_pieces(const field::BrickField& field);
+    void find_pieces(const field::Separation& separation);
     void find_walls(GridBits inside, std::span<const field::LatticePoint> hanging);
     [[nodiscard]] CellPieces pieces_in(glm::ivec3 cell) const;
     [[nodiscard]] Piece piece_at(int x, int y, int z) const {

@@ -47,12 +47,12 @@ void BrickSampler::fill(std::uint32_t index, const Neighbourhood& neighbours, Br
     owned_.clear();
     has_walled_cells_ = false;
     if (neighbours_->finer != 0) sample_hanging(subtree);
-    const bool parts = field_->parts_vessels();
-    if (parts) find_owners(subtree);
+    separation_ = field_->separation();
+    if (separation_ != nullptr) find_owners(subtree);
 
     constexpr GridBits kAll = (GridBits{1} << field::kGridPoints) - 1;
     const GridBits inside = grid_.inside();
-    const bool walled = parts && owners_.any_walls();
+    const bool walled = separation_ != nullptr && owners_.any_walls();
     cells.crossed = (inside != 0 && inside != kAll) || half_crossed_ != 0 || walled;
     if (!cells.crossed) return;
     cells.walls = walled ? static_cast<std::uint32_t>(subtree.walls.size()) : kNoWalls;
@@ -110,7 +110,7 @@ void BrickSampler::sample_hanging(SubtreeCells& subtree) {
 
 void BrickSampler::find_owners(SubtreeCells& subtree) {
     prepare_lattice();
-    owners_.find(*field_, lattice_axes_, grid_.inside(), hanging_inside_, subtree.counts);
+    owners_.find(*separation_, lattice_axes_, grid_.inside(), hanging_inside_, subtree.counts);
     apart_points_.clear();
 }
 
@@ -122,8 +122,7 @@ void BrickSampler::sort_cells(BrickCells& cells) {
     GridBits all = ~GridBits{0};
     for (const int shift : {0, 1, 5, 6, 25, 26, 30, 31}) some |= inside >> shift, all &= inside >> shift;
     const std::uint64_t hanging = finer != 0 ? cells_beside_finer(finer) : 0;
-    const bool parts = field_->parts_vessels();
-    const std::uint64_t walled = parts ? owners_.cells() : 0;
+    const std::uint64_t walled = separation_ != nullptr ? owners_.cells() : 0;
     std::uint64_t crossed = half_crossed_ | walled;
     for (unsigned row = 0; row < 16; ++row)
         crossed |= static_cast<std::uint64_t>((some & ~all) >> kLowCorners[4 * row] & 15U) << (4 * row);
@@ -153,7 +152,7 @@ void BrickSampler::sort_cells(BrickCells& cells) {
     cells.recorded = 0;
     field_->find_depths(grid_.values(), depths_);
     add_vertex_guesses(depths_, std::span(plain_corners_).first(plain_count), cell_mm_, guesses_);
-    if (!parts) return;
+    if (separation_ == nullptr) return;
     for (std::uint32_t n = 0; n < plain_count; ++n) {
         const int low = plain_corners_[n];
         constexpr std::array<int, 8> kCornerOffset{0, 1, 5, 6, 25, 26, 30, 31};
@@ -190,7 +189,7 @@ void BrickSampler::trace(int cell, unsigned corner_signs, std::uint32_t finer) {
     }
     traced.apart = -1;
     ApartPoints apart;
-    traced.walled = field_->parts_vessels() && owners_.find_apart(low_corner_of(cell), apart);
+    traced.walled = separation_ != nullptr && owners_.find_apart(low_corner_of(cell), apart);
     if (traced.walled) {
         traced.apart = static_cast<int>(apart_points_.size());
         apart_points_.push_back(apart);
@@ -225,9 +224,9 @@ void BrickSampler::find_centres_vessels(TracedCell& traced, SubtreeCells& subtre
     for (std::uint32_t left = centres.inside & centres.walled; left != 0; left &= left - 1) {
         const auto n = static_cast<std::size_t>(std::countr_zero(left));
         field::Owner owner = field::kNoOwner;
-        subtree.counts.evaluations += field_->find_owners(
+        subtree.counts.evaluations += separation_->find_owners(
             lattice_axes_, std::span(points_).subspan(traced.first_centre + n, 1), std::span(&owner, 1));
-        centres.apart[n] = owners_.apart_from(*field_, low_corner_of(traced.cell), owner);
+        centres.apart[n] = owners_.apart_from(*separation_, low_corner_of(traced.cell), owner);
     }
 }
 
@@ -241,7 +240,7 @@ void BrickSampler::keep_within(field::OwnedGuess& vertex, glm::ivec3 cell) const
 void BrickSampler::add_vertex(glm::vec3 guess, glm::ivec3 cell, bool alone, const field::OwnedGuess& whose) {
     const glm::vec3 centre = (glm::vec3(cell) + 0.5F) * cell_mm_;
     const bool free = whose.place == field::OwnedGuess::Place::kFree;
-    if (field_->parts_vessels() && !(free && whose.owner == field::kNoOwner)) {
+    if (separation_ != nullptr && !(free && whose.owner == field::kNoOwner)) {
         owned_.push_back(whose);
         owned_.back().guess = static_cast<std::uint32_t>(guesses_.size());
         if (free) keep_within(owned_.back(), cell);
@@ -294,7 +293,7 @@ void BrickSampler::add_recorded_vertices(const TracedCell& traced, SubtreeCells&
         if (loop == kNoLoop) continue;
         sum[loop] += crossing(cell, m);
         ++count[loop];
-        if (field_->parts_vessels()) whose[loop].owner = owners_.of_crossing(cell, m);
+        if (separation_ != nullptr) whose[loop].owner = owners_.of_crossing(cell, m);
     }
     for (std::size_t n = 0; n < static_cast<std::size_t>(loops.loop_count); ++n)
         add_vertex(sum[n] / static_cast<float>(count[n]) * cell_mm_, cell, loops.loop_count == 1, whose[n]);

@@ -23,7 +23,7 @@ public:
     // begin(). The indices in `cells` are relative to their number at begin().
     void fill(std::uint32_t index, const Neighbourhood& neighbours, BrickCells& cells, SubtreeCells& subtree);
     // Whether vessels are kept apart in the brick processed last.
-    [[nodiscard]] bool parts_vessels() const { return field_->parts_vessels(); }
+    [[nodiscard]] bool parts_vessels() const { return separation_ != nullptr; }
     // Whether walls pass through its cells.
     [[nodiscard]] bool has_walled_cells() const { return has_walled_cells_; }
 
@@ -89,6 +89,7 @@ private:
     field::Projection guesses_;
 
     // Used only if vessels are kept apart.
+    field::Separation* separation_ = nullptr;
     BrickOwners owners_;
     std::vector<field::LatticePoint> hanging_inside_;
     std::vector<ApartPoints> apart_points_; // of traced cells

@@ -1,5 +1,6 @@
 #include "core/mesh/polygonize/cells/specks.h"
 
+#include "core/field/separation.h"
 #include "core/mesh/line_box.h"
 #include "core/mesh/polygonize/cells/hanging_corners.h"
 #include "core/mesh/polygonize/cells/leave_out_loops.h"
@@ -126,11 +127,12 @@ bool Specks::goes_on_in(const Octree& octree, const Brick& brick, const std::arr
     const field::LatticeAxes lattice = lattice_axes(octree.lattice, brick);
     (void)beyond_->sample_lattice(lattice, points, values);
     if (std::ranges::any_of(values, [&](float value) { return (value >= isovalue_) != inside; })) return false;
-    if (!inside || !beyond_->parts_vessels()) return true;
+    field::Separation* separation = beyond_->separation();
+    if (!inside || separation == nullptr) return true;
     std::array<field::Owner, 4> owners;
-    (void)beyond_->find_owners(lattice, points, owners);
+    (void)separation->find_owners(lattice, points, owners);
     for (std::size_t n = 1; n < 4; ++n)
-        if (beyond_->apart(owners[n - 1], owners[n])) return false;
+        if (separation->apart(owners[n - 1], owners[n])) return false;
     return true;
 }
 

@@ -300,9 +300,9 @@ void EdgePolygons::emit_fan(std::uint32_t centre, const Polygon& polygon, bool o
 }
 
 // Finds the owners of the vertices on edges.
-void EdgePolygons::find_owners(field::BrickField& field, std::uint32_t index, JoinedSubtree& out) const {
+void EdgePolygons::find_owners(field::Separation& separation, std::uint32_t index, JoinedSubtree& out) const {
     std::vector<field::Owner> owners(out.owned.size(), field::kNoOwner);
-    (void)field.find_owners(lattice_axes(octree_.lattice, octree_.bricks[index]), out.inside, owners);
+    (void)separation.find_owners(lattice_axes(octree_.lattice, octree_.bricks[index]), out.inside, owners);
     for (std::size_t n = 0; n < owners.size(); ++n) out.owned[n].owner = owners[n];
 }
 
@@ -311,9 +311,8 @@ void EdgePolygons::finish(std::uint32_t index, JoinedSubtree& out) const {
     const Brick& brick = octree_.bricks[index];
     field::BrickField& field = *fields_.local();
     field.enter(octree_.segments_of(brick), grid_axes(octree_.lattice, brick));
-    const bool parts = field.parts_vessels();
-    if (parts) find_owners(field, index, out);
-    (void)append_projected(field, out.guesses, out.added, parts ? std::span(out.owned) : std::span(out.owned).first(0));
+    if (auto* separation = field.separation()) find_owners(*separation, index, out);
+    (void)append_projected(field, out.guesses, out.added, out.owned);
     out.guesses.clear();
     out.owned.clear();
     out.inside.clear();

@@ -3,6 +3,7 @@
 // case.
 #pragma once
 
+#include "core/field/separation.h"
 #include "core/mesh/polygonize/cells/brick_cells.h"
 
 #include <array>
@@ -104,8 +105,8 @@ private:
     void add_polygon(const Ring& ring, const Edge& edge, JoinedSubtree& out) const;
     void emit(std::span<const Around> ring, const Edge& edge, JoinedSubtree& out) const;
     std::uint32_t add_centre(const Polygon& polygon, const Edge& edge, JoinedSubtree& out) const;
-    void find_owners(field::BrickField& field, std::uint32_t index, JoinedSubtree& out) const; // of guesses
-    std::uint32_t add_fan(const Ring& ring, const Edge& edge, JoinedSubtree& out) const;       // its centre
+    void find_owners(field::Separation& separation, std::uint32_t index, JoinedSubtree& out) const; // of guesses
+    std::uint32_t add_fan(const Ring& ring, const Edge& edge, JoinedSubtree& out) const;            // its centre
     static void emit_fan(std::uint32_t centre, const Polygon& polygon, bool open, JoinedSubtree& out);
 
     const Octree& octree_;
