@@ -2,7 +2,8 @@
 #include "app/panels/branch_list.h"
 
 #include "app/panels/branch_columns.h"
-#include "app/panels/interface.h"
+#include "app/panels/parts.h"
+#include "app/panels/rename_dialog.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
@@ -107,7 +108,7 @@ std::vector<std::string> range_to(const BranchList& list, int id) {
 }
 
 void click(InterfaceContext& context, int id) {
-    BranchList& list = context.interface.list;
+    BranchList& list = context.interface.of<BranchList>();
     const ImGuiIO& io = ImGui::GetIO();
     list.shown = list.cursor = id; // already visible
     list.focused = true;
@@ -155,7 +156,7 @@ void number_cell(const std::string& text) {
 }
 
 void name_cell(InterfaceContext& context, int id) {
-    const BranchList& list = context.interface.list;
+    const BranchList& list = context.interface.of<BranchList>();
     if (!ImGui::TableNextColumn() || list.names.empty()) return;
     const std::string& name = list.names[index_of(id)];
     const bool own = list.given.contains(id);
@@ -195,7 +196,7 @@ void draw_row(InterfaceContext& context, int id) {
     ImGui::PushStyleColor(ImGuiCol_Text, lit     ? theme::kHighlight
                                          : faint ? ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled)
                                                  : theme::kText);
-    const bool double_click_names = context.interface.rename.open; // the second click opened the field
+    const bool double_click_names = context.interface.of<Rename>().open; // the second click opened the field
     if (ImGui::Selectable(std::to_string(id).c_str(), is_selected(document.marks(), id),
                           ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick) &&
         !double_click_names)
@@ -229,7 +230,7 @@ void scroll_to_selection(BranchList& list, const Marks& marks, float row_height)
 
 // Arrow keys, if the list was clicked last.
 void handle_keys(InterfaceContext& context, float row_height) {
-    BranchList& list = context.interface.list;
+    BranchList& list = context.interface.of<BranchList>();
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered()) list.focused = false;
     if (!list.focused || ImGui::GetIO().WantTextInput || context.interface.dialog_open() || list.rows.empty()) return;
     const int step = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow)) ? 1
@@ -253,7 +254,7 @@ void handle_keys(InterfaceContext& context, float row_height) {
 
 void select_rows(InterfaceContext& context) {
     std::vector<std::string> words;
-    for (const int id : context.interface.list.rows) words.push_back(std::to_string(id));
+    for (const int id : context.interface.of<BranchList>().rows) words.push_back(std::to_string(id));
     if (!words.empty()) context.perform("select", words);
 }
 
@@ -265,7 +266,7 @@ std::string filter_examples() {
 }
 
 void draw_filter(InterfaceContext& context) {
-    BranchList& list = context.interface.list;
+    BranchList& list = context.interface.of<BranchList>();
     const float scale = theme::scale();
     const std::string button = list.parsed.empty() ? "Select" : "Select " + grouped(list.rows.size());
     const float width = ImGui::CalcTextSize(button.c_str()).x + 14.0F * scale;
@@ -309,7 +310,7 @@ float least_branch_list_height(const BranchList& list) {
 }
 
 void draw_branch_list(InterfaceContext& context) {
-    BranchList& list = context.interface.list;
+    BranchList& list = context.interface.of<BranchList>();
     const auto& facts = context.workspace.facts();
     const Document& document = context.workspace.document();
     ImGui::PushFont(theme::small_font());
@@ -344,7 +345,7 @@ void draw_branch_list(InterfaceContext& context) {
 }
 
 void draw_branch_window(InterfaceContext& context) {
-    BranchList& list = context.interface.list;
+    BranchList& list = context.interface.of<BranchList>();
     if (!list.apart || !context.workspace.document().tree() || !context.workspace.facts()) return;
     const Layout& layout = context.layout;
     const float scale = theme::scale();

@@ -1,5 +1,6 @@
 // The section of colours: the coloured quantity or data, and the mapping of values to colours.
 #include "app/panels/choice_row.h"
+#include "app/panels/editing.h"
 #include "app/panels/sections.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
@@ -46,7 +47,7 @@ void draw_logarithm(InterfaceContext& context, const ColourLook& look) {
 void draw_range(InterfaceContext& context, const ColourLook& look) {
     constexpr const char *kField = "colour-range", *kHelp = "Values that the colours begin and end at, as 5,80; empty: "
                                                             "the least and the largest. Enter takes them";
-    auto& [owner, typed] = context.interface.editing.numbers;
+    auto& [owner, typed] = context.interface.of<Editing>().numbers;
     const std::string current = look.range ? exact_text((*look.range)[0]) + "," + exact_text((*look.range)[1]) : "";
     std::array<char, 64> shown{};
     std::copy_n(current.begin(), std::min(current.size(), shown.size() - 1), shown.begin());

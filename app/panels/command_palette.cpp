@@ -1,8 +1,10 @@
 // The command palette: finds commands by words, shows their keys, runs them by Enter or a click. For a command that
 // needs arguments the field asks for them.
+#include "app/panels/command_palette.h"
+
 #include "app/actions/command_search.h"
 #include "app/actions/script.h"
-#include "app/panels/interface.h"
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 
@@ -22,7 +24,7 @@ bool pressed_key(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(k
 
 // Runs the command, or asks for its arguments.
 void choose_command(InterfaceContext& context, const Command& command) {
-    CommandPalette& palette = context.interface.palette;
+    CommandPalette& palette = context.interface.of<CommandPalette>();
     if (needs_arguments(command)) {
         palette.asks_for = &command;
         palette.typed.fill('\0');
@@ -59,7 +61,7 @@ void draw_command_row(InterfaceContext& context, const Command& command, bool ch
 }
 
 void draw_found(InterfaceContext& context, bool entered) {
-    CommandPalette& palette = context.interface.palette;
+    CommandPalette& palette = context.interface.of<CommandPalette>();
     const std::vector<const Command*> found = search_commands(palette.typed.data());
     const int last = static_cast<int>(found.size()) - 1;
     const int before = palette.chosen;
@@ -88,7 +90,7 @@ void draw_found(InterfaceContext& context, bool entered) {
 
 // A command whose arguments are being typed; `line`: its name and arguments as in a commands file.
 void draw_arguments(InterfaceContext& context, const Command& command, const std::string& line, bool entered) {
-    CommandPalette& palette = context.interface.palette;
+    CommandPalette& palette = context.interface.of<CommandPalette>();
     widgets::quiet_wrapped(command.help.c_str());
     ImGui::Dummy({0.0F, 4.0F * theme::scale()});
     widgets::quiet_wrapped(("It takes: " + command.arguments + ". Enter runs it.").c_str());
@@ -113,7 +115,7 @@ void CommandPalette::toggle() {
 }
 
 void draw_command_palette(InterfaceContext& context) {
-    CommandPalette& palette = context.interface.palette;
+    CommandPalette& palette = context.interface.of<CommandPalette>();
     if (!palette.open || !widgets::begin_dialog("##palette", 620.0F, 460.0F)) return;
     if (std::exchange(palette.fresh, false)) ImGui::SetKeyboardFocusHere();
     const std::string title =

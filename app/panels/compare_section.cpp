@@ -1,5 +1,7 @@
 // The section of comparisons: which surfaces are shown together, and the skeleton.
 #include "app/panels/choice_row.h"
+#include "app/panels/editing.h"
+#include "app/panels/parts.h"
 #include "app/panels/sections.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
@@ -110,14 +112,14 @@ void draw_compare(InterfaceContext& context) {
         const auto shown = compared_surfaces(comparison);
         if (std::ranges::find(shown, Compared::kIsosurface) != shown.end()) draw_mask_row(context, comparison);
         if (comparison.mode == Mode::kBlend) {
-            widgets::Slider<float>& blend = context.interface.editing.blend;
+            widgets::Slider<float>& blend = context.interface.of<Editing>().blend;
             const bool changed =
                 widgets::share_row("Share", "How much there is of the second surface", blend, comparison.blend);
             if (blend.held) context.interface.tried_blend = blend.value;
             if (changed) context.perform("compare-blend", {digits(blend.value, 4)});
         }
         if (comparison.mode == Mode::kWipe) {
-            widgets::Slider<float>& wipe = context.interface.editing.wipe;
+            widgets::Slider<float>& wipe = context.interface.of<Editing>().wipe;
             const bool changed = widgets::share_row(
                 "Line", "Where the line is, of the picture's width; it is dragged in the picture too", wipe,
                 comparison.wipe);

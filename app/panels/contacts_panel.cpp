@@ -1,7 +1,9 @@
 // The list of contacts: a panel over the picture's left edge with a row for each place where vessels press on each
 // other without being connected there. A click goes there and selects both.
-#include "app/panels/interface.h"
+#include "app/panels/contacts_panel.h"
+
 #include "app/panels/left_panel.h"
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/labels.h"
@@ -61,7 +63,7 @@ void draw_row(InterfaceContext& context, const Contact& contact, std::size_t ind
     const auto& [first, second] = contact.sides;
     const std::string number = std::to_string(index + 1), name = "Contact " + number;
     ImGui::TableNextRow();
-    const bool current = context.interface.contacts.current == static_cast<int>(index);
+    const bool current = context.interface.of<ContactList>().current == static_cast<int>(index);
     ImGui::TableSetColumnIndex(4); // first: the row-wide item below must not take its clicks
     draw_wipe_button(context, number, current);
     ImGui::TableSetColumnIndex(0);
@@ -112,17 +114,17 @@ std::string summary_of(const std::vector<Contact>& list) {
 } // namespace
 
 void draw_contacts(InterfaceContext& context) {
-    ContactList& panel = context.interface.contacts;
-    context.workspace.want_contacts(panel.open);
+    ContactList& panel = context.interface.of<ContactList>();
+    context.workspace.want_contacts(context.interface.left_is<ContactList>());
     const auto tree = context.workspace.document().tree();
-    if (!panel.open || !tree) return;
+    if (!context.interface.left_is<ContactList>() || !tree) return;
     const Marks& marks = context.workspace.document().marks();
     const float bottom = begin_left_panel("contacts", context);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Vessels that touch");
     ImGui::SameLine();
     widgets::align_right(ImGui::CalcTextSize("Close").x + 14.0F * theme::scale());
-    if (widgets::small_button("Close", "Hides this list; Shift+T shows it again")) panel.open = false;
+    if (widgets::small_button("Close", "Hides this list; Shift+T shows it again")) context.interface.close_left();
     const auto list = context.workspace.current_assets().contacts.list; // keeps it alive: actions may replace it
     if (panel.of != list) panel.current = -1;                           // `current` is an index into the old list
     panel.of = list;

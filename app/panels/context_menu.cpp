@@ -1,5 +1,7 @@
 // The context menu: commands for the branch under the pointer, or for the view.
-#include "app/panels/interface.h"
+#include "app/panels/context_menu.h"
+
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/labels.h"
@@ -75,7 +77,7 @@ std::string branch_title(const Document& document, int branch) {
 } // namespace
 
 void draw_context_menu(InterfaceContext& context) {
-    ContextMenu& menu = context.interface.context_menu;
+    ContextMenu& menu = context.interface.of<ContextMenu>();
     constexpr const char* kPopup = "##context-menu";
     const Document& document = context.workspace.document();
     if (std::exchange(menu.wanted, false)) {

@@ -1,6 +1,7 @@
 // The section of context: a row per item with visibility, colour, removal and opacity.
 #include "app/assets/shapes.h"
 #include "app/panels/choice_row.h"
+#include "app/panels/editing.h"
 #include "app/panels/row_buttons.h"
 #include "app/panels/sections.h"
 #include "app/panels/theme.h"
@@ -120,7 +121,7 @@ void draw_row(InterfaceContext& context, const ContextItem& item, int number, Tr
 } // namespace
 
 void draw_context(InterfaceContext& context) {
-    Trial& trial = context.interface.editing.context;
+    Trial& trial = context.interface.of<Editing>().context;
     const bool tree = context.workspace.document().tree() != nullptr;
     const widgets::TitleButton add{"Add\xE2\x80\xA6",
                                    tree ? "Show a mask or a mesh beside the tree: an organ, a bone"

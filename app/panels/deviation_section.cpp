@@ -1,5 +1,6 @@
 // The section of deviation: the reference surface, the colour scale, and the measured values.
 #include "app/panels/choice_row.h"
+#include "app/panels/parts.h"
 #include "app/panels/sections.h"
 #include "app/panels/widgets.h"
 #include "app/picture/deviation_colours.h"

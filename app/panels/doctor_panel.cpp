@@ -1,8 +1,10 @@
 // The import doctor: a panel at the left edge of the picture that lists assumptions, repairs and suspicions of reading
 // the tree's file, moves the camera to each place, and rereads the file with other options.
+#include "app/panels/doctor_panel.h"
+
 #include "app/panels/choice_row.h"
-#include "app/panels/interface.h"
 #include "app/panels/left_panel.h"
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
@@ -81,7 +83,7 @@ bool says_about(const tree::VesselTree& tree, const char* topic, const char* wor
 }
 
 void draw_voxel_row(InterfaceContext& context) {
-    Doctor& doctor = context.interface.doctor;
+    Doctor& doctor = context.interface.of<Doctor>();
     ImGui::AlignTextToFramePadding();
     widgets::quiet("Voxel");
     ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 70.0F * theme::scale());
@@ -97,7 +99,7 @@ void draw_voxel_row(InterfaceContext& context) {
 void draw_unit(InterfaceContext& context, const tree::VesselTree& tree, const io::ReadOptions& options) {
     constexpr const char* kVoxels = "voxels";
     const std::string unit_by_itself = tree.claims.has_unit() ? "As the file says" : "Not known";
-    Doctor& doctor = context.interface.doctor;
+    Doctor& doctor = context.interface.of<Doctor>();
     const auto unit = widgets::choice_row("Unit", "What one unit of the file's coordinates is",
                                           options.unit ? app::spelled(*options.unit) : "auto",
                                           {{"auto", options.unit ? "By the file" : unit_by_itself},
@@ -117,7 +119,7 @@ void draw_missing_radius(InterfaceContext& context, const tree::VesselTree& tree
         return note.topic == tree::kInventedRadii || note.topic == name_of(tree::Repair::kUnmeasuredRadii);
     };
     if (!options.radius_mm && std::ranges::none_of(tree.notes, about_missing)) return;
-    Doctor& doctor = context.interface.doctor;
+    Doctor& doctor = context.interface.of<Doctor>();
     widgets::begin_row("Radius",
                        "The radius in mm of points whose radius the file does not give; Enter takes it, and an "
                        "empty field takes it back");
@@ -179,7 +181,8 @@ void draw_note(InterfaceContext& context, std::size_t index, bool whole) {
     const Document& document = context.workspace.document();
     const std::shared_ptr<const tree::VesselTree> tree = document.tree();
     const Note& note = tree->notes[index];
-    const std::string text = text_of(note, document.session().tree.path.string(), context.interface.doctor.of_mask);
+    const std::string text =
+        text_of(note, document.session().tree.path.string(), context.interface.of<Doctor>().of_mask);
     const float width = ImGui::GetContentRegionAvail().x;
     const std::string shown = whole ? text : cut_to(text, width);
     const ImVec2 size = ImGui::CalcTextSize(shown.c_str(), nullptr, false, width);
@@ -187,7 +190,7 @@ void draw_note(InterfaceContext& context, std::size_t index, bool whole) {
     const std::string name = "Note " + std::to_string(index + 1);
     ImGui::PushID(static_cast<int>(index));
     if (note.at) {
-        const bool current = context.interface.doctor.current == static_cast<int>(index);
+        const bool current = context.interface.of<Doctor>().current == static_cast<int>(index);
         if (ImGui::Selectable("##note", current, 0, {width, size.y}))
             context.perform("note", {std::to_string(index + 1)});
         widgets::note_item(name.c_str());
@@ -252,10 +255,10 @@ void draw_notes(InterfaceContext& context, const tree::VesselTree& tree) {
 } // namespace
 
 void draw_doctor(InterfaceContext& context) {
-    Doctor& doctor = context.interface.doctor;
+    Doctor& doctor = context.interface.of<Doctor>();
     // Keeps the tree alive: actions may replace the document's.
     const std::shared_ptr<const tree::VesselTree> tree = context.workspace.document().tree();
-    if (!doctor.open || !tree) return;
+    if (!context.interface.left_is<Doctor>() || !tree) return;
     const io::ReadOptions options = context.workspace.document().marks().reading;
     begin_left_panel("import doctor", context);
     ImGui::AlignTextToFramePadding();
@@ -268,7 +271,7 @@ void draw_doctor(InterfaceContext& context) {
     widgets::align_right(ImGui::CalcTextSize(reset ? "ResetClose" : "Close").x + (reset ? 32.0F : 14.0F) * scale);
     if (reset && widgets::small_button("Reset", "Reads the file as usual again")) context.perform("read-as", {"usual"});
     if (reset) ImGui::SameLine(0.0F, 4.0F * scale);
-    if (widgets::small_button("Close", "Hides this panel; Shift+D shows it again")) doctor.open = false;
+    if (widgets::small_button("Close", "Hides this panel; Shift+D shows it again")) context.interface.close_left();
     ImGui::BeginDisabled(context.commands.busy());
     draw_unit(context, *tree, options);
     if (doctor.of_mask) {

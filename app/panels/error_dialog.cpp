@@ -1,6 +1,10 @@
 // The dialog for errors of files: what, where, and what to do. The open document stays open.
+#include "app/panels/error_dialog.h"
+
 #include "app/panels/choice_row.h"
-#include "app/panels/interface.h"
+#include "app/panels/doctor_panel.h"
+#include "app/panels/parts.h"
+#include "app/panels/recovery_dialogs.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/window_words.h"
@@ -24,7 +28,7 @@ bool draw_radius_field(InterfaceContext& context, const Error& error) {
     const std::string file = context.workspace.asked_for().string();
     if (file.empty() || !error.where.starts_with(file) || error.hint.find("--radius MM") == std::string::npos)
         return false;
-    auto& typed = context.interface.doctor.radius;
+    auto& typed = context.interface.of<Doctor>().radius;
     ImGui::Dummy({0.0F, 4.0F * theme::scale()});
     widgets::begin_row("Radius", "The radius of all points, in mm; Enter opens the file with it");
     const bool entered = ImGui::InputTextWithHint("##radius", "mm; Enter opens the file with it", typed.data(),
@@ -39,10 +43,10 @@ bool draw_radius_field(InterfaceContext& context, const Error& error) {
 } // namespace
 
 void draw_error_dialog(InterfaceContext& context) {
-    auto& errors = context.interface.errors;
+    auto& errors = context.interface.of<ErrorDialog>().errors;
     if (errors.empty() || !widgets::begin_dialog("error", 520.0F, 0.0F)) return;
     const Error error = in_window_words(errors.front());
-    const bool recovery = context.interface.recovery.failed;
+    const bool recovery = context.interface.of<RecoveryDialog>().failed;
     widgets::heading(recovery ? "This session cannot be recovered" : "This file cannot be opened");
     ImGui::Dummy({0.0F, 2.0F * theme::scale()});
     ImGui::TextWrapped("%s", sentence(error.what).c_str());
@@ -58,7 +62,7 @@ void draw_error_dialog(InterfaceContext& context) {
         another = ImGui::Button("Open another...", {other, 0.0F});
         ImGui::SameLine();
     }
-    const bool typing = context.interface.doctor.radius[0] != '\0';
+    const bool typing = context.interface.of<Doctor>().radius[0] != '\0';
     const bool closed = widgets::button("Close", {width, 0.0F}, theme::kAccentDim) ||
                         (!typing && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false));
     if (closed || another || opens) {

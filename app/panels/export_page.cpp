@@ -1,5 +1,7 @@
 // The export dialog's upper part: a page for each kind of file, with a preview of pictures.
-#include "app/panels/interface.h"
+#include "app/panels/figure_preview.h"
+#include "app/panels/open_dialog.h"
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/reports/table_kinds.h"
@@ -54,7 +56,7 @@ void draw_preview(FigurePreview& preview, const ImVec2& size) {
 
 void draw_export_page(InterfaceContext& context, OpenDialog& dialog) {
     const float scale = theme::scale(), height = 252.0F * scale, preview_width = 320.0F * scale;
-    FigurePreview& preview = context.interface.preview;
+    FigurePreview& preview = context.interface.of<FigurePreview>();
     preview.wanted = dialog.exported.draws();
     preview.request = dialog.exported.request({});
     const bool other_kind = draw_export_kinds(dialog.exported, context.workspace.document().tree() != nullptr);

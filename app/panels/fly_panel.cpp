@@ -1,5 +1,7 @@
 // The bar under the picture that flies the camera along the vessels: play, and a slider from the root to the end.
-#include "app/panels/interface.h"
+#include "app/panels/fly_panel.h"
+
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/labels.h"
@@ -21,13 +23,13 @@ constexpr double kLongestStep = 0.5; // seconds: after a longer pause of the pro
 void fly_to(InterfaceContext& context, double fraction) {
     char text[32];
     std::snprintf(text, sizeof text, "%.7f", std::clamp(fraction, 0.0, 1.0));
-    std::vector<std::string> words{std::to_string(context.interface.fly.branch), text};
-    if (context.interface.fly.inside) words.emplace_back("inside");
+    std::vector<std::string> words{std::to_string(context.interface.of<Fly>().branch), text};
+    if (context.interface.of<Fly>().inside) words.emplace_back("inside");
     context.perform("fly", words);
 }
 
 void play_on(InterfaceContext& context, const FlyPath& path) {
-    Fly& fly = context.interface.fly;
+    Fly& fly = context.interface.of<Fly>();
     const double passed = std::clamp(context.now - fly.last, 0.0, kLongestStep);
     fly.last = context.now;
     if (!fly.playing || context.commands.awaits()) return; // the last step has not taken effect yet
@@ -59,7 +61,7 @@ bool play_button(bool playing, float side) {
 }
 
 void toggle_play(InterfaceContext& context) {
-    Fly& fly = context.interface.fly;
+    Fly& fly = context.interface.of<Fly>();
     fly.playing = !fly.playing;
     fly.last = context.now;
     if (fly.playing) fly_to(context, fly.fraction >= 1.0 ? 0.0 : fly.fraction);
@@ -87,7 +89,7 @@ void begin_bar(const Layout& layout) {
 
 // The destination, the position, and a Close button.
 void draw_title_row(InterfaceContext& context, const FlyPath& path) {
-    Fly& fly = context.interface.fly;
+    Fly& fly = context.interface.of<Fly>();
     const Document& document = context.workspace.document();
     const float scale = theme::scale();
     const std::string label = label_of(document.dependency(), document.marks(), fly.branch);
@@ -109,7 +111,7 @@ void draw_title_row(InterfaceContext& context, const FlyPath& path) {
 }
 
 void draw_controls(InterfaceContext& context) {
-    Fly& fly = context.interface.fly;
+    Fly& fly = context.interface.of<Fly>();
     if (play_button(fly.playing, ImGui::GetFrameHeight())) toggle_play(context);
     widgets::tooltip(fly.playing ? "Pause" : "Fly from here to the end of the branch");
     ImGui::SameLine();
@@ -128,7 +130,7 @@ void draw_controls(InterfaceContext& context) {
 } // namespace
 
 void draw_fly(InterfaceContext& context) {
-    Fly& fly = context.interface.fly;
+    Fly& fly = context.interface.of<Fly>();
     const Document& document = context.workspace.document();
     if (!fly.open) return;
     // Selecting another branch while paused makes it the next destination.

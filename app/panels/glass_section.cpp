@@ -1,4 +1,5 @@
 // The section for the look of defocused branches; shown while any branch is defocused.
+#include "app/panels/editing.h"
 #include "app/panels/sections.h"
 #include "app/session/numbers.h"
 
@@ -13,8 +14,8 @@ void draw_glass(InterfaceContext& context) {
     context.interface.tried_glass.reset();
     if (std::ranges::find(marks.states, render::BranchState::kDefocused) == marks.states.end()) return;
     widgets::section("Glass");
-    widgets::Slider<float>& opacity = context.interface.editing.glass_opacity;
-    widgets::Slider<float>& grey = context.interface.editing.glass_grey;
+    widgets::Slider<float>& opacity = context.interface.of<Editing>().glass_opacity;
+    widgets::Slider<float>& grey = context.interface.of<Editing>().glass_grey;
     const bool opacity_changed =
         widgets::share_row("Opacity", "0 leaves the centerlines of defocused branches, 200 % is nearly solid", opacity,
                            marks.glass.opacity, 2.0F);

@@ -1,5 +1,7 @@
 // The help overlay: mouse and keys, from the command table, with a search field.
-#include "app/panels/interface.h"
+#include "app/panels/help_overlay.h"
+
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "core/base/words.h"
@@ -98,7 +100,7 @@ void draw_rows(HelpTable& table) {
 
 void draw_help(InterfaceContext& context) {
     Interface& interface = context.interface;
-    if (!interface.help_open) return;
+    if (!interface.of<Help>().open) return;
     if (!widgets::begin_dialog("help", 760.0F, 640.0F)) return;
     widgets::heading("Mouse and keys");
     ImGui::SameLine();
@@ -107,15 +109,16 @@ void draw_help(InterfaceContext& context) {
     widgets::align_right(search_width + close_width + ImGui::GetStyle().ItemSpacing.x);
     ImGui::SetNextItemWidth(search_width);
     if (ImGui::IsWindowAppearing()) {
-        interface.help_search.fill('\0');
+        interface.of<Help>().search.fill('\0');
         ImGui::SetKeyboardFocusHere();
     }
-    ImGui::InputTextWithHint("##search", "Search", interface.help_search.data(), interface.help_search.size());
+    ImGui::InputTextWithHint("##search", "Search", interface.of<Help>().search.data(),
+                             interface.of<Help>().search.size());
     ImGui::SameLine();
     bool close = ImGui::Button("Close", {close_width, 0.0F});
     ImGui::Dummy({0.0F, 2.0F * theme::scale()});
     ImGui::BeginChild("rows", {0.0F, 0.0F});
-    HelpTable table(interface.help_search.data());
+    HelpTable table(interface.of<Help>().search.data());
     if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY)) {
         ImGui::TableSetupScrollFreeze(0, 1);
         ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 220.0F * theme::scale());
@@ -127,7 +130,7 @@ void draw_help(InterfaceContext& context) {
     if (!table.any()) widgets::quiet("Nothing has these letters in it.");
     ImGui::EndChild();
     if (close) {
-        interface.help_open = false;
+        interface.of<Help>().open = false;
         ImGui::CloseCurrentPopup();
     }
     widgets::end_dialog();

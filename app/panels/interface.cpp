@@ -1,12 +1,23 @@
 #include "app/panels/interface.h"
 
+#include "app/panels/contacts_panel.h"
+#include "app/panels/context_menu.h"
+#include "app/panels/doctor_panel.h"
+#include "app/panels/fly_panel.h"
+#include "app/panels/menu_bar.h"
+#include "app/panels/overview.h"
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
+#include "app/panels/validation_panel.h"
+#include "app/panels/warnings_panel.h"
 #include "app/panels/widgets.h"
+#include "app/panels/written_notice.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <imgui.h>
+#include <iterator>
+#include <utility>
 
 namespace ramus::app {
 
@@ -99,33 +110,51 @@ const char* key_of(PanelPage page) {
 }
 
 bool Interface::dismiss() {
-    if (menu_open) {
-        close_menu = true;
-        menu_by_keys = false;
-    } else if (menu_by_keys && menu_focused) {
-        menu_by_keys = false;
-    } else if (context_menu.wanted) {
-        context_menu.wanted = false;
-    } else if (context_menu.open) {
-        context_menu.close = true;
-    } else if (!errors.empty()) {
-        errors.pop_front();
-    } else if (unsaved.open()) {
-        unsaved.next = nullptr;
-    } else if (quit.open()) {
-        quit.next = nullptr;
-    } else if (volume.open()) {
-        volume = {};
-    } else {
-        const std::array below{&palette.open,  &recovery.open,   &open_dialog.open, &help_open,     &rename.open,
-                               &radius.open,   &fly.open,        &units_panel.open, &warnings.open, &doctor.open,
-                               &contacts.open, &validation.open, &welcome.open,     &written.open};
-        const auto top = std::ranges::find_if(below, [](const bool* open) { return *open; });
-        if (top == below.end()) return false;
-        **top = false;
-        fly.playing = fly.playing && fly.open;
-    }
+    auto& menus = of<BarMenus>();
+    auto& menu = of<ContextMenu>();
+    if (menus.open)
+        menus.close = true, menus.by_keys = false;
+    else if (menus.by_keys && menus.focused)
+        menus.by_keys = false;
+    else if (menu.wanted)
+        menu.wanted = false;
+    else if (menu.open)
+        menu.close = true;
+    else if (const auto* dialog =
+                 std::ranges::find_if(kDialogs, [&](const DialogRow& row) { return row.is_open(*this); });
+             dialog != std::end(kDialogs))
+        dialog->close(*this);
+    else if (auto& fly = of<Fly>(); fly.open)
+        fly.close();
+    else if (left_panel != typeid(void))
+        close_left();
+    else
+        return std::exchange(of<Written>().open, false);
     return true;
+}
+
+bool Interface::dialog_open() const {
+    return std::ranges::any_of(kDialogs, [&](const DialogRow& row) { return row.is_open(*this); });
+}
+
+bool Interface::between_menus() const {
+    return of<BarMenus>().keys > 0 && !of<BarMenus>().open && !of<ContextMenu>().open;
+}
+
+void Interface::tell(std::string text, double now, bool trouble) {
+    notice = {window_words(std::move(text)), now + 5.0, trouble};
+}
+
+void Interface::tell(const Error& error, const Lengths& lengths, double now) {
+    tell(lengths.worded(error.message()), now, true);
+    if (!error.where.empty()) of<WarningsPanel>().list.add(in_window_words(error));
+}
+
+void Interface::warn(Warning warning, double now) {
+    tell(warning.what, now, true);
+    warning.what = window_words(std::move(warning.what));
+    warning.remedy = window_words(std::move(warning.remedy));
+    of<WarningsPanel>().list.add(std::move(warning));
 }
 
 void Interface::note_covered() {
@@ -136,12 +165,14 @@ void Interface::note_covered() {
 void Interface::forget_tree() {
     hovered = tree::kNoBranch;
     nothing_in_view = false;
+    auto& list = of<BranchList>();
     list.of = nullptr;
     list.shown = list.cursor = list.anchor = tree::kNoBranch;
-    overview.shown_selection = tree::kNoBranch;
-    overview.layout_of = nullptr;
-    rename.open = radius.open = fly.open = fly.playing = false;
-    doctor.current = contacts.current = validation.current = -1;
+    of<Overview>().shown_selection = tree::kNoBranch;
+    of<Overview>().layout_of = nullptr;
+    of<Rename>().open = of<RadiusDialog>().open = false;
+    of<Fly>().close();
+    of<Doctor>().current = of<ContactList>().current = of<ValidationList>().current = -1;
 }
 
 void InterfaceContext::perform(const Command& command) {
@@ -171,25 +202,20 @@ void draw_interface(InterfaceContext& context) {
     ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
     // From one menu to the next none is open for a frame.
     constexpr int kFramesBetweenMenus = 6;
-    if (interface.want_menu) interface.menu_by_keys = true;
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) interface.menu_by_keys = false;
-    const bool in_menu = interface.want_menu || interface.menu_open || interface.context_menu.open ||
-                         (interface.menu_by_keys && interface.menu_focused);
-    interface.menu_keys = in_menu ? kFramesBetweenMenus : std::max(0, interface.menu_keys - 1);
-    flags = interface.menu_keys > 0 ? flags | ImGuiConfigFlags_NavEnableKeyboard
-                                    : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
+    auto& menus = interface.of<BarMenus>();
+    if (menus.wanted) menus.by_keys = true;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) menus.by_keys = false;
+    const bool in_menu =
+        menus.wanted || menus.open || interface.of<ContextMenu>().open || (menus.by_keys && menus.focused);
+    menus.keys = in_menu ? kFramesBetweenMenus : std::max(0, menus.keys - 1);
+    flags = menus.keys > 0 ? flags | ImGuiConfigFlags_NavEnableKeyboard : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
     draw_empty_view(context);
     draw_way_back(context);
     draw_tool_drawing(context);
     draw_menu_bar(context);
     draw_tool_bar(context);
     draw_side_panel(context);
-    draw_welcome(context);
-    draw_doctor(context);
-    draw_units_panel(context);
-    draw_warnings(context);
-    draw_contacts(context);
-    draw_validation(context);
+    for (const auto& draw : kLeftPanels) draw(context);
     draw_overview(context);
     draw_branch_window(context);
     draw_fly(context);
@@ -197,17 +223,7 @@ void draw_interface(InterfaceContext& context) {
     draw_status_bar(context);
     draw_tooltip(context);
     draw_context_menu(context);
-    // Of dialogs that are open, the first one is shown.
-    draw_error_dialog(context);
-    draw_unsaved_dialog(context);
-    draw_quit_dialog(context);
-    draw_recovery_dialog(context);
-    draw_volume_dialog(context);
-    draw_open_dialog(context);
-    draw_command_palette(context);
-    draw_help(context);
-    draw_radius(context);
-    draw_rename(context);
+    for (const DialogRow& dialog : kDialogs) dialog.draw(context);
 }
 
 } // namespace ramus::app

@@ -1,6 +1,7 @@
 // The lesions of the planning page: their nearest vessels, and the contents of their margins.
 #include "app/assets/lesion_text.h"
 #include "app/panels/choice_row.h"
+#include "app/panels/editing.h"
 #include "app/panels/plan_rows.h"
 #include "app/panels/sections.h"
 #include "app/panels/theme.h"
@@ -256,7 +257,7 @@ void draw_margins(InterfaceContext& context) {
     bool coloured = marks.colour_by == ColourBy::kLesion;
     if (ImGui::Checkbox("Colour vessels by distance", &coloured)) {
         // Switching it off restores the previous colouring.
-        std::string& before = context.interface.editing.colours_before;
+        std::string& before = context.interface.of<Editing>().colours_before;
         const std::string usual = document.tree()->systems.size() > 1 ? "system" : "nothing";
         if (coloured) before = name_of(marks.colour_by);
         context.perform("colour-by", {coloured ? "lesion" : before.empty() ? usual : before});

@@ -1,6 +1,7 @@
 // Rows of the import doctor for turning a mask into a tree; each change makes the tree anew.
 #include "app/panels/choice_row.h"
-#include "app/panels/interface.h"
+#include "app/panels/doctor_panel.h"
+#include "app/panels/parts.h"
 #include "app/panels/slider_row.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -31,7 +32,7 @@ void draw_labels(InterfaceContext& context, const io::MaskReading& mask) {
 }
 
 void draw_sizes(InterfaceContext& context, const io::MaskReading& mask) {
-    Doctor& doctor = context.interface.doctor;
+    Doctor& doctor = context.interface.of<Doctor>();
     const volume::SkeletonizeOptions usual;
     const auto slider = [](float most) {
         return [most](float& value) {
@@ -66,7 +67,7 @@ std::string whole(double value) { return std::to_string(std::lround(value)); }
 void draw_root(InterfaceContext& context, const io::MaskReading& mask) {
     constexpr const char *kSelected = "selected", *kPlace = "place";
     const Document& document = context.workspace.document();
-    Doctor& doctor = context.interface.doctor;
+    Doctor& doctor = context.interface.of<Doctor>();
     std::vector<std::pair<std::string, std::string>> entries{{"auto", "Thickest end of each piece"}};
     const auto selected = selected_place(document);
     if (selected) entries.emplace_back(kSelected, "End nearest to the selected branch");

@@ -1,5 +1,7 @@
 // Menus from the command table at the left, buttons for the anatomical views at the right.
-#include "app/panels/interface.h"
+#include "app/panels/menu_bar.h"
+
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
@@ -67,9 +69,9 @@ void draw_recent(InterfaceContext& context) {
 
 // Moves between menus by arrow keys, until ImGui handles them inside a menu.
 void step_from_menu_to_menu(Interface& interface, const std::vector<std::string>& menus) {
-    const auto open = std::ranges::find(menus, interface.open_menu);
-    const int step = std::exchange(interface.menu_step, 0);
-    interface.menu_entry &= interface.menu_by_keys && open != menus.end();
+    const auto open = std::ranges::find(menus, interface.of<BarMenus>().open_name);
+    const int step = std::exchange(interface.of<BarMenus>().step, 0);
+    interface.of<BarMenus>().entry &= interface.of<BarMenus>().by_keys && open != menus.end();
     if (open == menus.end() || step == 0) return;
     const auto at = static_cast<int>(open - menus.begin()), count = static_cast<int>(menus.size());
     ImGui::OpenPopup(menus[static_cast<std::size_t>(((at + step) % count + count) % count)].c_str());
@@ -137,18 +139,18 @@ void draw_menus(InterfaceContext& context) {
     for (const Command& command : command_table())
         if (!command.menu.empty() && std::find(menus.begin(), menus.end(), command.menu) == menus.end())
             menus.push_back(command.menu);
-    const bool close = std::exchange(context.interface.close_menu, false);
-    context.interface.menu_open = false;
+    const bool close = std::exchange(context.interface.of<BarMenus>().close, false);
+    context.interface.of<BarMenus>().open = false;
     // Opens the first menu as if it was clicked; arrows work from there.
-    if (std::exchange(context.interface.want_menu, false)) ImGui::OpenPopup(menus.front().c_str());
+    if (std::exchange(context.interface.of<BarMenus>().wanted, false)) ImGui::OpenPopup(menus.front().c_str());
     step_from_menu_to_menu(context.interface, menus);
-    context.interface.open_menu.clear();
+    context.interface.of<BarMenus>().open_name.clear();
     for (const std::string& menu : menus) {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8.0F * theme::scale(), 8.0F * theme::scale()});
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {12.0F * theme::scale(), 8.0F * theme::scale()});
         if (begin_menu(menu, static_cast<float>(context.layout.bar_height), context)) {
-            context.interface.menu_open = !close;
-            if (!close) context.interface.open_menu = menu;
+            context.interface.of<BarMenus>().open = !close;
+            if (!close) context.interface.of<BarMenus>().open_name = menu;
             if (close) ImGui::CloseCurrentPopup();
             draw_entries(context, menu);
             ImGui::EndMenu();
@@ -203,7 +205,7 @@ void draw_menu_bar(InterfaceContext& context) {
     ImGui::PopStyleVar(2);
     if (!shown) return;
     draw_menus(context);
-    context.interface.menu_focused = ImGui::IsWindowFocused();
+    context.interface.of<BarMenus>().focused = ImGui::IsWindowFocused();
     draw_views(context);
     ImGui::EndMainMenuBar();
 }

@@ -1,7 +1,8 @@
 #include "app/panels/open_dialog.h"
 
 #include "app/assets/shapes.h"
-#include "app/panels/interface.h"
+#include "app/panels/figure_preview.h"
+#include "app/panels/parts.h"
 #include "app/panels/places_list.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -384,9 +385,9 @@ fs::path draw_buttons(OpenDialog& dialog, float button_width, bool& cancelled) {
 const char* key_of(FilePurpose purpose) { return std::ranges::find(purposes(), purpose, &Purpose::purpose)->command; }
 
 void draw_open_dialog(InterfaceContext& context) {
-    OpenDialog& dialog = context.interface.open_dialog;
+    OpenDialog& dialog = context.interface.of<OpenDialog>();
     const bool saving = dialog.saves(), exporting = dialog.purpose == FilePurpose::kExport;
-    context.interface.preview.wanted = false;
+    context.interface.of<FigurePreview>().wanted = false;
     if (!dialog.open || !widgets::begin_dialog("open", exporting ? 900.0F : 820.0F, exporting ? 720.0F : 560.0F))
         return;
     const float scale = theme::scale();

@@ -2,7 +2,7 @@
 // in both.
 #include "app/panels/overview.h"
 
-#include "app/panels/interface.h"
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
@@ -36,7 +36,7 @@ double line_width(const InterfaceContext& context, const OverviewView& view, con
 }
 
 void draw_piece(const InterfaceContext& context, const Canvas& canvas, const OverviewPiece& piece, bool frames) {
-    const Overview& overview = context.interface.overview;
+    const Overview& overview = context.interface.of<Overview>();
     const OverviewLine& line = overview.layout.lines[index(piece.branch)];
     const Overview::Look look = look_of(overview, piece);
     if (frames && !look.selected) return;
@@ -72,7 +72,7 @@ void draw_piece(const InterfaceContext& context, const Canvas& canvas, const Ove
 
 // The horizontal line from the parent's end to the branch.
 void draw_joint(const InterfaceContext& context, const Canvas& canvas, const OverviewPiece& piece, double parent_at) {
-    const Overview& overview = context.interface.overview;
+    const Overview& overview = context.interface.of<Overview>();
     const OverviewLine& line = overview.layout.lines[index(piece.branch)];
     const glm::dvec2 from = canvas.to(overview.view, {std::min(parent_at, line.at), line.from});
     const glm::dvec2 to = canvas.to(overview.view, {std::max(parent_at, line.at), line.from});
@@ -87,7 +87,7 @@ void draw_joint(const InterfaceContext& context, const Canvas& canvas, const Ove
 }
 
 void draw_tree_lines(const InterfaceContext& context, const Canvas& canvas) {
-    const Overview& overview = context.interface.overview;
+    const Overview& overview = context.interface.of<Overview>();
     const OverviewLayout& layout = overview.layout;
     const std::vector<OverviewPiece> pieces = visible_pieces(layout, overview.view);
     for (const OverviewPiece& piece : pieces) draw_piece(context, canvas, piece, true);
@@ -111,7 +111,7 @@ void draw_tree_lines(const InterfaceContext& context, const Canvas& canvas) {
 
 // Faint lines at even depths, named at the left.
 void draw_scale(const InterfaceContext& context, const Canvas& canvas) {
-    const Overview& overview = context.interface.overview;
+    const Overview& overview = context.interface.of<Overview>();
     const OverviewView& view = overview.view;
     const double depth = overview.layout.depth;
     const double least_step = 22.0 * theme::scale() * (view.most.y - view.least.y) * depth / view.pixels.y;
@@ -145,7 +145,7 @@ void draw_scale(const InterfaceContext& context, const Canvas& canvas) {
 void pick_with_click(InterfaceContext& context, int id) {
     const ImGuiIO& io = ImGui::GetIO();
     if (id != tree::kNoBranch) {
-        context.interface.overview.shown_selection = id; // already visible
+        context.interface.of<Overview>().shown_selection = id; // already visible
         context.perform(io.KeyCtrl ? "select-toggle" : io.KeyAlt ? "select-subtree" : "select", {std::to_string(id)});
     } else if (!io.KeyCtrl && !io.KeyAlt && !io.KeyShift) {
         context.perform("select-none", {});
@@ -153,7 +153,7 @@ void pick_with_click(InterfaceContext& context, int id) {
 }
 
 void finish_lasso(InterfaceContext& context) {
-    Overview& overview = context.interface.overview;
+    Overview& overview = context.interface.of<Overview>();
     const std::vector<int> ids = branches_within(overview.layout, overview.lasso);
     overview.lasso.clear();
     const bool adds = ImGui::GetIO().KeyCtrl;
@@ -170,7 +170,7 @@ void finish_lasso(InterfaceContext& context) {
 
 // Handles the mouse; returns the branch under the pointer.
 int handle_mouse(InterfaceContext& context, const Canvas& canvas) {
-    Overview& overview = context.interface.overview;
+    Overview& overview = context.interface.of<Overview>();
     const ImGuiIO& io = ImGui::GetIO();
     const bool over = ImGui::IsItemHovered();
     const glm::dvec2 pixel(io.MousePos.x - canvas.at.x, io.MousePos.y - canvas.at.y);
@@ -232,7 +232,7 @@ void follow_selection(Overview& overview, const Marks& marks) {
 }
 
 void draw_header(InterfaceContext& context) {
-    Overview& overview = context.interface.overview;
+    Overview& overview = context.interface.of<Overview>();
     const float scale = theme::scale();
     ImGui::TextUnformatted("Overview");
     ImGui::SameLine(0.0F, 16.0F * scale);
@@ -274,7 +274,8 @@ void draw_splitter(InterfaceContext& context, float width) {
     if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
     if (held) {
         const float bottom = at.y + static_cast<float>(context.layout.overview_height);
-        context.interface.overview.height = std::max(90.0F, (bottom - ImGui::GetIO().MousePos.y) / theme::scale());
+        context.interface.of<Overview>().height =
+            std::max(90.0F, (bottom - ImGui::GetIO().MousePos.y) / theme::scale());
     }
     ImGui::GetWindowDrawList()->AddLine({at.x, at.y + 0.5F}, {at.x + width, at.y + 0.5F},
                                         ImGui::GetColorU32(held ? theme::kAccentDim : theme::kLine));
@@ -304,7 +305,7 @@ void draw_lasso(const Overview& overview, const Canvas& canvas) {
 }
 
 void draw_canvas(InterfaceContext& context, const Canvas& canvas) {
-    Overview& overview = context.interface.overview;
+    Overview& overview = context.interface.of<Overview>();
     const Marks& marks = context.workspace.document().marks();
     ImGui::SetCursorScreenPos(canvas.at);
     ImGui::InvisibleButton("##canvas", canvas.size);
@@ -324,7 +325,7 @@ void draw_canvas(InterfaceContext& context, const Canvas& canvas) {
 } // namespace
 
 void draw_overview(InterfaceContext& context) {
-    Overview& overview = context.interface.overview;
+    Overview& overview = context.interface.of<Overview>();
     const Layout& layout = context.layout;
     if (layout.overview_height == 0) return;
     const float scale = theme::scale();

@@ -1,5 +1,6 @@
 // Sections of the planning page: cuts and their cost, thin vessels, measurements, the report. They read assets and act
 // through commands.
+#include "app/panels/editing.h"
 #include "app/panels/plan_rows.h"
 #include "app/panels/sections.h"
 #include "app/panels/theme.h"
@@ -70,7 +71,7 @@ void draw_buttons(InterfaceContext& context, std::initializer_list<widgets::Titl
 
 // Vessels below an editable diameter.
 void draw_thin_vessels(InterfaceContext& context) {
-    std::string& typed = context.interface.editing.thin;
+    std::string& typed = context.interface.of<Editing>().thin;
     const auto& facts = context.workspace.facts();
     const std::string usual = rounded(facts ? facts->usual_thin_mm : UsualSizes().thin_mm);
     const std::string below = typed.empty() ? usual : typed;

@@ -1,5 +1,6 @@
 #include "app/panels/plan_rows.h"
 
+#include "app/panels/editing.h"
 #include "app/panels/row_buttons.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -60,7 +61,7 @@ bool object_row(InterfaceContext& context, const std::string& kind, std::size_t 
 
 std::vector<std::string> number_field(InterfaceContext& context, const char* id, const std::string& current,
                                       float width, float before_right) {
-    auto& [owner, typed] = context.interface.editing.numbers;
+    auto& [owner, typed] = context.interface.of<Editing>().numbers;
     widgets::align_right(width * theme::scale() + before_right);
     std::array<char, 64> shown{};
     std::copy_n(current.begin(), std::min(current.size(), shown.size() - 1), shown.begin());

@@ -1,5 +1,7 @@
 // A field for the diameter of what is selected, or for a factor.
-#include "app/panels/interface.h"
+#include "app/panels/radius_dialog.h"
+
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
@@ -10,7 +12,7 @@
 namespace ramus::app {
 
 void draw_radius(InterfaceContext& context) {
-    RadiusDialog& dialog = context.interface.radius;
+    RadiusDialog& dialog = context.interface.of<RadiusDialog>();
     const auto& selection = context.workspace.document().marks().selection;
     if (dialog.open && selection.empty()) dialog.open = false;
     if (!dialog.open || !widgets::begin_dialog("##radius", 380.0F, 0.0F)) return;

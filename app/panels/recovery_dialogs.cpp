@@ -1,6 +1,7 @@
 #include "app/panels/recovery_dialogs.h"
 
-#include "app/panels/interface.h"
+#include "app/panels/error_dialog.h"
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
@@ -77,9 +78,11 @@ RecoveryChoice draw_entry(const RecoveryDialog::Entry& entry, float height) {
 } // namespace
 
 void draw_recovery_dialog(InterfaceContext& context) {
-    RecoveryDialog& dialog = context.interface.recovery;
+    RecoveryDialog& dialog = context.interface.of<RecoveryDialog>();
     // Errors and unsaved changes come first.
-    if (!dialog.open || !context.interface.errors.empty() || context.interface.unsaved.open()) return;
+    if (!dialog.open || !context.interface.of<ErrorDialog>().errors.empty() ||
+        context.interface.of<UnsavedDialog>().open())
+        return;
     if (!widgets::begin_dialog("recovery", 560.0F, 0.0F)) return;
     const float scale = theme::scale();
     widgets::heading("ramus did not close properly");
@@ -114,13 +117,13 @@ void draw_recovery_dialog(InterfaceContext& context) {
         chosen = {"recover", "1"};
     if (later) dialog.open = false;
     if (!chosen.empty()) context.perform(chosen[0], {chosen[1]});
-    if (!dialog.open || context.interface.unsaved.open()) ImGui::CloseCurrentPopup();
+    if (!dialog.open || context.interface.of<UnsavedDialog>().open()) ImGui::CloseCurrentPopup();
     widgets::end_dialog();
 }
 
 void draw_unsaved_dialog(InterfaceContext& context) {
-    UnsavedDialog& dialog = context.interface.unsaved;
-    if (!dialog.open() || !context.interface.errors.empty()) return;
+    UnsavedDialog& dialog = context.interface.of<UnsavedDialog>();
+    if (!dialog.open() || !context.interface.of<ErrorDialog>().errors.empty()) return;
     if (!widgets::begin_dialog("unsaved", 520.0F, 0.0F)) return;
     const float scale = theme::scale();
     const Document& document = context.workspace.document();
@@ -155,8 +158,8 @@ void draw_unsaved_dialog(InterfaceContext& context) {
 }
 
 void draw_quit_dialog(InterfaceContext& context) {
-    QuitDialog& dialog = context.interface.quit;
-    if (!dialog.open() || !context.interface.errors.empty()) return;
+    QuitDialog& dialog = context.interface.of<QuitDialog>();
+    if (!dialog.open() || !context.interface.of<ErrorDialog>().errors.empty()) return;
     // Writing may finish while the dialog is open.
     const bool done = context.commands.writing().empty();
     if (!widgets::begin_dialog("quit", 460.0F, 0.0F)) return;

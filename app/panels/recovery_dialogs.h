@@ -28,6 +28,7 @@ struct RecoveryDialog {
 struct UnsavedDialog {
     std::function<void()> next; // empty: the dialog is closed
     [[nodiscard]] bool open() const { return next != nullptr; }
+    void close() { next = nullptr; }
 };
 
 // Asks for confirmation to quit while a file is being written.
@@ -35,6 +36,7 @@ struct QuitDialog {
     std::string activity;       // "Exporting liver.stl"
     std::function<void()> next; // empty: the dialog is closed
     [[nodiscard]] bool open() const { return next != nullptr; }
+    void close() { next = nullptr; }
 };
 
 // "just now", "3 minutes ago", "26 hours ago", "5 days ago".

@@ -1,5 +1,7 @@
 // A field for the name of a branch, a system or an object of the scene.
-#include "app/panels/interface.h"
+#include "app/panels/rename_dialog.h"
+
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 
@@ -45,7 +47,7 @@ static void take_name(InterfaceContext& context, const Rename& rename) {
 }
 
 void draw_rename(InterfaceContext& context) {
-    Rename& rename = context.interface.rename;
+    Rename& rename = context.interface.of<Rename>();
     const Document& document = context.workspace.document();
     if (rename.open && rename.branch >= document.branch_count()) rename.open = false;
     if (!rename.open || !widgets::begin_dialog("##name", 380.0F, 0.0F)) return;

@@ -1,5 +1,5 @@
 // The section of the selection: facts and actions, always at the same places.
-#include "app/panels/interface.h"
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/labels.h"

@@ -1,7 +1,9 @@
 // The side panel: the tree, and pages for exploring, the surface, and planning. Hovering, pressing and selecting move
 // nothing: parts that may grow are last, or have reserved space.
+#include "app/panels/branch_list.h"
 #include "app/panels/choice_row.h"
-#include "app/panels/interface.h"
+#include "app/panels/editing.h"
+#include "app/panels/parts.h"
 #include "app/panels/sections.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -119,8 +121,8 @@ void draw_smoothing(InterfaceContext& context) {
 
 void draw_options(InterfaceContext& context) {
     const mesh::SurfaceOptions options = context.workspace.document().marks().options; // a choice changes it
-    auto& sliders = context.interface.editing.options;
-    auto& shown = context.interface.editing.shown_options;
+    auto& sliders = context.interface.of<Editing>().options;
+    auto& shown = context.interface.of<Editing>().shown_options;
     for (const SurfaceOption& option : surface_options()) {
         if (option.label.empty()) continue;
         if (option.only_when_set && option.value(options) == option.value({}) && !shown.contains(option.key)) continue;
@@ -188,7 +190,7 @@ void draw_pages(InterfaceContext& context) {
 
 // The table, or a button to return it to the panel.
 void draw_branches(InterfaceContext& context) {
-    const bool apart = context.interface.list.apart;
+    const bool apart = context.interface.of<BranchList>().apart;
     draw_title(
         context, "Branches",
         {{apart ? "Back" : "Window",
@@ -205,7 +207,7 @@ void draw_branches(InterfaceContext& context) {
 // The part above the table scrolls if the panel is too low: the table keeps its rows.
 void draw_explore(InterfaceContext& context) {
     float& height = context.interface.explore_height;
-    const float room = ImGui::GetContentRegionAvail().y - least_branch_list_height(context.interface.list);
+    const float room = ImGui::GetContentRegionAvail().y - least_branch_list_height(context.interface.of<BranchList>());
     const float least = 3.0F * ImGui::GetFrameHeightWithSpacing();
     ImGui::BeginChild("above the table", {0.0F, std::max(std::min(height, room), least)});
     draw_systems(context);

@@ -1,6 +1,6 @@
 // Counts of selected, defocused and hidden branches in the status bar, where they are always visible. A click on one
 // resets that state.
-#include "app/panels/interface.h"
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"

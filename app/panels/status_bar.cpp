@@ -1,6 +1,6 @@
 // The status bar: at the left the path from the root to the current branch, at the right progress or facts of the
 // picture, and the number of unread warnings.
-#include "app/panels/interface.h"
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"

@@ -1,4 +1,6 @@
 // The systems of the tree: a row each to show or hide it, to colour, select and name it.
+#include "app/panels/editing.h"
+#include "app/panels/rename_dialog.h"
 #include "app/panels/row_buttons.h"
 #include "app/panels/sections.h"
 #include "app/panels/theme.h"
@@ -23,7 +25,7 @@ std::array<std::uint8_t, 3> bytes_of(const glm::vec3& colour) {
 }
 
 void draw_swatch(InterfaceContext& context, const glm::vec3& now, int system) {
-    Editing::System& trial = context.interface.editing.system;
+    Editing::System& trial = context.interface.of<Editing>().system;
     auto colour = trial.of == system ? trial.colour : bytes_of(now);
     if (widgets::colour_swatch(colour)) {
         trial = {system, colour};
@@ -86,7 +88,7 @@ void draw_row(InterfaceContext& context, const Systems& systems, const SystemFac
     ImGui::PopStyleVar();
     if (!pressed) return;
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-        context.interface.rename.show_system(system, systems[static_cast<std::size_t>(system)].name);
+        context.interface.of<Rename>().show_system(system, systems[static_cast<std::size_t>(system)].name);
     else
         context.perform("select-system", {number});
 }
@@ -101,7 +103,8 @@ void draw_systems(InterfaceContext& context) {
     // Copies, since actions of rows change the session.
     const Systems systems = systems_of(*document.tree(), document.marks());
     const std::vector<SystemFacts> facts = system_facts(*document.tree(), *context.workspace.facts(), document.marks());
-    if (context.interface.editing.system.of >= static_cast<int>(systems.size())) context.interface.editing.system = {};
+    if (context.interface.of<Editing>().system.of >= static_cast<int>(systems.size()))
+        context.interface.of<Editing>().system = {};
     for (int system = 0; system < static_cast<int>(systems.size()); ++system) {
         ImGui::PushID(system);
         draw_row(context, systems, facts[static_cast<std::size_t>(system)], system);

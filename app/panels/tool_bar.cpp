@@ -1,5 +1,5 @@
 // The tool bar at the upper left of the picture: a button per tool, and the settings of the current tool.
-#include "app/panels/interface.h"
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 

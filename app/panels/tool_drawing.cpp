@@ -1,5 +1,5 @@
 // Draws the current tool's ToolDrawing, over the picture and under the panels.
-#include "app/panels/interface.h"
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/tools/pixel_polygon.h"

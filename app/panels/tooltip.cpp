@@ -1,5 +1,6 @@
 // The card about the branch under the pointer: its size and dependents.
-#include "app/panels/interface.h"
+#include "app/panels/menu_bar.h"
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/labels.h"
@@ -118,7 +119,7 @@ void draw_branch_tooltip(InterfaceContext& context, int id) {
 
 void draw_tooltip(InterfaceContext& context) {
     const Interface& interface = context.interface;
-    if (interface.tooltip && !interface.menus_have_keys()) draw_branch_tooltip(context, interface.hovered);
+    if (interface.tooltip && !interface.of<BarMenus>().have_keys()) draw_branch_tooltip(context, interface.hovered);
 }
 
 } // namespace ramus::app

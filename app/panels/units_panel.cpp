@@ -1,8 +1,11 @@
 // "What this file does not say": a panel at the left edge of the picture that asks for the file's unit and orientation.
 // The cube in the picture previews the choice.
+#include "app/panels/units_panel.h"
+
 #include "app/panels/choice_row.h"
-#include "app/panels/interface.h"
+#include "app/panels/doctor_panel.h"
 #include "app/panels/left_panel.h"
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
@@ -126,7 +129,6 @@ std::optional<io::Orientation> UnitsPanel::orientation() const {
 }
 
 void UnitsPanel::show(const io::ReadOptions& options) {
-    open = true;
     unit = options.unit ? spelled(*options.unit) : kOpen;
     voxel = {};
     if (options.unit && !io::named_unit_mm(unit)) {
@@ -157,9 +159,9 @@ std::optional<render::AxisNames> UnitsPanel::axes(const tree::Claims& claims, co
 }
 
 void draw_units_panel(InterfaceContext& context) {
-    UnitsPanel& units_panel = context.interface.units_panel;
+    UnitsPanel& units_panel = context.interface.of<UnitsPanel>();
     const Document& document = context.workspace.document();
-    if (!units_panel.open || !document.has_scene()) return;
+    if (!context.interface.left_is<UnitsPanel>() || !document.has_scene()) return;
     const tree::Claims& claims = document.claims();
     const io::ReadOptions options = said_of(document);
     begin_left_panel("what the file does not say", context);
@@ -176,7 +178,7 @@ void draw_units_panel(InterfaceContext& context) {
                 widgets::quiet_wrapped(capitalised(window_words(note.text)).c_str());
     if (!tree)
         widgets::quiet_wrapped("The axes of masks and meshes are those of their files.");
-    else if (context.interface.doctor.of_mask)
+    else if (context.interface.of<Doctor>().of_mask)
         widgets::quiet_wrapped("The axes of a mask are those of its file.");
     else
         draw_axes(units_panel, claims);
@@ -198,8 +200,8 @@ void draw_units_panel(InterfaceContext& context) {
     ImGui::EndDisabled();
     ImGui::End();
     if (!later && !taken) return;
-    units_panel.open = false;
-    context.interface.doctor.open = tree && could_mislead(*document.tree(), options);
+    context.interface.close_left();
+    if (tree && could_mislead(*document.tree(), options)) context.interface.show_left<Doctor>();
     if (taken && tree) context.perform("read-as", words);
     if (taken && !tree) context.perform("units", {words.back()});
 }

@@ -1,8 +1,10 @@
 // The validation panel at the left edge of the picture: the questions, a row per place, how well the surface follows
 // the tree as read, and the radius along the selected branch. A click moves the camera to the place and selects its
 // branches.
-#include "app/panels/interface.h"
+#include "app/panels/validation_panel.h"
+
 #include "app/panels/left_panel.h"
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/validation_plot.h"
 #include "app/panels/widgets.h"
@@ -95,7 +97,7 @@ void draw_finding(InterfaceContext& context, const Finding& finding, std::size_t
     const std::string number = std::to_string(index + 1), name = "Finding " + number;
     ImGui::TableNextRow();
     ImGui::TableSetColumnIndex(0);
-    const bool current = context.interface.validation.current == static_cast<int>(index);
+    const bool current = context.interface.of<ValidationList>().current == static_cast<int>(index);
     if (ImGui::Selectable((number + "##" + name).c_str(), current, ImGuiSelectableFlags_SpanAllColumns))
         context.perform("finding", {number});
     widgets::note_item(name.c_str());
@@ -150,16 +152,16 @@ void draw_state(InterfaceContext& context, bool anything, bool fits) {
 } // namespace
 
 void draw_validation(InterfaceContext& context) {
-    ValidationList& panel = context.interface.validation;
-    context.workspace.want_validation(panel.open);
-    if (!panel.open || !context.workspace.document().tree()) return;
+    ValidationList& panel = context.interface.of<ValidationList>();
+    context.workspace.want_validation(context.interface.left_is<ValidationList>());
+    if (!context.interface.left_is<ValidationList>() || !context.workspace.document().tree()) return;
     const float bottom = begin_left_panel("validation", context);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Validation");
     widgets::tooltip("The surface of all branches, compared with the tree that it is made of");
     ImGui::SameLine();
     widgets::align_right(ImGui::CalcTextSize("Close").x + 14.0F * theme::scale());
-    if (widgets::small_button("Close", "Hides the validation; Shift+V shows it again")) panel.open = false;
+    if (widgets::small_button("Close", "Hides the validation; Shift+V shows it again")) context.interface.close_left();
     widgets::rule();
     const TreeValidation now = context.workspace.current_assets().validation; // a copy: actions may replace it
     if (panel.of != now.findings) panel.current = -1;                         // `current` is an index into the old list

@@ -1,7 +1,9 @@
 // The dialog for an opened or dropped mask or scan: make a tree of it, or show its surface.
 #include "app/panels/volume_dialog.h"
 
-#include "app/panels/interface.h"
+#include "app/panels/error_dialog.h"
+#include "app/panels/parts.h"
+#include "app/panels/recovery_dialogs.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
@@ -223,7 +225,7 @@ void draw_contents(InterfaceContext& context, VolumeDialog& dialog) {
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     if (!dialog.facts) {
         widgets::quiet("Reading what the file holds\xE2\x80\xA6");
-        ImGui::ProgressBar(context.interface.volume_progress, {-1.0F, 6.0F * theme::scale()}, "");
+        ImGui::ProgressBar(context.interface.of<VolumeDialog>().progress, {-1.0F, 6.0F * theme::scale()}, "");
     } else {
         widgets::quiet(words_for(*dialog.facts).c_str());
         draw_facts(*dialog.facts);
@@ -292,8 +294,10 @@ void carry_out(InterfaceContext& context, const VolumeDialog& dialog, As as) {
 } // namespace
 
 void draw_volume_dialog(InterfaceContext& context) {
-    VolumeDialog& dialog = context.interface.volume;
-    if (!dialog.open() || !context.interface.errors.empty() || context.interface.unsaved.open()) return;
+    VolumeDialog& dialog = context.interface.of<VolumeDialog>();
+    if (!dialog.open() || !context.interface.of<ErrorDialog>().errors.empty() ||
+        context.interface.of<UnsavedDialog>().open())
+        return;
     if (!widgets::begin_dialog("volume", 520.0F, 0.0F)) return;
     const float scale = theme::scale(), width = ImGui::GetContentRegionAvail().x;
     ImGui::PushFont(theme::title_font());

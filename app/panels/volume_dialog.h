@@ -21,8 +21,10 @@ struct VolumeDialog {
     std::vector<char> labels;  // by label of `facts`: not 0 if chosen
     bool together = false;     // the chosen labels form one tree
     std::size_t threshold = 0; // index into the curve of `facts`, for scans
+    float progress = 0.0F;     // of reading the file
 
     [[nodiscard]] bool open() const { return !file.empty(); }
+    void close() { *this = {}; }
     void take(VolumeFacts read);
     // Why the choice cannot be opened; empty: it can.
     [[nodiscard]] std::string why_not() const;

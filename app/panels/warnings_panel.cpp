@@ -1,7 +1,9 @@
 // The warnings panel at the left edge of the picture, and its mark in the status bar with the number of unread
 // warnings.
-#include "app/panels/interface.h"
+#include "app/panels/warnings_panel.h"
+
 #include "app/panels/left_panel.h"
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
@@ -58,10 +60,10 @@ void draw_warning(const Warning& warning, std::size_t index, Pressed& pressed) {
 } // namespace
 
 void draw_warnings(InterfaceContext& context) {
-    WarningsPanel& panel = context.interface.warnings;
+    WarningsPanel& panel = context.interface.of<WarningsPanel>();
     const Document& document = context.workspace.document();
     panel.list.follow(document.tree(), document.session().tree.path.string());
-    if (!panel.open) return;
+    if (!context.interface.left_is<WarningsPanel>()) return;
     begin_left_panel("warnings", context);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Warnings");
@@ -75,7 +77,8 @@ void draw_warnings(InterfaceContext& context) {
         widgets::note_item("Read all warnings");
         ImGui::SameLine(0.0F, 4.0F * scale);
     }
-    if (widgets::small_button("Close", "Hides this list; the status bar shows it again")) panel.open = false;
+    if (widgets::small_button("Close", "Hides this list; the status bar shows it again"))
+        context.interface.close_left();
     Pressed pressed;
     for (std::size_t index = panel.list.all().size(); index-- > 0;) { // the newest first
         widgets::rule();
@@ -89,7 +92,7 @@ void draw_warnings(InterfaceContext& context) {
 }
 
 float draw_warning_mark(InterfaceContext& context, float right_edge) {
-    WarningsPanel& panel = context.interface.warnings;
+    WarningsPanel& panel = context.interface.of<WarningsPanel>();
     const std::size_t unread = panel.list.unread();
     if (unread == 0) return right_edge;
     const std::string text = counted(unread, "warning", "warnings");

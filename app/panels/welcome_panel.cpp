@@ -1,7 +1,9 @@
 // The welcome panel, on a start without a file: what ramus is, and three things to try. Once closed, it does not appear
 // again.
-#include "app/panels/interface.h"
+#include "app/panels/welcome_panel.h"
+
 #include "app/panels/left_panel.h"
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/storage/opening_files.h"
@@ -25,16 +27,17 @@ void draw_step(const char* keys, const char* text) {
 } // namespace
 
 void draw_welcome(InterfaceContext& context) {
-    Welcome& welcome = context.interface.welcome;
-    if (std::exchange(welcome.shown, welcome.open) && !welcome.open) context.interface.settings.welcome = false;
-    if (!welcome.open) return;
+    Welcome& welcome = context.interface.of<Welcome>();
+    const bool open = context.interface.left_is<Welcome>();
+    if (std::exchange(welcome.shown, open) && !open) context.interface.settings.welcome = false;
+    if (!open) return;
     const float scale = theme::scale();
     begin_left_panel("welcome", context);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Welcome to ramus");
     ImGui::SameLine();
     widgets::align_right(ImGui::CalcTextSize("Close").x + 14.0F * scale);
-    if (widgets::small_button("Close", "Closes this; it does not come again")) welcome.open = false;
+    if (widgets::small_button("Close", "Closes this; it does not come again")) context.interface.close_left();
     widgets::rule();
     widgets::quiet_wrapped(
         "ramus shows vessel trees as smooth surfaces, to explore them and to plan with them. This tree is a demo: a "

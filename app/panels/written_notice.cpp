@@ -1,6 +1,8 @@
 // The notice of the last file written, with a button for its folder. Stays at the lower edge of the picture until
 // dismissed.
-#include "app/panels/interface.h"
+#include "app/panels/written_notice.h"
+
+#include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 
@@ -11,7 +13,7 @@
 namespace ramus::app {
 
 void draw_written(InterfaceContext& context) {
-    Written& written = context.interface.written;
+    Written& written = context.interface.of<Written>();
     if (!written.open) return;
     const float scale = theme::scale(), height = 44.0F * scale;
     const float button = 104.0F * scale, cross = ImGui::GetFrameHeight(), gap = 10.0F * scale;

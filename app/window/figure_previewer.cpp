@@ -1,5 +1,6 @@
 #include "app/window/figure_previewer.h"
 
+#include "app/panels/figure_preview.h"
 #include "app/picture/compose_sheet.h"
 
 #include <algorithm>
@@ -112,7 +113,7 @@ void FigurePreviewer::take_part(double seconds) {
 
 void FigurePreviewer::give_up() {
     drawing_.reset();
-    state_.interface.preview.texture = 0;
+    state_.interface.of<FigurePreview>().texture = 0;
 }
 
 void FigurePreviewer::show(const render::Image& image) {
@@ -120,7 +121,7 @@ void FigurePreviewer::show(const render::Image& image) {
     glTextureSubImage2D(texture_, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
     glTextureParameteri(texture_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTextureParameteri(texture_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    FigurePreview& preview = state_.interface.preview;
+    FigurePreview& preview = state_.interface.of<FigurePreview>();
     preview.texture = texture_;
     preview.size = {image.width, image.height};
 }
@@ -137,11 +138,11 @@ void FigurePreviewer::release() {
     drawer_ = nullptr;
     texture_ = {};
     shown_.reset();
-    state_.interface.preview.texture = 0;
+    state_.interface.of<FigurePreview>().texture = 0;
 }
 
 void FigurePreviewer::update() {
-    FigurePreview& preview = state_.interface.preview;
+    FigurePreview& preview = state_.interface.of<FigurePreview>();
     if (!preview.wanted || !preview.request.size || !state_.workspace.shown().mesh) {
         if (drawer_ || shown_) release();
         return;

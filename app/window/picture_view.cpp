@@ -1,5 +1,10 @@
 #include "app/window/picture_view.h"
 
+#include "app/panels/contacts_panel.h"
+#include "app/panels/doctor_panel.h"
+#include "app/panels/fly_panel.h"
+#include "app/panels/overview.h"
+#include "app/panels/units_panel.h"
 #include "app/picture/deviation_colours.h"
 #include "app/picture/figures.h"
 #include "app/picture/fit.h"
@@ -26,16 +31,16 @@ Viewing PictureView::viewing() const {
     viewing.glass = interface.tried_glass;
     viewing.context = interface.tried_context;
     viewing.options = state_.workspace.tried_options();
-    viewing.notes = interface.doctor.open && interface.doctor.mark;
-    viewing.note = interface.doctor.current;
+    viewing.notes = interface.left_is<Doctor>() && interface.of<Doctor>().mark;
+    viewing.note = interface.of<Doctor>().current;
     if (const auto& tree = state_.workspace.document().tree())
-        viewing.axes = interface.units_panel.axes(tree->claims, state_.workspace.document().marks().reading);
+        viewing.axes = interface.of<UnitsPanel>().axes(tree->claims, state_.workspace.document().marks().reading);
     if (interface.tool)
         if (const auto moved = interface.tool->moved_measurement())
             viewing.measurement = state_.workspace.document().marks().measurements[*moved].id;
     viewing.context_awaited = state_.workspace.awaited(WorkKind::kContext);
     viewing.lesion = interface.listed_lesion;
-    viewing.contact = interface.contacts.open ? interface.contacts.current : -1;
+    viewing.contact = interface.left_is<ContactList>() ? interface.of<ContactList>().current : -1;
     return viewing;
 }
 
@@ -52,7 +57,7 @@ void PictureView::camera_leapt() {
 }
 
 void PictureView::flew(int branch, double fraction) {
-    Fly& fly = state_.interface.fly;
+    Fly& fly = state_.interface.of<Fly>();
     if (fly.open && branch != fly.branch) fly.playing = false;
     fly.branch = branch;
     fly.fraction = fraction;
@@ -225,7 +230,7 @@ void PictureView::dress(const std::vector<Viewport>& viewports, const ShownSurfa
 // The overview and the list show branches as the picture does.
 void PictureView::tell_panels(const std::vector<Viewport>& viewports) {
     Interface& interface = state_.interface;
-    if (!interface.overview.open && state_.layout.panel_width == 0) return;
+    if (!interface.of<Overview>().open && state_.layout.panel_width == 0) return;
     const auto own = std::ranges::find_if(viewports, [this](const Viewport& each) { return shows_own(each); });
     const auto index = own == viewports.end() ? 0 : own - viewports.begin();
     const render::Frame& frame = sheet_.viewports[static_cast<std::size_t>(index)].frame;

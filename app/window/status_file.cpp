@@ -1,5 +1,21 @@
 #include "app/window/status_file.h"
 
+#include "app/panels/branch_list.h"
+#include "app/panels/command_palette.h"
+#include "app/panels/contacts_panel.h"
+#include "app/panels/context_menu.h"
+#include "app/panels/doctor_panel.h"
+#include "app/panels/error_dialog.h"
+#include "app/panels/help_overlay.h"
+#include "app/panels/menu_bar.h"
+#include "app/panels/open_dialog.h"
+#include "app/panels/recovery_dialogs.h"
+#include "app/panels/rename_dialog.h"
+#include "app/panels/units_panel.h"
+#include "app/panels/validation_panel.h"
+#include "app/panels/volume_dialog.h"
+#include "app/panels/warnings_panel.h"
+#include "app/panels/written_notice.h"
 #include "app/session/session_file.h"
 #include "app/window/loop_watch.h"
 #include "app/window/viewer.h"
@@ -21,22 +37,22 @@ constexpr double kQuestionSeconds = 0.02;
 
 // The lists of notes and contacts with their current entries, and the measurements.
 void add_lists(nlohmann::json& status, const Interface& interface, const Workspace& workspace) {
-    status["doctor"] = {{"open", interface.doctor.open}, {"note", interface.doctor.current + 1}};
-    status["units_panel"] = interface.units_panel.open;
-    status["warnings"] = {{"open", interface.warnings.open},
-                          {"unread", interface.warnings.list.unread()},
-                          {"count", interface.warnings.list.all().size()}};
+    status["doctor"] = {{"open", interface.left_is<Doctor>()}, {"note", interface.of<Doctor>().current + 1}};
+    status["units_panel"] = interface.left_is<UnitsPanel>();
+    status["warnings"] = {{"open", interface.left_is<WarningsPanel>()},
+                          {"unread", interface.of<WarningsPanel>().list.unread()},
+                          {"count", interface.of<WarningsPanel>().list.all().size()}};
     const tree::Claims& claims = workspace.document().claims();
     if (workspace.document().has_scene())
         status["claims"] = {{"units", claims.unit_word()}, {"orientation", claims.axes_word()}};
     const auto& contacts = workspace.assets().contacts.list;
-    status["contacts"] = {{"open", interface.contacts.open},
-                          {"contact", interface.contacts.current + 1},
+    status["contacts"] = {{"open", interface.left_is<ContactList>()},
+                          {"contact", interface.of<ContactList>().current + 1},
                           {"count", contacts ? static_cast<int>(contacts->size()) : -1}};
     const auto& findings = workspace.assets().validation.findings;
     status["validation"] = {
-        {"open", interface.validation.open},
-        {"finding", interface.validation.current + 1},
+        {"open", interface.left_is<ValidationList>()},
+        {"finding", interface.of<ValidationList>().current + 1},
         {"count", findings && !workspace.awaited(WorkKind::kValidation) ? static_cast<int>(findings->size()) : -1}};
     const SurfaceDeviation& deviation = workspace.assets().deviation;
     status["deviation_measured"] = deviation.valued_mesh != nullptr && !workspace.awaited(WorkKind::kDeviation);
@@ -62,26 +78,28 @@ void add_lists(nlohmann::json& status, const Interface& interface, const Workspa
 
 // Which dialogs are open.
 void add_dialogs(nlohmann::json& status, const Interface& interface) {
-    status["help"] = interface.help_open;
-    const CommandPalette& palette = interface.palette;
+    status["help"] = interface.of<Help>().open;
+    const CommandPalette& palette = interface.of<CommandPalette>();
     status["palette"] = {{"open", palette.open},
                          {"typed", palette.typed.data()},
                          {"chosen", palette.chosen},
                          {"trouble", palette.trouble}};
-    status["menu"] = interface.menu_open || interface.context_menu.open;
-    status["open_menu"] = interface.open_menu;
+    status["menu"] = interface.of<BarMenus>().open || interface.of<ContextMenu>().open;
+    status["open_menu"] = interface.of<BarMenus>().open_name;
     status["light_theme"] = interface.settings.light_theme;
-    status["open_dialog"] = interface.open_dialog.open;
-    status["rename"] = interface.rename.open && !interface.rename.fresh;
-    status["save_dialog"] = interface.open_dialog.open && interface.open_dialog.purpose == FilePurpose::kSave;
-    const ExportChoice& choice = interface.open_dialog.exported;
-    const bool exporting = interface.open_dialog.open && interface.open_dialog.purpose == FilePurpose::kExport;
+    status["open_dialog"] = interface.of<OpenDialog>().open;
+    status["rename"] = interface.of<Rename>().open && !interface.of<Rename>().fresh;
+    status["save_dialog"] = interface.of<OpenDialog>().open && interface.of<OpenDialog>().purpose == FilePurpose::kSave;
+    const ExportChoice& choice = interface.of<OpenDialog>().exported;
+    const bool exporting =
+        interface.of<OpenDialog>().open && interface.of<OpenDialog>().purpose == FilePurpose::kExport;
     status["export"] = exporting ? std::string(choice.kind().key) + " " + choice.format().extension : "";
-    status["unsaved_dialog"] = interface.unsaved.open();
-    status["quit_dialog"] = interface.quit.open();
-    status["volume_dialog"] = {{"open", interface.volume.open()}, {"read", interface.volume.facts != nullptr}};
-    status["recovery_dialog"] = interface.recovery.open;
-    status["recoveries"] = interface.recovery.entries.size();
+    status["unsaved_dialog"] = interface.of<UnsavedDialog>().open();
+    status["quit_dialog"] = interface.of<QuitDialog>().open();
+    status["volume_dialog"] = {{"open", interface.of<VolumeDialog>().open()},
+                               {"read", interface.of<VolumeDialog>().facts != nullptr}};
+    status["recovery_dialog"] = interface.of<RecoveryDialog>().open;
+    status["recoveries"] = interface.of<RecoveryDialog>().entries.size();
 }
 
 // Unsaved work and the undo history.
@@ -153,13 +171,14 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const 
     for (const auto& text : interface.tool_drawing.texts) status["tool_texts"].push_back(text.text);
     status["planning"] = interface.page == PanelPage::kPlan;
     status["page"] = key_of(interface.page);
-    status["branch_window"] = interface.list.apart;
+    status["branch_window"] = interface.of<BranchList>().apart;
     add_lists(status, interface, workspace);
     add_dialogs(status, interface);
     add_document(status, workspace.document());
-    status["written"] = interface.written.open ? interface.written.file.string() : "";
+    status["written"] = interface.of<Written>().open ? interface.of<Written>().file.string() : "";
     status["typing"] = ImGui::GetIO().WantTextInput; // a field has the keyboard
-    status["error"] = interface.errors.empty() ? "" : interface.errors.front().message();
+    status["error"] =
+        interface.of<ErrorDialog>().errors.empty() ? "" : interface.of<ErrorDialog>().errors.front().message();
     status["notice"] = interface.notice.text;
     status["longest_gap"] = to_json(watch.longest());
     status["gaps"] = nlohmann::json::array();

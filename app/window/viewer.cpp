@@ -1,6 +1,11 @@
 #include "app/window/viewer.h"
 
+#include "app/panels/doctor_panel.h"
+#include "app/panels/fly_panel.h"
+#include "app/panels/overview.h"
 #include "app/panels/theme.h"
+#include "app/panels/units_panel.h"
+#include "app/panels/welcome_panel.h"
 #include "app/picture/fit.h"
 #include "app/session/reading_options.h"
 #include "app/storage/opening_files.h"
@@ -86,7 +91,7 @@ bool Viewer::draw(double now, unsigned framebuffer) {
 void Viewer::lay_out() {
     const Interface& interface = state_.interface;
     state_.layout = layout_of(state_.layout.window, state_.scale, interface.panel_open,
-                              interface.overview.wanted_height(), interface.panel_points);
+                              interface.of<Overview>().wanted_height(), interface.panel_points);
 }
 
 void Viewer::lay_out_viewports() {
@@ -122,18 +127,17 @@ void Viewer::begin_tree(const Workspace::Opened& opened) {
     input_.use_tool(input_.tool());
     const Document& document = state_.workspace.document();
     state_.tree = document.tree();
-    state_.interface.doctor = {};
-    state_.interface.doctor.open = state_.tree && could_mislead(*state_.tree, document.marks().reading);
-    state_.interface.units_panel = {};
-    // For sessions the user was asked when the session was created.
-    if (state_.persons_window && state_.tree && !state_.tree->claims.complete() && !opened.has_camera) {
-        state_.interface.units_panel.show(document.marks().reading);
-        state_.interface.doctor.open = false;
-    }
-    if (document.subject() != demo_tree().value_or(std::filesystem::path())) state_.interface.welcome.open = false;
-    for (bool* panel : {&state_.interface.doctor.open, &state_.interface.units_panel.open})
-        if (*panel) state_.interface.open_left_panel(panel);
-    state_.interface.doctor.of_mask = state_.tree && io::is_volume(document.session().tree.path);
+    Interface& interface = state_.interface;
+    if (interface.left_is<Doctor>() || interface.left_is<UnitsPanel>()) interface.close_left();
+    if (document.subject() != demo_tree().value_or(std::filesystem::path())) interface.show_left<Welcome>(false);
+    auto& doctor = interface.of<Doctor>() = {};
+    auto& units = interface.of<UnitsPanel>() = {};
+    // Who opens a session has been asked when it was made.
+    if (state_.persons_window && state_.tree && !state_.tree->claims.complete() && !opened.has_camera)
+        units.show(document.marks().reading), interface.show_left<UnitsPanel>();
+    else if (state_.tree && could_mislead(*state_.tree, document.marks().reading))
+        interface.show_left<Doctor>();
+    doctor.of_mask = state_.tree && io::is_volume(document.session().tree.path);
 }
 
 void Viewer::build_interface() {
@@ -170,7 +174,7 @@ void Viewer::present(unsigned framebuffer) {
 
 double Viewer::wait_seconds(double now) const {
     if (state_.frames_left > 0 || interface_waits_ || input_.pick_wanted()) return 0.0;
-    if (state_.interface.fly.playing && !picture_.under_way()) return 0.0;
+    if (state_.interface.of<Fly>().playing && !picture_.under_way()) return 0.0;
     double wait = picture_.wait_seconds(now);
     if (input_.pick_pending()) wait = std::min(wait, kPollSeconds);
     if (working()) wait = std::min(wait, kProgressSeconds);

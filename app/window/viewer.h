@@ -8,6 +8,7 @@
 // long nothing will happen without events. All calls from one thread.
 #pragma once
 
+#include "app/panels/error_dialog.h"
 #include "app/panels/widgets.h"
 #include "app/window/figure_previewer.h"
 #include "app/window/imgui_renderer.h"
@@ -44,7 +45,7 @@ public:
     void present_again() { state_.present_again(); } // call when the window's pixels are lost
     void say(const std::string& sentence) { state_.say(sentence); }
     void warn(Warning warning) { state_.warn(std::move(warning)); }
-    void tell(const Error& error) { state_.interface.errors.push_back(error); } // shows a dialog
+    void tell(const Error& error) { state_.interface.of<ErrorDialog>().errors.push_back(error); } // shows a dialog
     void set_script_runs(bool runs) { state_.script_runs = runs; }
     void set_script_left(bool left) { state_.script_left = left; }
     [[nodiscard]] bool script_left() const { return state_.script_left; }

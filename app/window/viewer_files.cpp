@@ -1,5 +1,11 @@
 #include "app/window/viewer_files.h"
 
+#include "app/panels/error_dialog.h"
+#include "app/panels/help_overlay.h"
+#include "app/panels/open_dialog.h"
+#include "app/panels/recovery_dialogs.h"
+#include "app/panels/volume_dialog.h"
+#include "app/panels/welcome_panel.h"
 #include "app/picture/video_file.h"
 #include "app/session/reading_options.h"
 #include "app/storage/opening_files.h"
@@ -19,9 +25,9 @@ namespace ramus::app {
 void ViewerFiles::when_saved(std::function<void()> next) {
     state_.redraw();
     if (state_.script_runs || !state_.workspace.document().has_unsaved_work()) return next();
-    state_.interface.help_open = false;
-    state_.interface.open_dialog.open = false;
-    state_.interface.unsaved.next = std::move(next);
+    state_.interface.of<Help>().open = false;
+    state_.interface.of<OpenDialog>().open = false;
+    state_.interface.of<UnsavedDialog>().next = std::move(next);
 }
 
 namespace {
@@ -67,8 +73,8 @@ Result<void> ViewerFiles::open_as_tree(const std::filesystem::path& path, const 
         state_.workspace.set_reading(reading); // for this file
         state_.workspace.open(path);
         state_.workspace.set_reading(usual);
-        state_.interface.errors.clear();
-        state_.interface.open_dialog.open = false;
+        state_.interface.of<ErrorDialog>().errors.clear();
+        state_.interface.of<OpenDialog>().open = false;
         state_.redraw();
     });
     return {};
@@ -76,18 +82,18 @@ Result<void> ViewerFiles::open_as_tree(const std::filesystem::path& path, const 
 
 void ViewerFiles::ask_for_file(FilePurpose purpose) {
     Interface& interface = state_.interface;
-    interface.help_open = false;
+    interface.of<Help>().open = false;
     if (purpose == FilePurpose::kSave) {
-        interface.open_dialog.show_to_save(suggested_file(state_.workspace.document(), ".ramus.json"));
+        interface.of<OpenDialog>().show_to_save(suggested_file(state_.workspace.document(), ".ramus.json"));
     } else if (purpose == FilePurpose::kExport) {
-        const std::string extension = interface.open_dialog.exported.format().extension;
-        interface.open_dialog.show_to_save(
+        const std::string extension = interface.of<OpenDialog>().exported.format().extension;
+        interface.of<OpenDialog>().show_to_save(
             in_remembered(suggested_file(state_.workspace.document(), extension), purpose), purpose);
     } else {
         const std::filesystem::path beside = state_.workspace.document().subject().parent_path();
         const std::filesystem::path opened = interface.settings.folder_of(key_of(FilePurpose::kOpen));
-        interface.open_dialog.show(in_remembered((beside.empty() ? opened : beside) / "file", purpose).parent_path(),
-                                   purpose);
+        interface.of<OpenDialog>().show(
+            in_remembered((beside.empty() ? opened : beside) / "file", purpose).parent_path(), purpose);
     }
     state_.redraw();
 }
@@ -105,7 +111,7 @@ std::filesystem::path ViewerFiles::in_remembered(const std::filesystem::path& fi
 }
 
 void ViewerFiles::ask_for_export(std::string_view kind) {
-    ExportChoice& choice = state_.interface.open_dialog.exported;
+    ExportChoice& choice = state_.interface.of<OpenDialog>().exported;
     if (const auto what = export_kind_named(kind)) choice.what = *what;
     choice.case_line = {}; // a patient's name must not stay for the next report
     choice.figure.window_size = state_.layout.view_size;
@@ -118,8 +124,8 @@ void ViewerFiles::quit() {
     const auto save_and_close = [this] { when_saved([this] { closing_ = true; }); };
     const std::string writing = state_.script_runs ? std::string() : state_.commands.writing();
     if (writing.empty()) return save_and_close();
-    state_.interface.help_open = state_.interface.open_dialog.open = false;
-    state_.interface.quit = {writing, save_and_close};
+    state_.interface.of<Help>().open = state_.interface.of<OpenDialog>().open = false;
+    state_.interface.of<QuitDialog>() = {writing, save_and_close};
     state_.redraw();
 }
 
@@ -130,7 +136,7 @@ void ViewerFiles::dropped(const std::filesystem::path& path) {
     if (document.tree() && is_branch_table(path)) {
         state_.perform("data", {path.string()});
     } else if (io::is_volume(path)) {
-        interface.help_open = interface.open_dialog.open = false;
+        interface.of<Help>().open = interface.of<OpenDialog>().open = false;
         ask_about_volume(path);
     } else {
         state_.perform(!is_mesh ? "open" : planning ? "lesion-mesh" : "context", {path.string()});
@@ -139,7 +145,7 @@ void ViewerFiles::dropped(const std::filesystem::path& path) {
 }
 
 void ViewerFiles::ask_about_volume(const std::filesystem::path& path) {
-    VolumeDialog& dialog = state_.interface.volume;
+    VolumeDialog& dialog = state_.interface.of<VolumeDialog>();
     dialog = {};
     dialog.file = path;
     const bool beside = state_.interface.settings.drop_beside && state_.workspace.document().branch_count() > 0;
@@ -156,29 +162,30 @@ void ViewerFiles::ask_about_volume(const std::filesystem::path& path) {
 
 void ViewerFiles::ask_about_context(const std::filesystem::path& file) {
     ask_about_volume(file);
-    state_.interface.volume.as = VolumeDialog::As::kContext;
+    state_.interface.of<VolumeDialog>().as = VolumeDialog::As::kContext;
 }
 
 // A file that cannot be read cannot be opened either.
 void ViewerFiles::take_volume_facts(const Result<VolumeFacts>& facts) {
-    VolumeDialog& dialog = state_.interface.volume;
+    VolumeDialog& dialog = state_.interface.of<VolumeDialog>();
     if (facts) {
         dialog.take(*facts);
     } else {
         dialog = {};
-        state_.interface.errors.push_back(facts.error());
+        state_.interface.of<ErrorDialog>().errors.push_back(facts.error());
     }
     state_.redraw();
 }
 
 void ViewerFiles::follow_dialogs() {
-    if (state_.interface.open_dialog.listing.update()) state_.redraw();
+    if (state_.interface.of<OpenDialog>().listing.update()) state_.redraw();
     volume_reader_.drain();
     if (const std::string why = volume_reader_.take_failure(); !why.empty())
         take_volume_facts(fail("the file cannot be read: " + why, volume_read_.string(), "give a smaller one"));
     if (!volume_reader_.busy()) return;
-    if (state_.interface.volume.file != volume_read_) volume_reader_.cancel(); // answered or closed
-    if (std::exchange(state_.interface.volume_progress, volume_reader_.progress()) != volume_reader_.progress())
+    if (state_.interface.of<VolumeDialog>().file != volume_read_) volume_reader_.cancel(); // answered or closed
+    if (std::exchange(state_.interface.of<VolumeDialog>().progress, volume_reader_.progress()) !=
+        volume_reader_.progress())
         state_.redraw();
 }
 
@@ -186,7 +193,7 @@ void ViewerFiles::follow_dialogs() {
 void ViewerFiles::ask_about_arrival() {
     Workspace& workspace = state_.workspace;
     if (state_.commands.awaits()) return; // a pending click may create work that would be lost
-    if (workspace.arrival_waits() && !state_.interface.unsaved.next) {
+    if (workspace.arrival_waits() && !state_.interface.of<UnsavedDialog>().next) {
         if (std::exchange(asked_about_arrival_, true))
             workspace.discard_arrival();
         else
@@ -201,9 +208,9 @@ void ViewerFiles::update() {
     if (const auto opened = state_.workspace.take_opened()) take(*opened);
     remember(state_.workspace.document().file()); // a session that was saved
     while (const auto error = state_.workspace.take_error()) {
-        state_.interface.errors.push_back(*error);
+        state_.interface.of<ErrorDialog>().errors.push_back(*error);
         // An entry that cannot be recovered may be discarded, or left for later.
-        RecoveryDialog& recovery = state_.interface.recovery;
+        RecoveryDialog& recovery = state_.interface.of<RecoveryDialog>();
         recovery.failed = !std::exchange(recovering_, std::filesystem::path()).empty();
         recovery.open = recovery.open || recovery.failed;
     }
@@ -220,7 +227,7 @@ void ViewerFiles::take(const Workspace::Opened& opened) {
     Interface& interface = state_.interface;
     remember(opened.path);
     if (state_.persons_window) interface.settings.folders[key_of(FilePurpose::kOpen)] = opened.path.parent_path();
-    auto& entries = interface.recovery.entries;
+    auto& entries = interface.of<RecoveryDialog>().entries;
     const auto entry = std::ranges::find(entries, recovering_, [](const auto& each) { return each.slot.file(); });
     if (opened.recovered && entry != entries.end()) {
         recovered_.emplace(std::move(entry->slot));
@@ -245,16 +252,16 @@ Settings ViewerFiles::settings() const {
 
 void ViewerFiles::welcome() {
     Interface& interface = state_.interface;
-    if (interface.settings.welcome) interface.open_left_panel(&interface.welcome.open);
+    if (interface.settings.welcome) interface.show_left<Welcome>();
 }
 
 void ViewerFiles::offer(std::vector<autosave::Slot> abandoned) {
-    state_.interface.recovery.offer(std::move(abandoned));
+    state_.interface.of<RecoveryDialog>().offer(std::move(abandoned));
     state_.redraw();
 }
 
 Result<RecoveryDialog::Entry*> ViewerFiles::recovery(int which) {
-    auto& entries = state_.interface.recovery.entries;
+    auto& entries = state_.interface.of<RecoveryDialog>().entries;
     if (entries.empty()) return fail("there is nothing to recover");
     if (which < 1 || which > static_cast<int>(entries.size()))
         return fail("there is no entry " + std::to_string(which), {},
@@ -266,12 +273,12 @@ Result<void> ViewerFiles::recover(int which) {
     RAMUS_TRY(entry, recovery(std::max(which, 1)));
     state_.redraw();
     if (which == 0) {
-        state_.interface.recovery.open = true;
+        state_.interface.of<RecoveryDialog>().open = true;
         return {};
     }
     if (!entry->problem.empty()) return fail(entry->problem, entry->slot.file().string());
     when_saved([this, snapshot = entry->snapshot, file = entry->slot.file()] {
-        state_.interface.recovery.open = false;
+        state_.interface.of<RecoveryDialog>().open = false;
         recovering_ = file;
         state_.workspace.recover(snapshot);
         state_.redraw();
@@ -281,7 +288,7 @@ Result<void> ViewerFiles::recover(int which) {
 
 Result<void> ViewerFiles::discard_recovery(int which) {
     RAMUS_TRY(entry, recovery(which));
-    RecoveryDialog& dialog = state_.interface.recovery;
+    RecoveryDialog& dialog = state_.interface.of<RecoveryDialog>();
     if (entry->slot.file() == recovering_) return fail("it is being recovered");
     entry->slot.remove();
     dialog.entries.erase(dialog.entries.begin() + (which - 1));

@@ -1,6 +1,8 @@
 // ViewerFiles: opens files, recovers work of crashed runs, and asks before work is lost.
 #pragma once
 
+#include "app/panels/open_dialog.h"
+#include "app/panels/recovery_dialogs.h"
 #include "app/storage/recent_files.h"
 #include "app/window/viewer_state.h"
 
@@ -17,7 +19,7 @@ public:
     ViewerFiles(ViewerState& state, std::function<void(const Workspace::Opened&)> opened)
         : state_(state), opened_(std::move(opened)), volume_reader_(state.wake) {
         state.interface.recent_files = read_recent_files();
-        state.interface.open_dialog.listing.wake_by(state.wake);
+        state.interface.of<OpenDialog>().listing.wake_by(state.wake);
     }
 
     Result<void> open(const std::filesystem::path& path) override;

@@ -1,5 +1,10 @@
 #include "app/window/viewer_input.h"
 
+#include "app/panels/branch_list.h"
+#include "app/panels/command_palette.h"
+#include "app/panels/context_menu.h"
+#include "app/panels/help_overlay.h"
+#include "app/panels/menu_bar.h"
 #include "app/session/numbers.h"
 
 #include <algorithm>
@@ -173,7 +178,7 @@ void ViewerInput::press(MouseButton button, Modifiers modifiers, double now) {
     const bool over = over_picture(pointer_);
     if (over) {
         settle();
-        state_.interface.context_menu.wanted = false; // from an earlier click
+        state_.interface.of<ContextMenu>().wanted = false; // from an earlier click
     }
     if (state_.interface.wipe_held || tool_mouse_.held()) return;
     const bool left = button == MouseButton::kLeft && !mouse_.held();
@@ -332,7 +337,7 @@ void ViewerInput::open_context_menu(const render::Pick& pick) {
     const bool hit = branch >= 0 && branch < state_.workspace.document().branch_count();
     if (hit && !is_selected(state_.workspace.document().marks(), branch))
         state_.perform("select", {std::to_string(branch)});
-    state_.interface.context_menu = {.wanted = true, .branch = hit ? branch : tree::kNoBranch};
+    state_.interface.of<ContextMenu>() = {.wanted = true, .branch = hit ? branch : tree::kNoBranch};
     state_.redraw();
 }
 
@@ -347,17 +352,17 @@ void ViewerInput::press_key(int number, bool down, const std::optional<KeyPress>
     // ImGui moves between menus only after an entry has the keyboard focus.
     Interface& interface = state_.interface;
     // Arrows also work in menus opened by a click: moves the pointer's hover away, which would reopen the menu.
-    if (down && press && !interface.open_menu.empty() && !interface.menu_by_keys &&
+    if (down && press && !interface.of<BarMenus>().open_name.empty() && !interface.of<BarMenus>().by_keys &&
         (press->key == "Left" || press->key == "Right")) {
-        interface.menu_by_keys = true;
+        interface.of<BarMenus>().by_keys = true;
         input_.leave();
     }
-    if (down && press && interface.steps_menus()) {
+    if (down && press && interface.of<BarMenus>().steps()) {
         if (press->key == "Left" || press->key == "Right") {
-            interface.menu_step += press->key == "Left" ? -1 : 1;
+            interface.of<BarMenus>().step += press->key == "Left" ? -1 : 1;
             return;
         }
-        interface.menu_entry = press->key == "Down" || press->key == "Up";
+        interface.of<BarMenus>().entry = press->key == "Down" || press->key == "Up";
     }
     input_.modifiers(modifiers.ctrl, modifiers.shift, modifiers.alt, false);
     input_.key(number, down);
@@ -371,12 +376,13 @@ void ViewerInput::press_key(int number, bool down, const std::optional<KeyPress>
         return;
     // Arrows belong to the focused field, list or menu.
     const bool arrow = press->key == "Left" || press->key == "Right" || press->key == "Up" || press->key == "Down";
-    if (arrow && (typing || state_.interface.list.focused || state_.interface.menus_have_keys())) return;
+    if (arrow && (typing || state_.interface.of<BranchList>().focused || state_.interface.of<BarMenus>().have_keys()))
+        return;
     if (typing && press->key == "Escape" && !state_.interface.dialog_open()) return; // only leaves the field
     // With an open dialog only keys that close it work.
     if (state_.interface.dialog_open() && command->name != "dismiss" &&
-        !(command->name == "help" && state_.interface.help_open) &&
-        !(command->name == "palette" && state_.interface.palette.open))
+        !(command->name == "help" && state_.interface.of<Help>().open) &&
+        !(command->name == "palette" && state_.interface.of<CommandPalette>().open))
         return;
     run(*command);
 }

@@ -1,31 +1,47 @@
 #include "app/window/window_parts.h"
 
+#include "app/panels/branch_list.h"
+#include "app/panels/command_palette.h"
+#include "app/panels/contacts_panel.h"
+#include "app/panels/doctor_panel.h"
+#include "app/panels/fly_panel.h"
+#include "app/panels/help_overlay.h"
+#include "app/panels/menu_bar.h"
+#include "app/panels/overview.h"
+#include "app/panels/radius_dialog.h"
+#include "app/panels/rename_dialog.h"
+#include "app/panels/units_panel.h"
+#include "app/panels/validation_panel.h"
+#include "app/panels/warnings_panel.h"
+#include "app/panels/written_notice.h"
+
 #include <imgui.h>
 
 namespace ramus::app {
 
 void WindowParts::toggle(std::string_view part) {
     Interface& interface = state_.interface;
+    auto& menus = interface.of<BarMenus>();
     if (part == "help")
-        interface.help_open = !interface.help_open;
+        interface.of<Help>().open = !interface.of<Help>().open;
     else if (part == "palette")
-        interface.palette.toggle();
+        interface.of<CommandPalette>().toggle();
     else if (part == "menu")
-        interface.want_menu = !interface.menu_open, interface.close_menu = interface.menu_open;
+        menus.wanted = !menus.open, menus.close = menus.open;
     else if (part == "overview")
-        interface.overview.open = !interface.overview.open;
+        interface.of<Overview>().open = !interface.of<Overview>().open;
     else if (part == "doctor")
-        interface.open_left_panel(interface.doctor.open ? nullptr : &interface.doctor.open);
+        interface.show_left<Doctor>(!interface.left_is<Doctor>());
     else if (part == "warnings")
-        interface.open_left_panel(interface.warnings.open ? nullptr : &interface.warnings.open);
+        interface.show_left<WarningsPanel>(!interface.left_is<WarningsPanel>());
     else if (part == "orientation")
-        show_units_panel(!interface.units_panel.open);
+        show_units_panel(!interface.left_is<UnitsPanel>());
     else if (part == "contacts")
-        show_contacts(!interface.contacts.open);
+        show_contacts(!interface.left_is<ContactList>());
     else if (part == "branches")
-        interface.list.apart = !interface.list.apart;
+        interface.of<BranchList>().apart = !interface.of<BranchList>().apart;
     else if (part == "validation")
-        show_validation(!interface.validation.open);
+        show_validation(!interface.left_is<ValidationList>());
     else if (part == "panel")
         interface.panel_open = !interface.panel_open;
     else
@@ -44,21 +60,21 @@ void WindowParts::open_page(std::string_view name) {
 
 bool WindowParts::shows(std::string_view part) const {
     const Interface& interface = state_.interface;
-    return part == "fly-along"     ? interface.fly.open
-           : part == "overview"    ? interface.overview.open
-           : part == "help"        ? interface.help_open
-           : part == "palette"     ? interface.palette.open
-           : part == "doctor"      ? interface.doctor.open
-           : part == "orientation" ? interface.units_panel.open
-           : part == "warnings"    ? interface.warnings.open
-           : part == "contacts"    ? interface.contacts.open
-           : part == "branches"    ? interface.list.apart
-           : part == "validation"  ? interface.validation.open
+    return part == "fly-along"     ? interface.of<Fly>().open
+           : part == "overview"    ? interface.of<Overview>().open
+           : part == "help"        ? interface.of<Help>().open
+           : part == "palette"     ? interface.of<CommandPalette>().open
+           : part == "doctor"      ? interface.left_is<Doctor>()
+           : part == "orientation" ? interface.left_is<UnitsPanel>()
+           : part == "warnings"    ? interface.left_is<WarningsPanel>()
+           : part == "contacts"    ? interface.left_is<ContactList>()
+           : part == "branches"    ? interface.of<BranchList>().apart
+           : part == "validation"  ? interface.left_is<ValidationList>()
                                    : interface.panel_open;
 }
 
 void WindowParts::set_overview(std::string_view setting) {
-    Overview& overview = state_.interface.overview;
+    Overview& overview = state_.interface.of<Overview>();
     overview.open = setting != "off";
     if (setting == "generation") overview.depth = OverviewDepth::kGeneration;
     if (setting == "distance") overview.depth = OverviewDepth::kDistance;
@@ -66,7 +82,7 @@ void WindowParts::set_overview(std::string_view setting) {
 }
 
 void WindowParts::open_flight(int branch) {
-    Fly& fly = state_.interface.fly;
+    Fly& fly = state_.interface.of<Fly>();
     fly.open = true;
     fly.playing = false;
     fly.branch = branch;
@@ -76,76 +92,74 @@ void WindowParts::open_flight(int branch) {
 }
 
 void WindowParts::close_flight() {
-    state_.interface.fly.open = state_.interface.fly.playing = false;
+    state_.interface.of<Fly>().close();
     state_.redraw();
 }
 
 void WindowParts::ask_for_name(int branch) {
     const Marks& marks = state_.workspace.document().marks();
     const BranchNames& names = marks.names;
-    state_.interface.rename.show(branch, names.contains(branch) ? names.at(branch) : std::string{},
-                                 names_subtree(marks, branch));
+    state_.interface.of<Rename>().show(branch, names.contains(branch) ? names.at(branch) : std::string{},
+                                       names_subtree(marks, branch));
     state_.redraw();
 }
 
 void WindowParts::ask_for_object_name(const std::string& kind, const std::string& number, const std::string& now) {
-    state_.interface.rename.show_object(kind, number, now);
+    state_.interface.of<Rename>().show_object(kind, number, now);
     state_.redraw();
 }
 
 void WindowParts::ask_for_radius() {
-    RadiusDialog& dialog = state_.interface.radius;
+    RadiusDialog& dialog = state_.interface.of<RadiusDialog>();
     dialog.open = dialog.fresh = true;
     state_.redraw();
 }
 
 void WindowParts::show_note(int note) {
-    state_.interface.open_left_panel(&state_.interface.doctor.open);
-    state_.interface.doctor.current = note;
+    state_.interface.show_left<Doctor>();
+    state_.interface.of<Doctor>().current = note;
     state_.redraw();
 }
 
 void WindowParts::wrote(const std::filesystem::path& file, const std::string& sentence) {
-    state_.interface.written = {state_.watched(), file, sentence};
+    state_.interface.of<Written>() = {state_.watched(), file, sentence};
     state_.redraw();
 }
 
 void WindowParts::read_warnings() {
-    state_.interface.warnings.list.mark_all_read();
+    state_.interface.of<WarningsPanel>().list.mark_all_read();
     state_.redraw();
 }
 
 void WindowParts::show_units_panel(bool open) {
     Interface& interface = state_.interface;
-    interface.open_left_panel(nullptr);
-    if (open) interface.units_panel.show(said_of(state_.workspace.document()));
+    interface.close_left();
+    if (!open) return;
+    interface.show_left<UnitsPanel>();
+    interface.of<UnitsPanel>().show(said_of(state_.workspace.document()));
 }
 
 void WindowParts::show_contacts(bool open) {
-    Interface& interface = state_.interface;
-    interface.contacts.open = open;
-    if (open) interface.open_left_panel(&interface.contacts.open);
+    state_.interface.show_left<ContactList>(open);
     state_.workspace.want_contacts(open);
 }
 
 void WindowParts::show_contact(int contact) {
     show_contacts(true);
-    state_.interface.contacts.current = contact;
-    state_.interface.contacts.of = state_.workspace.assets().contacts.list;
+    state_.interface.of<ContactList>().current = contact;
+    state_.interface.of<ContactList>().of = state_.workspace.assets().contacts.list;
     state_.redraw();
 }
 
 void WindowParts::show_validation(bool open) {
-    Interface& interface = state_.interface;
-    interface.validation.open = open;
-    if (open) interface.open_left_panel(&interface.validation.open);
+    state_.interface.show_left<ValidationList>(open);
     state_.workspace.want_validation(open);
 }
 
 void WindowParts::show_finding(int finding) {
     show_validation(true);
-    state_.interface.validation.current = finding;
-    state_.interface.validation.of = state_.workspace.assets().validation.findings;
+    state_.interface.of<ValidationList>().current = finding;
+    state_.interface.of<ValidationList>().of = state_.workspace.assets().validation.findings;
     state_.redraw();
 }
 

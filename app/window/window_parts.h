@@ -1,6 +1,7 @@
 // WindowParts: lets commands show and hide parts of the window, and use the clipboard.
 #pragma once
 
+#include "app/panels/written_notice.h"
 #include "app/window/viewer_state.h"
 
 namespace ramus::app {
@@ -20,7 +21,7 @@ public:
     void show_note(int note) override;
     void show_contact(int contact) override;
     void wrote(const std::filesystem::path& file, const std::string& sentence) override;
-    [[nodiscard]] std::filesystem::path written() const override { return state_.interface.written.file; }
+    [[nodiscard]] std::filesystem::path written() const override { return state_.interface.of<Written>().file; }
     void read_warnings() override;
     void show_finding(int finding) override;
     bool dismiss() override;

@@ -1,4 +1,5 @@
 // The import doctor in the window: it comes by itself when something could mislead, and outlives reading again.
+#include "app/panels/doctor_panel.h"
 #include "tests/support/viewer_stage.h"
 
 #include <doctest/doctest.h>
@@ -23,13 +24,13 @@ TEST_CASE("the doctor's panel opens by itself when the unit is unlikely, not whe
     {
         ViewerStage plain("1 1 0 0 -200 6 -1\n2 1 0 0 200 6 1\n", {900, 600});
         plain.settle();
-        CHECK_FALSE(plain.viewer->interface().doctor.open);
+        CHECK_FALSE(plain.viewer->interface().left_is<Doctor>());
     }
     ViewerStage odd(kInCentimetres, {900, 600}); // one window at a time
     odd.settle();
-    CHECK(odd.viewer->interface().doctor.open);
+    CHECK(odd.viewer->interface().left_is<Doctor>());
     run(odd, {"doctor"});
-    CHECK_FALSE(odd.viewer->interface().doctor.open);
+    CHECK_FALSE(odd.viewer->interface().left_is<Doctor>());
 }
 
 TEST_CASE("reading again under the pointer leaves nothing of the tree before, and shows the other one") {
@@ -44,7 +45,7 @@ TEST_CASE("reading again under the pointer leaves nothing of the tree before, an
     CHECK(thickest(stage) == 5.0);
     CHECK(render::mm_per_pixel(stage.workspace.document().session().camera, layout.view_size) ==
           doctest::Approx(10.0 * before));
-    CHECK(stage.viewer->interface().doctor.open);
+    CHECK(stage.viewer->interface().left_is<Doctor>());
     run(stage, {"undo"});
     CHECK(thickest(stage) == 0.5);
     CHECK(stage.viewer->interface().hovered < stage.workspace.document().branch_count());

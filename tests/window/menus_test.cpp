@@ -1,5 +1,10 @@
 // Menus, cards and the dialog of quitting, with the mouse and without a window.
 #include "app/actions/command_table.h"
+#include "app/panels/doctor_panel.h"
+#include "app/panels/error_dialog.h"
+#include "app/panels/help_overlay.h"
+#include "app/panels/menu_bar.h"
+#include "app/panels/warnings_panel.h"
 #include "tests/support/viewer_stage.h"
 
 #include <algorithm>
@@ -34,18 +39,18 @@ TEST_CASE("each menu opens at a click, stays open when the button is released, a
             stage.viewer->input().mouse_moved({x, y});
             stage.button(true, 0.5);
             draw_frames(stage);
-            const std::string pressed = interface.open_menu;
+            const std::string pressed = interface.of<BarMenus>().open_name;
             stage.button(false, 0.1);
             draw_frames(stage);
-            CHECK(interface.open_menu == pressed);
+            CHECK(interface.of<BarMenus>().open_name == pressed);
             if (!pressed.empty()) opened.insert(pressed);
-            CHECK_FALSE((interface.doctor.open || interface.dialog_open() || interface.warnings.open));
+            CHECK_FALSE((interface.left_is<Doctor>() || interface.dialog_open() || interface.left_is<WarningsPanel>()));
             // Away from the bar a click closes it.
             stage.viewer->input().mouse_moved({700.0, 500.0});
             stage.button(true, 0.5);
             stage.button(false, 0.1);
             draw_frames(stage);
-            REQUIRE(interface.open_menu.empty());
+            REQUIRE(interface.of<BarMenus>().open_name.empty());
         }
         CHECK(opened == menus);
     }
@@ -60,16 +65,16 @@ TEST_CASE("arrows lead through menus that a click has opened, and the view stays
     stage.button(true, 0.5);
     stage.button(false, 0.1);
     draw_frames(stage);
-    REQUIRE(interface.open_menu == "File");
+    REQUIRE(interface.of<BarMenus>().open_name == "File");
     const auto press = [&](const char* name) {
         stage.viewer->input().key(0, true, app::KeyPress{name}, {}, stage.now);
         draw_frames(stage);
     };
     press("Right");
-    CHECK(interface.open_menu == "Edit");
+    CHECK(interface.of<BarMenus>().open_name == "Edit");
     press("Left");
     press("Left");
-    CHECK(interface.open_menu == "Help");
+    CHECK(interface.of<BarMenus>().open_name == "Help");
     press("Down");
     CHECK(stage.workspace.document().session().camera == before);
 }
@@ -117,7 +122,7 @@ TEST_CASE("of two dialogs that are open one is shown, and then the other") {
     CHECK(shown("dialog help"));
     stage.workspace.open(stage.folder.path() / "missing.swc");
     stage.settle();
-    REQUIRE_FALSE(stage.viewer->interface().errors.empty());
+    REQUIRE_FALSE(stage.viewer->interface().of<ErrorDialog>().errors.empty());
     CHECK(shown("dialog error"));
     CHECK_FALSE(shown("dialog help"));
     press("Escape");

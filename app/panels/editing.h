@@ -1,0 +1,44 @@
+// What the side panel's controls hold while they are changed.
+#pragma once
+
+#include "app/panels/slider_row.h"
+#include "app/panels/widgets.h"
+#include "app/session/objects.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace ramus::app {
+
+// What the side panel's sliders and fields hold while they are being changed: the session hears of it when they are let
+// go, so that it is one step of undo.
+struct Editing {
+    std::map<std::string_view, widgets::Slider<float>> options; // by the key of a SurfaceOption
+    std::set<std::string_view> shown_options; // that are seen only when set; once seen they stay, for what is below
+    widgets::Slider<float> glass_opacity, glass_grey, blend, wipe;
+    // Of one entry of the context, counted from 1, its colour or its opacity.
+    struct Context {
+        int of = -1;
+        ContextItem item;
+        int opacity_of = -1; // whose slider the mouse has
+        float opacity = 0.0F;
+    } context;
+    // Of one system, from 0, its colour while the picker is open.
+    struct System {
+        int of = -1;
+        std::array<std::uint8_t, 3> colour{};
+    } system;
+    // One field for numbers has the keyboard at a time.
+    struct Numbers {
+        std::string field; // its id; empty: none
+        std::array<char, 64> typed{};
+    } numbers;
+    std::string thin;           // diameter below which vessels are thin, as it was typed; empty: the usual one
+    std::string colours_before; // what colours said before they said distances to lesions; empty: the usual
+};
+
+} // namespace ramus::app

@@ -1,0 +1,25 @@
+// The dialog that names a branch, a system or an object of the scene.
+#pragma once
+
+#include "core/tree/vessel_tree.h"
+
+#include <array>
+#include <string>
+
+namespace ramus::app {
+
+// The field for the name of a branch, of a system, or of an object of the scene.
+struct Rename {
+    bool open = false;
+    bool fresh = false; // the keyboard is not in it yet
+    int branch = tree::kNoBranch;
+    int system = -1;          // instead of a branch; -1: none
+    std::string kind, number; // of an object of the scene, instead; empty: none
+    std::array<char, 128> text{};
+    bool subtree = false; // what depends on the branch is called so too
+    void show(int id, const std::string& name, bool of_subtree = false);
+    void show_system(int index, const std::string& name);
+    void show_object(const std::string& object_kind, const std::string& object_number, const std::string& name);
+};
+
+} // namespace ramus::app
