@@ -102,7 +102,7 @@ std::vector<glm::vec3> visible_positions(const ActionContext& context, const ren
     std::vector<glm::vec3> positions;
     if (mesh)
         positions = mesh->farthest(render::fitting_directions(camera, size),
-                                   [&](int branch) { return state_of(marks, branch) != render::BranchState::kHidden; });
+                                   [&](int branch) { return state_of(marks, branch) != tree::BranchState::kHidden; });
     add_lesions(positions, context);
     const auto shown = shown_positions(marks, context.assets);
     positions.insert(positions.end(), shown.begin(), shown.end());

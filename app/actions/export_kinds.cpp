@@ -76,7 +76,7 @@ std::vector<std::uint8_t> exported_branches(const Document& document, ExportOf o
     for (int id = 0; id < document.branch_count(); ++id)
         exported[static_cast<std::size_t>(id)] =
             of == ExportOf::kAll || (of == ExportOf::kSelected && is_selected(marks, id)) ||
-            (of == ExportOf::kVisible && state_of(marks, id) != render::BranchState::kHidden);
+            (of == ExportOf::kVisible && state_of(marks, id) != tree::BranchState::kHidden);
     return exported;
 }
 

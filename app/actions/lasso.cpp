@@ -64,7 +64,7 @@ Result<void> select_inside(ActionContext& context, const LassoArguments& wanted,
     const Document& document = context.document;
     if (!document.tree()) return fail("there is no tree to lasso");
     const LassoRule rule{.any_part = wanted.any_part, .visible = visible};
-    const std::vector<int> hidden = branches_in_state(document.marks(), render::BranchState::kHidden);
+    const std::vector<int> hidden = branches_in_state(document.marks(), tree::BranchState::kHidden);
     std::vector<int> inside =
         branches_inside(*document.tree(), view.camera, view.size, PixelPolygon(wanted.corners), rule,
                         hidden_flags(hidden, static_cast<std::size_t>(document.branch_count())));

@@ -11,7 +11,7 @@ namespace ramus::app::actions {
 
 namespace {
 
-using render::BranchState;
+using tree::BranchState;
 
 std::vector<int> in_both(const std::vector<int>& a, const std::vector<int>& b) { // both ascending
     std::vector<int> both;

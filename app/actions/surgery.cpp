@@ -12,7 +12,7 @@ namespace ramus::app::actions {
 
 namespace {
 
-using render::BranchState;
+using tree::BranchState;
 
 constexpr const char* kAskedLesion = "a lesion is X,Y,Z,R: its centre and its radius in mm";
 

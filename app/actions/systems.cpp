@@ -11,7 +11,7 @@ namespace ramus::app::actions {
 
 namespace {
 
-using render::BranchState;
+using tree::BranchState;
 
 // The branches of all systems in the arguments, in any order.
 Result<std::vector<int>> named_branches(const Document& document, Arguments arguments, const std::string& command) {

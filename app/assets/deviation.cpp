@@ -12,7 +12,7 @@ DeviationOf deviation_of(std::shared_ptr<const tree::VesselTree> tree, const Mar
     switch (of.from) {
     case DeviationChoice::From::kCones:
         of.options = options;
-        of.hidden = branches_in_state(marks, render::BranchState::kHidden);
+        of.hidden = branches_in_state(marks, tree::BranchState::kHidden);
         break;
     case DeviationChoice::From::kIsosurface:
         of.file = marks.comparison.mask;

@@ -154,7 +154,7 @@ SelectionOutline selection_outline(SelectionOutline::Of of) {
     std::vector<std::pair<float, int>> thickest; // by the diameter at its start
     for (const int branch : made.of.selection) {
         const auto index = static_cast<std::size_t>(branch);
-        const bool hidden = index < states.size() && states[index] == render::BranchState::kHidden;
+        const bool hidden = index < states.size() && states[index] == tree::BranchState::kHidden;
         if (branch < 0 || index >= lines.runs.size() || index >= made.of.tree->branches.size() || hidden) continue;
         if (lines.runs[index].count > 1)
             thickest.emplace_back(lines.details[lines.runs[index].first].diameter_mm, branch);

@@ -18,8 +18,8 @@ struct SelectionOutline {
         std::shared_ptr<const tree::VesselTree> tree;
         std::shared_ptr<const render::Centerlines> lines; // null: no outline
         render::Camera camera;
-        std::vector<render::BranchState> states; // by branch id; branches without an entry are normal
-        std::vector<int> selection;              // branch ids
+        std::vector<tree::BranchState> states; // by branch id; branches without an entry are normal
+        std::vector<int> selection;            // branch ids
         bool operator==(const Of&) const = default;
     };
     Of of;

@@ -84,7 +84,7 @@ Result<void> show_only(Marks& marks, const tree::VesselTree& tree, const std::ve
                        const std::string& where) {
     RAMUS_TRY(chosen, branches_of(tree, marks, systems, where));
     const auto others = branches_where(chosen.size(), [&](std::size_t id) { return chosen[id] == 0; });
-    set_state(marks, others, render::BranchState::kHidden);
+    set_state(marks, others, tree::BranchState::kHidden);
     return {};
 }
 

@@ -273,7 +273,7 @@ Result<int> run_mesh(const MeshFlags& flags) {
     if (flags.printing.wanted && opened.session.marks.options.method != mesh::Method::kConvolutionSurface)
         return fail("truncated cones overlap, and are not fit for printing", flags.output, "use --method cs");
     std::vector<std::uint8_t> hidden(opened.tree->branches.size(), 0);
-    for (const int branch : branches_in_state(opened.session.marks, render::BranchState::kHidden))
+    for (const int branch : branches_in_state(opened.session.marks, tree::BranchState::kHidden))
         hidden[static_cast<std::size_t>(branch)] = 1;
     if (io::has_names(*format)) {
         RAMUS_TRY(names, names_for(flags, opened));

@@ -130,9 +130,9 @@ void draw_mark(const InterfaceContext& context, int id) {
     const render::Appearance appearance;
     const PictureLook& picture = context.interface.picture;
     glm::vec3 colour = index_of(id) < picture.colours.size() ? picture.colours[index_of(id)] : appearance.vessel;
-    const render::BranchState state = state_of(marks, id);
-    if (state == render::BranchState::kHighlighted) colour = appearance.highlight;
-    if (state == render::BranchState::kDefocused) colour = 0.8F * appearance.glass;
+    const tree::BranchState state = state_of(marks, id);
+    if (state == tree::BranchState::kHighlighted) colour = appearance.highlight;
+    if (state == tree::BranchState::kDefocused) colour = 0.8F * appearance.glass;
     const float side = std::round(8.0F * theme::scale());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 from(at.x, std::round(at.y + 0.5F * (ImGui::GetTextLineHeight() - side)));
@@ -140,12 +140,12 @@ void draw_mark(const InterfaceContext& context, int id) {
     const float rounding = 2.0F * theme::scale();
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const ImU32 grey = ImGui::GetColorU32(ImGuiCol_TextDisabled);
-    if (state == render::BranchState::kHidden)
+    if (state == tree::BranchState::kHidden)
         draw->AddRect(from, to, grey, rounding);
     else
         draw->AddRectFilled(from, to,
                             ImGui::ColorConvertFloat4ToU32(
-                                {colour.r, colour.g, colour.b, state == render::BranchState::kDefocused ? 0.5F : 1.0F}),
+                                {colour.r, colour.g, colour.b, state == tree::BranchState::kDefocused ? 0.5F : 1.0F}),
                             rounding);
     ImGui::Dummy({side, ImGui::GetTextLineHeight()});
 }
@@ -182,9 +182,9 @@ void system_cell(const InterfaceContext& context, int id) {
 
 void draw_row(InterfaceContext& context, int id) {
     const Document& document = context.workspace.document();
-    const render::BranchState state = state_of(document.marks(), id);
-    const bool lit = state == render::BranchState::kHighlighted;
-    const bool faint = state == render::BranchState::kHidden;
+    const tree::BranchState state = state_of(document.marks(), id);
+    const bool lit = state == tree::BranchState::kHighlighted;
+    const bool faint = state == tree::BranchState::kHidden;
     const bool pointed_at = context.interface.picture.hovered == id;
     ImGui::TableNextRow();
     if (pointed_at) // in the picture or in the overview

@@ -28,7 +28,7 @@ struct BranchList {
     std::string applied;
     BranchFilter parsed;
     std::vector<int> selection;
-    std::vector<render::BranchState> states;
+    std::vector<tree::BranchState> states;
     BranchNames given;
     std::vector<tree::System> systems; // of the session
     bool made = false;

@@ -12,7 +12,7 @@ namespace ramus::app {
 void draw_glass(InterfaceContext& context) {
     const Marks& marks = context.workspace.document().marks();
     context.interface.tried_glass.reset();
-    if (std::ranges::find(marks.states, render::BranchState::kDefocused) == marks.states.end()) return;
+    if (std::ranges::find(marks.states, tree::BranchState::kDefocused) == marks.states.end()) return;
     widgets::section("Glass");
     widgets::Slider<float>& opacity = context.interface.of<Editing>().glass_opacity;
     widgets::Slider<float>& grey = context.interface.of<Editing>().glass_grey;

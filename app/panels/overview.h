@@ -43,7 +43,7 @@ struct Overview {
     std::vector<Look> looks;
     std::vector<glm::dvec4> colour_sums;
     std::vector<int> selected_sums, hovered_sums;
-    std::vector<render::BranchState> looks_states; // the inputs of `looks`
+    std::vector<tree::BranchState> looks_states; // the inputs of `looks`
     std::vector<int> looks_selection;
     PictureLook looks_picture;
 

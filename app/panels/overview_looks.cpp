@@ -7,7 +7,7 @@ namespace ramus::app {
 
 namespace {
 
-using render::BranchState;
+using tree::BranchState;
 
 std::size_t as_index(int id) { return static_cast<std::size_t>(id); }
 

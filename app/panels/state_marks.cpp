@@ -11,7 +11,7 @@
 namespace ramus::app {
 
 float draw_state_marks(InterfaceContext& context, float right_edge) {
-    using render::BranchState;
+    using tree::BranchState;
     const Marks& marks = context.workspace.document().marks();
     struct Mark {
         std::size_t count;

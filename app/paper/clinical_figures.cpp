@@ -179,7 +179,7 @@ Result<Figure> branches_in_focus(Workbench& bench, Job& job) {
     for (const bool glass : {false, true}) {
         Marks marks;
         set_state(marks, glass ? others : focus,
-                  glass ? render::BranchState::kDefocused : render::BranchState::kHighlighted);
+                  glass ? tree::BranchState::kDefocused : tree::BranchState::kHighlighted);
         Scene scene;
         if (auto opened = scene.open(*tree, marks, camera, job); !opened) return tl::unexpected(opened.error());
         plate.panels.push_back({scene.frame(*tree, glass ? "Others defocused (glass)" : "Highlighted"), {}});

@@ -52,8 +52,7 @@ double mean_diameter(const tree::VesselTree& tree, const tree::Branch& branch) {
 std::set<int> shown_systems(const tree::VesselTree& tree, const Marks& marks) {
     std::set<int> shown;
     for (std::size_t id = 0; id < tree.branches.size(); ++id)
-        if (state_of(marks, static_cast<int>(id)) != render::BranchState::kHidden)
-            shown.insert(tree.branches[id].system);
+        if (state_of(marks, static_cast<int>(id)) != tree::BranchState::kHidden) shown.insert(tree.branches[id].system);
     return shown;
 }
 
@@ -294,7 +293,7 @@ void colour_by_system(Colouring& colouring, const tree::VesselTree& tree, const 
 }
 
 void explain_states(Colouring& colouring, const Marks& marks, std::size_t branches) {
-    using render::BranchState;
+    using tree::BranchState;
     const render::Appearance look;
     colouring.legend.title = "State";
     const auto any = [&](BranchState state) { return std::ranges::find(marks.states, state) != marks.states.end(); };

@@ -36,7 +36,7 @@ void draw_cuts(render::Frame& frame, const Marks& marks, const Plan* plan) {
     for (std::size_t i = 0; i < marks.cuts.size() && frame.centerlines; ++i) {
         const auto& [branch, fraction] = marks.cuts[i];
         const auto place = frame.centerlines->at(branch, fraction);
-        if (!place || state_of(marks, branch) == render::BranchState::kHidden) continue;
+        if (!place || state_of(marks, branch) == tree::BranchState::kHidden) continue;
         const bool reconstruct = plan != nullptr && i < plan->cuts.cuts.size() && plan->cuts.cuts[i].reconstruct;
         frame.lines.push_back({ring_around(place->position, place->along, 1.35 * place->radius_mm),
                                reconstruct ? kReconstructColour : kCutColour, 2.2F});

@@ -64,7 +64,7 @@ std::vector<Viewport> viewports_of(const Marks& marks, glm::ivec2 size, float pi
     for (const Compared kind : kinds)
         viewports.push_back({glm::ivec2(0), size, kind, title_of(kind, comparison), kind != Compared::kIsosurface});
     // Voxels of a mask's file belong to no branch, and stay when branches are hidden.
-    if (!comparison.mask.empty() && std::ranges::find(marks.states, render::BranchState::kHidden) != marks.states.end())
+    if (!comparison.mask.empty() && std::ranges::find(marks.states, tree::BranchState::kHidden) != marks.states.end())
         for (Viewport& viewport : viewports)
             if (viewport.surface == Compared::kIsosurface) viewport.title += ", with what is hidden";
     if (comparison.mode == Comparison::Mode::kSuperimposed) {

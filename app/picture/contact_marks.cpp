@@ -16,7 +16,7 @@ constexpr double kBeyondVessels = 1.25; // of the larger radius
 
 bool is_hidden(const render::Frame& frame, int branch) {
     const auto index = static_cast<std::size_t>(branch);
-    return index < frame.states.size() && frame.states[index] == render::BranchState::kHidden;
+    return index < frame.states.size() && frame.states[index] == tree::BranchState::kHidden;
 }
 
 // Colours the two vessels of the contact that a person looks at; a selection would hide the colours. Colours that vary

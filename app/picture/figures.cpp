@@ -110,7 +110,7 @@ render::Box visible_box(const render::Sheet& sheet) {
         }
         const auto positions = frame.mesh->farthest(kAlongAxes, [&states = frame.states](int branch) {
             const auto index = static_cast<std::size_t>(branch);
-            return index >= states.size() || states[index] != render::BranchState::kHidden;
+            return index >= states.size() || states[index] != tree::BranchState::kHidden;
         });
         for (const glm::vec3& position : positions) visible.include(glm::dvec3(position));
         if (const render::Box& bounds = frame.mesh->bounds(); !bounds.empty()) {

@@ -14,7 +14,7 @@ void draw_shortest_distances(render::Frame& frame, const Plan& plan, const Marks
                         (pointed.system < 0 || pointed.system == vessels.system);
         const measure::NearestWall& nearest = vessels.nearest;
         if (nearest.branch == tree::kNoBranch || !(at || marks.shortest_distances)) continue;
-        if (!at && state_of(marks, nearest.branch) == render::BranchState::kHidden) continue;
+        if (!at && state_of(marks, nearest.branch) == tree::BranchState::kHidden) continue;
         const glm::vec3 colour = at ? kPointed : kLine;
         frame.lines.push_back({{nearest.on_lesion, nearest.on_wall}, colour, at ? 3.0F : 2.0F});
         for (const glm::dvec3& end : {nearest.on_lesion, nearest.on_wall})

@@ -32,7 +32,7 @@ Facts tree_facts(const Document& document) {
     const TreeFacts& facts = *document.facts();
     const tree::VesselTree& tree = *document.tree();
     const Marks& marks = document.marks();
-    const auto count = [&](render::BranchState state) { return grouped(branches_in_state(marks, state).size()); };
+    const auto count = [&](tree::BranchState state) { return grouped(branches_in_state(marks, state).size()); };
     Facts found{{"File", document.session().tree.path.filename().string()},
                 {"Checksum", document.session().tree.checksum.empty() ? "not known" : document.session().tree.checksum},
                 {"Branches", grouped(tree.branches.size())},
@@ -45,9 +45,9 @@ Facts tree_facts(const Document& document) {
                 {"Loops", grouped(static_cast<std::uint64_t>(tree.loop_count))},
                 {"Repairs on reading", grouped(sentences(tree, tree::Note::Kind::kRepaired).size())},
                 {"Selected", grouped(marks.selection.size())},
-                {"Highlighted", count(render::BranchState::kHighlighted)},
-                {"Defocused", count(render::BranchState::kDefocused)},
-                {"Hidden", count(render::BranchState::kHidden)}};
+                {"Highlighted", count(tree::BranchState::kHighlighted)},
+                {"Defocused", count(tree::BranchState::kDefocused)},
+                {"Hidden", count(tree::BranchState::kHidden)}};
     found.push_back({"Unit", claim_text(tree.claims.unit, "mm", "not known: lengths count as the file has them")});
     found.push_back({"Orientation", claim_text(tree.claims.orientation, "right, anterior, superior (RAS)",
                                                "not known: axes x, y, z are those of the file")});

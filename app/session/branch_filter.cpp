@@ -176,7 +176,7 @@ bool has(BranchProperty property, const tree::VesselTree& tree, const Marks& mar
     case BranchProperty::kHighlighted:
     case BranchProperty::kDefocused:
     case BranchProperty::kHidden:
-        return state_of(marks, id) == static_cast<render::BranchState>(property);
+        return state_of(marks, id) == static_cast<tree::BranchState>(property);
     case BranchProperty::kSelected:
         return is_selected(marks, id);
     case BranchProperty::kLeaf:

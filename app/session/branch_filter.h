@@ -22,7 +22,7 @@
 namespace ramus::app {
 
 enum class Relation { kLess, kLessOrEqual, kGreater, kGreaterOrEqual, kEqual, kNotEqual };
-// States in the order of render::BranchState, then other properties.
+// States in the order of tree::BranchState, then other properties.
 enum class BranchProperty { kNormal, kHighlighted, kDefocused, kHidden, kSelected, kLeaf, kNamed };
 
 struct BranchCondition {

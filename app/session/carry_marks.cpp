@@ -10,7 +10,7 @@
 
 namespace ramus::app {
 
-using render::BranchState;
+using tree::BranchState;
 
 namespace {
 

@@ -38,7 +38,7 @@ void Document::change(Marks next) {
     // Changes are differences, which require sorted lists.
     if (std::ranges::adjacent_find(next.selection, std::ranges::greater_equal{}) != next.selection.end())
         next.selection = canonical(std::move(next.selection));
-    set_state(next, {}, render::BranchState::kNormal);
+    set_state(next, {}, tree::BranchState::kNormal);
     number_objects(next);
     if (next == session_.marks) return;
     const std::vector<tree::Edit> before = session_.marks.edits;
@@ -123,7 +123,7 @@ std::size_t Document::work_between(std::size_t first, std::size_t last) const {
 }
 
 void Document::take_change(Marks next) {
-    set_state(next, {}, render::BranchState::kNormal);
+    set_state(next, {}, tree::BranchState::kNormal);
     const bool looks = differ_in_looks_alone(session_.marks, next);
     if (!looks)
         forget_undone();

@@ -19,7 +19,7 @@
 namespace ramus::app {
 
 namespace fs = std::filesystem;
-using render::BranchState;
+using tree::BranchState;
 using namespace session_json;
 
 namespace {

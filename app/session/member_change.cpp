@@ -2,7 +2,7 @@
 
 namespace ramus::app {
 
-using render::BranchState;
+using tree::BranchState;
 static_assert(static_cast<int>(BranchState::kNormal) < 4 && static_cast<int>(BranchState::kHighlighted) < 4 &&
                   static_cast<int>(BranchState::kDefocused) < 4 && static_cast<int>(BranchState::kHidden) < 4,
               "a state fits into two bits");

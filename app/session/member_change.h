@@ -57,7 +57,7 @@ private:
 // The branches whose state differs, for each of the two bits of a state.
 class StatesChange : public MemberChange {
 public:
-    using States = std::vector<render::BranchState>;
+    using States = std::vector<tree::BranchState>;
     StatesChange(const States& before, const States& after);
     void apply(Marks& marks, ChangeDirection direction) const override;
     [[nodiscard]] std::vector<int> branches() const; // ascending

@@ -10,7 +10,7 @@
 
 namespace ramus::app {
 
-using render::BranchState;
+using tree::BranchState;
 
 std::filesystem::path subject_of(const Session& session) {
     if (!session.tree.path.empty() || session.marks.context.empty()) return session.tree.path;
@@ -74,7 +74,7 @@ void change_lesion(Marks& marks, std::size_t index, const std::array<double, 4>&
                 measurement.points[i] = to + sphere[3] / before[3] * (measurement.points[i] - from);
 }
 
-std::string_view name_of(render::BranchState state) {
+std::string_view name_of(tree::BranchState state) {
     constexpr std::array<std::string_view, 4> kNames{"normal", "highlighted", "defocused", "hidden"};
     return kNames[static_cast<std::size_t>(state)];
 }

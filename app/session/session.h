@@ -52,7 +52,7 @@ struct GlassLook {
 struct Marks : SceneObjects {
     std::vector<tree::Edit> edits;            // of the file's tree, in order; branch ids below refer to the edited tree
     std::vector<int> selection;               // branch ids, ascending
-    std::vector<render::BranchState> states;  // by branch id; branches without an entry are normal
+    std::vector<tree::BranchState> states;    // by branch id; branches without an entry are normal
     std::vector<std::pair<int, double>> cuts; // branch, and fraction of its length from the parent's end
     std::map<int, std::string> names;
     std::vector<int> subtree_names;    // ids of `names` that also label all dependents, ascending
@@ -112,12 +112,12 @@ template <SceneObject T> std::size_t remove_object(Marks& /*marks*/, std::vector
 void change_lesion(Marks& marks, std::size_t index, const std::array<double, 4>& sphere);
 
 // The states that a session lists; every other branch is normal.
-inline constexpr std::array kListedStates{render::BranchState::kHighlighted, render::BranchState::kDefocused,
-                                          render::BranchState::kHidden};
-[[nodiscard]] std::string_view name_of(render::BranchState state); // "normal", "highlighted", "defocused", "hidden"
-[[nodiscard]] render::BranchState state_of(const Marks& marks, int branch);
-void set_state(Marks& marks, std::span<const int> branches, render::BranchState state);
-[[nodiscard]] std::vector<int> branches_in_state(const Marks& marks, render::BranchState state);
+inline constexpr std::array kListedStates{tree::BranchState::kHighlighted, tree::BranchState::kDefocused,
+                                          tree::BranchState::kHidden};
+[[nodiscard]] std::string_view name_of(tree::BranchState state); // "normal", "highlighted", "defocused", "hidden"
+[[nodiscard]] tree::BranchState state_of(const Marks& marks, int branch);
+void set_state(Marks& marks, std::span<const int> branches, tree::BranchState state);
+[[nodiscard]] std::vector<int> branches_in_state(const Marks& marks, tree::BranchState state);
 
 // Sorts ids and removes repeats.
 [[nodiscard]] std::vector<int> canonical(std::vector<int> branches);

@@ -72,7 +72,7 @@ std::vector<SystemFacts> system_facts(const tree::VesselTree& tree, const TreeFa
         const auto system = static_cast<std::size_t>(tree.branches[id].system);
         if (system >= found.size()) continue;
         ++found[system].branches;
-        if (state_of(marks, static_cast<int>(id)) != render::BranchState::kHidden) ++found[system].visible;
+        if (state_of(marks, static_cast<int>(id)) != tree::BranchState::kHidden) ++found[system].visible;
         found[system].length_mm += facts.branches[id].length_mm;
         found[system].volume_mm3 += facts.branches[id].volume_mm3;
     }

@@ -26,8 +26,8 @@ render::Quality Pace::quality(const render::Frame& frame, bool moving, bool prov
     View view{frame.mesh, frame.camera, frame.size, frame.states, {}, 0.0F};
     if (frame.surface_awaited) view.awaited = frame.centerlines, view.awaited_width = frame.width;
     // Highlighting only shades again.
-    for (render::BranchState& state : view.states)
-        if (state == render::BranchState::kHighlighted) state = render::BranchState::kNormal;
+    for (tree::BranchState& state : view.states)
+        if (state == tree::BranchState::kHighlighted) state = tree::BranchState::kNormal;
     if (view != last_) {
         last_ = std::move(view);
         changed_at_ = now;

@@ -35,7 +35,7 @@ private:
         std::shared_ptr<const render::PagedMesh> mesh;
         render::Camera camera;
         glm::ivec2 size{0};
-        std::vector<render::BranchState> states;
+        std::vector<tree::BranchState> states;
         std::shared_ptr<const render::Centerlines> awaited; // of the surface in progress
         float awaited_width = 0.0F;
         bool operator==(const View&) const = default;

@@ -24,7 +24,7 @@ constexpr std::uint64_t kPreviewFrom = 150'000; // triangles: below, even a soft
 } // namespace
 
 SurfaceRequest surface_request(const Marks& marks) {
-    return {marks.options, branches_in_state(marks, render::BranchState::kHidden)};
+    return {marks.options, branches_in_state(marks, tree::BranchState::kHidden)};
 }
 
 std::vector<std::uint8_t> hidden_flags(std::span<const int> hidden, std::size_t branch_count) {

@@ -3,6 +3,7 @@
 // shared and never mutated in place, so a Frame is cheap to copy and to compare.
 #pragma once
 
+#include "core/tree/branch_state.h"
 #include "core/tree/vessel_tree.h"
 #include "render/scene/camera.h"
 #include "render/scene/centerlines.h"
@@ -23,13 +24,7 @@ namespace caster {
 struct FittedCones;
 }
 
-enum class BranchState : std::uint8_t {
-    kNormal,
-    kHighlighted, // in the highlight colour; normal branches become calmer
-    kDefocused,   // grey glass: what is behind it is visible and can be picked
-    kHidden,      // not drawn, not picked
-};
-
+using tree::BranchState;
 using tree::kNoBranch;
 
 // sRGB, 0 to 1.

@@ -36,7 +36,7 @@ struct BesideScene {
         frame.camera.scale = 0.5 * kPixelMm * frame.size.y;
         frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
         frame.appearance.depth_cue = 0.0F;
-        frame.states.assign(1, render::BranchState::kNormal);
+        frame.states.assign(1, tree::BranchState::kNormal);
     }
     ~BesideScene() { renderer.reset(); }
     void add_sphere(float opacity, glm::dvec3 centre = glm::dvec3(0.0), double radius = kSphere) {

@@ -78,7 +78,7 @@ struct CommandStage {
         return done.error().message();
     }
     [[nodiscard]] const Ids& selection() const { return document.marks().selection; }
-    [[nodiscard]] Ids in(render::BranchState state) const { return branches_in_state(document.marks(), state); }
+    [[nodiscard]] Ids in(tree::BranchState state) const { return branches_in_state(document.marks(), state); }
     [[nodiscard]] std::string last_step() const { return document.step_name(document.position() - 1); }
     [[nodiscard]] const app::Marks& marks() const { return document.marks(); }
     // What belongs to the document as it is now.

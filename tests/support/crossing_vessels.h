@@ -27,7 +27,7 @@ struct CrossingVessels {
         frame.mesh = std::make_shared<const render::PagedMesh>(mesh);
         frame.size = {320, 240};
         frame.camera = camera_for(frame.mesh->positions(), render::View::kAnterior, frame.size, false);
-        frame.states.assign(kVessels, render::BranchState::kNormal);
+        frame.states.assign(kVessels, tree::BranchState::kNormal);
     }
     [[nodiscard]] render::DrawStatistics draw(const render::Frame& of, double seconds = render::kUntilDone) const {
         const auto done = renderer->draw(of, render::kUploadAll, seconds);
@@ -38,7 +38,7 @@ struct CrossingVessels {
 
 // Every third vessel, with a lesion in the middle.
 inline render::Frame with_glass(render::Frame frame) {
-    for (std::size_t i = 0; i < frame.states.size(); i += 3) frame.states[i] = render::BranchState::kDefocused;
+    for (std::size_t i = 0; i < frame.states.size(); i += 3) frame.states[i] = tree::BranchState::kDefocused;
     frame.lesions.spheres = {{0.0, 0.0, 0.0, 6.0}};
     return frame;
 }

@@ -32,7 +32,7 @@ struct SmallTree {
         frame.size = size;
         frame.camera = render::camera_for(frame.mesh->positions(), render::View::kAnterior, size);
         frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
-        frame.states.assign(4, render::BranchState::kNormal);
+        frame.states.assign(4, tree::BranchState::kNormal);
     }
     ~SmallTree() { renderer.reset(); }
     render::Image draw() {

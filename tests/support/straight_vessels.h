@@ -42,7 +42,7 @@ inline render::Frame frame_of(std::span<const StraightVessel> vessels, int sides
     frame.size = size;
     frame.camera = camera_for(frame.mesh->positions(), render::View::kAnterior, frame.size, orthographic);
     frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
-    frame.states.assign(vessels.size(), render::BranchState::kNormal);
+    frame.states.assign(vessels.size(), tree::BranchState::kNormal);
     return frame;
 }
 

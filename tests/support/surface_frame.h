@@ -37,7 +37,7 @@ inline render::Frame surface_frame(const tree::VesselTree& tree, const mesh::Sur
     frame.size = size;
     frame.camera = camera_for(frame.mesh->positions(), render::View::kAnterior, frame.size, false);
     frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
-    frame.states.assign(tree.branches.size(), render::BranchState::kNormal);
+    frame.states.assign(tree.branches.size(), tree::BranchState::kNormal);
     return frame;
 }
 

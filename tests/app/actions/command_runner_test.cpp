@@ -210,13 +210,13 @@ TEST_CASE("what is run after a click takes effect after it, however late it is k
     CHECK(runner.update(stage.context).empty());
     CHECK_FALSE(runner.awaits());
     CHECK(stage.marks().selection == std::vector<int>{5});
-    CHECK(branches_in_state(stage.marks(), render::BranchState::kHidden) == std::vector<int>{3});
-    CHECK(branches_in_state(stage.marks(), render::BranchState::kHighlighted) == std::vector<int>{5});
+    CHECK(branches_in_state(stage.marks(), tree::BranchState::kHidden) == std::vector<int>{3});
+    CHECK(branches_in_state(stage.marks(), tree::BranchState::kHighlighted) == std::vector<int>{5});
     // What is known is not put off, nor what is run then.
     REQUIRE(runner.await(stage.context, first.select(7)));
     CHECK(first.taken == 2);
     run("hide");
-    CHECK(branches_in_state(stage.marks(), render::BranchState::kHidden) == std::vector<int>{3, 7});
+    CHECK(branches_in_state(stage.marks(), tree::BranchState::kHidden) == std::vector<int>{3, 7});
 }
 
 TEST_CASE("what comes of a click goes before what waited for it, and a refusal is told") {
@@ -235,7 +235,7 @@ TEST_CASE("what comes of a click goes before what waited for it, and a refusal i
     CHECK(stage.document.step_count() == 0);
     found.known = true;
     CHECK(runner.update(stage.context).size() == 1);
-    CHECK(branches_in_state(stage.marks(), render::BranchState::kHidden) == std::vector<int>{4});
+    CHECK(branches_in_state(stage.marks(), tree::BranchState::kHidden) == std::vector<int>{4});
     CHECK(stage.document.step_name(0) == "look branch 4");
 }
 

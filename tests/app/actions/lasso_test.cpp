@@ -349,5 +349,5 @@ TEST_CASE("a lasso of what is visible waits for that, of the view in which it wa
     host.there = true;
     CHECK(runner.update(context).empty());
     CHECK(document.marks().selection == Ids{2});
-    CHECK(branches_in_state(document.marks(), render::BranchState::kHidden) == Ids{2});
+    CHECK(branches_in_state(document.marks(), tree::BranchState::kHidden) == Ids{2});
 }

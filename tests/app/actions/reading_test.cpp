@@ -48,7 +48,7 @@ TEST_CASE("read-as reads the file in another unit: radii become right, and what 
     CHECK(opened.tree().points.front().radius == 5.0);
     CHECK(said.find("10.0 mm wide") != std::string::npos);
     CHECK(opened->selection() == test::Ids{2});
-    CHECK(opened->in(render::BranchState::kHidden) == test::Ids{1});
+    CHECK(opened->in(tree::BranchState::kHidden) == test::Ids{1});
     CHECK(opened->last_step() == "read as units cm");
     CHECK(opened->document.session().camera.scale == doctest::Approx(10.0 * camera.scale));
     CHECK(opened->current_assets().tree == opened->document.tree());
@@ -150,7 +150,7 @@ TEST_CASE("read-as makes the tree of a mask again: systems, islands and the root
     REQUIRE(tree().systems.size() == 2);
     REQUIRE(tree().roots.size() == 3);
     stage.good("colour-by system\nname-system 1 vein\nhide-system 2");
-    const test::Ids hidden = stage.in(render::BranchState::kHidden);
+    const test::Ids hidden = stage.in(tree::BranchState::kHidden);
     REQUIRE(hidden.size() == 1);
     const render::Camera camera = stage.document.session().camera;
 
@@ -158,7 +158,7 @@ TEST_CASE("read-as makes the tree of a mask again: systems, islands and the root
     CHECK(stage.last_step() == "read as islands 10");
     CHECK(tree().roots.size() == 2);
     CHECK(stage.document.session().camera == camera);
-    const test::Ids now = stage.in(render::BranchState::kHidden);
+    const test::Ids now = stage.in(tree::BranchState::kHidden);
     REQUIRE(now.size() == 1);
     CHECK(tree().branches[static_cast<std::size_t>(now[0])].system == 1);
     CHECK(stage.marks().systems[0].name == "vein");
@@ -170,7 +170,7 @@ TEST_CASE("read-as makes the tree of a mask again: systems, islands and the root
     CHECK(stage.marks().systems.empty());
     stage.good("undo");
     CHECK(stage.marks().systems[0].name == "vein");
-    CHECK(stage.in(render::BranchState::kHidden) == now);
+    CHECK(stage.in(tree::BranchState::kHidden) == now);
     stage.good("read-as usual");
     CHECK(tree().roots.size() == 3);
 

@@ -10,8 +10,8 @@
 
 using namespace ramus;
 using namespace ramus::app;
-using render::BranchState;
 using test::Ids;
+using tree::BranchState;
 
 namespace {
 

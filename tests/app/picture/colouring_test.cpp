@@ -326,9 +326,9 @@ TEST_CASE("a system that is hidden as a whole leaves the legend") {
     marks.colour_by = ColourBy::kSystem;
     const auto swatches = [&] { return colouring_of(tree, facts, marks, nullptr).legend.swatches; };
     CHECK(swatches().size() == 2);
-    set_state(marks, std::vector{3}, render::BranchState::kHidden);
+    set_state(marks, std::vector{3}, tree::BranchState::kHidden);
     REQUIRE(swatches().size() == 1);
     CHECK(swatches()[0].text == "portal vein");
-    set_state(marks, std::vector{0, 1}, render::BranchState::kHidden); // a part of the other one
+    set_state(marks, std::vector{0, 1}, tree::BranchState::kHidden); // a part of the other one
     CHECK(swatches().size() == 1);
 }

@@ -70,8 +70,8 @@ TEST_CASE("contacts of hidden branches are not marked, and many are not numbered
     std::vector<tree::Contact> list;
     for (int n = 0; n < static_cast<int>(kMostContactMarks) + 10; ++n) list.push_back(contact(n, -0.1, 1.0));
     render::Frame frame = frame_before();
-    frame.states.assign(4, render::BranchState::kNormal);
-    frame.states[1] = render::BranchState::kHidden;
+    frame.states.assign(4, tree::BranchState::kNormal);
+    frame.states[1] = tree::BranchState::kHidden;
     mark_contacts(frame, list, ContactMarks::kAll, -1, kBranches, Lengths());
     CHECK(frame.lines.size() == kMostContactMarks - 1);
     CHECK(frame.labels.empty());

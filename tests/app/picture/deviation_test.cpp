@@ -235,7 +235,7 @@ TEST_CASE("behind the window distances follow the surface, and beside another su
     const double whole = workspace.assets().deviation.most_mm;
     CHECK(whole > 0.0);
     CHECK(whole < 2.0); // a radius
-    change([](Marks& marks) { set_state(marks, std::vector{1}, render::BranchState::kHidden); });
+    change([](Marks& marks) { set_state(marks, std::vector{1}, tree::BranchState::kHidden); });
     CHECK(sheet().viewports[0].frame.scale.value == render::ColourScale::Value::kNone); // the surface is another
     REQUIRE(test::settle(workspace, measured));
     CHECK(sheet().viewports[0].frame.scale.value == render::ColourScale::Value::kSurface);

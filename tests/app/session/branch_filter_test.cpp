@@ -88,8 +88,8 @@ TEST_CASE("words find labels, numbers find ids, and is: finds states") {
     CHECK(stage.find("17") == canonical(with)); // an id, or in the label
     CHECK(stage.find("is:named").size() == right.size() + left.size());
 
-    set_state(stage.marks, std::vector<int>{3, 5}, render::BranchState::kHidden);
-    set_state(stage.marks, std::vector<int>{8}, render::BranchState::kHighlighted);
+    set_state(stage.marks, std::vector<int>{3, 5}, tree::BranchState::kHidden);
+    set_state(stage.marks, std::vector<int>{8}, tree::BranchState::kHighlighted);
     stage.marks.selection = {4, 6};
     CHECK(stage.find("is:hidden") == std::vector<int>{3, 5});
     CHECK(stage.find("is:highlighted") == std::vector<int>{8});

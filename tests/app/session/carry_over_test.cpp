@@ -57,7 +57,7 @@ TEST_CASE("marks go with their branches, and what has none left is counted") {
     const int now = same[static_cast<std::size_t>(kept)];
     Marks marks;
     marks.selection = canonical({lone, kept});
-    set_state(marks, std::vector{lone, kept}, render::BranchState::kHidden);
+    set_state(marks, std::vector{lone, kept}, tree::BranchState::kHidden);
     marks.cuts = {{kept, 0.25}, {lone, 0.5}};
     marks.names = {{kept, "portal"}, {lone, "else"}};
     marks.lesions = {{.sphere = {1, 2, 3, 4}}};
@@ -65,7 +65,7 @@ TEST_CASE("marks go with their branches, and what has none left is counted") {
                           {.kind = Measurement::Kind::kDiameter, .places = {{{kept, 0.5}}}}};
     const CarriedOver carried = carried_over(marks, BranchMap::read_again(more, fork));
     CHECK(carried.marks.selection == std::vector<int>{now});
-    CHECK(branches_in_state(carried.marks, render::BranchState::kHidden) == std::vector<int>{now});
+    CHECK(branches_in_state(carried.marks, tree::BranchState::kHidden) == std::vector<int>{now});
     CHECK(carried.marks.cuts == std::vector<std::pair<int, double>>{{now, 0.25}});
     CHECK(carried.marks.names == std::map<int, std::string>{{now, "portal"}});
     CHECK(carried.marks.measurements.size() == 1);
@@ -81,11 +81,11 @@ TEST_CASE("a system that is hidden as a whole stays hidden whatever its branches
     after.branches.push_back(before.branches[3]);
     after.branches.push_back(before.branches[3]); // the hepatic vein in two
     Marks marks;
-    set_state(marks, std::vector{1, 3}, render::BranchState::kHidden);
+    set_state(marks, std::vector{1, 3}, tree::BranchState::kHidden);
     marks.systems = before.systems;
     marks.systems[0].name = "V. portae";
     const CarriedOver carried = carried_over(marks, BranchMap::read_again(before, after));
-    CHECK(branches_in_state(carried.marks, render::BranchState::kHidden) == std::vector<int>{3, 4});
+    CHECK(branches_in_state(carried.marks, tree::BranchState::kHidden) == std::vector<int>{3, 4});
     CHECK(carried.lost == 1);
     CHECK(carried.marks.systems == marks.systems);
     auto plain = after;

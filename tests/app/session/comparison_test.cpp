@@ -115,7 +115,7 @@ TEST_CASE("commands compare, are undone, and refuse what makes no sense") {
     CHECK(title_of(Compared::kIsosurface, stage.marks().comparison) == "Isosurface of mask of it.nii, labels 1, 3");
     // The voxels of a file stay when branches are hidden, and the picture says so.
     Marks hides = stage.marks();
-    hides.states = {render::BranchState::kHidden};
+    hides.states = {tree::BranchState::kHidden};
     stage.document.change(hides);
     CHECK(viewports_of(stage.marks(), {800, 400}, 1.0F).front().title ==
           "Isosurface of mask of it.nii, labels 1, 3, with what is hidden");
@@ -288,7 +288,7 @@ TEST_CASE("the surfaces that a comparison needs") {
     CHECK(requests[0].mask == "mask.nii");
     CHECK(requests[0].labels == std::vector<volume::LabelChoice>{3});
     // Hiding and smoothing are nothing to a mask.
-    set_state(marks, std::vector<int>{1}, render::BranchState::kHidden);
+    set_state(marks, std::vector<int>{1}, tree::BranchState::kHidden);
     marks.options.smooth_passes = 4;
     CHECK(compared_requests(marks) == requests);
     marks.options.method = mesh::Method::kTruncatedCones;
@@ -360,12 +360,12 @@ TEST_CASE("surfaces to compare with are made, of masks and without one") {
     CHECK(own->voxel_mm > 0.0);
     CHECK(own->mesh->triangle_count() > 100);
     // Hidden branches are in none of the pictures.
-    set_state(marks, std::vector<int>{1}, render::BranchState::kHidden);
+    set_state(marks, std::vector<int>{1}, tree::BranchState::kHidden);
     const auto fewer = make_compared(tree, compared_request(marks, Compared::kIsosurface), job);
     REQUIRE(fewer);
     CHECK(fewer->mesh->triangle_count() < own->mesh->triangle_count());
     CHECK(fewer->voxel_mm == own->voxel_mm);
-    set_state(marks, std::vector<int>{0, 1, 2}, render::BranchState::kHidden);
+    set_state(marks, std::vector<int>{0, 1, 2}, tree::BranchState::kHidden);
     const auto empty = make_compared(tree, compared_request(marks, Compared::kIsosurface), job);
     REQUIRE(empty);
     CHECK(empty->mesh->triangle_count() == 0);
@@ -409,7 +409,7 @@ TEST_CASE("a workspace makes them behind the document, and says why it cannot") 
     REQUIRE(cones);
 
     // The cones and the isosurface of the tree's own voxels follow what is hidden.
-    change([](Marks& m) { set_state(m, std::vector<int>{2}, render::BranchState::kHidden); });
+    change([](Marks& m) { set_state(m, std::vector<int>{2}, tree::BranchState::kHidden); });
     CHECK(workspace.surfaces().of(Compared::kTruncatedCones) == cones); // until the others are there
     REQUIRE(settle(workspace, [&] { return !workspace.busy() && !workspace.awaited(WorkKind::kComparison); }));
     CHECK(workspace.surfaces().of(Compared::kTruncatedCones) != cones);
@@ -428,7 +428,7 @@ TEST_CASE("a workspace makes them behind the document, and says why it cannot") 
     const auto masked = workspace.surfaces().of(Compared::kIsosurface);
     CHECK(masked != iso);
     // That of a mask's file knows no branches.
-    change([](Marks& m) { set_state(m, std::vector<int>{2}, render::BranchState::kNormal); });
+    change([](Marks& m) { set_state(m, std::vector<int>{2}, tree::BranchState::kNormal); });
     REQUIRE(settle(workspace, [&] { return !workspace.busy() && !workspace.awaited(WorkKind::kComparison); }));
     CHECK(workspace.surfaces().of(Compared::kIsosurface) == masked);
 

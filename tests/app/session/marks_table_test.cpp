@@ -17,7 +17,7 @@ Marks full_marks() {
     Marks marks;
     marks.edits = {{.kind = tree::Edit::Kind::kDelete, .branches = {3}}};
     marks.selection = {1, 4};
-    marks.states = {render::BranchState::kNormal, render::BranchState::kHidden};
+    marks.states = {tree::BranchState::kNormal, tree::BranchState::kHidden};
     marks.lesions = {{.sphere = {1.0, 2.0, 3.0, 4.0}}, {.file = "/data/lesion.stl", .axes = "LPS", .name = "tumour"}};
     marks.context.emplace_back();
     marks.context.front().file = "/data/liver.nii.gz";

@@ -8,7 +8,7 @@
 
 using namespace ramus;
 using namespace ramus::app;
-using render::BranchState;
+using tree::BranchState;
 namespace fs = std::filesystem;
 
 namespace {

@@ -9,7 +9,7 @@
 
 using namespace ramus;
 using namespace ramus::app;
-using render::BranchState;
+using tree::BranchState;
 
 namespace {
 

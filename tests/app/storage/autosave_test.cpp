@@ -57,7 +57,7 @@ void leave_behind(const fs::path& folder, const Snapshot& snapshot) {
 
 void hide(Document& document, int branch) {
     Marks next = document.marks();
-    set_state(next, std::vector<int>{branch}, render::BranchState::kHidden);
+    set_state(next, std::vector<int>{branch}, tree::BranchState::kHidden);
     document.change(std::move(next));
 }
 
@@ -294,7 +294,7 @@ TEST_CASE("a full disk is told once and leaves the last whole file") {
     REQUIRE(found.size() == 1);
     const auto read = found[0].read();
     REQUIRE(read);
-    CHECK(branches_in_state(read->session.marks, render::BranchState::kHidden) == std::vector<int>{3});
+    CHECK(branches_in_state(read->session.marks, tree::BranchState::kHidden) == std::vector<int>{3});
 }
 
 TEST_CASE("what was recovered is written over, with no moment in which it is not there") {

@@ -15,7 +15,7 @@ render::Frame a_frame() {
     test::add_capsule(mesh, {0, 0, 0}, {0, 0, 50}, 5.0F, 5.0F, 0);
     render::Frame frame;
     frame.mesh = std::make_shared<const render::PagedMesh>(mesh);
-    frame.states.assign(2, render::BranchState::kNormal);
+    frame.states.assign(2, tree::BranchState::kNormal);
     return frame;
 }
 
@@ -39,12 +39,12 @@ TEST_CASE("where they are slow, what changes is drawn quickly until it rests") {
     CHECK(pace.quality(frame, false, true, 1.5) == Quality::kInteractive); // something better is coming
     CHECK(pace.quality(frame, false, false, 1.5) == Quality::kFull);
     pace.drawn(frame, 1.0);
-    frame.states[1] = render::BranchState::kHidden;
+    frame.states[1] = tree::BranchState::kHidden;
     CHECK(pace.quality(frame, false, false, 2.0) == Quality::kInteractive);
     CHECK(pace.rests_at() == doctest::Approx(2.0 + Pace::kRestSeconds));
     CHECK(pace.quality(frame, false, false, pace.rests_at()) == Quality::kFull);
     // No triangle is drawn for these.
-    frame.states[0] = render::BranchState::kHighlighted;
+    frame.states[0] = tree::BranchState::kHighlighted;
     frame.hovered = 1;
     CHECK(pace.quality(frame, false, false, 3.0) == Quality::kFull);
     // A small tree is drawn fast enough even so.

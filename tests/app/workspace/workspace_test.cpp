@@ -87,7 +87,7 @@ TEST_CASE("hidden branches go from the surface, and undo finds them again") {
     CHECK(seen(2));
     Marks without = workspace.document().marks();
     const std::vector<int> leaf{2};
-    set_state(without, leaf, render::BranchState::kHidden);
+    set_state(without, leaf, tree::BranchState::kHidden);
     workspace.document().change(without);
     workspace.update();
     CHECK(workspace.shown().mesh); // the old one until the other is there
@@ -95,7 +95,7 @@ TEST_CASE("hidden branches go from the surface, and undo finds them again") {
     CHECK_FALSE(seen(2));
     CHECK(seen(1));
     Marks none = without;
-    set_state(none, std::vector<int>{0, 1, 2}, render::BranchState::kHidden);
+    set_state(none, std::vector<int>{0, 1, 2}, tree::BranchState::kHidden);
     workspace.document().change(none);
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
     CHECK(workspace.shown().mesh->triangle_count() == 0);
