@@ -10,7 +10,7 @@
 // | ViewTargets            | samples, resolved, occlusion, lit: targets.h | 12 s + 30 per pixel
 // | ViewTargets.lists      | glass from OpenGL 4.3 on                     | 4 per pixel, 16 per fragment: kGlassBytes
 // | ViewTargets.layers     | glass before that                            | 16 s + 64 per pixel
-// | PictureTarget          | the picture                                  | 4 per pixel; the window 8 more, ShownPicture
+// | PictureTarget          | the picture                                  | 4 per pixel; window 8 more, ShownPicture
 // | Refinement             | another ViewTargets, and MeanTarget          | 8 per pixel for MeanTarget
 // | PickRequest            | what a pick reads back                       | some KB
 // clang-format on
