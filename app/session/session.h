@@ -14,7 +14,7 @@
 #include "core/io/trees/imported_tree.h"
 #include "core/mesh/surface_options.h"
 #include "core/tree/edit_tree.h"
-#include "render/scene/frame.h"
+#include "render/scene/camera.h"
 
 #include <array>
 #include <filesystem>

@@ -1,5 +1,6 @@
 #include "app/workspace/surface_maker.h"
 
+#include "core/base/free_in_background.h"
 #include "core/base/memory.h"
 #include "core/base/run_limited.h"
 #include "core/base/stopwatch.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <tbb/task_arena.h>
 #include <thread>
 
 namespace ramus::app {
@@ -190,9 +190,8 @@ void SurfaceMaker::edit_pages(Followed& followed) const {
 void SurfaceFollower::open(std::shared_ptr<SurfaceMaker> maker, ReadySurface shown) {
     worker_.cancel();
     cones_worker_.cancel();
-    // The one before may hold gigabytes, and the system takes its time to take them back.
-    if (maker_) tbb::this_task_arena::enqueue([before = std::move(maker_)] {});
-    maker_ = std::move(maker);
+    // The maker before may hold gigabytes; the thread drops the last reference to it.
+    if (const auto before = std::exchange(maker_, std::move(maker))) free_in_background([before] {});
     shown_ = std::move(shown);
     cached_.clear();
     requested_.reset();

@@ -106,19 +106,26 @@ std::uint64_t Shape::draw_part(std::size_t part) const {
     return count;
 }
 
-void GpuShapes::begin(Sent& sent) {
+// A task that nobody runs any more, because the program ends, would keep the mesh.
+GpuShapes::~GpuShapes() {
+    *wanted_ = false;
+    for (const Sent& sent : sent_)
+        if (sent.making.valid()) sent.making.wait();
+}
+
+void GpuShapes::begin(Sent& sent) const {
     const auto promise = std::make_shared<std::promise<Shape::Made>>();
     sent.making = promise->get_future();
-    oneapi::tbb::this_task_arena::enqueue([promise, mesh = sent.mesh, as = sent.as] {
+    oneapi::tbb::this_task_arena::enqueue([promise, wanted = wanted_, mesh = sent.mesh, as = sent.as] {
         try {
-            promise->set_value(Shape::make(*mesh, as));
+            promise->set_value(*wanted ? Shape::make(*mesh, as) : Shape::Made{});
         } catch (...) {
             promise->set_exception(std::current_exception());
         }
     });
 }
 
-void GpuShapes::go_on(Sent& sent, bool wait, std::size_t& budget) {
+void GpuShapes::go_on(Sent& sent, bool wait, std::size_t& budget) const {
     if (!sent.shape) {
         if (wait && !sent.making.valid())
             sent.shape.emplace(Shape::make(*sent.mesh, sent.as));

@@ -8,6 +8,7 @@
 #include "render/scene/bounds.h"
 #include "render/scene/scene.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <future>
@@ -54,6 +55,11 @@ private:
 
 class GpuShapes {
 public:
+    GpuShapes() = default;
+    GpuShapes(const GpuShapes&) = delete;
+    GpuShapes& operator=(const GpuShapes&) = delete;
+    ~GpuShapes();
+
     // Sends new shapes and releases those that are no longer listed; hidden shapes are not sent. With `wait` everything
     // is sent on return. Otherwise new context is prepared on its own thread and sent within `budget`, from which the
     // sent bytes are subtracted. Returns true once everything was sent.
@@ -74,9 +80,11 @@ private:
         std::optional<Shape> shape;
         bool whole = false;
     };
-    static void begin(Sent& sent);
-    static void go_on(Sent& sent, bool wait, std::size_t& budget);
+    void begin(Sent& sent) const;
+    void go_on(Sent& sent, bool wait, std::size_t& budget) const;
     [[nodiscard]] const Shape* find(const std::shared_ptr<const mesh::TriangleMesh>& mesh, Shape::As as) const;
+    // False: preparations that have not begun are left out.
+    std::shared_ptr<std::atomic<bool>> wanted_ = std::make_shared<std::atomic<bool>>(true);
     std::list<Sent> sent_; // a list: shapes drawn in parts keep their address
     std::optional<Shape> ball_;
 };
