@@ -14,8 +14,8 @@ namespace ramus::app::paper {
 namespace {
 
 constexpr std::string_view kSameTrees =
-    "The shapes, distances and radii are the paper's; light, colours and views are not. That figures 1 to 3 have these "
-    "artificial trees is recorded, which of them has which number is not.";
+    "The shapes, distances and radii are the paper's; light, colours and views are not. That figures 1 to 3 have "
+    "these artificial trees is recorded, which of them has which number is not.";
 constexpr std::string_view kOtherTree =
     "The paper shows vessels of patients of its authors, which are not reproduced; here is the first tree that was "
     "given, or one that ramus grows.";
@@ -24,12 +24,11 @@ std::vector<FigureRow> artificial_rows() {
     return {
         {"1",
          "Bulging at branchings",
-         "Joints of three branches (Y and T) and of four (trifurcation) under width coefficients 1 and 5, and how high "
-         "the "
-         "surface stands over the joint.",
-         "The larger the width coefficient, the less a convolution surface bulges where vessels branch. Over the joint "
-         "of N "
-         "equal branches in a plane the height is sqrt(1 + log2(N / 2) / width) radii, by equations 7 to 10.",
+         "Joints of three branches (Y and T) and of four (trifurcation) under width coefficients 1 and 5, and how "
+         "high the surface stands over the joint.",
+         "The larger the width coefficient, the less a convolution surface bulges where vessels branch. Over the "
+         "joint of N equal branches in a plane the height is sqrt(1 + log2(N / 2) / width) radii, by equations 7 to "
+         "10.",
          kSameTrees,
          {"figure_01.png"},
          bulging},
@@ -37,28 +36,25 @@ std::vector<FigureRow> artificial_rows() {
          "Unwanted blending of an S-shaped pair",
          "Two S-shaped vessels, 3 mm apart everywhere and of radius 1.07 mm, which are not connected.",
          "Vessels that only pass each other blend in a convolution surface; a larger width coefficient keeps them "
-         "apart for "
-         "longer.",
+         "apart for longer.",
          kSameTrees,
          {"figure_02.png"},
          unwanted_blending},
         {"3",
          "Two parallel vessels merge",
          "Two straight vessels, 3 mm apart, of growing radius, and the radius from which on they have one surface.",
-         "They merge at a radius of 1.37 mm (width 5) and of 1.07 mm (width 1): with gaps of 9 % and of 29 % of their "
-         "distance.",
+         "They merge at a radius of 1.37 mm (width 5) and of 1.07 mm (width 1): with gaps of 9 % and of 29 % of "
+         "their distance.",
          kSameTrees,
          {"figure_03.png", "figure_03_merging.svg"},
          merging},
         {"4",
          "Bounding volumes",
          "The volumes in which segments are evaluated: boxes, the paper's cylinders, and where the fading kernel of "
-         "ramus is "
-         "not 0; each as geometry, and as the cells of a grid that it covers, with counts.",
+         "ramus is not 0; each as geometry, and as the cells of a grid that it covers, with counts.",
          "Cylindrical bounding volumes (CBV) of 1.5 radii leave out more cells than boxes do.",
-         "The paper's figure is a drawing; here the volumes are computed. ramus lets the kernel fade from 1.4 to 1.7 "
-         "radii "
-         "where the paper cuts it off at 1.5, because the cut shows as noise of the surface.",
+         "The paper's figure is a drawing; here the volumes are computed. ramus lets the kernel fade from 1.4 to "
+         "1.7 radii where the paper cuts it off at 1.5, because the cut shows as noise of the surface.",
          {"figure_04.png", "figure_04_fade.svg", "figure_04_cells.csv"},
          bounding_volumes},
     };
@@ -69,20 +65,18 @@ std::vector<FigureRow> method_rows() {
         {"5",
          "The three methods",
          "One tree as isosurface of its mask, as truncated cones and as convolution surface.",
-         "Isosurfaces show the steps of voxels, truncated cones show creases at branchings, convolution surfaces are "
-         "smooth.",
+         "Isosurfaces show the steps of voxels, truncated cones show creases at branchings, convolution surfaces "
+         "are smooth.",
          kOtherTree,
          {"figure_05.png"},
          methods},
         {"6",
          "Smoothing of the skeleton",
          "A vessel whose centerline runs from voxel to voxel: without smoothing, after one and four passes of the "
-         "binomial "
-         "filter, and as it was before it became voxels.",
+         "binomial filter, and as it was before it became voxels.",
          "A binomial filter over centerline and radii removes the steps of voxels (section III).",
          "An artificial vessel in place of a patient's. ramus applies the filter by arc length; on points that are "
-         "adjacent "
-         "voxels it is nearly the paper's.",
+         "adjacent voxels it is nearly the paper's.",
          {"figure_06.png"},
          smoothing},
         {"7",
@@ -136,9 +130,8 @@ std::vector<FigureRow> clinical_rows() {
          "A clinical example: branches in focus",
          "A branch with all that depends on it, highlighted, and with all others as glass.",
          "The vessels of interest are shown within the others.",
-         "The paper shows a patient. Which branch is in focus is chosen by a rule: the one on which about a third of "
-         "all "
-         "depend.",
+         "The paper shows a patient. Which branch is in focus is chosen by a rule: the one on which about a third "
+         "of all depend.",
          {"figure_13.png"},
          branches_in_focus},
     };
@@ -148,12 +141,10 @@ std::vector<FigureRow> table_rows() {
     return {
         {"I",
          "Distances to truncated cones and to the isosurface",
-         "Mean, deviation and largest distance, the share below half the diagonal of a voxel (VoxDiag2), for each tree "
-         "and "
-         "averaged.",
-         "Averages over ten trees; for livers: to cones 0.09 mm in the mean, 1.07 mm at most; to the isosurface 0.37 "
-         "mm in "
-         "the mean, 91.26 % below VoxDiag2.",
+         "Mean, deviation and largest distance, the share below half the diagonal of a voxel (VoxDiag2), for each "
+         "tree and averaged.",
+         "Averages over ten trees; for livers: to cones 0.09 mm in the mean, 1.07 mm at most; to the isosurface "
+         "0.37 mm in the mean, 91.26 % below VoxDiag2.",
          "Other trees: the averages are not the paper's. Grown trees have masks without noise.",
          {"table_1_to_cones.csv", "table_1_to_isosurface.csv"},
          table_of_distances},
