@@ -291,10 +291,12 @@ class Numbers(Hostile):
         for cell in ("1e-12", "1e-30"):
             refused = self.expect_failure("mesh", "tree.swc", "-o", "a.stl", "--cell", cell, says=["tree.swc: "])
             self.assertNotRegex(refused.stderr.split("tree.swc: ")[-1], r"-\d{6}")  # a folder may be named so
+        memory = f"{60 + (SANITIZER_MEMORY >> 20)}M"
         for command in (["mesh", "tree.swc", "-o", "a.stl"], ["render", "tree.swc", "-o", "a.png", *SIZE],
                         ["study", "tree.swc", "-o", "s", *SIZE], ["validate", "tree.swc"]):
             with self.subTest(command):
-                self.expect_failure(*command, "--detail", "512", "--memory", "60M", says=["tree.swc", "million triangles"])
+                self.expect_failure(*command, "--detail", "512", "--memory", memory,
+                                    says=["tree.swc", "million triangles"])
 
     def test_a_command_behind_options_is_named_where_it_is_unknown(self):
         self.expect_failure("--detail", "8", "mehs", "tree.swc", "-o", "a.stl", status=2, says=["mehs"])

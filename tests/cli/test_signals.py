@@ -11,7 +11,7 @@ import time
 import unittest
 
 from nifti import nifti, voxels
-from ramus import GOOD, RAMUS, CommandLineTest
+from ramus import GOOD, RAMUS, SANITIZER_MEMORY, CommandLineTest
 
 MOMENTS = int(os.environ.get("RAMUS_MOMENTS", "1"))  # for each command and signal
 SECONDS = float(os.environ.get("RAMUS_SECONDS", "5"))  # machines that test have other work
@@ -58,6 +58,7 @@ def mask(size, inside):
     return nifti(size, [int(inside(x, y, z)) for x, y, z in voxels(size)])
 
 
+@unittest.skipIf(SANITIZER_MEMORY > 0, "SKIPPED: a build with sanitizers takes many times as long")
 class Signals(CommandLineTest):
     def setUp(self):
         super().setUp()
