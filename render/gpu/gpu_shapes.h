@@ -56,9 +56,13 @@ private:
 class GpuShapes {
 public:
     GpuShapes() = default;
+    ~GpuShapes();
     GpuShapes(const GpuShapes&) = delete;
     GpuShapes& operator=(const GpuShapes&) = delete;
-    ~GpuShapes();
+    GpuShapes& operator=(GpuShapes&& other) noexcept {
+        wanted_.swap(other.wanted_), sent_.swap(other.sent_), ball_.swap(other.ball_);
+        return *this;
+    }
 
     // Sends new shapes and releases those that are no longer listed; hidden shapes are not sent. With `wait` everything
     // is sent on return. Otherwise new context is prepared on its own thread and sent within `budget`, from which the
