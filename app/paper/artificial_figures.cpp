@@ -20,7 +20,7 @@ constexpr double kDistance = 3.0;    // mm, of the paper's vessels side by side
 constexpr double kPairLength = 14.0; // mm
 constexpr glm::vec3 kRadiusLine{0.05F, 0.35F, 0.65F};
 
-std::string width_text(double width) { return "width " + digits(width, 2); }
+std::string width_text(double width) { return "width " + rounded(width); }
 
 mesh::SurfaceOptions fine(double width) {
     mesh::SurfaceOptions options = paper_options(width);
@@ -88,7 +88,6 @@ Svg merging_plot(const std::vector<std::pair<double, double>>& found) {
 
 struct Pair {
     double width, radius;
-    const char* says;
 };
 
 } // namespace
@@ -174,8 +173,8 @@ Result<Figure> merging(Workbench& bench, Job& job) {
     constexpr glm::ivec2 kSize(460, 420), kInset(200, 200);
     Figure figure{.options = {kFineOptions}};
     Plate plate{.columns = 3};
-    for (const Pair& pair : {Pair{1.0, 1.04, "apart"}, Pair{1.0, 1.07, "merged"}, Pair{1.0, 1.37, "merged"},
-                             Pair{5.0, 1.07, "apart"}, Pair{5.0, 1.36, "apart"}, Pair{5.0, 1.37, "merged"}}) {
+    for (const Pair& pair :
+         {Pair{1.0, 1.04}, Pair{1.0, 1.07}, Pair{1.0, 1.37}, Pair{5.0, 1.07}, Pair{5.0, 1.36}, Pair{5.0, 1.37}}) {
         mesh::SurfaceOptions options = fine(pair.width);
         options.detail = 192; // the bridge at 1.37 mm is a tenth of a millimetre thick
         RAMUS_TRY(surface, made_surface(parallel_pair(kDistance, pair.radius, kPairLength), options, job));
@@ -183,15 +182,14 @@ Result<Figure> merging(Workbench& bench, Job& job) {
         const render::Camera camera = camera_on(all, kSize, {.azimuth = 25.0, .elevation = 20.0, .share = 0.6});
         const bool one = mesh::component_count(surface.mesh) == 1;
         const std::string caption =
-            "Radius " + digits(pair.radius) + " mm, " + width_text(pair.width) + ": " + (one ? "merged" : "apart");
-        render::Camera front = camera;
-        front = render::looking(front, render::View::kAnterior);
+            "Radius " + rounded(pair.radius) + " mm, " + width_text(pair.width) + ": " + (one ? "merged" : "apart");
+        const render::Camera front = render::looking(camera, render::View::kAnterior);
         Panel panel{frame_of(surface.paged, camera, kSize, caption), {}};
         panel.inset = frame_of(surface.paged, magnified(front, glm::dvec3(0.0), 4.6), kInset, "from the front");
         plate.panels.push_back(std::move(panel));
         figure.measured.push_back(
-            {"pieces of the surface, radius " + digits(pair.radius) + " mm, " + width_text(pair.width), one ? 1.0 : 2.0,
-             "", pair.radius > merging_radius(kDistance, pair.width) ? 1.0 : 2.0});
+            {"pieces of the surface, radius " + rounded(pair.radius) + " mm, " + width_text(pair.width),
+             one ? 1.0 : 2.0, "", pair.radius > merging_radius(kDistance, pair.width) ? 1.0 : 2.0});
     }
     RAMUS_TRY(picture, bench.picture("figure_03.png",
                                      "Two parallel vessels 3 mm apart, above at width 1, below at width 5. Insets: the "

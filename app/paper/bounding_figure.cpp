@@ -77,7 +77,7 @@ Result<Figure> bounding_volumes(Workbench& bench, Job& job) {
     for (const BoundRow& row : bounds_of_segments()) {
         const CoveredCells covered = covered_cells(row, segments, kCell);
         render::Frame shapes =
-            framed(vessel, camera, std::string(row.name) + ", " + digits(row.reach_radii, 3) + " radii");
+            framed(vessel, camera, std::string(row.name) + ", " + rounded(row.reach_radii) + " radii");
         double volume = 0.0;
         for (std::size_t i = 0; i < segments.size(); ++i) {
             auto shape = std::make_shared<const mesh::TriangleMesh>(shape_of(row, segments[i]));

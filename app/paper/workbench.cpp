@@ -121,7 +121,7 @@ mesh::SurfaceOptions paper_options(double width) {
 
 Result<MadeSurface> made_surface(const tree::VesselTree& tree, const mesh::SurfaceOptions& options, Job& job) {
     const Stopwatch watch;
-    RAMUS_TRY(surface, mesh::make_surface(tree, as_drawn(options), job));
+    RAMUS_TRY(surface, mesh::make_surface(tree, options, job));
     MadeSurface made{std::move(surface.mesh), nullptr, watch.seconds()};
     made.paged = paged_of(made.mesh, tree);
     return made;
