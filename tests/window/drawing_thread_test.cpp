@@ -75,7 +75,7 @@ TEST_CASE("a drawing thread does one thing after the other, all of it, between t
         CHECK(thread->run([] { return std::this_thread::get_id(); }) == told.who);
         const Held held(*thread);
         for (int i = 0; i < 20; ++i)
-            thread->let([&done, &told, i] {
+            thread->post([&done, &told, i] {
                 CHECK(told.left == 0);
                 done.push_back(i);
             });
@@ -143,7 +143,7 @@ TEST_CASE("what is asked for later is looked at without waiting, and who waits f
     elsewhere.join();
     CHECK(taken == 3);
     std::promise<void> gate;
-    thread->let([shut = gate.get_future().share()] { shut.wait(); });
+    thread->post([shut = gate.get_future().share()] { shut.wait(); });
     struct Opens { // when it is handed over, which is after run() has looked
         explicit Opens(std::promise<void>& its) : gate(&its) {}
         Opens(Opens&& other) noexcept {
