@@ -13,6 +13,7 @@
 #include "core/io/trees/tree_file.h"
 #include "core/measure/wall_thickness.h"
 #include "core/mesh/close_mesh.h"
+#include "core/mesh/surface.h"
 #include "core/tree/part_of_tree.h"
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/io/volumes/volume_unit.h"
+#include "core/mesh/surface.h"
 #include "core/volume/isosurface.h"
 
 #include <filesystem>

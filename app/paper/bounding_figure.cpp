@@ -15,7 +15,7 @@ namespace ramus::app::paper {
 namespace {
 
 constexpr double kRadius = 2.0, kCell = 0.8; // mm
-constexpr glm::ivec2 kSize(540, 420);
+constexpr glm::ivec2 kVolumeSize(540, 420);
 
 constexpr std::array kColours{glm::vec3(0.34F, 0.71F, 0.92F), glm::vec3(0.0F, 0.62F, 0.45F),
                               glm::vec3(0.90F, 0.62F, 0.0F)}; // of segments; M. Okabe and K. Ito, 2008
@@ -49,7 +49,7 @@ Svg fade_plot() {
 }
 
 render::Frame framed(const MadeSurface& vessel, const render::Camera& camera, const std::string& caption) {
-    render::Frame frame = frame_of(vessel.paged, camera, kSize, caption);
+    render::Frame frame = frame_of(vessel.paged, camera, kVolumeSize, caption);
     frame.appearance.depth_cue = 0.0F;
     return frame;
 }
@@ -63,7 +63,7 @@ Result<Figure> bounding_volumes(Workbench& bench, Job& job) {
     RAMUS_TRY(vessel, made_surface(tree, paper_options(), job));
     const std::array all{vessel.paged};
     Looking looking{.azimuth = -28.0, .elevation = 22.0};
-    render::Camera camera = camera_on(all, kSize, looking);
+    render::Camera camera = camera_on(all, kVolumeSize, looking);
     camera.scale *= 1.2; // the volumes reach farther
     Plate plate{.columns = bounds_of_segments().size()};
     std::vector<Panel> cut;

@@ -6,6 +6,7 @@
 #include "app/picture/compose.h"
 #include "app/session/numbers.h"
 #include "core/io/standard_input.h"
+#include "core/mesh/tree_field.h"
 #include "core/tree/smooth.h"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "app/workspace/compared_surfaces.h"
 #include "core/base/stopwatch.h"
 #include "core/measure/deviation/deviation.h"
+#include "core/mesh/surface.h"
 
 #include <array>
 #include <filesystem>

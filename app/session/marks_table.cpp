@@ -4,7 +4,6 @@
 #include "app/session/edits_json.h"
 #include "app/session/json_values.h"
 #include "app/session/marks_json.h"
-#include "app/session/member_count.h"
 #include "app/session/numbers.h"
 #include "app/session/option_entries.h"
 #include "app/session/reading_json.h"

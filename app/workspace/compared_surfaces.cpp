@@ -3,6 +3,7 @@
 #include "app/session/error_context.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/mesh/coarse_mesh.h"
+#include "core/mesh/surface.h"
 #include "core/volume/isosurface.h"
 #include "core/volume/voxelise.h"
 #include "render/scene/bounds.h"

@@ -6,6 +6,7 @@
 #include "app/paper/exact_trees.h"
 #include "app/paper/paper_page.h"
 #include "core/mesh/connectivity.h"
+#include "core/mesh/tree_field.h"
 #include "core/tree/smooth.h"
 #include "core/tree/voxels.h"
 

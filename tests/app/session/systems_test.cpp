@@ -7,6 +7,7 @@
 #include "app/session/systems.h"
 #include "app/workspace/surface_maker.h"
 #include "core/mesh/connectivity.h"
+#include "core/mesh/surface.h"
 #include "tests/support/command_stage.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/two_systems.h"

@@ -1,5 +1,6 @@
 // The window's surface: what it shows on the way, and that it ends where a surface made from nothing ends.
 #include "app/workspace/surface_maker.h"
+#include "core/mesh/surface.h"
 #include "tests/support/grown_tree.h"
 #include "tests/support/packed_trees.h"
 
