@@ -27,11 +27,13 @@ Result<void> surface(ActionContext& context, Arguments arguments) {
 }
 
 Result<void> blend(ActionContext& context, Arguments arguments) {
-    using mesh::Blend;
-    Blend wanted = context.document.marks().options.blend == Blend::kTree ? Blend::kPaper : Blend::kTree;
+    // Without a word the next row.
+    const auto now = static_cast<std::size_t>(context.document.marks().options.blend);
+    mesh::Blend wanted = mesh::kBlends[(now + 1) % mesh::kBlends.size()].blend;
     if (!arguments.empty()) {
         const auto named = mesh::blend_named(arguments[0]);
-        if (!named || arguments.size() > 1) return fail("blend is tree or paper", {}, mesh::blend_help());
+        if (!named || arguments.size() > 1)
+            return fail("blend is one of " + mesh::blend_keys(), {}, mesh::blend_help());
         wanted = *named;
     }
     return edit(context, [&](Marks& marks) { marks.options.blend = wanted; });
@@ -45,10 +47,7 @@ std::vector<Command> surface_commands() {
         if (!option.label.empty()) names.append(names.empty() ? "" : ", ").append(option.key);
     return {
         Command("surface", "NAME VALUE", "Sets " + names + " or method (cs, cones) of the surface.", surface),
-        Command("blend", "[tree|paper]",
-                "Where vessels blend: along the tree alone, so that vessels which only press on each other stay apart "
-                "(tree), or wherever they come close (paper).",
-                blend)
+        Command("blend", "[" + mesh::blend_keys() + "]", "Where vessels blend. " + mesh::blend_help() + ".", blend)
             .when(has_tree),
     };
 }

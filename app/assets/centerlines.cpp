@@ -93,7 +93,8 @@ DrawnWidth drawn_width(const mesh::SurfaceOptions& options, mesh::Method method)
 }
 
 bool drawn_along_lines(const mesh::SurfaceOptions& options, mesh::Method method) {
-    return method == mesh::Method::kTruncatedCones || options.kernel == field::KernelKind::kGaussian;
+    if (method == mesh::Method::kTruncatedCones) return true;
+    return options.kernel == field::KernelKind::kGaussian && mesh::row_of(options.blend).along_centerlines;
 }
 
 } // namespace ramus::app

@@ -128,7 +128,7 @@ std::string difference_text(std::int64_t here, std::int64_t wanted, const char* 
 
 // What to do about a surface of other pieces or loops than the tree's.
 const char* remedy_of_shape(mesh::Blend blend) {
-    if (blend == mesh::Blend::kPaper) return "vessels that come close are merged: --blend tree keeps them apart";
+    if (!mesh::row_of(blend).separates) return "vessels that come close are merged: --blend tree keeps them apart";
     return "look where axes all but cross: ramus info --contacts lists them, the closest first";
 }
 

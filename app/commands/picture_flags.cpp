@@ -1,6 +1,7 @@
 #include "app/commands/picture_flags.h"
 
 #include "app/commands/command.h"
+#include "app/commands/surface_flags.h"
 #include "app/picture/figure_options.h"
 #include "app/session/numbers.h"
 #include "core/io/meshes/mesh_file.h"

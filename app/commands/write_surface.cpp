@@ -48,7 +48,7 @@ Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::S
     written.evaluations = surface.statistics.evaluations;
     written.streamed = surface.disk != nullptr;
     if (options.method == mesh::Method::kConvolutionSurface) {
-        if (options.blend == mesh::Blend::kTree) written.matched = surface.statistics.matched;
+        if (mesh::row_of(options.blend).separates) written.matched = surface.statistics.matched;
         written.untangled = surface.statistics.untangled;
     }
     mesh::SeenBranches seen(tree.branches.size());

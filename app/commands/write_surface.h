@@ -6,7 +6,7 @@
 #include "core/io/meshes/mesh_names.h"
 #include "core/measure/wall_thickness.h"
 #include "core/mesh/connectivity.h"
-#include "core/mesh/surface_options.h"
+#include "core/mesh/surface.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -4,7 +4,7 @@
 #include "app/session/document.h"
 #include "core/io/orientation.h"
 #include "core/io/trees/imported_tree.h"
-#include "render/overlay/axis_names.h"
+#include "render/scene/camera.h"
 
 #include <array>
 #include <optional>

@@ -12,7 +12,7 @@ Facts surface_facts(const mesh::SurfaceOptions& options) {
                 {"Smoothing passes", std::to_string(options.smooth_passes)},
                 {"Pruning ratio", options.prune_ratio > 0.0 ? digits(options.prune_ratio) : "off"},
                 {"Kernel", std::string(kernel.label)},
-                {"Blends", options.blend == mesh::Blend::kTree ? "along the tree" : "wherever vessels come close"},
+                {"Blends", std::string(mesh::row_of(options.blend).help)},
                 {"Centerlines", options.centerline == tree::Centerline::kSmooth ? "with round corners" : "lines"},
                 options.cell_mm > 0.0
                     ? std::pair<std::string, std::string>{"Cell size", digits(options.cell_mm) + " mm"}

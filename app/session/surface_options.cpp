@@ -25,10 +25,11 @@ template <auto Member> void set_to(Options& options, double value) {
 }
 
 // In the order of mesh::Blend.
-constexpr std::array<OptionWord, 2> kBlendWords = {{
-    {mesh::name_of(mesh::Blend::kTree), "Along the tree"},
-    {mesh::name_of(mesh::Blend::kPaper), "Wherever close"},
-}};
+constexpr auto kBlendWords = [] {
+    std::array<OptionWord, mesh::kBlends.size()> words{};
+    for (std::size_t n = 0; n < words.size(); ++n) words[n] = {mesh::kBlends[n].key, mesh::kBlends[n].label};
+    return words;
+}();
 
 // In the order of tree::Centerline.
 constexpr std::array<OptionWord, 2> kCenterlineWords = {{
@@ -113,14 +114,14 @@ const std::array<SurfaceOption, 10> kSurfaceOptions = {{
          "(default); paper, wherever they come close",
      .domain = "tree or paper",
      .least = 0,
-     .most = 1,
+     .most = kBlendWords.size() - 1,
      .whole = true,
      .of_session = true,
      .value = value_of<&Options::blend>,
      .set = set_to<&Options::blend>,
      .label = "Blend",
      .tooltip = "Vessels stay apart where they only press on each other, or merge wherever they come close",
-     .slider_most = 1,
+     .slider_most = kBlendWords.size() - 1,
      .words = kBlendWords,
      .before_it_was = static_cast<double>(mesh::Blend::kPaper)},
     {.key = "centerline",

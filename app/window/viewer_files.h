@@ -3,6 +3,7 @@
 
 #include "app/panels/open_dialog.h"
 #include "app/panels/recovery_dialogs.h"
+#include "app/panels/volume_dialog.h"
 #include "app/storage/recent_files.h"
 #include "app/window/viewer_state.h"
 

@@ -26,17 +26,22 @@ field::Field plain_field(const FieldParts& parts);
 
 struct BlendRow {
     Blend blend;
-    std::string_view key; // in files, commands and on the command line
+    std::string_view key;   // in files, commands and on the command line
+    std::string_view label; // where it stands alone
     std::string_view help;
     // Whether vessels that are not connected stay apart: then the surface gets the pieces and loops of its tree.
     bool separates;
+    // Whether the surface runs along the centerlines, so that pictures may draw cones in its place while the view
+    // moves.
+    bool along_centerlines;
     field::Field (*make)(const FieldParts& parts);
 };
 
 // In the order of `Blend`.
 inline constexpr std::array<BlendRow, 2> kBlends = {{
-    {Blend::kTree, "tree", "vessels that only press on each other stay apart (default)", true, separated_field},
-    {Blend::kPaper, "paper", "vessels merge wherever they come close", false, plain_field},
+    {Blend::kTree, "tree", "Along the tree", "vessels that only press on each other stay apart (default)", true, true,
+     separated_field},
+    {Blend::kPaper, "paper", "Wherever close", "vessels merge wherever they come close", false, true, plain_field},
 }};
 
 [[nodiscard]] constexpr const BlendRow& row_of(Blend blend) { return kBlends[static_cast<std::size_t>(blend)]; }
@@ -45,6 +50,13 @@ inline constexpr std::array<BlendRow, 2> kBlends = {{
 [[nodiscard]] inline std::optional<Blend> blend_named(std::string_view key) {
     const auto* found = std::ranges::find(kBlends, key, &BlendRow::key);
     return found == kBlends.end() ? std::nullopt : std::optional(found->blend);
+}
+
+// "tree|paper"
+[[nodiscard]] inline std::string blend_keys() {
+    std::string text;
+    for (const BlendRow& row : kBlends) text.append(text.empty() ? "" : "|").append(row.key);
+    return text;
 }
 
 // "tree: vessels that only press on each other stay apart (default); paper: ..."
