@@ -38,7 +38,7 @@ Result<int> run_convert(const ConvertFlags& flags) {
     const tree::VesselTree tree = with_systems(whole ? *opened.tree : tree::part_of(*opened.tree, chosen), marks);
     std::vector<std::string> comments = {"written by ramus " RAMUS_VERSION};
     if (!tree.source.empty()) comments.push_back("source: " + tree.source);
-    // SWC has no other place for them, and nobody shall take mended points for measured ones.
+    // SWC has no other place for them, and nobody should take repaired points for measured ones.
     for (const std::string& sentence : sentences(tree, tree::Note::Kind::kRepaired))
         comments.push_back("repaired: " + sentence);
     for (const tree::Edit& edit : marks.edits) comments.push_back("edited: " + sentence(edit));

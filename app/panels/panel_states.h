@@ -1,5 +1,5 @@
-// What panels and dialogs remember between frames: one value of each type, which the panel's own header declares. So a
-// panel with a state of its own changes nothing but its file and a row of parts.h or sections.h.
+// What panels and dialogs remember between frames: one value of each type, which the panel's own header declares. A
+// new panel is its own file and a row of parts.h or sections.h.
 #pragma once
 
 #include <memory>
