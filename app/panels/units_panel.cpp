@@ -142,7 +142,7 @@ void UnitsPanel::show(const io::ReadOptions& options) {
 
 std::optional<render::AxisNames> UnitsPanel::axes(const tree::Claims& claims, const io::ReadOptions& options) const {
     const auto chosen = orientation();
-    if (!open || !chosen || claims.orientation == tree::SaidBy::kFile) return std::nullopt;
+    if (!chosen || claims.orientation == tree::SaidBy::kFile) return std::nullopt;
     const io::Orientation now = options.orientation.value_or(io::Orientation::ras());
     render::AxisNames names;
     for (int axis = 0; axis < 3; ++axis)

@@ -33,7 +33,7 @@ Viewing PictureView::viewing() const {
     viewing.options = state_.workspace.tried_options();
     viewing.notes = interface.left_is<Doctor>() && interface.of<Doctor>().mark;
     viewing.note = interface.of<Doctor>().current;
-    if (const auto& tree = state_.workspace.document().tree())
+    if (const auto& tree = state_.workspace.document().tree(); tree && interface.left_is<UnitsPanel>())
         viewing.axes = interface.of<UnitsPanel>().axes(tree->claims, state_.workspace.document().marks().reading);
     if (interface.tool)
         if (const auto moved = interface.tool->moved_measurement())
