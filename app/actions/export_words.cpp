@@ -47,8 +47,7 @@ Result<void> read_options(Export& wanted, Arguments words) {
         if (word == "--of" && scope == kExportScopes.end())
             return fail("--of takes visible, selected or all", {}, kExportUsage);
         if (word == "--rows" && value != "branches" && table_kind_named(value) == nullptr)
-            return fail("--rows takes branches, cuts, bands, selection, measurements, systems, contacts or validation",
-                        {}, kExportUsage);
+            return fail("--rows takes branches, or one of " + table_names(), {}, kExportUsage);
         if (word == "--case") wanted.case_line = value;
         if (word == "--of") wanted.of = scope->of;
         if (word == "--rows") wanted.table = value == "branches" ? "" : value;

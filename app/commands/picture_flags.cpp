@@ -120,7 +120,7 @@ void add_deviation_flags(CLI::App& command, DeviationFlags& flags) {
                                  "With --colour-by deviation: where its colours end, in mm (default: where 99 % of the "
                                  "distances lie below)")
                           ->check(is_end);
-    add_option(command, "--scale-voxels", "N", flags.most_voxels, "Likewise, in diagonals of the mask's voxels")
+    add_option(command, "--scale-voxels", "N", flags.most_voxels, "The same in diagonals of the mask's voxels")
         ->check(is_end)
         ->excludes(mm);
 }

@@ -35,10 +35,14 @@ void draw_lesion(InterfaceContext& context, std::size_t index, const Lesion& les
     const float sign = ImGui::CalcTextSize("\xC3\x98").x + gap;
     const float line = ImGui::GetContentRegionAvail().x - behind - kField * theme::scale() - gap - sign;
     const std::string name = lesion.name.empty() ? "Lesion " + number : lesion.name;
-    if (ImGui::Selectable((widgets::fitted(name, std::max(1.0F, line)) + "##lesion").c_str(), false, 0,
-                          {std::max(1.0F, line), 0.0F}))
-        context.perform("centre", {spelled(glm::dvec3(sphere[0], sphere[1], sphere[2]))});
-    widgets::tooltip((name + ": click to bring it to the middle of the picture").c_str());
+    if (ImGui::Selectable((widgets::fitted(name, std::max(1.0F, line)) + "##lesion").c_str(), false,
+                          ImGuiSelectableFlags_AllowDoubleClick, {std::max(1.0F, line), 0.0F})) {
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+            context.perform("object-name", {"lesion", number});
+        else
+            context.perform("centre", {spelled(glm::dvec3(sphere[0], sphere[1], sphere[2]))});
+    }
+    widgets::tooltip((name + ": click to bring it to the middle of the picture, double-click to name it").c_str());
     ImGui::SameLine();
     widgets::quiet("\xC3\x98");
     ImGui::SameLine();

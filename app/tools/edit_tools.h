@@ -75,7 +75,7 @@ public:
     void press(const Pointing& pointing) override;
     [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override;
     [[nodiscard]] std::string hint() const override {
-        return "Click the vessel that blood shall enter by, near its end";
+        return "Click the vessel where blood enters, near its end";
     }
 };
 
