@@ -180,7 +180,7 @@ SpurredVessel spurred_vessel() {
         }
         if (i != kFork) continue;
         const auto side_branch =
-            voxels_along([&](double along) { return trunk[i] + glm::dvec3(-0.62 * along, 0.0, -0.78 * along); }, 24.0);
+            voxels_along([&](double along) { return trunk[i] + glm::dvec3(-0.62 * along, 0.0, 0.78 * along); }, 24.0);
         std::uint32_t tip = last;
         for (std::size_t n = 1; n < side_branch.size(); ++n) tip = skeleton.go_on(tip, {side_branch[n], 0.8 * kRadius});
     }

@@ -10,7 +10,12 @@
 #include "core/tree/smooth.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <numeric>
 #include <utility>
 
@@ -20,6 +25,18 @@ namespace {
 
 double mean_of(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+// How much the centerline of one vessel turns, degrees per mm.
+double turning_of(const tree::VesselTree& tree) {
+    const auto& points = tree.branches.front().points;
+    const auto step = [&](std::size_t i) {
+        return glm::normalize(tree.points[points[i]].position - tree.points[points[i - 1]].position);
+    };
+    double turning = 0.0;
+    for (std::size_t i = 2; i < points.size(); ++i)
+        turning += std::acos(std::clamp(glm::dot(step(i - 1), step(i)), -1.0, 1.0));
+    return glm::degrees(turning) / tree::length_mm(tree, tree.branches.front());
 }
 
 // Two rows of pictures of one vessel: its surfaces, and its centerlines with rings of the radius.
@@ -109,30 +126,34 @@ Result<Figure> methods(Workbench& bench, Job& job) {
 
 Result<Figure> smoothing(Workbench& bench, Job& job) {
     Figure figure{.options = {"--smooth 0, 1 (the default) and 4; all with --blend paper --centerline lines"}};
-    const tree::VesselTree jagged = winding_vessel_of_voxels();
+    const tree::VesselTree jagged = winding_vessel_of_voxels(), exact = winding_vessel();
     mesh::SurfaceOptions options = paper_options();
     options.detail = 32;
-    figure.measured.push_back({"mean distance of points from the exact centerline, without smoothing",
-                               mean_of(distances_to_winding_vessel(jagged)), "mm"});
     Rows rows({560, 330});
+    const auto add = [&](const std::string& name, const tree::VesselTree& tree) {
+        const tree::VesselTree smooth = tree::smooth(tree, options.smooth_passes);
+        figure.measured.push_back({"turning of the centerline, " + name, turning_of(smooth), "degrees per mm"});
+        figure.measured.push_back({"mean distance of points from the exact centerline, " + name,
+                                   mean_of(distances_to_winding_vessel(smooth)), "mm"});
+        return rows.add(name, tree, options, job);
+    };
     for (const int passes : {0, 1, 4}) {
         options.smooth_passes = passes;
-        const std::string name = passes == 0 ? std::string("No smoothing")
-                                             : "Binomial filter, " + counted(std::uint64_t(passes), "pass", "passes");
-        if (auto added = rows.add(name, jagged, options, job); !added) return tl::unexpected(added.error());
-        if (passes == 0) continue;
-        const tree::VesselTree smooth = tree::smooth(jagged, passes);
-        figure.measured.push_back({"the same, " + name, mean_of(distances_to_winding_vessel(smooth)), "mm"});
-        figure.measured.push_back(
-            {"largest displacement of a point, " + name, tree::displacement_of(jagged, smooth).largest_mm, "mm"});
+        const std::string name =
+            passes == 0 ? std::string("No smoothing")
+                        : "Binomial filter, " + counted(static_cast<std::uint64_t>(passes), "pass", "passes");
+        if (auto added = add(name, jagged); !added) return tl::unexpected(added.error());
     }
-    if (auto added = rows.add("The exact centerline", winding_vessel(), options, job); !added)
-        return tl::unexpected(added.error());
-    RAMUS_TRY(picture, bench.picture(
-                           "figure_06.png",
-                           "A winding vessel whose centerline runs from voxel to voxel of 1 mm, with radii in "
-                           "halves of a voxel. Below: centerlines and radii.",
-                           rows.plate({.azimuth = 0.0, .elevation = 8.0, .share = 1.0}, {26.0, 0.0, -3.0}, 14.0), job));
+    figure.measured.push_back({"largest displacement of a point, four passes",
+                               tree::displacement_of(jagged, tree::smooth(jagged, options.smooth_passes)).largest_mm,
+                               "mm"});
+    if (auto added = add("The exact centerline", exact); !added) return tl::unexpected(added.error());
+    const Plate plate = rows.plate({.azimuth = 0.0, .elevation = 8.0, .share = 1.0}, {26.0, 0.0, -3.0}, 14.0);
+    RAMUS_TRY(picture,
+              bench.picture("figure_06.png",
+                            "A winding vessel whose centerline runs from voxel to voxel of 1 mm, with radii in "
+                            "halves of a voxel. Below: centerlines and radii.",
+                            plate, job));
     figure.pictures.push_back(std::move(picture));
     return figure;
 }
