@@ -24,13 +24,13 @@ TEST_CASE("the doctor's panel opens by itself when the unit is unlikely, not whe
     {
         ViewerStage plain("1 1 0 0 -200 6 -1\n2 1 0 0 200 6 1\n", {900, 600});
         plain.settle();
-        CHECK_FALSE(plain.viewer->interface().left_is<Doctor>());
+        CHECK_FALSE(plain.viewer->interface().left_is<app::Doctor>());
     }
     ViewerStage odd(kInCentimetres, {900, 600}); // one window at a time
     odd.settle();
-    CHECK(odd.viewer->interface().left_is<Doctor>());
+    CHECK(odd.viewer->interface().left_is<app::Doctor>());
     run(odd, {"doctor"});
-    CHECK_FALSE(odd.viewer->interface().left_is<Doctor>());
+    CHECK_FALSE(odd.viewer->interface().left_is<app::Doctor>());
 }
 
 TEST_CASE("reading again under the pointer leaves nothing of the tree before, and shows the other one") {
@@ -45,7 +45,7 @@ TEST_CASE("reading again under the pointer leaves nothing of the tree before, an
     CHECK(thickest(stage) == 5.0);
     CHECK(render::mm_per_pixel(stage.workspace.document().session().camera, layout.view_size) ==
           doctest::Approx(10.0 * before));
-    CHECK(stage.viewer->interface().left_is<Doctor>());
+    CHECK(stage.viewer->interface().left_is<app::Doctor>());
     run(stage, {"undo"});
     CHECK(thickest(stage) == 0.5);
     CHECK(stage.viewer->interface().hovered < stage.workspace.document().branch_count());

@@ -52,7 +52,7 @@ TEST_CASE("a mask that is dropped on a tree asks what becomes of it; the last an
     const auto drop = [&] {
         viewer.files().dropped(mask);
         stage.settle();
-        REQUIRE(viewer.interface().of<VolumeDialog>().open());
+        REQUIRE(viewer.interface().of<app::VolumeDialog>().open());
         CHECK(viewer.interface().dialog_open());
     };
     const auto marks = [&]() -> const app::Marks& { return stage.workspace.document().marks(); };
@@ -60,29 +60,29 @@ TEST_CASE("a mask that is dropped on a tree asks what becomes of it; the last an
 
     drop();
     press(stage, GLFW_KEY_ESCAPE, "Escape");
-    CHECK_FALSE(viewer.interface().of<VolumeDialog>().open());
+    CHECK_FALSE(viewer.interface().of<app::VolumeDialog>().open());
     CHECK(marks().context.empty());
     CHECK(stage.workspace.document().branch_count() == branches);
 
     drop();
-    CHECK(viewer.interface().of<VolumeDialog>().as == app::VolumeDialog::As::kTree);
+    CHECK(viewer.interface().of<app::VolumeDialog>().as == app::VolumeDialog::As::kTree);
     press(stage, GLFW_KEY_DOWN, "Down");
-    CHECK(viewer.interface().of<VolumeDialog>().as == app::VolumeDialog::As::kContext);
+    CHECK(viewer.interface().of<app::VolumeDialog>().as == app::VolumeDialog::As::kContext);
     press(stage, GLFW_KEY_ENTER, "Return");
-    CHECK_FALSE(viewer.interface().of<VolumeDialog>().open());
+    CHECK_FALSE(viewer.interface().of<app::VolumeDialog>().open());
     REQUIRE(marks().context.size() == 1);
     CHECK(marks().context[0].file == mask.string());
     CHECK(viewer.files().settings().drop_beside);
 
     REQUIRE(app::run_command(viewer.actions(), std::vector<std::string>{"undo"}));
     drop();
-    CHECK(viewer.interface().of<VolumeDialog>().as == app::VolumeDialog::As::kContext); // as last time
+    CHECK(viewer.interface().of<app::VolumeDialog>().as == app::VolumeDialog::As::kContext); // as last time
     press(stage, GLFW_KEY_T, "T");
     CHECK(stage.workspace.document().session().tree.path == mask);
     CHECK(stage.workspace.document().branch_count() == 1);
     CHECK(marks().context.empty());
     CHECK_FALSE(viewer.files().settings().drop_beside);
-    CHECK(viewer.interface().of<Doctor>().of_mask);
+    CHECK(viewer.interface().of<app::Doctor>().of_mask);
 }
 
 TEST_CASE("a mesh that is dropped on the window is context, or a lesion for who plans; a bad one is named") {
@@ -114,12 +114,12 @@ TEST_CASE("a mesh that is dropped on the window is context, or a lesion for who 
 
     viewer.files().dropped(bad); // a mask by its name: what it holds cannot be read
     stage.settle();
-    CHECK_FALSE(viewer.interface().of<VolumeDialog>().open());
+    CHECK_FALSE(viewer.interface().of<app::VolumeDialog>().open());
     CHECK(marks.context.size() == 1);
-    REQUIRE(viewer.interface().of<ErrorDialog>().errors.size() == 1);
-    CHECK(viewer.interface().of<ErrorDialog>().errors.front().message().find("bad.nii") != std::string::npos);
+    REQUIRE(viewer.interface().of<app::ErrorDialog>().errors.size() == 1);
+    CHECK(viewer.interface().of<app::ErrorDialog>().errors.front().message().find("bad.nii") != std::string::npos);
     press(stage, GLFW_KEY_ESCAPE, "Escape");
-    CHECK(viewer.interface().of<ErrorDialog>().errors.empty());
+    CHECK(viewer.interface().of<app::ErrorDialog>().errors.empty());
 
     viewer.actions().window->toggle("plan");
     viewer.files().dropped(ball);
@@ -244,7 +244,7 @@ TEST_CASE("without a tree a scan opens as the surface of its threshold, and a tr
     };
     viewer.files().dropped(scan);
     rest();
-    const app::VolumeDialog& dialog = viewer.interface().of<VolumeDialog>();
+    const app::VolumeDialog& dialog = viewer.interface().of<app::VolumeDialog>();
     REQUIRE(dialog.facts);
     CHECK(dialog.scan);
     const double otsu = dialog.facts->curve->thresholds[dialog.threshold];
@@ -291,13 +291,13 @@ TEST_CASE("a scan that is to be context asks for its threshold, and a mask does 
     };
     const auto& context = stage.workspace.document().marks().context;
     add(mask);
-    CHECK_FALSE(viewer.interface().of<VolumeDialog>().open());
+    CHECK_FALSE(viewer.interface().of<app::VolumeDialog>().open());
     REQUIRE(context.size() == 1);
     add(scan);
-    REQUIRE(viewer.interface().of<VolumeDialog>().open());
-    CHECK(viewer.interface().of<ErrorDialog>().errors.empty());
-    CHECK(viewer.interface().of<VolumeDialog>().as == app::VolumeDialog::As::kContext);
-    CHECK(viewer.interface().of<VolumeDialog>().scan);
+    REQUIRE(viewer.interface().of<app::VolumeDialog>().open());
+    CHECK(viewer.interface().of<app::ErrorDialog>().errors.empty());
+    CHECK(viewer.interface().of<app::VolumeDialog>().as == app::VolumeDialog::As::kContext);
+    CHECK(viewer.interface().of<app::VolumeDialog>().scan);
     press(stage, GLFW_KEY_ENTER, "Return");
     REQUIRE(context.size() == 2);
     CHECK(context[1].file == scan.string());

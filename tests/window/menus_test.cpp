@@ -39,18 +39,19 @@ TEST_CASE("each menu opens at a click, stays open when the button is released, a
             stage.viewer->input().mouse_moved({x, y});
             stage.button(true, 0.5);
             draw_frames(stage);
-            const std::string pressed = interface.of<BarMenus>().open_name;
+            const std::string pressed = interface.of<app::BarMenus>().open_name;
             stage.button(false, 0.1);
             draw_frames(stage);
-            CHECK(interface.of<BarMenus>().open_name == pressed);
+            CHECK(interface.of<app::BarMenus>().open_name == pressed);
             if (!pressed.empty()) opened.insert(pressed);
-            CHECK_FALSE((interface.left_is<Doctor>() || interface.dialog_open() || interface.left_is<WarningsPanel>()));
+            CHECK_FALSE((interface.left_is<app::Doctor>() || interface.dialog_open() ||
+                         interface.left_is<app::WarningsPanel>()));
             // Away from the bar a click closes it.
             stage.viewer->input().mouse_moved({700.0, 500.0});
             stage.button(true, 0.5);
             stage.button(false, 0.1);
             draw_frames(stage);
-            REQUIRE(interface.of<BarMenus>().open_name.empty());
+            REQUIRE(interface.of<app::BarMenus>().open_name.empty());
         }
         CHECK(opened == menus);
     }
@@ -65,16 +66,16 @@ TEST_CASE("arrows lead through menus that a click has opened, and the view stays
     stage.button(true, 0.5);
     stage.button(false, 0.1);
     draw_frames(stage);
-    REQUIRE(interface.of<BarMenus>().open_name == "File");
+    REQUIRE(interface.of<app::BarMenus>().open_name == "File");
     const auto press = [&](const char* name) {
         stage.viewer->input().key(0, true, app::KeyPress{name}, {}, stage.now);
         draw_frames(stage);
     };
     press("Right");
-    CHECK(interface.of<BarMenus>().open_name == "Edit");
+    CHECK(interface.of<app::BarMenus>().open_name == "Edit");
     press("Left");
     press("Left");
-    CHECK(interface.of<BarMenus>().open_name == "Help");
+    CHECK(interface.of<app::BarMenus>().open_name == "Help");
     press("Down");
     CHECK(stage.workspace.document().session().camera == before);
 }
@@ -122,7 +123,7 @@ TEST_CASE("of two dialogs that are open one is shown, and then the other") {
     CHECK(shown("dialog help"));
     stage.workspace.open(stage.folder.path() / "missing.swc");
     stage.settle();
-    REQUIRE_FALSE(stage.viewer->interface().of<ErrorDialog>().errors.empty());
+    REQUIRE_FALSE(stage.viewer->interface().of<app::ErrorDialog>().errors.empty());
     CHECK(shown("dialog error"));
     CHECK_FALSE(shown("dialog help"));
     press("Escape");

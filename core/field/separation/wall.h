@@ -8,6 +8,7 @@
 #include "core/base/bounds.h"
 #include "core/field/brick_field.h"
 #include "core/field/dominance.h"
+#include "core/field/separation.h"
 #include "core/field/separation/vessel_views.h"
 
 #include <cstdint>
