@@ -56,8 +56,10 @@ std::string text_of(const Note& note, const std::string& path, bool of_mask) {
     std::string text = note.text;
     if (of_mask) text.erase(std::min(text.find("; --repair"), text.size())); // applies only to tree files
     text = window_words(std::move(text));
-    if (text.starts_with(path + ":")) {
-        text.erase(0, path.size() + 1);
+    // The note has the path as it was given, which may be the end of the whole one.
+    const std::size_t colon = text.find(':');
+    if (colon != std::string::npos && colon > 0 && path.ends_with(text.substr(0, colon))) {
+        text.erase(0, colon + 1);
         text.erase(0, text.find_first_not_of(' '));
         if (!text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) != 0) text.insert(0, "line ");
     }

@@ -30,8 +30,9 @@ Result<WindowPicture> picture_with_interface(Workspace& workspace, render::Rende
                        job); // does synchronously what a window leaves to workers
         const auto more_to_come = [&] {
             workspace.update();
-            return workspace.awaited(WorkKind::kComparison) || workspace.awaited(WorkKind::kContacts) ||
-                   workspace.awaited(WorkKind::kDeviation) || workspace.awaited(WorkKind::kValidation);
+            return workspace.surface_awaited() || workspace.awaited(WorkKind::kComparison) ||
+                   workspace.awaited(WorkKind::kContacts) || workspace.awaited(WorkKind::kDeviation) ||
+                   workspace.awaited(WorkKind::kValidation);
         };
         while (more_to_come()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
         constexpr int kMostFrames = 20; // five suffice; a slow worker must not prevent the picture

@@ -205,7 +205,7 @@ TEST_CASE("what is wrong with a SpatialGraph is told, and what it declares takes
     CHECK(has(with("\n@3\n3.0", "\n@3\nx"), "'x00000' in NumEdgePoints is not a number"));
     CHECK(has(with("\n@6\n", "\n@7\n"), "'@7' is the mark of no array"));
     CHECK(has(with("\n@6\n", "\n@5\n"), "@5 is there twice"));
-    CHECK(has(with("define EDGE 3", ""), "how many EDGE"));
+    CHECK(has(with("define EDGE 3", ""), "the number of EDGE is not defined"));
     CHECK(has(with("VertexCoordinates", "Coordinates"), "no VertexCoordinates"));
     CHECK(has(with("float[3] VertexCoordinates", "float[2] VertexCoordinates"), "has 2 numbers for each VERTEX"));
     CHECK(has(with("float[3] VertexCoordinates", "complex[3] VertexCoordinates"), "of type 'complex'"));
