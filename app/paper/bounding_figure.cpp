@@ -14,7 +14,7 @@ namespace ramus::app::paper {
 
 namespace {
 
-constexpr double kBoundRadius = 2.0, kGridCell = 0.8; // mm
+constexpr double kBoundRadius = 2.0, kGridCell = 1.0; // mm
 constexpr glm::ivec2 kBoundPanel(540, 420);
 
 constexpr std::array kColours{glm::vec3(0.34F, 0.71F, 0.92F), glm::vec3(0.0F, 0.62F, 0.45F),
@@ -57,7 +57,7 @@ render::Frame framed(const MadeSurface& vessel, const render::Camera& camera, co
 } // namespace
 
 Result<Figure> bounding_volumes(Workbench& bench, Job& job) {
-    Figure figure{.options = {"segments of radius 2 mm, cells of 0.8 mm, width 5"}};
+    Figure figure{.options = {"segments of radius 2 mm, cells of 1 mm, width 5"}};
     const tree::VesselTree tree = aslant_branching(kBoundRadius);
     const std::vector<RoundSegment> segments = segments_of(tree);
     RAMUS_TRY(vessel, made_surface(tree, paper_options(), job));
