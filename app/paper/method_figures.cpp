@@ -102,13 +102,13 @@ std::string isosurface_text(const ComparedTree& tree) {
 }
 
 Result<Figure> methods(Workbench& bench, Job& job) {
-    constexpr glm::ivec2 kSize(560, 640), kInset(270, 270);
+    constexpr glm::ivec2 kSize(720, 470), kInset(260, 260);
     RAMUS_TRY(tree, bench.first(job));
     Figure figure{.options = {"ramus mesh TREE --method iso, cones and cs; cs with --blend paper --centerline lines"}};
     Plate plate{.columns = 3};
     const std::vector<NamedSurface> surfaces = surfaces_of(*tree);
     const std::array all{surfaces.front().paged, surfaces.back().paged};
-    const render::Camera camera = camera_on(all, kSize);
+    const render::Camera camera = camera_on(all, kSize, {.azimuth = 0.0, .elevation = 0.0, .share = 0.63});
     const std::vector<CloseUp> places = close_ups_of(*tree->input.tree);
     const CloseUp& place = places[std::min<std::size_t>(1, places.size() - 1)];
     for (const NamedSurface& surface : surfaces) {
