@@ -14,8 +14,8 @@ namespace ramus::app::paper {
 
 namespace {
 
-constexpr double kRadius = 2.0, kCell = 0.8; // mm
-constexpr glm::ivec2 kVolumeSize(540, 420);
+constexpr double kBoundRadius = 2.0, kGridCell = 1.0; // mm
+constexpr glm::ivec2 kBoundPanel(540, 420);
 
 constexpr std::array kColours{glm::vec3(0.34F, 0.71F, 0.92F), glm::vec3(0.0F, 0.62F, 0.45F),
                               glm::vec3(0.90F, 0.62F, 0.0F)}; // of segments; M. Okabe and K. Ito, 2008
@@ -49,7 +49,7 @@ Svg fade_plot() {
 }
 
 render::Frame framed(const MadeSurface& vessel, const render::Camera& camera, const std::string& caption) {
-    render::Frame frame = frame_of(vessel.paged, camera, kVolumeSize, caption);
+    render::Frame frame = frame_of(vessel.paged, camera, kBoundPanel, caption);
     frame.appearance.depth_cue = 0.0F;
     return frame;
 }
@@ -57,13 +57,13 @@ render::Frame framed(const MadeSurface& vessel, const render::Camera& camera, co
 } // namespace
 
 Result<Figure> bounding_volumes(Workbench& bench, Job& job) {
-    Figure figure{.options = {"segments of radius 2 mm, cells of 0.8 mm, width 5"}};
-    const tree::VesselTree tree = aslant_branching(kRadius);
+    Figure figure{.options = {"segments of radius 2 mm, cells of 1 mm, width 5"}};
+    const tree::VesselTree tree = aslant_branching(kBoundRadius);
     const std::vector<RoundSegment> segments = segments_of(tree);
     RAMUS_TRY(vessel, made_surface(tree, paper_options(), job));
     const std::array all{vessel.paged};
     Looking looking{.azimuth = -28.0, .elevation = 22.0};
-    render::Camera camera = camera_on(all, kVolumeSize, looking);
+    render::Camera camera = camera_on(all, kBoundPanel, looking);
     camera.scale *= 1.2; // the volumes reach farther
     Plate plate{.columns = bounds_of_segments().size()};
     std::vector<Panel> cut;
@@ -75,7 +75,7 @@ Result<Figure> bounding_volumes(Workbench& bench, Job& job) {
                  {"unbounded", "Without bounds"}},
                 {}};
     for (const BoundRow& row : bounds_of_segments()) {
-        const CoveredCells covered = covered_cells(row, segments, kCell);
+        const CoveredCells covered = covered_cells(row, segments, kGridCell);
         render::Frame shapes =
             framed(vessel, camera, std::string(row.name) + ", " + rounded(row.reach_radii) + " radii");
         double volume = 0.0;
@@ -90,16 +90,16 @@ Result<Figure> bounding_volumes(Workbench& bench, Job& job) {
                              [](const glm::ivec3& cell) { return cell.y < 0; });
         render::Frame cubes = framed(
             vessel, camera, grouped(covered.cells.size()) + " cells, " + grouped(covered.evaluations) + " evaluations");
-        cubes.context.push_back({std::make_shared<const mesh::TriangleMesh>(cubes_of(behind, kCell)), nullptr,
+        cubes.context.push_back({std::make_shared<const mesh::TriangleMesh>(cubes_of(behind, kGridCell)), nullptr,
                                  glm::vec3(0.66F, 0.74F, 0.83F), 1.0F});
         cut.push_back({std::move(cubes), {}});
-        const double by_volume = volume / (kCell * kCell * kCell);
+        const double by_volume = volume / (kGridCell * kGridCell * kGridCell);
         const auto evaluations = static_cast<double>(covered.evaluations);
         table.rows.push_back(
             {std::string(row.name), static_cast<double>(covered.cells.size()), evaluations, std::round(by_volume), ""});
         figure.measured.push_back({"evaluations, " + std::string(row.name), evaluations, "", by_volume});
     }
-    const CoveredCells boxes = covered_cells(bounds_of_segments().front(), segments, kCell);
+    const CoveredCells boxes = covered_cells(bounds_of_segments().front(), segments, kGridCell);
     for (auto& row : table.rows) row.back() = static_cast<double>(boxes.cells.size() * segments.size());
     plate.panels.insert(plate.panels.end(), std::make_move_iterator(cut.begin()), std::make_move_iterator(cut.end()));
     RAMUS_TRY(picture,

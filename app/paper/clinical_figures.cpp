@@ -22,7 +22,7 @@ namespace ramus::app::paper {
 
 namespace {
 
-constexpr glm::ivec2 kCaseSize(820, 760);
+constexpr glm::ivec2 kSceneSize(820, 760);
 
 // A session's picture on white, without the window.
 struct Scene {
@@ -39,7 +39,7 @@ struct Scene {
     }
     [[nodiscard]] render::Frame frame(const ComparedTree& tree, const std::string& caption) const {
         Viewing viewing;
-        viewing.size = kCaseSize;
+        viewing.size = kSceneSize;
         viewing.ground = Ground::kWhite;
         render::Frame frame = compose(document.session(), assets, tree.surface.paged, viewing);
         frame.overlays.caption = caption;
@@ -136,7 +136,7 @@ Result<Figure> lesion_in_liver(Workbench& bench, Job& job) {
     marks.colour_by = ColourBy::kLesion;
     marks.shortest_distances = true;
     const std::array all{tree->surface.paged};
-    const render::Camera camera = camera_on(all, kCaseSize);
+    const render::Camera camera = camera_on(all, kSceneSize);
     Scene scene;
     if (auto opened = scene.open(*tree, marks, camera, job); !opened) return tl::unexpected(opened.error());
     const Lengths lengths(tree->input.tree->claims);
@@ -165,7 +165,7 @@ Result<Figure> lesion_in_liver(Workbench& bench, Job& job) {
 Result<Figure> branches_in_focus(Workbench& bench, Job& job) {
     RAMUS_TRY(tree, bench.first(job));
     const std::array all{tree->surface.paged};
-    const render::Camera camera = camera_on(all, kCaseSize);
+    const render::Camera camera = camera_on(all, kSceneSize);
     const TreeFacts facts = facts_of(*tree->input.tree);
     const int branch = third_of(facts);
     Figure figure{.options = {"ramus render TREE --commands FILE with select-subtree " + std::to_string(branch) +

@@ -103,13 +103,13 @@ std::string isosurface_text(const ComparedTree& tree) {
 }
 
 Result<Figure> methods(Workbench& bench, Job& job) {
-    constexpr glm::ivec2 kSize(560, 640), kInset(270, 270);
+    constexpr glm::ivec2 kSize(720, 470), kInset(260, 260);
     RAMUS_TRY(tree, bench.first(job));
     Figure figure{.options = {"ramus mesh TREE --method iso, cones and cs; cs with --blend paper --centerline lines"}};
     Plate plate{.columns = 3};
     const std::vector<NamedSurface> surfaces = surfaces_of(*tree);
     const std::array all{surfaces.front().paged, surfaces.back().paged};
-    const render::Camera camera = camera_on(all, kSize);
+    const render::Camera camera = camera_on(all, kSize, {.azimuth = 0.0, .elevation = 0.0, .share = 0.63});
     const std::vector<CloseUp> places = close_ups_of(*tree->input.tree);
     const CloseUp& place = places[std::min<std::size_t>(1, places.size() - 1)];
     for (const NamedSurface& surface : surfaces) {
@@ -129,7 +129,7 @@ Result<Figure> smoothing(Workbench& bench, Job& job) {
     const tree::VesselTree jagged = winding_vessel_of_voxels(), exact = winding_vessel();
     mesh::SurfaceOptions options = paper_options();
     options.detail = 32;
-    Rows rows({560, 330});
+    Rows rows({640, 330});
     const auto add = [&](const std::string& name, const tree::VesselTree& tree) {
         const tree::VesselTree smooth = tree::smooth(tree, options.smooth_passes);
         figure.measured.push_back({"turning of the centerline, " + name, turning_of(smooth), "degrees per mm"});
@@ -148,7 +148,7 @@ Result<Figure> smoothing(Workbench& bench, Job& job) {
                                tree::displacement_of(jagged, tree::smooth(jagged, options.smooth_passes)).largest_mm,
                                "mm"});
     if (auto added = add("The exact centerline", exact); !added) return tl::unexpected(added.error());
-    const Plate plate = rows.plate({.azimuth = 0.0, .elevation = 8.0, .share = 1.0}, {26.0, 0.0, -3.0}, 14.0);
+    const Plate plate = rows.plate({.azimuth = 0.0, .elevation = 8.0, .share = 0.74}, {26.0, 0.0, -3.0}, 14.0);
     RAMUS_TRY(picture,
               bench.picture("figure_06.png",
                             "A winding vessel whose centerline runs from voxel to voxel of 1 mm, with radii in "
@@ -168,7 +168,7 @@ Result<Figure> pruning(Workbench& bench, Job& job) {
     const auto branches = [&] {
         return static_cast<double>(mesh::prepare_tree(vessel.tree, options).tree.branches.size());
     };
-    Rows rows({700, 380});
+    Rows rows({800, 380});
     if (auto added = rows.add("Not pruned", vessel.tree, options, job); !added) return tl::unexpected(added.error());
     // Each spur makes a branch more, and cuts the one that it stands on in two.
     figure.measured.push_back({"branches, not pruned", branches(), "", vessel.real_branches + 2.0 * vessel.spurs});
@@ -177,11 +177,11 @@ Result<Figure> pruning(Workbench& bench, Job& job) {
         !added)
         return tl::unexpected(added.error());
     figure.measured.push_back({"branches, pruned", branches(), "", static_cast<double>(vessel.real_branches)});
-    RAMUS_TRY(picture,
-              bench.picture("figure_07.png",
-                            "A vessel of voxels with one side branch and four spurs of three voxels, as thinning "
-                            "leaves them. Below: centerlines and radii.",
-                            rows.plate({.azimuth = 0.0, .elevation = 8.0, .share = 1.0}, {20.0, 0.0, 4.0}, 12.0), job));
+    RAMUS_TRY(picture, bench.picture(
+                           "figure_07.png",
+                           "A vessel of voxels with one side branch and four spurs of three voxels, as thinning "
+                           "leaves them. Below: centerlines and radii.",
+                           rows.plate({.azimuth = 0.0, .elevation = 8.0, .share = 0.74}, {20.0, 0.0, 4.0}, 12.0), job));
     figure.pictures.push_back(std::move(picture));
     return figure;
 }

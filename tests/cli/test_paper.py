@@ -49,7 +49,7 @@ class Paper(CommandLineTest):
             for measured in figure["measured"]:
                 if "formula" in measured:  # what is measured is what the closed form says
                     with self.subTest(figure["number"], what=measured["what"]):
-                        self.assertAlmostEqual(measured["value"] / measured["formula"], 1.0, delta=0.02)
+                        self.assertAlmostEqual(measured["value"] / measured["formula"], 1.0, delta=0.05)
         with open(self.folder / "out/measurements.csv", encoding="utf-8", newline="") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), sum(len(figure["measured"]) for figure in report["figures"]))
