@@ -20,7 +20,8 @@ double thickest(const ViewerStage& stage) { return stage.workspace.document().fa
 
 } // namespace
 
-TEST_CASE("the doctor's panel opens by itself when the unit is unlikely, not when all is plain") {
+TEST_CASE("the doctor's panel opens by itself when the unit is unlikely, not when all is plain" *
+          doctest::test_suite("slow")) {
     {
         ViewerStage plain("1 1 0 0 -200 6 -1\n2 1 0 0 200 6 1\n", {900, 600});
         plain.settle();
@@ -33,7 +34,8 @@ TEST_CASE("the doctor's panel opens by itself when the unit is unlikely, not whe
     CHECK_FALSE(odd.viewer->interface().left_is<app::Doctor>());
 }
 
-TEST_CASE("reading again under the pointer leaves nothing of the tree before, and shows the other one") {
+TEST_CASE("reading again under the pointer leaves nothing of the tree before, and shows the other one" *
+          doctest::test_suite("slow")) {
     ViewerStage stage(kInCentimetres, {900, 600});
     stage.settle();
     const auto& layout = stage.viewer->layout();

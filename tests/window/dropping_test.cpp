@@ -232,7 +232,8 @@ std::filesystem::path tube_scan(const std::filesystem::path& path) {
 
 } // namespace
 
-TEST_CASE("without a tree a scan opens as the surface of its threshold, and a tree comes in among what is shown") {
+TEST_CASE("without a tree a scan opens as the surface of its threshold, and a tree comes in among what is shown" *
+          doctest::test_suite("slow")) {
     test::ViewerStage stage("1 1 0 0 -20 3 -1\n2 1 0 0 0 2.5 1\n", {700, 500});
     const auto scan = tube_scan(stage.folder.path() / "scan.nii");
     app::Viewer& viewer = *stage.viewer;
@@ -268,7 +269,7 @@ TEST_CASE("without a tree a scan opens as the surface of its threshold, and a tr
     CHECK(document.marks().context.size() == 1);
 }
 
-TEST_CASE("a scan that is to be context asks for its threshold, and a mask does not") {
+TEST_CASE("a scan that is to be context asks for its threshold, and a mask does not" * doctest::test_suite("slow")) {
     test::ViewerStage stage("1 1 0 0 -20 3 -1\n2 1 0 0 0 2.5 1\n", {900, 800});
     const auto mask = tube_mask(stage.folder.path() / "tube.nii");
     test::NiftiFile file;

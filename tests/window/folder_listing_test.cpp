@@ -55,7 +55,7 @@ TEST_CASE("a folder that is not there is told, and a cancelled listing has nothi
     CHECK(FolderListing::content_of(folder.path(), job).entries.empty());
 }
 
-TEST_CASE("of folders that are listed one after the other the last one comes") {
+TEST_CASE("of folders that are listed one after the other the last one comes" * doctest::test_suite("slow")) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder.path() / "many");
     std::filesystem::create_directory(folder.path() / "one");

@@ -24,7 +24,8 @@ void draw_frames(ViewerStage& stage, int frames = 4) {
 
 } // namespace
 
-TEST_CASE("each menu opens at a click, stays open when the button is released, and chooses nothing") {
+TEST_CASE("each menu opens at a click, stays open when the button is released, and chooses nothing" *
+          doctest::test_suite("slow")) {
     std::set<std::string> menus;
     for (const app::Command& command : app::command_table())
         if (!command.menu.empty()) menus.insert(command.menu);
@@ -57,7 +58,7 @@ TEST_CASE("each menu opens at a click, stays open when the button is released, a
     }
 }
 
-TEST_CASE("arrows lead through menus that a click has opened, and the view stays") {
+TEST_CASE("arrows lead through menus that a click has opened, and the view stays" * doctest::test_suite("slow")) {
     ViewerStage stage(kFork, {1440, 900});
     stage.settle();
     const app::Interface& interface = stage.viewer->interface();
@@ -108,7 +109,7 @@ TEST_CASE("the card about a branch leaves the tools, the scale bar, the cube and
     }
 }
 
-TEST_CASE("of two dialogs that are open one is shown, and then the other") {
+TEST_CASE("of two dialogs that are open one is shown, and then the other" * doctest::test_suite("slow")) {
     ViewerStage stage(kFork, {1440, 900});
     stage.settle();
     stage.viewer->note_controls();
@@ -130,7 +131,7 @@ TEST_CASE("of two dialogs that are open one is shown, and then the other") {
     CHECK(shown("dialog help"));
 }
 
-TEST_CASE("the title marks work that is not saved, and no other view of it") {
+TEST_CASE("the title marks work that is not saved, and no other view of it" * doctest::test_suite("slow")) {
     ViewerStage stage(kFork, {1024, 700});
     stage.settle();
     CHECK_FALSE(stage.viewer->title().starts_with("*"));

@@ -40,7 +40,8 @@ struct ComparedStage : ViewerStage {
 
 } // namespace
 
-TEST_CASE("a viewer that runs out of graphics memory says so, lives, and shows the tree again") {
+TEST_CASE("a viewer that runs out of graphics memory says so, lives, and shows the tree again" *
+          doctest::test_suite("slow")) {
     for (const GlVersion version : {GlVersion{4, 5}, GlVersion{3, 3}}) {
         CAPTURE(version.text());
         const glm::ivec2 size(900, 600);
@@ -71,7 +72,8 @@ TEST_CASE("a viewer that runs out of graphics memory says so, lives, and shows t
     }
 }
 
-TEST_CASE("next to the panel of a case that was just opened there is never the picture of the one before") {
+TEST_CASE("next to the panel of a case that was just opened there is never the picture of the one before" *
+          doctest::test_suite("slow")) {
     test::ViewerStage stage("1 3 0 0 0 8 -1\n2 3 0 0 20 8 1\n", {700, 500});
     const auto other = stage.folder.path() / "other.swc";
     std::ofstream(other) << "1 3 0 0 0 1 -1\n2 3 30 0 0 1 1\n";
@@ -91,7 +93,7 @@ TEST_CASE("next to the panel of a case that was just opened there is never the p
     CHECK(viewer.interface().preparing == app::Preparing::kNothing);
 }
 
-TEST_CASE("viewports beside each other show the tree, and each is pointed at by itself") {
+TEST_CASE("viewports beside each other show the tree, and each is pointed at by itself" * doctest::test_suite("slow")) {
     ComparedStage stage;
     CHECK(stage.viewer->picture().picture_size() == stage.layout.viewport_size);
     CHECK(3 * stage.layout.viewport_size.x < stage.layout.view_size.x);
@@ -132,7 +134,7 @@ TEST_CASE("viewports beside each other show the tree, and each is pointed at by 
     CHECK(stage.viewer->picture().picture_size() == stage.layout.view_size);
 }
 
-TEST_CASE("a drag in any of several viewports turns the one camera, as far in each") {
+TEST_CASE("a drag in any of several viewports turns the one camera, as far in each" * doctest::test_suite("slow")) {
     ComparedStage stage;
     app::Document& document = stage.workspace.document();
     const render::Camera start = document.session().camera;

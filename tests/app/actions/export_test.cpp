@@ -122,7 +122,7 @@ TEST_CASE("a surface of a tree whose unit and sides nobody has said does not say
     }
 }
 
-TEST_CASE("a surface that is made on the disk is exported as any other") {
+TEST_CASE("a surface that is made on the disk is exported as any other" * doctest::test_suite("slow")) {
     ExportStage stage;
     Marks marks = stage.marks();
     // Some two million triangles: 80 bytes each are more than that.

@@ -153,7 +153,8 @@ TEST_CASE("any sequence of changes undone to the start equals the start, and eve
     }
 }
 
-TEST_CASE("ten thousand steps on a tree of thirty thousand branches take less than 200 MB, and all can be undone") {
+TEST_CASE("ten thousand steps on a tree of thirty thousand branches take less than 200 MB, and all can be undone" *
+          doctest::test_suite("slow")) {
     constexpr int kBranches = 30'000;
     std::mt19937 random(3);
     // The worst there is: every step turns half of the selection and half of the states over, at random.

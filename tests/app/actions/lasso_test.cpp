@@ -87,7 +87,7 @@ tree::VesselTree rods() {
 
 } // namespace
 
-TEST_CASE("a pixel is inside a polygon exactly when the plain even-odd loop says so") {
+TEST_CASE("a pixel is inside a polygon exactly when the plain even-odd loop says so" * doctest::test_suite("slow")) {
     std::mt19937 random(7);
     const auto agree = [&](const Polygon& corners, const std::vector<glm::dvec2>& points) {
         const PixelPolygon polygon(corners);
@@ -212,7 +212,8 @@ TEST_CASE("half of a branch's length decides, or any part of it") {
               .empty());
 }
 
-TEST_CASE("lassoing 30,000 branches takes exactly those that a plain count of centerline points takes") {
+TEST_CASE("lassoing 30,000 branches takes exactly those that a plain count of centerline points takes" *
+          doctest::test_suite("slow")) {
     const auto tree = test::grown_tree(30000);
     REQUIRE(tree);
     REQUIRE(tree->branches.size() >= 30000);

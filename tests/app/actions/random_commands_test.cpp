@@ -122,7 +122,8 @@ std::string random_command(std::mt19937& random, int branches) {
 
 } // namespace
 
-TEST_CASE("any sequence of commands undone to the start equals the start, redone to the end the end") {
+TEST_CASE("any sequence of commands undone to the start equals the start, redone to the end the end" *
+          doctest::test_suite("slow")) {
     std::mt19937 random(31);
     int done = 0, refused = 0;
     for (int round = 0; round < 25; ++round) {

@@ -125,7 +125,8 @@ TEST_CASE("two vessels merge at the radius and the gap of the paper") {
     }
 }
 
-TEST_CASE("an S-shaped pair of 1.07 mm is one surface at width 1, and two at width 5 or kept apart") {
+TEST_CASE("an S-shaped pair of 1.07 mm is one surface at width 1, and two at width 5 or kept apart" *
+          doctest::test_suite("slow")) {
     const auto pieces = [](double width, mesh::Blend blend) {
         mesh::SurfaceOptions options = paper_options(width);
         options.detail = 64;

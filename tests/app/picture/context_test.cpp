@@ -183,7 +183,7 @@ TEST_CASE("a mesh with holes may stand beside the tree, and who lies far from it
     CHECK(stage.commands.good("context \"" + stage.ball("near.stl") + "\"").find("coordinates") == std::string::npos);
 }
 
-TEST_CASE("large context has a coarser stand-in for while the view moves") {
+TEST_CASE("large context has a coarser stand-in for while the view moves" * doctest::test_suite("slow")) {
     ContextStage stage;
     stage.commands.good("context \"" + stage.ball("small.ply") + "\"\ncontext \"" +
                         stage.ball("large.ply", {0, 0, 15}, 7) + "\"");
@@ -281,7 +281,7 @@ TEST_CASE("a picture is made of its arguments alone") {
     CHECK(compose(session, assets, nullptr, {}) == frame);
 }
 
-TEST_CASE("reading that was cancelled is not taken up again until somebody asks") {
+TEST_CASE("reading that was cancelled is not taken up again until somebody asks" * doctest::test_suite("slow")) {
     ContextStage stage;
     const std::string file = stage.ball("organ.ply", {0, 0, 15}, 6);
     Workspace workspace({});

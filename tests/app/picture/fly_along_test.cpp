@@ -78,7 +78,7 @@ TEST_CASE("along a straight vessel the camera follows behind and above, and look
     }
 }
 
-TEST_CASE("a flight is smooth through every bend") {
+TEST_CASE("a flight is smooth through every bend" * doctest::test_suite("slow")) {
     check_flight(line({{0, 0, 0}, {0, 0, -60}}, 2.0), 0);
     check_flight(line({{0, 0, 0}, {0, 0, -40}, {40, 0, -40}, {40, 40, -40}, {40, 40, -80}}, 1.0), 0); // right angles
     check_flight(line({{0, 0, 0}, {0, 0, -30}, {3, 0, -60}, {6, 0, -28}}, 0.5), 0);                   // nearly back

@@ -149,7 +149,8 @@ TEST_CASE("left in the overview is left in the anterior view") {
     CHECK(two.points[two.branches[static_cast<std::size_t>(beside.order[0])].points.back()].position.x == 50.0);
 }
 
-TEST_CASE("thirty thousand branches are drawn as few pieces") { // how soon: tests/bench/explore_bench.cpp
+TEST_CASE("thirty thousand branches are drawn as few pieces" *
+          doctest::test_suite("slow")) { // how soon: tests/bench/explore_bench.cpp
     const tree::VesselTree tree = test::grown(30000);
     const OverviewLayout layout = overview_layout(tree, facts_of(tree), OverviewDepth::kDistance);
     OverviewView view;

@@ -175,7 +175,7 @@ TEST_CASE("facts of a fork are those of its geometry") {
     CHECK(path_to(*loaded->assets.tree, 2) == std::vector<int>{0, 2});
 }
 
-TEST_CASE("distances to lesions that are meshes are measured behind the window's back") {
+TEST_CASE("distances to lesions that are meshes are measured behind the window's back" * doctest::test_suite("slow")) {
     const TemporaryFolder folder;
     auto ball = test::icosphere(4, {0, 9, 5}, 3.0);
     ball.radii.resize(ball.positions.size(), 1.0F);
@@ -232,7 +232,7 @@ TEST_CASE("distances to lesions that are meshes are measured behind the window's
     CHECK_FALSE(awaited());
 }
 
-TEST_CASE("a lesion's file that was written since is read again, and distances follow") {
+TEST_CASE("a lesion's file that was written since is read again, and distances follow" * doctest::test_suite("slow")) {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "tumour.stl";
     const auto write_ball = [&](double radius, int level) {

@@ -106,7 +106,7 @@ TEST_CASE("a disk that is too small for an array is an error that names it") {
     CHECK(folder.names().empty());
 }
 
-TEST_CASE("threads take and give back arrays, and nobody shares one") {
+TEST_CASE("threads take and give back arrays, and nobody shares one" * doctest::test_suite("slow")) {
     tbb::parallel_for(0, 400, [](int n) {
         const std::size_t bytes = (4 + static_cast<std::size_t>(n * 7 % 13)) * kMiB;
         LargeArray<int> mine(bytes / sizeof(int));

@@ -136,13 +136,14 @@ pid_t parent_of_own_process() { return std::stoi(run_in_own_process(parent, {}, 
 
 } // namespace
 
-TEST_CASE("what happens in a process of its own stays there, and limits hold") {
+TEST_CASE("what happens in a process of its own stays there, and limits hold" * doctest::test_suite("slow")) {
     if (kForksItself) REQUIRE(parent_of_own_process() == ::getpid());
     check_own_processes();
     check_confined();
 }
 
-TEST_CASE("a small process forks in place of a large one, and where it is gone the large one does") {
+TEST_CASE("a small process forks in place of a large one, and where it is gone the large one does" *
+          doctest::test_suite("slow")) {
     start_fork_server();
     const pid_t server = parent_of_own_process();
     REQUIRE(server > 0);

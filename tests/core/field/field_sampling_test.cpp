@@ -109,7 +109,7 @@ TEST_CASE("a point has the same bits in every call that has its segments") {
     });
 }
 
-TEST_CASE("bounds hold, and segments that are culled contribute nothing") {
+TEST_CASE("bounds hold, and segments that are culled contribute nothing" * doctest::test_suite("slow")) {
     on_every_instruction_set([&] {
         const field::ConvolutionField field(crooked_tree(), 5.0);
         const auto all = all_segments(field);
@@ -150,7 +150,7 @@ TEST_CASE("bounds hold, and segments that are culled contribute nothing") {
     });
 }
 
-TEST_CASE("projected points are on the surface, with its normal and radius") {
+TEST_CASE("projected points are on the surface, with its normal and radius" * doctest::test_suite("slow")) {
     on_every_instruction_set([&] {
         const field::ConvolutionField field(crooked_tree(), 5.0);
         const auto all = all_segments(field);

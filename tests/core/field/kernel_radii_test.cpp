@@ -73,7 +73,8 @@ tree::VesselTree stepped(int branches) {
 
 } // namespace
 
-TEST_CASE("stenoses of 20 to 80 % over one to five diameters keep their radius within 2 %") {
+TEST_CASE("stenoses of 20 to 80 % over one to five diameters keep their radius within 2 %" *
+          doctest::test_suite("slow")) {
     const field::Kernel kernel = field::gaussian(5.0);
     for (const double share : {0.2, 0.5, 0.8})
         for (const double diameters : {1.0, 2.0, 3.0, 5.0}) {
@@ -170,7 +171,8 @@ TEST_CASE("with exact radii vertices have the tree's radius, and the surface its
     }
 }
 
-TEST_CASE("a surface with exact radii that follows its tree is the one made from nothing, bit for bit") {
+TEST_CASE("a surface with exact radii that follows its tree is the one made from nothing, bit for bit" *
+          doctest::test_suite("slow")) {
     const tree::VesselTree tree = stepped(60);
     Job job;
     mesh::SurfaceOptions options;

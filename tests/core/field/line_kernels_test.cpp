@@ -117,7 +117,8 @@ TEST_CASE("a cut kernel is as far from the whole one as is said, and vessels mer
     CHECK(field::polynomial(1.0).support_radii == doctest::Approx(2.0322).epsilon(1e-4));
 }
 
-TEST_CASE("samples of line integrals agree with sums step by step, and are nothing beyond the support") {
+TEST_CASE("samples of line integrals agree with sums step by step, and are nothing beyond the support" *
+          doctest::test_suite("slow")) {
     for (const KernelCase& one : kKernelCases)
         for (const tree::Centerline centerline : {tree::Centerline::kLines, tree::Centerline::kSmooth}) {
             CAPTURE(field::row_of(one.kind).key);
@@ -238,7 +239,8 @@ TEST_CASE("a point of a line integral has the same bits whichever brick asks, an
         });
 }
 
-TEST_CASE("bounds of line integrals hold, and segments that are culled contribute nothing") {
+TEST_CASE("bounds of line integrals hold, and segments that are culled contribute nothing" *
+          doctest::test_suite("slow")) {
     struct Place {
         glm::dvec3 middle{0.0};
         double side = 0.0;

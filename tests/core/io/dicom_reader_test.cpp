@@ -346,7 +346,8 @@ TEST_CASE("DICOM that is no volume of grey values is refused with a word") {
           "cancelled");
 }
 
-TEST_CASE("a DICOM file that was cut short or damaged is refused, alone and in its folder") {
+TEST_CASE("a DICOM file that was cut short or damaged is refused, alone and in its folder" *
+          doctest::test_suite("slow")) {
     const SeriesFolder series;
     series.put_all(5);
     const std::string bytes = series.folder.text("7.dcm"); // slice 1

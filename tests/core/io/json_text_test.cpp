@@ -27,7 +27,7 @@ TEST_CASE("JSON nests so deep and no deeper") {
     CHECK(io::parsed_json("[" + nested(1, "[[", "]],") + nested(1, "[[", "]]") + "]", "a.json"));
 }
 
-TEST_CASE("JSON takes so much memory and no more") {
+TEST_CASE("JSON takes so much memory and no more" * doctest::test_suite("slow")) {
     const std::pair<std::string, std::size_t> elements[] = {
         {"1", 24}, {"[]", 88}, {"{}", 88}, {"\"\"", 72}, {R"({"a":0})", 209}};
     for (const auto& [element, bytes] : elements) {

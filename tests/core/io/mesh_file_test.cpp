@@ -183,7 +183,7 @@ TEST_CASE("a mesh that declares a billion triangles and holds two takes no memor
     CHECK(memory.grown_mib() < 30.0);
 }
 
-TEST_CASE("a real mesh that is cut short gives a clear error") {
+TEST_CASE("a real mesh that is cut short gives a clear error" * doctest::test_suite("slow")) {
     const auto path = test::shared_file("surfaces", "carotid_lumen.stl");
     if (!path) return;
     std::ifstream file(*path, std::ios::binary);
@@ -221,7 +221,7 @@ TEST_CASE("of an OBJ file only the lines of its shape are looked at") {
     CHECK(io::obj_shape("f 1 2 \\\r\n3 4\nv 1 2 3 \\\nmtllib a") == "f 1 2    3 4\nv 1 2 3   mtllib a\n");
 }
 
-TEST_CASE("damaged files end in an answer") {
+TEST_CASE("damaged files end in an answer" * doctest::test_suite("slow")) {
     const Files files;
     mesh::TriangleMesh ball = test::icosphere(1, {0, 0, 0}, 3.0);
     ball.radii.resize(ball.positions.size(), 1.0F);

@@ -190,7 +190,7 @@ TEST_CASE("MetaImage slope and intercept, and headers that make no sense") {
     CHECK(holds(files.refusal("ObjectType = Image\nno field\n"), "no field: no field"));
 }
 
-TEST_CASE("a MetaImage file that claims much, is cut short or damaged is refused") {
+TEST_CASE("a MetaImage file that claims much, is cut short or damaged is refused" * doctest::test_suite("slow")) {
     const test::VolumeFiles files{"a.mha"};
     MetaText file;
     file.set("ElementSpacing", "1e-3 1e-3 1e-3").set("DimSize", "10000 10000 10000");

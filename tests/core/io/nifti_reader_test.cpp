@@ -283,7 +283,7 @@ TEST_CASE("a small file that claims much is refused before memory is taken") {
     CHECK(io::read_volume(files.folder.path() / "a.nii.gz", {}, job));
 }
 
-TEST_CASE("a file that was cut short or damaged on its way is refused") {
+TEST_CASE("a file that was cut short or damaged on its way is refused" * doctest::test_suite("slow")) {
     const test::VolumeFiles files{"a.nii"};
     Job job;
     NiftiFile file;
@@ -316,7 +316,7 @@ TEST_CASE("a file that was cut short or damaged on its way is refused") {
     }
 }
 
-TEST_CASE("random damage to headers ends in a volume or in an error") {
+TEST_CASE("random damage to headers ends in a volume or in an error" * doctest::test_suite("slow")) {
     const test::VolumeFiles files{"a.nii"};
     std::mt19937 random(11);
     NiftiFile file = two_by_three_by_four();

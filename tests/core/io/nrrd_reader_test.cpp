@@ -266,7 +266,7 @@ TEST_CASE("NRRD headers that make no sense are refused with a word") {
     CHECK(files.good(shorts.set("endian", "").bytes()).notes.size() == 1);
 }
 
-TEST_CASE("an NRRD file that claims much, is cut short or damaged is refused") {
+TEST_CASE("an NRRD file that claims much, is cut short or damaged is refused" * doctest::test_suite("slow")) {
     const test::VolumeFiles files{"a.nrrd"};
     NrrdText file;
     file.set("space directions", "(1e-3,0,0) (0,1e-3,0) (0,0,1e-3)").set("sizes", "10000 10000 10000");

@@ -121,7 +121,7 @@ TEST_CASE("real files that are cut short give a clear error, or a tree, and take
     }
 }
 
-TEST_CASE("real SWC files that are cut short give a clear error, or a tree") {
+TEST_CASE("real SWC files that are cut short give a clear error, or a tree" * doctest::test_suite("slow")) {
     for (const auto& path : test::shared_trees()) {
         const std::string name = path.filename().string();
         CAPTURE(name);

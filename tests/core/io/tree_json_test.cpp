@@ -122,7 +122,7 @@ TEST_CASE("SWC puts parents first where the points do not, and keeps the branche
     }
 }
 
-TEST_CASE("real trees survive both formats") {
+TEST_CASE("real trees survive both formats" * doctest::test_suite("slow")) {
     for (const auto& file : test::shared_trees()) {
         CAPTURE(file.string());
         io::ReadOptions as_it_is; // with its points in their order

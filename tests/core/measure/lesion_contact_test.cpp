@@ -84,7 +84,8 @@ TEST_CASE("a sphere that overlaps a vessel says how deep") {
     CHECK(glm::distance(swallowed.on_wall, swallowed.on_lesion) == doctest::Approx(10.0));
 }
 
-TEST_CASE("the shortest way to a mesh agrees with fine sampling along vessels at random") {
+TEST_CASE("the shortest way to a mesh agrees with fine sampling along vessels at random" *
+          doctest::test_suite("slow")) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> place(-20.0, 20.0), size(0.3, 3.0);
     for (int round = 0; round < 20; ++round) {
@@ -151,7 +152,7 @@ TEST_CASE("a plane through the axis covers half a vessel, one next to the axis t
     CHECK(near.length_mm == doctest::Approx(24.0 + 2.0 * std::sqrt(0.49 - 0.04)).epsilon(1e-3));
 }
 
-TEST_CASE("a lesion around a vessel covers all of it") {
+TEST_CASE("a lesion around a vessel covers all of it" * doctest::test_suite("slow")) {
     const VesselTree tree = vessel_along({{{0, 0, 0}, 3}, {{0, 0, 60}, 3}});
     const auto swallowed = measure::wall_contact(tree, 0, sphere(0, 0, 30, 10), 0.0);
     CHECK(swallowed.angle_deg == doctest::Approx(360.0));
@@ -178,7 +179,7 @@ TEST_CASE("a lesion around a vessel covers all of it") {
     CHECK(measure::nearest_wall(tree, std::vector{0}, sleeve).distance_mm == doctest::Approx(0.3).epsilon(5e-3));
 }
 
-TEST_CASE("contacts with meshes agree with brute force along tapered, bent vessels") {
+TEST_CASE("contacts with meshes agree with brute force along tapered, bent vessels" * doctest::test_suite("slow")) {
     const VesselTree tree = vessel_along({{{-20, 1, 0}, 2.5}, {{-3, 0, 1}, 2.0}, {{6, 2, 0}, 1.6}, {{20, 8, -3}, 1.0}});
     auto mesh = test::icosphere(4, glm::dvec3(0.0), 1.0);
     for (glm::vec3& p : mesh.positions) p = glm::vec3(0, 4, 1) + glm::vec3(7.0F, 3.0F, 4.0F) * p;

@@ -86,7 +86,7 @@ TEST_CASE("distances to spheres agree with fine sampling along vessels at random
     }
 }
 
-TEST_CASE("the distance to a mesh is that to its nearest triangle, and 0 inside") {
+TEST_CASE("the distance to a mesh is that to its nearest triangle, and 0 inside" * doctest::test_suite("slow")) {
     std::mt19937 random(8);
     std::uniform_real_distribution<double> place(-3.0, 3.0);
     const mesh::TriangleMesh ball = test::icosphere(2, {0.3, -0.2, 0.1}, 1.5);

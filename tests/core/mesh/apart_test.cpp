@@ -157,7 +157,7 @@ TEST_CASE("a grown tree without contacts has the plain sum's surface, to the bit
     CHECK(apart == surface_with(tree, options));
 }
 
-TEST_CASE("away from contacts the surface is the plain sum's, to the bit") {
+TEST_CASE("away from contacts the surface is the plain sum's, to the bit" * doctest::test_suite("slow")) {
     // Packed trees, with forks and loops among what touches, and a real one.
     std::vector<std::pair<std::string, tree::VesselTree>> trees;
     for (const std::uint64_t seed : {1U, 2U, 5U}) trees.emplace_back(std::to_string(seed), test::packed_trees(seed));
@@ -186,7 +186,8 @@ TEST_CASE("away from contacts the surface is the plain sum's, to the bit") {
     }
 }
 
-TEST_CASE("where one side of a contact is hidden the other is the plain sum's, to the bit") {
+TEST_CASE("where one side of a contact is hidden the other is the plain sum's, to the bit" *
+          doctest::test_suite("slow")) {
     const tree::VesselTree tree = test::packed_trees(5);
     SurfaceOptions options;
     const tree::PreparedTree prepared = prepare_tree(tree, options);
@@ -231,7 +232,8 @@ TEST_CASE("with contacts too, threads and a second run give the same bits") {
     CHECK(surface_with(tree, options) == one);
 }
 
-TEST_CASE("with contacts too, what follows the tree is what is made from nothing, bit for bit") {
+TEST_CASE("with contacts too, what follows the tree is what is made from nothing, bit for bit" *
+          doctest::test_suite("slow")) {
     struct Case {
         std::uint64_t seed;
         int detail, smooth_passes;
@@ -275,7 +277,7 @@ TEST_CASE("with contacts too, what follows the tree is what is made from nothing
     }
 }
 
-TEST_CASE("contacts are apart at other widths, at one cell size, smoothed and pruned") {
+TEST_CASE("contacts are apart at other widths, at one cell size, smoothed and pruned" * doctest::test_suite("slow")) {
     for (const std::uint64_t seed : {1U, 4U}) {
         const tree::VesselTree tree = test::packed_trees(seed);
         std::vector<SurfaceOptions> all;
@@ -321,7 +323,7 @@ TEST_CASE("the thin gap between daughters of a fork is not bridged by cells that
 
 // What was found wrong once: bricks that did not agree whose a point is, since axes nearby are moved in one of them
 // only; single grid points that became pieces; vessels cut apart that are connected by way of a face's centre alone.
-TEST_CASE("contacts of many vessels at one place leave closed surfaces, and no specks") {
+TEST_CASE("contacts of many vessels at one place leave closed surfaces, and no specks" * doctest::test_suite("slow")) {
     struct Case {
         std::uint64_t seed;
         int detail;

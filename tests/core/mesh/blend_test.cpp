@@ -279,7 +279,8 @@ bool any_crossing(const tree::VesselTree& tree, const SurfaceOptions& options) {
 
 } // namespace
 
-TEST_CASE("the surface of trees that grow through each other has their pieces and loops") {
+TEST_CASE("the surface of trees that grow through each other has their pieces and loops" *
+          doctest::test_suite("slow")) {
     int merged = 0, exact = 0;
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         CAPTURE(seed);
@@ -301,7 +302,7 @@ TEST_CASE("the surface of trees that grow through each other has their pieces an
     CHECK(exact >= 6);
 }
 
-TEST_CASE("the surfaces of real trees have their pieces and loops") {
+TEST_CASE("the surfaces of real trees have their pieces and loops" * doctest::test_suite("slow")) {
     for (const auto& path : test::shared_trees()) {
         const std::string name = path.filename().string();
         CAPTURE(name);
@@ -322,7 +323,7 @@ TEST_CASE("the surfaces of real trees have their pieces and loops") {
     }
 }
 
-TEST_CASE("a loop beside a fork of the airways that their finest surface has is cut") {
+TEST_CASE("a loop beside a fork of the airways that their finest surface has is cut" * doctest::test_suite("slow")) {
     for (const auto& path : test::shared_trees()) {
         if (path.filename() != "airways_from_mask.swc") continue;
         const auto tree = io::read_tree(path);

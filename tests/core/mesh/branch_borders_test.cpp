@@ -12,7 +12,8 @@
 
 using namespace ramus;
 
-TEST_CASE("a vertex belongs to the branch that adds most to the field there, as clearly as it says") {
+TEST_CASE("a vertex belongs to the branch that adds most to the field there, as clearly as it says" *
+          doctest::test_suite("slow")) {
     const tree::VesselTree tree = test::grown_tree(150).value();
     Job job;
     const mesh::SurfaceOptions options{.blend = mesh::Blend::kPaper, .centerline = tree::Centerline::kLines};

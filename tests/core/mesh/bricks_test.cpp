@@ -64,7 +64,7 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<JoinedS
 
 } // namespace
 
-TEST_CASE("a brick's neighbours are those that a search of all bricks finds") {
+TEST_CASE("a brick's neighbours are those that a search of all bricks finds" * doctest::test_suite("slow")) {
     const Scene scene;
     const SurfaceOptions options;
     const test::BruteForceField witness(prepare_tree(scene.tree, options), options.width);

@@ -124,7 +124,8 @@ TEST_CASE("with every kernel two parallel vessels merge where its limit says") {
     }
 }
 
-TEST_CASE("with every kernel a grown tree has one closed surface, of the plain sum and along the tree") {
+TEST_CASE("with every kernel a grown tree has one closed surface, of the plain sum and along the tree" *
+          doctest::test_suite("slow")) {
     const tree::VesselTree tree = test::grown(31);
     for (const auto& kind : kKernelsToTry)
         for (const Blend blend : {Blend::kPaper, Blend::kTree}) {
@@ -141,7 +142,8 @@ TEST_CASE("with every kernel a grown tree has one closed surface, of the plain s
         }
 }
 
-TEST_CASE("along the tree, packed vessels have the pieces and loops of their axes with every kernel that is taken") {
+TEST_CASE("along the tree, packed vessels have the pieces and loops of their axes with every kernel that is taken" *
+          doctest::test_suite("slow")) {
     const tree::VesselTree tree = test::packed_trees(1);
     int taken = 0;
     for (const auto& kind : kKernelsToTry) {

@@ -188,7 +188,7 @@ TEST_CASE("what is told of loops does not depend on how many there are") {
     }
 }
 
-TEST_CASE("of thousands of loops the false one is found") {
+TEST_CASE("of thousands of loops the false one is found" * doctest::test_suite("slow")) {
     constexpr int kHoles = 50;
     Job job;
     TriangleMesh mesh = plate(kHoles);

@@ -87,13 +87,13 @@ void check_loop(const tree::VesselTree& tree, const glm::dvec2& hole, int detail
 
 } // namespace
 
-TEST_CASE("a ring that is nearly as thick as wide, or thicker, keeps its loop") {
+TEST_CASE("a ring that is nearly as thick as wide, or thicker, keeps its loop" * doctest::test_suite("slow")) {
     for (const double radius : {0.5, 0.9, 1.0, 1.05, 1.2})
         for (const int detail : {8, 16, 24}) check_loop(ring(radius), glm::dvec2(0.7 * radius), detail, 1);
     for (const int detail : {8, 16, 24}) check_loop(ring(1.5), glm::dvec2(1.0), detail, 0); // the field has this hole
 }
 
-TEST_CASE("vessels that part and meet again keep their loop, however close they are") {
+TEST_CASE("vessels that part and meet again keep their loop, however close they are" * doctest::test_suite("slow")) {
     for (const double apart : {0.4, 1.0, 2.0, 2.2})
         for (const int detail : {8, 16, 24}) check_loop(split(apart), {5.0, 0.25 * apart}, detail, 1);
     for (const int detail : {8, 16, 24}) check_loop(split(3.0), {5.0, 0.75}, detail, 0);

@@ -51,7 +51,8 @@ tree::VesselTree fork_of(const std::vector<glm::dvec3>& places, double radius, d
 
 } // namespace
 
-TEST_CASE("a surface is closed, and in one piece without loops, near the radius at which vessels merge") {
+TEST_CASE("a surface is closed, and in one piece without loops, near the radius at which vessels merge" *
+          doctest::test_suite("slow")) {
     for (const test::MergingShape& shape : test::merging_shapes())
         for (const auto centerline : {tree::Centerline::kLines, tree::Centerline::kSmooth})
             for (const Blend blend : {Blend::kTree, Blend::kPaper})
@@ -114,7 +115,7 @@ TEST_CASE("a speck is left out as a whole or not at all") {
                      plain_options(5.0, 12));
 }
 
-TEST_CASE("bricks agree on what is cut off where many vessels press on each other") {
+TEST_CASE("bricks agree on what is cut off where many vessels press on each other" * doctest::test_suite("slow")) {
     const auto path = test::shared_file("trees", "kidney_77922_segments.swc");
     if (!path) return;
     const auto kidney = io::read_tree(*path);
@@ -147,7 +148,7 @@ TEST_CASE("bricks agree on what is cut off where many vessels press on each othe
     }
 }
 
-TEST_CASE("a fork that another vessel threads keeps the loops of its tree") {
+TEST_CASE("a fork that another vessel threads keeps the loops of its tree" * doctest::test_suite("slow")) {
     int cut = 0;
     for (std::uint64_t seed = 20; seed < 60; ++seed) {
         CAPTURE(seed);

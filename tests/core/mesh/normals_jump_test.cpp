@@ -71,7 +71,8 @@ std::vector<double> jumps(const tree::VesselTree& tree, const mesh::SurfaceOptio
 
 } // namespace
 
-TEST_CASE("normals of smooth centerlines do not jump at the ends of segments of raw voxel data") {
+TEST_CASE("normals of smooth centerlines do not jump at the ends of segments of raw voxel data" *
+          doctest::test_suite("slow")) {
     constexpr std::size_t kEnds = 400;
     for (const std::string name :
          {"brain_BG001.swc", "brain_BG0002.swc", "airways_from_mask.swc", "kidney_77922_segments.swc"}) {

@@ -64,7 +64,8 @@ void check_update(mesh::Polygonizer& polygonizer, Follower& follower, const fiel
 
 } // namespace
 
-TEST_CASE("hiding and showing branches gives the surface made from nothing, bit for bit") {
+TEST_CASE("hiding and showing branches gives the surface made from nothing, bit for bit" *
+          doctest::test_suite("slow")) {
     const tree::VesselTree tree = test::grown(150);
     for (const double cell : {0.0, 0.5}) {
         mesh::PolygonizeOptions options;
@@ -87,7 +88,8 @@ TEST_CASE("hiding and showing branches gives the surface made from nothing, bit 
     }
 }
 
-TEST_CASE("pruning, smoothing, width and detail give the surface made from nothing, bit for bit") {
+TEST_CASE("pruning, smoothing, width and detail give the surface made from nothing, bit for bit" *
+          doctest::test_suite("slow")) {
     const tree::VesselTree tree = test::grown(120);
     mesh::Polygonizer polygonizer;
     Follower follower;

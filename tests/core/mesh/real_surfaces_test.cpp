@@ -53,7 +53,7 @@ constexpr std::size_t kSamples = 4000;
 
 } // namespace
 
-TEST_CASE("surfaces of real trees are closed manifolds on the isosurface") {
+TEST_CASE("surfaces of real trees are closed manifolds on the isosurface" * doctest::test_suite("slow")) {
     for (const auto& path : test::shared_trees()) {
         CAPTURE(path.filename().string());
         const auto tree = io::read_tree(path);
@@ -109,7 +109,8 @@ TEST_CASE("surfaces of real trees are closed manifolds on the isosurface") {
 }
 
 // The sides of a wall may meet before they are parted: untangle_test.cpp.
-TEST_CASE("next to no triangles intersect away from walls, where branches touch and where cells change their size") {
+TEST_CASE("next to no triangles intersect away from walls, where branches touch and where cells change their size" *
+          doctest::test_suite("slow")) {
     constexpr std::size_t kTrianglesForOne = 50000;
     struct Row {
         const char* name;
@@ -145,7 +146,8 @@ TEST_CASE("next to no triangles intersect away from walls, where branches touch 
         }
 }
 
-TEST_CASE("real trees with radii far too large have surfaces with their pieces and loops, and nothing intersects") {
+TEST_CASE("real trees with radii far too large have surfaces with their pieces and loops, and nothing intersects" *
+          doctest::test_suite("slow")) {
     // A loop of the first is within a branch that bends until it touches itself.
     for (const char* name : {"brain_BG001.swc", "brain_BG05.swc", "brain_BG0002.swc", "airways_from_mask.swc"}) {
         const auto path = test::shared_file("trees", name);
@@ -163,7 +165,7 @@ TEST_CASE("real trees with radii far too large have surfaces with their pieces a
     }
 }
 
-TEST_CASE("one thread and two give the same bits, and so does a second run") {
+TEST_CASE("one thread and two give the same bits, and so does a second run" * doctest::test_suite("slow")) {
     for (const auto& path : test::shared_trees()) {
         CAPTURE(path.filename().string());
         const auto tree = io::read_tree(path);

@@ -71,7 +71,7 @@ TEST_CASE("a subtree is joined after all that it touches are filled, and let go 
     }
 }
 
-TEST_CASE("a surface on the disk is the one in memory") {
+TEST_CASE("a surface on the disk is the one in memory" * doctest::test_suite("slow")) {
     const TemporaryFolder folder;
     const auto pages = std::make_shared<DiskPages>(folder.path() / "surface.stl", 1e9);
     const field::Field field = mesh::make_field(test::grown(400), {}, {});

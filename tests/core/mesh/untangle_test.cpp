@@ -276,7 +276,8 @@ TEST_CASE("sides that touch where nothing folds are drawn apart, at places where
     CHECK(test::intersecting_triangles(two).empty());
 }
 
-TEST_CASE("surfaces of packed trees do not go through themselves, nor do caps where loops are cut") {
+TEST_CASE("surfaces of packed trees do not go through themselves, nor do caps where loops are cut" *
+          doctest::test_suite("slow")) {
     mesh::SurfaceOptions options;
     for (const int seed : {25, 26, 43}) { // 26: walls alone, whose sides meet
         CAPTURE(seed);
@@ -290,7 +291,7 @@ TEST_CASE("surfaces of packed trees do not go through themselves, nor do caps wh
     }
 }
 
-TEST_CASE("surfaces of real trees do not go through themselves") {
+TEST_CASE("surfaces of real trees do not go through themselves" * doctest::test_suite("slow")) {
     std::size_t found = 0, trees = 0;
     for (const auto& path : test::shared_trees()) {
         CAPTURE(path.filename().string());

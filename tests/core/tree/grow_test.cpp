@@ -150,7 +150,7 @@ std::uint64_t fingerprint(const GrownTree& tree) {
 
 } // namespace
 
-TEST_CASE("a grown tree has exactly the branches asked for") {
+TEST_CASE("a grown tree has exactly the branches asked for" * doctest::test_suite("slow")) {
     for (const int branches : {1, 3, 4, 5, 6, 7, 8, 9, 10, 31, 32, 99, 100, 1503, 1504}) {
         CAPTURE(branches);
         const Grown tree = grown(of(branches));
@@ -184,7 +184,7 @@ TEST_CASE("Murray's law holds at every fork of a grown tree, and the stem has th
     }
 }
 
-TEST_CASE("vessels of a grown tree touch at joints only") {
+TEST_CASE("vessels of a grown tree touch at joints only" * doctest::test_suite("slow")) {
     for (const std::uint64_t seed : {1, 2, 3, 4}) CHECK(forbidden_contacts(grown(of(1504, seed))) == 0);
     CHECK(forbidden_contacts(grown(of(100, 9))) == 0);
     GrowOptions winding = of(501, 5);
@@ -284,7 +284,7 @@ TEST_CASE("growing is repeatable to the last bit, and the seed matters") {
     CHECK(first != fingerprint(grown(of(1504, 8))));
 }
 
-TEST_CASE("thirty thousand branches keep every promise") {
+TEST_CASE("thirty thousand branches keep every promise" * doctest::test_suite("slow")) {
     const Grown tree = grown(of(30000, 1));
     CHECK(tree.ends.size() == 30000);
     CHECK(forbidden_contacts(tree) == 0);

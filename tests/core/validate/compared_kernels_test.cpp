@@ -37,7 +37,8 @@ TEST_CASE("line integrals do not bulge where a vessel is cut in two, and half of
     }
 }
 
-TEST_CASE("of a tree whose vessels come close, kernels merge more the farther they blend, and radii are off by more") {
+TEST_CASE("of a tree whose vessels come close, kernels merge more the farther they blend, and radii are off by more" *
+          doctest::test_suite("slow")) {
     // A fork, and a vessel that passes it at a closeness of 1.25: 2.5 mm between the axes.
     const tree::VesselTree tree = test::built_tree({{{-20.0, 0.0, 0.0}, 1.0},
                                                     {{0.0, 0.0, 0.0}, 1.0},

@@ -336,7 +336,8 @@ int check_widths_and_positions(const VesselTree& tree, std::size_t most) {
 
 } // namespace
 
-TEST_CASE("validation: of a real tree a branch of another width, or elsewhere, is found, and nothing else") {
+TEST_CASE("validation: of a real tree a branch of another width, or elsewhere, is found, and nothing else" *
+          doctest::test_suite("slow")) {
     const auto path = test::shared_file("trees", "brain_BG0003.swc");
     if (!path) return;
     const auto tree = io::read_tree(*path);
@@ -344,14 +345,14 @@ TEST_CASE("validation: of a real tree a branch of another width, or elsewhere, i
     CHECK(check_widths_and_positions(*tree, 3) >= 2);
 }
 
-TEST_CASE("validation: of a grown tree the leaf that is gone is lost, and no other") {
+TEST_CASE("validation: of a grown tree the leaf that is gone is lost, and no other" * doctest::test_suite("slow")) {
     for (const std::uint64_t seed : {1, 2, 3}) {
         CAPTURE(seed);
         check_lost_leaves(test::grown(kGrownBranches, seed), 4);
     }
 }
 
-TEST_CASE("validation: on a grown tree a ghost is found in its middle") {
+TEST_CASE("validation: on a grown tree a ghost is found in its middle" * doctest::test_suite("slow")) {
     int checked = 0;
     for (const std::uint64_t seed : {1, 2, 3}) {
         CAPTURE(seed);
@@ -360,7 +361,7 @@ TEST_CASE("validation: on a grown tree a ghost is found in its middle") {
     CHECK(checked >= 8);
 }
 
-TEST_CASE("validation: on a grown tree filled stenoses are found") {
+TEST_CASE("validation: on a grown tree filled stenoses are found" * doctest::test_suite("slow")) {
     for (const std::uint64_t seed : {1, 2, 3}) {
         CAPTURE(seed);
         CHECK(check_stenoses(test::grown(kGrownBranches, seed), 5) >= 6);
@@ -369,13 +370,14 @@ TEST_CASE("validation: on a grown tree filled stenoses are found") {
 
 // With a slope of 0.05 a stenosis of 20 % over 3 diameters, 18 mm, is no minimum that is 10 %
 // below what lies beyond it: 3 - 0.05 * 9 = 2.55 against 2.4 in its middle.
-TEST_CASE("validation: filled stenoses of vessels that taper are found") {
+TEST_CASE("validation: filled stenoses of vessels that taper are found" * doctest::test_suite("slow")) {
     for (const double slope : {0.0, 0.02, 0.04, 0.06})
         for (const double share : {0.2, 0.5, 0.8})
             for (const double diameters : {2.0, 3.0, 5.0}) check_on_slope(slope, share, diameters);
 }
 
-TEST_CASE("validation: on a grown tree vessels fused by the paper's sum are merged, and apart by default") {
+TEST_CASE("validation: on a grown tree vessels fused by the paper's sum are merged, and apart by default" *
+          doctest::test_suite("slow")) {
     int checked = 0;
     for (const std::uint64_t seed : {1, 2, 3}) {
         const VesselTree tree = test::grown(kGrownBranches, seed);
@@ -396,7 +398,7 @@ TEST_CASE("validation: on a grown tree vessels fused by the paper's sum are merg
     CHECK(checked >= 4);
 }
 
-TEST_CASE("validation: damage of a real tree is found where it is") {
+TEST_CASE("validation: damage of a real tree is found where it is" * doctest::test_suite("slow")) {
     const auto path = test::shared_file("trees", "brain_BG0003.swc");
     if (!path) return;
     const auto tree = io::read_tree(*path);

@@ -211,7 +211,7 @@ TEST_CASE("validation: the radius of another surface is asked for at the same pl
     CHECK_FALSE(validate::radii_in(surface, found.radii, {}, job));
 }
 
-TEST_CASE("validation: real trees lose nothing and get nothing that is false") {
+TEST_CASE("validation: real trees lose nothing and get nothing that is false" * doctest::test_suite("slow")) {
     for (const auto& path : test::shared_trees()) {
         if (path.stem().string().starts_with("kidney")) continue; // takes minutes under sanitizers
         auto tree = io::read_tree(path);

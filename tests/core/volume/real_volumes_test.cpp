@@ -35,7 +35,7 @@ constexpr Known kKnown[] = {{"liver_002_vessels.nii.gz", {512, 512, 66}, {0.951,
 
 } // namespace
 
-TEST_CASE("surfaces of real masks have their pieces, tunnels and cavities") {
+TEST_CASE("surfaces of real masks have their pieces, tunnels and cavities" * doctest::test_suite("slow")) {
     for (const Known& known : kKnown) {
         const auto path = test::shared_volume(known.name);
         if (!path) continue;
@@ -148,7 +148,7 @@ TEST_CASE("the labels of a ring of arteries are all there, each with a closed su
     CHECK(test::topology(*mesh).closed_manifold());
 }
 
-TEST_CASE("a real volume that was cut short is refused, wherever it was cut") {
+TEST_CASE("a real volume that was cut short is refused, wherever it was cut" * doctest::test_suite("slow")) {
     const TemporaryFolder folder;
     for (const char* name :
          {"liver_002_vessels.nii.gz", "liver_002_organ.nii.gz", "airways_lumen.nii.gz", "airways_flipped.nrrd",

@@ -211,7 +211,8 @@ TEST_CASE("who asks what lies under a pixel is told of nothing where there is no
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they want all addresses that there are
-TEST_CASE("a picture that the processor has no memory to cast is an error, and the next one is drawn") {
+TEST_CASE("a picture that the processor has no memory to cast is an error, and the next one is drawn" *
+          doctest::test_suite("slow")) {
     const test::WatchedContext context;
     const auto renderer = Renderer::create().value(), other = Renderer::create().value();
     const Frame frame = test::tube(3.0F);

@@ -67,7 +67,7 @@ Compared compared(const Image& first, const Image& second, const BranchPicture& 
 
 } // namespace
 
-TEST_CASE("vessels that overlap look the same while the view moves") {
+TEST_CASE("vessels that overlap look the same while the view moves" * doctest::test_suite("slow")) {
     for (const double radius : {4.0, 2.0}) {
         for (const double share : {0.5, 0.75, 1.0}) {
             CAPTURE(radius);
@@ -97,7 +97,7 @@ TEST_CASE("vessels that overlap look the same while the view moves") {
     }
 }
 
-TEST_CASE("a wall between vessels of glass is one layer") {
+TEST_CASE("a wall between vessels of glass is one layer" * doctest::test_suite("slow")) {
     for (const GlVersion version : {GlVersion{99, 0}, GlVersion{3, 3}}) {
         CAPTURE(version.text());
         const ramus::test::WatchedContext context(version);

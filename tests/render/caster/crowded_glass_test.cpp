@@ -45,7 +45,8 @@ DrawStatistics move_to(Renderer& renderer, Frame frame) {
 
 } // namespace
 
-TEST_CASE("of glass one cone stands for segments far shorter than pixels, and looks like them") {
+TEST_CASE("of glass one cone stands for segments far shorter than pixels, and looks like them" *
+          doctest::test_suite("slow")) {
     constexpr std::uint32_t kSegments = 256;
     std::vector<ramus::tree::Point> points;
     std::vector<ramus::tree::Edge> edges;

@@ -62,7 +62,7 @@ double apart_on_vessels(const Image& picture, const Image& other, const BranchPi
 
 } // namespace
 
-TEST_CASE("cones stand in for the surface while the view moves, and look like it") {
+TEST_CASE("cones stand in for the surface while the view moves, and look like it" * doctest::test_suite("slow")) {
     for (const bool orthographic : {false, true}) {
         CAPTURE(orthographic);
         Scene still(orthographic), moving(orthographic);
@@ -151,7 +151,8 @@ TEST_CASE("of a convolution surface the cones have the field's normals") {
     CHECK(apart < 2.0); // 16 where the normals' depth is turned round
 }
 
-TEST_CASE("a surface that is not there yet is seen along its centerlines, in the first picture too") {
+TEST_CASE("a surface that is not there yet is seen along its centerlines, in the first picture too" *
+          doctest::test_suite("slow")) {
     Scene awaiting(false), still(false);
     still.frame.quality = Quality::kFull;
     CHECK(still.draw().triangles > 100'000);
@@ -344,7 +345,7 @@ int pointed_elsewhere(Renderer& a, Renderer& b) {
     return count;
 }
 
-TEST_CASE("every look is the same while the view moves") {
+TEST_CASE("every look is the same while the view moves" * doctest::test_suite("slow")) {
     for (const bool orthographic : {false, true}) {
         Scene still(orthographic), moving(orthographic);
         const Camera there = turned(still.frame.camera, 24.0, 12.0);
@@ -389,7 +390,8 @@ TEST_CASE("what is around the eye is cut off before it, not left out") {
     CHECK(4.0 * double(veiled) > 0.97 * double(within.rgba.size())); // but where the hole is
 }
 
-TEST_CASE("what is selected shows its outline through what hides it, while the view moves, too") {
+TEST_CASE("what is selected shows its outline through what hides it, while the view moves, too" *
+          doctest::test_suite("slow")) {
     Scene scene(false);
     scene.frame.selected = {0};
     scene.draw();

@@ -35,7 +35,7 @@ ramus::tree::VesselTree fan() {
 } // namespace
 
 // The resting picture's normals are those of its triangles at the pixels' middles, where those often do not reach.
-TEST_CASE("thin vessels look while the view moves as they do at rest") {
+TEST_CASE("thin vessels look while the view moves as they do at rest" * doctest::test_suite("slow")) {
     const ramus::test::WatchedContext context(GlVersion{99, 0});
     const auto still = Renderer::create().value(), moving = Renderer::create().value();
     ramus::mesh::SurfaceOptions options;

@@ -32,7 +32,7 @@ Image picture(WatchedContext& context) {
 
 } // namespace
 
-TEST_CASE("EGL and OSMesa give the same picture") {
+TEST_CASE("EGL and OSMesa give the same picture" * doctest::test_suite("slow")) {
     {
         const auto there = make_egl_context();
         if (!there) {

@@ -162,7 +162,7 @@ Image draw(const Frame& frame, GlVersion newest) {
 
 } // namespace
 
-TEST_CASE("OpenGL 3.3 and 4.3 draw what 4.5 draws") {
+TEST_CASE("OpenGL 3.3 and 4.3 draw what 4.5 draws" * doctest::test_suite("slow")) {
     for (const bool orthographic : {false, true})
         for (const Case& one : kCases) {
             CAPTURE(one.name);

@@ -43,7 +43,7 @@ Frame seen_from_behind() {
 
 } // namespace
 
-TEST_CASE("a border between two branches is the plane between them, to the pixel") {
+TEST_CASE("a border between two branches is the plane between them, to the pixel" * doctest::test_suite("slow")) {
     for (const GlVersion version : {GlVersion{4, 5}, GlVersion{3, 3}}) {
         CAPTURE(version.text());
         const ramus::test::WatchedContext context(version);

@@ -18,7 +18,8 @@ using namespace ramus::test;
 
 using Scene = ramus::test::BesideScene;
 
-TEST_CASE("an opaque context mesh hides vessels, glass and lines behind it, and is hidden by what lies before it") {
+TEST_CASE("an opaque context mesh hides vessels, glass and lines behind it, and is hidden by what lies before it" *
+          doctest::test_suite("slow")) {
     for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}})
         for (const BranchState state : {BranchState::kNormal, BranchState::kDefocused}) {
             CAPTURE(newest.text());
@@ -51,7 +52,7 @@ TEST_CASE("an opaque context mesh hides vessels, glass and lines behind it, and 
         }
 }
 
-TEST_CASE("who has no time sees large context a little later, and then as at once") {
+TEST_CASE("who has no time sees large context a little later, and then as at once" * doctest::test_suite("slow")) {
     for (const float opacity : {1.0F, 0.5F})
         for (const bool lines : {false, true}) {
             CAPTURE(opacity);
@@ -99,7 +100,8 @@ TEST_CASE("a large mesh beside the tree is drawn in parts, each of so many trian
     CHECK(triangles == mesh.triangles.size());
 }
 
-TEST_CASE("a clear context mesh veils what lies behind it as reckoned by hand, and vessels are picked through it") {
+TEST_CASE("a clear context mesh veils what lies behind it as reckoned by hand, and vessels are picked through it" *
+          doctest::test_suite("slow")) {
     for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}})
         for (const BranchState state : {BranchState::kNormal, BranchState::kDefocused, BranchState::kHidden})
             for (const float opacity : {0.2F, 0.6F}) {
@@ -154,7 +156,8 @@ TEST_CASE("a clear context mesh veils what lies behind it as reckoned by hand, a
             }
 }
 
-TEST_CASE("lines of triangles that reach beyond the picture are where they are, also where its corners cut them") {
+TEST_CASE("lines of triangles that reach beyond the picture are where they are, also where its corners cut them" *
+          doctest::test_suite("slow")) {
     for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}})
         for (const bool flat : {true, false}) {
             CAPTURE(newest.text());
@@ -191,7 +194,7 @@ TEST_CASE("lines of triangles that reach beyond the picture are where they are, 
         }
 }
 
-TEST_CASE("the order of triangles and of meshes makes no difference to clear context") {
+TEST_CASE("the order of triangles and of meshes makes no difference to clear context" * doctest::test_suite("slow")) {
     for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}}) {
         Scene scene(newest);
         scene.frame.states[0] = BranchState::kDefocused;
@@ -215,7 +218,8 @@ TEST_CASE("the order of triangles and of meshes makes no difference to clear con
     }
 }
 
-TEST_CASE("lines are as wide as they say, hidden by what lies before them, and on both sides of an open mesh") {
+TEST_CASE("lines are as wide as they say, hidden by what lies before them, and on both sides of an open mesh" *
+          doctest::test_suite("slow")) {
     for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}})
         for (const float ratio : {1.0F, 2.0F})
             for (const bool turned_round : {false, true}) {
@@ -255,7 +259,8 @@ TEST_CASE("lines are as wide as they say, hidden by what lies before them, and o
             }
 }
 
-TEST_CASE("an open context mesh is seen from behind as well, one that is inside out is turned") {
+TEST_CASE("an open context mesh is seen from behind as well, one that is inside out is turned" *
+          doctest::test_suite("slow")) {
     Scene scene;
     scene.frame.states[0] = BranchState::kHidden;
     const Image nothing = scene.picture();
@@ -290,7 +295,8 @@ TEST_CASE("an open context mesh is seen from behind as well, one that is inside 
     }
 }
 
-TEST_CASE("another colour or opacity draws no triangles again, and context needs no tree") {
+TEST_CASE("another colour or opacity draws no triangles again, and context needs no tree" *
+          doctest::test_suite("slow")) {
     Scene scene;
     scene.add_sphere(0.3F);
     CHECK(scene.draw().geometry);
@@ -314,7 +320,8 @@ TEST_CASE("another colour or opacity draws no triangles again, and context needs
     }
 }
 
-TEST_CASE("context stays while the view moves, cast along centerlines or, without them, drawn more coarsely") {
+TEST_CASE("context stays while the view moves, cast along centerlines or, without them, drawn more coarsely" *
+          doctest::test_suite("slow")) {
     for (const bool with_lines : {true, false}) {
         CAPTURE(with_lines);
         Scene scene;

@@ -22,7 +22,7 @@ DepthMap answer(Renderer& renderer) {
 
 } // namespace
 
-TEST_CASE("depths say of a pixel what a pick says, of every kind of picture") {
+TEST_CASE("depths say of a pixel what a pick says, of every kind of picture" * doctest::test_suite("slow")) {
     for (const GlVersion version : {GlVersion{99, 0}, GlVersion{3, 3}})
         for (const bool orthographic : {false, true})
             for (const Quality quality : {Quality::kFull, Quality::kInteractive}) {

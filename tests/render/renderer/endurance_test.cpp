@@ -100,7 +100,7 @@ template <class Cycle> void check_flat(const char* what, const Cycle& cycle) {
 
 } // namespace
 
-TEST_CASE("a thousand trees opened and closed leave nothing behind") {
+TEST_CASE("a thousand trees opened and closed leave nothing behind" * doctest::test_suite("slow")) {
     for (const GlVersion version : {kFull, kFloor}) {
         CAPTURE(version.text());
         const WatchedContext context(version);
@@ -118,7 +118,7 @@ TEST_CASE("a thousand trees opened and closed leave nothing behind") {
     }
 }
 
-TEST_CASE("a thousand renderers made and gone leave nothing behind") {
+TEST_CASE("a thousand renderers made and gone leave nothing behind" * doctest::test_suite("slow")) {
     const WatchedContext context;
     check_flat("a renderer each time", [&](int i) {
         const auto renderer = Renderer::create();
@@ -129,7 +129,7 @@ TEST_CASE("a thousand renderers made and gone leave nothing behind") {
     CHECK(objects_in_gl() == 0);
 }
 
-TEST_CASE("a picture shrinks to one pixel, to none, and comes back") {
+TEST_CASE("a picture shrinks to one pixel, to none, and comes back" * doctest::test_suite("slow")) {
     for (const GlVersion version : {kFull, kFloor}) {
         const WatchedContext context(version);
         const auto renderer = Renderer::create();
@@ -169,7 +169,7 @@ TEST_CASE("a renderer that memory is not enough for says so") {
     CHECK(gl_objects_alive() == 0);
 }
 
-TEST_CASE("where graphics memory runs out a message says so, and drawing goes on") {
+TEST_CASE("where graphics memory runs out a message says so, and drawing goes on" * doctest::test_suite("slow")) {
     for (const GlVersion version : {kFull, kFloor}) {
         CAPTURE(version.text());
         const WatchedContext context(version);

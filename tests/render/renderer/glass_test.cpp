@@ -164,7 +164,8 @@ glm::dvec4 veil_of_glass(const Appearance& look, const glm::dvec3& normal, const
 
 } // namespace
 
-TEST_CASE("glass is composited as a ray through the same triangles says, perspective or not") {
+TEST_CASE("glass is composited as a ray through the same triangles says, perspective or not" *
+          doctest::test_suite("slow")) {
     for (const bool orthographic : {false, true}) {
         CAPTURE(orthographic);
         GlassScene scene(orthographic, kGlassBytes, {1280, 960}); // a highlight spans many pixels
@@ -229,7 +230,8 @@ TEST_CASE("the order of triangles makes no difference to glass") {
     }
 }
 
-TEST_CASE("glass that does not fit into its memory is drawn in bands, with the same pixels") {
+TEST_CASE("glass that does not fit into its memory is drawn in bands, with the same pixels" *
+          doctest::test_suite("slow")) {
     if (const ramus::test::WatchedContext any; !gl_has_lists()) return; // no lists, no bands
     GlassScene scene(false);
     const Image whole = scene.draw();

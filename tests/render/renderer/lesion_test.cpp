@@ -47,7 +47,8 @@ constexpr std::array<Position, 3> kPositions{
 
 } // namespace
 
-TEST_CASE("a lesion before, inside and behind vessels and glass is laid over and under them as reckoned by hand") {
+TEST_CASE("a lesion before, inside and behind vessels and glass is laid over and under them as reckoned by hand" *
+          doctest::test_suite("slow")) {
     for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}})
         for (const BranchState state : {BranchState::kNormal, BranchState::kDefocused}) {
             BesideScene scene(newest);
@@ -99,7 +100,8 @@ TEST_CASE("a lesion before, inside and behind vessels and glass is laid over and
         }
 }
 
-TEST_CASE("beyond the last margin a vessel looks as it does without margins, and within the first it does not") {
+TEST_CASE("beyond the last margin a vessel looks as it does without margins, and within the first it does not" *
+          doctest::test_suite("slow")) {
     for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}}) {
         BesideScene scene(newest);
         scene.frame.colours = {{0.3F, 0.4F, 0.9F}};
@@ -112,7 +114,8 @@ TEST_CASE("beyond the last margin a vessel looks as it does without margins, and
     }
 }
 
-TEST_CASE("a lesion close to the eye fills the picture to its corners, whatever triangles they cut") {
+TEST_CASE("a lesion close to the eye fills the picture to its corners, whatever triangles they cut" *
+          doctest::test_suite("slow")) {
     for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}})
         for (const double eye : {10.5, 12.0, 14.0, 17.0}) {
             CAPTURE(newest.text());
@@ -134,7 +137,8 @@ TEST_CASE("a lesion close to the eye fills the picture to its corners, whatever 
         }
 }
 
-TEST_CASE("lesions are picked before, inside and behind glass, and hidden by opaque vessels and context") {
+TEST_CASE("lesions are picked before, inside and behind glass, and hidden by opaque vessels and context" *
+          doctest::test_suite("slow")) {
     for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}})
         for (const BranchState state : {BranchState::kNormal, BranchState::kDefocused})
             for (const Position& at : kPositions)
@@ -167,7 +171,8 @@ TEST_CASE("lesions are picked before, inside and behind glass, and hidden by opa
                 }
 }
 
-TEST_CASE("the order of triangles and of lesions makes no difference, nor does OpenGL's version") {
+TEST_CASE("the order of triangles and of lesions makes no difference, nor does OpenGL's version" *
+          doctest::test_suite("slow")) {
     std::vector<Image> versions;
     for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}}) {
         BesideScene scene(newest);

@@ -56,7 +56,8 @@ TEST_CASE("work in parts ends with its result, or throws") {
     (void)counted(3, false); // never begun
 }
 
-TEST_CASE("a picture made in parts is the one made at once, and the one before stays until then") {
+TEST_CASE("a picture made in parts is the one made at once, and the one before stays until then" *
+          doctest::test_suite("slow")) {
     for (const GlVersion version : {GlVersion{99, 0}, GlVersion{3, 3}})
         for (const bool glass : {false, true}) {
             CAPTURE(version.major);
@@ -80,7 +81,8 @@ TEST_CASE("a picture made in parts is the one made at once, and the one before s
         }
 }
 
-TEST_CASE("a picture of another size comes in parts, too, and the one before stays until then") {
+TEST_CASE("a picture of another size comes in parts, too, and the one before stays until then" *
+          doctest::test_suite("slow")) {
     const PartsScene scene;
     (void)scene.draw(scene.frame);
     const Image first = scene.renderer->read_image();
@@ -115,7 +117,7 @@ TEST_CASE("the first picture comes in parts, too, for who can wait for it") {
     CHECK(largest_difference(other->read_image(), scene.renderer->read_image()) == 0);
 }
 
-TEST_CASE("two renderers make their pictures by turns") {
+TEST_CASE("two renderers make their pictures by turns" * doctest::test_suite("slow")) {
     const PartsScene scene;
     const auto other = Renderer::create().value();
     const Frame one = scene.seen_from(View::kSuperior);
@@ -137,7 +139,7 @@ TEST_CASE("two renderers make their pictures by turns") {
     }
 }
 
-TEST_CASE("a picture that is left unfinished leaves nothing behind") {
+TEST_CASE("a picture that is left unfinished leaves nothing behind" * doctest::test_suite("slow")) {
     const PartsScene scene;
     const Frame before = scene.frame;
     Frame recoloured = before;
@@ -164,7 +166,7 @@ TEST_CASE("a picture that is left unfinished leaves nothing behind") {
     }
 }
 
-TEST_CASE("what is pointed at or recoloured meanwhile is so in the picture") {
+TEST_CASE("what is pointed at or recoloured meanwhile is so in the picture" * doctest::test_suite("slow")) {
     const PartsScene scene;
     Frame wanted = scene.seen_from(View::kSuperior);
     Frame hovered = wanted;
@@ -183,7 +185,7 @@ TEST_CASE("what is pointed at or recoloured meanwhile is so in the picture") {
     CHECK(largest_difference(scene.renderer->read_image(), at_once) == 0);
 }
 
-TEST_CASE("who asks what is under the pointer waits for the picture") {
+TEST_CASE("who asks what is under the pointer waits for the picture" * doctest::test_suite("slow")) {
     const PartsScene scene;
     const Frame wanted = scene.seen_from(View::kSuperior);
     (void)scene.draw(wanted);
@@ -218,7 +220,8 @@ TEST_CASE("memory that runs out between parts is told, and the next picture is d
     CHECK(scene.draw(wanted).shaded);
 }
 
-TEST_CASE("what a pixel of the picture before showed is known while the next one is drawn, and after it") {
+TEST_CASE("what a pixel of the picture before showed is known while the next one is drawn, and after it" *
+          doctest::test_suite("slow")) {
     for (const GlVersion version : {GlVersion{99, 0}, GlVersion{3, 3}}) {
         CAPTURE(version.major);
         const PartsScene scene(version);

@@ -71,7 +71,7 @@ double apart(const std::vector<double>& wanted, const std::vector<double>& found
 
 } // namespace
 
-TEST_CASE("a refined picture has four times the samples at its edges") {
+TEST_CASE("a refined picture has four times the samples at its edges" * doctest::test_suite("slow")) {
     for (const bool orthographic : {false, true}) {
         CAPTURE(orthographic);
         const RefinedScene scene;
@@ -89,7 +89,7 @@ TEST_CASE("a refined picture has four times the samples at its edges") {
     }
 }
 
-TEST_CASE("refining takes as many calls as it likes, and ends") {
+TEST_CASE("refining takes as many calls as it likes, and ends" * doctest::test_suite("slow")) {
     for (const Kind& kind : kKinds) {
         CAPTURE(kind.glass);
         CAPTURE(kind.version.major);
@@ -124,7 +124,7 @@ TEST_CASE("refining takes as many calls as it likes, and ends") {
     }
 }
 
-TEST_CASE("what is under a pixel stays what it is while a picture is refined") {
+TEST_CASE("what is under a pixel stays what it is while a picture is refined" * doctest::test_suite("slow")) {
     for (const GlVersion version : {GlVersion{99, 0}, GlVersion{3, 3}}) {
         const RefinedScene scene(version);
         (void)scene.draw(scene.frame);
@@ -143,7 +143,7 @@ TEST_CASE("what is under a pixel stays what it is while a picture is refined") {
     }
 }
 
-TEST_CASE("refining stops for whatever is wanted next, and leaves nothing behind") {
+TEST_CASE("refining stops for whatever is wanted next, and leaves nothing behind" * doctest::test_suite("slow")) {
     const RefinedScene scene;
     const Frame plain = scene.frame, glass = with_glass(scene.frame);
     Frame hovered = plain, small = plain, quick = plain;
@@ -165,7 +165,7 @@ TEST_CASE("refining stops for whatever is wanted next, and leaves nothing behind
     CHECK_FALSE(Renderer::create().value()->refine()->more);
 }
 
-TEST_CASE("where memory runs out a picture stays as it is, and the next one is drawn") {
+TEST_CASE("where memory runs out a picture stays as it is, and the next one is drawn" * doctest::test_suite("slow")) {
     for (const Kind& kind : kKinds) {
         CAPTURE(kind.glass);
         CAPTURE(kind.version.major);
@@ -190,7 +190,8 @@ TEST_CASE("where memory runs out a picture stays as it is, and the next one is d
     }
 }
 
-TEST_CASE("a finer picture that there is no memory to show is an error, and the next one is drawn") {
+TEST_CASE("a finer picture that there is no memory to show is an error, and the next one is drawn" *
+          doctest::test_suite("slow")) {
     const ramus::test::WatchedContext context;
     const auto renderer = Renderer::create().value();
     Frame frame = ramus::test::tube(4.0F);

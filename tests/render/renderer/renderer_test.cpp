@@ -203,7 +203,7 @@ TEST_CASE("presenting copies the picture, which itself stays untouched") {
     CHECK(scene.renderer->read_image() == image);
 }
 
-TEST_CASE("empty scenes, odd sizes and impossible ones") {
+TEST_CASE("empty scenes, odd sizes and impossible ones" * doctest::test_suite("slow")) {
     SmallTree scene({1, 1});
     CHECK(scene.draw().width == 1);
     scene.frame.size = {333, 77};
@@ -251,7 +251,7 @@ TEST_CASE("the small tree looks as it did when people last looked at it") {
     CHECK_MESSAGE(alike, comparison->differing, " pixels differ; see ", folder.string());
 }
 
-TEST_CASE("pointing elsewhere gives the very picture that drawing it all gives") {
+TEST_CASE("pointing elsewhere gives the very picture that drawing it all gives" * doctest::test_suite("slow")) {
     SmallTree scene, fresh;
     const auto same = [&](int hovered, std::vector<int> dependents) {
         scene.frame.hovered = hovered;

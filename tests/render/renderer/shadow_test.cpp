@@ -107,7 +107,7 @@ double hidden_at(double below_edge, double edge, double angle) {
 
 } // namespace
 
-TEST_CASE("a shadow ends where its tangent says, as softly everywhere along its edge") {
+TEST_CASE("a shadow ends where its tangent says, as softly everywhere along its edge" * doctest::test_suite("slow")) {
     for (const double degrees : {0.0, 17.0, 40.0}) {
         const double angle = degrees / 180.0 * std::numbers::pi;
         ShadowScene scene(angle);

@@ -250,7 +250,8 @@ TEST_CASE("beside a line either picture is what it is, and draws no frame again"
     }
 }
 
-TEST_CASE("fading is the mean of linear light, exact at both ends, and draws no frame again") {
+TEST_CASE("fading is the mean of linear light, exact at both ends, and draws no frame again" *
+          doctest::test_suite("slow")) {
     for (const GlVersion version : {GlVersion{99, 0}, GlVersion{3, 3}}) {
         CAPTURE(version.text());
         const WatchedContext context(version);

@@ -61,7 +61,8 @@ TEST_CASE("rings stand evenly along a branch and across it") {
     CHECK(skeleton_rings(lines).empty());
 }
 
-TEST_CASE("the skeleton lies where it belongs, over what rests and what moves, and not on hidden branches") {
+TEST_CASE("the skeleton lies where it belongs, over what rests and what moves, and not on hidden branches" *
+          doctest::test_suite("slow")) {
     Image newest;
     for (const GlVersion version : {GlVersion{99, 0}, GlVersion{3, 3}}) {
         CAPTURE(version.text());

@@ -46,7 +46,8 @@ Image in_one_colour(SmallTree& scene, const glm::vec3& colour) {
 
 } // namespace
 
-TEST_CASE("a surface of one value has the colour of the scale there, and values beyond an end have the end's") {
+TEST_CASE("a surface of one value has the colour of the scale there, and values beyond an end have the end's" *
+          doctest::test_suite("slow")) {
     SmallTree scene;
     const auto plain = scene.frame.mesh;
     for (const auto& one : {std::pair(0.0F, kLow), std::pair(1.0F, 0.5F * (kLow + kHigh)), std::pair(2.0F, kHigh),
@@ -59,7 +60,7 @@ TEST_CASE("a surface of one value has the colour of the scale there, and values 
     }
 }
 
-TEST_CASE("values go on evenly between vertices, and each place has its own") {
+TEST_CASE("values go on evenly between vertices, and each place has its own" * doctest::test_suite("slow")) {
     SmallTree scene;
     show_values(scene.frame, [](glm::vec3 at) { return 1.0F + at.z / 60.0F; }); // along the trunk, -30 to 10
     const Image picture = scene.draw();
@@ -119,7 +120,8 @@ TEST_CASE("while a surface is on its way, the one before does not wear its scale
     CHECK(largest_difference(scene.draw(), in_one_colour(scene, kLow)) <= kRounding);
 }
 
-TEST_CASE("triangles where branches meet have their values too, in front of glass as well") {
+TEST_CASE("triangles where branches meet have their values too, in front of glass as well" *
+          doctest::test_suite("slow")) {
     for (const bool glass : {false, true}) {
         CAPTURE(glass);
         SmallTree scene;
@@ -148,7 +150,7 @@ TEST_CASE("values are sent by themselves, and once") {
     CHECK_FALSE(again->geometry);
 }
 
-TEST_CASE("what is hidden, glass or highlighted stays so") {
+TEST_CASE("what is hidden, glass or highlighted stays so" * doctest::test_suite("slow")) {
     for (const BranchState state : {BranchState::kHidden, BranchState::kDefocused, BranchState::kHighlighted}) {
         SmallTree scene;
         scene.frame.states[0] = state;

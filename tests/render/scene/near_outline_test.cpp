@@ -262,7 +262,8 @@ std::optional<double> first_hit_of_tube(const glm::dvec3& from, const glm::dvec3
 
 } // namespace
 
-TEST_CASE("the crease between vessels that cross is the line where their tubes meet, at any zoom") {
+TEST_CASE("the crease between vessels that cross is the line where their tubes meet, at any zoom" *
+          doctest::test_suite("slow")) {
     constexpr double kFarOut = 34.0; // mm from the middle
     constexpr int kElsewhere = -100;
     const std::array<glm::dvec3, 2> on_axis{{{0, 0, 0}, {0, 4.0, 0}}}, axis{{{1, 0, 0}, {0, 0, 1}}};

@@ -211,7 +211,7 @@ TEST_CASE("the middles of edges of cylinders and balls lie on them, whichever en
     CHECK(bend_of({{0, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {1, 0, 0}}) == glm::vec3(0.0F));
 }
 
-TEST_CASE("outlines of vessels near the eye are round: a vessel with its ends") {
+TEST_CASE("outlines of vessels near the eye are round: a vessel with its ends" * doctest::test_suite("slow")) {
     const TriangleMesh capsule = vessel_with_ends();
     const PagedMesh mesh(capsule, glm::dvec3(0.0));
     const glm::ivec2 size(1200, 900);
@@ -237,7 +237,7 @@ TEST_CASE("outlines of vessels near the eye are round: a vessel with its ends") 
     }
 }
 
-TEST_CASE("outlines of vessels near the eye are round: a bend") {
+TEST_CASE("outlines of vessels near the eye are round: a bend" * doctest::test_suite("slow")) {
     const TriangleMesh bent = torus(24);
     const PagedMesh mesh(bent, glm::dvec3(0.0));
     const glm::ivec2 size(1000, 1000);
@@ -396,7 +396,8 @@ TEST_CASE("walls between vessels that press on each other stay, however near the
     }
 }
 
-TEST_CASE("pictures of what is near show round outlines, and the same vessels in the same places") {
+TEST_CASE("pictures of what is near show round outlines, and the same vessels in the same places" *
+          doctest::test_suite("slow")) {
     test::SmallTree scene({600, 450});
     TriangleMesh mesh;
     test::add_capsule(mesh, {-20, 0, 0}, {20.3F, 0, 0}, 5.0F, 5.0F, 0, 16); // the border lies within pixels

@@ -64,7 +64,8 @@ struct Explorer {
 
 } // namespace
 
-TEST_CASE("after hiding and showing, the picture is the one of a mesh made from nothing") {
+TEST_CASE("after hiding and showing, the picture is the one of a mesh made from nothing" *
+          doctest::test_suite("slow")) {
     Explorer explorer;
     const auto whole = explorer.renderer->draw(explorer.frame).value();
     CHECK(explorer.renderer->read_image() == explorer.from_nothing());
@@ -80,8 +81,8 @@ TEST_CASE("after hiding and showing, the picture is the one of a mesh made from 
     }
 }
 
-TEST_CASE(
-    "where the processor draws, the pages of a large mesh are shared, and what is written to them is the card's") {
+TEST_CASE("where the processor draws, the pages of a large mesh are shared, and what is written to them is the card's" *
+          doctest::test_suite("slow")) {
     Explorer explorer;
     explorer.tree = test::grown_tree(1500).value();
     explorer.polygonizer = {};
@@ -144,7 +145,8 @@ TEST_CASE(
     CHECK(explorer.renderer->read_image() == explorer.from_nothing());
 }
 
-TEST_CASE("a large mesh comes over several frames, and the one before is drawn until it is there") {
+TEST_CASE("a large mesh comes over several frames, and the one before is drawn until it is there" *
+          doctest::test_suite("slow")) {
     Explorer explorer;
     REQUIRE(explorer.renderer->draw(explorer.frame));
     const Image before = explorer.renderer->read_image();
@@ -171,7 +173,7 @@ TEST_CASE("a large mesh comes over several frames, and the one before is drawn u
     CHECK_FALSE(back.shaded);
 }
 
-TEST_CASE("another tree leaves nothing of the one before while it comes") {
+TEST_CASE("another tree leaves nothing of the one before while it comes" * doctest::test_suite("slow")) {
     Explorer explorer;
     REQUIRE(explorer.renderer->draw(explorer.frame));
     mesh::TriangleMesh tube;
@@ -185,7 +187,7 @@ TEST_CASE("another tree leaves nothing of the one before while it comes") {
     CHECK(explorer.renderer->pick(160, 120).branch == 7);
 }
 
-TEST_CASE("the preview stands in while the view moves, and only then") {
+TEST_CASE("the preview stands in while the view moves, and only then" * doctest::test_suite("slow")) {
     Explorer explorer;
     mesh::TriangleMesh tube;
     test::add_capsule(tube, {0, 0, -50}, {0, 0, 50}, 5.0F, 5.0F, 7);
@@ -222,7 +224,8 @@ TEST_CASE("what no triangle uses influences nothing") {
 }
 
 // Of linear functions: a camera that is fitted to the few points is the one that is fitted to all of them.
-TEST_CASE("the farthest positions of a surface are all that a camera is fitted to, with and without hidden branches") {
+TEST_CASE("the farthest positions of a surface are all that a camera is fitted to, with and without hidden branches" *
+          doctest::test_suite("slow")) {
     Explorer explorer;
     const PagedMesh& mesh = *explorer.mesh;
     const glm::ivec2 size(300, 200);

@@ -108,7 +108,7 @@ TEST_CASE("opacity and grey of the glass") {
     CHECK(brightness(scene.colour(scene.draw(), 0.0, 3.0)) < seen.back() - 100);
 }
 
-TEST_CASE("nothing is drawn again for colours, margins, cuts and glass looks") {
+TEST_CASE("nothing is drawn again for colours, margins, cuts and glass looks" * doctest::test_suite("slow")) {
     Scene scene;
     scene.frame.states[0] = BranchState::kDefocused;
     (void)scene.draw();
@@ -122,7 +122,8 @@ TEST_CASE("nothing is drawn again for colours, margins, cuts and glass looks") {
     CHECK(done.uploaded == 0);
 }
 
-TEST_CASE("the ring of a margin lies where the distance to the lesion's surface is that margin") {
+TEST_CASE("the ring of a margin lies where the distance to the lesion's surface is that margin" *
+          doctest::test_suite("slow")) {
     Scene scene;
     scene.frame.lesions.spheres = {{0.0, 5.0, 8.0, 2.0}};
     scene.frame.margins.bands = {{10.0F, {0.9F, 0.1F, 0.1F}}};
@@ -156,7 +157,7 @@ TEST_CASE("the ring of a margin lies where the distance to the lesion's surface 
     }
 }
 
-TEST_CASE("what is lost begins at the cut, with a clean ring") {
+TEST_CASE("what is lost begins at the cut, with a clean ring" * doctest::test_suite("slow")) {
     Scene scene;
     scene.frame.lost = {{0, 0.25, 0.75}}; // from x = -10 to x = 10
     const Image image = scene.draw();
@@ -177,7 +178,8 @@ TEST_CASE("what is lost begins at the cut, with a clean ring") {
     for (const double x : {-19.0, 0.0, 19.0}) CHECK(scene.colour(all, x, 0.0)[2] > scene.colour(all, x, 0.0)[0]);
 }
 
-TEST_CASE("a lesion's outline has its radius, it is picked as a lesion, and what lies inside shimmers through") {
+TEST_CASE("a lesion's outline has its radius, it is picked as a lesion, and what lies inside shimmers through" *
+          doctest::test_suite("slow")) {
     Scene scene;
     scene.frame.lesions.spheres = {{-5.0, 20.0, 1.0, 9.0}};
     const Image with = scene.draw();

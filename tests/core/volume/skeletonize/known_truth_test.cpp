@@ -116,7 +116,7 @@ Found compared(const tree::VesselTree& truth, const tree::VesselTree& tree, cons
 
 } // namespace
 
-TEST_CASE("a grown tree is found again in its voxels, with a rough wall too") {
+TEST_CASE("a grown tree is found again in its voxels, with a rough wall too" * doctest::test_suite("slow")) {
     for (const std::uint64_t seed : {1, 2, 3})
         for (const glm::dvec3& voxel : {glm::dvec3(0.7, 0.7, 1.5), glm::dvec3(0.35)})
             for (const double noise : {0.0, 0.1}) {

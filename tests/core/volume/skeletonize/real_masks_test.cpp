@@ -78,7 +78,7 @@ double dice(const volume::BitMask& mask, const glm::dmat4& to_patient, const mes
 
 } // namespace
 
-TEST_CASE("trees of real masks have their topology, and surfaces close to theirs") {
+TEST_CASE("trees of real masks have their topology, and surfaces close to theirs" * doctest::test_suite("slow")) {
     for (const Known& known : kKnown) {
         const auto path = test::shared_volume(known.name);
         if (!path) continue;
