@@ -234,7 +234,7 @@ class WrittenAxes(MeshAxes):
                 self.expect_done("mesh", "bare.swc", "-o", "m." + extension)
                 self.assertNotIn(b"SPACE", (self.folder / ("m." + extension)).read_bytes())
                 self.expect_failure("mesh", "bare.swc", "-o", "l." + extension, "--axes", "LPS",
-                                    says=("bare.swc", "nobody has said", "--orientation"))
+                                    says=("bare.swc", "axes of the tree are unknown", "--orientation"))
                 self.expect_done("mesh", "bare.swc", "-o", "l." + extension, "--axes", "LPS", "--orientation", "RAS")
                 distance, told = self.apart("l." + extension, "m." + extension)
                 self.assertEqual(told, "")
@@ -262,7 +262,7 @@ class WrittenAxes(MeshAxes):
         self.expect_failure("convert", "tree.swc", "-o", "t.graphml", "--axes", "LPS", says=("t.graphml", ".vtp or .mrk.json"))
         self.expect_done("convert", "tree.swc", "-o", "t.graphml", "--axes", "RAS")
         self.write("bare.swc", "1 0 1 2 3 1 -1\n2 0 1 2 9 1 1\n")
-        self.expect_failure("convert", "bare.swc", "-o", "b.vtp", "--axes", "LPS", says=("nobody has said", "--orientation"))
+        self.expect_failure("convert", "bare.swc", "-o", "b.vtp", "--axes", "LPS", says=("axes of the tree are unknown", "--orientation"))
 
 
 class SurfacesThatAreRead(MeshAxes):

@@ -94,7 +94,7 @@ class Input(Streams):
         self.assertEqual((found["a"]["file"], found["hausdorff"]), ("standard input", 0))
         found = json.loads(self.passed(mesh, "validate", "tree.swc", "--surface", "-", "--json"))
         self.assertEqual(found["surface"], "standard input")
-        self.passed(mask, "paper", "--tree", "tree.swc", "--mask", "-", "-o", "paper", "--figures", "10")
+        self.passed(mask, "paper", "--tree", "a.swc", "--mask", "-", "-o", "paper", "--figures", "10")
         found = json.loads(self.passed(mask, "validate", "tree.swc", "--mask", "/dev/stdin", "--json"))
         self.assertGreater(found["volumes"]["mask_mm3"], 0)
         self.passed(mesh, "render", "tree.swc", "--context", "-", "-o", "context.png", *SIZE)
