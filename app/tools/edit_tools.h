@@ -74,9 +74,7 @@ class RootTool final : public EditTool {
 public:
     void press(const Pointing& pointing) override;
     [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override;
-    [[nodiscard]] std::string hint() const override {
-        return "Click the vessel where blood enters, near its end";
-    }
+    [[nodiscard]] std::string hint() const override { return "Click the vessel where blood enters, near its end"; }
 };
 
 } // namespace ramus::app
