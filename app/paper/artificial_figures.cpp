@@ -112,12 +112,20 @@ Result<Figure> bulging(Workbench& bench, Job& job) {
     constexpr glm::ivec2 kSize(520, 400);
     Figure figure{.options = {kFineOptions}};
     Plate plate{.columns = joints().size()};
+    std::vector<MadeSurface> surfaces;
+    std::vector<Paged> all;
     for (const double width : kWidths)
         for (const Joint& joint : joints()) {
             RAMUS_TRY(surface, made_surface(star(joint.degrees, kJointRadius, kJointLength), fine(width), job));
+            all.push_back(surface.paged);
+            surfaces.push_back(std::move(surface));
+        }
+    const render::Camera camera = camera_on(all, kSize, {.azimuth = 0.0, .elevation = 28.0, .share = 0.7});
+    auto next = surfaces.begin();
+    for (const double width : kWidths)
+        for (const Joint& joint : joints()) {
+            const MadeSurface& surface = *next++;
             const double height = height_over_joint(surface.mesh) / kJointRadius;
-            const std::array all{surface.paged};
-            const render::Camera camera = camera_on(all, kSize, {.azimuth = 0.0, .elevation = 28.0, .share = 0.7});
             const std::string caption = std::string(joint.name) + ", " + width_text(width);
             plate.panels.push_back({frame_of(surface.paged, camera, kSize, caption), side_view(surface.paged, height)});
             figure.measured.push_back({"height over the joint, " + caption, height, "radii",

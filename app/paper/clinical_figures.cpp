@@ -7,6 +7,7 @@
 #include "app/picture/lesion_outlines.h"
 #include "app/ratings/rating_study.h"
 #include "app/session/numbers.h"
+#include "app/workspace/surface_maker.h"
 #include "core/base/words.h"
 #include "core/volume/isosurface.h"
 #include "render/scene/bounds.h"
@@ -135,14 +136,19 @@ Result<Figure> lesion_in_liver(Workbench& bench, Job& job) {
                               "; colour-by lesion; shortest-distances on"}};
     marks.colour_by = ColourBy::kLesion;
     marks.shortest_distances = true;
-    const std::array all{tree->surface.paged};
+    std::vector<Paged> all{tree->surface.paged};
+    std::shared_ptr<const mesh::TriangleMesh> organ;
+    if (tree->input.grown) {
+        RAMUS_TRY(made, organ_around(*tree, job));
+        organ = std::move(made);
+        all.push_back(paged(*organ, *tree->input.tree));
+    }
     const render::Camera camera = camera_on(all, kSceneSize);
     Scene scene;
     if (auto opened = scene.open(*tree, marks, camera, job); !opened) return tl::unexpected(opened.error());
     const Lengths lengths(tree->input.tree->claims);
     render::Frame whole = scene.frame(*tree, "");
-    if (tree->input.grown) {
-        RAMUS_TRY(organ, organ_around(*tree, job));
+    if (organ) {
         whole.context.push_back({std::move(organ), nullptr, glm::vec3(0.79F, 0.51F, 0.41F), 0.12F});
         outline_lesions(whole, scene.assets, scene.document.marks());
     }
