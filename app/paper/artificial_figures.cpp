@@ -36,10 +36,10 @@ struct Joint {
     std::vector<double> degrees; // of the branches, the stem first
 };
 const std::array<Joint, 3>& joints() {
-    static const std::array<Joint, 3> kJoints{Joint{"Y: three branches", {270.0, 30.0, 150.0}},
-                                              Joint{"T: three branches", {270.0, 0.0, 180.0}},
-                                              Joint{"Trifurcation: four branches", {270.0, 0.0, 90.0, 180.0}}};
-    return kJoints;
+    static const std::array<Joint, 3> all{Joint{"Y: three branches", {270.0, 30.0, 150.0}},
+                                          Joint{"T: three branches", {270.0, 0.0, 180.0}},
+                                          Joint{"Trifurcation: four branches", {270.0, 0.0, 90.0, 180.0}}};
+    return all;
 }
 
 constexpr double kJointRadius = 2.0, kJointLength = 11.0; // mm

@@ -106,10 +106,10 @@ std::vector<ProfilePoint> capsule_profile(double length, double reach) {
 } // namespace
 
 const std::array<BoundRow, 3>& bounds_of_segments() {
-    static const std::array<BoundRow, 3> kRows{
+    static const std::array<BoundRow, 3> rows{
         BoundRow{Bound::kBox, "boxes", kPaperReach}, BoundRow{Bound::kCylinder, "cylinders (CBV)", kPaperReach},
         BoundRow{Bound::kSupport, "support of the fading kernel (ramus)", field::gaussian(5.0).support_radii}};
-    return kRows;
+    return rows;
 }
 
 std::vector<RoundSegment> segments_of(const tree::VesselTree& tree) {

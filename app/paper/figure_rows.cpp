@@ -168,13 +168,13 @@ std::vector<FigureRow> table_rows() {
 } // namespace
 
 const std::vector<FigureRow>& figure_rows() {
-    static const std::vector<FigureRow> kRows = [] {
+    static const std::vector<FigureRow> all = [] {
         std::vector<FigureRow> rows;
         for (auto& part : {artificial_rows(), method_rows(), clinical_rows(), table_rows()})
             rows.insert(rows.end(), part.begin(), part.end());
         return rows;
     }();
-    return kRows;
+    return all;
 }
 
 std::optional<std::vector<const FigureRow*>> rows_in(std::string_view list) {
