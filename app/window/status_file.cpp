@@ -100,6 +100,10 @@ void add_dialogs(nlohmann::json& status, const Interface& interface) {
                                {"read", interface.of<VolumeDialog>().facts != nullptr}};
     status["recovery_dialog"] = interface.of<RecoveryDialog>().open;
     status["recoveries"] = interface.of<RecoveryDialog>().entries.size();
+    const auto& written = interface.of<Written>();
+    status["written"] = written.open ? written.file.string() : "";
+    const auto& errors = interface.of<ErrorDialog>().errors;
+    status["error"] = errors.empty() ? "" : errors.front().message();
 }
 
 // Unsaved work and the undo history.
@@ -175,10 +179,7 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const 
     add_lists(status, interface, workspace);
     add_dialogs(status, interface);
     add_document(status, workspace.document());
-    status["written"] = interface.of<Written>().open ? interface.of<Written>().file.string() : "";
     status["typing"] = ImGui::GetIO().WantTextInput; // a field has the keyboard
-    status["error"] =
-        interface.of<ErrorDialog>().errors.empty() ? "" : interface.of<ErrorDialog>().errors.front().message();
     status["notice"] = interface.notice.text;
     status["longest_gap"] = to_json(watch.longest());
     status["gaps"] = nlohmann::json::array();
