@@ -114,10 +114,14 @@ TEST_CASE("the surface stands over joints as high as the closed form says") {
 }
 
 TEST_CASE("two vessels merge at the radius and the gap of the paper") {
-    for (const auto& [width, radius, gap] : {std::array{5.0, 1.37, 0.09}, std::array{1.0, 1.07, 0.29}}) {
+    struct Merging {
+        double width, radius, gap;
+    };
+    for (const Merging& of : {Merging{5.0, 1.37, 0.09}, Merging{1.0, 1.07, 0.29}}) {
+        const double width = of.width;
         CAPTURE(width);
-        CHECK(merging_radius(3.0, width) == doctest::Approx(radius).epsilon(0.01));
-        CHECK(merging_gap(width) == doctest::Approx(gap).epsilon(0.05));
+        CHECK(merging_radius(3.0, width) == doctest::Approx(of.radius).epsilon(0.01));
+        CHECK(merging_gap(width) == doctest::Approx(of.gap).epsilon(0.05));
         Job job;
         const auto found = found_merging_radius(3.0, width, job);
         REQUIRE(found);
