@@ -125,12 +125,6 @@ render::Camera close_to(const Finding& finding, const validate::Validation& foun
     return camera;
 }
 
-// Meshes of other programs have neither.
-void complete_arrays(mesh::TriangleMesh& mesh) {
-    if (mesh.branches.empty()) mesh.branches.assign(mesh.positions.size(), 0);
-    if (mesh.radii.empty()) mesh.radii.assign(mesh.positions.size(), 0.0F);
-}
-
 } // namespace
 
 Result<std::unique_ptr<ValidationPainter>> ValidationPainter::create(bool few) {
@@ -152,7 +146,6 @@ Result<ReportPicture> ValidationPainter::draw(const render::Frame& frame, std::s
 }
 
 Result<void> ValidationPainter::paint(PaintedSurface surface, ValidatedDataSet& set) {
-    complete_arrays(surface.mesh);
     render::Frame frame;
     frame.mesh = paged(surface.mesh, surface.tree);
     show_claims(frame, surface.tree.claims);

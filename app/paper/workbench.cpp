@@ -55,13 +55,6 @@ SurfaceDistances distances_of(const ComparedTree& tree, const mesh::TriangleMesh
     return found;
 }
 
-// Branch 0 of a surface without branches, as pictures want it.
-Paged paged_of(mesh::TriangleMesh mesh, const tree::VesselTree& tree) {
-    if (mesh.branches.empty()) mesh.branches.assign(mesh.positions.size(), 0);
-    if (mesh.radii.empty()) mesh.radii.assign(mesh.positions.size(), 0.0F);
-    return paged(mesh, tree);
-}
-
 struct Compared3 {
     ComparedTree tree;
     TreeResults results;
@@ -88,7 +81,7 @@ Result<Compared3> compare(const InputTree& input, Job& job) {
         RAMUS_TRY(found, compared_mesh(*input.tree, request_of(input, kind), part));
         to.mesh = std::move(found.mesh);
         to.seconds = watch.seconds();
-        to.paged = paged_of(to.mesh, *input.tree);
+        to.paged = paged(to.mesh, *input.tree);
         made.results.steps.push_back({name, to.mesh.triangles.size(), to.seconds});
         if (kind != Compared::kIsosurface) continue;
         diagonal_mm = found.voxel_diagonal_mm;
@@ -124,7 +117,7 @@ Result<MadeSurface> made_surface(const tree::VesselTree& tree, const mesh::Surfa
     const Stopwatch watch;
     RAMUS_TRY(surface, mesh::make_surface(tree, options, job));
     MadeSurface made{std::move(surface.mesh), nullptr, watch.seconds()};
-    made.paged = paged_of(made.mesh, tree);
+    made.paged = app::paged(made.mesh, tree);
     return made;
 }
 

@@ -21,13 +21,6 @@ constexpr int kWireDetail = 10; // triangles around a vessel; more lines would m
 // Numbers of triangles that a software rasteriser draws fluently, and too slowly.
 constexpr std::size_t kFluent = 60'000, kManyTriangles = 150'000;
 
-// Assigns branch 0 to all vertices, since drawn meshes need a branch.
-std::shared_ptr<const render::PagedMesh> in_one_branch(mesh::TriangleMesh mesh, const tree::VesselTree& tree) {
-    mesh.branches.assign(mesh.positions.size(), 0);
-    mesh.radii.assign(mesh.positions.size(), 0.0F);
-    return paged(mesh, tree);
-}
-
 void take_lines(mesh::TriangleMesh mesh, ComparedSurface& made) {
     if (mesh.triangles.size() > kManyTriangles)
         made.lines_preview = std::make_shared<const mesh::TriangleMesh>(mesh::coarse_mesh(mesh, kFluent));
@@ -135,8 +128,8 @@ Result<ComparedSurface> make_compared(const tree::VesselTree& tree, const Compar
         return made;
     }
     if (surface.mesh.triangles.size() > kManyTriangles)
-        made.preview = in_one_branch(mesh::coarse_mesh(surface.mesh, kFluent), tree);
-    made.mesh = in_one_branch(std::move(surface.mesh), tree);
+        made.preview = paged(mesh::coarse_mesh(surface.mesh, kFluent), tree);
+    made.mesh = paged(surface.mesh, tree);
     return made;
 }
 
