@@ -1,7 +1,6 @@
 #include "app/paper/distance_figures.h"
 
 #include "app/paper/method_figures.h"
-#include "app/picture/close_ups.h"
 #include "app/picture/compose.h"
 #include "app/picture/deviation_colours.h"
 #include "app/reports/plots/distance_plots.h"
@@ -47,12 +46,6 @@ void colour(render::Frame& frame, const ComparedTree& tree, const SurfaceDistanc
     show_claims(frame, tree.input.tree->claims);
     frame.overlays.legend.title = tree.input.tree->claims.worded(frame.overlays.legend.title);
     frame.mesh = std::make_shared<const render::PagedMesh>(tree.surface.paged->with_values(mm));
-}
-
-// Of the second-widest branching: the widest one is often at the border of what is there.
-CloseUp branching_of(const tree::VesselTree& tree) {
-    const std::vector<CloseUp> places = close_ups_of(tree);
-    return places[std::min<std::size_t>(1, places.size() - 1)];
 }
 
 Result<Figure> deviation_figure(Workbench& bench, const Deviation& what, Job& job) {

@@ -2,7 +2,6 @@
 
 #include "app/assets/centerlines.h"
 #include "app/paper/exact_trees.h"
-#include "app/picture/close_ups.h"
 #include "app/picture/compose.h"
 #include "app/session/numbers.h"
 #include "core/io/standard_input.h"
@@ -88,6 +87,11 @@ private:
 
 } // namespace
 
+CloseUp branching_of(const tree::VesselTree& tree) {
+    const std::vector<CloseUp> places = close_ups_of(tree);
+    return places[std::min<std::size_t>(1, places.size() - 1)];
+}
+
 std::vector<NamedSurface> surfaces_of(const ComparedTree& tree) {
     return {{"Isosurface", tree.isosurface.paged},
             {"Truncated cones", tree.cones.paged},
@@ -110,8 +114,7 @@ Result<Figure> methods(Workbench& bench, Job& job) {
     const std::vector<NamedSurface> surfaces = surfaces_of(*tree);
     const std::array all{surfaces.front().paged, surfaces.back().paged};
     const render::Camera camera = camera_on(all, kSize, {.azimuth = 0.0, .elevation = 0.0, .share = 0.63});
-    const std::vector<CloseUp> places = close_ups_of(*tree->input.tree);
-    const CloseUp& place = places[std::min<std::size_t>(1, places.size() - 1)];
+    const CloseUp place = branching_of(*tree->input.tree);
     for (const NamedSurface& surface : surfaces) {
         Panel panel{frame_of(surface.paged, camera, kSize, surface.title), {}};
         panel.inset = frame_of(surface.paged, magnified(camera, place.position, 9.0 * place.radius), kInset, "");
