@@ -32,7 +32,7 @@ struct Layout {
     int bar_height = 0;
     int status_height = 0;
     int panel_width = 0;                 // 0 when it is closed
-    int overview_height = 0;             // likewise; it lies under the picture
+    int overview_height = 0;             // 0 when it is closed; below the picture
     glm::ivec2 view_at{0}, view_size{1}; // the picture
     // Its viewports: their corners in the picture, and the size of each. One, nearly always.
     std::vector<glm::ivec2> viewports_at{glm::ivec2(0)};
@@ -79,8 +79,8 @@ struct Interface {
     int listed = tree::kNoBranch;                          // under the pointer in the list of branches
     PointedLesion listed_lesion;                           // under the pointer among the lesions
     std::optional<GlassLook> tried_glass;                  // while a slider is held
-    std::optional<std::vector<ContextItem>> tried_context; // likewise
-    std::optional<double> tried_blend, tried_wipe;         // likewise
+    std::optional<std::vector<ContextItem>> tried_context; // while a slider is held
+    std::optional<double> tried_blend, tried_wipe;         // while a slider is held
     bool wipe_held = false;                                // the line is dragged in the picture
     PictureLook picture;                                   // as it was drawn last
     const ToolKind* tool_kind = &tool_kinds().front();
@@ -89,7 +89,8 @@ struct Interface {
     ToolDrawing tool_drawing; // of the tool, for this frame
     CommandLine last_command; // that the tool or a panel gave
 
-    template <class State> [[nodiscard]] State& of() const { return states.of<State>(); }
+    template <class State> [[nodiscard]] State& of() { return states.of<State>(); }
+    template <class State> [[nodiscard]] const State& of() const { return states.of<State>(); }
     // One panel at a time lies over the picture's left edge: that of this state.
     template <class State> [[nodiscard]] bool left_is() const { return left_panel == typeid(State); }
     template <class State> void show_left(bool shown = true) {

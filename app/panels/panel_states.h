@@ -10,14 +10,17 @@ namespace ramus::app {
 
 class PanelStates {
 public:
-    // The value of that type; default-constructed when it is first asked for.
-    template <class T> [[nodiscard]] T& of() const {
-        std::shared_ptr<void>& state = states_[typeid(T)];
-        if (!state) state = std::make_shared<T>();
-        return *static_cast<T*>(state.get());
-    }
+    // The value of that type; default-constructed on first use.
+    template <class T> [[nodiscard]] T& of() { return state<T>(); }
+    template <class T> [[nodiscard]] const T& of() const { return state<T>(); }
 
 private:
+    template <class T> T& state() const {
+        std::shared_ptr<void>& value = states_[typeid(T)];
+        if (!value) value = std::make_shared<T>();
+        return *static_cast<T*>(value.get());
+    }
+
     mutable std::unordered_map<std::type_index, std::shared_ptr<void>> states_;
 };
 
