@@ -167,7 +167,7 @@ Result<void> SurfaceMaker::follow(Followed& followed, std::span<const mesh::Syst
     if (followed.surface.in_place())
         edit_pages(followed);
     else
-        followed.mesh = paged(followed.surface.together(), *tree_, followed.surface.projector());
+        followed.mesh = paged(followed.surface.together(systems), *tree_, followed.surface.projector());
     followed.current = followed.mesh;
     if (followed.mesh->triangle_count() == 0) return mesh::empty_surface(options.cell_mm);
     return {};

@@ -10,23 +10,21 @@ namespace ramus::mesh {
 
 Result<void> FollowedSurface::update(std::span<const SystemField> systems, const PolygonizeOptions& options, Job& job) {
     polygonizers_.resize(systems.size());
-    visible_.assign(systems.size(), false);
     std::vector<field::Field> fields;
     for (const SystemField& system : systems) fields.push_back(system.field);
     projector_ = std::make_shared<const field::SurfaceProjector>(std::move(fields));
     for (std::size_t n = 0; n < systems.size(); ++n) {
         if (!systems[n].visible()) continue; // its polygonizer stays where it is: what comes next is likely near that
-        visible_[n] = true;
         if (auto updated = polygonizers_[n].update(systems[n].field, options, job); !updated) return updated;
         if (!in_place()) static_cast<void>(polygonizers_[n].take_edit());
     }
     return {};
 }
 
-TriangleMesh FollowedSurface::together() const {
+TriangleMesh FollowedSurface::together(std::span<const SystemField> systems) const {
     TriangleMesh all;
     for (std::size_t n = 0; n < polygonizers_.size(); ++n)
-        if (visible_[n]) append(all, polygonizers_[n].slots());
+        if (systems[n].visible()) append(all, polygonizers_[n].slots());
     return all;
 }
 
@@ -36,13 +34,13 @@ std::optional<TriangleMesh> FollowedSurface::match(std::span<const SystemField> 
     bool matches = true;
     for (std::size_t n = 0; n < systems.size(); ++n) {
         visible.push_back(visible_part(tree, systems[n].hidden));
-        matches = matches && (!visible_[n] || matches_tree(polygonizers_[n].slots(), visible[n].tree));
+        matches = matches && (!systems[n].visible() || matches_tree(polygonizers_[n].slots(), visible[n].tree));
     }
     if (matches) return std::nullopt;
     TriangleMesh all;
     bool changed = false;
     for (std::size_t n = 0; n < systems.size(); ++n) {
-        if (!visible_[n]) continue;
+        if (!systems[n].visible()) continue;
         TriangleMesh one = polygonizers_[n].compact();
         const auto walled = polygonizers_[n].walled();
         changed = match_tree(one, visible[n], walled, memory_bytes, job).changed() || changed;

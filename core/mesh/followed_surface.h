@@ -30,8 +30,8 @@ public:
     [[nodiscard]] bool in_place() const { return polygonizers_.size() == 1; }
     [[nodiscard]] const TriangleMesh& slots() const { return polygonizers_.front().slots(); }
     [[nodiscard]] SurfaceEdit take_edit() { return polygonizers_.front().take_edit(); }
-    // The mesh of all visible systems, put together anew; with gaps.
-    [[nodiscard]] TriangleMesh together() const;
+    // The mesh of all visible systems of the last update, put together anew; with gaps.
+    [[nodiscard]] TriangleMesh together(std::span<const SystemField> systems) const;
     // What these are meshes of.
     [[nodiscard]] const std::shared_ptr<const field::SurfaceProjector>& projector() const { return projector_; }
 
@@ -42,7 +42,6 @@ public:
 
 private:
     std::vector<Polygonizer> polygonizers_; // one for each system
-    std::vector<bool> visible_;
     std::shared_ptr<const field::SurfaceProjector> projector_;
 };
 

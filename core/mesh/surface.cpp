@@ -15,6 +15,7 @@
 #include "core/mesh/untangle/untangle.h"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace ramus::mesh {
@@ -111,11 +112,11 @@ Result<Surface> convolution_surface(const tree::VesselTree& source, const Surfac
     RAMUS_TRY(whole, make_tree_field(source, options, [&](const field::Field& sum) {
                   return making.check(hidden.empty() ? sum : sum.without(hidden));
               }));
-    std::vector<SystemField> systems = fields_by_system(source, whole.field, hidden);
-    const auto all = std::exchange(systems, {});
-    for (const SystemField& system : all)
-        if (system.visible()) systems.push_back(system);
-    if (systems.empty()) systems.push_back(all.front()); // which says why there is nothing
+    std::vector<SystemField> systems;
+    for (auto& part : hidden_by_system(source, hidden)) {
+        field::Field field = whole.field.without(part);
+        systems.push_back({std::move(field), std::move(part)});
+    }
     for (std::size_t n = 0; n < systems.size(); ++n) {
         const auto share = [&](float of_system) {
             return (static_cast<float>(n) + of_system) / static_cast<float>(systems.size());

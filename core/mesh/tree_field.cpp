@@ -112,12 +112,6 @@ Result<TreeField> make_tree_field(const tree::VesselTree& source, const SurfaceO
     return TreeField{std::move(prepared), std::move(field)};
 }
 
-field::Field make_field(const tree::VesselTree& source, const SurfaceOptions& options,
-                        std::span<const std::uint8_t> hidden) {
-    const field::Field field = make_tree_field(source, options).value().field; // nothing is checked
-    return hidden.empty() ? field : field.without(hidden);
-}
-
 std::vector<SystemField> fields_by_system(const tree::VesselTree& source, const field::Field& whole,
                                           std::span<const std::uint8_t> hidden) {
     std::vector<SystemField> fields;

@@ -1,8 +1,9 @@
-// From a vessel tree to the field whose isosurface is its surface: the tree as prepared, the field of all branches, and
-// the fields of what is visible. Every surface is made of these, once (surface.h) or following what is hidden
-// (followed_surface.h).
+// From a vessel tree to the scalar field whose isosurface is the tree's surface. make_tree_field() prepares the tree
+// (prunes, smooths, rounds corners) and computes its field; surface.h polygonizes that field once, followed_surface.h
+// whenever branches are hidden or shown. Lengths are in mm.
 //
-// Which field it is says a row of kBlends (blend.h): another field is a model of core/field/field.h, and a row there.
+// The option `blend` selects the field: each row of kBlends (blend.h) names the function that makes it. To add a field,
+// write a model of core/field/field.h and a row.
 #pragma once
 
 #include "core/base/error.h"
@@ -28,17 +29,16 @@ using tree::PreparedTree;
 // The tree as the surface sees it: pruned first, then smoothed.
 [[nodiscard]] PreparedTree prepare_tree(const tree::VesselTree& source, const SurfaceOptions& options);
 
-// What is left of a prepared tree without the hidden branches (by id in its source, not 0: hidden). It may have fewer
-// branches.
+// The prepared tree without the hidden branches (by id in its source, not 0: hidden).
 [[nodiscard]] PreparedTree visible_part(PreparedTree prepared, std::span<const std::uint8_t> hidden);
 
 [[nodiscard]] field::Kernel kernel_of(const SurfaceOptions& options);
 
-// What a row of kBlends makes its field of.
+// The input of the function of a row of kBlends.
 struct FieldParts {
     const PreparedTree& tree;
-    const field::ConvolutionField& sum;             // of the kernel over all segments of the tree
-    std::shared_ptr<const tree::Contacts> contacts; // of the tree; without any where the row does not separate vessels
+    const field::ConvolutionField& sum;             // the sum of the kernel over all segments of the tree
+    std::shared_ptr<const tree::Contacts> contacts; // empty if the row does not separate vessels
     field::Rims rims;
 };
 
@@ -47,16 +47,13 @@ struct TreeField {
     field::Field field; // of all branches
 };
 
-// Looks at the plain sum before contacts are searched, which takes longer the thicker vessels are.
+// Checks the plain sum before contacts are searched: the search takes the longer, the thicker the vessels are.
 using SumCheck = std::function<Result<void>(const field::Field& sum)>;
 
 // The frame of the field is that of the whole tree, so that hiding and pruning leave everything else as it is, to the
 // last bit. Fails as `check` does.
 [[nodiscard]] Result<TreeField> make_tree_field(const tree::VesselTree& source, const SurfaceOptions& options,
                                                 const SumCheck& check = {});
-// Its field, without the hidden branches (by id in `source`, not 0: hidden).
-[[nodiscard]] field::Field make_field(const tree::VesselTree& source, const SurfaceOptions& options,
-                                      std::span<const std::uint8_t> hidden);
 
 // The field of one vessel system, which has a surface of its own (systems.h), or of a whole tree with no more than one.
 struct SystemField {
@@ -65,7 +62,8 @@ struct SystemField {
     [[nodiscard]] bool visible() const { return !field.skeleton().present().empty(); }
 };
 
-// The fields of all systems, in their order, the hidden ones too.
+// The fields of all systems for a surface that follows them, in their order, the hidden ones too. Once:
+// hidden_by_system() (systems.h).
 [[nodiscard]] std::vector<SystemField> fields_by_system(const tree::VesselTree& source, const field::Field& whole,
                                                         std::span<const std::uint8_t> hidden);
 

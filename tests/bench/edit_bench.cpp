@@ -3,8 +3,8 @@
 #include "core/field/vessel_field.h"
 #include "core/io/trees/tree_file.h"
 #include "core/mesh/polygonize/polygonizer.h"
-#include "core/mesh/tree_field.h"
 #include "tests/support/grown_tree.h"
+#include "tests/support/tree_field.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -65,7 +65,7 @@ void measure(const tree::VesselTree& tree, int runs, double share) {
         for (const mesh::SlotRange& range : edit.triangles) row.written += edit.whole ? 0 : range.count;
     };
     std::printf("%-34s %9s %9s %12s\n", "", "median ms", "best ms", "triangles");
-    const field::Field all = mesh::make_field(tree, usual, {});
+    const field::Field all = test::make_field(tree, usual, {});
     Row whole;
     for (int run = 0; run < runs; ++run) {
         polygonizer = mesh::Polygonizer();
@@ -88,7 +88,7 @@ void measure(const tree::VesselTree& tree, int runs, double share) {
         for (int run = 0; run < runs; ++run) {
             const int usual_detail = options.detail;
             options.detail = detail;
-            update(there, mesh::make_field(tree, changed, {}));
+            update(there, test::make_field(tree, changed, {}));
             options.detail = usual_detail;
             update(back, all);
         }

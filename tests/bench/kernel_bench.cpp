@@ -4,8 +4,8 @@
 #include "core/field/vessel_field.h"
 #include "core/mesh/polygonize/cells/brick_cells.h"
 #include "core/mesh/polygonize/octree/octree.h"
-#include "core/mesh/tree_field.h"
 #include "tests/support/grown_tree.h"
+#include "tests/support/tree_field.h"
 
 #include <benchmark/benchmark.h>
 #include <vector>
@@ -22,7 +22,7 @@ struct Scene {
     std::vector<std::size_t> bricks;
 
     explicit Scene(const tree::VesselTree& tree)
-        : field(mesh::make_field(tree, {.blend = mesh::Blend::kPaper}, {})),
+        : field(test::make_field(tree, {.blend = mesh::Blend::kPaper}, {})),
           sizing(mesh::bricks::make_sizing(field, 16, 0.0)) {
         Job job;
         octree = mesh::bricks::build_octree(field, sizing, job);

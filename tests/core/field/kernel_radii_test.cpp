@@ -8,6 +8,7 @@
 #include "tests/support/brute_force_field.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/grown_tree.h"
+#include "tests/support/tree_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -183,7 +184,7 @@ TEST_CASE("a surface with exact radii that follows its tree is the one made from
     for (int round = 0; round < 6; ++round) {
         options.prune_ratio = round < 3 ? 0.0 : 0.2 * (round - 2);
         hidden[random() % hidden.size()] ^= 1U;
-        const field::Field field = mesh::make_field(tree, options, hidden);
+        const field::Field field = test::make_field(tree, options, hidden);
         REQUIRE(polygonizer.update(field, {}, job));
         const auto whole = mesh::polygonize(field, {}, job);
         REQUIRE(whole);

@@ -1,7 +1,7 @@
 // Whose points are, where vessels are kept apart.
 #include "core/field/separation.h"
-#include "core/mesh/tree_field.h"
 #include "tests/support/built_tree.h"
+#include "tests/support/tree_field.h"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -26,7 +26,7 @@ TEST_CASE("a point farther from every axis than vessels claim is nobody's, howev
     mesh::SurfaceOptions options;
     options.smooth_passes = 0;
     const tree::VesselTree tree = test::built_tree(points, edges, {0, kBranches + 1});
-    const Field field = mesh::make_field(tree, options, {});
+    const Field field = test::make_field(tree, options, {});
 
     const auto brick = field.in_brick();
     GridAxes axes;

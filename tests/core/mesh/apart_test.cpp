@@ -12,6 +12,7 @@
 #include "tests/support/packed_trees.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/surface_shape.h"
+#include "tests/support/tree_field.h"
 
 #include <algorithm>
 #include <array>
@@ -258,22 +259,22 @@ TEST_CASE("with contacts too, what follows the tree is what is made from nothing
             CHECK(polygonizer.compact() == *anew);
             CHECK(test::topology(*anew).closed_manifold());
         };
-        check(make_field(tree, surface, hidden));
+        check(test::make_field(tree, surface, hidden));
         for (int round = 0; round < 8; ++round) {
             CAPTURE(round);
             const int branch = static_cast<int>(random() % tree.branches.size());
             const auto value = static_cast<std::uint8_t>(1 - hidden[static_cast<std::size_t>(branch)]);
             for (const int below : tree::subtree(tree, branch)) hidden[static_cast<std::size_t>(below)] = value;
             if (std::ranges::count(hidden, 1) == static_cast<long>(hidden.size())) hidden.assign(hidden.size(), 0);
-            check(make_field(tree, surface, hidden));
+            check(test::make_field(tree, surface, hidden));
         }
         surface.smooth_passes = 3;
-        check(make_field(tree, surface, hidden));
+        check(test::make_field(tree, surface, hidden));
         surface.blend = Blend::kPaper;
-        check(make_field(tree, surface, hidden));
+        check(test::make_field(tree, surface, hidden));
         surface.blend = Blend::kTree;
         surface.prune_ratio = 0.3;
-        check(make_field(tree, surface, {}));
+        check(test::make_field(tree, surface, {}));
     }
 }
 

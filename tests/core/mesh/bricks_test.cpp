@@ -6,6 +6,7 @@
 #include "core/mesh/triangle_mesh.h"
 #include "tests/support/brute_force_field.h"
 #include "tests/support/grown_tree.h"
+#include "tests/support/tree_field.h"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +25,7 @@ namespace {
 // An adaptive octree: bricks meet others of the same size, larger and smaller ones, and none at all.
 struct Scene {
     tree::VesselTree tree = *test::grown_tree(150);
-    field::Field field = make_field(tree, {.blend = Blend::kPaper}, {}); // walls are tested elsewhere
+    field::Field field = test::make_field(tree, {.blend = Blend::kPaper}, {}); // walls are tested elsewhere
     Octree octree;
     std::vector<std::uint32_t> subtrees;
     SurfaceCells cells;

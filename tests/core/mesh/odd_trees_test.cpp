@@ -4,8 +4,8 @@
 #include "core/mesh/polygonize/octree/sizing.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/surface.h"
-#include "core/mesh/tree_field.h"
 #include "tests/support/built_tree.h"
+#include "tests/support/tree_field.h"
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -24,7 +24,7 @@ tree::VesselTree vessel(glm::dvec3 from, glm::dvec3 to, double radius) {
 
 TEST_CASE("a thin vessel across has bricks along it, not in its box") {
     const glm::dvec3 end(90.0, -40.0, 0.0);
-    const field::Field field = mesh::make_field(vessel(glm::dvec3(0.0), end, 1.5e-3), {}, {});
+    const field::Field field = test::make_field(vessel(glm::dvec3(0.0), end, 1.5e-3), {}, {});
     constexpr double kCell = 0.25;
     Job job;
     mesh::PolygonizeStatistics statistics;
@@ -42,7 +42,7 @@ TEST_CASE("forecasts hold for vessels that turn back, and for those that are sho
     for (const tree::VesselTree& tree : trees)
         for (const double cell : {0.0, 0.2}) {
             CAPTURE(cell);
-            const field::Field field = mesh::make_field(tree, {}, {});
+            const field::Field field = test::make_field(tree, {}, {});
             Job job;
             const auto surface = mesh::polygonize(field, {.cell_mm = cell}, job);
             REQUIRE(surface);

@@ -1,9 +1,9 @@
 // A surface that follows its tree is the one that is made from nothing, bit for bit.
 #include "core/field/vessel_field.h"
 #include "core/mesh/polygonize/polygonizer.h"
-#include "core/mesh/tree_field.h"
 #include "tests/support/grown_tree.h"
 #include "tests/support/mesh_topology.h"
+#include "tests/support/tree_field.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -74,7 +74,7 @@ TEST_CASE("hiding and showing branches gives the surface made from nothing, bit 
         Follower follower;
         std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
         std::mt19937 random(5);
-        check_update(polygonizer, follower, mesh::make_field(tree, {}, hidden), options);
+        check_update(polygonizer, follower, test::make_field(tree, {}, hidden), options);
         for (int round = 0; round < 12; ++round) {
             const int branch = static_cast<int>(random() % tree.branches.size());
             const auto value = static_cast<std::uint8_t>(hidden[static_cast<std::size_t>(branch)] == 0 ? 1 : 0);
@@ -83,7 +83,7 @@ TEST_CASE("hiding and showing branches gives the surface made from nothing, bit 
             else
                 for (const int below : tree::subtree(tree, branch)) hidden[static_cast<std::size_t>(below)] = value;
             if (std::ranges::all_of(hidden, [](std::uint8_t h) { return h != 0; })) hidden.assign(hidden.size(), 0);
-            check_update(polygonizer, follower, mesh::make_field(tree, {}, hidden), options);
+            check_update(polygonizer, follower, test::make_field(tree, {}, hidden), options);
         }
     }
 }
@@ -95,17 +95,17 @@ TEST_CASE("pruning, smoothing, width and detail give the surface made from nothi
     Follower follower;
     mesh::PolygonizeOptions options;
     mesh::SurfaceOptions surface;
-    check_update(polygonizer, follower, mesh::make_field(tree, surface, {}), options);
+    check_update(polygonizer, follower, test::make_field(tree, surface, {}), options);
     for (const double ratio : {0.3, 0.5, 0.2, 0.0}) {
         surface.prune_ratio = ratio;
-        check_update(polygonizer, follower, mesh::make_field(tree, surface, {}), options);
+        check_update(polygonizer, follower, test::make_field(tree, surface, {}), options);
     }
     surface.smooth_passes = 3;
-    check_update(polygonizer, follower, mesh::make_field(tree, surface, {}), options);
+    check_update(polygonizer, follower, test::make_field(tree, surface, {}), options);
     surface.width = 2.0;
-    check_update(polygonizer, follower, mesh::make_field(tree, surface, {}), options);
+    check_update(polygonizer, follower, test::make_field(tree, surface, {}), options);
     options.detail = 12;
-    check_update(polygonizer, follower, mesh::make_field(tree, surface, {}), options);
+    check_update(polygonizer, follower, test::make_field(tree, surface, {}), options);
 }
 
 TEST_CASE("a change costs in proportion to what it touches") {
@@ -113,14 +113,14 @@ TEST_CASE("a change costs in proportion to what it touches") {
     std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
     mesh::Polygonizer polygonizer;
     Job job;
-    REQUIRE(polygonizer.update(mesh::make_field(tree, {}, hidden), {}, job));
+    REQUIRE(polygonizer.update(test::make_field(tree, {}, hidden), {}, job));
     const std::uint64_t whole = polygonizer.statistics().evaluations;
     hidden.back() = 1; // a twig
-    REQUIRE(polygonizer.update(mesh::make_field(tree, {}, hidden), {}, job));
+    REQUIRE(polygonizer.update(test::make_field(tree, {}, hidden), {}, job));
     const std::uint64_t twig = polygonizer.statistics().evaluations;
     CHECK(twig > 0);
     CHECK(100 * twig < 3 * whole);
-    REQUIRE(polygonizer.update(mesh::make_field(tree, {}, hidden), {}, job));
+    REQUIRE(polygonizer.update(test::make_field(tree, {}, hidden), {}, job));
     CHECK(polygonizer.statistics().evaluations == 0);
     MESSAGE("of ", whole, " evaluations hiding one twig of ", tree.branches.size(), " branches does ", twig);
 }
@@ -131,12 +131,12 @@ TEST_CASE("a polygonizer whose work was cancelled starts anew") {
     Job cancelled;
     cancelled.cancel();
     std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
-    CHECK_FALSE(polygonizer.update(mesh::make_field(tree, {}, hidden), {}, cancelled));
+    CHECK_FALSE(polygonizer.update(test::make_field(tree, {}, hidden), {}, cancelled));
     Follower follower;
-    check_update(polygonizer, follower, mesh::make_field(tree, {}, hidden), {});
+    check_update(polygonizer, follower, test::make_field(tree, {}, hidden), {});
     hidden.back() = 1;
-    CHECK_FALSE(polygonizer.update(mesh::make_field(tree, {}, hidden), {}, cancelled));
-    check_update(polygonizer, follower, mesh::make_field(tree, {}, hidden), {});
+    CHECK_FALSE(polygonizer.update(test::make_field(tree, {}, hidden), {}, cancelled));
+    check_update(polygonizer, follower, test::make_field(tree, {}, hidden), {});
 }
 
 TEST_CASE("a tree of which everything is hidden has no surface, and gets it back") {
@@ -144,13 +144,13 @@ TEST_CASE("a tree of which everything is hidden has no surface, and gets it back
     mesh::Polygonizer polygonizer;
     Follower follower;
     std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
-    check_update(polygonizer, follower, mesh::make_field(tree, {}, hidden), {});
+    check_update(polygonizer, follower, test::make_field(tree, {}, hidden), {});
     hidden.assign(hidden.size(), 1);
     Job job;
-    REQUIRE(polygonizer.update(mesh::make_field(tree, {}, hidden), {}, job));
+    REQUIRE(polygonizer.update(test::make_field(tree, {}, hidden), {}, job));
     CHECK(polygonizer.compact().triangles.empty());
     follower.take(polygonizer);
     CHECK(follower.triangles() == 0);
     hidden.assign(hidden.size(), 0);
-    check_update(polygonizer, follower, mesh::make_field(tree, {}, hidden), {});
+    check_update(polygonizer, follower, test::make_field(tree, {}, hidden), {});
 }

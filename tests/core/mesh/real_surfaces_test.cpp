@@ -10,6 +10,7 @@
 #include "tests/support/mesh_intersections.h"
 #include "tests/support/mesh_topology.h"
 #include "tests/support/shared_data.h"
+#include "tests/support/tree_field.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -133,7 +134,7 @@ TEST_CASE("next to no triangles intersect away from walls, where branches touch 
                             .list.size() >= row.contacts);
                 std::vector<mesh::TriangleBox> walls;
                 Job job;
-                const auto raw = mesh::polygonize(mesh::make_field(*tree, options, {}), {}, job, nullptr, &walls);
+                const auto raw = mesh::polygonize(test::make_field(*tree, options, {}), {}, job, nullptr, &walls);
                 REQUIRE(raw.has_value());
                 const auto at_wall = [&](const test::IntersectingPair& pair) {
                     const mesh::TriangleBox box = mesh::box_of(raw->positions, raw->triangles[pair.first]);

@@ -10,6 +10,7 @@
 #include "tests/support/grown_tree.h"
 #include "tests/support/packed_trees.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/tree_field.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -19,7 +20,7 @@
 using namespace ramus;
 
 TEST_CASE("a subtree is joined after all that it touches are filled, and let go after they are joined") {
-    const field::Field field = mesh::make_field(test::grown(150), {}, {});
+    const field::Field field = test::make_field(test::grown(150), {}, {});
     const mesh::bricks::Sizing sizing = mesh::bricks::make_sizing(field, 16, 0.0);
     Job job;
     const mesh::bricks::Octree octree = mesh::bricks::build_octree(field, sizing, job);
@@ -74,7 +75,7 @@ TEST_CASE("a subtree is joined after all that it touches are filled, and let go 
 TEST_CASE("a surface on the disk is the one in memory" * doctest::test_suite("slow")) {
     const TemporaryFolder folder;
     const auto pages = std::make_shared<DiskPages>(folder.path() / "surface.stl", 1e9);
-    const field::Field field = mesh::make_field(test::grown(400), {}, {});
+    const field::Field field = test::make_field(test::grown(400), {}, {});
     for (const double cell : {0.0, 0.4}) {
         mesh::PolygonizeOptions options;
         options.cell_mm = cell;
@@ -98,7 +99,7 @@ TEST_CASE("repairs on the disk are those in memory") {
     mesh::SurfaceOptions surface;
     surface.smooth_passes = 0;
     const tree::PreparedTree prepared = mesh::prepare_tree(tree, surface);
-    const field::Field field = mesh::make_field(tree, surface, {});
+    const field::Field field = test::make_field(tree, surface, {});
     const auto repaired = [&](std::shared_ptr<ArrayMemory> disk) {
         mesh::PolygonizeOptions options;
         options.detail = 8;

@@ -185,7 +185,7 @@ TEST_CASE("what is pointed at or recoloured meanwhile is so in the picture" * do
     CHECK(largest_difference(scene.renderer->read_image(), at_once) == 0);
 }
 
-TEST_CASE("who asks what is under the pointer waits for the picture" * doctest::test_suite("slow")) {
+TEST_CASE("a query for what is under the pointer waits for the picture" * doctest::test_suite("slow")) {
     const PartsScene scene;
     const Frame wanted = scene.seen_from(View::kSuperior);
     (void)scene.draw(wanted);

@@ -1,11 +1,11 @@
 // Outlines and creases of vessels near the eye, held against those of the field that they are the surface of.
 #include "core/field/surface_projector.h"
 #include "core/mesh/surface.h"
-#include "core/mesh/tree_field.h"
 #include "render/renderer/view_setup.h"
 #include "render/scene/near_surface.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/small_tree.h"
+#include "tests/support/tree_field.h"
 
 #include <algorithm>
 #include <array>
@@ -40,7 +40,7 @@ PagedMesh drawn_mesh(const tree::VesselTree& tree) {
 class FieldAnywhere {
 public:
     explicit FieldAnywhere(const tree::VesselTree& tree)
-        : field_(mesh::make_field(tree, {}, {})), brick_(field_.in_brick()) {}
+        : field_(test::make_field(tree, {}, {})), brick_(field_.in_brick()) {}
 
     [[nodiscard]] double operator()(const glm::dvec3& p) {
         field::GridAxes axes;

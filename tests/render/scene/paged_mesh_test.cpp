@@ -1,12 +1,12 @@
 // Pages of a surface, and a copy on the graphics card that follows them.
 #include "core/field/vessel_field.h"
 #include "core/mesh/polygonize/polygonizer.h"
-#include "core/mesh/tree_field.h"
 #include "render/gl/gl_context.h"
 #include "render/image/image.h"
 #include "render/renderer/renderer.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/grown_tree.h"
+#include "tests/support/tree_field.h"
 #include "tests/support/tube_mesh.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ struct Explorer {
     ~Explorer() { renderer.reset(); }
     void update(const std::vector<std::uint8_t>& hidden) {
         Job job;
-        REQUIRE(polygonizer.update(mesh::make_field(tree, {}, hidden), {}, job));
+        REQUIRE(polygonizer.update(test::make_field(tree, {}, hidden), {}, job));
         const mesh::SurfaceEdit edit = polygonizer.take_edit();
         mesh = std::make_shared<const PagedMesh>(mesh ? mesh->edited(polygonizer.slots(), edit)
                                                       : PagedMesh(polygonizer.slots()));
