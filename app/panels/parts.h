@@ -1,5 +1,5 @@
-// The parts of the interface, one file each, and what lies over the picture, a row each: a new dialog or panel is a
-// file, a declaration and a row here.
+// Declares what draws each part of the interface, and lists dialogs and the panels over the picture's left edge. To add
+// a dialog, see app/window/README.md.
 #pragma once
 
 #include "app/panels/branch_list.h"
@@ -31,9 +31,10 @@ void draw_fly(InterfaceContext& context);
 void draw_doctor(InterfaceContext& context);
 void draw_units_panel(InterfaceContext& context);
 void draw_warnings(InterfaceContext& context);
-// The mark in the status bar, left of what begins at `right_edge`; returns where it begins itself.
+// The mark of warnings in the status bar, left of `right_edge`; returns its own left edge.
 [[nodiscard]] float draw_warning_mark(InterfaceContext& context, float right_edge);
-// How many branches are selected, defocused and hidden, with the way back; likewise.
+// The numbers of selected, defocused and hidden branches, each a button that undoes it, left of `right_edge`; returns
+// its own left edge.
 [[nodiscard]] float draw_state_marks(InterfaceContext& context, float right_edge);
 void draw_contacts(InterfaceContext& context);
 void draw_validation(InterfaceContext& context);
@@ -83,7 +84,7 @@ template <class State> constexpr DialogRow dialog_row(void (*draw)(InterfaceCont
     return {draw, [](const Interface& interface) { return is_open(interface.of<State>()); },
             [](Interface& interface) { close(interface.of<State>()); }};
 }
-// In the order in which they are drawn: of several that are open the first one is shown.
+// In drawing order. If several dialogs are open, the first one is shown, and Escape closes it.
 inline constexpr DialogRow kDialogs[] = {
     dialog_row<ErrorDialog>(draw_error_dialog),
     dialog_row<UnsavedDialog>(draw_unsaved_dialog),

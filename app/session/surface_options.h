@@ -19,7 +19,7 @@ struct OptionWord {
 
 struct SurfaceOption {
     std::string_view key;    // "smooth": --smooth, in a session's options, `surface smooth 2`
-    std::string_view unit;   // placeholder of the value in --help
+    std::string_view unit;   // how --help writes the value, as "MM" or "tree|paper"
     std::string_view help;   // in --help, without the flag
     std::string_view domain; // "a whole number from 0 to 100"
     double least, most;
