@@ -6,7 +6,7 @@
 const int kUnitSurface = 0;         // multisampled: id and normal of the nearest opaque surface, or of a layer of glass
 const int kUnitDepth = 1;           // multisampled: its depth
 const int kUnitOpaqueDepth = 2;     // per pixel: mm along the line of sight
-const int kUnitContext = 3;         // of context meshes: colour, opacity
+const int kUnitShapes = 3;          // of context meshes and lesions: colour, opacity
 const int kUnitIdNormal = 4;        // a pixel
 const int kUnitOcclusion = 5;       // a pixel
 const int kUnitBranches = 6;        // of branches: colour, flags

@@ -6,7 +6,6 @@ vec4 selection_colour;  // linear; w: outline's radius in pixels, 0 for none
 vec4 lights;            // key, fill, rim, specular
 vec4 more;              // occlusion strength, glass opacity, pixels per point, strength of shadows
 vec4 line_colour;       // linear
-vec4 lesion_colour;     // linear; w: opacity where it faces the eye
 vec4 lost_colour;       // linear
 vec4 far_colour;        // linear: colour into which the far end of the tree fades
 vec4 cues;              // strength of halos, contours, chromadepth; radius of halos in pixels

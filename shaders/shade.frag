@@ -57,8 +57,11 @@ bool selected_at(vec2 at) {
 #endif
 #ifdef CONTEXT
 // Linear colour, opacity; negative: lines. By an id (ids.glsl) or a fragment's (glass_fragments.glsl).
-layout(binding = kUnitContext) uniform samplerBuffer context_meshes;
-vec4 context_mesh(uint id) { return texelFetch(context_meshes, int(id & kNumberBits) - 1); }
+layout(binding = kUnitShapes) uniform samplerBuffer shape_looks;
+vec4 shape_look(uint id) { // of a context mesh or, with kLesionFragment, of a lesion
+    int lesion = (id & kLesionFragment) != 0u ? 1 : 0;
+    return texelFetch(shape_looks, 2 * (int(id & kNumberBits) - 1) + lesion);
+}
 #endif
 
 SurfacePoint point_at(vec3 normal, vec3 position) {
@@ -81,7 +84,7 @@ vec3 shade(uint id, vec3 normal, vec3 position, vec2 taken, float value) {
     SurfacePoint p = point_of_branch(context ? 1u : id, normal, position);
     if (context) {
         p.flags = 0u;
-        p.albedo = context_mesh(id).rgb;
+        p.albedo = shape_look(id).rgb;
         p.fixed_colour = true;
     }
 #else
@@ -96,7 +99,7 @@ vec3 shade(uint id, vec3 normal, vec3 position, vec2 taken, float value) {
 vec4 veil_of(uint id, uint normal, vec3 position) {
 #ifdef CONTEXT
     if ((id & kContextFragment) != 0u) {
-        vec4 mesh = (id & kLesionFragment) != 0u ? lesion_colour : context_mesh(id);
+        vec4 mesh = shape_look(id);
         SurfacePoint p = point_at(unpack_normal(normal), position);
         p.albedo = mesh.rgb;
         return mesh.w < 0.0 ? edge_veil(p, -mesh.w * uintBitsToFloat(normal)) : shell_veil(p, mesh.w);

@@ -1,7 +1,7 @@
 #include "app/actions/arguments.h"
 
 #include "app/assets/assets.h"
-#include "app/picture/fit.h"
+#include "app/picture/scene_objects.h"
 #include "app/storage/user_folders.h"
 #include "core/base/words.h"
 
@@ -76,25 +76,6 @@ std::optional<bool> switched(Arguments arguments, bool now) {
     return arguments[0] == "on";
 }
 
-namespace {
-
-// Represents spheres by the corners of their inscribed and circumscribed cubes: sufficiently round for fitting a
-// camera.
-void add_lesions(std::vector<glm::vec3>& positions, const ActionContext& context) {
-    const Marks& marks = context.document.marks();
-    for (const auto& [x, y, z, radius] : spheres_of(marks))
-        for (int k = 0; k < 27; ++k) {
-            const glm::dvec3 way(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-            const double length = std::max(glm::length(way), 1.0);
-            positions.emplace_back(glm::dvec3(x, y, z) + radius / length * way);
-        }
-    for (const std::string& file : lesion_files(marks))
-        if (const auto lesion = context.assets.lesion_mesh(file))
-            positions.insert(positions.end(), lesion->mesh.positions.begin(), lesion->mesh.positions.end());
-}
-
-} // namespace
-
 std::vector<glm::vec3> visible_positions(const ActionContext& context, const render::Camera& camera, glm::ivec2 size) {
     const auto mesh = context.picture.picture_mesh();
     if (!mesh && context.document.tree()) return {};
@@ -103,8 +84,7 @@ std::vector<glm::vec3> visible_positions(const ActionContext& context, const ren
     if (mesh)
         positions = mesh->farthest(render::fitting_directions(camera, size),
                                    [&](int branch) { return state_of(marks, branch) != tree::BranchState::kHidden; });
-    add_lesions(positions, context);
-    const auto shown = shown_positions(marks, context.assets);
+    const auto shown = visible_points(marks, context.assets);
     positions.insert(positions.end(), shown.begin(), shown.end());
     return positions;
 }

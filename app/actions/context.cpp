@@ -2,6 +2,7 @@
 // vessels).
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
+#include "app/actions/objects.h"
 #include "app/assets/assets.h"
 #include "app/assets/half_turn.h"
 #include "app/session/colour_by.h"
@@ -229,36 +230,8 @@ Result<void> change_one(ActionContext& context, Arguments arguments, std::size_t
     return {};
 }
 
-Result<void> context_remove(ActionContext& context, Arguments arguments) {
-    return change_one(context, arguments, 0, "context-remove takes a number", [](auto& list, std::size_t i) {
-        list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
-        return Result<void>{};
-    });
-}
-
 Result<void> context_clear(ActionContext& context, Arguments) {
     return edit(context, [&](Marks& marks) { marks.context.clear(); });
-}
-
-Result<void> context_opacity(ActionContext& context, Arguments arguments) {
-    return change_one(context, arguments, 1, "context-opacity takes a number and an opacity",
-                      [&](auto& list, std::size_t i) -> Result<void> {
-                          const auto opacity = number_in(arguments[1], 0.0, 1.0);
-                          if (!opacity) return fail("an opacity goes from 0 to 1");
-                          list[i].opacity = *opacity;
-                          return {};
-                      });
-}
-
-Result<void> context_colour(ActionContext& context, Arguments arguments) {
-    return change_one(context, arguments, 1, "context-colour takes a number and a colour: RRGGBB",
-                      [&](auto& list, std::size_t i) -> Result<void> {
-                          const auto colour = colour_in(arguments[1]);
-                          if (!colour)
-                              return fail("\"" + arguments[1] + "\" is not a colour", {}, "RRGGBB: c98268, say");
-                          list[i].colour = *colour;
-                          return {};
-                      });
 }
 
 Result<void> context_style(ActionContext& context, Arguments arguments) {
@@ -281,14 +254,6 @@ Result<void> context_axes(ActionContext& context, Arguments arguments) {
                               return fail("the file states its axes", list[i].file, "correct the file");
                           list[i].axes = arguments[1];
                           return {};
-                      });
-}
-
-template <bool visible> Result<void> set_visible(ActionContext& context, Arguments arguments) {
-    return change_one(context, arguments, 0, visible ? "context-show takes a number" : "context-hide takes a number",
-                      [](auto& list, std::size_t i) {
-                          list[i].visible = visible;
-                          return Result<void>{};
                       });
 }
 
@@ -347,15 +312,20 @@ std::vector<Command> context_commands() {
             "unless its exact steps are asked for. A mesh that does not state its axes is in RAS unless you say LPS.",
             context)
             .in_menu("File", "Add context..."),
-        Command("context-remove", "N", "Takes the N-th context mesh away.", context_remove).when(has_context),
+        Command("context-remove", "N", "Takes the N-th context mesh away.", for_kind(ContextItem::kNoun, remove_object))
+            .when(has_context),
         Command("context-clear", "", "Takes all context meshes away.", context_clear).when(has_context),
-        Command("context-show", "N", "Shows the N-th context mesh again.", set_visible<true>).when(has_context),
-        Command("context-hide", "N", "Keeps the N-th context mesh, and does not show it.", set_visible<false>)
+        Command("context-show", "N", "Shows the N-th context mesh again.", for_kind(ContextItem::kNoun, show_object))
+            .when(has_context),
+        Command("context-hide", "N", "Keeps the N-th context mesh, and does not show it.",
+                for_kind(ContextItem::kNoun, hide_object))
             .when(has_context),
         Command("context-opacity", "N X", "How dense the N-th context mesh is, from 0 to 1, which is solid.",
-                context_opacity)
+                for_kind(ContextItem::kNoun, fade_object))
             .when(has_context),
-        Command("context-colour", "N RRGGBB", "The colour of the N-th context mesh.", context_colour).when(has_context),
+        Command("context-colour", "N RRGGBB", "The colour of the N-th context mesh.",
+                for_kind(ContextItem::kNoun, colour_object))
+            .when(has_context),
         Command("context-axes", "N LPS|RAS",
                 "Says where the axes of the N-th context mesh lead, whose file does not state them.", context_axes)
             .when(has_context),

@@ -1,6 +1,7 @@
 // Commands for planning an operation: lesions with margins, cuts with their cost, hiding thin vessels.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
+#include "app/actions/objects.h"
 #include "app/assets/assets.h"
 #include "app/assets/half_turn.h"
 #include "app/session/numbers.h"
@@ -101,15 +102,6 @@ Result<void> lesion_axes(ActionContext& context, Arguments arguments) {
 void say_what_went(ActionContext& context, std::size_t measurements) {
     if (measurements > 0)
         context.say("Removed with " + counted(measurements, "measurement", "measurements") + " from the lesion");
-}
-
-Result<void> lesion_remove(ActionContext& context, Arguments arguments) {
-    Marks next = context.document.marks();
-    RAMUS_TRY(index, list_index(arguments, next.lesions.size(), "lesion"));
-    const std::size_t gone = remove_object(next, next.lesions, index);
-    context.document.change(std::move(next));
-    say_what_went(context, gone);
-    return {};
 }
 
 Result<void> lesion_clear(ActionContext& context, Arguments) {
@@ -255,7 +247,7 @@ std::vector<Command> surgery_commands() {
         Command("lesion-axes", "N LPS|RAS",
                 "Says where the axes of the mesh of lesion N lead, whose file does not state them.", lesion_axes),
         Command("lesion-remove", "N", "Takes lesion N of the list away; meshes are counted after spheres.",
-                lesion_remove),
+                for_kind(Lesion::kNoun, remove_object)),
         Command("lesion-clear", "", "Takes all lesions away.", lesion_clear)
             .in_menu("Plan", "Remove all lesions")
             .when(has_lesions),

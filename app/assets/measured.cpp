@@ -236,7 +236,8 @@ std::string LesionShapes::name_of(int id) const {
 
 int LesionShapes::picked(int lesion) const {
     for (const Shape& shape : shapes)
-        if (shape.lesion.visible && shape.is_there() && lesion-- == 0) return shape.lesion.id;
+        if ((shape.lesion.visible || !shape.lesion.is_mesh()) && shape.is_there() && lesion-- == 0)
+            return shape.lesion.id;
     return kNoObject;
 }
 

@@ -49,7 +49,7 @@ struct LesionShapes {
     // None: no such lesion, or its mesh is not read.
     [[nodiscard]] std::optional<measure::Lesion> at(int id) const;
     [[nodiscard]] std::string name_of(int id) const; // "lesion 2"
-    // The id of a picked lesion; picks count only lesions that are drawn.
+    // The id of a picked lesion; picks count the lesions of the frame: spheres, and meshes that are shown.
     [[nodiscard]] int picked(int lesion) const;
 };
 [[nodiscard]] LesionShapes lesion_shapes(const Assets& assets, const Marks& marks);

@@ -240,7 +240,7 @@ void set_camera(Document& document, const Inputs& inputs, bool session_has_one, 
         document.set_camera(*inputs.camera);
     } else if (!session_has_one || flags.view_given) {
         const auto seen =
-            stage.surface().mesh ? stage.surface().mesh->positions() : shown_positions(document.marks(), stage.assets);
+            stage.surface().mesh ? stage.surface().mesh->positions() : visible_points(document.marks(), stage.assets);
         document.set_camera(with_room(render::camera_for(seen, flags.view, stage.picture_size(), flags.orthographic),
                                       document.marks().comparison));
     }

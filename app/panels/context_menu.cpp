@@ -1,4 +1,4 @@
-// The context menu: commands for the branch under the pointer, or for the view.
+// The context menu: commands for the object or the branch under the pointer, or for the view.
 #include "app/panels/context_menu.h"
 
 #include "app/panels/parts.h"
@@ -10,7 +10,9 @@
 #include <array>
 #include <cctype>
 #include <imgui.h>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace ramus::app {
 
@@ -74,6 +76,23 @@ std::string branch_title(const Document& document, int branch) {
     return label.empty() ? "Branch " + std::to_string(branch) : label;
 }
 
+// Returns the chosen command line; empty: none.
+std::vector<std::string> draw_object_entries(const InterfaceContext& context, const ObjectPlace& object) {
+    const Document& document = context.workspace.document();
+    const ObjectWords words = words_of(object, document.marks(), context.workspace.assets(), document.lengths());
+    ImGui::TextColored(theme::kAccent, "%s", widgets::fitted(words.title, 220.0F * theme::scale()).c_str());
+    ImGui::Separator();
+    std::vector<std::string> chosen;
+    for (const auto& [label, command] : {std::pair("Bring to the middle", "object-centre"),
+                                         {"Name\xE2\x80\xA6", "object-name"},
+                                         {"Hide", "object-hide"},
+                                         {"Remove", "object-remove"}}) {
+        if (ImGui::MenuItem(label)) chosen = {command, std::string(object.kind), std::to_string(object.index + 1)};
+        widgets::note_item((std::string("menu: ") + label).c_str());
+    }
+    return chosen;
+}
+
 } // namespace
 
 void draw_context_menu(InterfaceContext& context) {
@@ -91,7 +110,10 @@ void draw_context_menu(InterfaceContext& context) {
     if (menu.branch >= document.branch_count()) menu.close = true;
     if (ImGui::BeginPopup(kPopup, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
         const Command* chosen = nullptr;
-        if (menu.branch == tree::kNoBranch) {
+        std::vector<std::string> line;
+        if (menu.object) {
+            line = draw_object_entries(context, *menu.object);
+        } else if (menu.branch == tree::kNoBranch) {
             widgets::quiet("View");
             chosen = draw_groups(context, kForBackground);
         } else if (!menu.close) {
@@ -99,9 +121,10 @@ void draw_context_menu(InterfaceContext& context) {
                                widgets::fitted(branch_title(document, menu.branch), 220.0F * scale).c_str());
             chosen = draw_groups(context, kForBranch);
         }
-        if (chosen != nullptr || std::exchange(menu.close, false)) ImGui::CloseCurrentPopup();
+        if (chosen != nullptr || !line.empty() || std::exchange(menu.close, false)) ImGui::CloseCurrentPopup();
         ImGui::EndPopup();
         if (chosen != nullptr) context.perform(*chosen);
+        if (!line.empty()) context.perform(line.front(), {line.begin() + 1, line.end()});
     } else {
         menu.open = menu.close = false; // closed by a click outside
     }

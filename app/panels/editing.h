@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -20,13 +21,13 @@ struct Editing {
     std::map<std::string_view, widgets::Slider<float>> options; // by the key of a SurfaceOption
     std::set<std::string_view> shown_options; // that are seen only when set; once seen they stay, for what is below
     widgets::Slider<float> glass_opacity, glass_grey, blend, wipe;
-    // Of one entry of the context, counted from 1, its colour or its opacity.
-    struct Context {
-        int of = -1;
-        ContextItem item;
-        int opacity_of = -1; // whose slider the mouse has
-        float opacity = 0.0F;
-    } context;
+    // Of one object of the scene, its colour while the picker is open, or its opacity while the slider is held.
+    struct Object {
+        std::string_view kind; // empty: of none
+        std::size_t index = 0;
+        std::optional<Rgb> colour;
+        std::optional<double> opacity;
+    } object;
     // Of one system, from 0, its colour while the picker is open.
     struct System {
         int of = -1;

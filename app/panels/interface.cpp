@@ -164,6 +164,7 @@ void Interface::note_covered() {
 
 void Interface::forget_tree() {
     hovered = tree::kNoBranch;
+    pointed.reset();
     nothing_in_view = false;
     auto& list = of<BranchList>();
     list.of = nullptr;
@@ -197,6 +198,7 @@ void draw_interface(InterfaceContext& context) {
     theme::use(interface.settings.light_theme ? theme::Kind::kLight : theme::Kind::kDark);
     interface.listed = tree::kNoBranch;
     interface.listed_lesion = {};
+    interface.tried_objects.reset();
     interface.covered.clear();
     // Arrows and Enter work in menus alone: elsewhere they turn the view, or are the list's.
     ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;

@@ -7,6 +7,7 @@
 #include "app/panels/panel_states.h"
 #include "app/panels/widgets.h"
 #include "app/picture/lesion_lines.h"
+#include "app/picture/scene_objects.h"
 #include "app/session/warnings.h"
 #include "app/session/window_words.h"
 #include "app/storage/settings.h"
@@ -74,15 +75,16 @@ struct Interface {
     int hovered = tree::kNoBranch; // under the pointer in the picture
     bool nothing_in_view = false;  // of all that there is
     Preparing preparing = Preparing::kNothing;
-    std::vector<render::Legend> legends;                   // of the picture that is shown, which may be of a moment ago
-    bool tooltip = false;                                  // the pointer rests on the picture
-    int listed = tree::kNoBranch;                          // under the pointer in the list of branches
-    PointedLesion listed_lesion;                           // under the pointer among the lesions
-    std::optional<GlassLook> tried_glass;                  // while a slider is held
-    std::optional<std::vector<ContextItem>> tried_context; // while a slider is held
-    std::optional<double> tried_blend, tried_wipe;         // while a slider is held
-    bool wipe_held = false;                                // the line is dragged in the picture
-    PictureLook picture;                                   // as it was drawn last
+    std::vector<render::Legend> legends;           // of the picture that is shown, which may be of a moment ago
+    bool tooltip = false;                          // the pointer rests on the picture
+    int listed = tree::kNoBranch;                  // under the pointer in the list of branches
+    std::optional<ObjectPlace> pointed;            // object of the scene under the pointer in the picture
+    PointedLesion listed_lesion;                   // under the pointer among the lesions
+    std::optional<GlassLook> tried_glass;          // while a slider is held
+    std::optional<SceneObjects> tried_objects;     // while a slider is held or a colour is chosen
+    std::optional<double> tried_blend, tried_wipe; // while a slider is held
+    bool wipe_held = false;                        // the line is dragged in the picture
+    PictureLook picture;                           // as it was drawn last
     const ToolKind* tool_kind = &tool_kinds().front();
     std::unique_ptr<Tool> tool; // null: the mouse turns the view
     ToolSettings tool_settings;

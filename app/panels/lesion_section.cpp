@@ -8,13 +8,11 @@
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
 #include "app/session/systems.h"
-#include "app/tools/spelling.h"
 #include "core/base/words.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <imgui.h>
 
 namespace ramus::app {
@@ -30,7 +28,7 @@ void draw_lesion(InterfaceContext& context, std::size_t index, const Lesion& les
     const float behind = ImGui::CalcTextSize(unit.c_str()).x + cross + 2.0F * gap;
     constexpr float kField = 56.0F;
     ImGui::PushID(static_cast<int>(index));
-    plan_rows::object_eye(context, "lesion", index, lesion.visible);
+    plan_rows::object_controls(context, plan_rows::row_of(context, lesion, index));
     ImGui::AlignTextToFramePadding();
     const float sign = ImGui::CalcTextSize("\xC3\x98").x + gap;
     const float line = ImGui::GetContentRegionAvail().x - behind - kField * theme::scale() - gap - sign;
@@ -40,7 +38,7 @@ void draw_lesion(InterfaceContext& context, std::size_t index, const Lesion& les
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
             context.perform("object-name", {"lesion", number});
         else
-            context.perform("centre", {spelled(glm::dvec3(sphere[0], sphere[1], sphere[2]))});
+            context.perform("object-centre", {"lesion", number});
     }
     widgets::tooltip((name + ": click to bring it to the middle of the picture, double-click to name it").c_str());
     ImGui::SameLine();
@@ -118,7 +116,7 @@ void draw_vessels(InterfaceContext& context, std::size_t lesion) {
 
 void draw_lesion_mesh(InterfaceContext& context, std::size_t index, const Lesion& lesion) {
     const std::string& file = lesion.file;
-    (void)plan_rows::object_row(context, lesion, index, {std::filesystem::path(file).filename().string(), file});
+    plan_rows::object_row(context, plan_rows::row_of(context, lesion, index));
     ImGui::PushID(file.c_str());
     const auto mesh = context.workspace.assets().lesion_mesh(file);
     if (mesh && mesh->axes != tree::SaidBy::kFile)

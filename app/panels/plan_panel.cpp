@@ -92,20 +92,12 @@ void draw_measurements(InterfaceContext& context) {
                            {"Path", "Path along the vessels between two places", "tool", {"measure-path"}},
                            {"Diameter", "Diameter at a place", "tool", {"measure-diameter"}},
                            {"Angle", "Angle between three places", "tool", {"measure-angle"}}});
-    const auto measurements = context.workspace.current_assets().measurements; // keeps it alive, as above
-    if (!measurements->found.empty())
+    const std::vector<Measurement> measurements = context.workspace.document().marks().measurements; // rows change it
+    if (!measurements.empty())
         widgets::row_headings({"Measurement", "What was measured; hover a line for the details"},
                               {"Value", "What it measures, with its unit"}, ImGui::GetFrameHeight());
-    for (std::size_t i = 0; i < measurements->found.size(); ++i) {
-        const Result<Measured>& found = measurements->found[i];
-        const Measurement& measurement = measurements->of[i];
-        std::string details = found ? found->what : found.error().message();
-        if (found)
-            for (const auto& [name, value] : found->details) details += "\n" + name + ": " + value;
-        const std::string value = found ? found->value_text() : "";
-        (void)plan_rows::object_row(context, measurement, i,
-                                    {found ? found->kind : "cannot be measured", details, value, !found});
-    }
+    for (std::size_t i = 0; i < measurements.size(); ++i)
+        plan_rows::object_row(context, plan_rows::row_of(context, measurements[i], i));
 }
 
 void draw_report_button(InterfaceContext& context) {

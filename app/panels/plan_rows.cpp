@@ -4,6 +4,8 @@
 #include "app/panels/row_buttons.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
+#include "app/session/colour_by.h"
+#include "app/session/numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -39,24 +41,83 @@ int removable_row(const std::string& text, const ImVec4& colour, const char* hel
     return result;
 }
 
-void object_eye(InterfaceContext& context, const std::string& kind, std::size_t index, bool visible) {
-    if (widgets::eye_button(visible, visible ? "Hide" : "Show"))
-        context.perform(visible ? "object-hide" : "object-show", {kind, std::to_string(index + 1)});
-    ImGui::SameLine(0.0F, 2.0F * theme::scale());
+namespace {
+
+std::vector<std::string> name_of(const ObjectRow& row) {
+    return {std::string(row.kind), std::to_string(row.index + 1)};
 }
 
-bool object_row(InterfaceContext& context, const std::string& kind, std::size_t index, bool visible,
-                const RowWords& words) {
-    ImGui::PushID(static_cast<int>(index));
-    object_eye(context, kind, index, visible);
-    const ImVec4& colour = words.trouble ? theme::kTrouble : visible ? theme::kText : theme::kQuiet;
-    const int done = removable_row(words.what, colour, words.help.c_str(), words.value);
+bool is_of(const Editing::Object& trial, const ObjectRow& row) {
+    return trial.kind == row.kind && trial.index == row.index;
+}
+
+// Shows the trial value in the picture.
+void try_object(InterfaceContext& context, const Editing::Object& trial) {
+    SceneObjects& tried = context.interface.tried_objects.emplace(context.workspace.document().marks());
+    for_each_object_list(tried, [&]<class T>(std::vector<T>& list) {
+        if (trial.kind != T::kNoun || trial.index >= list.size()) return;
+        T& object = list[trial.index];
+        object.colour = trial.colour.value_or(object.colour);
+        if constexpr (SurfaceObject<T>) object.opacity = trial.opacity.value_or(object.opacity);
+    });
+}
+
+} // namespace
+
+void object_controls(InterfaceContext& context, const ObjectRow& row) {
+    if (widgets::eye_button(row.visible, row.visible ? "Hide" : "Show"))
+        context.perform(row.visible ? "object-hide" : "object-show", name_of(row));
+    ImGui::SameLine(0.0F, 2.0F * theme::scale());
+    Editing::Object& trial = context.interface.of<Editing>().object;
+    const bool changing = is_of(trial, row) && trial.colour;
+    Rgb colour = changing ? *trial.colour : row.colour;
+    if (widgets::colour_swatch(colour)) {
+        trial = {row.kind, row.index, colour, {}};
+    } else if (changing && !ImGui::IsPopupOpen("colour")) {
+        trial = {};
+        auto words = name_of(row);
+        words.push_back(colour_text(colour));
+        if (colour != row.colour) context.perform("object-colour", words);
+    }
+    if (is_of(trial, row) && trial.colour) try_object(context, trial);
+}
+
+void object_opacity(InterfaceContext& context, const ObjectRow& row) {
+    Editing::Object& trial = context.interface.of<Editing>().object;
+    const bool changing = is_of(trial, row) && trial.opacity;
+    float shown = static_cast<float>(changing ? *trial.opacity : row.opacity.value_or(1.0));
+    ImGui::SetNextItemWidth(-44.0F * theme::scale());
+    ImGui::SliderFloat("##opacity", &shown, 0.0F, 1.0F, "Opacity", ImGuiSliderFlags_AlwaysClamp);
+    widgets::tooltip("Opacity");
+    const bool done = ImGui::IsItemDeactivatedAfterEdit();
+    if (ImGui::IsItemActive()) {
+        trial = {row.kind, row.index, {}, static_cast<double>(shown)};
+        try_object(context, trial);
+    } else if (changing) {
+        trial = {};
+    }
+    ImGui::SameLine();
+    widgets::text_right(widgets::percent_text(shown));
+    auto words = name_of(row);
+    words.push_back(digits(static_cast<double>(shown), 3));
+    if (done) context.perform("object-opacity", words);
+}
+
+void object_row(InterfaceContext& context, const ObjectRow& row) {
+    ImGui::PushID(static_cast<int>(row.index));
+    object_controls(context, row);
+    const ImVec4& colour = row.words.trouble ? theme::kTrouble : row.visible ? theme::kText : theme::kQuiet;
+    const std::string help = row.words.details + (row.words.details.empty() ? "" : "\n") +
+                             "Click to bring it to the middle of the picture, double-click to name it";
+    const int done = removable_row(row.words.title, colour, help.c_str(), row.words.value);
     const bool twice = done > 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     ImGui::PopID();
-    const std::vector<std::string> which{kind, std::to_string(index + 1)};
-    if (done < 0) context.perform("object-remove", which);
-    if (twice) context.perform("object-name", which);
-    return done > 0 && !twice;
+    if (done < 0)
+        context.perform("object-remove", name_of(row));
+    else if (twice)
+        context.perform("object-name", name_of(row));
+    else if (done > 0)
+        context.perform("object-centre", name_of(row));
 }
 
 std::vector<std::string> number_field(InterfaceContext& context, const char* id, const std::string& current,

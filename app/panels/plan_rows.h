@@ -2,9 +2,13 @@
 #pragma once
 
 #include "app/panels/interface.h"
+#include "app/picture/scene_objects.h"
 
+#include <cstddef>
 #include <imgui.h>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ramus::app {
@@ -16,23 +20,32 @@ namespace plan_rows {
 // A clickable line with a value and a cross at its right end. Returns 1 for the line, -1 for the cross, otherwise 0.
 [[nodiscard]] int removable_row(const std::string& text, const ImVec4& colour, const char* help,
                                 const std::string& value = {});
-// The same for an object of the scene, with an eye that toggles visibility. Shows the object's name, or `what`. Handles
-// hiding, removing and renaming (double click); returns whether the line was clicked.
-struct RowWords {
-    std::string what;
-    std::string help;
-    std::string value{};
-    bool trouble = false; // shown as an error
+// What a row shows of an object of the scene, whatever its kind.
+struct ObjectRow {
+    std::string_view kind;
+    std::size_t index;
+    bool visible;
+    Rgb colour;
+    std::optional<double> opacity; // of surfaces
+    ObjectWords words;
 };
-bool object_row(InterfaceContext& context, const std::string& kind, std::size_t index, bool visible,
-                const RowWords& words);
-template <SceneObject T>
-bool object_row(InterfaceContext& context, const T& object, std::size_t index, RowWords words) {
-    if (!object.name.empty()) words.what = object.name;
-    return object_row(context, std::string(T::kNoun), index, object.visible, words);
+template <SceneObject T> ObjectRow row_of(InterfaceContext& context, const T& object, std::size_t index) {
+    ObjectRow row{T::kNoun,
+                  index,
+                  object.visible,
+                  object.colour,
+                  {},
+                  words_of(object, index, context.workspace.current_assets(), context.workspace.document().lengths())};
+    if constexpr (SurfaceObject<T>) row.opacity = object.opacity;
+    return row;
 }
-// Only the eye.
-void object_eye(InterfaceContext& context, const std::string& kind, std::size_t index, bool visible);
+// The left of a row: an eye that shows and hides the object, and a swatch for its colour.
+void object_controls(InterfaceContext& context, const ObjectRow& row);
+// A whole row: controls, title, value, cross. A click brings the object into the middle of the picture, a double click
+// names it.
+void object_row(InterfaceContext& context, const ObjectRow& row);
+// A line with a slider for the opacity of a surface.
+void object_opacity(InterfaceContext& context, const ObjectRow& row);
 
 // A field for one or several numbers at the right edge, or `before_right` points left of it. Returns the input once it
 // was entered, otherwise nothing.

@@ -58,12 +58,10 @@ glm::vec2 card_corner(const Layout& layout, const std::vector<Covered>& covered,
     return best;
 }
 
-void draw_branch_tooltip(InterfaceContext& context, int id) {
-    const Document& document = context.workspace.document();
-    if (id < 0 || id >= document.branch_count() || !context.workspace.facts()) return;
-    const auto index = static_cast<std::size_t>(id);
-    const BranchFacts& facts = context.workspace.facts()->branches[index];
-    const tree::Branch& branch = document.tree()->branches[index];
+namespace {
+
+// Draws the card beside the pointer; `draw()` fills it.
+template <class Draw> void draw_card(InterfaceContext& context, const Draw& draw) {
     const float scale = theme::scale();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12.0F * scale, 9.0F * scale});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {16.0F * scale, 3.0F * scale});
@@ -72,6 +70,30 @@ void draw_branch_tooltip(InterfaceContext& context, int id) {
         card_corner(context.layout, context.interface.covered, {mouse.x, mouse.y}, context.interface.card_size, scale);
     ImGui::SetNextWindowPos({std::round(corner.x), std::round(corner.y)});
     ImGui::BeginTooltip();
+    draw();
+    const ImVec2 size = ImGui::GetWindowSize();
+    context.interface.card_size = {size.x, size.y};
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar(2);
+}
+
+void draw_object_tooltip(InterfaceContext& context, const ObjectPlace& place) {
+    const Document& document = context.workspace.document();
+    const ObjectWords words = words_of(place, document.marks(), context.workspace.current_assets(), document.lengths());
+    draw_card(context, [&] {
+        constexpr float kWidth = 320.0F;
+        ImGui::PushTextWrapPos(kWidth * theme::scale());
+        ImGui::TextColored(theme::kAccent, "%s", words.title.c_str());
+        if (!words.value.empty()) ImGui::TextUnformatted(words.value.c_str());
+        if (!words.details.empty()) widgets::quiet(words.details.c_str());
+        ImGui::PopTextWrapPos();
+    });
+}
+
+void draw_branch_facts(const InterfaceContext& context, int id, const BranchFacts& facts) {
+    const Document& document = context.workspace.document();
+    const tree::Branch& branch = document.tree()->branches[static_cast<std::size_t>(id)];
+    const float scale = theme::scale();
     const std::string label = label_of(document.dependency(), document.marks(), id);
     const std::string number = "Branch " + std::to_string(id);
     ImGui::TextColored(theme::kAccent, "%s",
@@ -111,15 +133,25 @@ void draw_branch_tooltip(InterfaceContext& context, int id) {
         }
         ImGui::EndTable();
     }
-    const ImVec2 size = ImGui::GetWindowSize();
-    context.interface.card_size = {size.x, size.y};
-    ImGui::EndTooltip();
-    ImGui::PopStyleVar(2);
+}
+
+} // namespace
+
+void draw_branch_tooltip(InterfaceContext& context, int id) {
+    const Document& document = context.workspace.document();
+    if (id < 0 || id >= document.branch_count() || !context.workspace.facts()) return;
+    const auto index = static_cast<std::size_t>(id);
+    const BranchFacts& facts = context.workspace.facts()->branches[index];
+    draw_card(context, [&] { draw_branch_facts(context, id, facts); });
 }
 
 void draw_tooltip(InterfaceContext& context) {
     const Interface& interface = context.interface;
-    if (interface.tooltip && !interface.of<BarMenus>().have_keys()) draw_branch_tooltip(context, interface.hovered);
+    if (!interface.tooltip || interface.of<BarMenus>().have_keys()) return;
+    if (interface.pointed)
+        draw_object_tooltip(context, *interface.pointed);
+    else
+        draw_branch_tooltip(context, interface.hovered);
 }
 
 } // namespace ramus::app

@@ -22,12 +22,12 @@ struct Viewing {
     Ground ground = Ground::kDark;
     std::optional<mesh::Method> method{}; // of the shown surface, if not the session's
     render::Quality quality = render::Quality::kFull;
-    std::optional<GlassLook> glass{};                  // trial value that replaces the session's
-    std::optional<std::vector<ContextItem>> context{}; // trial value
-    std::optional<mesh::SurfaceOptions> options{};     // trial value
-    std::optional<render::AxisNames> axes{};           // trial value that replaces the known names
-    bool notes = false;                                // marks the places that reading the tree repaired or suspects
-    int note = -1;                                     // index of the emphasised note; -1: none
+    std::optional<GlassLook> glass{};              // trial value that replaces the session's
+    std::optional<SceneObjects> objects{};         // trial value
+    std::optional<mesh::SurfaceOptions> options{}; // trial value
+    std::optional<render::AxisNames> axes{};       // trial value that replaces the known names
+    bool notes = false;                            // marks the places that reading the tree repaired or suspects
+    int note = -1;                                 // index of the emphasised note; -1: none
     int measurement = kNoObject;  // id of a measurement to omit, because a tool draws it; kNoObject: none
     PointedLesion lesion{};       // draws its shortest distances, emphasised if others are drawn
     bool context_awaited = false; // some visible context is still being read

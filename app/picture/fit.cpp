@@ -30,15 +30,6 @@ render::View opening_view(const tree::VesselTree& tree) {
     return is_flat(size.z, size.x, size.y) ? render::View::kSuperior : render::View::kAnterior;
 }
 
-std::vector<glm::vec3> shown_positions(const Marks& marks, const Assets& assets) {
-    std::vector<glm::vec3> positions;
-    for (const ContextItem& item : marks.context)
-        if (const auto shape = item.visible ? assets.context_shape(source_of(item)) : nullptr;
-            shape && item.opacity > 0.0)
-            positions.insert(positions.end(), shape->mesh->positions.begin(), shape->mesh->positions.end());
-    return positions;
-}
-
 bool context_in_view(const render::Frame& frame) {
     return std::ranges::any_of(frame.context, [&](const render::ContextMesh& item) {
         if (!item.shown()) return false;

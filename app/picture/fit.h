@@ -17,9 +17,6 @@ namespace ramus::app {
 // The initial view: from the front, or facing the largest side of a flat tree, which would otherwise be seen edge-on.
 [[nodiscard]] render::View opening_view(const tree::VesselTree& tree);
 
-// Positions of the visible context that has been read; mm.
-[[nodiscard]] std::vector<glm::vec3> shown_positions(const Marks& marks, const Assets& assets);
-
 // Whether visible context may be in the picture, judged by bounding boxes.
 [[nodiscard]] bool context_in_view(const render::Frame& frame);
 

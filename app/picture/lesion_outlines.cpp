@@ -143,11 +143,15 @@ std::vector<std::vector<glm::dvec3>> silhouette(const mesh::TriangleMesh& mesh, 
 void outline_lesions(render::Frame& frame, const Assets& assets, const Marks& marks) {
     const auto clear = [](const render::ContextMesh& item) { return item.clear() && !item.wireframe; };
     if (std::ranges::none_of(frame.context, clear)) return;
-    constexpr glm::vec3 kOutline{0.96F, 0.93F, 0.42F}; // the lesions' colour, lighter
-    const auto draw = [&](std::vector<glm::dvec3> line) {
-        if (!line.empty()) frame.lines.push_back({std::move(line), kOutline, 1.8F});
+    const auto draw = [&](std::vector<glm::dvec3> line, std::size_t lesion) {
+        const glm::vec3 lighter = glm::min(1.2F * frame.lesions.look(lesion).colour, 1.0F);
+        if (!line.empty()) frame.lines.push_back({std::move(line), lighter, 1.8F});
     };
-    for (const glm::dvec4& sphere : frame.lesions.spheres) draw(outline_of(sphere, frame.camera));
+    std::size_t drawn = 0;
+    for (const glm::dvec4& sphere : frame.lesions.spheres) {
+        if (frame.lesions.look(drawn).opacity > 0.0F) draw(outline_of(sphere, frame.camera), drawn);
+        ++drawn;
+    }
     if (frame.lesions.meshes.empty()) return;
     for (const Lesion& lesion : marks.lesions) {
         const auto mesh = lesion.visible && lesion.is_mesh() ? assets.lesion_mesh(lesion.file) : nullptr;
@@ -155,7 +159,8 @@ void outline_lesions(render::Frame& frame, const Assets& assets, const Marks& ma
         const auto& box = mesh->distance->bounds();
         for (auto& line : silhouette(mesh->coarse ? *mesh->coarse : mesh->mesh, 0.5 * (box.least + box.most),
                                      frame.camera, frame.size))
-            draw(std::move(line));
+            draw(std::move(line), drawn);
+        ++drawn;
     }
 }
 

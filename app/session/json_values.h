@@ -2,6 +2,7 @@
 // obscure the format. Internal to the code that reads and writes ramus' own JSON (sessions, settings, studies).
 #pragma once
 
+#include "app/session/colour_by.h"
 #include "app/session/session.h"
 
 #include <algorithm>
@@ -74,15 +75,33 @@ inline std::vector<int> ids(const json& value, const std::string& name) {
     return canonical(std::move(found));
 }
 
-// The keys common to all objects of the scene; defaults are omitted.
-inline void write_object(json& value, const SceneObject auto& object) {
-    if (!object.name.empty()) value["name"] = object.name;
-    if (!object.visible) value["visible"] = false;
+inline Rgb colour_from(const json& value, const std::string& name) {
+    const std::string wanted = text(value, name);
+    const auto found = colour_in(wanted);
+    if (!found) throw Refusal{"\"" + wanted + "\" is not a colour: #RRGGBB"};
+    return *found;
 }
 
-inline void read_object(const json& value, SceneObject auto& object) {
+// The keys common to all objects of the scene; defaults are omitted.
+template <SceneObject T> void write_object(json& value, const T& object) {
+    const T usual{};
+    if (!object.name.empty()) value["name"] = object.name;
+    if (!object.visible) value["visible"] = false;
+    if (object.colour != usual.colour) value["colour"] = colour_text(object.colour);
+    if constexpr (SurfaceObject<T>)
+        if (object.opacity != usual.opacity) value["opacity"] = object.opacity;
+}
+
+// Reads them; `own`: the further keys that the kind has.
+template <SceneObject T> void read_object(const json& value, T& object, std::vector<std::string_view> own) {
+    own.insert(own.end(), {"name", "visible", "colour"});
+    if constexpr (SurfaceObject<T>) own.emplace_back("opacity");
+    expect_only(value, std::string(T::kNoun), own);
     if (value.contains("name")) object.name = text(value["name"], "name");
     if (value.contains("visible")) object.visible = truth(value["visible"], "visible");
+    if (value.contains("colour")) object.colour = colour_from(value["colour"], "colour");
+    if constexpr (SurfaceObject<T>)
+        if (value.contains("opacity")) object.opacity = number(value["opacity"], "opacity", 0.0, 1.0);
 }
 
 // Returns `value`, or an object with `value` under `key` if there are further keys to write.

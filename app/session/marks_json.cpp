@@ -77,10 +77,8 @@ json measurement_json(const Measurement& m, const Marks& marks) {
 }
 
 Measurement measurement_in(const json& value, const Marks& marks) {
-    expect_only(value, "a measurement",
-                {"kind", "points", "branches", "fraction", "fractions", "lesions", "shortest", "name", "visible"});
     Measurement found;
-    read_object(value, found);
+    read_object(value, found, {"kind", "points", "branches", "fraction", "fractions", "lesions", "shortest"});
     const std::string wanted = text(value.value("kind", json()), "kind of a measurement");
     const auto kind = paired(kMeasurementNames, wanted);
     if (!kind) throw Refusal{"unknown measurement \"" + wanted + "\""};
@@ -214,13 +212,6 @@ DeviationChoice deviation_in(const json& value, const fs::path& folder) {
     return choice;
 }
 
-static std::array<std::uint8_t, 3> colour_from(const json& value, const std::string& name) {
-    const std::string wanted = text(value, name);
-    const auto found = colour_in(wanted);
-    if (!found) throw Refusal{"\"" + wanted + "\" is not a colour: #RRGGBB"};
-    return *found;
-}
-
 tree::System system_in(const json& value) {
     expect_only(value, "systems", {"name", "colour"});
     return {text(value.value("name", json()), "name of a system"),
@@ -228,36 +219,27 @@ tree::System system_in(const json& value) {
 }
 
 json context_json(const ContextItem& item, const fs::path& folder) {
-    json value{{"path", written_path(item.file, folder).string()},
-               {"colour", colour_text(item.colour)},
-               {"opacity", item.opacity},
-               {"wireframe", item.wireframe},
-               {"visible", item.visible}};
+    json value{{"path", written_path(item.file, folder).string()}, {"wireframe", item.wireframe}};
     if (!item.label.none()) value["label"] = label_json(item.label);
     if (item.isovalue) value["isovalue"] = *item.isovalue;
     if (item.exact) value["exact"] = true;
     if (!item.units.empty()) value["units"] = item.units;
     if (!item.axes.empty()) value["axes"] = item.axes;
-    if (!item.name.empty()) value["name"] = item.name;
+    write_object(value, item);
     return value;
 }
 
 ContextItem context_in(const json& value, const fs::path& folder) {
-    expect_only(
-        value, "context",
-        {"path", "label", "isovalue", "colour", "opacity", "wireframe", "visible", "exact", "units", "axes", "name"});
     ContextItem item;
-    read_object(value, item);
+    read_object(value, item, {"path", "label", "isovalue", "wireframe", "exact", "units", "axes"});
     if (!value.contains("path")) throw Refusal{"a context mesh has no path"};
     item.file = (folder / text(value["path"], "path of a context mesh")).lexically_normal().string();
     if (value.contains("label")) item.label = label_in(value["label"]);
     if (value.contains("isovalue")) item.isovalue = number(value["isovalue"], "isovalue", -HUGE_VAL, HUGE_VAL);
-    if (value.contains("opacity")) item.opacity = number(value["opacity"], "opacity", 0.0, 1.0);
     if (value.contains("wireframe")) item.wireframe = truth(value["wireframe"], "wireframe");
     if (value.contains("exact")) item.exact = truth(value["exact"], "exact");
     if (value.contains("units")) item.units = units_in(value["units"]);
     if (value.contains("axes")) item.axes = mesh_axes_in(value["axes"]);
-    if (value.contains("colour")) item.colour = colour_from(value["colour"], "colour");
     return item;
 }
 

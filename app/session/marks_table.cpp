@@ -103,8 +103,7 @@ MarksEntry spheres_entry() {
                 if (!value.is_array()) throw Refusal{"lesions is not a list"};
                 for (const json& element : value) {
                     Lesion lesion;
-                    if (element.is_object()) expect_only(element, "a lesion", {"sphere", "name", "visible"});
-                    if (element.is_object()) read_object(element, lesion);
+                    if (element.is_object()) read_object(element, lesion, {"sphere"});
                     const json& sphere =
                         element.is_object() && element.contains("sphere") ? element["sphere"] : element;
                     if (!sphere.is_array() || sphere.size() != 4) throw Refusal{"a lesion is not [x, y, z, radius]"};
@@ -139,8 +138,7 @@ MarksEntry lesion_meshes_entry() {
                 if (!value.is_array()) throw Refusal{"lesion_meshes is not a list"};
                 for (const json& element : value) {
                     Lesion lesion;
-                    if (element.is_object()) expect_only(element, "lesion", {"path", "axes", "name", "visible"});
-                    if (element.is_object()) read_object(element, lesion);
+                    if (element.is_object()) read_object(element, lesion, {"path", "axes"});
                     const json& path = element.is_object() && element.contains("path") ? element["path"] : element;
                     lesion.file = (folder / text(path, "path of a lesion")).lexically_normal().string();
                     if (element.is_object() && element.contains("axes")) lesion.axes = mesh_axes_in(element["axes"]);
@@ -297,9 +295,8 @@ json pin_json(const Pin& pin, const fs::path& /*folder*/) {
 }
 
 Pin pin_in(const json& value, const fs::path& /*folder*/) {
-    expect_only(value, "a pin", {"at", "name", "visible"});
     Pin pin;
-    read_object(value, pin);
+    read_object(value, pin, {"at"});
     const json at = list_in(value, "at");
     if (at.size() != 3) throw Refusal{"a pin is not at [x, y, z]"};
     for (int axis = 0; axis < 3; ++axis)

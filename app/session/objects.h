@@ -22,6 +22,8 @@ namespace ramus::app {
 inline constexpr int kNoObject = 0;    // no object
 inline constexpr int kLostObject = -1; // an object that a session file refers to but does not contain
 
+using Rgb = std::array<std::uint8_t, 3>; // sRGB
+
 // A sphere, or a closed mesh from a file.
 struct Lesion {
     static constexpr std::string_view kNoun = "lesion";
@@ -30,7 +32,9 @@ struct Lesion {
     std::string axes{};             // of a mesh that does not state them: "LPS"; empty: not specified
     int id = kNoObject;
     std::string name{};
-    bool visible = true; // in the picture; margins and distances always use all lesions
+    bool visible = true; // margins and distances always use all lesions
+    Rgb colour{204, 199, 66};
+    double opacity = 0.6; // where it faces the eye
     [[nodiscard]] bool is_mesh() const { return !file.empty(); }
     bool operator==(const Lesion&) const = default;
 };
@@ -51,6 +55,7 @@ struct Measurement {
     int id = kNoObject;
     std::string name{};
     bool visible = true;
+    Rgb colour{140, 237, 209};
     bool operator==(const Measurement&) const = default;
 };
 
@@ -60,15 +65,15 @@ struct Measurement {
 [[nodiscard]] bool of_branching(const Measurement& measurement);
 [[nodiscard]] bool names_lesion(const Measurement& measurement);
 [[nodiscard]] bool measure_alike(const Measurement& a,
-                                 const Measurement& b); // equal except for id, name and visibility
+                                 const Measurement& b); // equal except for id, name, visibility and colour
 
 // A surface in the coordinates of the tree: an organ, a bone, another surface of the vessels.
 struct ContextItem {
     static constexpr std::string_view kNoun = "context";
-    std::string file;                                  // absolute path: a mask or a mesh (STL, PLY, OBJ)
-    volume::LabelChoice label;                         // of a mask: only this label; none: everything but 0
-    std::array<std::uint8_t, 3> colour{201, 130, 104}; // sRGB
-    double opacity = 0.25;                             // where it faces the eye; 1: opaque
+    std::string file;          // absolute path: a mask or a mesh (STL, PLY, OBJ)
+    volume::LabelChoice label; // of a mask: only this label; none: everything but 0
+    Rgb colour{201, 130, 104};
+    double opacity = 0.25; // where it faces the eye; 1: opaque
     bool wireframe = false, visible = true;
     bool exact = false;               // of a mask: keep the steps of its voxels
     std::string units;                // of the file's lengths, "cm"; empty: as the file says
@@ -86,6 +91,7 @@ struct Pin {
     int id = kNoObject;
     std::string name{};
     bool visible = true;
+    Rgb colour{250, 204, 89};
     bool operator==(const Pin&) const = default;
 };
 
@@ -95,6 +101,12 @@ concept SceneObject = std::equality_comparable<T> && requires(T object) {
     { object.id + 0 } -> std::same_as<int>;
     {std::string(object.name)};
     { !object.visible } -> std::same_as<bool>;
+    {Rgb(object.colour)};
+};
+// A kind that is drawn as a surface.
+template <class T>
+concept SurfaceObject = SceneObject<T> && requires(T object) {
+    { object.opacity + 0.0 } -> std::same_as<double>; // 0 to 1
 };
 
 // The lists of all kinds. for_each_object_list() below is the only enumeration of kinds.

@@ -134,7 +134,7 @@ bool names_lesion(const Measurement& measurement) {
 
 bool measure_alike(const Measurement& a, const Measurement& b) {
     Measurement other = b;
-    other.id = a.id, other.name = a.name, other.visible = a.visible;
+    other.id = a.id, other.name = a.name, other.visible = a.visible, other.colour = a.colour;
     return other == a;
 }
 

@@ -71,10 +71,7 @@ Grip ViewerInput::grip() {
 // Panning moves the point under the pointer along; pivots and targets of zooming stay.
 void ViewerInput::drag_view(glm::dvec2 at) {
     const auto camera = mouse_.move(state_.workspace.document().session().camera, picture_.picture_size(), at);
-    if (mouse_.dragging()) {
-        state_.interface.hovered = tree::kNoBranch;
-        state_.interface.tooltip = false;
-    }
+    if (mouse_.dragging()) point_at(tree::kNoBranch, {});
     if (!camera) return;
     picture_.move_camera(*camera);
     if (mouse_.turning() || mouse_.zooming()) {
@@ -90,11 +87,25 @@ void ViewerInput::take_pick() {
     const auto pick = picture_.poll_pick();
     if (!pick) return;
     pick_pending_ = false;
-    const int hovered =
-        pointer_over_picture_ && !mouse_.dragging() && points_at_branches() ? pick->branch : tree::kNoBranch;
-    if (!picture_.shows_tree() || hovered >= state_.workspace.document().branch_count()) return;
-    if (hovered != state_.interface.hovered) state_.redraw();
-    state_.interface.hovered = hovered;
+    if (!picture_.shows_tree() || pick->branch >= state_.workspace.document().branch_count()) return;
+    if (pointer_over_picture_ && !mouse_.dragging() && points_at_branches())
+        point_at(pick->branch, object_at(in_viewport(pointer_), *pick));
+    else
+        point_at(tree::kNoBranch, {});
+}
+
+std::optional<ObjectPlace> ViewerInput::object_at(glm::dvec2 in_viewport, const render::Pick& pick) const {
+    const Document& document = state_.workspace.document();
+    return object_under({document.session().camera, picture_.picture_size(), state_.scale, in_viewport, pick},
+                        state_.workspace.assets(), document.marks());
+}
+
+void ViewerInput::point_at(int branch, const std::optional<ObjectPlace>& object) {
+    Interface& interface = state_.interface;
+    if (branch != interface.hovered || object != interface.pointed) state_.redraw();
+    if (branch == tree::kNoBranch && !object) interface.tooltip = false;
+    interface.hovered = branch;
+    interface.pointed = object;
 }
 
 void ViewerInput::ask_pick() {
@@ -102,11 +113,7 @@ void ViewerInput::ask_pick() {
     pick_wanted_ = false;
     pointer_over_picture_ = over_picture(pointer_);
     state_.interface.tooltip = pointer_over_picture_ && points_at_branches() && picture_.shows_tree();
-    if (!state_.interface.tooltip) {
-        if (state_.interface.hovered != tree::kNoBranch) state_.redraw();
-        state_.interface.hovered = tree::kNoBranch;
-        return;
-    }
+    if (!state_.interface.tooltip) return point_at(tree::kNoBranch, {});
     picture_.request_pick(in_picture(pointer_));
     pick_pending_ = true;
 }
@@ -186,8 +193,7 @@ void ViewerInput::press(MouseButton button, Modifiers modifiers, double now) {
         const double width = state_.layout.view_size.x;
         wipe_grip_ = in_picture(pointer_).x - state_.workspace.document().marks().comparison.wipe * width;
         state_.interface.wipe_held = true;
-        state_.interface.hovered = tree::kNoBranch;
-        state_.interface.tooltip = false;
+        point_at(tree::kNoBranch, {});
     } else if (left && state_.interface.tool && over) {
         tool_mouse_.press(tell(), pointing(modifiers), now);
     } else if (over) {
@@ -300,24 +306,23 @@ Cursor ViewerInput::cursor() const {
 void ViewerInput::clicked(const Click& click) {
     if (!state_.workspace.document().tree()) return;
     look_up(from_viewport(click.at), [this, kind = click.kind, here = pointing({})](const render::Pick& under) {
-        if (kind != Click::Kind::kSecondary) return click_on(kind, under);
         Pointing known = here;
         known.under = under;
+        if (kind != Click::Kind::kSecondary) return click_on(kind, known);
         right_click_on(known);
     });
 }
 
-void ViewerInput::click_on(Click::Kind kind, const render::Pick& pick) {
+void ViewerInput::click_on(Click::Kind kind, const Pointing& pointing) {
+    const render::Pick& pick = pointing.under;
+    const auto object = object_at(pointing.at, pick);
+    if (kind == Click::Kind::kCentre && object) return look_at(object->at);
     const bool hit = pick.branch >= 0 && pick.branch < state_.workspace.document().branch_count();
     if (!hit) {
         if (kind == Click::Kind::kSelect) state_.perform("select-none", {});
         return;
     }
-    if (kind == Click::Kind::kCentre) {
-        picture_.move_camera(render::centred_on(state_.workspace.document().session().camera, pick.position));
-        picture_.camera_leapt();
-        return;
-    }
+    if (kind == Click::Kind::kCentre) return look_at(pick.position);
     state_.perform(kind == Click::Kind::kSelect                 ? "select"
                    : kind == Click::Kind::kSelectWithDependents ? "select-subtree"
                    : kind == Click::Kind::kAdd                  ? "select-add"
@@ -325,20 +330,28 @@ void ViewerInput::click_on(Click::Kind kind, const render::Pick& pick) {
                    {std::to_string(pick.branch)});
 }
 
+void ViewerInput::look_at(const glm::dvec3& at) {
+    picture_.move_camera(render::centred_on(state_.workspace.document().session().camera, at));
+    picture_.camera_leapt();
+}
+
 void ViewerInput::right_click_on(const Pointing& pointing) {
     const bool taken = state_.interface.tool && state_.interface.tool->right_click(pointing);
     perform_tool();
-    if (!taken) open_context_menu(pointing.under);
+    if (!taken) open_context_menu(pointing);
 }
 
-// Opens the menu for the branch, and selects it first if necessary.
-void ViewerInput::open_context_menu(const render::Pick& pick) {
-    const int branch = pick.branch;
+// Opens the menu for the object or the branch, and selects the branch first if necessary.
+void ViewerInput::open_context_menu(const Pointing& pointing) {
+    ContextMenu& menu = state_.interface.of<ContextMenu>();
+    menu = {.wanted = true, .object = object_at(pointing.at, pointing.under)};
+    state_.redraw();
+    if (menu.object) return;
+    const int branch = pointing.under.branch;
     const bool hit = branch >= 0 && branch < state_.workspace.document().branch_count();
     if (hit && !is_selected(state_.workspace.document().marks(), branch))
         state_.perform("select", {std::to_string(branch)});
-    state_.interface.of<ContextMenu>() = {.wanted = true, .branch = hit ? branch : tree::kNoBranch};
-    state_.redraw();
+    if (hit) menu.branch = branch;
 }
 
 void ViewerInput::run(const Command& command) { state_.context().perform(command); }

@@ -87,9 +87,13 @@ private:
     }
     void perform_tool();
     void clicked(const Click& click);
-    void click_on(Click::Kind kind, const render::Pick& pick);
+    void click_on(Click::Kind kind, const Pointing& pointing);
     void right_click_on(const Pointing& pointing);
-    void open_context_menu(const render::Pick& pick);
+    void open_context_menu(const Pointing& pointing);
+    void look_at(const glm::dvec3& at);
+    [[nodiscard]] std::optional<ObjectPlace> object_at(glm::dvec2 in_viewport, const render::Pick& pick) const;
+    // Sets what is under the pointer; kNoBranch and no object: nothing.
+    void point_at(int branch, const std::optional<ObjectPlace>& object);
     void run(const Command& command);
 
     ViewerState& state_;

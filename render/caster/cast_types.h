@@ -184,8 +184,8 @@ struct Shading {
     int ramp_steps;
     const vec4* lesions; // spheres: centre in eye space, radius
     LesionGrid grid;
-    const float* context; // linear colour and opacity per context mesh; negative opacity: lines
-    const vec4* cuts;     // five per part of a branch that a cut loses, see behind_cut()
+    const float* shapes; // LookData::shapes
+    const vec4* cuts;    // five per part of a branch that a cut loses, see behind_cut()
 };
 
 // A cross-section of a vessel: the circle that fits the surface best at this place.

@@ -197,7 +197,7 @@ Shading Caster::shading_of(const Frame& frame, const Content& content) const {
     }
     shading.lesions = content.data.lesions.data();
     shading.cuts = content.data.cuts.data();
-    shading.context = content.data.context.empty() ? nullptr : &content.data.context.front().x;
+    shading.shapes = content.data.shapes.empty() ? nullptr : &content.data.shapes.front().x;
     if (!frame.scale.ramp.empty()) shading.ramp = &frame.scale.ramp.front().x;
     shading.ramp_steps = static_cast<int>(frame.scale.ramp.size());
     if (content.uniforms.counts.w == 0.0F) return shading;
@@ -248,7 +248,7 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
     resize(view);
     view_ = view;
     const std::size_t drawn = vessels_.prepare(frame, view_, to_eye, content.layers, cones_);
-    append_lesions(view_, content.data.lesions, cones_);
+    append_lesions(view_, content.data, cones_);
     solid_triangles_.clear();
     clear_triangles_.clear();
     const bool with_values = content.uniforms.scale.w > 0.0F || !content.data.cuts.empty();

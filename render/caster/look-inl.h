@@ -54,15 +54,17 @@ public:
 #undef SHADOWS
 
     // Linear colour and opacity (negative: lines). Arbitrary but valid for lanes that show neither lesions nor context.
-    HWY_INLINE Vec4 context_mesh(Uint id) const {
-        const M there = hn::And(any_of(id.v, kSolid), any_of(id.v, kContext));
-        const VU index = hn::Sub(hn::And(id.v, hn::Set(DU(), kNumberBits)), hn::Set(DU(), 1U));
-        const VI first = hn::BitCast(DI(), hn::ShiftLeft<2>(hn::IfThenElseZero(hn::RebindMask(DU(), there), index)));
-        const auto channel = [&](int c) { return Float(gather(shading_.context + c, first)); };
+    HWY_INLINE Vec4 shape_look(Uint id) const {
+        const DU du;
+        const VU number = hn::Sub(hn::And(id.v, hn::Set(du, kNumberBits)), hn::Set(du, 1U));
+        const VU lesion = hn::IfThenZeroElse(hn::RebindMask(du, any_of(id.v, kContext)), hn::Set(du, 1U));
+        const VU index = hn::Add(hn::ShiftLeft<1>(number), lesion);
+        const VI first =
+            hn::BitCast(DI(), hn::ShiftLeft<2>(hn::IfThenElseZero(hn::RebindMask(du, any_of(id.v, kSolid)), index)));
+        const auto channel = [&](int c) { return Float(gather(shading_.shapes + c, first)); };
         return {channel(0), channel(1), channel(2), channel(3)};
     }
     HWY_INLINE bool shadows() const { return more.w > 0.0F; }
-    HWY_INLINE Vec4 lesion() const { return {Vec3(lesion_colour), lesion_colour.w}; }
 
 private:
     // Index of the nearest pixel in the picture.

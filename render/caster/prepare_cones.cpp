@@ -80,10 +80,11 @@ constexpr float kMostAside = 0.075F;
 
 } // namespace
 
-void append_lesions(const View& view, const std::vector<glm::vec4>& spheres, ConeList& list) {
-    for (std::size_t i = 0; i < spheres.size(); ++i) {
+void append_lesions(const View& view, const LookData& data, ConeList& list) {
+    for (std::size_t i = 0; i < data.lesions.size(); ++i) {
+        const glm::vec4& sphere = data.lesions[i];
         RoundCone ball;
-        const bool seen = spheres[i].w > 0.0F && project(view, spheres[i], spheres[i], ball);
+        const bool seen = sphere.w > 0.0F && data.shapes[2 * i + 1].w > 0.0F && project(view, sphere, sphere, ball);
         put(ball.from_direction, {0.0F, 0.0F, 1.0F, 0.0F});
         put(ball.to_direction, {0.0F, 0.0F, 1.0F, 0.0F});
         ball.id = kSolid | static_cast<std::uint32_t>(i + 1);

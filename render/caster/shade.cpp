@@ -62,11 +62,9 @@ HWY_INLINE Vec4 veil_of(LookOfPixels& look, SurfacePoint p, VU normals) {
     Vec4 veil = look.glass_veil(p);
     const Mask shell = has(p.id, kSolid);
     if (!any(shell)) return veil;
-    const Mask context = shell && has(p.id, kContext);
-    Vec4 mesh = look.lesion();
-    if (any(context)) mesh = select(context, look.context_mesh(p.id), mesh);
+    const Vec4 mesh = look.shape_look(p.id);
     p.albedo = {mesh.x, mesh.y, mesh.z};
-    const Mask lines = context && mesh.w < 0.0F;
+    const Mask lines = shell && mesh.w < 0.0F;
     veil = select(shell, look.shell_veil(p, mesh.w), veil);
     if (any(lines)) veil = select(lines, look.edge_veil(p, -mesh.w * Float(hn::BitCast(D(), normals))), veil);
     return veil;
@@ -99,7 +97,7 @@ void shade_glass(LookOfPixels& look, const Shading& shading, const Records& glas
 HWY_INLINE Vec3 radiance_of(LookOfPixels& look, const ShadedPoints& points, const PictureArrays& picture) {
     SurfacePoint p = points.point;
     if (any(p.fixed_colour)) {
-        const Vec4 mesh = look.context_mesh(p.id);
+        const Vec4 mesh = look.shape_look(p.id);
         p.albedo = select(p.fixed_colour, Vec3(mesh.x, mesh.y, mesh.z), p.albedo);
     }
     Vec2 taken(gather(picture.sky.smooth, points.in_picture), 0.0F);

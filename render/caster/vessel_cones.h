@@ -5,6 +5,7 @@
 #include "render/caster/fitted_cones.h"
 #include "render/scene/frame.h"
 #include "render/scene/layer.h"
+#include "render/scene/look_data.h"
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
@@ -21,8 +22,8 @@ struct ConeList {
     std::vector<Kind> kinds; // by cone
 };
 
-// Appends spheres of lesions (centre in eye space, radius; mm) as glass.
-void append_lesions(const View& view, const std::vector<glm::vec4>& spheres, ConeList& list);
+// Appends the spheres of lesions as glass.
+void append_lesions(const View& view, const LookData& data, ConeList& list);
 
 class VesselCones {
 public:

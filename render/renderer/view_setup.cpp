@@ -21,8 +21,6 @@ constexpr double kOcclusionShare =
 // The near plane if the eye is among vessels, relative to the focal distance and to the far plane.
 constexpr double kShareOfFocus = 0.02, kLeastNearPlane = 1e-6, kMostNearPlane = 1e-4;
 
-constexpr float kLesionOpacity = 0.6F; // where they face the eye (tuned by eye: solid, with vessels inside visible)
-
 } // namespace
 
 glm::dmat4 eye_matrix(const Camera& camera) {
@@ -81,7 +79,6 @@ LookBlock look_of(const Frame& frame, const ViewSetup& view, bool has_glass, boo
             {a.key, a.fill, a.rim, a.specular},
             {a.occlusion, std::clamp(a.glass_opacity, 0.0F, 2.0F), std::max(1.0F, point), a.shadows},
             linear(a.centerline, 1.0F),
-            linear(a.lesion, kLesionOpacity),
             linear(a.lost, 1.0F),
             linear(0.5F * (b.top + b.bottom), 1.0F),
             {a.halos, a.contours, a.chromadepth, std::max(1.0F, 2.6F * point)}};

@@ -44,7 +44,6 @@ struct Appearance {
     glm::vec3 glass{0.66F, 0.70F, 0.76F};
     float glass_opacity = 1.0F; // 0: only the centerlines inside; 1: a veil; 2: nearly solid
     glm::vec3 centerline{0.93F, 0.95F, 0.98F};
-    glm::vec3 lesion{0.80F, 0.78F, 0.26F};
     glm::vec3 lost{0.36F, 0.34F, 0.52F};
     float key = 1.0F;
     float fill = 1.0F;

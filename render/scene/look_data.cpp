@@ -26,11 +26,17 @@ std::vector<glm::vec4> cut_ends(const std::vector<LostPart>& lost, const Centerl
     return cuts;
 }
 
-std::vector<glm::vec4> context_colours(const Frame& frame) {
-    std::vector<glm::vec4> colours;
-    for (const ContextMesh& one : frame.context)
-        colours.push_back(linear(one.colour, (one.wireframe ? -1.0F : 1.0F) * std::clamp(one.opacity, 0.0F, 1.0F)));
-    return colours;
+std::vector<glm::vec4> shape_looks(const Frame& frame) {
+    std::vector<glm::vec4> looks(2 * std::max(frame.context.size(), frame.lesions.count()));
+    for (std::size_t i = 0; i < frame.context.size(); ++i) {
+        const ContextMesh& one = frame.context[i];
+        looks[2 * i] = linear(one.colour, (one.wireframe ? -1.0F : 1.0F) * std::clamp(one.opacity, 0.0F, 1.0F));
+    }
+    for (std::size_t i = 0; i < frame.lesions.count(); ++i) {
+        const ShapeLook look = frame.lesions.look(i);
+        looks[2 * i + 1] = linear(look.colour, std::clamp(look.opacity, 0.0F, 1.0F));
+    }
+    return looks;
 }
 
 std::vector<glm::vec4> lesion_spheres(const Lesions& lesions, const glm::dmat4& eye) {
@@ -95,7 +101,7 @@ LookData look_data_of(const Frame& frame, const Centerlines* lines, const glm::d
     data.block.counts.x = static_cast<float>(data.lesions.size());
     const std::size_t cuts = data.cuts.size() / 5;
     data.block.counts.y = static_cast<float>(cuts);
-    data.context = context_colours(frame);
+    data.shapes = shape_looks(frame);
     return data;
 }
 

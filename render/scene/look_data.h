@@ -16,7 +16,8 @@ struct LookData {
     // Ends of the lost parts of branches, five entries per part: the branch and which ends exist; then for each end its
     // position and radius, and the vessel's direction and mm from the root.
     std::vector<glm::vec4> cuts;
-    std::vector<glm::vec4> context; // meshes: linear colour, opacity; negative: lines
+    // Linear colour and opacity, negative for lines: of context mesh i at 2 i, of lesion i at 2 i + 1.
+    std::vector<glm::vec4> shapes;
 };
 
 // `lines`: of the tree; may be null. `eye`: from mm to eye space, depth as +z.

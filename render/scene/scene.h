@@ -52,12 +52,24 @@ struct Margins {
     bool operator==(const Margins&) const = default;
 };
 
+// Colour, and opacity where the surface faces the eye.
+struct ShapeLook {
+    glm::vec3 colour{0.80F, 0.78F, 0.26F};
+    float opacity = 0.6F; // 0: not drawn. Tuned by eye for lesions: solid, with vessels inside visible
+    bool operator==(const ShapeLook&) const = default;
+};
+
 // Drawn transparent like context, but picked as if opaque.
 struct Lesions {
     std::vector<glm::dvec4> spheres; // centre and radius
     std::vector<std::shared_ptr<const mesh::TriangleMesh>> meshes;
+    std::vector<ShapeLook> looks; // of the spheres, then of the meshes; the default where there is none
     std::shared_ptr<const DistanceGrid> distances; // to `meshes`; null: none
     bool operator==(const Lesions&) const = default;
+    [[nodiscard]] std::size_t count() const { return spheres.size() + meshes.size(); }
+    [[nodiscard]] ShapeLook look(std::size_t lesion) const {
+        return lesion < looks.size() ? looks[lesion] : ShapeLook{};
+    }
 };
 
 // A surface next to the tree, in the same coordinates: an organ, a lesion, a bone, another surface of the same vessels.

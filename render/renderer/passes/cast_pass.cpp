@@ -29,9 +29,10 @@ void find_bodies(const Frame& frame, const GpuShapes& shapes, std::vector<caster
     }
     std::size_t index = frame.lesions.spheres.size();
     for (const auto& lesion : frame.lesions.meshes) {
+        const bool drawn = frame.lesions.look(index).opacity > 0.0F;
         const std::uint32_t number = number_of(index++);
         const Shape* shape = shapes.of(lesion);
-        if (shape == nullptr) continue;
+        if (shape == nullptr || !drawn) continue;
         made_of.push_back(shape->made_of());
         bodies.push_back({made_of.back().get(), record::kSolid | number, true, 0.0F});
     }

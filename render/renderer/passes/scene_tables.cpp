@@ -73,7 +73,7 @@ SceneTables::Needs SceneTables::send(const Subject& subject) {
     LookData data = look_data_of(frame, lines.shown(), eye_matrix(frame.camera));
     const bool scale = data.block.scale.w > 0.0F;
     const Needs needs{data.block.counts.z > 0.0F, scale, scale && frame.scale.value == ColourScale::Value::kSurface,
-                      !data.context.empty() || subject.has_lesions()};
+                      !data.shapes.empty()};
     if (needs.margins) {
         lesions_.send(data.lesions);
         glBindTextureUnit(kUnitLesions, lesions_);
@@ -92,9 +92,8 @@ SceneTables::Needs SceneTables::send(const Subject& subject) {
     }
     cuts_.send(data.cuts);
     if (!data.cuts.empty()) glBindTextureUnit(kUnitCuts, cuts_);
-    if (data.context.empty() && needs.context) data.context.emplace_back(0.0F); // the shader variant needs an entry
-    context_.send(data.context);
-    glBindTextureUnit(kUnitContext, context_);
+    shapes_.send(data.shapes);
+    glBindTextureUnit(kUnitShapes, shapes_);
     glNamedBufferSubData(block_, 0, sizeof data.block, &data.block);
     glBindBufferBase(GL_UNIFORM_BUFFER, kBlockScene, block_);
     return needs;

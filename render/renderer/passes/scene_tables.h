@@ -23,7 +23,7 @@ public:
 
 private:
     Buffer block_;
-    TexelTable lesions_{GL_RGBA32F}, cuts_{GL_RGBA32F}, context_{GL_RGBA32F};
+    TexelTable lesions_{GL_RGBA32F}, cuts_{GL_RGBA32F}, shapes_{GL_RGBA32F};
     Texture ramp_;                              // RGB16F, 8 bytes per colour
     Texture distances_;                         // R32F, 4 bytes per sample
     std::shared_ptr<const DistanceGrid> shown_; // the grid in distances_

@@ -214,8 +214,9 @@ void ContextPass::add_lesions(const Subject& subject, const ViewSetup& view, std
     const Lesions& lesions = subject.frame.lesions;
     std::size_t index = 0;
     const auto add = [&](const Shape* shape, const glm::dvec3& centre, double scale) {
+        const bool drawn = shape != nullptr && lesions.look(index).opacity > 0.0F;
         const GLuint number = record::kLesionFragment | number_of(index++);
-        if (shape != nullptr) to.push_back({shape, number, glm::scale(view.clip_from(centre), glm::dvec3(scale))});
+        if (drawn) to.push_back({shape, number, glm::scale(view.clip_from(centre), glm::dvec3(scale))});
     };
     for (const glm::dvec4& sphere : lesions.spheres) add(subject.scene.shapes().ball(), glm::dvec3(sphere), sphere.w);
     for (const auto& lesion : lesions.meshes) {

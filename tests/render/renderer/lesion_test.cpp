@@ -12,7 +12,7 @@ using ramus::mesh::TriangleMesh;
 
 namespace {
 
-constexpr double kOpacity = 0.6; // as in passes/shade.cpp
+const ShapeLook kLook{{0.35F, 0.72F, 0.88F}, 0.45F};
 
 enum class As : std::uint8_t { kSphere, kMesh };
 
@@ -26,13 +26,13 @@ void add_lesion(Frame& frame, As as, const glm::dvec3& centre, double radius) {
 void fill_background(Frame& frame, float grey) { frame.background = {glm::vec3(grey), glm::vec3(grey), false}; }
 
 // The veil of a ball at a pixel's four samples, and that of none: by how far right and down from its middle it is, mm.
-glm::dvec4 veil_of_ball(const Frame& frame, double radius, const glm::dvec2& mm) {
+glm::dvec4 veil_of_ball(double radius, const glm::dvec2& mm) {
     glm::dvec4 mean(0.0);
     for (const glm::dvec2 sample : {glm::dvec2(-0.125, -0.375), {0.375, -0.125}, {-0.375, 0.125}, {0.125, 0.375}}) {
         const glm::dvec2 across = (mm + kPixelMm * sample) / radius;
         const double rest = 1.0 - glm::dot(across, across);
         if (rest > 0.0)
-            mean += 0.25 * veil_of(frame.appearance.lesion, kOpacity, {across.x, -across.y, std::sqrt(rest)});
+            mean += 0.25 * veil_of(kLook.colour, double(kLook.opacity), {across.x, -across.y, std::sqrt(rest)});
     }
     return mean;
 }
@@ -66,7 +66,9 @@ TEST_CASE("a lesion before, inside and behind vessels and glass is laid over and
                     CAPTURE(std::string(at.name));
                     CAPTURE(int(as));
                     scene.frame.lesions = {};
+                    add_lesion(scene.frame, As::kSphere, {0, 500, 500}, 1.0); // out of the picture, in another colour
                     add_lesion(scene.frame, as, at.centre, at.radius);
+                    scene.frame.lesions.looks = {{}, kLook};
                     const Image with = scene.picture();
                     int compared = 0;
                     double largest = 0.0;
@@ -77,7 +79,7 @@ TEST_CASE("a lesion before, inside and behind vessels and glass is laid over and
                             const double away = std::abs(mm.y) - kTube;
                             if (std::abs(glm::length(mm) - at.radius) < 0.3 || std::abs(away) < 0.3) continue;
                             if (std::abs(mm.x) > 20.0) continue; // the tube's round ends
-                            const glm::dvec4 veil = veil_of_ball(scene.frame, at.radius, mm);
+                            const glm::dvec4 veil = veil_of_ball(at.radius, mm);
                             const double added = half_step(x, y, scene.frame.size.y);
                             const auto light = [&](const Image& image, int k) {
                                 return decoded(double(image.pixel(x, y)[k]) - added);
