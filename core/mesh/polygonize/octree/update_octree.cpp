@@ -113,7 +113,7 @@ private:
         const float most = most_asked(after_.sizing, thickest);
         const auto side = static_cast<float>(splitter_.child_side(parent));
         const glm::vec3 middle(octree_.lattice.position(cube.corner) + glm::dvec3(0.5 * side) -
-                               after_.field.frame().middle());
+                               after_.field.extent().middle());
         for (const std::size_t list : {2, 3}) {
             const Sizing& sizing = (list == 2 ? before_ : after_).sizing;
             std::erase_if(changed[list],
