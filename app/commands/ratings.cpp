@@ -1,4 +1,4 @@
-// `ramus ratings FILE...`: what raters answered on the sheets of `ramus study`, as the paper's Table II.
+// `ramus ratings FILE...`: what raters answered on the rating pages of `ramus study`, as the paper's Table II.
 #include "app/commands/output_target.h"
 #include "app/commands/subcommands.h"
 #include "app/ratings/rating_results.h"

@@ -1,6 +1,6 @@
 // `ramus study FILE -o FOLDER`: the pictures of the paper's user study (sections V and VIII), for any tree: the whole
 // tree, and three places close by as isosurface of the mask, as truncated cones and as convolution surface, each from
-// the same eye in the same light; and sheets on which raters say what they think of such pictures without captions.
+// the same eye in the same light; and rating pages, on which raters score such pictures without captions.
 #include "app/commands/inputs.h"
 #include "app/commands/picture_flags.h"
 #include "app/commands/printed_report.h"
@@ -10,7 +10,7 @@
 #include "app/picture/close_ups.h"
 #include "app/picture/compose.h"
 #include "app/ratings/rating_order.h"
-#include "app/ratings/rating_sheet.h"
+#include "app/ratings/rating_page.h"
 #include "app/session/checksum.h"
 #include "app/session/error_context.h"
 #include "app/session/numbers.h"
@@ -131,14 +131,14 @@ private:
     std::vector<std::string> files_;
 };
 
-// The pictures of sheets, which have no captions.
-struct Sheets {
+// A study and its pictures, which have no captions.
+struct RatedPictures {
     RatingStudy study;
     StudyPngs pngs;
 };
 
 // A scene for raters: the same view of all surfaces.
-Result<void> add_scene(Sheets& sheets, Painter& painter, const Surfaces& surfaces, const render::Camera& camera,
+Result<void> add_scene(RatedPictures& rated, Painter& painter, const Surfaces& surfaces, const render::Camera& camera,
                        const std::string& title) {
     StudyScene scene{title, {}};
     for (std::size_t method = 0; method < surfaces.all.size(); ++method) {
@@ -149,37 +149,37 @@ Result<void> add_scene(Sheets& sheets, Painter& painter, const Surfaces& surface
         // With the scene, and again where two methods look exactly alike: a code is of one picture.
         Checksum checksum;
         do checksum.add(title).add(png);
-        while (sheets.pngs.contains(checksum.text()));
+        while (rated.pngs.contains(checksum.text()));
         scene.pictures.push_back({checksum.text(), method});
-        sheets.pngs[checksum.text()] = std::move(png);
+        rated.pngs[checksum.text()] = std::move(png);
     }
     std::ranges::sort(scene.pictures, {}, &StudyPicture::code);
-    sheets.study.scenes.push_back(std::move(scene));
+    rated.study.scenes.push_back(std::move(scene));
     return {};
 }
 
-Result<std::vector<std::filesystem::path>> write_sheets(Sheets& sheets, const Surfaces& surfaces,
-                                                        const StudyFlags& flags, io::OutputSet& together) {
-    for (const Surfaces::One& one : surfaces.all) sheets.study.methods.push_back({one.name, one.title});
-    sheets.study.method = surfaces.all.size() - 1;
-    sheets.study.seed = flags.seed;
-    sheets.study.orders = rater_orders(sheets.study, flags.raters);
-    return write_study(sheets.study, sheets.pngs, flags.folder, together);
+Result<std::vector<std::filesystem::path>> write_pages(RatedPictures& rated, const Surfaces& surfaces,
+                                                       const StudyFlags& flags, io::OutputSet& together) {
+    for (const Surfaces::One& one : surfaces.all) rated.study.methods.push_back({one.name, one.title});
+    rated.study.method = surfaces.all.size() - 1;
+    rated.study.seed = flags.seed;
+    rated.study.orders = rater_orders(rated.study, flags.raters);
+    return write_study(rated.study, rated.pngs, flags.folder, together);
 }
 
 // FOLDER/sheets; what cannot be written is said before anything is drawn.
 Result<io::OutputFolder> make_folders(const std::filesystem::path& folder) {
-    RAMUS_TRY(sheets, io::OutputFolder::make(folder / "sheets"));
+    RAMUS_TRY(pages, io::OutputFolder::make(folder / "sheets"));
     for (const char* name : {"context.png", "key.json", "sheets/rater_001.html"})
         if (auto can = io::check_output(folder / name); !can) return tl::unexpected(can.error());
-    return std::move(sheets);
+    return std::move(pages);
 }
 
 Result<int> run_study(const StudyFlags& flags) {
     io::note_input(flags.file);
     io::note_input(flags.mask);
-    const auto sheets_folder = make_folders(flags.folder); // while nothing is in it, it may go again
-    if (!sheets_folder) return tl::unexpected(sheets_folder.error());
+    const auto pages_folder = make_folders(flags.folder); // while nothing is in it, it may go again
+    if (!pages_folder) return tl::unexpected(pages_folder.error());
     RAMUS_TRY(whole_tree, load_tree(flags.file, flags.common));
     RAMUS_TRY(chosen, branches_of(whole_tree, Marks(), flags.common.systems, flags.file));
     const bool all = std::ranges::find(chosen, 0) == chosen.end();
@@ -196,8 +196,8 @@ Result<int> run_study(const StudyFlags& flags) {
         painter.frame(smooth, render::camera_for(smooth->positions(), flags.view, flags.size), surfaces.all[2].title);
     if (auto done = painter.write(whole, "context"); !done) return tl::unexpected(done.error());
     const std::vector<CloseUp> close_ups = choose_close_ups(*renderer, whole, close_ups_of(tree));
-    Sheets sheets;
-    if (auto done = add_scene(sheets, painter, surfaces, whole.camera, "The whole tree"); !done)
+    RatedPictures rated;
+    if (auto done = add_scene(rated, painter, surfaces, whole.camera, "The whole tree"); !done)
         return tl::unexpected(done.error());
     nlohmann::ordered_json report;
     report["mask"] = flags.mask.empty() ? "made of the tree" : flags.mask;
@@ -212,24 +212,24 @@ Result<int> run_study(const StudyFlags& flags) {
                 return tl::unexpected(done.error());
         }
         const double diameter_mm = 2.0 * close_ups[i].radius;
-        if (auto done = add_scene(sheets, painter, surfaces, camera,
+        if (auto done = add_scene(rated, painter, surfaces, camera,
                                   "Close-up, vessel " + Lengths(tree.claims).text(diameter_mm) + " wide");
             !done)
             return tl::unexpected(done.error());
         report["places"].push_back({{"diameter_mm", diameter_mm}, {"camera", render::to_json(camera)}});
     }
-    RAMUS_TRY(sheet_files, write_sheets(sheets, surfaces, flags, together));
+    RAMUS_TRY(page_files, write_pages(rated, surfaces, flags, together));
     if (auto written = together.commit(); !written) return tl::unexpected(written.error());
     for (const std::string& file : painter.files()) say(flags.common, "wrote " + file);
     report["pictures"] = painter.files();
-    report["study"] = id_of(sheets.study);
+    report["study"] = id_of(rated.study);
     report["key"] = (flags.folder / "key.json").string();
-    for (const auto& file : sheet_files) report["sheets"].push_back(file.string());
+    for (const auto& file : page_files) report["sheets"].push_back(file.string());
     if (flags.json)
         std::cout << printed_report(std::move(report), tree.claims) << '\n';
     else
         std::cout << flags.folder.string() << ": " << counted(painter.files().size(), "picture", "pictures") << ", "
-                  << counted(sheet_files.size(), "rating sheet", "rating sheets") << '\n';
+                  << counted(page_files.size(), "rating page", "rating pages") << '\n';
     return kDone;
 }
 
@@ -237,9 +237,8 @@ Result<int> run_study(const StudyFlags& flags) {
 
 void register_study(CLI::App& app, Action& chosen) {
     const auto flags = std::make_shared<StudyFlags>();
-    CLI::App* command =
-        add_command(app, "study",
-                    "Pictures to compare surfaces by (isosurface, cones, convolution surface), and sheets for raters");
+    CLI::App* command = add_command(
+        app, "study", "Pictures to compare surfaces by (isosurface, cones, convolution surface), and rating pages");
     add_input(*command, "FILE", "", flags->file, "Vessel tree")->required();
     add_option(*command, "-o,--output", "FOLDER", flags->folder, "Folder for the pictures; it is made if need be")
         ->required();
@@ -253,7 +252,8 @@ void register_study(CLI::App& app, Action& chosen) {
         ->excludes(mask);
     add_size_flag(*command, flags->size);
     add_view_flag(*command, flags->view);
-    add_option(*command, "--raters", "N", flags->raters, "Sheets in FOLDER/sheets, one for each rater (default: 1)")
+    add_option(*command, "--raters", "N", flags->raters,
+               "Rating pages in FOLDER/sheets, one for each rater (default: 1)")
         ->check(CLI::Range(1, kMostRaters).description(""));
     add_option(*command, "--seed", "S", flags->seed, "Of the orders in which raters see the pictures (default: 1)");
     command->add_flag("--json", flags->json, "Print what was done as one JSON object");

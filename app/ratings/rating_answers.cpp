@@ -19,7 +19,7 @@ namespace {
 constexpr std::uintmax_t kLargestAnswers = 2ULL << 20; // answers take some kB, the key of 500 raters less than 1 MB
 constexpr double kMostSeconds = 1e8;
 constexpr std::size_t kMostListed = 3; // missing answers listed in messages
-constexpr const char* kSaveAgain = "open the rater's sheet in the same browser and save the answers again";
+constexpr const char* kSaveAgain = "open the rater's page in the same browser and save the answers again";
 
 const json& answer_member(const json& object, const char* name) {
     if (!object.is_object() || !object.contains(name)) throw Refusal{std::string("there is no \"") + name + "\""};

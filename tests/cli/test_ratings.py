@@ -1,4 +1,4 @@
-"""What raters answered, on the command line: from files as their sheets save them to the table, and what is refused."""
+"""What raters answered, on the command line: from files as rating pages save them to the table, and what is refused."""
 
 import csv
 import io

@@ -1,7 +1,7 @@
 #include "app/ratings/rating_answers.h"
 #include "app/ratings/rating_order.h"
+#include "app/ratings/rating_page.h"
 #include "app/ratings/rating_results.h"
-#include "app/ratings/rating_sheet.h"
 #include "core/io/binary_numbers.h"
 #include "tests/support/temporary_folder.h"
 
@@ -92,20 +92,20 @@ TEST_CASE("the study's checksum does not tell methods apart, and knows other pic
     CHECK(id_of(other) != id_of(study));
 }
 
-TEST_CASE("a sheet has the pictures of its rater, and nothing in it can end its data") {
+TEST_CASE("a rating page has the pictures of its rater, and nothing in it can end its data") {
     RatingStudy study = small_study(2);
-    study.scenes[1].title = "</script><!-- {{sheet}} \"";
+    study.scenes[1].title = "</script><!-- {{page}} \"";
     const StudyPngs pngs = pngs_of(study);
     for (int rater = 1; rater <= 2; ++rater) {
-        const std::string page = rating_sheet(study, rater, pngs);
+        const std::string page = rating_page(study, rater, pngs);
         CHECK(count_of(page, "</script>") == 2);
         CHECK(count_of(page, "<!--") == 0);
         CHECK(count_of(page, "{{style}}") == 0);
         const std::size_t from = page.find("application/json\">") + 18;
-        const auto sheet = nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
+        const auto data = nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
         std::size_t at = 0;
         for (const ShownScene& shown : study.orders[static_cast<std::size_t>(rater - 1)]) {
-            const auto& scene = sheet["scenes"][at++];
+            const auto& scene = data["scenes"][at++];
             CHECK(scene["title"] == study.scenes[shown.scene].title);
             for (std::size_t i = 0; i < 3; ++i) {
                 const std::string& code = study.scenes[shown.scene].pictures[shown.pictures[i]].code;
@@ -117,7 +117,7 @@ TEST_CASE("a sheet has the pictures of its rater, and nothing in it can end its 
     }
 }
 
-TEST_CASE("a study is written with a sheet for each rater") {
+TEST_CASE("a study is written with a rating page for each rater") {
     const TemporaryFolder folder;
     const RatingStudy study = small_study(2);
     std::filesystem::create_directory(folder.path() / "sheets");
