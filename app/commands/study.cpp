@@ -137,24 +137,24 @@ struct RatedPictures {
     StudyPngs pngs;
 };
 
-// A scene for raters: the same view of all surfaces.
-Result<void> add_scene(RatedPictures& rated, Painter& painter, const Surfaces& surfaces, const render::Camera& camera,
-                       const std::string& title) {
-    StudyScene scene{title, {}};
+// A study view: the same view of all surfaces.
+Result<void> add_view(RatedPictures& rated, Painter& painter, const Surfaces& surfaces, const render::Camera& camera,
+                      const std::string& title) {
+    StudyView view{title, {}};
     for (std::size_t method = 0; method < surfaces.all.size(); ++method) {
         render::Frame frame = painter.frame(surfaces.all[method].mesh, camera, {});
         frame.overlays.orientation_cube = false;
         RAMUS_TRY(image, painter.draw(frame));
         RAMUS_TRY(png, render::encode_png(image));
-        // With the scene, and again where two methods look exactly alike: a code is of one picture.
+        // With the study view, and again where two methods look exactly alike: a code is of one picture.
         Checksum checksum;
         do checksum.add(title).add(png);
         while (rated.pngs.contains(checksum.text()));
-        scene.pictures.push_back({checksum.text(), method});
+        view.pictures.push_back({checksum.text(), method});
         rated.pngs[checksum.text()] = std::move(png);
     }
-    std::ranges::sort(scene.pictures, {}, &StudyPicture::code);
-    rated.study.scenes.push_back(std::move(scene));
+    std::ranges::sort(view.pictures, {}, &StudyPicture::code);
+    rated.study.views.push_back(std::move(view));
     return {};
 }
 
@@ -197,7 +197,7 @@ Result<int> run_study(const StudyFlags& flags) {
     if (auto done = painter.write(whole, "context"); !done) return tl::unexpected(done.error());
     const std::vector<CloseUp> close_ups = choose_close_ups(*renderer, whole, close_ups_of(tree));
     RatedPictures rated;
-    if (auto done = add_scene(rated, painter, surfaces, whole.camera, "The whole tree"); !done)
+    if (auto done = add_view(rated, painter, surfaces, whole.camera, "The whole tree"); !done)
         return tl::unexpected(done.error());
     nlohmann::ordered_json report;
     report["mask"] = flags.mask.empty() ? "made of the tree" : flags.mask;
@@ -212,8 +212,8 @@ Result<int> run_study(const StudyFlags& flags) {
                 return tl::unexpected(done.error());
         }
         const double diameter_mm = 2.0 * close_ups[i].radius;
-        if (auto done = add_scene(rated, painter, surfaces, camera,
-                                  "Close-up, vessel " + Lengths(tree.claims).text(diameter_mm) + " wide");
+        if (auto done = add_view(rated, painter, surfaces, camera,
+                                 "Close-up, vessel " + Lengths(tree.claims).text(diameter_mm) + " wide");
             !done)
             return tl::unexpected(done.error());
         report["places"].push_back({{"diameter_mm", diameter_mm}, {"camera", render::to_json(camera)}});

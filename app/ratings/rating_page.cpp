@@ -33,15 +33,15 @@ nlohmann::ordered_json page_json(const RatingStudy& study, int rater, const Stud
                                     {"low", criterion.low},
                                     {"high", criterion.high}});
     for (const RaterRole& role : kRaterRoles) page["roles"].push_back({{"key", role.key}, {"name", role.name}});
-    for (const ShownScene& shown : study.orders[static_cast<std::size_t>(rater - 1)]) {
-        const StudyScene& scene = study.scenes[shown.scene];
+    for (const ShownView& shown : study.orders[static_cast<std::size_t>(rater - 1)]) {
+        const StudyView& view = study.views[shown.view];
         nlohmann::ordered_json pictures;
         for (const std::size_t picture : shown.pictures) {
-            const std::string& code = scene.pictures[picture].code;
+            const std::string& code = view.pictures[picture].code;
             pictures.push_back(
                 {{"code", code}, {"source", "data:image/png;base64," + io::base64_encoded(pngs.at(code))}});
         }
-        page["scenes"].push_back({{"title", scene.title}, {"pictures", pictures}});
+        page["scenes"].push_back({{"title", view.title}, {"pictures", pictures}});
     }
     return page;
 }
