@@ -134,10 +134,10 @@ void ClosedLines::find_crossings(std::span<const std::uint32_t> tree) {
         const auto& sides = graph_.edges()[edge].triangles;
         return sides[0] == t ? sides[1] : sides[0];
     };
-    for (std::uint32_t root = 0; root < count; ++root) {
-        if (reached[root]) continue;
-        reached[root] = true;
-        order.assign(1, root);
+    for (std::uint32_t first = 0; first < count; ++first) {
+        if (reached[first]) continue;
+        reached[first] = true;
+        order.assign(1, first);
         for (std::size_t n = 0; n < order.size(); ++n)
             for (const std::uint32_t edge : beside[order[n]]) {
                 if (edge == kNone || edge == up[order[n]]) continue;

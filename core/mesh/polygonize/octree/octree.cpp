@@ -13,9 +13,9 @@ namespace {
 
 // Divides all cubes larger than subtrees, level by level, and returns the seeds of subtrees in depth-first order. Ends
 // early if cancelled.
-std::vector<Seed> find_subtrees(const Splitter& splitter, const Cube& root, Octree& octree, const Job& job) {
+std::vector<Seed> find_subtrees(const Splitter& splitter, const Cube& top, Octree& octree, const Job& job) {
     std::vector<Seed> frontier(1);
-    frontier[0].cube = root;
+    frontier[0].cube = top;
     for (bool some = true; some && !job.cancelled();) {
         std::vector<std::uint32_t> upper_of(frontier.size());
         some = false;
@@ -94,12 +94,12 @@ Octree build_octree(const field::Field& field, const Sizing& sizing, Job& job,
     Octree octree(memory);
     octree.top_level = levels_needed(field.extent(), sizing);
     octree.lattice.unit_mm = 0.25 * sizing.finest_cell_mm;
-    const double root_mm = octree.lattice.unit_mm * brick_units(octree.top_level);
-    octree.lattice.origin = field.extent().middle() - glm::dvec3(0.5 * root_mm);
+    const double top_mm = octree.lattice.unit_mm * brick_units(octree.top_level);
+    octree.lattice.origin = field.extent().middle() - glm::dvec3(0.5 * top_mm);
 
-    const RootLists lists(field, sizing);
+    const TopLists lists(field, sizing);
     const Splitter splitter{field, sizing, octree.lattice};
-    std::vector<Seed> seeds = find_subtrees(splitter, lists.root(octree.top_level), octree, job);
+    std::vector<Seed> seeds = find_subtrees(splitter, lists.top_cube(octree.top_level), octree, job);
     if (job.cancelled()) return octree;
     append_subtrees(splitter, seeds, octree, job);
     return octree;

@@ -57,13 +57,13 @@ private:
 };
 
 // The lists of the top cube: all segments and all groups.
-class RootLists {
+class TopLists {
 public:
-    RootLists(const field::Field& field, const Sizing& sizing) : segments_(field.skeleton().present()) {
+    TopLists(const field::Field& field, const Sizing& sizing) : segments_(field.skeleton().present()) {
         groups_.resize(sizing.groups.size());
         std::iota(groups_.begin(), groups_.end(), 0U);
     }
-    [[nodiscard]] Cube root(int level) const { return {glm::ivec3(0), level, segments_, groups_}; }
+    [[nodiscard]] Cube top_cube(int level) const { return {glm::ivec3(0), level, segments_, groups_}; }
 
 private:
     std::span<const std::uint32_t> segments_;
