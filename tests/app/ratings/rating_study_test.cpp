@@ -42,7 +42,7 @@ std::size_t count_of(const std::string& text, const std::string& word) {
 
 } // namespace
 
-TEST_CASE("over six raters every method is as often first, and as often right of each other one") {
+TEST_CASE("over six raters, every method is first equally often, and right of each other method equally often") {
     const RatingStudy study = small_study(18);
     REQUIRE(study.orders.size() == 18);
     for (std::size_t view = 0; view < 2; ++view) {
@@ -61,7 +61,7 @@ TEST_CASE("over six raters every method is as often first, and as often right of
     }
 }
 
-TEST_CASE("orders come from the seed, and more raters do not change those of the first ones") {
+TEST_CASE("orders depend on the seed, and more raters do not change those of the first raters") {
     const RatingStudy study = small_study(4);
     CHECK(small_study(4).orders == study.orders);
     const RatingStudy more = small_study(40);
@@ -74,7 +74,7 @@ TEST_CASE("orders come from the seed, and more raters do not change those of the
     CHECK(first_views.size() == 2); // study views are shuffled, too
 }
 
-TEST_CASE("a study comes back from its key") {
+TEST_CASE("a study is restored from its key") {
     const RatingStudy study = small_study(3);
     const std::string text = key_json(study).dump();
     const auto read = study_from_key(nlohmann::json::parse(text), "key.json");
@@ -82,7 +82,7 @@ TEST_CASE("a study comes back from its key") {
     CHECK(*read == study);
 }
 
-TEST_CASE("the study's checksum does not tell methods apart, and knows other pictures") {
+TEST_CASE("the study's checksum does not reveal the methods, and changes with the pictures") {
     const RatingStudy study = small_study(1);
     RatingStudy swapped = study;
     std::swap(swapped.views[0].pictures[0].method, swapped.views[0].pictures[1].method);
@@ -132,7 +132,7 @@ TEST_CASE("a study is written with a rating page for each rater") {
     CHECK_FALSE(write_study(study, pngs_of(study), "/dev/null/no", together).has_value());
 }
 
-TEST_CASE("tests that cannot be made leave their fields empty") {
+TEST_CASE("significance tests that cannot be computed leave their fields empty") {
     RatingsRead ratings{small_study(1), {RatingAnswers{}}, measure::Scores({1, 2, 3, 4})};
     ratings.answers[0].rater = 1;
     const RatingResults results = results_of(ratings, measure::PairedBy::kRater);
