@@ -72,7 +72,7 @@ class Study(CommandLineTest):
         self.assertEqual(other["study"], key["study"])
         self.assertNotEqual(other["orders"], more["orders"])
 
-    def test_a_page_says_no_method_and_has_the_pictures_of_its_rater_in_their_order(self):
+    def test_a_page_hides_the_methods_and_has_the_pictures_in_the_order_of_its_rater(self):
         key, pages = self.study("out", "--raters", "2")
         for number, page in ((1, pages["rater_001.html"]), (2, pages["rater_002.html"])):
             data = json.loads(page.split('<script id="page" type="application/json">')[1].split("</script>")[0])
@@ -88,7 +88,7 @@ class Study(CommandLineTest):
                 for word in ("isosurface", "cone", "convolution"):
                     self.assertNotIn(word, words)
 
-    def test_what_cannot_be_is_told_before_anything_is_drawn(self):
+    def test_failures_are_reported_before_anything_is_drawn(self):
         self.write("file", "not a folder")
         self.expect_failure("study", "tree.swc", "-o", "file", says=("file", "folder"))
         (self.folder / "full").mkdir()
