@@ -13,7 +13,7 @@ void add_colour_flags(CLI::App& command, ColourFlags& colours) {
     std::vector<std::string_view> keys;
     for (const ColouringRow& row : colourings()) keys.push_back(row.key);
     add_option(command, "--colour-by", "QUANTITY", colours.by,
-               "What colours say: " + io::listed(keys) +
+               "Quantity that colours show: " + io::listed(keys) +
                    "; or data of the tree's file, by name or as file:NAME (default: the session's; system where a tree "
                    "has several, else nothing)");
     std::vector<std::string> maps;

@@ -1,4 +1,5 @@
-// --colour-by and how its colours follow: flags of `ramus render`.
+// The options of `ramus render` that choose which quantity colours show, and how: --colour-by, --colour-map,
+// --colour-range, --colour-log and --legend.
 #pragma once
 
 #include "app/session/session.h"
@@ -10,16 +11,17 @@
 
 namespace ramus::app {
 
-// What colours say and how; what is empty is as the session has it.
+// The values of the options, as the command line has them. Empty: not given, the session's value applies.
 struct ColourFlags {
     std::string by, map, range, logarithm, legend;
 };
 
-// --colour-by QUANTITY, of those that the command of this name takes, and how: --colour-map, --colour-range,
-// --colour-log, --legend.
+// Adds the options to `command`; parsing writes to `colours`, which must live as long as the command. Values outside an
+// option's domain are wrong usage, except the name of --colour-by, which apply() checks against the tree.
 void add_colour_flags(CLI::App& command, ColourFlags& colours);
 
-// What they say becomes the session's. Fails where `tree` has no such data, and on a range that makes no sense.
+// Sets the given options in `marks`. Fails if `tree` has no data of the name in --colour-by, or if the range is invalid
+// for a logarithmic scale.
 [[nodiscard]] Result<void> apply(const ColourFlags& flags, const tree::VesselTree& tree, Marks& marks);
 
 } // namespace ramus::app

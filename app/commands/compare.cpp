@@ -1,4 +1,4 @@
-// `ramus compare A B`: how far two surfaces are from each other (the paper's section VII-B).
+// `ramus compare A B`: measures the distances between two surfaces (the paper's section VII-B).
 #include "app/commands/deviation_report.h"
 #include "app/commands/inputs.h"
 #include "app/commands/picture_flags.h"
@@ -32,7 +32,7 @@ struct CompareFlags {
     bool json = false;
 };
 
-// The vertices of one surface beside the other, both ways.
+// The distances of each surface's vertices from the other surface, A to B and B to A.
 struct Deviations {
     std::array<measure::DeviationStatistics, 2> ways;
     std::optional<double> threshold_mm;
@@ -63,7 +63,7 @@ nlohmann::ordered_json input_json(const std::string& file, const SurfaceInput& i
     return json;
 }
 
-// "LPS" of both, "LPS,RAS" of one after the other.
+// Parses "LPS", for both meshes, or "LPS,RAS", for A and for B.
 std::optional<std::array<std::string, 2>> two_axes(const std::string& text) {
     const std::size_t comma = text.find(',');
     const auto first = io::slicer_space(text.substr(0, comma));
@@ -72,7 +72,8 @@ std::optional<std::array<std::string, 2>> two_axes(const std::string& text) {
     return std::array{first->letters(), second->letters()};
 }
 
-// Of a mesh against the other surface; of two meshes the first that does not state its axes.
+// Warns if a mesh is rotated by half a turn against the other surface. Of two meshes, the first is checked that does
+// not state its axes.
 void warn_of_axes(const CompareFlags& flags, const std::array<SurfaceInput, 2>& inputs) {
     if (std::ranges::none_of(inputs,
                              [](const auto& input) { return input.claims.orientation == tree::SaidBy::kPerson; }))
@@ -101,7 +102,7 @@ Result<int> run_compare(const CompareFlags& flags) {
     const double hausdorff = std::max(found.ways[0].max, found.ways[1].max);
     const double hausdorff_95 = std::max(found.ways[0].percentile_95, found.ways[1].percentile_95);
     say(flags.surface, "distances in " + seconds_text(found.seconds));
-    const tree::Claims& claims = inputs[inputs[0].claims.has_unit() ? 1 : 0].claims; // of the one that knows least
+    const tree::Claims& claims = inputs[inputs[0].claims.has_unit() ? 1 : 0].claims; // those without a unit, if any
     if (flags.json) {
         nlohmann::ordered_json json = deviation_json(found.ways[0]);
         json.update(size_json(sizes[0]));

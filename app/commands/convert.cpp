@@ -1,4 +1,4 @@
-// ramus convert FILE -o FILE: a vessel tree in another format, with the edits of a session.
+// `ramus convert FILE -o FILE`: writes a vessel tree in another format, with the edits of a session.
 #include "app/commands/inputs.h"
 #include "app/commands/output_target.h"
 #include "app/commands/subcommands.h"
@@ -38,7 +38,7 @@ Result<int> run_convert(const ConvertFlags& flags) {
     const tree::VesselTree tree = with_systems(whole ? *opened.tree : tree::part_of(*opened.tree, chosen), marks);
     std::vector<std::string> comments = {"written by ramus " RAMUS_VERSION};
     if (!tree.source.empty()) comments.push_back("source: " + tree.source);
-    // SWC has no other place for them, and nobody should take repaired points for measured ones.
+    // SWC can store repairs only in comments, and repaired points must not be taken for measured ones.
     for (const std::string& sentence : sentences(tree, tree::Note::Kind::kRepaired))
         comments.push_back("repaired: " + sentence);
     for (const tree::Edit& edit : marks.edits) comments.push_back("edited: " + sentence(edit));
@@ -56,9 +56,10 @@ void register_convert(CLI::App& app, Action& chosen) {
         add_command(app, "convert", "Write a vessel tree in another format: " + io::writable_tree_extensions());
     const auto flags = std::make_shared<ConvertFlags>();
     add_input(*command, "FILE", "", flags->file, "Vessel tree to read; without it, that of the session");
-    add_option(*command, "--session", "SESSION", flags->session,
-               "Make the edits of this session: joined, cut and deleted branches, roots, radii; its systems' names and "
-               "colours");
+    add_option(
+        *command, "--session", "SESSION", flags->session,
+        "Apply the edits of this session: joined, cut and deleted branches, roots, radii; its systems' names and "
+        "colours");
     add_option(*command, "-o,--output", "FILE", flags->output,
                "Vessel tree to write: " + io::writable_tree_extensions())
         ->required();

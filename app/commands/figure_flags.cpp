@@ -16,10 +16,10 @@ void add_figure_flags(CLI::App& command, FigureOptions& flags) {
                "Samples a pixel: 16 (default), or 4 in a quarter of the time; with --supersample 4 for each")
         ->check(CLI::IsMember({4, 16}).description(""));
     command.add_flag("--moving", flags.moving,
-                     "The quick picture that a window without a graphics card shows meanwhile");
-    add_option(command, "--caption", "TEXT", flags.caption, "Words at the top left");
+                     "Draw the quick picture that the window shows while the view moves, without a graphics card");
+    add_option(command, "--caption", "TEXT", flags.caption, "Text at the top left");
     CLI::Option* overlays = add_option(command, "--overlays", "LIST", flags.overlays,
-                                       "What lies over the tree: none, or some of cube,scale,legend,letters (default "
+                                       "Overlays: none, or some of cube,scale,legend,letters (default "
                                        "cube,scale,legend)")
                                 ->delimiter(',')
                                 ->check(CLI::IsMember({"cube", "scale", "legend", "letters", "none"}).description(""));
@@ -39,12 +39,13 @@ void add_figure_flags(CLI::App& command, FigureOptions& flags) {
         command.add_flag("--sheet", flags.sheet,
                          "Four views on one sheet: anterior, left, posterior, superior; with --compare "
                          "side-by-side a table of views and surfaces");
-    add_option(command, "--turntable", "N", flags.turntable,
-               "Once around the tree in N pictures: o.png becomes o_001.png and so on; o.mp4 is a video of them, which "
-               "takes ffmpeg")
+    add_option(
+        command, "--turntable", "N", flags.turntable,
+        "Turn once around the tree in N pictures: o.png becomes o_001.png and so on; o.mp4 is a video, for which "
+        "ffmpeg is needed")
         ->check(CLI::Range(2, kMostTurntable).description(""))
         ->excludes(sheet);
-    add_option(command, "--rate", "N", flags.frames_a_second, "Pictures a second of such a video (default 30)")
+    add_option(command, "--rate", "N", flags.frames_a_second, "Pictures per second of a video (default 30)")
         ->check(CLI::Range(1, 120).description(""));
 }
 

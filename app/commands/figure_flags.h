@@ -1,4 +1,4 @@
-// Options of `ramus render` for papers and slides (app/picture/figure_options.h).
+// The options of `ramus render` for figures in papers and slides (app/picture/figure_options.h).
 #pragma once
 
 #include "app/picture/figure_options.h"
@@ -7,6 +7,7 @@
 
 namespace ramus::app {
 
+// Adds the options to `command`; parsing writes to `flags`, which must live as long as the command.
 void add_figure_flags(CLI::App& command, FigureOptions& flags);
 
 } // namespace ramus::app

@@ -1,4 +1,4 @@
-// ramus grow: a synthetic organ tree, written as a tree file.
+// `ramus grow -o TREE`: grows a synthetic organ tree and writes it.
 #include "core/tree/grow/grow.h"
 
 #include "app/commands/output_target.h"
@@ -23,7 +23,7 @@ struct Flags {
     bool verbose = false;
 };
 
-// The command line that grows this tree again; options that are as they are by default are left out.
+// The command line that grows the same tree again, without options that have their default values.
 std::string command_line(const tree::GrowOptions& options) {
     const tree::GrowOptions usual;
     std::ostringstream line;
@@ -68,7 +68,8 @@ void register_grow(CLI::App& app, Action& chosen) {
     add_format_flag(*command, flags->format, streamed_tree_extensions());
     add_option(*command, "--branches", "N", options.branches,
                "Branches of the tree, exactly: 1, or 3 and more (default 1504)");
-    add_option(*command, "--seed", "S", options.seed, "Another number, another organ and tree (default 1)");
+    add_option(*command, "--seed", "S", options.seed,
+               "Seed of the random numbers: each gives another organ and tree (default 1)");
     add_option(*command, "--organ-size", "MM", options.organ_width_mm,
                "Width of the organ, left to right (default 214: 1.5 l)");
     add_option(*command, "--root-radius", "MM", options.root_radius_mm,
@@ -76,7 +77,7 @@ void register_grow(CLI::App& app, Action& chosen) {
     add_option(*command, "--spacing", "MM", options.spacing_mm, "Distance of centerline points (default 1)");
     add_option(*command, "--tortuosity", "X", options.tortuosity,
                "0: straight between forks, 1: gently winding (default 1)");
-    command->add_flag("--verbose", flags->verbose, "Say on standard error what has grown");
+    command->add_flag("--verbose", flags->verbose, "Report on standard error how the tree has grown");
     command->callback([flags, command, &chosen] {
         check_output_flags(*command, flags->output, flags->format);
         if (const auto wrong = tree::wrong_with(flags->grow)) throw CLI::ValidationError(wrong->message());

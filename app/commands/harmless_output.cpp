@@ -8,7 +8,7 @@
 
 namespace ramus::app {
 
-// Hands on whole lines, so that no character is cut in two; what is left of one when it is flushed.
+// Passes on whole lines, so that no multi-byte character is divided. A flush passes on the incomplete line.
 class HarmlessOutput::Stream final : public std::streambuf {
 public:
     explicit Stream(std::ostream& stream) : stream_(stream), behind_(stream.rdbuf(this)) {}

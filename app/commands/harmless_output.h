@@ -1,12 +1,13 @@
-// Standard output and standard error of the whole program: what it writes to either goes through here, so that no text
-// of a file, and no name, reaches a terminal with orders for it. JSON stays what it is.
+// Escapes control characters in all that the program writes to std::cout and std::cerr. Text from files and file names
+// may contain escape sequences, which a terminal would execute. JSON output has none, and is not
+// changed.
 #pragma once
 
 #include <memory>
 
 namespace ramus::app {
 
-// While it lives. Once, before anything is written.
+// Escapes output during its lifetime. Create one object, before anything is written.
 class HarmlessOutput {
 public:
     HarmlessOutput();

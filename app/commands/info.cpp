@@ -45,7 +45,7 @@ struct InfoFlags {
     bool branches = false, contacts = false;
 };
 
-// How the findings of files come out, one file after the other: as text, as JSON, or as rows of one table.
+// Prints the results of one file after the other, as text, as JSON, or as rows of one table.
 class InfoPrinter {
 public:
     explicit InfoPrinter(const InfoFlags& flags) : flags_(flags) {}
@@ -74,8 +74,8 @@ private:
     std::size_t printed_ = 0;
 };
 
-// Size, spacing, orientation, type and labels with their volumes of a mask or scan.
-Result<void> tell_volume(const std::string& file, const InfoFlags& flags, InfoPrinter& printer) {
+// Prints the properties of a mask or scan.
+Result<void> print_volume_of(const std::string& file, const InfoFlags& flags, InfoPrinter& printer) {
     RAMUS_TRY(volume, load_volume(file, flags.surface));
     if (flags.csv) {
         printer.print_row(info_row(file));
@@ -90,7 +90,7 @@ Result<void> tell_volume(const std::string& file, const InfoFlags& flags, InfoPr
     return {};
 }
 
-// Those of the tree as its surface sees it; null where they are not asked for.
+// The contacts of the prepared tree; null: not requested.
 using SharedContacts = std::shared_ptr<const std::vector<tree::Contact>>;
 
 ordered_json range_json(const measure::Range& range) {
@@ -209,7 +209,7 @@ ordered_json tree_json(const InfoFlags& flags, const tree::VesselTree& tree, con
     return report;
 }
 
-// Of its column; 0 where there are none.
+// The width of the column of systems; 0: the tree has no systems.
 std::size_t system_width(const tree::VesselTree& tree) {
     std::size_t widest = 0;
     for (int system = 0; system < static_cast<int>(tree.systems.size()); ++system)
@@ -221,7 +221,7 @@ void print_branches(const tree::VesselTree& tree) {
     const TreeFacts facts = facts_of(tree);
     const auto columns = rows_with(&QuantityRow::info);
     const auto cell = [](int width, std::string_view text) { std::cout << std::setw(width) << text; };
-    constexpr int kRange = 10; // of least and largest
+    constexpr int kRange = 10; // width of the columns min and max
     const auto heading = [&](const QuantityRow* row) { return Lengths(tree.claims).worded(row->info.heading); };
     std::cout << '\n';
     cell(8, "branch");
@@ -281,9 +281,10 @@ void print_data(const tree::VesselTree& tree) {
         }
 }
 
-std::string claim_text(tree::SaidBy who, const std::string& known, const std::string& open) {
-    return who == tree::SaidBy::kNobody ? open
-                                        : known + (who == tree::SaidBy::kFile ? ", says the file" : ", as asked for");
+std::string claim_text(tree::SaidBy said_by, const std::string& known, const std::string& open) {
+    return said_by == tree::SaidBy::kNobody
+               ? open
+               : known + (said_by == tree::SaidBy::kFile ? ", says the file" : ", as asked for");
 }
 
 void print_text(const std::string& file, const InfoFlags& flags, const tree::VesselTree& tree,
@@ -319,13 +320,13 @@ void print_text(const std::string& file, const InfoFlags& flags, const tree::Ves
     if (flags.branches) print_branches(tree);
 }
 
-Result<void> tell(const std::string& file, const InfoFlags& flags, InfoPrinter& printer) {
+Result<void> print_file(const std::string& file, const InfoFlags& flags, InfoPrinter& printer) {
     if (io::is_volume(file)) {
         if (flags.branches || flags.contacts)
             return fail("a volume has no branches", io::input_name(file),
                         std::string("leave out ") + (flags.branches ? "--branches" : "--contacts") +
                             ", or name a vessel tree");
-        return tell_volume(file, flags, printer);
+        return print_volume_of(file, flags, printer);
     }
     if (is_session_file(file))
         return fail("this is a session, where a vessel tree or a mask is needed", file,
@@ -346,26 +347,26 @@ Result<void> tell(const std::string& file, const InfoFlags& flags, InfoPrinter& 
     return {};
 }
 
-// A file that fails does not keep the others from coming. One file is in memory at a time.
+// Continues with the other files if one of them fails. Only one file is in memory at a time.
 Result<int> run_info(const InfoFlags& flags) {
     InfoPrinter printer(flags);
     bool failed = false;
     for (const std::string& file : flags.files) {
-        Result<void> told;
+        Result<void> printed;
         try {
-            told = tell(file, flags, printer);
+            printed = print_file(file, flags, printer);
         } catch (const std::bad_alloc&) {
-            told = fail("not enough memory for this file", io::input_name(file));
+            printed = fail("not enough memory for this file", io::input_name(file));
         }
-        if (told) continue;
-        if (!printer.several() && !flags.csv) return tl::unexpected(told.error());
+        if (printed) continue;
+        if (!printer.several() && !flags.csv) return tl::unexpected(printed.error());
         failed = true;
-        std::cout << std::flush; // in the order of the files where both go to one place
-        std::cerr << "ramus: " << printable(told.error().message()) << '\n';
+        std::cout << std::flush; // keeps the order of files if both streams go to the same place
+        std::cerr << "ramus: " << printable(printed.error().message()) << '\n';
         if (flags.csv) {
-            printer.print_row(info_row(file, told.error()));
+            printer.print_row(info_row(file, printed.error()));
         } else if (flags.json) {
-            printer.print_json(file, {{"error", told.error().message()}}, {});
+            printer.print_json(file, {{"error", printed.error().message()}}, {});
         }
     }
     printer.end();

@@ -1,4 +1,4 @@
-// ramus info --contacts: where vessels of a tree press on each other without being connected there.
+// Output of `ramus info --contacts`: the places where vessels of a tree touch without being connected there.
 #pragma once
 
 #include "core/tree/contacts/contacts.h"
@@ -10,11 +10,11 @@
 
 namespace ramus::app {
 
-// All of them, the closest first: branches and at, gap_mm (negative: an overlap), closeness, crossing, and of both
-// sides branch, branches, at, radius_mm, narrowed_mm, length_mm.
+// A list of all contacts, in the order of `contacts`. Members: branches, at (mm), gap_mm (negative: an overlap),
+// closeness, crossing, and sides: for both vessels branch, branches, at, radius_mm, narrowed_mm and length_mm.
 [[nodiscard]] nlohmann::ordered_json contacts_json(std::span<const tree::Contact> contacts);
 
-// How many there are, and a line for each of the closest.
+// Prints the number of contacts, and one line for each of the first kMostListed (listing.h).
 void print_contacts(std::ostream& stream, const tree::VesselTree& tree, std::span<const tree::Contact> contacts);
 
 } // namespace ramus::app

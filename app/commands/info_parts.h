@@ -1,4 +1,4 @@
-// What the texts and objects of `ramus info` are made of.
+// Helpers for the text and JSON output of `ramus info`.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -9,11 +9,12 @@
 
 namespace ramus::app {
 
-// One finding on standard output: its name and what it is.
+// Prints a line with a name and a value on standard output. Values are aligned.
 inline void print_fact(const std::string& name, const std::string& value) {
     std::cout << std::left << std::setw(14) << name << std::right << value << '\n';
 }
 
+// [x, y, z]
 inline nlohmann::ordered_json list_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 } // namespace ramus::app

@@ -1,4 +1,4 @@
-// Rows of the table of `ramus info --csv`: what is known of a file, or why nothing is.
+// The table of `ramus info --csv`: one row for each file, with its properties or the error of reading it.
 #pragma once
 
 #include "app/reports/report_tables.h"
@@ -10,8 +10,8 @@
 
 namespace ramus::app {
 
-// Tables of one row each, with the same columns: of a mask or scan, of a tree, of a file that cannot be read. Lengths
-// and volumes are in `unit` and its cube.
+// Tables of one row each, all with the same columns. The first overload is for a mask or scan, the second for a tree,
+// the third for a file that cannot be read. Lengths are in the unit of the column `unit`, volumes in its cube.
 [[nodiscard]] Table info_row(const std::string& file);
 [[nodiscard]] Table info_row(const std::string& file, const tree::VesselTree& tree,
                              const measure::TreeStatistics& statistics);

@@ -21,10 +21,10 @@ struct Figures {
     double voxel_ml = 0.0;
     std::vector<volume::LabelCount> labels;
     std::vector<volume::SharedCount> shared;
-    std::optional<std::uint64_t> inside; // of fractions from 0 to 1
+    std::optional<std::uint64_t> inside; // voxels from 0.5 on, if values are fractions
 };
 
-// More are no labels of a mask, but the grey values of a scan.
+// A volume with more different values is a scan, not a mask.
 constexpr std::size_t kMostLabels = 256;
 constexpr double kHalf = 0.5;
 
@@ -37,12 +37,12 @@ Figures figures_of(const volume::Volume& volume) {
     return figures;
 }
 
-// Grey values of a scan, as far as anybody can tell.
+// Whether the values are probably grey values of a scan.
 bool are_greys(const volume::Volume& volume, const Figures& figures) {
     return figures.labels.size() > kMostLabels && !volume.segmentation;
 }
 
-// Those that share the most voxels first.
+// Prints pairs of labels that overlap, those with the most voxels first.
 void print_shared(std::vector<volume::SharedCount> shared) {
     constexpr std::size_t kMost = 20;
     std::ranges::stable_sort(shared, std::greater<>(), &volume::SharedCount::voxels);

@@ -1,4 +1,4 @@
-// What `ramus info` tells of a mask or a scan: size, spacing, orientation, type, and labels with their volumes.
+// Output of `ramus info` for a mask or a scan: size, spacing, orientation, type, and labels with their volumes.
 #pragma once
 
 #include "core/volume/volume.h"
@@ -8,8 +8,9 @@
 
 namespace ramus::app {
 
+// Lengths are in mm, volumes in ml.
 [[nodiscard]] nlohmann::ordered_json volume_json(const volume::Volume& volume);
-// As text on standard output, under the name of its file.
+// Prints the same as text on standard output, with `file` as the heading.
 void print_volume(const std::string& file, const volume::Volume& volume);
 
 } // namespace ramus::app

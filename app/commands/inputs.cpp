@@ -25,7 +25,7 @@ Result<tree::VesselTree> load_tree(const std::string& file, const SurfaceFlags& 
         return read_tree_or_mask(file, reading, static_cast<double>(flags.surface.memory_bytes), job);
     });
     if (!tree) return tree;
-    // A file that needs many repairs shall not drown what else is said.
+    // Many repairs of one file must not hide other messages.
     constexpr std::size_t kShown = 5;
     const std::vector<std::string> repairs = sentences(*tree, tree::Note::Kind::kRepaired);
     const std::size_t shown = flags.verbose ? repairs.size() : std::min(kShown, repairs.size());
@@ -33,7 +33,7 @@ Result<tree::VesselTree> load_tree(const std::string& file, const SurfaceFlags& 
     if (shown < repairs.size())
         std::cerr << "ramus: repaired: " << grouped(repairs.size() - shown) << " more places (ramus info lists them)\n";
     for (const tree::Note& note : tree->notes) {
-        // A suspicion about the whole tree is worth a line; those of single points wait for ramus info.
+        // Prints suspicions about the whole tree only; `ramus info` lists those about single points.
         if (note.kind == tree::Note::Kind::kSuspect && note.topic == "units")
             std::cerr << "ramus: " << note.text << '\n';
         else if (note.kind == tree::Note::Kind::kAssumed)
@@ -73,13 +73,14 @@ Result<std::vector<std::uint8_t>> branches_of(const tree::VesselTree& tree, cons
         if (!system) return fail(system.error().what, where, system.error().hint);
         for (const int branch : branches_in_system(tree, *system)) chosen[static_cast<std::size_t>(branch)] = 1;
     }
-    if (std::ranges::find(chosen, 1) == chosen.end()) return fail("what --system names has no branches", where);
+    if (std::ranges::find(chosen, 1) == chosen.end())
+        return fail("the systems that --system names have no branches", where);
     return chosen;
 }
 
 namespace {
 
-// Hides all that is not of these systems; what the session hides of them stays hidden.
+// Hides all branches of other systems. Branches that the session hides stay hidden.
 Result<void> show_only(Marks& marks, const tree::VesselTree& tree, const std::vector<std::string>& systems,
                        const std::string& where) {
     RAMUS_TRY(chosen, branches_of(tree, marks, systems, where));
@@ -106,8 +107,8 @@ Result<OpenedSession> open_session(const std::string& tree_file, const std::stri
     if (!tree_file.empty()) opened.session.tree.path = std::filesystem::absolute(tree_file).lexically_normal();
     if (opened.session.tree.path.empty()) {
         if (alone == Alone::kRefused)
-            return fail("this session shows something without a tree, and a tree is needed", session_file,
-                        "name the file of a tree, too");
+            return fail("this session has no tree, and this command needs one", session_file,
+                        "also give the file of a tree");
         if (auto fits = check_against(opened.session, {}, {}, session_file); !fits) return tl::unexpected(fits.error());
         return opened;
     }

@@ -1,4 +1,4 @@
-// What command lines name as input, read: trees, masks and sessions.
+// Reads the inputs that a command line names: trees, masks and sessions.
 #pragma once
 
 #include "app/commands/surface_flags.h"
@@ -14,41 +14,45 @@
 
 namespace ramus::app {
 
-// How every command reads its tree: what was repaired is told on standard error, and with --verbose what was found.
+// Reads a vessel tree, from a tree file or from a mask. All commands read their trees with this function. Shows a
+// progress bar; an interrupt cancels. Prints repairs on standard error, and with --verbose also assumptions and counts.
+// Fails with the errors of the reader.
 [[nodiscard]] Result<tree::VesselTree> load_tree(const std::string& file, const SurfaceFlags& flags);
-// The same as a session reads it.
+// The same with the reading options of a session instead of those of `flags`.
 [[nodiscard]] Result<tree::VesselTree> load_tree(const std::string& file, const SurfaceFlags& flags,
                                                  const io::ReadOptions& reading);
 
-// A line on standard error, with --verbose only.
+// Prints a line on standard error if --verbose is given.
 void say(const SurfaceFlags& flags, const std::string& line);
 
-// How every command reads its mask or scan: with a progress bar, and an interrupt cancels. With --verbose it tells on
-// standard error what was assumed where the file does not say.
+// Reads a mask or scan. All commands read their volumes with this function. Shows a progress bar; an interrupt cancels.
+// With --verbose, prints on standard error what was assumed because the file does not say it.
 [[nodiscard]] Result<volume::Volume> load_volume(const std::string& file, const SurfaceFlags& flags);
 
-// Tells on standard error where the size looks like another unit.
+// Prints the suspicions of the volume's reader on standard error, for example that the size looks like another unit.
 void warn_about(const std::string& file, const volume::Volume& volume);
 
-// 1 for each branch of the systems that --system names (as the session calls them), 0 for others; all when it names
-// none. Fails on one that the tree lacks, with `where`.
+// Selects the branches of some vessel systems. `systems`: the values of --system, names in the session or numbers from
+// 1. Returns one entry per branch: 1 if its system is among them, 0 otherwise; all are 1 if `systems` is empty. Fails,
+// with `where` as the place, if the tree has no such system or no branch is selected.
 [[nodiscard]] Result<std::vector<std::uint8_t>> branches_of(const tree::VesselTree& tree, const Marks& marks,
                                                             const std::vector<std::string>& systems,
                                                             const std::string& where);
 
-// The session that a command line asks for, with its tree.
+// A session with its tree.
 struct OpenedSession {
     Session session;
-    std::shared_ptr<const tree::VesselTree> tree; // with the session's edits
-    std::shared_ptr<const tree::VesselTree> base; // as the file has it
-    bool has_camera = false;
+    std::shared_ptr<const tree::VesselTree> tree; // with the session's edits; null: a session without a tree
+    std::shared_ptr<const tree::VesselTree> base; // as read from the file, without edits
+    bool has_camera = false;                      // whether the session file has a camera
 };
 
-// A session that shows something without a tree is refused, unless `alone` says that it may be.
+// Whether open_session() accepts a session that has context shapes but no tree.
 enum class Alone { kRefused, kAllowed };
 
-// Either name may be empty, not both: a tree without a session is a fresh one, a session without a tree brings its own.
-// Options on the command line win over those of the session.
+// Opens the session and the tree that a command line names. One of the two names may be empty: a tree without a session
+// gives a new session, and a session without a tree file uses the tree that it names. Options on the command line take
+// precedence over those of the session. Fails if a file cannot be read, or if the session does not fit the tree.
 [[nodiscard]] Result<OpenedSession> open_session(const std::string& tree_file, const std::string& session_file,
                                                  const SurfaceFlags& flags, Alone alone = Alone::kRefused);
 

@@ -1,4 +1,4 @@
-// What commands that list findings share.
+// Helpers for commands that list findings.
 #pragma once
 
 #include <cstddef>
@@ -7,9 +7,9 @@
 
 namespace ramus::app {
 
-inline constexpr std::size_t kMostListed = 20; // a person reads no more; JSON has them all
+inline constexpr std::size_t kMostListed = 20; // in text output; JSON lists all
 
-// [x, y, z], without negative zeros.
+// A position as [x, y, z]. Adding 0 turns -0 into 0.
 [[nodiscard]] inline nlohmann::ordered_json place_json(const glm::dvec3& at) {
     return {at.x + 0.0, at.y + 0.0, at.z + 0.0};
 }

@@ -1,4 +1,4 @@
-// ramus mesh FILE -o MESH: the surface of a vessel tree or of a mask as a file.
+// `ramus mesh FILE -o MESH`: writes the surface of a vessel tree or of a mask.
 #include "app/assets/assets.h"
 #include "app/commands/inputs.h"
 #include "app/commands/output_target.h"
@@ -41,7 +41,7 @@ struct MaskFlags {
     volume::Selection selection;
 };
 
-// --label; --isovalue, which is one of reading, too.
+// Adds --label. It excludes --isovalue, one of the options of reading.
 void add_mask_flags(CLI::App& command, MaskFlags& flags) {
     CLI::Option* label = add_option_taking<std::string>(
                              command, "--label", "LABEL[,LABEL...]",
@@ -52,7 +52,7 @@ void add_mask_flags(CLI::App& command, MaskFlags& flags) {
     command.get_option("--isovalue")->excludes(label);
 }
 
-// Throws CLI::ValidationError for options that do not go with the method chosen.
+// Throws CLI::ValidationError for options that the chosen method does not have.
 void check_mask_flags(const CLI::App& command, const MaskFlags& flags) {
     const std::vector<std::string> of_masks = {"--label"};
     std::vector<std::string> of_trees = {"--session", "--repair",  "--parts",      "--system",    "--labels",
@@ -65,7 +65,7 @@ void check_mask_flags(const CLI::App& command, const MaskFlags& flags) {
                                                        : "has a meaning only with --method iso");
 }
 
-// Reads, makes and writes. `load_s` is set to the seconds that reading took.
+// Reads a mask, computes its isosurface and writes it. Sets `load_s` to the time of reading, in seconds.
 Result<WrittenSurface> mesh_of_mask(const std::string& file, const MaskFlags& mask, const SurfaceFlags& flags,
                                     SurfaceTarget& target, double& load_s) {
     Stopwatch watch;
@@ -90,13 +90,13 @@ struct MeshFlags {
     SurfaceFlags surface;
     MaskFlags mask;
     std::string file, session, output, format;
-    std::optional<io::PartsBy> parts; // none: what is usual
+    std::optional<io::PartsBy> parts; // none: usual_parts()
     std::optional<io::Orientation> axes;
     PrintingFlags printing;
     bool json = false;
 };
 
-// Of .glb.
+// Adds --parts, for .glb.
 void add_parts_flag(CLI::App& command, std::optional<io::PartsBy>& parts) {
     add_option_taking<std::string>(
         command, "--parts", "branch|system|none", [&parts](const std::string& word) { parts = parts_named(word); },
@@ -105,7 +105,7 @@ void add_parts_flag(CLI::App& command, std::optional<io::PartsBy>& parts) {
         ->check(expecting(" is not branch, system or none", parts_named));
 }
 
-// A surface that lacks something is told of.
+// Warns of pieces of the tree that have no surface.
 void warn_of_lost(const MeshFlags& flags, const WrittenSurface& written) {
     if (written.lost_pieces.empty()) return;
     constexpr std::size_t kNamed = 5;
@@ -119,20 +119,20 @@ void warn_of_lost(const MeshFlags& flags, const WrittenSurface& written) {
               << "): far shorter than thick, thinner than cells, or inside of other vessels\n";
 }
 
-// "2 pieces fewer", "1 loop more"; nothing where there are as many.
+// "2 pieces fewer", "1 loop more"; empty if the numbers are equal.
 std::string difference_text(std::int64_t here, std::int64_t wanted, const char* one, const char* many) {
     if (here == wanted) return {};
     return counted(static_cast<std::uint64_t>(std::abs(here - wanted)), one, many) +
            (here > wanted ? " more" : " fewer");
 }
 
-// What to do about a surface of other pieces or loops than the tree's.
+// Advice for a surface whose pieces or loops differ from the tree's.
 const char* remedy_of_shape(mesh::Blend blend) {
     if (!mesh::row_of(blend).separates) return "vessels that come close are merged: --blend tree keeps them apart";
     return "look where axes all but cross: ramus info --contacts lists them, the closest first";
 }
 
-// " (closed at (1.5, -20.1, 33.4) and 2 more)": holes of the tree's cycles, or loops that the tree has not.
+// " (closed at (1.5, -20.1, 33.4) and 2 more)": the places of lost loops or false loops, mm.
 std::string places_text(const char* what, std::span<const glm::vec3> places) {
     if (places.empty()) return {};
     const glm::vec3& p = places.front();
@@ -145,7 +145,7 @@ std::string places_text(const std::optional<mesh::MatchedTree>& matched) {
     return places_text("closed at", matched->lost_loops.closed) + places_text("near", matched->false_loops.left);
 }
 
-// A surface that connects what the tree keeps apart, or the other way round, says so.
+// Warns if the numbers of pieces or loops of the surface differ from the tree's.
 void warn_of_shape(const MeshFlags& flags, const WrittenSurface& written, mesh::Blend blend) {
     if (!written.tree_shape || written.shape == *written.tree_shape) return;
     std::string what = difference_text(written.shape.pieces, written.tree_shape->pieces, "piece", "pieces");
@@ -155,7 +155,7 @@ void warn_of_shape(const MeshFlags& flags, const WrittenSurface& written, mesh::
               << places_text(written.matched) << "; " << remedy_of_shape(blend) << '\n';
 }
 
-// What is left, and what nobody looked for.
+// Warns of intersecting triangles that remain, and of those that were not looked for.
 void warn_of_intersections(const MeshFlags& flags, const WrittenSurface& written) {
     if (written.untangled && written.untangled->left > 0)
         std::cerr << "ramus: " << output_name(flags.output) << ": "
@@ -169,7 +169,7 @@ void warn_of_intersections(const MeshFlags& flags, const WrittenSurface& written
                "than vessels; lower --cell, or raise --detail\n";
 }
 
-// Of what is looked for in some surfaces: null where it was not.
+// The repairs of the surface. A repair that was not looked for is null.
 nlohmann::ordered_json repairs_json(const WrittenSurface& written) {
     nlohmann::ordered_json repairs = {
         {"streamed", written.streamed}, {"cut_loops", nullptr}, {"opened_loops", nullptr}, {"intersections", nullptr}};
@@ -216,7 +216,7 @@ void report(const MeshFlags& flags, const WrittenSurface& written, const io::Mes
     if (flags.printing.wanted) warn_about_printing(flags.printing, written, claims);
 }
 
-// What the surface of a tree is called and coloured; fails where the tree lacks the parts that were asked for.
+// The names and colours of the surface of a tree. Fails if --parts asks for systems and the tree has none.
 Result<io::MeshNames> names_for(const MeshFlags& flags, const OpenedSession& opened) {
     const tree::VesselTree& tree = *opened.tree;
     if (flags.parts == io::PartsBy::kSystem && tree.systems.empty())
@@ -229,7 +229,7 @@ Result<io::MeshNames> names_for(const MeshFlags& flags, const OpenedSession& ope
     return surface_names(tree, facts, opened.session.marks, assets.plan.get(), flags.parts.value_or(usual_parts(tree)));
 }
 
-// With --verbose.
+// Prints the repairs of the surface, with --verbose.
 void tell_what_was_done(const MeshFlags& flags, const WrittenSurface& written) {
     say(flags.surface, counted(written.evaluations, "evaluation", "evaluations") + " of the field in " +
                            rounded(written.mesh_s) + " s" + (written.streamed ? ", on the disk" : ""));
@@ -246,7 +246,7 @@ void tell_what_was_done(const MeshFlags& flags, const WrittenSurface& written) {
 }
 
 Result<int> run_mesh(const MeshFlags& flags) {
-    // What would fail at the end shall fail at the beginning.
+    // Checks the output first, so that no computation is in vain.
     RAMUS_TRY(format, io::mesh_format(flags.output));
     if (flags.parts && !format->has_parts)
         return fail("this format has no parts", flags.output, "leave --parts out, or use .glb");
@@ -291,7 +291,7 @@ Result<int> run_mesh(const MeshFlags& flags) {
     warn_of_intersections(flags, written);
     warn_of_shape(flags, written, opened.session.marks.options.blend);
     const mesh::SurfaceOptions& options = opened.session.marks.options;
-    std::optional<Smoothing> smoothing; // shown in JSON only
+    std::optional<Smoothing> smoothing; // only for JSON
     if (flags.json) smoothing = smoothing_of(*opened.tree, options.smooth_passes);
     report(flags, written, target.names, smoothing, load_s);
     return kDone;
@@ -315,7 +315,7 @@ void register_mesh(CLI::App& app, Action& chosen) {
         if (!flags->mask.iso) flags->surface.surface.method = method;
     });
     add_option(*command, "--session", "FILE", flags->session,
-               "Of this session: its tree and surface options, without its hidden branches");
+               "Use the tree and surface options of this session, without its hidden branches");
     command->add_flag("--json", flags->json, "Print the figures as one JSON object");
     add_surface_flags(*command, flags->surface);
     add_system_flag(*command, flags->surface);

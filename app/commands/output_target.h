@@ -1,6 +1,7 @@
-// Where a command writes what -o names: a file, or with `-o -` standard output. What goes there is first written to a
-// folder of its own in TMPDIR, for writers replace files and some go back to their beginning; so standard output gets
-// nothing before all of it is there. It may then stop anywhere: only files are whole or not there.
+// OutputTarget: the destination of a command's output, a file or with `-o -` standard output. Writers need a file that
+// they can replace and seek in. So output for standard output is first written to a file in a temporary folder, and
+// copied once it is complete. Guaranteed: a file is written completely or not at all. Not guaranteed for standard
+// output: copying may fail midway.
 #pragma once
 
 #include "core/base/error.h"
@@ -16,23 +17,24 @@
 
 namespace ramus::app {
 
-// Whether the output is standard output, "-" or /dev/stdout.
+// Whether `output` names standard output: "-" or /dev/stdout.
 [[nodiscard]] bool is_standard_output(const std::filesystem::path& output);
 
-// What people call an output: its path, or "standard output".
+// The name of an output in messages: its path, or "standard output".
 [[nodiscard]] std::string output_name(const std::filesystem::path& file);
 
-// Extensions of the tree formats of one file, which can go to standard output: not the pair of CSV files.
+// The extensions of the tree formats that can be written to standard output. CSV is not one, since a tree in CSV is a
+// pair of files.
 [[nodiscard]] std::vector<std::string_view> streamed_tree_extensions();
 
-// --format, which says in which format standard output is; `extensions`: of the formats that there are.
+// Adds --format, the format of standard output. `extensions`: of the formats that the command can write.
 void add_format_flag(CLI::App& command, std::string& format, const std::vector<std::string_view>& extensions);
 
-// Throws CLI::ValidationError where -o and --format do not go together, and where --json of the command asks for
-// another text on the same standard output.
+// Checks -o, --format and --json. Throws CLI::ValidationError if --format is given for a file, if it is missing for
+// standard output, or if both -o and --json write to standard output.
 void check_output_flags(const CLI::App& command, const std::filesystem::path& output, const std::string& format);
 
-// While it lives, what is said on std::cout goes to standard error.
+// Redirects std::cout to standard error during its lifetime.
 class SentencesToStandardError {
 public:
     SentencesToStandardError();
@@ -46,13 +48,15 @@ private:
 
 class OutputTarget {
 public:
-    // `format`: an extension with or without its dot; of standard output alone.
+    // `format`: an extension with or without its dot, used for standard output only. Fails if standard output is a
+    // terminal, or if no temporary folder can be created.
     [[nodiscard]] static Result<OutputTarget> of(const std::filesystem::path& output, const std::string& format);
 
-    // What is to be written; of standard output one that has no other use.
+    // The file to write: the output itself, or a temporary file for standard output.
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
     [[nodiscard]] bool is_stream() const { return scratch_.has_value(); }
-    // Sends what was written to standard output, if that is wanted. Leaves no file behind, also if nobody reads on.
+    // Copies the temporary file to standard output, if there is one. The temporary file is removed first, so none is
+    // left if the reader closes the pipe.
     [[nodiscard]] Result<void> deliver();
 
 private:
@@ -60,8 +64,8 @@ private:
     std::optional<ScratchFolder> scratch_;
 };
 
-// Runs a command that writes `flags.output`, in the format `flags.format`. While that goes to standard output, all that
-// the command says goes to standard error.
+// Runs a command that writes the file `flags.output`, which may name standard output. Flags without a `format` are
+// written as PNG. If the output is standard output, other text of the command is printed on standard error.
 template <class Flags> Result<int> with_output(Flags flags, Result<int> (*run)(const Flags&)) {
     std::string format;
     if constexpr (requires { flags.format; })

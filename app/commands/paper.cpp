@@ -1,5 +1,5 @@
-// `ramus paper -o FOLDER`: the paper's figures and tables, made anew: pictures, plots, tables and a page about them.
-// All files come to their places together, or none does.
+// `ramus paper -o FOLDER`: reproduces the figures and tables of the paper: pictures, plots, tables and a page that
+// shows them. Writes all files or none.
 #include "app/commands/picture_flags.h"
 #include "app/commands/printed_report.h"
 #include "app/commands/progress.h"
@@ -77,7 +77,7 @@ Result<std::vector<paper::MadeFigure>> make_figures(const PaperFlags& flags, std
     return made;
 }
 
-// What is in the folder, by name.
+// Names and contents of the files in the folder.
 using Files = std::vector<std::pair<std::string, std::string>>;
 
 Files files_of(const paper::Figure& figure) {
@@ -95,7 +95,7 @@ Result<void> write(const PaperFlags& flags, const std::vector<paper::MadeFigure>
         for (const paper::MadeFigure& one : made)
             for (auto& file : files_of(one.figure)) all.push_back(std::move(file));
         all.emplace_back(kMeasurements, csv_of(paper::measured_table(made)));
-        all.emplace_back(kPage, paper::paper_page(made, facts, now_text())); // last: who finds it finds the rest
+        all.emplace_back(kPage, paper::paper_page(made, facts, now_text())); // last: it links to all others
         for (const auto& [name, content] : all)
             if (auto added = together.add(flags.folder / name, content); !added) return added;
         if (job.cancelled()) return fail(kNothingWritten);
@@ -116,7 +116,7 @@ nlohmann::ordered_json json_of(const paper::MadeFigure& made) {
 }
 
 Result<int> run_paper(const PaperFlags& flags) {
-    const auto folder = make_folder(flags); // while nothing is in it, it may go again
+    const auto folder = make_folder(flags); // removes a new folder again if nothing is written
     if (!folder) return tl::unexpected(folder.error());
     RAMUS_TRY(trees, read_all(flags.inputs));
     std::vector<paper::InputTree> inputs = inputs_of(flags, std::move(trees));
@@ -141,10 +141,10 @@ void register_paper(CLI::App& app, Action& chosen) {
     for (const paper::FigureRow& row : paper::figure_rows()) flags->rows.push_back(&row);
     ValidateFlags& inputs = flags->inputs;
     CLI::App* command =
-        add_command(app, "paper", "Make the figures and tables of the paper by Oeltze and Preim (2005) anew");
-    command->footer("Artificial vessels are built, trees are grown where none is given: no file is needed.");
+        add_command(app, "paper", "Reproduce the figures and tables of the paper by Oeltze and Preim (2005)");
+    command->footer("No file is needed: artificial vessels are built, and trees are grown unless --tree is given.");
     add_option(*command, "-o,--output", "FOLDER", flags->folder,
-               "Folder for index.html, pictures (.png), plots (.svg) and tables (.csv); it is made if need be")
+               "Folder for index.html, pictures (.png), plots (.svg) and tables (.csv); created if it does not exist")
         ->required();
     add_option_taking<std::string>(
         *command, "--figures", "LIST", [flags](const std::string& list) { flags->rows = *paper::rows_in(list); },

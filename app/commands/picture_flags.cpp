@@ -79,12 +79,12 @@ void add_comparison_flags(CLI::App& command, ComparisonFlags& flags) {
     CLI::Option* mask = add_input(command, "--mask", "MASK", flags.mask,
                                   "Segmentation mask of the same vessels (" + io::readable_volume_extensions() +
                                       "; default: the tree's own voxels)");
-    add_mask_units_flag(command, flags.mask_units, "--mask and of those beside the tree");
+    add_mask_units_flag(command, flags.mask_units, "--mask and of masks shown next to the tree");
     add_label_flag(command, flags.labels,
-                   "These labels of the mask alone, by number or name, as 1 or 1,portal_vein (default: all)")
+                   "Only these labels of the mask, by number or name, such as 1 or 1,portal_vein (default: all)")
         ->needs(mask);
     const auto is_share = [](const std::string& text) {
-        double value = 0.0; // what is no number is told of where it is read
+        double value = 0.0; // CLI11 reports words that are not numbers
         const bool is = !CLI::detail::lexical_cast(text, value) || (value >= 0.0 && value <= 1.0);
         return std::string(is ? "" : "goes from 0 to 1");
     };

@@ -1,4 +1,4 @@
-// Options of all commands that make pictures.
+// Options of commands that draw pictures. The objects that parsing writes to must live as long as the command.
 #pragma once
 
 #include "app/session/session.h"
@@ -13,47 +13,48 @@
 
 namespace ramus::app {
 
-// --size WxH; its help names what `size` is before. Sizes that cannot be drawn are wrong usage.
+// Adds --size WxH, pixels. The value of `size` is the default, which the help names. Sizes that cannot be drawn are
+// wrong usage.
 void add_size_flag(CLI::App& command, glm::ivec2& size);
 
-// --graphics-memory SIZE, of surfaces; in bytes, 0 as the renderer has it.
+// Adds --graphics-memory SIZE, the limit for surfaces in bytes; 0: the renderer's own limit.
 CLI::Option* add_graphics_memory_flag(CLI::App& command, std::size_t& bytes);
 
-// --view NAME; its help names anterior as what `view` is before.
+// Adds --view NAME. `view` must be anterior, the default that the help names.
 CLI::Option* add_view_flag(CLI::App& command, render::View& view);
 
-// --label N[,N...], of a mask.
+// Adds --label LABEL[,LABEL...], the labels of a mask, by number or name.
 CLI::Option* add_label_flag(CLI::App& command, std::vector<volume::LabelChoice>& labels, const std::string& help);
 
-// Surfaces of the same vessels in one picture: the options of `ramus render` that say which, and how.
+// The options of `ramus render` that compare surfaces of the same vessels in one picture. No value or empty: not given.
 struct ComparisonFlags {
     std::optional<Comparison::Mode> mode;
     std::optional<std::vector<Compared>> surfaces;
-    std::string mask;       // empty: the session's, or the tree's own voxels
+    std::string mask;       // empty: the session's mask, or one made of the tree
     std::string mask_units; // empty: as the file says
     std::vector<volume::LabelChoice> labels;
-    std::optional<double> share; // of the second surface, where two are blended
-    std::optional<double> wipe;  // where the line between two is, of the picture's width
+    std::optional<double> share; // of the second surface when two are blended, 0 to 1
+    std::optional<double> wipe;  // position of the line between two surfaces, 0 (left) to 1 (right)
     bool skeleton = false, contacts = false, shortest_distances = false;
-    int contact = 0; // to look at, from 1; 0: none
+    int contact = 0; // the contact to look at, from 1; 0: none
 };
 
 void add_comparison_flags(CLI::App& command, ComparisonFlags& flags);
 
-// --colour-by deviation: from what, and up to where the colours go.
+// The options of --colour-by deviation: the other surface, and the end of the colour scale.
 struct DeviationFlags {
-    std::string from;                           // "cones", "iso" or a file; empty: the session's
-    std::optional<double> most_mm, most_voxels; // none: the session's
+    std::string from;                           // "cones", "iso" or a file; empty: as in the session
+    std::optional<double> most_mm, most_voxels; // none: as in the session
 };
 void add_deviation_flags(CLI::App& command, DeviationFlags& flags);
-// As the command lines that do the same; `mask_units`: of a file that is a mask, `mesh_axes`: of one that is a mesh,
-// empty: as it says.
+// The commands of app/actions that set the same. `mask_units`: the unit of a file that is a mask; `mesh_axes`: the axes
+// of a file that is a mesh; empty: as the file says.
 [[nodiscard]] std::vector<std::vector<std::string>>
 command_lines(const DeviationFlags& flags, const std::string& mask_units, const std::string& mesh_axes);
 
-// Throws CLI::ValidationError for what has no meaning without the other.
+// Throws CLI::ValidationError if an option is given without the option that it needs.
 void check_comparison_flags(const CLI::App& command, const ComparisonFlags& flags);
-// What was not given stays as it is.
+// Sets the given options in `marks`, and leaves all others unchanged.
 void apply(const ComparisonFlags& flags, Marks& marks);
 
 } // namespace ramus::app

@@ -15,9 +15,9 @@ Result<void> PictureStage::make_surface() {
         surface_ = {};
         compared_.clear();
     }
-    if (!tree_) return {}; // what is shown without one has no surface to make
+    if (!tree_) return {}; // context shapes without a tree: no surface to compute
     SurfaceRequest request = surface_request(document_.marks());
-    request.options.threads = flags_.surface.threads; // the machine's business, not the session's
+    request.options.threads = flags_.surface.threads; // depends on the machine, not on the session
     if (surface_.mesh && surface_.request == request) return {};
     const auto make = [&](Job& job) { return make_ready(*document_.tree(), request, job); };
     RAMUS_TRY(surface, with_progress("surface", make, kNothingWritten));
@@ -124,7 +124,7 @@ Result<render::Image> PictureStage::draw_picture(const render::Camera& camera, g
     requested.size = size;
     render::Sheet sheet = render::sheet_of(std::move(requested));
     app::dress(sheet, options);
-    render::SheetRenderer alone(*renderer_); // those of other viewports keep what they have
+    render::SheetRenderer alone(*renderer_); // keeps the state of the other viewports
     if (const auto drawn = alone.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());
     if (const auto finer = alone.refine(sheet); !finer) return tl::unexpected(finer.error());
     return alone.read_image();

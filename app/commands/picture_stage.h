@@ -1,6 +1,5 @@
-// PictureStage: a document with what `ramus render` needs to draw it without a window. It is the
-// PictureHost of the commands in a commands file; the surface follows the options that commands set, computed when a
-// picture is next needed.
+// PictureStage: draws a document without a window, for `ramus render`. It is the PictureHost of the commands in a file
+// of --commands. When commands change the options of the surface, the surface is computed again for the next picture.
 #pragma once
 
 #include "app/actions/hosts.h"
@@ -17,23 +16,29 @@ namespace ramus::app {
 
 class PictureStage final : public PictureHost {
 public:
+    // `document` and `flags` must outlive the object.
     PictureStage(Document& document, const SurfaceFlags& flags, Viewing viewing)
         : document_(document), flags_(flags), viewing_(std::move(viewing)) {}
 
-    // Computes the surface of the session's options, without its hidden branches, unless it is there already.
+    // Computes the surface with the options of the session, without hidden branches. Does nothing if the tree, the
+    // options and the hidden branches are unchanged. Shows a progress bar; fails if cancelled.
     Result<void> make_surface();
-    Result<void> complete_assets(); // reads and measures what a picture shows beside the surface
+    // Reads and computes what a picture shows in addition to the surface, such as context shapes and lesions.
+    Result<void> complete_assets();
+    // Must be called before pictures are drawn. The renderer must outlive the object.
     void draw_with(render::Renderer& renderer) {
         renderer_ = &renderer;
         sheet_renderer_ = std::make_unique<render::SheetRenderer>(renderer);
     }
-    [[nodiscard]] Result<render::Frame> frame(); // of the session's own surface
-    // With all that it is compared with, computed when it is not there already.
+    // The frame of the session's own surface. Computes what is missing.
+    [[nodiscard]] Result<render::Frame> frame();
+    // The frames of this surface and of all surfaces that it is compared with. Computes what is missing. `size`:
+    // pixels.
     [[nodiscard]] Result<render::Sheet> sheet() { return sheet(viewing_.size); }
     [[nodiscard]] Result<render::Sheet> sheet(glm::ivec2 size);
     [[nodiscard]] render::SheetRenderer& sheet_renderer() { return *sheet_renderer_; }
     [[nodiscard]] const ReadySurface& surface() const { return surface_; }
-    Assets assets; // the document's, complete whenever a picture is made
+    Assets assets; // of the document; complete whenever a picture is drawn
 
     // PictureHost
     [[nodiscard]] glm::ivec2 picture_size() const override {
@@ -54,9 +59,9 @@ private:
     render::Renderer* renderer_ = nullptr;
     std::unique_ptr<render::SheetRenderer> sheet_renderer_;
     ReadySurface surface_;
-    std::shared_ptr<const tree::VesselTree> tree_; // that the surfaces are of: it may be edited
-    std::vector<ComparedSurface> compared_;        // one a kind
-    Result<void> measure_deviation();              // of the surface, where colours show it
+    std::shared_ptr<const tree::VesselTree> tree_; // the tree of the surfaces; the document's may have been edited
+    std::vector<ComparedSurface> compared_;        // one per kind
+    Result<void> measure_deviation();              // if colours show the deviation
     Result<void> make_compared_surface(ComparedRequest request);
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// Empty: the name says no unit.
+// The name without its unit; empty: the name has no unit.
 std::string without_unit(std::string_view name) {
     constexpr std::array<std::string_view, 3> kUnits{"_mm", "_mm2", "_mm3"};
     for (const std::string_view unit : kUnits)

@@ -1,6 +1,6 @@
-// What commands print with --json. Scripts know members by names with a unit ("length_mm"), which stay. Next to each of
-// them stands the same value under the name that tables have, without the unit ("length"), and `unit` says what it is:
-// "mm", or "unknown" where nobody has said so. Those names are the same whatever the unit is.
+// The JSON text that commands print with --json. Older names of lengths contain a unit ("length_mm"), and stay for the
+// sake of scripts. Each such member is followed by the same value under the name without the unit ("length"), as in
+// tables. The member `unit` states the unit: "mm", or "unknown" if neither the file nor the user says it.
 #pragma once
 
 #include "core/tree/vessel_tree.h"
@@ -10,9 +10,9 @@
 
 namespace ramus::app {
 
-// Adds the names without a unit, in all objects and lists: of what ends in _mm, _mm2 or _mm3, unless the object has a
-// member of that name, and `unit` next to each `units`. A report with such lengths and without `units` gets the unit of
-// `claims`. Not for millilitres, whose numbers are others than those of mm^3.
+// Adds the names without a unit to all objects, at any depth, and returns the report as text. Members whose names end
+// in _mm, _mm2 or _mm3 get a copy, unless the object already has a member of that name; `units` gets a copy `unit`. A
+// report with lengths but without `unit` gets that of `claims`. Members in ml get no copy.
 [[nodiscard]] std::string printed_report(nlohmann::ordered_json report, const tree::Claims& claims = {});
 
 } // namespace ramus::app

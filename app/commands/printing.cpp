@@ -46,12 +46,11 @@ nlohmann::ordered_json printing_json(const PrintingFlags& flags, std::span<const
 
 void warn_about_printing(const PrintingFlags& flags, const WrittenSurface& written, const tree::Claims& claims) {
     if (!claims.has_unit())
-        std::cerr << "ramus: nobody has said what one unit of the tree is, and printers take it for 1 mm; say it with "
-                     "--units\n";
+        std::cerr << "ramus: the unit of the tree is not known, and printers take it for 1 mm; give it with --units\n";
     if (const std::string thin = thin_text(written.thicknesses, flags.thinnest_mm, Lengths(claims)); !thin.empty())
         std::cerr << "ramus: " << thin
-                  << "; print it larger, leave thin vessels out with --prune or hidden in a --session, or say with "
-                     "--thinnest what your printer can do\n";
+                  << "; print it larger, leave thin vessels out with --prune or hidden in a --session, or give with "
+                     "--thinnest what your printer can print\n";
     if (written.shape.pieces > 1)
         std::cerr << "ramus: "
                   << counted(static_cast<std::uint64_t>(written.shape.pieces), "piece comes", "pieces come")

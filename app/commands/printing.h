@@ -1,4 +1,4 @@
-// ramus mesh --for-printing: what is thin, and where, in words and as JSON.
+// `ramus mesh --for-printing`: reports where a surface is too thin for a 3D printer, as text and as JSON.
 #pragma once
 
 #include "app/commands/write_surface.h"
@@ -11,18 +11,19 @@
 namespace ramus::app {
 
 struct PrintingFlags {
-    bool wanted = false;
-    double thinnest_mm = kThinnestPrintedMm;
+    bool wanted = false;                     // --for-printing
+    double thinnest_mm = kThinnestPrintedMm; // --thinnest: thinner places get a warning
 };
 
-// --for-printing and --thinnest.
+// Adds --for-printing and --thinnest to `command`; parsing writes to `flags`, which must live as long as the command.
 void add_printing_flags(CLI::App& command, PrintingFlags& flags);
 
-// closed, units, thinnest {mm, at, branch}, thin_below_mm, and thin: the branches below that, the thinnest first.
+// An object with the members closed, units, thinnest {mm, at, branch}, thin_below_mm, and thin: a list of the branches
+// that are thinner than this limit, the thinnest first. `thicknesses`: from measure::least_thicknesses().
 [[nodiscard]] nlohmann::ordered_json
 printing_json(const PrintingFlags& flags, std::span<const measure::Thickness> thicknesses, const tree::Claims& claims);
 
-// On standard error: what is thinner than it should be, and that several pieces come out of the printer, if so.
+// Warns on standard error of an unknown unit, of places that are too thin, and of a surface in several pieces.
 void warn_about_printing(const PrintingFlags& flags, const WrittenSurface& written, const tree::Claims& claims);
 
 } // namespace ramus::app

@@ -31,7 +31,7 @@ bool cancel_running() {
     return running != nullptr;
 }
 
-// For ever, with these signals blocked in every thread.
+// Waits for signals, forever. The signals must be blocked in all threads.
 void wait_for(const sigset_t interrupts) {
     constexpr timespec kGrace{.tv_sec = 0, .tv_nsec = 600'000'000};
     int number = 0;

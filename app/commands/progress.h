@@ -1,4 +1,4 @@
-// What a command tells while it works, and how it is stopped.
+// Progress bars of commands, and cancelling commands by signals.
 #pragma once
 
 #include "core/base/error.h"
@@ -12,14 +12,12 @@
 
 namespace ramus::app {
 
-// Ctrl-C and a polite kill, while a command works: the first one cancels the work that runs, so that the command ends
-// with a word. Where nothing can be cancelled, where that takes more than a moment, or at the second one, the process
-// ends by the signal (core/base/leftovers.h), whatever it waits for or computes.
-
-// Once, before any command and any other thread.
+// Handles SIGINT and SIGTERM. The first signal cancels the running job, so that the command ends with a message. If no
+// job runs, if cancelling takes longer than 0.6 s, or at the second signal, the process ends by the signal
+// (core/base/leftovers.h). Must be called once, before any command and before other threads are started.
 void handle_interrupts();
 
-// While it lives, an interrupt cancels `job`; then again the job that it would have cancelled before.
+// Makes an interrupt cancel `job` during its lifetime. Objects may be nested: the innermost job is cancelled.
 class CancelOnInterrupt {
 public:
     explicit CancelOnInterrupt(Job& job);
@@ -31,9 +29,9 @@ private:
     Job* before_;
 };
 
-// A line on a terminal that follows a Job; silent where standard error is no terminal, and for the first moments, so
-// that quick work leaves no trace. Goes away when it is destroyed. With RAMUS_PROGRESS=lines in the environment it says
-// "progress 0.37 surface" on a line of its own, ten times a second, for a program that started this one.
+// Shows the progress of a job on standard error during its lifetime, from 0.3 s on. Shows nothing if standard error is
+// not a terminal. With RAMUS_PROGRESS=lines in the environment it prints lines such as "progress 0.370 surface"
+// instead, ten times a second, for a program that runs ramus. The job must outlive the object.
 class ProgressBar {
 public:
     ProgressBar(std::string what, const Job& job);
@@ -53,8 +51,8 @@ private:
     std::thread thread_;
 };
 
-// What `work(job)` gives, with a bar that follows it; an interrupt cancels the job. For work that fails where it is
-// cancelled: what comes too late changes nothing, for files may be in their places.
+// Runs `work(job)` with a progress bar, and returns its result. An interrupt cancels the job. For work that itself
+// fails when it is cancelled. A result that comes after cancelling is kept, since files may already be written.
 template <class Work> std::invoke_result_t<Work, Job&> write_with_progress(const std::string& what, const Work& work) {
     Job job;
     const CancelOnInterrupt cancel(job);
@@ -62,7 +60,7 @@ template <class Work> std::invoke_result_t<Work, Job&> write_with_progress(const
     return work(job);
 }
 
-// The same for any work: once it is cancelled, its result is the error `cancelled`.
+// The same for any work: if the job was cancelled, the result is the error `cancelled`.
 template <class Work>
 std::invoke_result_t<Work, Job&> with_progress(const std::string& what, const Work& work,
                                                const char* cancelled = "cancelled") {

@@ -1,4 +1,4 @@
-// `ramus ratings FILE...`: what raters answered on the sheets of `ramus study`, as the paper's Table II.
+// `ramus ratings FILE...`: evaluates the answers on the rating pages of `ramus study`, as in the paper's Table II.
 #include "app/commands/output_target.h"
 #include "app/commands/subcommands.h"
 #include "app/ratings/rating_results.h"
@@ -47,13 +47,13 @@ Result<int> run_ratings(const RatingsFlags& flags) {
 void register_ratings(CLI::App& app, Action& chosen) {
     const auto flags = std::make_shared<RatingsFlags>();
     CLI::App* command = add_command(
-        app, "ratings", "What raters think of the pictures of a study: mean, sigma, significance of differences");
+        app, "ratings", "Evaluate the answers of a study's raters: mean, sigma, significance of differences");
     add_option(*command, "FILE", "", flags->files, "key.json of the study, and the answers that its raters saved")
         ->required();
     add_option(*command, "--csv", "FILE", flags->csv,
                "Write the table as CSV, too; - for CSV alone on standard output");
     add_option(*command, "--pair-by", "rater|answer", flags->paired_by,
-               "What a pair of a test is: a rater, with the means over scenes, or each answer (default: rater)")
+               "Pairs of the significance test: raters, by their means over scenes, or single answers (default: rater)")
         ->check(CLI::IsMember({"rater", "answer"}).description(""));
     command->add_flag("--json", flags->json, "Print the figures as one JSON object");
     command->callback([flags, &chosen] { chosen = [flags] { return run_ratings(*flags); }; });

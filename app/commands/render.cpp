@@ -1,4 +1,4 @@
-// `ramus render`: the window's picture without a window.
+// `ramus render FILE -o PNG`: draws the picture of the window without a window.
 #include "app/actions/script.h"
 #include "app/assets/assets.h"
 #include "app/assets/half_turn.h"
@@ -48,20 +48,20 @@ struct RenderFlags {
     SurfaceFlags common;
     std::filesystem::path file, output, reference;
     std::string camera, session, commands;
-    bool overwrite = false; // by the commands
+    bool overwrite = false; // the commands may replace files
     ColourFlags colours;
     std::vector<std::string> context; // files
-    std::string mesh_axes;            // of meshes that do not state them; empty: not given
+    std::string mesh_axes;            // of meshes that do not state their axes; empty: not given
     glm::ivec2 size{1600, 1200};
     render::View view = render::View::kAnterior;
     bool view_given = false, orthographic = false, transparent = false, interface = false, json = false, notes = false;
-    double tolerance = 0.001;         // of the pixels
-    std::optional<double> noticeable; // instead of that: of the pixels, as eyes see them
+    double tolerance = 0.001;         // share of pixels
+    std::optional<double> noticeable; // replaces the tolerance: share of pixels that differ visibly
     int benchmark = 0;                // frames
     bool benchmark_full = false;
     render::Backend backend = render::Backend::kOsMesa;
-    int device = -1;                // of EGL's; -1: the best
-    std::size_t graphics_bytes = 0; // for surfaces; 0: as the renderer has it
+    int device = -1;                // EGL device; -1: the best one
+    std::size_t graphics_bytes = 0; // for surfaces; 0: the renderer's own limit
     FigureOptions figure;
     ComparisonFlags comparison;
     DeviationFlags deviation;
@@ -73,7 +73,7 @@ Result<render::Camera> read_camera(const std::string& text) {
     return render::parse_camera(content, text);
 }
 
-// The picture against the reference. The difference is left beside the picture when there is too much of it.
+// Compares the picture with the reference. If they differ too much, writes a picture of the difference next to it.
 Result<int> judge(const render::Image& image, const RenderFlags& flags, nlohmann::json& report) {
     RAMUS_TRY(reference, render::read_png(flags.reference));
     std::string finding;
@@ -84,7 +84,7 @@ Result<int> judge(const render::Image& image, const RenderFlags& flags, nlohmann
                                 {"fraction", comparison->fraction()},
                                 {"largest", comparison->largest}};
         render::PerceivedDifference perceived;
-        if (flags.noticeable || flags.json) { // takes longer than all else here
+        if (flags.noticeable || flags.json) { // slow, so only on request
             perceived = *render::perceived_difference(image, reference);
             report["comparison"]["perceived"] = {{"noticeable", perceived.noticeable},
                                                  {"fraction", perceived.fraction()},
@@ -103,17 +103,17 @@ Result<int> judge(const render::Image& image, const RenderFlags& flags, nlohmann
         finding = comparison.error().message();
         report["comparison"] = {{"error", finding}};
     }
-    auto beside = flags.output;
-    beside.replace_extension(".difference.png");
-    if (auto written = render::write_png(render::difference(image, reference), beside); !written)
+    auto difference_path = flags.output;
+    difference_path.replace_extension(".difference.png");
+    if (auto written = render::write_png(render::difference(image, reference), difference_path); !written)
         return tl::unexpected(written.error());
-    report["comparison"]["difference"] = beside.string();
+    report["comparison"]["difference"] = difference_path.string();
     std::cerr << "ramus: " << flags.reference.string() << ": " << finding << "; the picture is "
-              << flags.output.string() << ", the difference " << beside.string() << '\n';
+              << flags.output.string() << ", the difference " << difference_path.string() << '\n';
     return kBeyondTolerance;
 }
 
-// Opens what was asked for; true when it has a camera.
+// Opens the tree and the session. Returns whether the session has a camera.
 Result<bool> open_document(const RenderFlags& flags, Document& document) {
     RAMUS_TRY(opened, open_session(flags.file.string(), flags.session, flags.common, Alone::kAllowed));
     apply(flags.comparison, opened.session.marks);
@@ -123,7 +123,7 @@ Result<bool> open_document(const RenderFlags& flags, Document& document) {
     return opened.has_camera;
 }
 
-// The window with all that is around the picture.
+// Draws the whole window, with the panels around the picture.
 Result<Figure> draw_interface(const RenderFlags& flags, const Document& document, const PictureStage& stage,
                               render::Renderer& renderer, const std::function<Result<void>(ActionContext&)>& run) {
     Workspace workspace({});
@@ -139,7 +139,7 @@ Result<Figure> draw_interface(const RenderFlags& flags, const Document& document
     return Figure{std::move(shown.image), shown.scale_bar};
 }
 
-// OpenGL from the backend that was asked for; current.
+// Creates an OpenGL context of the requested backend and makes it current.
 Result<std::unique_ptr<render::GlContext>> open_context(const RenderFlags& flags) {
     if (flags.backend == render::Backend::kEgl && flags.common.verbose) {
         const std::vector<std::string> devices = render::egl_devices();
@@ -154,14 +154,14 @@ Result<std::unique_ptr<render::GlContext>> open_context(const RenderFlags& flags
     return context;
 }
 
-// For --json.
+// The OpenGL in use, for --json.
 nlohmann::json description_of(render::Backend backend) {
     return {{"backend", render::name_of(backend)},
             {"renderer", render::gl_renderer()},
             {"version", render::gl_version().text()}};
 }
 
-// null: the picture has none.
+// The scale bar, for --json; null: the picture has none.
 nlohmann::json description_of(const std::optional<render::ScaleBar>& bar) {
     if (!bar) return nullptr;
     return {{bar->unit_known ? "mm" : "units", bar->length_mm}, // as scripts know it
@@ -172,13 +172,13 @@ nlohmann::json description_of(const std::optional<render::ScaleBar>& bar) {
             {"percent", bar->percent}};
 }
 
-// What is read beside the tree.
+// Inputs other than the tree.
 struct Inputs {
     std::optional<render::Camera> camera;
     std::vector<ScriptLine> script;
 };
 
-// Fails on a picture that cannot be written and on a reference that cannot be read, too.
+// Reads the inputs other than the tree. Also fails if the picture cannot be written or the reference cannot be read.
 Result<Inputs> read_inputs(const RenderFlags& flags) {
     Inputs inputs;
     for (const auto& file : {flags.file, flags.reference}) io::note_input(file);
@@ -204,7 +204,7 @@ Result<Inputs> read_inputs(const RenderFlags& flags) {
     return inputs;
 }
 
-// Pictures once around the tree, as files.
+// Writes pictures, or a video, of one turn around the tree.
 Result<int> run_turntable(const RenderFlags& flags, render::SheetRenderer& sheets, const render::Sheet& sheet,
                           bool keep_camera) {
     FigureOptions options = flags.figure;
@@ -223,7 +223,7 @@ Result<int> run_turntable(const RenderFlags& flags, render::SheetRenderer& sheet
     return kDone;
 }
 
-// The picture written, and held against the reference: adds to the report and returns the exit status.
+// Writes the picture, compares it with the reference, adds both to the report and returns the exit status.
 Result<int> finish_picture(const render::Image& image, const RenderFlags& flags, nlohmann::json& report) {
     if (!flags.output.empty()) {
         if (auto written = render::write_png(image, flags.output); !written) return tl::unexpected(written.error());
@@ -233,7 +233,7 @@ Result<int> finish_picture(const render::Image& image, const RenderFlags& flags,
     return flags.reference.empty() ? Result<int>(kDone) : judge(image, flags, report);
 }
 
-// The camera that was given, or the session's, or one that sees the whole tree.
+// Sets the camera: that of --camera, that of the session, or one that shows the whole tree.
 void set_camera(Document& document, const Inputs& inputs, bool session_has_one, const RenderFlags& flags,
                 const PictureStage& stage) {
     if (inputs.camera) {
@@ -247,7 +247,7 @@ void set_camera(Document& document, const Inputs& inputs, bool session_has_one, 
     if (flags.orthographic) document.set_camera(render::with_projection(document.session().camera, true));
 }
 
-// What the command line adds, then what a session or a script does.
+// Runs the commands of the options, then those of --commands.
 Result<void> run_commands(ActionContext& here, const RenderFlags& flags,
                           const std::function<Result<void>(ActionContext&)>& run) {
     for (const std::string& file : flags.context) {
@@ -268,7 +268,7 @@ Result<void> run_commands(ActionContext& here, const RenderFlags& flags,
     return flags.interface ? Result<void>() : run(here);
 }
 
-// Of meshes that are shown beside the tree.
+// Warns of context shapes and lesions that are rotated by half a turn against the tree.
 void warn_of_half_turns(const Document& document, const Assets& assets) {
     if (!document.tree()) return;
     const Marks& marks = document.marks();
@@ -286,7 +286,7 @@ void warn_of_half_turns(const Document& document, const Assets& assets) {
 }
 
 Result<int> run_render(const RenderFlags& flags) {
-    // What can be wrong is found before the long work.
+    // Errors in the inputs are found before long computations.
     RAMUS_TRY(inputs, read_inputs(flags));
     Document document;
     RAMUS_TRY(has_camera, open_document(flags, document));
@@ -321,7 +321,7 @@ Result<int> run_render(const RenderFlags& flags) {
     RAMUS_TRY(done, sheets.draw_with_scale(sheet));
     render::SheetRenderer::finish();
     const double draw_seconds = watch.seconds();
-    // A plain picture is the one that is there: drawing an equal frame again draws nothing.
+    // draw_figure() reuses the picture if the frame is unchanged.
     const auto compose_sized = [&](glm::ivec2 size) { return stage.sheet(size); };
     RAMUS_TRY(figure, flags.interface      ? draw_interface(flags, document, stage, *renderer, run)
                       : flags.figure.sheet ? draw_four_views(sheets, compose_sized, flags.size, flags.figure)
@@ -346,7 +346,7 @@ Result<int> run_render(const RenderFlags& flags) {
     return *status;
 }
 
-// What the picture is compared with, and how fast it is drawn.
+// Adds the options that compare the picture with a reference, and those of the benchmark.
 void add_checking_flags(CLI::App& command, RenderFlags& flags) {
     CLI::Option* reference = add_option(command, "--reference", "PNG", flags.reference,
                                         "Compare with this PNG; exit status 3 when they differ");
@@ -355,17 +355,17 @@ void add_checking_flags(CLI::App& command, RenderFlags& flags) {
         ->check(CLI::Range(0.0, 1.0).description(""))
         ->needs(reference);
     add_option(command, "--noticeable", "T", flags.noticeable,
-               "Instead: share of the pixels that may differ so that an eye before a screen sees it")
+               "Instead: share of the pixels that may differ visibly, for a person at a screen")
         ->check(CLI::Range(0.0, 1.0).description(""))
         ->needs(reference);
     add_option(command, "--benchmark", "N", flags.benchmark,
-               "Turn once around the tree in N frames, as the window does, and tell how fast that was")
+               "Turn once around the tree in N frames, as the window does, and print how fast that was")
         ->check(CLI::Range(1, 1000000).description(""));
     command.add_flag("--benchmark-full", flags.benchmark_full,
                      "With --benchmark: draw every frame as if the view rested");
 }
 
-// What draws.
+// Adds the options that choose the OpenGL implementation.
 void add_backend_flags(CLI::App& command, RenderFlags& flags) {
     const std::map<std::string, render::Backend> backends{{"osmesa", render::Backend::kOsMesa},
                                                           {"egl", render::Backend::kEgl}};
@@ -377,7 +377,7 @@ void add_backend_flags(CLI::App& command, RenderFlags& flags) {
         ->check(CLI::Range(0, 63).description(""));
 }
 
-// What cannot be combined; wrong usage.
+// Throws CLI::Error for options that are missing or cannot be combined.
 void check_flags(const CLI::App& command, const RenderFlags& flags) {
     if (flags.file.empty() && flags.session.empty()) throw CLI::RequiredError("FILE or --session");
     if (flags.device >= 0 && flags.backend != render::Backend::kEgl)
@@ -398,7 +398,7 @@ void check_flags(const CLI::App& command, const RenderFlags& flags) {
 
 void register_render(CLI::App& app, Action& chosen) {
     auto flags = std::make_shared<RenderFlags>();
-    CLI::App* command = add_command(app, "render", "Make the window's picture without a window");
+    CLI::App* command = add_command(app, "render", "Draw the window's picture without a window");
     add_input(*command, "FILE", "", flags->file, "Vessel tree; may be left out with --session");
     add_option(*command, "-o,--output", "PNG", flags->output, "PNG to write");
     add_size_flag(*command, flags->size);
@@ -407,14 +407,14 @@ void register_render(CLI::App& app, Action& chosen) {
     add_option(*command, "--session", "FILE", flags->session,
                "Draw this session: its tree, states, camera and surface options");
     add_option(*command, "--commands", "FILE", flags->commands,
-               "Run these commands first, one a line (`select 12`, `hide`, ...)");
+               "Run these commands first, one per line (`select 12`, `hide`, ...)");
     command->add_flag("--overwrite", flags->overwrite, kOverwriteHelp)->needs("--commands");
     add_input(*command, "--context", "FILE", flags->context,
-              "Show the surface of this mask or mesh beside the tree (" + context_extensions() + "); may be repeated")
+              "Show the surface of this mask or mesh next to the tree (" + context_extensions() + "); may be repeated")
         ->allow_extra_args(false);
     add_mesh_orientation_flag(*command, flags->mesh_axes, "meshes of --context and --deviation-from");
     add_colour_flags(*command, flags->colours);
-    command->add_flag("--ui", flags->interface, "The whole window, with the panels around the picture");
+    command->add_flag("--ui", flags->interface, "Draw the whole window, with the panels around the picture");
     command->add_flag("--notes", flags->notes,
                       "Mark the places that reading the tree repaired or finds strange (`ramus info` lists them)");
     add_option(*command, "--camera", "JSON|FILE", flags->camera,
@@ -423,7 +423,7 @@ void register_render(CLI::App& app, Action& chosen) {
     command->add_flag("--orthographic", flags->orthographic,
                       "Parallel projection: equal lengths look equal near and far");
     add_method_flag(*command, false, [flags](mesh::Method method) { flags->common.surface.method = method; });
-    command->add_flag("--transparent", flags->transparent, "Nothing behind the tree instead of the background");
+    command->add_flag("--transparent", flags->transparent, "Leave the background transparent");
     add_checking_flags(*command, *flags);
     add_backend_flags(*command, *flags);
     add_figure_flags(*command, flags->figure);

@@ -1,4 +1,4 @@
-// ramus skeletonize MASK -o TREE: a vessel tree of a segmentation mask.
+// `ramus skeletonize MASK -o TREE`: computes a vessel tree from a segmentation mask.
 #include "core/volume/skeletonize/skeletonize.h"
 
 #include "app/commands/inputs.h"
@@ -31,7 +31,7 @@ namespace ramus::app {
 namespace {
 
 struct SkeletonizeFlags {
-    SurfaceFlags reading; // of which only memory, --verbose and what is of masks are asked for
+    SurfaceFlags reading; // only --memory, --verbose and the options of masks
     std::string file, output, format;
     bool json = false;
 };
@@ -40,7 +40,7 @@ struct Seconds {
     double load = 0.0, skeleton = 0.0, write = 0.0;
 };
 
-// "all" is what other commands call apart. None: the text is no list of labels.
+// Other commands call "all" "apart". Nothing if the text is not a list of labels.
 std::optional<io::MaskReading> reading_of(const std::string& label) {
     auto reading = with(io::MaskReading(), "labels", label == "all" ? "apart" : label);
     return reading && label != "auto" ? std::optional(std::move(*reading)) : std::nullopt;
@@ -158,7 +158,7 @@ void register_skeletonize(CLI::App& app, Action& chosen) {
     add_format_flag(*command, flags->format, streamed_tree_extensions());
     add_mask_options(*command, *flags);
     command->add_flag("--json", flags->json, "Print the figures as one JSON object");
-    command->add_flag("--verbose", flags->reading.verbose, "Say on standard error what is going on");
+    command->add_flag("--verbose", flags->reading.verbose, "Report each step on standard error");
     command->callback([flags, command, &chosen] {
         check_output_flags(*command, flags->output, flags->format);
         chosen = [flags] { return with_output(*flags, run_skeletonize); };

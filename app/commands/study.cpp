@@ -1,6 +1,6 @@
-// `ramus study FILE -o FOLDER`: the pictures of the paper's user study (sections V and VIII), for any tree: the whole
-// tree, and three places close by as isosurface of the mask, as truncated cones and as convolution surface, each from
-// the same eye in the same light; and sheets on which raters say what they think of such pictures without captions.
+// `ramus study FILE -o FOLDER`: draws the pictures of the paper's user study (sections V and VIII) for any tree: the
+// whole tree and three close-ups, each as isosurface of the mask, as truncated cones and as convolution surface, with
+// the same camera and light. Also writes rating pages, on which raters score such pictures without captions.
 #include "app/commands/inputs.h"
 #include "app/commands/picture_flags.h"
 #include "app/commands/printed_report.h"
@@ -10,7 +10,7 @@
 #include "app/picture/close_ups.h"
 #include "app/picture/compose.h"
 #include "app/ratings/rating_order.h"
-#include "app/ratings/rating_sheet.h"
+#include "app/ratings/rating_page.h"
 #include "app/session/checksum.h"
 #include "app/session/error_context.h"
 #include "app/session/numbers.h"
@@ -42,7 +42,7 @@ struct StudyFlags {
     std::vector<volume::LabelChoice> labels; // of the mask; empty: all
     glm::ivec2 size{1200, 900};
     render::View view = render::View::kAnterior;
-    double voxel_mm = 0.0; // 0: a sensible one
+    double voxel_mm = 0.0; // 0: estimated from the tree
     int raters = 1;
     std::uint64_t seed = 1; // of the orders that raters see
     bool json = false;
@@ -53,11 +53,11 @@ using Paged = std::shared_ptr<const render::PagedMesh>;
 // The three surfaces of one tree.
 struct Surfaces {
     struct One {
-        std::string name, title; // of files, of captions
+        std::string name, title; // in file names, in captions
         Paged mesh;
     };
     std::array<One, 3> all;
-    double voxel_mm = 0.0; // of a mask that was made; 0: it was given
+    double voxel_mm = 0.0; // of a mask made of the tree; 0: the mask was given
 };
 
 Result<Surfaces> make_surfaces(const StudyFlags& flags, const tree::VesselTree& tree) {
@@ -83,7 +83,7 @@ Result<Surfaces> make_surfaces(const StudyFlags& flags, const tree::VesselTree& 
     return made;
 }
 
-// Draws the pictures as they are asked for.
+// Draws the pictures, in the size of the flags, and writes them.
 class Painter {
 public:
     Painter(render::Renderer& renderer, const StudyFlags& flags, const tree::Claims& claims, io::OutputSet& together)
@@ -98,7 +98,7 @@ public:
         show_claims(frame, claims_);
         return frame;
     }
-    // Pictures from one eye have one scale bar, that of the first of them: it tells no surface from another.
+    // All pictures with the same camera have the scale bar of the first one, so that it does not reveal the method.
     Result<render::Image> draw(render::Frame frame) {
         if (scale_of_ != frame.camera) {
             if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
@@ -126,60 +126,60 @@ private:
     const StudyFlags& flags_;
     tree::Claims claims_;                    // of the tree
     io::OutputSet& together_;                // where pictures are written
-    std::optional<render::Camera> scale_of_; // where it was measured
+    std::optional<render::Camera> scale_of_; // the camera of `scale_`
     std::optional<render::Scale> scale_;
     std::vector<std::string> files_;
 };
 
-// The pictures of sheets, which have no captions.
-struct Sheets {
+// A study and its pictures, which have no captions.
+struct RatedPictures {
     RatingStudy study;
     StudyPngs pngs;
 };
 
-// A scene for raters: the same view of all surfaces.
-Result<void> add_scene(Sheets& sheets, Painter& painter, const Surfaces& surfaces, const render::Camera& camera,
-                       const std::string& title) {
-    StudyScene scene{title, {}};
+// A study view: the same view of all surfaces.
+Result<void> add_view(RatedPictures& rated, Painter& painter, const Surfaces& surfaces, const render::Camera& camera,
+                      const std::string& title) {
+    StudyView view{title, {}};
     for (std::size_t method = 0; method < surfaces.all.size(); ++method) {
         render::Frame frame = painter.frame(surfaces.all[method].mesh, camera, {});
         frame.overlays.orientation_cube = false;
         RAMUS_TRY(image, painter.draw(frame));
         RAMUS_TRY(png, render::encode_png(image));
-        // With the scene, and again where two methods look exactly alike: a code is of one picture.
+        // Includes the study view, and repeats if two methods give equal pictures: each code belongs to one picture.
         Checksum checksum;
         do checksum.add(title).add(png);
-        while (sheets.pngs.contains(checksum.text()));
-        scene.pictures.push_back({checksum.text(), method});
-        sheets.pngs[checksum.text()] = std::move(png);
+        while (rated.pngs.contains(checksum.text()));
+        view.pictures.push_back({checksum.text(), method});
+        rated.pngs[checksum.text()] = std::move(png);
     }
-    std::ranges::sort(scene.pictures, {}, &StudyPicture::code);
-    sheets.study.scenes.push_back(std::move(scene));
+    std::ranges::sort(view.pictures, {}, &StudyPicture::code);
+    rated.study.views.push_back(std::move(view));
     return {};
 }
 
-Result<std::vector<std::filesystem::path>> write_sheets(Sheets& sheets, const Surfaces& surfaces,
-                                                        const StudyFlags& flags, io::OutputSet& together) {
-    for (const Surfaces::One& one : surfaces.all) sheets.study.methods.push_back({one.name, one.title});
-    sheets.study.method = surfaces.all.size() - 1;
-    sheets.study.seed = flags.seed;
-    sheets.study.orders = rater_orders(sheets.study, flags.raters);
-    return write_study(sheets.study, sheets.pngs, flags.folder, together);
+Result<std::vector<std::filesystem::path>> write_pages(RatedPictures& rated, const Surfaces& surfaces,
+                                                       const StudyFlags& flags, io::OutputSet& together) {
+    for (const Surfaces::One& one : surfaces.all) rated.study.methods.push_back({one.name, one.title});
+    rated.study.method = surfaces.all.size() - 1;
+    rated.study.seed = flags.seed;
+    rated.study.orders = rater_orders(rated.study, flags.raters);
+    return write_study(rated.study, rated.pngs, flags.folder, together);
 }
 
-// FOLDER/sheets; what cannot be written is said before anything is drawn.
+// Creates FOLDER/sheets. Fails before anything is drawn if a file cannot be written.
 Result<io::OutputFolder> make_folders(const std::filesystem::path& folder) {
-    RAMUS_TRY(sheets, io::OutputFolder::make(folder / "sheets"));
+    RAMUS_TRY(pages, io::OutputFolder::make(folder / "sheets"));
     for (const char* name : {"context.png", "key.json", "sheets/rater_001.html"})
         if (auto can = io::check_output(folder / name); !can) return tl::unexpected(can.error());
-    return std::move(sheets);
+    return std::move(pages);
 }
 
 Result<int> run_study(const StudyFlags& flags) {
     io::note_input(flags.file);
     io::note_input(flags.mask);
-    const auto sheets_folder = make_folders(flags.folder); // while nothing is in it, it may go again
-    if (!sheets_folder) return tl::unexpected(sheets_folder.error());
+    const auto pages_folder = make_folders(flags.folder); // removes new folders again if nothing is written
+    if (!pages_folder) return tl::unexpected(pages_folder.error());
     RAMUS_TRY(whole_tree, load_tree(flags.file, flags.common));
     RAMUS_TRY(chosen, branches_of(whole_tree, Marks(), flags.common.systems, flags.file));
     const bool all = std::ranges::find(chosen, 0) == chosen.end();
@@ -196,8 +196,8 @@ Result<int> run_study(const StudyFlags& flags) {
         painter.frame(smooth, render::camera_for(smooth->positions(), flags.view, flags.size), surfaces.all[2].title);
     if (auto done = painter.write(whole, "context"); !done) return tl::unexpected(done.error());
     const std::vector<CloseUp> close_ups = choose_close_ups(*renderer, whole, close_ups_of(tree));
-    Sheets sheets;
-    if (auto done = add_scene(sheets, painter, surfaces, whole.camera, "The whole tree"); !done)
+    RatedPictures rated;
+    if (auto done = add_view(rated, painter, surfaces, whole.camera, "The whole tree"); !done)
         return tl::unexpected(done.error());
     nlohmann::ordered_json report;
     report["mask"] = flags.mask.empty() ? "made of the tree" : flags.mask;
@@ -212,24 +212,24 @@ Result<int> run_study(const StudyFlags& flags) {
                 return tl::unexpected(done.error());
         }
         const double diameter_mm = 2.0 * close_ups[i].radius;
-        if (auto done = add_scene(sheets, painter, surfaces, camera,
-                                  "Close-up, vessel " + Lengths(tree.claims).text(diameter_mm) + " wide");
+        if (auto done = add_view(rated, painter, surfaces, camera,
+                                 "Close-up, vessel " + Lengths(tree.claims).text(diameter_mm) + " wide");
             !done)
             return tl::unexpected(done.error());
         report["places"].push_back({{"diameter_mm", diameter_mm}, {"camera", render::to_json(camera)}});
     }
-    RAMUS_TRY(sheet_files, write_sheets(sheets, surfaces, flags, together));
+    RAMUS_TRY(page_files, write_pages(rated, surfaces, flags, together));
     if (auto written = together.commit(); !written) return tl::unexpected(written.error());
     for (const std::string& file : painter.files()) say(flags.common, "wrote " + file);
     report["pictures"] = painter.files();
-    report["study"] = id_of(sheets.study);
+    report["study"] = id_of(rated.study);
     report["key"] = (flags.folder / "key.json").string();
-    for (const auto& file : sheet_files) report["sheets"].push_back(file.string());
+    for (const auto& file : page_files) report["sheets"].push_back(file.string());
     if (flags.json)
         std::cout << printed_report(std::move(report), tree.claims) << '\n';
     else
         std::cout << flags.folder.string() << ": " << counted(painter.files().size(), "picture", "pictures") << ", "
-                  << counted(sheet_files.size(), "rating sheet", "rating sheets") << '\n';
+                  << counted(page_files.size(), "rating page", "rating pages") << '\n';
     return kDone;
 }
 
@@ -237,25 +237,28 @@ Result<int> run_study(const StudyFlags& flags) {
 
 void register_study(CLI::App& app, Action& chosen) {
     const auto flags = std::make_shared<StudyFlags>();
-    CLI::App* command =
-        add_command(app, "study",
-                    "Pictures to compare surfaces by (isosurface, cones, convolution surface), and sheets for raters");
+    CLI::App* command = add_command(
+        app, "study", "Pictures to compare surfaces by (isosurface, cones, convolution surface), and rating pages");
     add_input(*command, "FILE", "", flags->file, "Vessel tree")->required();
-    add_option(*command, "-o,--output", "FOLDER", flags->folder, "Folder for the pictures; it is made if need be")
+    add_option(*command, "-o,--output", "FOLDER", flags->folder,
+               "Folder for the pictures; created if it does not exist")
         ->required();
     CLI::Option* mask = add_input(*command, "--mask", "MASK", flags->mask,
                                   "Segmentation mask of the same vessels (" + io::readable_volume_extensions() + ")");
     add_mask_units_flag(*command, flags->mask_units, "--mask")->needs(mask);
     add_label_flag(*command, flags->labels, "Labels of the mask that are these vessels (default: all)")->needs(mask);
-    add_option(*command, "--voxel", "MM", flags->voxel_mm,
-               "Without a mask one is made of the tree, with voxels of this size (default: as is sensible)")
+    add_option(
+        *command, "--voxel", "MM", flags->voxel_mm,
+        "Size of the voxels of the mask that is made of the tree without --mask (default: estimated from the tree)")
         ->check(CLI::PositiveNumber.description(""))
         ->excludes(mask);
     add_size_flag(*command, flags->size);
     add_view_flag(*command, flags->view);
-    add_option(*command, "--raters", "N", flags->raters, "Sheets in FOLDER/sheets, one for each rater (default: 1)")
+    add_option(*command, "--raters", "N", flags->raters,
+               "Rating pages in FOLDER/sheets, one for each rater (default: 1)")
         ->check(CLI::Range(1, kMostRaters).description(""));
-    add_option(*command, "--seed", "S", flags->seed, "Of the orders in which raters see the pictures (default: 1)");
+    add_option(*command, "--seed", "S", flags->seed,
+               "Seed of the orders in which raters see the pictures (default: 1)");
     command->add_flag("--json", flags->json, "Print what was done as one JSON object");
     add_surface_flags(*command, flags->common);
     add_system_flag(*command, flags->common);

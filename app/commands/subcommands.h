@@ -1,4 +1,5 @@
-// The subcommands of `ramus`, in the order of `ramus --help`. A new one is a file beside this and a name in both lists.
+// The subcommands of `ramus`, in the order of `ramus --help`. To add one, add a file to app/commands and its register
+// function to both lists. A register function adds the subcommand to `app`; parsing the subcommand sets `chosen`.
 #pragma once
 
 #include "app/commands/command.h"

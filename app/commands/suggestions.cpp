@@ -29,7 +29,7 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
-// The sub-commands that have such an option: "mesh, render or study".
+// The subcommands that have an option: "mesh, render or study".
 std::string commands_with(const CLI::App& app, const std::string& option) {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
@@ -37,7 +37,7 @@ std::string commands_with(const CLI::App& app, const std::string& option) {
     return io::listed({names.begin(), names.end()});
 }
 
-// A sentence and the end of its line; empty: nothing is like it.
+// A suggestion for an unknown option, as one line; empty: no option is similar.
 std::string meant_by(const CLI::App& app, const CLI::App& command, const std::string& argument) {
     const std::string option = argument.substr(0, argument.find('='));
     if (const std::string closest = closest_word(option, option_names(command)); !closest.empty())

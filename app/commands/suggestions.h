@@ -1,4 +1,4 @@
-// What was meant by a sub-command or an option that does not exist.
+// Suggests subcommands and options for misspelled ones.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,13 +6,14 @@
 
 namespace ramus::app {
 
+// Whether `word` is the name of a subcommand of `app`.
 [[nodiscard]] bool is_command(const CLI::App& app, const std::string& word);
 
-// Of `app`, whose sub-commands `word` is none of: "mehs: neither a command nor a file; did you mean mesh?".
+// The message for a word that is not a subcommand of `app`: "mehs: neither a command nor a file; did you mean mesh?".
 [[nodiscard]] std::string unknown_command(const CLI::App& app, const std::string& word);
 
-// For CLI::App::failure_message(): what went wrong, of options that are not known what may have been meant, and where
-// to read more.
+// The message of a usage error, for CLI::App::failure_message(): the error, suggestions for unknown options, and the
+// command that prints the help.
 [[nodiscard]] std::string failure_text(const CLI::App* app, const CLI::Error& error);
 
 } // namespace ramus::app

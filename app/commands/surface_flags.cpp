@@ -18,7 +18,7 @@ namespace ramus::app {
 
 namespace {
 
-// CLI::Range would let NaN through.
+// A check of an option's domain. CLI::Range would accept NaN.
 auto domain_of(const SurfaceOption& option) {
     return expecting(" is not " + std::string(option.domain), [&option](const std::string& text) {
         double value = 0.0;
@@ -30,7 +30,7 @@ std::string flag_of(std::string_view key) { return "--" + std::string(key); }
 
 auto unit_check() { return expecting(" is not mm, um, cm, m, or a size of voxels in mm, as 0.62", io::length_unit); }
 
-// What the numbers of a file mean, where it does not say or says it wrongly.
+// Adds the options that state what the numbers of a file mean, for files that do not say it or are wrong.
 void add_meaning_flags(CLI::App& command, io::ReadOptions& read) {
     add_units_flag(command, read);
     const std::map<std::string, io::RadiusIs> widths = {{"radius", io::RadiusIs::kRadius},
@@ -101,8 +101,8 @@ void add_axes_flag(CLI::App& command, std::optional<io::Orientation>& axes, cons
 void add_reading_flags(CLI::App& command, SurfaceFlags& flags) {
     add_option_taking<std::string>(
         command, "--repair", "LIST", [&flags](const std::string& list) { flags.read.repair = *repairs_in(list); },
-        "What to mend in a damaged tree: usual (default, all that leaves measured radii alone), all, none, or some "
-        "of " +
+        "What to repair in a damaged tree: usual (default, all that does not change measured radii), all, none, or "
+        "some of " +
             repair_names())
         ->check(expecting(" is not usual, all, none, or a list of " + repair_names(), repairs_in));
     add_meaning_flags(command, flags.read);
@@ -115,7 +115,7 @@ void add_reading_flags(CLI::App& command, SurfaceFlags& flags) {
         "numbers become data of the branches")
         ->check(expecting(" cannot be read as a table of data",
                           [](const std::string& file) { return with(io::ReadOptions(), "data", file).has_value(); }));
-    command.add_flag("--verbose", flags.verbose, "Say on standard error what is going on");
+    command.add_flag("--verbose", flags.verbose, "Report each step on standard error");
 }
 
 void add_mask_reading_flags(CLI::App& command, io::MaskReading& mask) {
@@ -136,8 +136,8 @@ void add_mask_reading_flags(CLI::App& command, io::MaskReading& mask) {
         ->check(CLI::NonNegativeNumber.description(""));
     add_option(
         command, "--bulge-size", "X", mask.bulge_size,
-        "Of a mask: what stands out of a vessel's wall is a vessel if it does so by this times its own thickness, "
-        "and a voxel; more ignores more of a rough surface (default 0.5)")
+        "Of a mask: a bulge of a vessel's wall is a vessel if it extends by more than this times its own thickness "
+        "plus a voxel; larger values ignore more of a rough surface (default 0.5)")
         ->check(CLI::NonNegativeNumber.description(""));
 }
 
@@ -166,7 +166,8 @@ mesh::SurfaceOptions SurfaceFlags::over(mesh::SurfaceOptions session) const {
     };
     if (given("--method")) session.method = surface.method;
     for (const SurfaceOption& option : surface_options()) {
-        if (option.of_session && !given(flag_of(option.key))) continue; // else the machine's business
+        if (option.of_session && !given(flag_of(option.key)))
+            continue; // others depend on the machine, not on the session
         option.set(session, option.value(surface));
         if (option.key == "detail") session.cell_mm = 0.0;
     }
@@ -177,9 +178,9 @@ mesh::SurfaceOptions SurfaceFlags::over(mesh::SurfaceOptions session) const {
 io::ReadOptions SurfaceFlags::over(const io::ReadOptions& session) const {
     io::ReadOptions reading = app::over(read, session);
     const CLI::Option* repair = command != nullptr ? command->get_option_no_throw("--repair") : nullptr;
-    if (repair != nullptr && repair->count() > 0) reading.repair = read.repair; // the usual ones, too
+    if (repair != nullptr && repair->count() > 0) reading.repair = read.repair; // also if it is the default
     const CLI::Option* labels = command != nullptr ? command->get_option_no_throw("--labels") : nullptr;
-    if (labels != nullptr && labels->count() > 0) reading.mask.labels = read.mask.labels; // apart, too
+    if (labels != nullptr && labels->count() > 0) reading.mask.labels = read.mask.labels; // also if it is the default
     return reading;
 }
 

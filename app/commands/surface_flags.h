@@ -1,5 +1,5 @@
-// The options that hold wherever a tree becomes a surface: on every such command and on the window alike. Values
-// outside their domain are wrong usage, found while the command line is read.
+// The options of reading trees and computing surfaces, which all commands and the window share. Values outside an
+// option's domain are wrong usage. The objects that parsing writes to must live as long as the command.
 #pragma once
 
 #include "core/io/trees/tree_file.h"
@@ -16,47 +16,52 @@ namespace ramus::app {
 struct SurfaceFlags {
     mesh::SurfaceOptions surface;
     io::ReadOptions read;
-    std::vector<std::string> systems;  // these alone are shown; empty: all
-    bool verbose = false;              // say on standard error what is going on
-    const CLI::App* command = nullptr; // that has been parsed into this; null: it has no surface options
+    std::vector<std::string> systems;  // --system: only these are shown; empty: all
+    bool verbose = false;              // --verbose: report each step on standard error
+    const CLI::App* command = nullptr; // that has these options; null: no add_surface_flags()
 
-    // What a session asks for, but for what the command line says.
+    // The options of `session`, with those replaced that the command line gives.
     [[nodiscard]] mesh::SurfaceOptions over(mesh::SurfaceOptions session) const;
     [[nodiscard]] io::ReadOptions over(const io::ReadOptions& session) const;
 };
 
-// Adds the options to `command`; parsing writes to `flags`, which must live as long as the command.
+// Adds all options of surfaces, --memory, and those of add_source_flags().
 void add_surface_flags(CLI::App& command, SurfaceFlags& flags);
 
-// Only those that say how a tree is prepared for its surface and how it blends, --smooth, --prune, --centerline,
-// --width and --kernel, for `needing`, an option of the same command.
+// Adds only the options that prepare a tree for its surface and blend its vessels: --smooth, and --prune, --centerline,
+// --width and --kernel, which need the option `needing` of the same command.
 void add_preparing_flags(CLI::App& command, SurfaceFlags& flags, CLI::Option* needing);
 
-// --units, of a command that reads nothing but a mask.
+// Adds only --units, for a command that reads a mask.
 void add_units_flag(CLI::App& command, io::ReadOptions& read);
 
-// --mask-units; `masks`: those that it is of, "--mask". Empty units: as the file says.
+// Adds --mask-units. `masks`: the masks that it applies to, for the help, such as "--mask". Empty units: as the file
+// says.
 CLI::Option* add_mask_units_flag(CLI::App& command, std::string& units, const std::string& masks);
 
-// --mesh-orientation LPS|RAS, of `meshes`, "--surface", that do not state their axes. Empty: not given.
+// Adds --mesh-orientation LPS|RAS, the axes of meshes that do not state them. `meshes`: the meshes that it applies to,
+// for the help, such as "--surface". Empty axes: not given.
 CLI::Option* add_mesh_orientation_flag(CLI::App& command, std::string& axes, const std::string& meshes);
 
-// --axes LPS|RAS, of what is written; none: not given.
+// Adds --axes LPS|RAS, the axes of an output; none: not given.
 void add_axes_flag(CLI::App& command, std::optional<io::Orientation>& axes, const std::string& help);
 
-// --method, of those that make surfaces of trees, `with_masks` of all; `take` is called with what is given.
+// Adds --method with all methods that compute surfaces of trees; `with_masks`: also those of masks. Passes the value to
+// `take`.
 void add_method_flag(CLI::App& command, bool with_masks, const std::function<void(mesh::Method)>& take);
 
-// --system NAME, of commands that open sessions.
+// Adds --system NAME, for commands that open sessions.
 void add_system_flag(CLI::App& command, SurfaceFlags& flags);
 
-// Of commands that make a tree of a mask: --fill-holes, --islands, --bulge-size, --root.
+// Adds the options of skeletonizing a mask: --root, --isovalue, --fill-holes, --islands and --bulge-size.
 void add_mask_reading_flags(CLI::App& command, io::MaskReading& mask);
 
-// Only those about reading a tree's file: --repair, --units and its like, --verbose.
+// Adds the options of reading a tree file: --repair, --units, --radius-is, --radius, --orientation, --columns, --data,
+// and --verbose.
 void add_reading_flags(CLI::App& command, SurfaceFlags& flags);
 
-// Those about what becomes a tree, a tree's file or a mask: add_reading_flags(), add_mask_reading_flags(), --labels.
+// Adds the options of reading a tree from a tree file or a mask: add_reading_flags(), add_mask_reading_flags() and
+// --labels.
 void add_source_flags(CLI::App& command, SurfaceFlags& flags);
 
 } // namespace ramus::app

@@ -19,10 +19,10 @@ void look_from(render::Sheet& sheet, const render::Camera& camera, render::Quali
     }
 }
 
-// How far the picture that moves is from the one that rests, over the vessels' pixels of both.
+// The difference between the interactive and the full picture, over the pixels of vessels in either.
 struct Difference {
     double mean = 0.0;  // of 255
-    double apart = 0.0; // share of the pixels that differ so much that an edge has moved there
+    double apart = 0.0; // share of the pixels that differ by more than kEdgeMoved
 };
 constexpr double kEdgeMoved = 60.0; // of 255
 
@@ -58,7 +58,7 @@ Result<void> run_turn_benchmark(render::SheetRenderer& renderer, render::Sheet s
     const render::Camera start_camera = sheet.viewports.front().frame.camera;
     const auto camera_at = [&](double turn) { return render::turned(start_camera, 360.0 * turn, 0.0); };
     const render::Quality quality = hurry ? render::Quality::kInteractive : render::Quality::kFull;
-    look_from(sheet, camera_at(-1.0 / frames), quality); // what is made once is made
+    look_from(sheet, camera_at(-1.0 / frames), quality); // warms up the caches
     if (auto ready = renderer.draw(sheet); !ready) return tl::unexpected(ready.error());
     render::SheetRenderer::finish();
     std::uint64_t triangles = 0, cones = 0;

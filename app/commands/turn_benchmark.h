@@ -1,4 +1,4 @@
-// How fast the tree turns: `ramus render --benchmark`.
+// `ramus render --benchmark`: measures how fast a turning tree is drawn.
 #pragma once
 
 #include "core/base/error.h"
@@ -9,15 +9,20 @@
 
 namespace ramus::app {
 
-// Once around in so many frames, of all viewports where surfaces are compared. In a hurry it is drawn as the window
-// draws while somebody drags, where full pictures would be slow. Adds to `report`: frames, seconds, processor_seconds
-// (of all cores together), fps, triangles and cones (a frame, mean, of all viewports together), panes, quality ("full"
-// or "interactive"), difference (from the picture at rest: mean over the vessels' pixels, of 255), apart (the share of
-// those that differ by more than 60 of 255: edges that moved).
+// Turns the camera once around the tree in `frames` frames, and draws all viewports of the sheet in each. `hurry`:
+// draws in interactive quality, as the window does during a drag when full pictures are slow. Adds these members to
+// `report`:
+//     frames, seconds, fps
+//     processor_seconds   of all cores together
+//     triangles, cones    mean per frame, of all viewports together
+//     panes               number of viewports
+//     quality             "full" or "interactive"
+//     difference          from the picture at rest: mean over the pixels of vessels, of 255; 0 in full quality
+//     apart               the share of these pixels that differ by more than 60 of 255, since an edge has moved
 [[nodiscard]] Result<void> run_turn_benchmark(render::SheetRenderer& renderer, render::Sheet sheet, int frames,
                                               bool hurry, nlohmann::json& report);
 
-// What it found, for a person.
+// The results of run_turn_benchmark() in one sentence.
 [[nodiscard]] std::string benchmark_sentence(const nlohmann::json& report);
 
 } // namespace ramus::app

@@ -1,5 +1,5 @@
-// `ramus validate TREE...`: the paper's validation (section VII) of the surfaces of trees, made here or by another
-// program, each on its own and on average over all.
+// `ramus validate TREE...`: validates the surfaces of trees as in the paper (section VII), each tree and on average.
+// The surfaces are computed, or read from the files of any program.
 #include "app/commands/picture_flags.h"
 #include "app/commands/printed_report.h"
 #include "app/commands/progress.h"
@@ -35,7 +35,7 @@ Result<int> run_kernels(const ValidateFlags& flags) {
 
 Result<int> run_validate(const ValidateFlags& flags) {
     if (flags.kernels) return run_kernels(flags);
-    Job whole; // what an interrupt cancels between the steps, which have jobs of their own
+    Job whole; // cancelled by an interrupt between the steps, which have jobs of their own
     const CancelOnInterrupt cancel(whole);
     std::optional<ReportFolder> report;
     std::unique_ptr<ValidationPainter> painter;
@@ -72,7 +72,7 @@ void register_validate(CLI::App& app, Action& chosen) {
     const auto flags = std::make_shared<ValidateFlags>();
     CLI::App* command = add_command(
         app, "validate",
-        "Hold surfaces against their trees: branches that are lost, false or merged, constrictions, radii, distances");
+        "Compare surfaces with their trees: lost, false and merged branches, constrictions, radii, distances");
     add_input(*command, "TREE", "", flags->trees,
               "Vessel trees; several are validated one by one and averaged, when all their files can be read")
         ->required();
@@ -89,15 +89,16 @@ void register_validate(CLI::App& app, Action& chosen) {
     add_mask_units_flag(*command, flags->labels.units, "--mask")->needs(mask);
     add_label_flag(*command, flags->labels.labels, "Labels of the mask that are these vessels (default: all)")
         ->needs(mask);
-    add_option(*command, "--report", "FOLDER", flags->report,
-               "Write what was found as a page, index.html, with pictures and plots, as validation.json, as tables "
-               "(.csv) with the radii along all branches, and box plots (.svg); the folder is made if need be");
+    add_option(
+        *command, "--report", "FOLDER", flags->report,
+        "Write what was found as a page, index.html, with pictures and plots, as validation.json, as tables "
+        "(.csv) with the radii along all branches, and box plots (.svg); the folder is created if it does not exist");
     command->add_flag("--json", flags->json,
                       "Print what was found as one JSON object; of several trees {\"data_sets\": [...], "
                       "\"averages\": {...}}");
     CLI::Option* kernels = command->add_flag(
         "--kernels", flags->kernels,
-        "Instead, of one tree: a table of what each kernel, at some widths, makes of joints and of the tree");
+        "Instead, for one tree: print a table that compares kernels and widths, at joints and for the tree");
     add_surface_flags(*command, flags->surface);
     for (const char* other : {"--surface", "--mask", "--report", "--kernel", "--width", "--blend"})
         kernels->excludes(command->get_option(other));

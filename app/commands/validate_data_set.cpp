@@ -26,7 +26,7 @@ namespace ramus::app {
 
 namespace {
 
-constexpr std::size_t kFarthest = 8; // places that a report lists
+constexpr std::size_t kFarthest = 8; // places in a report
 
 Result<mesh::TriangleMesh> surface_to_validate(const ValidateFlags& flags, std::size_t n,
                                                const tree::VesselTree& tree) {
@@ -48,7 +48,7 @@ validate::ValidationOptions validation_options(const ValidateFlags& flags) {
     return {mesh::kernel_of(options).limits, options.threads};
 }
 
-// None of a surface that does not know its branches.
+// The statistics without free ends of vessels; nothing if the surface does not know its branches.
 std::optional<measure::DeviationStatistics>
 but_for_ends(const mesh::TriangleMesh& surface, std::span<const double> distances, const validate::FreeEnds& ends) {
     if (surface.branches.size() != distances.size()) return {};
@@ -59,13 +59,13 @@ but_for_ends(const mesh::TriangleMesh& surface, std::span<const double> distance
     return measure::statistics_of(others, std::nullopt);
 }
 
-// One surface against others.
+// Compares one surface with others.
 class Comparing {
 public:
     Comparing(const ValidateFlags& flags, const mesh::TriangleMesh& surface, ValidatedDataSet& set, bool for_report)
         : flags_(flags), surface_(surface), set_(set), for_report_(for_report) {}
 
-    // `by_vertex`: for pictures, where there is a report.
+    // `by_vertex`: receives the distances (mm) for pictures, if there is a report.
     [[nodiscard]] Result<SurfaceDistances> distances_to(const mesh::TriangleMesh& other, std::vector<float>& by_vertex,
                                                         const validate::FreeEnds* ends = nullptr) const {
         return with_progress("distances", [&](Job&) -> Result<SurfaceDistances> {
@@ -102,7 +102,7 @@ public:
     }
 
 private:
-    // Of the vertices of one of both surfaces; where there is a report.
+    // Lists the vertices of `from` with the largest distances, if there is a report.
     void note_farthest(const mesh::TriangleMesh& from, std::span<const double> distances,
                        SurfaceDistances& found) const {
         if (!for_report_) return;
@@ -137,7 +137,8 @@ Result<std::vector<InputFile>> checksums_of(const ValidatedDataSet& set) {
     });
 }
 
-// A mask of other vessels, or one with another unit or other axes, gives figures that say nothing of the surface.
+// Warns if the mask is elsewhere: distances from a mask of other vessels, in another unit or in other axes are
+// meaningless.
 void warn_if_elsewhere(const ValidatedDataSet& set, bool apart) {
     std::vector<double> radii;
     for (const validate::RadiusPlace& place : set.validation.radii) radii.push_back(place.input_mm);
@@ -171,8 +172,8 @@ Result<std::vector<tree::VesselTree>> read_all(const ValidateFlags& flags) {
         RAMUS_TRY(tree, load_tree(file, flags.surface));
         trees.push_back(std::move(tree));
     }
-    if (flags.count() == 1) return trees; // nothing else is lost when the mask is bad
-    SurfaceFlags silent = flags.surface;  // what is assumed of them is told when they are used
+    if (flags.count() == 1) return trees; // a bad mask costs no other results
+    SurfaceFlags silent = flags.surface;  // assumptions are printed when the files are used
     silent.verbose = false;
     for (const std::string& file : flags.masks)
         if (auto mask = load_volume(file, with_units(silent, flags.labels)); !mask) return tl::unexpected(mask.error());
@@ -199,7 +200,7 @@ Result<ValidatedDataSet> validated(const ValidateFlags& flags, std::size_t n, co
     if (closed) set.validation.shape = validate::shape_of(tree, surface);
     std::vector<float> to_cones_mm, to_mask_mm;
     const Comparing comparing(flags, surface, set, painter != nullptr);
-    if (!set.mask.empty()) { // first: half its voxels is the threshold of both comparisons
+    if (!set.mask.empty()) { // first: half its voxel diagonal is the threshold of both comparisons
         MaskVoxels voxels;
         RAMUS_TRY(mask, surface_of_mask(set.mask, flags.surface, flags.labels, &voxels));
         set.half_voxel_mm = mask.half_voxel_mm;
@@ -216,11 +217,11 @@ Result<ValidatedDataSet> validated(const ValidateFlags& flags, std::size_t n, co
     {
         SurfaceFlags of_cones = flags.surface;
         of_cones.surface.method = mesh::Method::kTruncatedCones;
-        of_cones.surface.smooth_passes = 0; // the tree as it was read
+        of_cones.surface.smooth_passes = 0; // of the tree without smoothing
         RAMUS_TRY(cones, surface_of_tree(tree, of_cones));
         const validate::FreeEnds ends(tree);
         const validate::FreeEnds* const known =
-            set.surface.empty() ? &ends : nullptr; // else its branches are not this tree's
+            set.surface.empty() ? &ends : nullptr; // branches of a given surface are not known
         RAMUS_TRY(distances, comparing.distances_to(cones.mesh, to_cones_mm, known));
         RAMUS_TRY(radii, comparing.radii_in(cones.mesh));
         set.to_cones = std::move(distances);

@@ -1,4 +1,4 @@
-// ramus validate: what it is asked for, and the look at one data set.
+// The options of `ramus validate`, and the validation of one data set: a tree with its surface, and perhaps its mask.
 #pragma once
 
 #include "app/commands/surface_flags.h"
@@ -17,27 +17,28 @@ namespace ramus::app {
 struct ValidateFlags {
     SurfaceFlags surface;
     MaskInput labels;
-    std::vector<std::string> trees, masks, meshes; // of masks and meshes none, or one for each tree
-    std::filesystem::path report;                  // a folder; empty: none
-    std::string mesh_axes;                         // of surfaces that do not state them; empty: not given
-    bool kernels = false;                          // compare these instead
+    std::vector<std::string> trees, masks, meshes; // files; masks and meshes: none, or one for each tree
+    std::filesystem::path report;                  // folder of --report; empty: none
+    std::string mesh_axes;                         // of meshes that do not state their axes; empty: not given
+    bool kernels = false;                          // compare kernels instead of validating
     bool json = false;
 
     [[nodiscard]] std::size_t count() const { return trees.size(); }
     [[nodiscard]] std::string mask(std::size_t n) const { return masks.empty() ? std::string() : masks[n]; }
     [[nodiscard]] std::string mesh(std::size_t n) const { return meshes.empty() ? std::string() : meshes[n]; }
-    [[nodiscard]] std::vector<std::string> files(std::size_t n) const; // of data set n, those that are given
+    [[nodiscard]] std::vector<std::string> files(std::size_t n) const; // all files of data set n
 };
 
-// Throws CLI::ValidationError where an option is given neither never nor once for each tree.
+// Throws CLI::ValidationError unless an option is given as often as there are trees, or not at all.
 void check_one_for_each(const std::string& option, std::size_t count, std::size_t trees);
 
-// All trees. Of several data sets also the masks and surfaces are read, and let go again: what is wrong with a file is
-// said before anything is computed. Errors name the file.
+// Reads all trees. If there are several data sets, also reads all masks and surfaces, and discards them: a file that
+// cannot be read is reported before any computation. Errors name the file.
 [[nodiscard]] Result<std::vector<tree::VesselTree>> read_all(const ValidateFlags& flags);
 
-// Data set `n`, whose tree has been read. With a painter, all that a report needs besides: pictures, radii in cones and
-// mask, the farthest places, checksums. One data set at a time, each on all cores: memory is that of the largest.
+// Validates data set `n`; `tree` is its tree. If `painter` is not null, also computes what a report needs: pictures,
+// radii of the cones and the mask, the places that are farthest apart, and checksums. Uses all cores, so callers
+// validate one data set after the other. Shows progress bars; fails if a file cannot be read or the job is cancelled.
 [[nodiscard]] Result<ValidatedDataSet> validated(const ValidateFlags& flags, std::size_t n,
                                                  const tree::VesselTree& tree, ValidationPainter* painter);
 

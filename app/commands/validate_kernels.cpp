@@ -50,7 +50,7 @@ ordered_json kernels_json(const validate::ComparedKernels& compared) {
 
 using Row = std::vector<std::string>;
 
-// Of what may be next to nothing.
+// Formats a value that may be almost 0.
 std::string thousandths(double value) { return rounded(std::round(1000.0 * value) / 1000.0 + 0.0); }
 
 Row row_of_kernel(const KernelFigures& one) {
@@ -73,7 +73,7 @@ Row row_of_kernel(const KernelFigures& one) {
             digits(one.mesh_s)};
 }
 
-// The first column to the left, numbers to the right.
+// Aligns the first column to the left and all others to the right.
 void print_table(const std::vector<Row>& rows) {
     std::vector<std::size_t> widths(rows.front().size(), 0);
     for (const Row& row : rows)

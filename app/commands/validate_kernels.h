@@ -1,4 +1,4 @@
-// ramus validate --kernels: what each kernel makes of joints and of a tree, as a table and as JSON.
+// `ramus validate --kernels`: compares the surfaces that different kernels give for joints and for a tree.
 #pragma once
 
 #include "core/base/error.h"
@@ -8,7 +8,8 @@
 
 namespace ramus::app {
 
-// Compares and prints, on standard output. `name`: of the tree's file.
+// Compares the kernels and prints a table or, with `json`, an object on standard output. `name`: the file of the tree.
+// Fails if the surface of a kernel cannot be computed, or if cancelled.
 [[nodiscard]] Result<void> print_kernels(const std::string& name, const tree::VesselTree& tree,
                                          const mesh::SurfaceOptions& options, bool json);
 

@@ -28,13 +28,14 @@ namespace ramus::app {
 
 namespace {
 
-constexpr std::size_t kMostMarked = 500;  // of one kind: more would hide what they mark
-constexpr std::size_t kMostLettered = 25; // likewise
-constexpr double kAroundVessel = 1.25;    // radius of a ring, in the vessel's
-constexpr std::size_t kMostCloseUps = 12; // of a data set: more nobody looks at
+constexpr std::size_t kMostMarked = 500;  // findings of one kind: more marks would hide the surface
+constexpr std::size_t kMostLettered = 25; // findings of one kind with a label
+constexpr double kAroundVessel = 1.25;    // radius of a ring, in radii of the vessel
+constexpr std::size_t kMostCloseUps = 12; // per data set
 constexpr glm::vec3 kCloseUpRing{0.94F, 0.90F, 0.26F};
 
-// What is found, told apart by colour-blind eyes too (M. Okabe and K. Ito, 2008), light enough for the background.
+// Colours of findings: distinguishable for colour-blind people (M. Okabe and K. Ito, 2008), light against the
+// background.
 struct MarkKind {
     char letter;
     const char* words;
@@ -96,11 +97,11 @@ char letter_of(Finding::Kind kind) {
     return kFarLetter;
 }
 
-// Across the vessel, from the side where least of the surface is in front of the place.
+// Looks across the vessel, from the side where the least surface is in front of the place.
 render::Camera close_to(const Finding& finding, const validate::Validation& found, const render::Camera& whole,
                         glm::ivec2 size, const measure::PackedTriangles& triangles) {
     constexpr int kSides = 16;
-    constexpr double kAround = 0.4; // of the radius that looking_at() goes by: six radii to the picture's edge
+    constexpr double kAround = 0.4; // factor for looking_at(): the edge of the picture is six radii away
     const validate::RadiusPlace* vessel = validate::nearest_place(found, finding.at);
     const glm::dvec3 along = vessel != nullptr ? vessel->direction : glm::dvec3(0.0, 0.0, 1.0);
     const double vessel_mm = vessel != nullptr ? vessel->input_mm : 0.0;

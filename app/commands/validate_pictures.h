@@ -1,5 +1,5 @@
-// Pictures of a surface that was held against its tree: as it is, with what was found marked, coloured by how far it is
-// from other surfaces, and close to each found place. Drawn on the processor, without a display.
+// Draws the pictures of a validated surface: the surface, the surface with its findings marked, coloured by the
+// distance from other surfaces, and a close-up of each finding. Draws on the processor, without a display.
 #pragma once
 
 #include "app/reports/validation/data_set.h"
@@ -16,20 +16,21 @@
 
 namespace ramus::app {
 
-// What is painted.
+// A validated surface with what its pictures show.
 struct PaintedSurface {
     mesh::TriangleMesh mesh; // may lack branches and radii
     const tree::VesselTree& tree;
-    mesh::SurfaceOptions options;               // how the tree is taken
-    std::vector<float> to_cones_mm, to_mask_mm; // by vertex; empty: nothing is known
+    mesh::SurfaceOptions options;               // of the surface
+    std::vector<float> to_cones_mm, to_mask_mm; // distances by vertex, mm; empty: not measured
 };
 
 class ValidationPainter {
 public:
-    // `few`: there are few data sets, whose pictures are worth more time and bytes.
+    // `few`: there are only few data sets, so pictures may take more time and bytes.
     [[nodiscard]] static Result<std::unique_ptr<ValidationPainter>> create(bool few);
 
-    // Gives the data set its pictures. The codes of places are those of the report's tables.
+    // Draws all pictures of a data set and adds them to `set`. Places have the same codes as in the tables of the
+    // report.
     [[nodiscard]] Result<void> paint(PaintedSurface surface, ValidatedDataSet& set);
 
 private:

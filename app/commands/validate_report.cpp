@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// So that no file of the report takes the place of one.
+// Registers the inputs, so that no file of the report replaces one of them.
 void note_inputs(const ValidateFlags& flags) {
     for (std::size_t n = 0; n < flags.count(); ++n)
         for (const std::string& input : flags.files(n))
@@ -51,10 +51,10 @@ struct Contents {
 struct ReportFile {
     const char* name;
     void (*write)(io::BufferedFile&, const Contents&);
-    bool of_masks = false; // written only where a data set has one
+    bool of_masks = false; // written only if a data set has a mask
 };
 
-// All that may be written; the page last, so that whoever finds it finds the rest.
+// All files of a report. The page is the last, since it links to the others.
 constexpr std::array<ReportFile, 13> kReportFiles{{
     {"validation.json", [](io::BufferedFile& file, const Contents& c) { file.write(c.json); }},
     {"questions.csv", [](io::BufferedFile& file, const Contents& c) { file.write(csv_of(questions_table(c.sets))); }},

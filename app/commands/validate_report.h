@@ -1,6 +1,5 @@
-// The folder that ramus validate --report writes: index.html, a page that needs nothing beside it; validation.json;
-// tables as CSV; box plots as SVG. All files come to their places together, or none does, and none takes the place of a
-// file that is read.
+// The report folder of `ramus validate --report`: a self-contained page (index.html), validation.json, tables as CSV
+// and box plots as SVG. All files are written, or none. No file of the report replaces an input file.
 #pragma once
 
 #include "app/commands/validate_data_set.h"
@@ -16,10 +15,11 @@ namespace ramus::app {
 
 class ReportFolder {
 public:
-    // Makes the folder if need be. Fails where it cannot be made or written to, and where a file of the report would
-    // take the place of one that `flags` name: before long work starts.
+    // Creates the folder if it does not exist. Must be called before long computations: fails if the folder cannot be
+    // written, or if a file of the report would replace an input file of `flags`.
     [[nodiscard]] static Result<ReportFolder> make(const ValidateFlags& flags);
-    // `json`: the text of validation.json.
+    // Writes all files. `json`: the text of validation.json. Fails, without any file, if cancelled or if a file cannot
+    // be written.
     [[nodiscard]] Result<void> write(const ValidateFlags& flags, std::span<const ValidatedDataSet> sets,
                                      const std::string& json) const;
 

@@ -77,7 +77,7 @@ ordered_json radius_error_json(const validate::RadiusError& error) {
     return json;
 }
 
-// As `ramus mesh --json` has it.
+// The same members as in `ramus mesh --json`.
 ordered_json shape_json(const std::optional<validate::Shape>& shape) {
     if (!shape) return nullptr;
     return {{"components", shape->surface.pieces},
@@ -94,7 +94,7 @@ ordered_json data_set_json(const ValidatedDataSet& set, bool one_of_several) {
     ordered_json& cones = json["distances"]["to_cones"];
     cones = deviation_json(set.to_cones.statistics);
     if (!one_of_several)
-        cones["above_percent"] = nullptr; // as scripts know it
+        cones["above_percent"] = nullptr; // kept for scripts
     else if (set.half_voxel_mm)
         cones["threshold_mm"] = *set.half_voxel_mm;
     if (set.to_cones.but_for_ends) {
@@ -131,7 +131,7 @@ ordered_json figures_json(const DistanceFigures& figures) {
             {"above_percent", number_or_null(figures.above_percent)}};
 }
 
-// Means, or standard deviations, under the names of one data set.
+// Means or standard deviations, with the member names of one data set.
 ordered_json summary_json(const ValidationSummary& all) {
     const auto distances = [](const std::optional<DistanceFigures>& figures) {
         return figures ? figures_json(*figures) : ordered_json();
@@ -165,7 +165,7 @@ std::string at_text(const glm::dvec3& at, const Lengths& lengths) {
     return rounded(at.x + 0.0) + ", " + rounded(at.y + 0.0) + ", " + rounded(at.z + 0.0) + " " + lengths.unit();
 }
 
-// A heading with how many there are, and a line for each of the first.
+// Prints a heading with the number of findings, and one line for each of the first kMostListed.
 template <class List, class Line> void print_list(const std::string& heading, const List& list, const Line& line) {
     std::cout << heading << ": " << (list.empty() ? "none" : grouped(list.size())) << '\n';
     const std::size_t listed = std::min(list.size(), kMostListed);
@@ -242,7 +242,7 @@ std::string cell_words(const Cell& cell) {
     return digits(number, 4);
 }
 
-// Columns under their headings; numbers to the right.
+// Prints a table with headings; numbers are aligned to the right.
 void print_table(const Table& all) {
     const Table table = in_words(for_people(all));
     std::cout << '\n' << table.title << '\n';
@@ -280,7 +280,7 @@ ordered_json validation_json(std::span<const ValidatedDataSet> sets) {
         add_summaries(json, groups.front());
         return json;
     }
-    // Nothing is the average of lengths in different units.
+    // Lengths in different units have no average.
     json["units"] = json["averages"] = json["standard_deviations"] = nullptr;
     for (const UnitGroup& group : groups) add_summaries(json["by_unit"][group.unit], group);
     return json;
@@ -290,7 +290,7 @@ void print_validation(std::span<const ValidatedDataSet> sets) {
     if (sets.size() == 1) return print_one(sets.front());
     for (const ValidatedDataSet& set : sets) {
         const validate::Validation& found = set.validation;
-        if (found.nothing_found()) continue; // the table says so
+        if (found.nothing_found()) continue; // the table shows it
         std::cout << io::input_name(set.tree) << '\n';
         print_questions(found, Lengths(set.claims));
     }

@@ -1,4 +1,4 @@
-// What ramus validate found, as JSON and in words.
+// The results of `ramus validate` as JSON and as text.
 #pragma once
 
 #include "app/reports/validation/data_set.h"
@@ -8,11 +8,12 @@
 
 namespace ramus::app {
 
-// Of one data set: its own object. Of several {"data_sets": [one such object each], "averages": {...}}; there the
-// distances to cones, too, say how many are above half a voxel.
+// For one data set, the object of its results. For several, {"data_sets": [one such object each], "averages": {...}};
+// then distances to cones also have the share above half a voxel.
 [[nodiscard]] nlohmann::ordered_json validation_json(std::span<const ValidatedDataSet> sets);
 
-// On standard output: all that was found in one data set; of several what was found in each, and tables with averages.
+// Prints the results on standard output. For one data set, all of them; for several, the findings of each and tables
+// with averages.
 void print_validation(std::span<const ValidatedDataSet> sets);
 
 } // namespace ramus::app

@@ -13,7 +13,7 @@ namespace ramus::app {
 
 namespace {
 
-// Cones are no closed surface.
+// Sets the pieces and loops that the surface should have. Truncated cones are not one closed surface.
 void compare_shapes(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,
                     std::span<const std::uint8_t> hidden, WrittenSurface& written) {
     if (options.method != mesh::Method::kConvolutionSurface) return;

@@ -1,5 +1,5 @@
-// A tree's surface, made and written: in memory, or on the disk when it is more than memory holds. The file is the same
-// either way.
+// Computes the surface of a tree and writes it to a file. If memory does not suffice, the surface is computed on the
+// disk of the output; the file is the same.
 #pragma once
 
 #include "core/base/error.h"
@@ -16,34 +16,37 @@
 
 namespace ramus::app {
 
+// What was written.
 struct WrittenSurface {
     std::uint64_t vertices = 0, triangles = 0, evaluations = 0;
-    mesh::Connectivity shape; // loops: where it is closed
-    // Of the tree's branches that are on a closed surface of it: what that has to be like.
+    mesh::Connectivity shape; // of the surface; loops are valid for closed surfaces only
+    // The pieces and loops that the surface should have; none for truncated cones.
     std::optional<mesh::Connectivity> tree_shape;
-    // What was done to have the tree's pieces and loops, and pairs of triangles that met; none: not looked for, which
-    // is not that there is none. Nor is it where not all pairs were looked at.
+    // The repairs of pieces and loops, and of intersecting triangles; none: not looked for. If not all pairs of
+    // triangles were checked (Untangled::looked_at_all), the count is not complete.
     std::optional<mesh::MatchedTree> matched;
     std::optional<mesh::Untangled> untangled;
-    bool streamed = false;                     // made on the disk
-    std::vector<std::vector<int>> lost_pieces; // of the tree, by branch: not on the surface (core/mesh/lost_pieces.h)
-    double mesh_s = 0.0, write_s = 0.0;
-    std::vector<measure::Thickness> thicknesses; // for printing: as measure::least_thicknesses() gives them
+    bool streamed = false;                     // computed on the disk
+    std::vector<std::vector<int>> lost_pieces; // pieces of the tree without surface (core/mesh/lost_pieces.h): branches
+    double mesh_s = 0.0, write_s = 0.0;        // seconds
+    std::vector<measure::Thickness> thicknesses; // for printing, from measure::least_thicknesses(); else empty
 };
 
+// Where and how a surface is written.
 struct SurfaceTarget {
     std::filesystem::path file;
-    io::MeshNames names;       // for formats that have a place for them
-    bool for_printing = false; // then the surface has to be closed, and its thickness is measured
-    int threads = 0;
+    io::MeshNames names;       // for formats that store names
+    bool for_printing = false; // requires a closed surface, and measures its thickness
+    int threads = 0;           // 0: one per core
 };
 
-// Writes a surface that is there: adds to `written` what it consists of and how long writing took. Fails on what cannot
-// be written or is not fit for printing.
+// Writes a surface, and sets its counts, connectivity, thicknesses and times in `written`. Fails if the file cannot be
+// written, or if the surface is to be printed and is not closed.
 [[nodiscard]] Result<void> write_surface(mesh::TriangleMesh surface, const SurfaceTarget& target,
                                          WrittenSurface& written);
 
-// Shows a progress bar; an interrupt cancels it.
+// Computes and writes the surface of `tree`. `hidden`: by branch; not 0: the branch is left out. Shows a progress bar;
+// an interrupt cancels.
 [[nodiscard]] Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,
                                                    std::span<const std::uint8_t> hidden, const SurfaceTarget& target);
 

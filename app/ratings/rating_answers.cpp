@@ -19,7 +19,7 @@ namespace {
 constexpr std::uintmax_t kLargestAnswers = 2ULL << 20; // answers take some kB, the key of 500 raters less than 1 MB
 constexpr double kMostSeconds = 1e8;
 constexpr std::size_t kMostListed = 3; // missing answers listed in messages
-constexpr const char* kSaveAgain = "open the rater's sheet in the same browser and save the answers again";
+constexpr const char* kSaveAgain = "open the rater's page in the same browser and save the answers again";
 
 const json& answer_member(const json& object, const char* name) {
     if (!object.is_object() || !object.contains(name)) throw Refusal{std::string("there is no \"") + name + "\""};
@@ -32,22 +32,22 @@ std::string in_quotes(const std::string& text) { return std::string("\"").append
 std::string question_text(const RatingStudy& study, const RaterOrder& order, const std::string& code,
                           std::size_t criterion) {
     const auto found = *picture_of(study, code);
-    const auto shown = std::ranges::find(order, found.scene, &ShownScene::scene);
+    const auto shown = std::ranges::find(order, found.view, &ShownView::view);
     const auto place = std::ranges::find(shown->pictures, found.pictures.front()) - shown->pictures.begin();
     return std::string("picture ") + static_cast<char>('A' + place) + " of " +
-           in_quotes(study.scenes[found.scene].title) + ", " + std::string(kCriteria[criterion].name);
+           in_quotes(study.views[found.view].title) + ", " + std::string(kCriteria[criterion].name);
 }
 
-void check_order(const json& scenes, const RatingStudy& study, const RaterOrder& order, RatingAnswers& answers) {
-    if (!scenes.is_array() || scenes.size() != order.size())
+void check_order(const json& views, const RatingStudy& study, const RaterOrder& order, RatingAnswers& answers) {
+    if (!views.is_array() || views.size() != order.size())
         throw Refusal{"scenes are not a list of " + std::to_string(order.size())};
     for (std::size_t i = 0; i < order.size(); ++i) {
-        expect_only(scenes[i], "a scene", {"order", "seconds"});
-        answers.seconds += number(answer_member(scenes[i], "seconds"), "seconds of a scene", 0.0, kMostSeconds);
+        expect_only(views[i], "a scene", {"order", "seconds"});
+        answers.seconds += number(answer_member(views[i], "seconds"), "seconds of a scene", 0.0, kMostSeconds);
         json expected = json::array();
         for (const std::size_t picture : order[i].pictures)
-            expected.push_back(study.scenes[order[i].scene].pictures[picture].code);
-        if (answer_member(scenes[i], "order") != expected)
+            expected.push_back(study.views[order[i].view].pictures[picture].code);
+        if (answer_member(views[i], "order") != expected)
             throw Refusal{"the order in which scene " + std::to_string(i + 1) + " was shown is not that of rater " +
                           std::to_string(answers.rater) + " in the key"};
     }
@@ -56,10 +56,10 @@ void check_order(const json& scenes, const RatingStudy& study, const RaterOrder&
 void read_scores(const json& list, const RatingStudy& study, const RaterOrder& order, RatingAnswers& answers) {
     if (!list.is_array()) throw Refusal{"answers are not a list"};
     constexpr std::size_t kCriterionCount = kCriteria.size();
-    answers.scores.assign(study.scenes.size() * study.methods.size() * kCriterionCount, 0);
-    const auto place_of = [&](const ShownScene& found, std::size_t criterion) {
-        const std::size_t method = study.scenes[found.scene].pictures[found.pictures.front()].method;
-        return (found.scene * study.methods.size() + method) * kCriterionCount + criterion;
+    answers.scores.assign(study.views.size() * study.methods.size() * kCriterionCount, 0);
+    const auto place_of = [&](const ShownView& found, std::size_t criterion) {
+        const std::size_t method = study.views[found.view].pictures[found.pictures.front()].method;
+        return (found.view * study.methods.size() + method) * kCriterionCount + criterion;
     };
     for (const json& answer : list) {
         expect_only(answer, "an answer", {"picture", "criterion", "score"});
@@ -80,12 +80,12 @@ void read_scores(const json& list, const RatingStudy& study, const RaterOrder& o
         place = score.get<int>();
     }
     std::vector<std::string> missing;
-    for (const ShownScene& scene : order)
-        for (const std::size_t picture : scene.pictures)
+    for (const ShownView& view : order)
+        for (const std::size_t picture : view.pictures)
             for (std::size_t criterion = 0; criterion < kCriterionCount; ++criterion)
-                if (answers.scores[place_of({scene.scene, {picture}}, criterion)] == 0)
+                if (answers.scores[place_of({view.view, {picture}}, criterion)] == 0)
                     missing.push_back(
-                        question_text(study, order, study.scenes[scene.scene].pictures[picture].code, criterion));
+                        question_text(study, order, study.views[view.view].pictures[picture].code, criterion));
     if (missing.empty()) return;
     const std::size_t count = missing.size();
     if (count > kMostListed) missing.resize(kMostListed);
@@ -172,14 +172,14 @@ Result<RatingsRead> read_ratings(const std::vector<std::string>& files) {
                             " has them, too",
                         file.name, "give the newer one of the two alone");
     }
-    const measure::Scores::Size size{raters.size(), study.scenes.size(), study.methods.size(), kCriteria.size()};
+    const measure::Scores::Size size{raters.size(), study.views.size(), study.methods.size(), kCriteria.size()};
     RatingsRead found{std::move(study), {}, measure::Scores(size)};
     for (auto& [number, rater] : raters) {
         std::size_t at = 0;
-        for (std::size_t scene = 0; scene < size.scenes; ++scene)
+        for (std::size_t view = 0; view < size.views; ++view)
             for (std::size_t method = 0; method < size.methods; ++method)
                 for (std::size_t criterion = 0; criterion < size.criteria; ++criterion)
-                    found.scores.at({found.answers.size(), scene, method, criterion}) = rater.second.scores[at++];
+                    found.scores.at({found.answers.size(), view, method, criterion}) = rater.second.scores[at++];
         found.answers.push_back(std::move(rater.second));
     }
     return found;

@@ -31,16 +31,16 @@ std::vector<std::vector<std::size_t>> permutations(std::size_t count) {
 std::vector<RaterOrder> rater_orders(const RatingStudy& study, int raters) {
     const std::string seed = std::to_string(study.seed);
     std::vector<RaterOrder> orders(static_cast<std::size_t>(raters));
-    for (std::size_t scene = 0; scene < study.scenes.size(); ++scene) {
-        const auto all = permutations(study.scenes[scene].pictures.size());
+    for (std::size_t view = 0; view < study.views.size(); ++view) {
+        const auto all = permutations(study.views[view].pictures.size());
         auto block = all;
         for (std::size_t rater = 0; rater < orders.size(); ++rater) {
             if (rater % all.size() == 0) {
                 block = all;
                 shuffle(block,
-                        seed + " scene " + std::to_string(scene) + " block " + std::to_string(rater / all.size()));
+                        seed + " scene " + std::to_string(view) + " block " + std::to_string(rater / all.size()));
             }
-            orders[rater].push_back({scene, block[rater % all.size()]});
+            orders[rater].push_back({view, block[rater % all.size()]});
         }
     }
     for (std::size_t rater = 0; rater < orders.size(); ++rater)

@@ -119,7 +119,7 @@ std::string comparisons_text(const RatingResults& results) {
     std::string text = tests_text(results);
     text += results.paired_by == PairedBy::kRater
                 ? "A pair is a rater, with the means over " +
-                      counted(results.ratings.study.scenes.size(), "scene", "scenes") + ".\n"
+                      counted(results.ratings.study.views.size(), "scene", "scenes") + ".\n"
                 : "A pair is a rater and a scene. Answers of one rater depend on each other, so these p are too small; "
                   "they hold\nfor these raters alone.\n";
     text += std::string("p is two-sided") +
@@ -171,7 +171,7 @@ RatingResults results_of(const RatingsRead& ratings, PairedBy paired_by) {
 std::string results_text(const RatingResults& results) {
     const RatingStudy& study = results.ratings.study;
     return "Study " + id_of(study) + ": " + counted(results.ratings.answers.size(), "rater", "raters") + ", " +
-           counted(study.scenes.size(), "scene", "scenes") + ", scores from " + std::to_string(kLowestScore) + " to " +
+           counted(study.views.size(), "scene", "scenes") + ", scores from " + std::to_string(kLowestScore) + " to " +
            std::to_string(kHighestScore) + "\n" + summaries_text(results) + comparisons_text(results);
 }
 
@@ -185,7 +185,7 @@ nlohmann::ordered_json results_json(const RatingResults& results) {
                                 {"paired_by", name_of_pairing(results.paired_by)},
                                 {"comparisons", results.table.comparisons.size()},
                                 {"significance", nullptr}};
-    for (const StudyScene& scene : study.scenes) json["scenes"].push_back(scene.title);
+    for (const StudyView& view : study.views) json["scenes"].push_back(view.title);
     for (const RatingAnswers& rater : results.ratings.answers) {
         nlohmann::ordered_json one{
             {"rater", rater.rater}, {"role", nullptr}, {"years", nullptr}, {"seconds", rater.seconds}};

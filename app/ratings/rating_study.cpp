@@ -33,43 +33,43 @@ std::size_t method_named(const RatingStudy& study, const std::string& name) {
     return static_cast<std::size_t>(found - study.methods.begin());
 }
 
-StudyScene scene_in(const json& value, const RatingStudy& study) {
+StudyView view_in(const json& value, const RatingStudy& study) {
     expect_only(value, "a scene", {"title", "pictures"});
-    StudyScene scene{text(member_of(value, "title"), "title of a scene"), {}};
+    StudyView view{text(member_of(value, "title"), "title of a scene"), {}};
     const json& pictures = member_of(value, "pictures");
     if (!pictures.is_object()) throw Refusal{"pictures of a scene are not an object"};
     std::set<std::size_t> methods;
     for (const auto& [code, method] : pictures.items()) { // ordered by code, as objects are
-        scene.pictures.push_back({code, method_named(study, text(method, "method of a picture"))});
-        methods.insert(scene.pictures.back().method);
+        view.pictures.push_back({code, method_named(study, text(method, "method of a picture"))});
+        methods.insert(view.pictures.back().method);
     }
-    if (methods.size() != study.methods.size() || scene.pictures.size() != study.methods.size())
+    if (methods.size() != study.methods.size() || view.pictures.size() != study.methods.size())
         throw Refusal{"a scene has not one picture of each method"};
-    return scene;
+    return view;
 }
 
 RaterOrder order_in(const json& value, const RatingStudy& study) {
     if (!value.is_array()) throw Refusal{"the order of a rater is not a list"};
     RaterOrder order;
-    std::set<std::size_t> scenes;
+    std::set<std::size_t> views;
     for (const json& shown : value) {
         if (!shown.is_array()) throw Refusal{"the order of a scene is not a list"};
-        ShownScene& scene = order.emplace_back();
+        ShownView& view = order.emplace_back();
         std::set<std::size_t> pictures;
         for (const json& code : shown) {
             const auto found = picture_of(study, text(code, "code of a picture"));
             if (!found) throw Refusal{"there is no picture " + code.dump()};
-            if (!scene.pictures.empty() && found->scene != scene.scene)
-                throw Refusal{"a rater sees pictures of two scenes beside each other"};
-            scene.scene = found->scene;
-            scene.pictures.push_back(found->pictures.front());
-            if (!pictures.insert(scene.pictures.back()).second || scenes.contains(scene.scene))
+            if (!view.pictures.empty() && found->view != view.view)
+                throw Refusal{"a rater sees pictures of two scenes next to each other"};
+            view.view = found->view;
+            view.pictures.push_back(found->pictures.front());
+            if (!pictures.insert(view.pictures.back()).second || views.contains(view.view))
                 throw Refusal{"a rater sees a picture twice"};
         }
         if (pictures.size() != study.methods.size()) throw Refusal{"a rater does not see all pictures of a scene"};
-        scenes.insert(scene.scene);
+        views.insert(view.view);
     }
-    if (scenes.size() != study.scenes.size()) throw Refusal{"a rater does not see all scenes"};
+    if (views.size() != study.views.size()) throw Refusal{"a rater does not see all scenes"};
     return order;
 }
 
@@ -86,7 +86,7 @@ RatingStudy study_in(const json& key) {
                                  text(member_of(method, "title"), "title of a method")});
     }
     study.method = method_named(study, text(member_of(key, "compared"), "compared"));
-    for (const json& scene : list_of(key, "scenes", kMostStudyParts)) study.scenes.push_back(scene_in(scene, study));
+    for (const json& view : list_of(key, "scenes", kMostStudyParts)) study.views.push_back(view_in(view, study));
     const json& seed = member_of(key, "seed");
     if (!seed.is_number_unsigned()) throw Refusal{"seed is not a whole number"};
     study.seed = seed.get<std::uint64_t>();
@@ -105,18 +105,18 @@ std::string id_of(const RatingStudy& study) {
         for (const std::string_view part :
              {criterion.key, criterion.name, criterion.question, criterion.low, criterion.high})
             checksum.add(part).add("\n");
-    for (const StudyScene& scene : study.scenes) {
-        checksum.add(scene.title).add("\n");
-        for (const StudyPicture& picture : scene.pictures) checksum.add(picture.code).add("\n");
+    for (const StudyView& view : study.views) {
+        checksum.add(view.title).add("\n");
+        for (const StudyPicture& picture : view.pictures) checksum.add(picture.code).add("\n");
     }
     return checksum.text();
 }
 
-std::optional<ShownScene> picture_of(const RatingStudy& study, const std::string& code) {
-    for (std::size_t scene = 0; scene < study.scenes.size(); ++scene) {
-        const auto& pictures = study.scenes[scene].pictures;
+std::optional<ShownView> picture_of(const RatingStudy& study, const std::string& code) {
+    for (std::size_t view = 0; view < study.views.size(); ++view) {
+        const auto& pictures = study.views[view].pictures;
         const auto found = std::ranges::find(pictures, code, &StudyPicture::code);
-        if (found != pictures.end()) return ShownScene{scene, {static_cast<std::size_t>(found - pictures.begin())}};
+        if (found != pictures.end()) return ShownView{view, {static_cast<std::size_t>(found - pictures.begin())}};
     }
     return std::nullopt;
 }
@@ -132,18 +132,18 @@ nlohmann::ordered_json key_json(const RatingStudy& study) {
     for (const StudyMethod& method : study.methods)
         key["methods"].push_back({{"name", method.name}, {"title", method.title}});
     key["compared"] = study.methods[study.method].name;
-    for (const StudyScene& scene : study.scenes) {
+    for (const StudyView& view : study.views) {
         nlohmann::ordered_json pictures = nlohmann::ordered_json::object();
-        for (const StudyPicture& picture : scene.pictures) pictures[picture.code] = study.methods[picture.method].name;
-        key["scenes"].push_back({{"title", scene.title}, {"pictures", pictures}});
+        for (const StudyPicture& picture : view.pictures) pictures[picture.code] = study.methods[picture.method].name;
+        key["scenes"].push_back({{"title", view.title}, {"pictures", pictures}});
     }
     key["seed"] = study.seed;
     for (const RaterOrder& order : study.orders) {
         nlohmann::ordered_json shown = nlohmann::ordered_json::array();
-        for (const ShownScene& scene : order) {
+        for (const ShownView& view : order) {
             nlohmann::ordered_json codes = nlohmann::ordered_json::array();
-            for (const std::size_t picture : scene.pictures)
-                codes.push_back(study.scenes[scene.scene].pictures[picture].code);
+            for (const std::size_t picture : view.pictures)
+                codes.push_back(study.views[view.view].pictures[picture].code);
             shown.push_back(codes);
         }
         key["orders"].push_back(shown);

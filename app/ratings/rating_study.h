@@ -58,24 +58,24 @@ struct StudyPicture {
     bool operator==(const StudyPicture&) const = default;
 };
 
-struct StudyScene {
+struct StudyView {
     std::string title;                  // for raters and tables: "The whole tree"
     std::vector<StudyPicture> pictures; // one per method, ordered by code
-    bool operator==(const StudyScene&) const = default;
+    bool operator==(const StudyView&) const = default;
 };
 
 // A study view as a rater sees it: its pictures from left to right.
-struct ShownScene {
-    std::size_t scene = 0;
-    std::vector<std::size_t> pictures; // indices into StudyScene::pictures
-    bool operator==(const ShownScene&) const = default;
+struct ShownView {
+    std::size_t view = 0;
+    std::vector<std::size_t> pictures; // indices into StudyView::pictures
+    bool operator==(const ShownView&) const = default;
 };
-using RaterOrder = std::vector<ShownScene>; // in order of presentation
+using RaterOrder = std::vector<ShownView>; // in order of presentation
 
 struct RatingStudy {
     std::vector<StudyMethod> methods;
     std::size_t method = 0; // the method compared with each of the others
-    std::vector<StudyScene> scenes;
+    std::vector<StudyView> views;
     std::uint64_t seed = 0;
     std::vector<RaterOrder> orders; // by rater number - 1
     bool operator==(const RatingStudy&) const = default;
@@ -86,7 +86,7 @@ struct RatingStudy {
 [[nodiscard]] std::string id_of(const RatingStudy& study);
 
 // The picture with this code; none: unknown.
-[[nodiscard]] std::optional<ShownScene> picture_of(const RatingStudy& study, const std::string& code);
+[[nodiscard]] std::optional<ShownView> picture_of(const RatingStudy& study, const std::string& code);
 
 // The content of the key's file.
 [[nodiscard]] nlohmann::ordered_json key_json(const RatingStudy& study);

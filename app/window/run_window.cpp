@@ -10,9 +10,9 @@
 #include "app/window/drawing_thread.h"
 #include "app/window/glfw_window.h"
 #include "app/window/imgui_renderer.h"
-#include "app/window/loop_watch.h"
 #include "app/window/shown_picture.h"
 #include "app/window/status_file.h"
+#include "app/window/tick_watch.h"
 #include "app/window/viewer.h"
 #include "core/base/memory.h"
 #include "core/base/own_process.h"
@@ -160,7 +160,7 @@ private:
 };
 
 Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keeper& keeper,
-                  const WindowOptions& options, std::vector<ScriptLine> script, LoopWatch& watch) {
+                  const WindowOptions& options, std::vector<ScriptLine> script, TickWatch& watch) {
     StatusFile status(options.status);
     SpareMemory spare_memory;
     watch.waits();
@@ -249,7 +249,7 @@ int run_window(const WindowOptions& options) {
     if (auto made = renderer.make(options.graphics_bytes); !made) return complain(made.error());
     if (thread->has_thread()) ShownPicture::prepare();
     fonts.wait();
-    LoopWatch watch;
+    TickWatch watch;
     auto viewer = Viewer::create(workspace, renderer.get(), (*window)->scale(), wake_window, thread.get());
     if (!viewer) return complain(viewer.error());
     (*viewer)->tell_steps([&watch](const char* step) { watch.did(step); });

@@ -17,7 +17,7 @@
 #include "app/panels/warnings_panel.h"
 #include "app/panels/written_notice.h"
 #include "app/session/session_file.h"
-#include "app/window/loop_watch.h"
+#include "app/window/tick_watch.h"
 #include "app/window/viewer.h"
 #include "core/io/json_text.h"
 #include "core/io/output_file.h"
@@ -116,7 +116,7 @@ void add_document(nlohmann::json& status, const Document& document) {
     status["redo"] = document.can_redo() ? document.step_name(document.position()) : "";
 }
 
-nlohmann::json to_json(const LoopWatch::Gap& gap) {
+nlohmann::json to_json(const TickWatch::Gap& gap) {
     return {{"ended", gap.ended}, {"seconds", gap.seconds}, {"processor_seconds", gap.processor_seconds},
             {"doing", gap.doing}, {"waiting", gap.waiting}, {"command", gap.command}};
 }
@@ -133,7 +133,7 @@ double StatusFile::wait_seconds() const {
     return path_.empty() ? std::numeric_limits<double>::infinity() : kQuestionSeconds;
 }
 
-void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const LoopWatch& watch) {
+void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const TickWatch& watch) {
     if (path_.empty()) return;
     const Layout& layout = viewer.layout();
     const Interface& interface = viewer.interface();
@@ -183,7 +183,7 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const 
     status["notice"] = interface.notice.text;
     status["longest_gap"] = to_json(watch.longest());
     status["gaps"] = nlohmann::json::array();
-    for (const LoopWatch::Gap& gap : watch.latest()) status["gaps"].push_back(to_json(gap));
+    for (const TickWatch::Gap& gap : watch.latest()) status["gaps"].push_back(to_json(gap));
     if (!viewer.commands().awaits()) known_ = asked_; // a click takes effect only after its pick
     status["answered"] = known_;
     if (viewer.controls()) status["controls"] = *viewer.controls();

@@ -7,7 +7,7 @@
 
 namespace ramus::app {
 
-class LoopWatch;
+class TickWatch;
 class Viewer;
 class Workspace;
 
@@ -18,7 +18,7 @@ class StatusFile {
 public:
     explicit StatusFile(std::string path) : path_(std::move(path)) {}
     void look_for_question(); // call before handling events
-    void update(const Viewer& viewer, const Workspace& workspace, const LoopWatch& watch);
+    void update(const Viewer& viewer, const Workspace& workspace, const TickWatch& watch);
     [[nodiscard]] double wait_seconds() const; // until the next call of look_for_question()
 
 private:

@@ -28,7 +28,7 @@ struct ViewerState {
         : wake(std::move(its_wake)), workspace(with), commands(wake) {}
 
     std::function<void()> wake;                                     // called on other threads; thread-safe
-    std::function<void(const char* step)> did = [](const char*) {}; // called after each step of a frame (LoopWatch)
+    std::function<void(const char* step)> did = [](const char*) {}; // called after each step of a tick (TickWatch)
 
     Workspace& workspace;
     CommandRunner commands;

@@ -131,7 +131,7 @@ struct SurfacePoints {
 // Numbered by bits: 1 = upper x, 2 = upper y, 4 = upper z.
 inline constexpr int kChildren = 8;
 
-// Eight cubes of edge `side` around `middle`: mm, relative to the middle of the field's frame.
+// Eight cubes of edge `side` around `middle`: mm, relative to the middle of the field's extent.
 struct ChildCubes {
     glm::vec3 middle{0.0F};
     float side = 0.0F;

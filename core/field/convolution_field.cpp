@@ -9,7 +9,7 @@ namespace ramus::field {
 namespace {
 
 std::vector<CullingSegment> culling_segments(const Skeleton& skeleton) {
-    const glm::dvec3 origin = skeleton.frame().middle();
+    const glm::dvec3 origin = skeleton.extent().middle();
     std::vector<CullingSegment> segments;
     segments.reserve(skeleton.segments().size());
     for (const FieldSegment& s : skeleton.segments())

@@ -22,7 +22,7 @@ public:
     [[nodiscard]] ConvolutionField without(std::span<const std::uint8_t> hidden) const;
 
     [[nodiscard]] const Kernel& kernel() const { return kernel_; }
-    [[nodiscard]] const Frame& frame() const { return skeleton_.frame(); }
+    [[nodiscard]] const Extent& extent() const { return skeleton_.extent(); }
     [[nodiscard]] const std::vector<FieldSegment>& segments() const { return skeleton_.segments(); }
     [[nodiscard]] const std::vector<std::uint32_t>& present() const { return skeleton_.present(); }
 

@@ -48,7 +48,7 @@ public:
         : model_(std::make_shared<const Of<M>>(std::move(model))) {} // NOLINT: a model is a field
 
     [[nodiscard]] const Skeleton& skeleton() const { return model_->skeleton(); }
-    [[nodiscard]] const Frame& frame() const { return skeleton().frame(); }
+    [[nodiscard]] const Extent& extent() const { return skeleton().extent(); }
     [[nodiscard]] float isovalue() const { return model_->isovalue(); }
     [[nodiscard]] double support_radii() const { return model_->support_radii(); }
     [[nodiscard]] ChildBounds bound_children(SegmentIndices list, const ChildCubes& cubes,

@@ -21,7 +21,7 @@ namespace ramus::field {
 
 struct Kernel;
 
-// The data of a segment that culling needs, in single precision relative to the middle of the field's frame, mm.
+// The data of a segment that culling needs, in single precision relative to the middle of the field's extent, mm.
 struct CullingSegment {
     float ax, ay, az, ux, uy, uz;
     float length, radius, slope, beyond;

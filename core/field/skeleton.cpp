@@ -44,9 +44,9 @@ Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii) {
     const std::size_t count = tree.segment_count();
     std::vector<FieldSegment> segments(prepared.segment_index.empty() ? count : prepared.source_segments);
     std::vector<std::uint8_t> is_present(segments.size(), 0);
-    frame_.lower = glm::dvec3(std::numeric_limits<double>::max());
-    frame_.upper = -frame_.lower;
-    frame_.thinnest = std::numeric_limits<double>::max();
+    extent_.lower = glm::dvec3(std::numeric_limits<double>::max());
+    extent_.upper = -extent_.lower;
+    extent_.thinnest = std::numeric_limits<double>::max();
     const bool smooth = prepared.centerline == tree::Centerline::kSmooth;
     cut_ends_ = std::make_shared<const std::vector<CutEnd>>(cut_ends_of(prepared));
     std::size_t ordinal = 0;
@@ -80,9 +80,9 @@ Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii) {
 
             const glm::dvec3 reach((support_radii + (cut_ends_->empty() ? 0.0 : kBeyondCut)) *
                                    std::max({radius, end_radius, double(segments[index].thickest())}));
-            frame_.lower = glm::min(frame_.lower, glm::min(from.position, to.position) - reach);
-            frame_.upper = glm::max(frame_.upper, glm::max(from.position, to.position) + reach);
-            frame_.thinnest = std::min({frame_.thinnest, radius, end_radius});
+            extent_.lower = glm::min(extent_.lower, glm::min(from.position, to.position) - reach);
+            extent_.upper = glm::max(extent_.upper, glm::max(from.position, to.position) + reach);
+            extent_.thinnest = std::min({extent_.thinnest, radius, end_radius});
         }
     }
     present_.reserve(count);
@@ -91,9 +91,9 @@ Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii) {
     segments_ = std::make_shared<const std::vector<FieldSegment>>(std::move(segments));
 }
 
-Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii, const Frame& frame)
+Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii, const Extent& extent)
     : Skeleton(prepared, support_radii) {
-    frame_ = frame;
+    extent_ = extent;
 }
 
 Skeleton Skeleton::without(std::span<const std::uint8_t> hidden) const {
@@ -106,7 +106,7 @@ Skeleton Skeleton::without(std::span<const std::uint8_t> hidden) const {
 }
 
 std::optional<SegmentChanges> Skeleton::changes_since(const Skeleton& before) const {
-    if (frame_ != before.frame_ || segments_->size() != before.segments_->size()) return std::nullopt;
+    if (extent_ != before.extent_ || segments_->size() != before.segments_->size()) return std::nullopt;
     const bool shared = segments_ == before.segments_;
     const auto same = [&](std::uint32_t index) { return shared || (*before.segments_)[index] == (*segments_)[index]; };
     SegmentChanges changes;

@@ -45,12 +45,12 @@ struct alignas(64) FieldSegment {
 [[nodiscard]] double beyond_for(double slope);
 
 // The box around a field and its thinnest radius, from which lattices are derived. A field and parts of it share one
-// frame, so that their common parts have the same bits.
-struct Frame {
+// extent, so that their common parts have the same bits.
+struct Extent {
     glm::dvec3 lower{0.0}, upper{0.0}; // box around all supports, mm
     double thinnest = 0.0;             // smallest radius, mm
     [[nodiscard]] glm::dvec3 middle() const { return 0.5 * (lower + upper); }
-    bool operator==(const Frame&) const = default;
+    bool operator==(const Extent&) const = default;
 };
 
 // The segments in which two states of a field differ, as indices into the earlier state and into the later one,
@@ -63,8 +63,8 @@ class Skeleton {
 public:
     // `support_radii`: how far the field of a segment reaches, in local radii.
     Skeleton(const tree::PreparedTree& prepared, double support_radii);
-    // With the frame of a larger tree.
-    Skeleton(const tree::PreparedTree& prepared, double support_radii, const Frame& frame);
+    // With the extent of a larger tree.
+    Skeleton(const tree::PreparedTree& prepared, double support_radii, const Extent& extent);
     // The same without the branches (ids in the file's tree) whose entry is not 0.
     [[nodiscard]] Skeleton without(std::span<const std::uint8_t> hidden) const;
 
@@ -73,15 +73,15 @@ public:
     [[nodiscard]] const std::vector<std::uint32_t>& present() const { return present_; } // ascending
     // Ends with a flat cap; their segments are extended beyond the cap (core/field/cut_ends.h).
     [[nodiscard]] const std::vector<CutEnd>& cut_ends() const { return *cut_ends_; }
-    [[nodiscard]] const Frame& frame() const { return frame_; }
-    // The differences from an earlier state; nothing if the two have different frames or numbers of segments.
+    [[nodiscard]] const Extent& extent() const { return extent_; }
+    // The differences from an earlier state; nothing if the two have different extents or numbers of segments.
     [[nodiscard]] std::optional<SegmentChanges> changes_since(const Skeleton& before) const;
 
 private:
     std::shared_ptr<const std::vector<FieldSegment>> segments_;
     std::shared_ptr<const std::vector<CutEnd>> cut_ends_;
     std::vector<std::uint32_t> present_;
-    Frame frame_;
+    Extent extent_;
 };
 
 } // namespace ramus::field

@@ -59,17 +59,17 @@ namespace {
 
 // Of all trees that pruning may leave. Pruning may take the thinnest vessel, or the one that reaches farthest; bounds
 // of the tree as it came hold what smoothing makes of any part of it.
-field::Frame frame_of_all_parts(const tree::VesselTree& source, SurfaceOptions options, double support_radii) {
-    const auto frame_of = [&](int smooth_passes) {
+field::Extent extent_of_all_parts(const tree::VesselTree& source, SurfaceOptions options, double support_radii) {
+    const auto extent_of = [&](int smooth_passes) {
         options.smooth_passes = smooth_passes;
-        return field::Skeleton(prepare_tree(source, options), support_radii).frame();
+        return field::Skeleton(prepare_tree(source, options), support_radii).extent();
     };
     options.prune_ratio = 0.0;
-    const double thinnest = frame_of(options.smooth_passes).thinnest;
+    const double thinnest = extent_of(options.smooth_passes).thinnest;
     options.centerline = tree::Centerline::kLines; // curves stay within the hull of their points
-    field::Frame frame = frame_of(0);
-    frame.thinnest = thinnest;
-    return frame;
+    field::Extent extent = extent_of(0);
+    extent.thinnest = thinnest;
+    return extent;
 }
 
 field::ConvolutionField sum_of(const tree::VesselTree& source, const SurfaceOptions& options,
@@ -78,9 +78,9 @@ field::ConvolutionField sum_of(const tree::VesselTree& source, const SurfaceOpti
     const bool exact = options.radii == Radii::kExact;
     const PreparedTree& ready = exact ? field::with_kernel_radii(prepared, kernel) : prepared;
     if (!(options.prune_ratio > 0.0)) return {field::Skeleton(ready, kernel.support_radii), kernel};
-    field::Frame frame = frame_of_all_parts(source, options, kernel.support_radii * (exact ? field::kWidest : 1.0));
-    if (exact) frame.thinnest *= field::kNarrowest;
-    return {field::Skeleton(ready, kernel.support_radii, frame), kernel};
+    field::Extent extent = extent_of_all_parts(source, options, kernel.support_radii * (exact ? field::kWidest : 1.0));
+    if (exact) extent.thinnest *= field::kNarrowest;
+    return {field::Skeleton(ready, kernel.support_radii, extent), kernel};
 }
 
 } // namespace

@@ -50,7 +50,7 @@ struct TreeField {
 // Checks the plain sum before contacts are searched: the search takes the longer, the thicker the vessels are.
 using SumCheck = std::function<Result<void>(const field::Field& sum)>;
 
-// The frame of the field is that of the whole tree, so that hiding and pruning leave everything else as it is, to the
+// The extent of the field is that of the whole tree, so that hiding and pruning leave everything else as it is, to the
 // last bit. Fails as `check` does.
 [[nodiscard]] Result<TreeField> make_tree_field(const tree::VesselTree& source, const SurfaceOptions& options,
                                                 const SumCheck& check = {});

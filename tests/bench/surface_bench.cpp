@@ -186,7 +186,7 @@ void measure(const std::string& name, const tree::VesselTree& tree, const BenchO
     const field::ConvolutionField field(prepared, surface_options.width);
     mesh::PolygonizeOptions polygonize_options;
     polygonize_options.detail = options.detail;
-    polygonize_options.cell_mm = options.finest_cell ? field.frame().thinnest / 1.5 : options.cell_mm;
+    polygonize_options.cell_mm = options.finest_cell ? field.extent().thinnest / 1.5 : options.cell_mm;
     const Timing timing = time_runs(field, polygonize_options, options.runs, options.threads);
     if (timing.mesh.triangles.empty()) {
         std::printf("%-22s could not be meshed\n", name.c_str());

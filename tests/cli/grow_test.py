@@ -34,7 +34,7 @@ class Grow(unittest.TestCase):
         grown = ramus("grow", "-o", self.path(name), *options)
         self.assertEqual((grown.returncode, grown.stdout), (0, ""), grown.stderr)
 
-    def test_info_counts_as_many_branches_as_asked_for(self):
+    def test_info_counts_the_requested_number_of_branches(self):
         for branches in (1, 3, 4, 63, 64, 1504):
             for name in ("tree.swc", "tree.json"):
                 self.grow(name, "--branches", str(branches), "--seed", "5")
@@ -57,7 +57,7 @@ class Grow(unittest.TestCase):
         self.grow("b.swc", *head.split()[3:])
         self.assertEqual(self.read("a.swc"), self.read("b.swc"))
 
-    def test_murray_holds_in_the_file(self):
+    def test_radii_follow_murrays_law(self):
         self.grow("a.swc", "--branches", "300")
         points, children = {}, {}
         for line in self.read("a.swc").decode().splitlines():
@@ -71,7 +71,7 @@ class Grow(unittest.TestCase):
             flow = sum(points[child] ** 3 for child in below)
             self.assertAlmostEqual(flow / points[node] ** 3, 1.0, delta=1e-9)
 
-    def test_wrong_usage_is_told_from_failure_and_leaves_no_file(self):
+    def test_wrong_usage_and_failure_have_different_statuses_and_leave_no_file(self):
         wrong = [["--branches", "2"], ["--branches", "0"], ["--branches", "many"], ["--root-radius", "nan"],
                  ["--root-radius", "-1"], ["--spacing", "0"], ["--seed", "x"], ["--organ-size", "inf"]]
         for options in wrong:

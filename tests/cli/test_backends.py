@@ -37,7 +37,7 @@ class Backends(CommandLineTest):
             print("SKIPPED: no EGL here:", result.stderr.strip())
         return result.returncode == 0
 
-    def test_says_what_draws(self):
+    def test_json_and_verbose_name_the_backend(self):
         report = self.draw("a.png")
         self.assertEqual(report["gl"]["backend"], "osmesa")
         self.assertGreaterEqual([int(part) for part in report["gl"]["version"].split(".")], [3, 3])
@@ -68,7 +68,7 @@ class Backends(CommandLineTest):
                 self.assertEqual(self.draw("old.png", version=version)["gl"]["version"], version)
                 self.assertLessEqual(self.difference("new.png", "old.png"), 1)
 
-    def test_too_old(self):
+    def test_too_old_opengl_is_refused(self):
         says = self.draw("no.png", version="3.1", status=1)
         for words in ("OpenGL 3.1 is too old", "3.3 is needed", "install"):
             self.assertIn(words, says)
@@ -84,7 +84,7 @@ class Backends(CommandLineTest):
         # All else goes on without it.
         self.draw("a.png", LD_LIBRARY_PATH=str(self.folder / "lib"))
 
-    def test_device_that_is_not_there(self):
+    def test_missing_device(self):
         if not self.has_egl():
             return
         self.assertIn("no device 63", self.draw("no.png", "--backend", "egl", "--device", "63", status=1))

@@ -36,7 +36,7 @@ BAD_TREES = {
 
 
 class BadTrees(CommandLineTest):
-    def test_every_command_refuses_them(self):
+    def test_every_command_refuses_bad_trees(self):
         for name, (content, says) in BAD_TREES.items():
             tree = self.write("bad.swc", content)
             for command in (["info", tree], ["info", tree, "--json"], ["mesh", tree, "-o", "out.ply"],
@@ -51,7 +51,7 @@ class BadTrees(CommandLineTest):
             tree = self.write("bad.swc", "# head\n\n1 2 0 0 0 1 -1\n2 2 0 0 bad 1 1\n".replace("\n", ending))
             self.expect_failure("info", tree, says=["bad.swc:4:"])
 
-    def test_files_that_are_none(self):
+    def test_missing_files_and_folders(self):
         for command in (["info"], ["mesh", "-o", "out.ply"], ["convert", "-o", "out.json"]):
             with self.subTest(command=command[0]):
                 self.expect_failure(*command, "missing.swc", says=["missing.swc", "no such file", "check the path"])
@@ -107,7 +107,7 @@ class BadTrees(CommandLineTest):
 
 
 class Repairs(CommandLineTest):
-    def test_a_zero_radius_is_mended_and_told(self):
+    def test_a_zero_radius_is_repaired_and_reported(self):
         tree = self.write("tree.swc", "1 2 0 0 0 1 -1\n2 2 0 0 5 0 1\n3 2 0 0 10 2 2\n")
         info = self.json("info", tree, "--json")
         self.assertEqual(len(info["repairs"]), 1)

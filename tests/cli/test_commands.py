@@ -56,14 +56,14 @@ class Sessions(CommandLineTest):
         cones = self.json("mesh", "--session", self.session(1, 2), "--method", "cones", "-o", "cones.ply", "--json")
         self.assertEqual(cones["components"], 2)  # one for each segment of the stem
 
-    def test_the_command_line_wins_over_the_session(self):
+    def test_the_command_line_takes_precedence_over_the_session(self):
         session = self.session(detail=8)
         coarse = self.json("mesh", self.tree, "--session", session, "-o", "a.ply", "--json")
         self.assertEqual(coarse["triangles"], self.json("mesh", self.tree, "--detail", 8, "-o", "b.ply", "--json")["triangles"])
         fine = self.json("mesh", self.tree, "--session", session, "--detail", 16, "-o", "c.ply", "--json")
         self.assertEqual(fine["triangles"], self.json("mesh", self.tree, "-o", "d.ply", "--json")["triangles"])
 
-    def test_what_a_session_can_get_wrong(self):
+    def test_invalid_sessions_are_refused(self):
         self.expect_failure("mesh", "--session", self.session(0, 1, 2), "-o", "out.ply", says=["every branch is hidden"])
         self.expect_failure("mesh", "--session", self.session(3), "-o", "out.ply", says=["session.json", "3"])
         self.expect_failure("mesh", "--session", "absent.json", "-o", "out.ply", says=["absent.json"])
@@ -108,7 +108,7 @@ class Planning(CommandLineTest):
         self.assertAlmostEqual(float(self.rows("sphere.csv")[0]["lesion_distance"]), 5 - 1 - 1, places=5)
         self.assertIn(0, json.loads((self.folder / "s.json").read_text())["selection"])
 
-    def test_selections_filters_and_measurements_say_what_they_found(self):
+    def test_selections_filters_and_measurements_report_results(self):
         said = self.plan("select-generation 1\nfilter-diameter 1.7 hide\nmeasure path 1 2\nmeasure diameter 0 0\n"
                          "measure distance 0,0,0 0,3,4\nmeasure angle 1\nreport all.csv measurements\n")
         self.assertIn("Selected 2 branches", said)
@@ -119,7 +119,7 @@ class Planning(CommandLineTest):
         self.assertAlmostEqual(values[2], 5.0)
         self.assertAlmostEqual(values[3], math.degrees(math.atan2(3, 5)), places=4)
 
-    def test_in_a_network_only_what_has_no_other_way_depends(self):
+    def test_in_a_network_only_branches_without_another_path_are_dependents(self):
         ring = self.write("ring.json", json.dumps({
             "format": "ramus-tree", "version": 1, "units": "mm", "orientation": "RAS",
             "points": [[0, 0, 0, 1], [5, 0, 0, 1], [8, 4, 0, 1], [8, -4, 0, 1], [11, 0, 0, 1], [15, 0, 0, 1]],
@@ -136,7 +136,7 @@ class Planning(CommandLineTest):
         self.assertNotIn("<b>", page)
         self.assertNotIn("://", page)
 
-    def test_what_cannot_be_done_is_named_and_leaves_nothing(self):
+    def test_failing_commands_are_reported_and_leave_no_file(self):
         tree = self.write("tree.swc", GOOD)
         self.write("open.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
                                "endloop\nendfacet\nendsolid x\n")
@@ -150,7 +150,7 @@ class Planning(CommandLineTest):
 
 
 class Info(CommandLineTest):
-    def test_figures_of_a_fork(self):
+    def test_json_of_a_fork(self):
         tree = self.write("tree.swc", GOOD)
         info = self.json("info", tree, "--json")
         self.assertEqual(list(info), ["branches", "segments", "roots", "loops", "length_mm", "length", "volume_mm3",
@@ -193,7 +193,7 @@ class Info(CommandLineTest):
         self.assertEqual((branches[1]["diameter_mm"]["min"], branches[1]["diameter_mm"]["max"]), (1.2, 1.8))
         self.assertAlmostEqual(branches[1]["diameter_mm"]["mean"], 1.5)
 
-    def test_text_for_people(self):
+    def test_text_output(self):
         tree = self.write("tree.swc", GOOD)
         text = self.expect_done("info", tree, "--branches").stdout
         self.assertRegex(text, r"branches +3 \(2 leaves\)")
@@ -216,7 +216,7 @@ class Mesh(CommandLineTest):
                 edges.add(edge)
         self.assertTrue(all((b, a) in edges for a, b in edges))
 
-    def test_figures_and_file_agree(self):
+    def test_json_and_mesh_file_agree(self):
         tree = self.write("tree.swc", GOOD)
         for method in ("cs", "cones"):
             with self.subTest(method):
@@ -279,7 +279,7 @@ def without_notes(info):
 
 
 class Convert(CommandLineTest):
-    def test_there_and_back_again(self):
+    def test_conversion_and_back_keeps_the_tree(self):
         # Ids with gaps, comments, labels and numbers that rounding would change.
         tree = self.write("tree.swc", "\ufeff# head\r\n7 3 0.1 1e-17 0.30000000000000004 1.25 -1 # root\r\n"
                           "9\t5 0 0 5 0.3333333333333333 7\r\n12 -4 1 0 10 1 9\r\n13 900 -1 0 10 1 9\r\n"

@@ -26,7 +26,7 @@ class Compare(CommandLineTest):
         self.assertEqual(struct.unpack(">II", content[16:24]), (300, 160))
         return content
 
-    def test_every_way_of_comparing_is_another_picture(self):
+    def test_every_comparison_mode_gives_another_picture(self):
         all_three = ("--methods", "iso,cones,cs", "--mask", "mask.nii.gz")
         pictures = [self.picture("plain.png"), self.picture("s.png", "--skeleton")]
         for mode in ("side-by-side", "blend", "superimposed"):
@@ -171,11 +171,11 @@ class Compare(CommandLineTest):
         self.assertEqual(benchmark("--commands", "c.txt")["triangles"], both["triangles"])
         self.assertEqual(benchmark()["panes"], 1)
 
-    def test_with_the_window_around_it(self):
+    def test_comparison_inside_the_window(self):
         self.write("c.txt", "compare blend cs,iso\ncompare-blend 0.3\n")
         self.picture("ui.png", "--ui", "--commands", "c.txt")
 
-    def test_what_cannot_be_compared(self):
+    def test_invalid_comparisons_are_refused(self):
         for wrong in (["--compare", "magic"], ["--compare", "blend", "--methods", "cs"],
                       ["--compare", "blend", "--methods", "cs,cs"], ["--compare", "blend", "--share", "2"],
                       ["--share", "0.5"], ["--methods", "cs,iso"], ["--mask", "mask.nii.gz"],

@@ -53,7 +53,7 @@ class Info(CommandLineTest):
         self.assertEqual(summary.split(), ["contacts", "1", "(1", "overlap,", "0", "crossings)"])
         self.assertIn("1: branch 0 with 1 at 0, 0, 0.9 mm: overlap 0.2 mm; narrowed by 0.1 and 0.1 mm; along ", line)
 
-    def test_a_gap_and_none(self):
+    def test_a_small_gap_is_a_contact_and_a_large_one_is_not(self):
         apart = CROSSING.replace(" 1.8 ", " {} ")
         self.assertAlmostEqual(self.contacts(apart.format(2.1, 2.1))[0]["gap_mm"], 0.1)
         self.assertIn("gap 0.1 mm", self.listed(apart.format(2.1, 2.1))[1])
@@ -62,13 +62,13 @@ class Info(CommandLineTest):
         self.assertEqual(self.listed(apart.format(2.4, 2.4))[0].split(), ["contacts", "none"])
         self.assertNotIn("contacts", self.json("info", "tree.swc", "--json"))
 
-    def test_axes_that_cross_say_so(self):
+    def test_crossing_axes_are_reported(self):
         found, = self.contacts(CROSSING.replace(" 1.8 ", " 0 "))
         self.assertIs(found["crossing"], True)
         self.assertAlmostEqual(found["gap_mm"], -2.0)
         self.assertIn("axes cross, overlap 2 mm", self.listed(CROSSING.replace(" 1.8 ", " 0 "))[1])
 
-    def test_they_are_those_of_the_prepared_tree(self):
+    def test_contacts_are_found_in_the_prepared_tree(self):
         # The bend at z = 1 goes to 0.5 in one pass: (0 + 2 x 1 + 0) / 4, with voxels so large that it reaches both ends.
         tree = "# id type x y z radius parent (unknown, unknown) voxel 100 0 0 0 100 0 0 0 100\n" + tubes([(0, -10, 0), (0, 0, 1), (0, 10, 0)], [(-10, 0, 2.5), (10, 0, 2.5)])
         # Round, the bend is lower by half a radius times the sine of half the angle that it turns by.
@@ -87,7 +87,7 @@ class Info(CommandLineTest):
         self.assertEqual(len(self.contacts(twig)), 1)
         self.assertEqual(self.contacts(twig, "--prune", "0.5"), [])
 
-    def test_people_get_the_closest_and_programs_all(self):
+    def test_text_lists_the_closest_and_json_lists_all(self):
         many = tubes([(0, 0, 0), (200, 0, 0)],
                      *([(8 * i, -3, 1.5 + 0.02 * i), (8 * i, 3, 1.5 + 0.02 * i)] for i in range(1, 24)))
         found = self.contacts(many)
@@ -100,7 +100,7 @@ class Info(CommandLineTest):
         self.assertEqual(len(lines), 22)
         self.assertTrue(lines[-1].endswith("and 3 more, which --json lists"), lines[-1])
 
-    def test_what_it_is_not_of(self):
+    def test_contacts_option_is_refused_where_it_does_not_apply(self):
         self.write("tree.swc", CROSSING)
         for option in (("--prune", "0.5"), ("--centerline", "lines"), ("--width", "1")):
             self.expect_failure("info", "tree.swc", *option, says=["--contacts"], status=2)
@@ -116,7 +116,7 @@ class Blend(CommandLineTest):
     def components(self, *arguments):
         return self.json("mesh", "-o", "out.ply", "--json", *arguments)["components"]
 
-    def test_the_surface_is_held_against_the_tree(self):
+    def test_pieces_and_loops_are_compared_with_the_tree(self):
         """A vessel, and another one that crosses it twice: merged they are one piece with a loop, and that is told."""
         self.write("tree.swc", tubes([(0, -10, 0), (0, 10, 0)], [(-10, -5, 1.8), (10, -5, 1.8), (10, 5, 1.8), (-10, 5, 1.8)]))
         for blend, pieces, loops in (("tree", 2, 0), ("paper", 1, 1)):
@@ -132,7 +132,7 @@ class Blend(CommandLineTest):
         self.assertEqual(self.components("crossing.swc", "--blend", "paper"), 1)
         self.assertEqual(self.components("crossing.swc", "--blend", "tree"), 2)
 
-    def test_commands_and_sessions_keep_what_was_chosen(self):
+    def test_commands_and_sessions_keep_the_blend(self):
         self.write("c.txt", "save tree.json\nblend\nsave paper.json\nsurface blend tree\nundo\nsave undone.json\n")
         self.expect_done("render", "crossing.swc", "-o", "out.png", "--size", "64x64", "--commands", "c.txt")
         blends = {name: json.loads((self.folder / name).read_text())["options"]["blend"]
@@ -143,7 +143,7 @@ class Blend(CommandLineTest):
         self.assertEqual(self.components("--session", "paper.json"), 1)
         self.assertEqual(self.components("--session", "paper.json", "--blend", "tree"), 2)
 
-    def test_pictures_show_it(self):
+    def test_pictures_depend_on_the_blend(self):
         pictures = []
         for blend in ("paper", "tree"):
             self.expect_done("render", "crossing.swc", "-o", "out.png", "--size", "200x200", "--view", "superior",
@@ -151,7 +151,7 @@ class Blend(CommandLineTest):
             pictures.append((self.folder / "out.png").read_bytes())
         self.assertNotEqual(*pictures)
 
-    def test_other_words_are_wrong_usage(self):
+    def test_unknown_blends_are_wrong_usage(self):
         for command in (("mesh", "crossing.swc", "-o", "out.ply"), ("render", "crossing.swc", "-o", "out.png"),
                         ("study", "crossing.swc", "-o", "study")):
             self.expect_failure(*command, "--blend", "0.5", says=["--blend", "paper", "tree"], status=2)
@@ -177,7 +177,7 @@ class Pictures(CommandLineTest):
         self.assertEqual((self.folder / "shot.png").read_bytes(), marked)
         self.assertEqual(self.picture("s.png", "--session", "s.json"), marked)
 
-    def test_a_command_goes_to_one(self):
+    def test_a_command_goes_to_a_contact(self):
         self.write("c.txt", "contact 1\nsave s.json\nreport page.html\n")
         self.picture("c.png", "crossing.swc", "--commands", "c.txt")
         session = json.loads((self.folder / "s.json").read_text())
@@ -190,7 +190,7 @@ class Pictures(CommandLineTest):
         self.write("c.txt", "contact 2\n")
         self.expect_failure("render", "crossing.swc", "-o", "c.png", "--commands", "c.txt", says=["c.txt:1", "which contact?"])
 
-    def test_one_is_shown_both_ways(self):
+    def test_a_contact_is_shown_with_both_blends(self):
         ways = [self.picture(f"{way}.png", "crossing.swc", "--contact", "1", "--compare", "wipe", "--wipe", at)
                 for way, at in (("apart", "0"), ("merged", "1"), ("both", "0.5"))]
         self.assertEqual(len(set(ways)), 3)

@@ -1,4 +1,4 @@
-"""Masks and meshes beside the tree: through --context, commands and sessions they come into the same picture."""
+"""Masks and meshes next to the tree: through --context, commands and sessions they come into the same picture."""
 
 import json
 import unittest
@@ -34,7 +34,7 @@ class Context(CommandLineTest):
         self.assertIn(result.returncode, (0, 3), result.stderr)
         return result.returncode == 3
 
-    def test_masks_and_meshes_show_and_can_be_hidden_undone_and_removed(self):
+    def test_masks_and_meshes_are_shown_hidden_undone_and_removed(self):
         self.render("plain.png")
         for line in ("context mask.nii.gz", "context mask.nii.gz --label 2 --opacity 1", "context bone.obj --wireframe",
                      "context bone.obj --colour 20a0ff --opacity 0.5"):
@@ -43,7 +43,7 @@ class Context(CommandLineTest):
                 for after in ("undo", "context-hide 1", "context-remove 1", "context-opacity 1 0"):
                     self.assertFalse(self.differ(self.tree, commands=line + "\n" + after + "\n", reference="plain.png"))
 
-    def test_the_flag_is_the_command_and_a_session_brings_it_back(self):
+    def test_option_command_and_session_give_the_same_picture(self):
         self.render("flag.png", "--context", "mask.nii.gz", "--context", "bone.obj")
         commands = "context mask.nii.gz\ncontext bone.obj\n"
         self.assertFalse(self.differ(self.tree, commands=commands + "save s.json\n", reference="flag.png"))
@@ -52,14 +52,14 @@ class Context(CommandLineTest):
         self.assertRegex(saved[0]["colour"], "^#[0-9a-f]{6}$")
         self.assertFalse(self.differ("--session", "s.json", commands="", reference="flag.png"))
 
-    def test_other_colours_and_densities_are_other_pictures(self):
+    def test_colours_and_opacities_change_the_picture(self):
         self.render("one.png", "--context", "mask.nii.gz")
         for line in ("context-colour 1 \"#20a0ff\"", "context-opacity 1 0.6", "context-style 1 wireframe"):
             with self.subTest(line):
                 self.assertTrue(self.differ(self.tree, "--context", "mask.nii.gz", commands=line + "\n",
                                             reference="one.png"))
 
-    def test_what_cannot_be_read_is_named_and_no_picture_is_left(self):
+    def test_unreadable_context_is_reported_and_leaves_no_picture(self):
         before = self.names()
         self.expect_failure("render", self.tree, *SIZE, "-o", "x.png", "--context", "gone.nii", says=["gone.nii"])
         self.expect_failure("render", self.tree, *SIZE, "-o", "x.png", "--context", self.tree, says=["tree.swc"])

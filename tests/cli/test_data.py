@@ -131,7 +131,7 @@ class Formats(Data):
         return [self.write("own.json", own_json()), self.write("legacy.vtk", vtk_legacy()), self.write("grid.vtu", vtu()),
                 self.write("graph.graphml", graphml()), self.write("pair_nodes.csv", nodes)]
 
-    def test_every_format_that_holds_data_to_every_other(self):
+    def test_data_is_kept_between_all_formats_that_store_it(self):
         for source in self.sources():
             rows = self.check_data(source)
             self.assertAlmostEqual(rows[0]["data"]["pressure"], (87.875 + 82.625) / 2)
@@ -186,16 +186,16 @@ class Formats(Data):
         self.assertEqual(set(data), {"flow", "resistance"})
         self.assertEqual((data["resistance"]["min"], data["resistance"]["max"]), (0.5, 2.5))
 
-    def test_what_is_no_single_number_is_left_out_with_a_note(self):
+    def test_vectors_and_text_are_left_out_with_a_note(self):
         notes = self.json("info", self.write("grid.vtu", vtu()), "--json")["assumptions"]
         self.assertTrue(any("left out" in note and "velocity" in note and "names" in note for note in notes), notes)
 
-    def test_an_array_of_the_wrong_length_costs_no_tree(self):
+    def test_an_array_of_the_wrong_length_does_not_prevent_reading(self):
         path = self.write("short.vtk", vtk_legacy(pressure=PRESSURE[:3]))
         self.assertEqual(set(self.data(path)), {"flow"})
         self.assertTrue(any("pressure" in note for note in self.json("info", path, "--json")["assumptions"]))
 
-    def test_formats_without_a_place_say_so(self):
+    def test_formats_that_cannot_store_data_are_reported(self):
         source = self.write("own.json", own_json())
         for ending, left_out, kept in (("swc", "pressure, flow", set()), ("mrk.json", "flow", {"pressure"})):
             said = self.expect_done("convert", source, "-o", self.folder / f"bare.{ending}").stderr
@@ -204,7 +204,7 @@ class Formats(Data):
             self.assertEqual(len(said.splitlines()), 1)
             self.assertEqual(set(self.data(self.folder / f"bare.{ending}")), kept)
 
-    def test_names_that_have_a_meaning_in_a_format_come_back(self):
+    def test_reserved_names_are_kept(self):
         names = {"Label": [1, 2, 3, 4, 5], "a \"name\" <&; é": [1, 2, 3, 4, 5.5]}
         source = self.write("odd.json", own_json(point_data=names, branch_data={"GroupIds": [7, 8, 9], "length": [1, 2, 3]}))
         for ending, label, length in (("json", "Label", "length"), ("vtp", "Label_data", "length"),
@@ -215,7 +215,7 @@ class Formats(Data):
             self.assertEqual(set(data), {label, "a \"name\" <&; é", "GroupIds", length}, ending)
             self.assertEqual((data["GroupIds"]["min"], data["GroupIds"]["max"]), (7, 9))
 
-    def test_damaged_data_of_own_files_is_refused(self):
+    def test_damaged_data_in_own_formats_is_refused(self):
         for name, more, says in (
                 ("length", {"point_data": {"p": [1, 2]}}, ["point_data.p", "2 values for 5 points"]),
                 ("type", {"branch_data": {"p": [1, "a", 2]}}, ["branch_data.p[1]", "neither a number nor null"]),
@@ -223,7 +223,7 @@ class Formats(Data):
                 ("many", {"branch_data": {str(n): FLOW for n in range(70)}}, ["more than 64 arrays"])):
             self.expect_failure("info", self.write(f"{name}.json", own_json(**more)), says=says)
 
-    def test_too_many_arrays_of_other_files_are_left_out(self):
+    def test_too_many_arrays_in_other_formats_are_left_out(self):
         extra = "".join(f"\nSCALARS a{n} float 1\nLOOKUP_TABLE default\n1 2 3 4 5" for n in range(90))
         path = self.write("many.vtk", vtk_legacy(extra))
         self.assertEqual(len(self.data(path)), 64)
@@ -336,7 +336,7 @@ class OtherFormats(Data):
             "volume": ("points", 8.5, 8.5, 1, 4), "flow": ("branches", 3.5, 12.0, 3, 0),
             "avgRadiusAvg": ("branches", 3.0, 3.0, 3, 0)})
 
-    def test_markups_there_and_back(self):
+    def test_markups_round_trip(self):
         expected = {"pressure": ("points", 60.0, 90.5, 4, 1)}
         self.assertEqual(self.ranges("tree.mrk.json", markups()), expected)
         self.expect_done("convert", "tree.mrk.json", "-o", "again.mrk.json")
@@ -363,7 +363,7 @@ class Tables(Data):
         self.expect_done("convert", self.tree(), "--data", table, "-o", self.folder / "joined.vtp")
         self.check_data(self.folder / "joined.vtp", False)
 
-    def test_what_is_wrong_with_a_table(self):
+    def test_errors_of_tables(self):
         for name, table, says in (
                 ("no", "branch,flow\n7,1\n", ["no.csv:2", "there is no branch 7 in a tree of 3"]),
                 ("twice", "branch,flow\n1,1\n1,2\n", ["twice.csv:3", "branch 1 is there twice, first in line 2"]),
@@ -377,7 +377,7 @@ class Tables(Data):
                 ("head", "branch,flow\n", ["names no branch"])):
             self.expect_failure("info", self.tree(), "--data", self.write(f"{name}.csv", table), says=says)
 
-    def test_a_session_keeps_the_table_and_sees_that_it_changed(self):
+    def test_a_session_stores_the_table_and_detects_changes(self):
         table = self.write("flow.csv", "branch,flow\n1,8.5\n0,12\n2,3.5\n")
         script = self.write("save.txt", "colour-by flow\ncolour-range 2,20\ncolour-log on\ncolour-map coolwarm\n"
                                         "save saved.ramus.json\n")
@@ -415,7 +415,7 @@ class Colours(Data):
         super().setUp()
         self.tree = self.write("own.json", own_json(branch_data={"flow": FLOW, "diameter": [1, 2, 3]}))
 
-    def test_pictures_follow_what_is_asked_for(self):
+    def test_pictures_follow_the_colour_options(self):
         pictures = [self.picture(f"{n}.png", *options) for n, options in enumerate((
             (), ("--colour-by", "flow"), ("--colour-by", "pressure"), ("--colour-by", "diameter"),
             ("--colour-by", "file:diameter"), ("--colour-by", "flow", "--colour-map", "coolwarm"),
@@ -433,7 +433,7 @@ class Colours(Data):
         self.assertEqual(self.picture("a.png", "--commands", commands),
                          self.picture("b.png", "--colour-by", "pressure", "--legend", "off"))
 
-    def test_what_cannot_be(self):
+    def test_invalid_colours_are_refused(self):
         for options, says, status in (
                 (("--colour-by", "velocity"), ["there is no colouring \"velocity\"", "pressure, diameter, flow"], 1),
                 (("--colour-by", "file:velocity"), ["velocity"], 1),

@@ -24,7 +24,7 @@ class Deviation(CommandLineTest):
         return [picture.rows[y][4 * x:4 * x + 3] for y in range(picture.height) for x in range(left, picture.width - 60)
                 if picture.rows[y][4 * x + 3] == 255]
 
-    def test_a_surface_from_itself_has_the_scales_low_end_and_far_beyond_the_scale_its_high_end(self):
+    def test_no_deviation_has_the_low_end_of_the_scale_and_large_ones_the_high_end(self):
         self.expect_done("mesh", "tree.swc", "-o", "same.ply")
         low = self.vessel(self.picture("low.png", "--deviation-from", "same.ply", "--scale-mm", "1"))
         high = self.vessel(self.picture("high.png", "--deviation-from", "cones", "--scale-mm", "0.000001"))
@@ -34,7 +34,7 @@ class Deviation(CommandLineTest):
         self.assertGreater(sum(b > g for _, g, b in low) / len(low), 0.97)
         self.assertGreater(sum(g > b + 40 for _, g, b in high) / len(high), 0.9)
 
-    def test_flags_commands_and_sessions_do_the_same(self):
+    def test_options_commands_and_sessions_give_the_same_picture(self):
         flags = ("--colour-by", "deviation", "--deviation-from", "cones", "--scale-mm", "0.25")
         self.picture("flags.png", *flags)
         self.write("c.txt", "deviation-from cones\ndeviation-scale 0.25\nsave s.json\n")
@@ -49,7 +49,7 @@ class Deviation(CommandLineTest):
         self.assertNotIn((self.folder / "other.png").read_bytes(), pictures)
         self.assertEqual(other.width, 300)
 
-    def test_a_mask_gives_voxels_to_the_scale_and_lines_lie_over_the_colours(self):
+    def test_scale_in_voxels_of_a_mask_and_centerlines_over_colours(self):
         inside = [1 if 3 <= x <= 5 and 1 <= y <= 3 and 1 <= z <= 14 else 0 for x, y, z in voxels((9, 5, 16))]
         rows = ((1, 0, 0, -4), (0, 1, 0, -2), (0, 0, 1, 0))
         self.write("mask.nii.gz", compressed(nifti((9, 5, 16), inside, rows=rows)))
@@ -67,7 +67,7 @@ class Deviation(CommandLineTest):
         done = self.expect_done("render", "tree.swc", "-o", "said.png", *SIZE, "--deviation-from", "iso", "--verbose")
         self.assertIn("deviation from isosurface of the tree's voxels, mm: mean", done.stderr)
 
-    def test_what_makes_no_sense_is_refused(self):
+    def test_invalid_options_are_refused(self):
         def wrong(*arguments):
             return self.run_ramus("render", "tree.swc", "-o", "p.png", *SIZE, *arguments)
         self.assertEqual(wrong("--scale-mm", "0").returncode, 2)

@@ -69,7 +69,7 @@ class Compare(CommandLineTest):
         self.assertAlmostEqual(found["b"]["volume_mm3"], 216.0)
         self.assertAlmostEqual(found["b"]["area_mm2"], 216.0)
 
-    def test_a_tree_is_its_surface(self):
+    def test_a_tree_is_compared_by_its_surface(self):
         self.write("tree.swc", GOOD)
         self.expect_done("mesh", "tree.swc", "-o", "tree.ply")
         found = self.json("compare", "tree.swc", "tree.ply", "--json")
@@ -79,7 +79,7 @@ class Compare(CommandLineTest):
         self.assertLess(same["hausdorff"], 1e-6)
         self.assertGreater(self.json("compare", "tree.swc", "fine.stl", "--json")["max"], 1e-3)
 
-    def test_a_mask_says_what_is_near_enough(self):
+    def test_a_mask_gives_the_threshold(self):
         size = (9, 9, 14)
         inside = [1 if 3 <= x <= 5 and 3 <= y <= 5 and 2 <= z <= 11 else 0 for x, y, z in voxels(size)]
         self.write("mask.nii", nifti(size, inside, rows=((1, 0, 0, -4), (0, 1, 0, -4), (0, 0, 2, 0))))
@@ -89,14 +89,14 @@ class Compare(CommandLineTest):
         self.assertLess(found["above_percent"], 5.0)
         self.assertEqual(self.json("compare", "tree.swc", "mask.nii", "--json", "--threshold", "0")["threshold_mm"], 0.0)
 
-    def test_words_for_people(self):
+    def test_text_output(self):
         self.write("a.ply", cube(1.0))
         self.write("b.ply", cube(2.0))
         text = self.expect_done("compare", "a.ply", "b.ply", "--threshold", "0.5").stdout
         for words in ("a.ply: 8 vertices, 12 triangles", "A to B, mm: mean 1", "100 % above", "Hausdorff distance 1.732 mm"):
             self.assertIn(words, text)
 
-    def test_what_cannot_be_compared(self):
+    def test_files_that_cannot_be_compared(self):
         self.write("a.ply", cube(1.0))
         self.write("damaged.ply", cube(1.0)[:-7])
         self.expect_failure("compare", "a.ply", "missing.ply", says=["missing.ply"])

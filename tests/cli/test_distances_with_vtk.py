@@ -1,4 +1,4 @@
-"""Beside VTK (Debian's python3-vtk9): distances between surfaces of real trees, vertex by vertex in the mean and at the
+"""Comparison with VTK (Debian's python3-vtk9): distances between surfaces of real trees, vertex by vertex in the mean and at the
 most.
 """
 

@@ -1,4 +1,4 @@
-"""Trees that people have mended: by commands without a window, in sessions, written out again."""
+"""Trees that people have edited: by commands without a window, in sessions, written out again."""
 
 import json
 import unittest
@@ -18,7 +18,7 @@ class Edits(CommandLineTest):
     def lines(self, name):
         return [line.split() for line in (self.folder / name).read_text().splitlines() if not line.startswith("#")]
 
-    def test_a_session_written_out(self):
+    def test_convert_writes_the_edits_of_a_session(self):
         self.session([{"edit": "delete", "branches": [2]}, {"edit": "scale", "branches": [0], "value": 2}])
         self.expect_done("convert", "--session", "tree.ramus.json", "-o", "out.swc")
         lines = self.lines("out.swc")
@@ -35,7 +35,7 @@ class Edits(CommandLineTest):
         self.expect_done("convert", "--session", "tree.ramus.json", "-o", "cut.json")
         self.assertEqual(self.json("info", "cut.json", "--json")["roots"], 2)
 
-    def test_what_cannot_be(self):
+    def test_invalid_edits_are_refused(self):
         for edits, words in (([{"edit": "delete", "branches": [0, 1, 2]}], "nothing would be left"),
                              ([{"edit": "flip", "branches": [7]}], "no branch 7"),
                              ([{"edit": "bend", "branches": [1]}], "unknown edit"),

@@ -37,7 +37,7 @@ class Figures(CommandLineTest):
         self.assertLess(self.picture("--background", "dark", "--overlays", "none").pixel(0, 0)[0], 60)
         self.assertEqual(self.picture("--background", "dark").rows, self.picture().rows)
 
-    def test_words_are_dark_on_white_and_grow(self):
+    def test_text_is_dark_on_white_and_has_the_requested_size(self):
         def ink(*words):  # dark pixels of the corner with the caption
             picture = self.picture("--background", "white", *words)
             return sum(picture.pixel(x, y)[0] < 100 for y in range(60) for x in range(120))
@@ -46,11 +46,11 @@ class Figures(CommandLineTest):
         self.assertGreater(ink("--caption", "Liver", "--text-size", "2"), 2 * small)
         self.assertEqual(ink(), 0)
 
-    def test_wrong_words(self):
+    def test_invalid_options_are_refused(self):
         for words in (("--background", "pink"), ("--text-size", "0"), ("--background", "white", "--transparent")):
             self.assertEqual(self.run_ramus("render", "tree.swc", "-o", "p.png", *words).returncode, 2)
 
-    def test_a_turntable_that_is_exported(self):
+    def test_commands_export_turntables_and_sheets(self):
         self.write("c", "export turntable t.png --pictures 3 --size 64x48\nexport sheet s.png --size 320x240\n")
         self.expect_done("render", "tree.swc", "--commands", "c", "--size", "64x64")
         self.assertEqual([name for name in self.names() if name.endswith(".png")],

@@ -55,7 +55,7 @@ class Json(Hostile):
         self.expect_failure("render", "tree.swc", "--camera", "camera.json", "-o", "a.png", *SIZE, says=["camera.json"])
         self.assertNotIn("a.png", self.names())
 
-    def test_sessions_have_so_much_and_no_more(self):
+    def test_sessions_have_limits(self):
         for count, status in ((10_001, 1), (10_000, 0)):
             for name, value in (("cuts", [[0, i / count] for i in range(count)]),
                                 ("lesions", [[i % 100, i // 100, 50, 0.5] for i in range(count)]),
@@ -89,7 +89,7 @@ class Json(Hostile):
 
 
 class NamedFiles(Hostile):
-    def test_a_session_names_regular_files(self):
+    def test_a_session_names_only_regular_files(self):
         os.mkfifo(self.folder / "ff")
         (self.folder / "link.swc").symlink_to("ff")
         for name in ("ff", "link.swc", "/dev/zero"):
@@ -102,7 +102,7 @@ class NamedFiles(Hostile):
                     self.assertEqual(result.returncode, 1, result.stderr)
                     self.assertIn("no regular file", result.stderr)
 
-    def test_values_of_a_header_lie_with_it_behind_links(self):
+    def test_values_of_a_header_must_be_next_to_it_behind_links_too(self):
         (self.folder / "in").mkdir()
         (self.folder / "in/deep").mkdir()
         values = bytes(60 * 60)
@@ -138,7 +138,7 @@ class Terminal(Hostile):
             self.assertEqual([c for c in text if (c < " " and c != "\n") or c == "\x7f"], [], text)
         return result
 
-    def test_text_of_files_and_names_does_not_steer_it(self):
+    def test_text_of_files_and_names_does_not_control_the_terminal(self):
         self.write("esc.json", tree_json(source=ESCAPE, repairs=["ok\nramus: fine " + ESCAPE]))
         self.write("esc.ramus.json", json.dumps({"version": 1, "tree": {"path": "tree.swc"}, ESCAPE: 1}))
         self.write("names.json", tree_json(systems=[{"name": ESCAPE, "colour": "#102030"}], branch_systems=[0]))
@@ -227,7 +227,7 @@ class Commands(Hostile):
     FILES = ("victim.html", "victim.csv", "victim.png", "victim.ramus.json", "victim.swc", "victim.stl", "pair_edges.csv",
              "turn_002.png", "hard.png", "behind.html")
 
-    def test_they_replace_no_file_that_was_there(self):
+    def test_commands_do_not_replace_existing_files(self):
         for name in self.FILES:
             self.write(name, "mine")
         (self.folder / "lnk.html").symlink_to("behind.html")
@@ -245,7 +245,7 @@ class Commands(Hostile):
         for name in self.FILES:
             self.assertNotEqual((self.folder / name).read_bytes(), b"mine", name)
 
-    def test_they_replace_what_they_made(self):
+    def test_commands_replace_their_own_files(self):
         self.write("c.txt", "select 0\nreport new.csv\nshot new.png\nselect 1\nreport new.csv\nshot new.png\nsave s.ramus.json\n"
                             "save s.ramus.json\nexport tree pair.csv\nexport tree pair.csv\n")
         self.expect_done("render", "tree.swc", "--commands", "c.txt", *SIZE)
@@ -254,7 +254,7 @@ class Commands(Hostile):
         self.expect_done("render", "tree.swc", "--commands", "c.txt", "-o", "out.png", *SIZE)
         self.assertNotEqual((self.folder / "out.png").read_bytes(), b"mine")
 
-    def test_the_file_that_was_found(self):
+    def test_the_reported_commands_file(self):
         found = SHARED / "commands_overwrite.txt"
         if not found.exists():
             self.skipTest("SKIPPED: no shared/data")
@@ -265,12 +265,12 @@ class Commands(Hostile):
         for name in names:
             self.assertEqual((self.folder / name).read_text(), "mine")
 
-    def test_overwrite_is_of_commands(self):
+    def test_overwrite_needs_commands(self):
         self.expect_failure("render", "tree.swc", "-o", "a.png", "--overwrite", status=2, says=["--commands"])
 
 
 class Numbers(Hostile):
-    def test_odd_numbers_are_wrong_usage(self):
+    def test_invalid_numbers_are_wrong_usage(self):
         for option, value in (("--memory", "-1"), ("--memory", "18446744073709551616"), ("--memory", "1e9"),
                               ("--memory", ""), ("--memory", "5X"), ("--memory", "99999999999T"), ("--width", "nan"),
                               ("--islands", "nan"), ("--bulge-size", "inf"), ("--root", "0,nan,0")):
@@ -282,7 +282,7 @@ class Numbers(Hostile):
             with self.subTest(command):
                 self.expect_failure(*command, status=2, says=[command[-1].split("=")[0]])
 
-    def test_sizes_of_memory_are_read_as_they_are_written(self):
+    def test_sizes_of_memory_accept_all_units(self):
         for size in ("800M", "4G", "4gb", "4GiB", "2000000000", "0"):
             with self.subTest(size):
                 self.expect_done("mesh", "tree.swc", "-o", "a.stl", "--memory", size)
@@ -298,11 +298,11 @@ class Numbers(Hostile):
                 self.expect_failure(*command, "--detail", "512", "--memory", memory,
                                     says=["tree.swc", "million triangles"])
 
-    def test_a_command_behind_options_is_named_where_it_is_unknown(self):
+    def test_an_unknown_command_after_options_is_named(self):
         self.expect_failure("--detail", "8", "mehs", "tree.swc", "-o", "a.stl", status=2, says=["mehs"])
         self.expect_failure("mehs", "tree.swc", "-o", "a.stl", status=2, says=["mehs", "mesh"])
 
-    def test_names_that_are_no_utf8_do_not_end_json(self):
+    def test_names_that_are_not_utf8_do_not_break_json(self):
         os.rename(self.folder / "tree.swc", os.fsencode(self.folder) + b"/\xff.swc")
         result = subprocess.run([RAMUS, "render", b"\xff.swc", "-o", b"\xfe.png", "--json", *SIZE], cwd=self.folder,
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=120, check=True)
@@ -310,7 +310,7 @@ class Numbers(Hostile):
 
 
 class Bounds(Hostile):
-    def test_devices_and_endless_pipes_end_soon(self):
+    def test_devices_and_endless_pipes_are_refused_soon(self):
         for name in ("/dev/zero", "/dev/null"):
             for command in (["info", name], ["mesh", name, "-o", "a.stl"], ["compare", name, "tree.swc"],
                             ["render", "tree.swc", "-o", "a.png", "--camera", name, *SIZE],
@@ -329,14 +329,14 @@ class Bounds(Hostile):
         self.assertEqual(result.returncode, 1, result.stderr)
         self.assertIn("standard input: its format is not recognised from its first bytes", result.stderr)
 
-    def test_memory_is_kept_with_a_cell_that_is_larger_than_vessels(self):
+    def test_memory_stays_limited_if_cells_are_larger_than_vessels(self):
         self.write("thin.swc", "0 2 0 0 0 1.5e-5 -1\n1 2 907 -408 0 1.5e-5 0\n2 2 0 1 0 1.5e-5 0\n")
         result = self.bounded("mesh", "thin.swc", "--cell", "0.0025", "--memory", "500M", "-o", "a.stl", "--json",
                               megabytes=700)
         self.assertEqual(result.returncode, 0, result.stderr)  # what grid points meet of it
         self.assertLess(json.loads(result.stdout)["triangles"], 100_000)
 
-    def test_a_vessel_that_turns_back_is_as_large_as_it_reaches(self):
+    def test_the_forecast_includes_a_vessel_that_turns_back(self):
         self.write("loop.json", tree_json(points=[[0, 0, 0, 400], [600, 0, 0, 400], [300, 0, 0, 400]],
                                           branches=[[2, 1], [0, 1], [0, 2]], roots=[2]))
         for name in ("loop.json",):
@@ -346,7 +346,7 @@ class Bounds(Hostile):
 
 
 class Empty(Hostile):
-    def test_no_surface_is_no_success(self):
+    def test_an_empty_surface_is_a_failure(self):
         self.write("short.swc", "1 2 0 0 0 5 -1\n2 2 0 0 0.1 5 1\n")
         for name, cell in (("short.swc", ()), ("short.swc", ("--cell", "1e9"))):
             for command, output in (("mesh", "a.stl"), ("mesh", "a.glb"), ("render", "a.png")):
@@ -355,14 +355,14 @@ class Empty(Hostile):
                     self.expect_failure(command, name, "-o", output, *cell, *size, says=[name, "the surface is empty"])
                     self.assertNotIn(output, self.names())
 
-    def test_a_piece_that_is_lost_is_named(self):
+    def test_a_lost_piece_is_reported(self):
         self.write("two.swc", GOOD + "6 2 50 0 0 5 -1\n7 2 50 0 0.1 5 6\n")
         result = self.expect_done("mesh", "two.swc", "-o", "a.stl")
         self.assertIn("1 piece of the tree is not on the surface (branch 3)", result.stderr)
         self.assertEqual(json.loads(self.expect_done("mesh", "two.swc", "-o", "a.stl", "--json").stdout)["lost_pieces"], [[3]])
         self.assertNotIn("lost_pieces", self.json("mesh", "tree.swc", "-o", "a.stl", "--json"))
 
-    def test_what_single_precision_cannot_tell_apart_is_refused(self):
+    def test_trees_beyond_single_precision_are_refused(self):
         self.write("far.swc", "0 2 0 -9.9e6 0 1e-8 -1\n1 2 3e-7 -9.9e6 0 1e-8 0\n")
         self.write("line.swc", "".join(f"{i} 2 {-9.9e6 + 0.03 * i} 0 0 3.2e-5 {i - 1}\n" for i in range(30)))
         for command in (["mesh", "far.swc", "--detail", "64"], ["mesh", "far.swc", "--detail", "64", "--width", "50"],

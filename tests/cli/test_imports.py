@@ -46,7 +46,7 @@ class Swc(Imports):
         self.expect_failure("info", self.write("beyond.swc", f"{2 ** 63} 2 0 0 0 1 -1\n7 2 0 0 1 1 {2 ** 63}\n"),
                             says=["beyond.swc:1: the id", "not a whole number"])
 
-    def test_a_first_line_of_names(self):
+    def test_a_header_line_with_column_names(self):
         points = chain([3, 2.5, 2])
         order = (5, 0, 1, 2, 3, 4, 6)  # the radius first
         lines = {
@@ -91,7 +91,7 @@ class Swc(Imports):
 
 
 class Radii(Imports):
-    def test_radii_that_were_not_measured_are_interpolated_when_asked_for(self):
+    def test_missing_radii_are_interpolated_on_request(self):
         for missing in ("-1", "-1.0", "nan", "NaN"):
             with self.subTest(missing):
                 path = self.write("gap.swc", swc(chain([3, missing, missing, 1.5] + [1.5] * 30)))
@@ -116,7 +116,7 @@ class Radii(Imports):
         self.expect_failure("info", self.write("infinite.swc", swc(chain([3, "inf", 2]))), "--repair", "all",
                             says=["infinite.swc:2", "not finite"])
 
-    def test_units_and_diameters_do_not_change_what_minus_one_means(self):
+    def test_minus_one_means_missing_with_units_and_diameters_too(self):
         path = self.write("gap.swc", swc(chain([3, -1, 1])))
         self.assertEqual(self.radii(path, "--repair", "all", "--units", "cm", "--radius-is", "diameter"), [15, 10, 5])
 
@@ -271,7 +271,7 @@ class Vtk(Imports):
         self.write("packed.vtp", self.vtp("vtkLZ4DataCompressor", self.arrays()).replace(b"vtkLZ4Data", b"vtkBZ2Data"))
         self.expect_failure("info", path, says=["vtkBZ2DataCompressor", "LZ4"])
 
-    def test_sizes_are_claims(self):
+    def test_sizes_in_files_are_not_trusted(self):
         """A damaged block, one that claims more or less than it holds, and one that would fill the memory."""
         for compressor in self.PACKERS:
             packed = self.PACKERS[compressor](bytes(24))

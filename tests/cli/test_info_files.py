@@ -64,7 +64,7 @@ class InfoFiles(CommandLineTest):
         for other in ("--json", "--branches", "--contacts"):
             self.expect_failure("info", "a.swc", "--csv", other, status=2)
 
-    def test_a_cohort_takes_the_memory_of_one_file(self):
+    def test_many_files_need_the_memory_of_one_file(self):
         """As much of 120 trees as of three; and what is told comes before the last file is read."""
         big = "1 2 0 0 0 1 -1\n" + "".join(f"{i} 2 0 0 {i / 10} 1 {i - 1}\n" for i in range(2, 20_000))
         names = [self.write(f"tree{n:03}.swc", big).name for n in range(120)]

@@ -30,18 +30,18 @@ class InputsKept(CommandLineTest):
         after = {path.name: path.read_bytes() for path in self.folder.iterdir() if path.is_file()}
         self.assertEqual(before, after)
 
-    def test_a_picture_does_not_replace_what_is_drawn(self):
+    def test_a_picture_does_not_replace_its_inputs(self):
         for other in (["-o", "tree.swc"], ["-o", "mask.nii", "--compare", "side-by-side", "--mask", "mask.nii"],
                       ["-o", "mesh.stl", "--context", "mesh.stl"]):
             with self.subTest(other):
                 self.expect_kept(other[1], "render", "tree.swc", *SIZE, *other)
 
-    def test_nor_what_it_is_compared_with(self):
+    def test_a_picture_does_not_replace_its_reference(self):
         self.expect_done("render", "tree.swc", *SIZE, "-o", "reference.png")
         self.expect_kept("reference.png", "render", "tree.swc", *SIZE, "-o", "reference.png", "--reference",
                          "reference.png")
 
-    def test_other_names_of_the_same_file_are_that_file(self):
+    def test_links_to_inputs_are_not_replaced(self):
         os.symlink("tree.swc", self.folder / "link.png")
         os.link(self.folder / "tree.swc", self.folder / "second.png")
         (self.folder / "sub").mkdir()
@@ -57,7 +57,7 @@ class InputsKept(CommandLineTest):
             with self.subTest(line):
                 self.expect_kept(name, "render", "tree.swc", *SIZE, commands=line + "\n")
 
-    def test_surfaces_trees_and_reports_do_not(self):
+    def test_surfaces_trees_and_reports_do_not_replace_inputs(self):
         self.expect_kept("tree.swc", "convert", "tree.swc", "-o", "tree.swc")
         os.link(self.folder / "mask.nii", self.folder / "mask.swc")
         self.expect_kept("mask.swc", "skeletonize", "mask.nii", "-o", "mask.swc")
@@ -75,7 +75,7 @@ class InputsKept(CommandLineTest):
         os.link(self.folder / "tree.swc", self.folder / "paper" / "figure_08.png")
         self.expect_kept("figure_08.png", "paper", "--tree", "tree.swc", "-o", "paper")
 
-    def test_what_a_session_names_is_kept_though_it_is_not_read(self):
+    def test_files_that_a_session_names_are_not_replaced(self):
         self.write("c.txt", "compare-mask mask.nii\ncontext mesh.stl\nsave s.ramus.json\n")
         self.expect_done("render", "tree.swc", *SIZE, "--commands", "c.txt")
         for name in ("mask.nii", "mesh.stl", "tree.swc", "s.ramus.json"):
@@ -89,7 +89,7 @@ class InputsKept(CommandLineTest):
         self.expect_done("render", "--session", "s.ramus.json", *SIZE, "--commands", "c.txt", "--overwrite")
         self.assertEqual(json.loads((self.folder / "s.ramus.json").read_text())["selection"], [2])
 
-    def test_what_was_written_before_may_be_written_again(self):
+    def test_earlier_outputs_may_be_replaced(self):
         self.write("c.txt", "shot a.png\nselect 1\nshot a.png\nreport r.csv selection\nreport r.csv selection\n")
         self.expect_done("render", "tree.swc", *SIZE, "--commands", "c.txt")
 

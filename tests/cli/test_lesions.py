@@ -83,7 +83,7 @@ class Distances(Lesions):
         self.assertAlmostEqual(self.number(rows[0], "distance"), 2.5, places=3)
         self.assertAlmostEqual(self.number(rows[1], "distance"), 16, places=2)
 
-    def test_the_way_there_is_told(self):
+    def test_going_to_the_nearest_vessel_reports_the_distance(self):
         said = self.run_commands("lesion 0,0,12,4\nlesion-vessel 1\nlesion-vessel 1 hepatic\\ vein\nsave s.json\n"
                                  .replace("hepatic\\ vein", '"hepatic vein"'))
         self.assertIn("Lesion 1 to portal vein, branch 0: 5.00 mm; no contact", said)
@@ -97,7 +97,7 @@ class Distances(Lesions):
 
 
 class Contact(Lesions):
-    def test_a_ball_against_a_vessel_is_the_closed_form(self):
+    def test_contact_of_a_sphere_agrees_with_the_closed_form(self):
         for between, ball, touch in ((9.0, 6.0, 0.5), (8.0, 6.0, 0.0), (7.0, 6.0, 1.0), (10.5, 8.0, 0.25)):
             with self.subTest(between=between, ball=ball, touch=touch):
                 self.run_commands(f"lesion 0,{between},0,{ball}\nlesion-contact {touch}\nreport l.csv lesions\n")
@@ -136,7 +136,7 @@ class Contact(Lesions):
         self.assertAlmostEqual(self.number(row, "contact_angle"), best, delta=1.0)
         self.assertAlmostEqual(self.number(row, "contact_length"), length, delta=0.1)
 
-    def test_sessions_and_pages_have_it(self):
+    def test_sessions_and_report_pages_keep_the_contact_distance(self):
         self.run_commands("lesion 0,8,0,6\nlesion-contact 0.75\nshortest-distances on\nsave s.json\nreport r.html\n")
         options = json.loads((self.folder / "s.json").read_text())["options"]
         self.assertEqual((options["lesion_contact"], options["shortest_distances"]), (0.75, True))
@@ -197,7 +197,7 @@ class Inside(Lesions):
                     self.assertLess(max(ys) - min(ys), 80)
         self.assertLess(len(self.yellow("lesion 0,0,16,5\n" + context % 1)), 10)  # solid is solid
 
-    def test_a_vessel_before_it_still_hides_it(self):
+    def test_a_vessel_in_front_hides_the_outline(self):
         # A lesion behind the vessel: where that passes before the outline, it is fainter.
         organ = self.write("organ.obj", box((-35, -25, -20), (35, 45, 50)))
         context = f"context {organ.name}\ncontext-opacity 1 0.5\nfit\n"
@@ -212,7 +212,7 @@ class Measurements(Lesions):
     def values(self):
         return [self.number(r, "value") if r["value"] else r["what"] for r in self.rows("m.csv")]
 
-    def test_they_snap_and_say_what_to(self):
+    def test_measurements_snap_to_lesions_and_report_it(self):
         said = self.run_commands(self.LINES + "report m.csv measurements\nsave s.json\n")
         self.assertIn("Shortest distance, lesion 1 to the wall of branch 1 at 50.0 %: 10.0 mm", said)
         self.assertIn("lesion 1 at (0, 0, 18.0) to (0, 0, 30.0): 12.0 mm", said)
@@ -223,7 +223,7 @@ class Measurements(Lesions):
         first, second = (json.loads((self.folder / name).read_text())["measurements"] for name in ("s.json", "t.json"))
         self.assertEqual(first, second)
 
-    def test_they_follow_a_sphere_that_is_moved_and_go_with_one_that_is_removed(self):
+    def test_measurements_follow_moved_lesions_and_are_removed_with_them(self):
         self.run_commands("lesion 20,0,80,2\n" + self.LINES.replace("lesion:1", "lesion:2") +
                           "lesion-change 2 0,0,16,6\nreport m.csv measurements\n")
         self.assertEqual(self.values(), [6, 8, 7])
@@ -238,7 +238,7 @@ class Measurements(Lesions):
         self.run_commands(self.LINES + "measure diameter 0\nlesion-clear\nreport m.csv measurements\n")
         self.assertEqual(self.values(), [6])
 
-    def test_a_mesh_that_has_changed_is_never_silently_measured(self):
+    def test_a_changed_lesion_mesh_is_reported(self):
         self.write("box.obj", box((-5, -5, 10), (5, 5, 20)))
         self.run_commands("lesion-mesh box.obj\nmeasure distance lesion:1@0,0,40 0,0,28\n"
                           "measure distance lesion:1 branch:0\nsave s.json\nreport m.csv measurements\n")
@@ -254,7 +254,7 @@ class Measurements(Lesions):
         self.expect_done("render", "--session", "s.json", "--commands", "again.txt", "--overwrite", "-o", "q.png", "--size", "100x80")
         self.assertTrue(all("has not been read" in str(value) for value in self.values()))
 
-    def test_what_cannot_be_measured_is_refused(self):
+    def test_invalid_measurements_are_refused(self):
         for line, says in (("measure distance lesion:2 branch:0", "lesion"), ("measure distance lesion:1 branch:9", "9"),
                            ("measure distance lesion:1 0,0,0", "lesion:N@X,Y,Z"), ("measure distance 0,0,0 branch:1", "lesion"),
                            ("measure distance lesion:x@0,0,0 0,0,0", "lesion"), ("measure path lesion:1 1", "")):
@@ -262,7 +262,7 @@ class Measurements(Lesions):
                 self.write("c.txt", "lesion 0,0,14,4\n" + line + "\n")
                 self.expect_failure("render", self.tree, "--commands", "c.txt", "-o", "no.png", says=[says])
 
-    def test_what_a_session_can_get_wrong(self):
+    def test_invalid_sessions_are_refused(self):
         self.run_commands(self.LINES + "save s.json\n")
         session = json.loads((self.folder / "s.json").read_text())
         good = session["measurements"][0]

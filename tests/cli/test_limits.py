@@ -20,7 +20,7 @@ class Limits(CommandLineTest):
         return subprocess.run([RAMUS, *arguments], cwd=self.folder, capture_output=True, text=True, timeout=120,
                               preexec_fn=lambda: resource.setrlimit(what, (most, most)))
 
-    def test_want_of_memory_is_said_wherever_it_is_met(self):
+    def test_lack_of_memory_is_reported_wherever_it_occurs(self):
         """From where nothing fits to where all does, through the loading of Mesa and its compiler."""
         done = 0
         for megabytes in (150, 300, 400, 500, 550, *range(580, 900, 20), 1200, 1600, 4000):
@@ -35,7 +35,7 @@ class Limits(CommandLineTest):
                     (self.folder / "a.png").unlink()
         self.assertGreater(done, 0)
 
-    def test_small_stacks_do_for_everything(self):
+    def test_small_stacks_suffice(self):
         for kilobytes in (64, 1024):
             for command in (["info", "tree.swc", "--contacts"], ["mesh", "tree.swc", "-o", "a.stl"],
                             ["render", "tree.swc", "-o", "a.png", *SIZE], ["validate", "tree.swc"],

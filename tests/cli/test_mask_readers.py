@@ -44,7 +44,7 @@ class MaskReaders(CommandLineTest):
         report = self.json("skeletonize", "scan.nii", "-o", "tree.json", "--isovalue", "-500", "--json")
         self.assertEqual(report["mask"]["voxels"], inside)
 
-    def test_forms_that_differ_are_noted(self):
+    def test_contradicting_transforms_are_noted(self):
         mask = bytearray(nifti(SIZE, values()))
         struct.pack_into("<h", mask, 252, 1)
         self.write("same.nii", bytes(mask))
@@ -111,7 +111,7 @@ class MaskReaders(CommandLineTest):
         self.write("gzip.nhdr", NRRD + "encoding: gzip\ndata file: s%03d.raw.gz 1 30 1\n")
         self.assertEqual(self.voxels_inside("gzip.nhdr"), sum(values()))
 
-    def test_what_is_wrong_with_several_files(self):
+    def test_errors_of_values_in_several_files(self):
         self.slices()
         (self.folder / "below").mkdir()
         cases = {"LIST\n": "lists no file", "LIST\ns001.raw\n": "s001.raw should have 3600 bytes, and has 120",

@@ -94,7 +94,7 @@ class Masks(CommandLineTest):
         for words in ("12 x 9 x 8 voxels", "0.5 x 0.5 x 2 mm", "LAS", "label 2", "20 voxels"):
             self.assertIn(words, text)
 
-    def test_a_unit_that_is_asked_for_counts(self):
+    def test_the_requested_unit_is_used(self):
         info = self.json("info", "mask.nii.gz", "--json", "--units", "cm")
         self.assertEqual(info["spacing_mm"], [5, 5, 20])
         self.assertEqual(info["origin_mm"], [10 * row[3] for row in ANISOTROPIC])
@@ -113,12 +113,12 @@ class Masks(CommandLineTest):
         self.assertEqual((told.stdout.count("--units cm"), told.stderr), (1, ""))
         self.assertIn("--units cm", self.expect_done("mesh", "small.nii", "--method", "iso", "-o", "a.ply").stderr)
 
-    def test_info_tells_what_was_assumed(self):
+    def test_info_reports_assumptions(self):
         self.write("mask.nii", nifti(SIZE, BARS, units=0))
         self.assertEqual(len(self.json("info", "mask.nii", "--json")["notes"]), 1)
         self.assertIn("counts as 1 mm", self.expect_done("info", "mask.nii").stdout)
 
-    def test_a_scan_is_asked_about(self):
+    def test_a_scan_needs_an_isovalue(self):
         self.write("scan.nii", nifti(SIZE, [100 * x - 500 for x, _, _ in voxels(SIZE)], "h"))
         self.expect_failure("mesh", "scan.nii", "-o", "out.ply", "--method", "iso",
                             says=["scan.nii", "not those of a mask", "--isovalue"])
@@ -126,7 +126,7 @@ class Masks(CommandLineTest):
 
 
 class Refusals(CommandLineTest):
-    def test_masks_where_trees_are_needed_and_the_other_way_round(self):
+    def test_masks_instead_of_trees_and_trees_instead_of_masks(self):
         self.write("mask.nii.gz", compressed(nifti(SIZE, BARS)))
         self.write("tree.swc", GOOD)
         for command in (["mesh", "-o", "out.ply"], ["mesh", "-o", "out.ply", "--method", "cones"],
@@ -138,7 +138,7 @@ class Refusals(CommandLineTest):
         self.expect_failure("info", "mask.nii.gz", "--branches", says=["no branches"])
         self.assertEqual(self.names(), ["mask.nii.gz", "out.json", "out.ply", "tree.swc"])
 
-    def test_options_that_have_no_meaning(self):
+    def test_options_that_do_not_apply_are_refused(self):
         self.write("mask.nii", nifti(SIZE, BARS))
         self.write("tree.swc", GOOD)
         for options in (["--width", "3"], ["--detail", "8"], ["--smooth", "0"], ["--label", "0"],

@@ -1,4 +1,4 @@
-"""Beside VTK (Debian's python3-vtk9): its NIfTI reader and its flying edges see the same surfaces, vertex for vertex.
+"""Comparison with VTK (Debian's python3-vtk9): its NIfTI reader and its flying edges see the same surfaces, vertex for vertex.
 
 The two differ where a surface may run either way: in how a polygon is cut into triangles, and in what is joined where
 voxels meet at an edge or a corner. So vertices agree, and areas and volumes nearly. Vertices stay 1/256 of a voxel away
@@ -98,7 +98,7 @@ class BesideVtk(CommandLineTest):
         self.assertAlmostEqual(area_of(vertices, faces) / area, 1.0, delta=tolerance)
         self.assertAlmostEqual(volume_of(vertices, faces) / volume, 1.0, delta=tolerance)
 
-    def test_a_made_field_on_oblique_axes(self):
+    def test_a_synthetic_field_on_oblique_axes(self):
         size = (30, 28, 20)
         # A torus about z, as a field that falls outward, on axes that are turned and mirrored.
         rows = ((-0.48, 0.14, 0.0, 12.0), (0.14, 0.48, 0.0, -40.0), (0.0, 0.0, 0.8, 5.0))
@@ -106,7 +106,7 @@ class BesideVtk(CommandLineTest):
         path = self.write("torus.nii.gz", compressed(nifti(size, values, "f", rows)))
         self.compare(path, "--isovalue", "2.5", isovalue=2.5, tolerance=0.002)
 
-    def test_a_made_mask(self):
+    def test_a_synthetic_mask(self):
         size = (24, 24, 24)
         values = [1 if (x - 11) ** 2 + (y - 12) ** 2 + (z - 11) ** 2 < 81 else 0 for x, y, z in voxels(size)]
         self.compare(self.write("ball.nii", nifti(size, values)), tolerance=0.01)

@@ -132,7 +132,7 @@ class StatedAxes(MeshAxes):
             self.write("a.vtp", vtp(LPS, "LPS", how))
             self.assertEqual(self.apart("a.vtp", "right.stl"), (0.0, ""))
 
-    def test_what_states_nothing_is_ras_unless_somebody_says_lps(self):
+    def test_meshes_without_stated_axes_are_ras_unless_the_option_says_lps(self):
         for name, content in (("a.stl", stl(LPS, "SPACE=FOO")), ("a.ply", ply(LPS, "SPACE = LPS")), ("a.vtp", vtp(LPS, "")),
                               ("a.obj", obj(LPS, "none") + b"# SPACE=LPS\n"), ("a.vtk", legacy(LPS, "none")), ("a.glb", glb(LPS))):
             with self.subTest(name=name):
@@ -145,28 +145,28 @@ class StatedAxes(MeshAxes):
                 self.assertLess(distance, 1e-4)
                 self.assertEqual(told, "")
 
-    def test_the_option_is_for_what_states_nothing(self):
+    def test_the_option_does_not_replace_stated_axes(self):
         self.write("a.stl", stl(LPS, "SPACE=LPS"))
         distance, told = self.apart("a.stl", "right.stl", "--mesh-orientation", "RAS")
         self.assertEqual(distance, 0.0)
         self.assertIn("a.stl: the file states that its axes are LPS", told)
         self.expect_failure("compare", "a.stl", "right.stl", "--mesh-orientation", "LAS", status=2, says=("LAS", "LPS"))
 
-    def test_two_meshes_that_state_nothing(self):
+    def test_two_meshes_without_stated_axes(self):
         self.write("a.obj", obj(LPS, "")), self.write("b.obj", obj(RAS, ""))
         distance, told = self.apart("a.obj", "b.obj")
         self.assertGreater(distance, 40.0)
         self.assertIn("--mesh-orientation LPS,RAS", told)
         self.assertEqual(self.apart("a.obj", "b.obj", "--mesh-orientation", "LPS,RAS"), (0.0, ""))
 
-    def test_a_tree_that_states_nothing_may_be_the_one_that_is_turned(self):
+    def test_a_tree_without_stated_axes_may_be_rotated(self):
         self.write("bare.swc", "".join(f"{n} 0 -10 -20 {10 + 20 * n} 1 {n - 1 or -1}\n" for n in (1, 2)))
         _, told = self.apart("right.stl", "bare.swc")
         self.assertIn("--orientation LPS", told)
         self.assertNotIn("--mesh-orientation", told)
         self.assertEqual(self.apart("right.stl", "bare.swc", "--orientation", "LPS")[1], "")
 
-    def test_what_lies_elsewhere_anyway_brings_no_advice(self):
+    def test_a_distant_mesh_gives_no_advice(self):
         self.write("far.stl", stl([(x + 500, y, z) for x, y, z in RAS], ""))
         self.assertEqual(self.apart("far.stl", "tree.swc")[1], "")
 
@@ -204,7 +204,7 @@ class StatedAxes(MeshAxes):
 
 
 class WrittenAxes(MeshAxes):
-    def test_every_format_comes_back(self):
+    def test_every_format_states_its_axes(self):
         for extension in FORMATS:
             self.expect_done("mesh", "tree.swc", "-o", "plain." + extension)
             for axes in ("LPS", "RAS"):
@@ -227,7 +227,7 @@ class WrittenAxes(MeshAxes):
         self.assertNotIn(b"\nv -", (self.folder / "RAS.obj").read_bytes())
         self.assertNotIn(b" -0 ", (self.folder / "LPS.obj").read_bytes())
 
-    def test_nothing_is_stated_that_nobody_has_said(self):
+    def test_unknown_axes_are_not_stated(self):
         self.write("bare.swc", "".join(line for line in TREE.splitlines(True) if not line.startswith("#")))
         for extension in FORMATS:
             with self.subTest(extension=extension):
@@ -266,7 +266,7 @@ class WrittenAxes(MeshAxes):
 
 
 class SurfacesThatAreRead(MeshAxes):
-    def test_files_of_vtk_in_all_their_forms(self):
+    def test_all_kinds_of_vtk_files(self):
         strips = "TRIANGLE_STRIPS 2 14\n6 0 1 2 3 4 0\n6 5 0 1 3 4 5\n"
         grid = [(5, f) for f in FACES[:6]] + [(7, f) for f in FACES[6:]]
         files = {"polygons.vtk": legacy(RAS, "x"), "text.vtp": vtp(RAS, ""), "base64.vtp": vtp(RAS, "", "base64"),

@@ -72,7 +72,7 @@ class GlbTest(CommandLineTest):
         self.expect_failure("mesh", "ball.nii", "-o", "m.glb", "--method", "iso", "--parts", "branch", status=2,
                             says=("--parts", "--method iso"))
 
-    def test_refusals_leave_nothing(self):
+    def test_refused_commands_leave_no_file(self):
         self.write("tree.swc", GOOD)
         self.expect_failure("mesh", "tree.swc", "-o", "m.stl", "--parts", "branch", says=("m.stl", "no parts", ".glb"))
         self.expect_failure("mesh", "tree.swc", "-o", "m.glb", "--parts", "system", says=("no systems", "--parts branch"))
@@ -85,7 +85,7 @@ class PrintingTest(CommandLineTest):
     # A stem of 4 mm that forks into a branch of 2 mm and one of 0.5 mm.
     FORK = "# id type x y z radius parent (mm, RAS)\n1 0 0 0 0 2 -1\n2 0 0 0 30 2 1\n3 0 20 0 60 1 2\n4 0 -10 0 40 0.25 2\n5 0 -40 0 70 0.25 4\n"
 
-    def test_what_is_thin_is_said(self):
+    def test_thin_places_are_reported(self):
         self.write("fork.swc", self.FORK)
         result = self.expect_done("mesh", "fork.swc", "-o", "m.stl", "--for-printing", "--smooth", "0")
         self.assertIn("closed, in mm; thinnest place 0.49", result.stdout)
@@ -110,12 +110,12 @@ class PrintingTest(CommandLineTest):
         self.expect_failure("mesh", "fork.swc", "-o", "x.ply", "--thinnest", "1", status=2, says=("--for-printing",))
         self.expect_failure("mesh", "fork.swc", "-o", "x.ply", "--for-printing", "--method", "cones", says=("cones",))
 
-    def test_pieces_fall_apart(self):
+    def test_several_pieces_are_reported(self):
         self.write("two.swc", "1 0 0 0 0 2 -1\n2 0 0 0 9 2 1\n3 0 30 0 0 2 -1\n4 0 30 0 9 2 3\n")
         result = self.expect_done("mesh", "two.swc", "-o", "m.stl", "--for-printing")
         self.assertIn("2 pieces come out of the printer", result.stderr)
 
-    def test_of_a_mask(self):
+    def test_printing_the_surface_of_a_mask(self):
         # A plate of 2 voxels of 3 mm: 6 mm thick.
         voxels = bytes(1 if 2 <= z < 4 and 2 <= y < 18 and 2 <= x < 18 else 0
                        for z in range(6) for y in range(20) for x in range(20))

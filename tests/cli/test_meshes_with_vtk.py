@@ -1,4 +1,4 @@
-"""Beside VTK (Debian's python3-vtk9): it reads every mesh format that ramus writes, with the same vertices and triangles,
+"""Comparison with VTK (Debian's python3-vtk9): it reads every mesh format that ramus writes, with the same vertices and triangles,
 the same arrays, and a GLB in metres.
 """
 

@@ -15,7 +15,7 @@ class Info(CommandLineTest):
         info = self.json("info", *arguments, "--json")
         return info["units"], info["units_said_by"], info["orientation"], info["orientation_said_by"]
 
-    def test_who_says_it(self):
+    def test_the_source_of_unit_and_orientation_is_reported(self):
         self.write("bare.swc", GOOD)
         self.write("known.swc", KNOWN)
         self.assertEqual(self.claims("bare.swc"), ("unknown", "nobody", "unknown", "nobody"))
@@ -23,7 +23,7 @@ class Info(CommandLineTest):
         self.assertEqual(self.claims("bare.swc", "--units", "cm"), ("mm", "person", "unknown", "nobody"))
         self.assertEqual(self.claims("bare.swc", "--orientation", "LPS"), ("unknown", "nobody", "RAS", "person"))
 
-    def test_no_mm_where_nobody_says_so(self):
+    def test_an_unknown_unit_is_not_called_mm(self):
         self.write("bare.swc", GOOD)
         for options in ([], ["--branches"], ["--contacts"]):
             text = self.expect_done("info", "bare.swc", *options).stdout
@@ -53,7 +53,7 @@ class Info(CommandLineTest):
                 mirrored += any("left-handed" in text for text in info["suspicions"])
         self.assertEqual(mirrored, 24)
 
-    def test_what_names_no_orientation_is_wrong_usage(self):
+    def test_invalid_orientations_are_wrong_usage(self):
         self.write("bare.swc", GOOD)
         for wrong in ("RLS", "RA", "XYZ", "RASR", ""):
             result = self.run_ramus("info", "bare.swc", "--orientation", wrong)
@@ -62,7 +62,7 @@ class Info(CommandLineTest):
 
 
 class Files(CommandLineTest):
-    def test_a_converted_tree_claims_no_more(self):
+    def test_conversion_adds_no_claims(self):
         self.write("bare.swc", GOOD)
         for name in ("again.swc", "again.json", "again.vtp", "again.vmv", "again.graphml", "again.mrk.json"):
             with self.subTest(name=name):
@@ -73,7 +73,7 @@ class Files(CommandLineTest):
                 info = self.json("info", name, "--json")
                 self.assertEqual((info["units"], info["orientation"]), ("mm", "RAS"))
 
-    def test_meshes_say_it(self):
+    def test_meshes_state_unit_and_orientation(self):
         self.write("bare.swc", GOOD)
         self.expect_done("mesh", "bare.swc", "-o", "bare.ply")
         head = (self.folder / "bare.ply").read_bytes()[:200]
@@ -116,7 +116,7 @@ class Files(CommandLineTest):
 
 
 class Sessions(CommandLineTest):
-    def test_a_session_keeps_what_was_said(self):
+    def test_a_session_stores_unit_and_orientation(self):
         self.write("bare.swc", GOOD)
         self.write("c.txt", "orientation PIR\nunits cm\nsave s.ramus.json\n")
         self.expect_done("render", "bare.swc", "--commands", "c.txt")
@@ -128,7 +128,7 @@ class Sessions(CommandLineTest):
         # x leads to the back, y down, z to the right: (3, 0, 15) in cm.
         self.assertEqual([v + 0.0 for v in info["branch_list"][1]["last"]], [150.0, -30.0, 0.0])
 
-    def test_a_session_of_before_with_axes(self):
+    def test_an_old_session_with_axes(self):
         self.write("bare.swc", GOOD)
         self.write("c.txt", "save s.ramus.json\n")
         self.expect_done("render", "bare.swc", "--commands", "c.txt")
@@ -138,7 +138,7 @@ class Sessions(CommandLineTest):
         self.expect_done("convert", "--session", "s.ramus.json", "-o", "said.json")
         self.assertEqual(self.json("info", "said.json", "--json")["orientation"], "RAS")
 
-    def test_undo_takes_it_back(self):
+    def test_undo_of_unit_and_orientation(self):
         self.write("bare.swc", GOOD)
         self.write("c.txt", "orientation LPS\nundo\nsave a.ramus.json\nredo\nsave b.ramus.json\n")
         self.expect_done("render", "bare.swc", "--commands", "c.txt")
@@ -151,7 +151,7 @@ class Pictures(CommandLineTest):
         return self.run_ramus("render", tree, "--size", "400x300", "--reference", reference, "--tolerance", "0.0001",
                               "-o", "actual.png", *options).returncode
 
-    def test_a_picture_claims_sides_and_unit_only_where_they_are_said(self):
+    def test_a_picture_shows_sides_and_unit_only_if_they_are_known(self):
         self.write("bare.swc", GOOD)
         self.write("known.swc", KNOWN)
         for name in ("bare", "known"):
@@ -174,7 +174,7 @@ class Pictures(CommandLineTest):
 
 
 class Dependency(CommandLineTest):
-    def test_separate_vessels_say_that_nothing_depends(self):
+    def test_info_reports_that_no_branch_of_separate_vessels_depends(self):
         self.write("apart.swc", "1 2 0 0 0 1 -1\n2 2 0 0 9 1 1\n3 2 9 0 0 1 -1\n4 2 9 0 9 1 3\n")
         self.assertIs(self.json("info", "apart.swc", "--json")["dependency_known"], False)
         self.assertRegex(self.expect_done("info", "apart.swc").stdout, r"dependency +not known: separate vessels")

@@ -24,19 +24,19 @@ class Outputs(CommandLineTest):
                 self.expect_failure(*command, "missing/" + output, says=["missing/" + output, "does not exist", "create"])
                 self.assertEqual(self.names(), ["tree.swc"])
 
-    def test_folder_in_the_place_of_the_file(self):
+    def test_output_is_a_folder(self):
         for command, output in self.commands("ply", "json"):
             with self.subTest(output):
                 (self.folder / output).mkdir()
                 self.expect_failure(*command, output, says=[output, "is a folder", "name of a file"])
                 self.assertEqual(list((self.folder / output).iterdir()), [])
 
-    def test_file_in_the_place_of_the_folder(self):
+    def test_output_folder_is_a_file(self):
         for command, output in self.commands("ply", "json"):
             with self.subTest(output):
                 self.expect_failure(*command, "tree.swc/" + output, says=["does not exist"])
 
-    def test_unknown_extension_is_refused_before_the_work(self):
+    def test_unknown_extension_is_refused_before_computing(self):
         for command in ("mesh", "convert"):
             for output in ("out.xyz", "out"):
                 with self.subTest(command, output=output):
@@ -142,7 +142,7 @@ class Series(CommandLineTest):
         _, errors = process.communicate(timeout=120)
         return process.returncode, errors
 
-    def test_a_turntable_that_is_stopped_leaves_no_picture(self):
+    def test_a_stopped_turntable_leaves_no_picture(self):
         self.write("t_0001.png", "mine")
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
             for after in (0.5, 1.5, 3):
@@ -155,17 +155,17 @@ class Series(CommandLineTest):
         self.expect_done("render", "tree.swc", "-o", "t.png", "--turntable", "3", "--size", "64x48")
         self.assertEqual(self.names(), ["t_0001.png", "t_001.png", "t_002.png", "t_003.png", "tree.swc"])
 
-    def test_so_does_one_of_a_commands_file(self):
+    def test_a_stopped_turntable_of_a_commands_file_leaves_no_picture(self):
         self.write("c", "export turntable t.png --pictures 9999 --size 64x48\n")
         self.stopped("render", "tree.swc", "--commands", "c", "--size", "64x48", after=2)
         self.assertEqual(self.names(), ["c", "tree.swc"])
 
-    def test_one_that_fails_leaves_none(self):
+    def test_a_failed_turntable_leaves_no_picture(self):
         (self.folder / "t_003.png").mkdir()
         self.expect_failure("render", "tree.swc", "-o", "t.png", "--turntable", "4", "--size", "64x48", says=["t_003.png", "folder"])
         self.assertEqual(self.names(), ["t_003.png", "tree.swc"])
 
-    def test_a_study_that_fails_leaves_nothing(self):
+    def test_a_failed_study_leaves_nothing(self):
         self.write("loose.swc", "1 2 0 0 0 1 -1\n")
         self.expect_failure("study", "loose.swc", "-o", "deep/s", "--size", "64x48")
         self.assertEqual(self.names(), ["loose.swc", "tree.swc"])
@@ -180,7 +180,7 @@ class Progress(CommandLineTest):
         result = self.expect_done("mesh", tree, "-o", "out.ply", "--detail", "256", "--json")
         self.assertEqual(result.stderr, "")
 
-    def test_a_terminal_does(self):
+    def test_a_terminal_sees_progress(self):
         tree = self.write("tree.swc", TUBE)
         leader, follower = self.terminal()
         process = subprocess.Popen([RAMUS, "mesh", tree, "-o", "out.ply", "--detail", "512"], cwd=self.folder,

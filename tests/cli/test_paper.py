@@ -97,7 +97,7 @@ class Paper(CommandLineTest):
                 self.assertRegex(result.stderr, says)
                 self.assertFalse((self.folder / "out").exists())
 
-    def test_what_fails_leaves_nothing(self):
+    def test_failures_leave_nothing(self):
         self.write("loose.swc", "1 2 0 0 0 1 -1\n")
         self.expect_failure("paper", "-o", "deep/out", "--tree", "loose.swc", says=["loose.swc"])
         self.expect_failure("paper", "-o", "deep/out", "--tree", "tree.swc", "--mask", "tree.swc", says=["tree.swc"])

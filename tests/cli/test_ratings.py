@@ -1,4 +1,4 @@
-"""What raters answered, on the command line: from files as their sheets save them to the table, and what is refused."""
+"""What raters answered, on the command line: from files as rating pages save them to the table, and what is refused."""
 
 import csv
 import io
@@ -101,7 +101,7 @@ class Ratings(CommandLineTest):
         self.assertEqual(rows[2]["p"], "")
         self.assertEqual(float(rows[2]["mean"]), 4.0)
 
-    def test_pairs_of_answers_when_asked_for(self):
+    def test_pairs_of_answers_on_request(self):
         files = self.raters(3, lambda rater, scene, method, criterion: {"isosurface": 1, "cones": 2}.get(method, 3 + scene % 2))
         scenes = len(self.key["scenes"])
         table = self.json("ratings", "key.json", *files, "--pair-by", "answer", "--json")
@@ -110,7 +110,7 @@ class Ratings(CommandLineTest):
         self.assertEqual(self.json("ratings", "key.json", *files, "--json")["criteria"][0]["against"]["cones"]["pairs"], 3)
         self.assertIn("too small", self.expect_done("ratings", "key.json", *files, "--pair-by", "answer").stdout)
 
-    def test_one_rater_gives_no_significance_and_few_are_told_what_they_cannot_show(self):
+    def test_one_rater_gives_no_significance_and_few_raters_give_a_warning(self):
         files = self.raters(5, self.better)
         told = self.expect_done("ratings", "key.json", files[0]).stdout
         self.assertIn("One rater: nothing can be said", told)
@@ -127,7 +127,7 @@ class Ratings(CommandLineTest):
         self.write_answers(name, answers)
         self.expect_failure("ratings", "key.json", name, says=(name, *says))
 
-    def test_answers_that_are_not_whole_or_not_of_the_scale(self):
+    def test_incomplete_and_out_of_range_answers(self):
         good = self.answers(1, lambda *asked: 3)
         text = json.dumps(good)
 
@@ -165,7 +165,7 @@ class Ratings(CommandLineTest):
         self.write("other.json", Ratings.study)
         self.expect_failure("ratings", "key.json", "other.json", one, says=("other.json", "second key"))
 
-    def test_files_that_are_something_else(self):
+    def test_files_of_other_kinds(self):
         (one,) = self.raters(1, self.better)
         for content, says in (("", "empty"), ("{", "JSON"), ("[1, 2]", "neither"), ("{}", "neither"), ("null", "neither"),
                               ('{"format": "ramus-tree"}', "neither"), ('{"format": 3}', "neither"), (b"\x89PNG\r\n", "JSON")):
@@ -205,7 +205,7 @@ class Ratings(CommandLineTest):
         refused(lambda key: key.pop("methods"), "methods")
         refused(lambda key: key.update(scenes={}), "scenes")
 
-    def test_wrong_usage_and_what_cannot_be_written(self):
+    def test_wrong_usage_and_unwritable_output(self):
         (one,) = self.raters(1, self.better)
         self.assertEqual(self.run_ramus("ratings").returncode, 2)
         self.assertEqual(self.run_ramus("ratings", "key.json", one, "--pair-by", "scene").returncode, 2)

@@ -1,4 +1,4 @@
-"""Real masks beside the checkout (RAMUS_SHARED_DATA): their counts are known from an independent program."""
+"""Real masks next to the checkout (RAMUS_SHARED_DATA): their counts are known from an independent program."""
 
 import os
 import pathlib

@@ -1,4 +1,4 @@
-"""Real trees beside the checkout (RAMUS_SHARED_DATA): their counts are known from an independent program."""
+"""Real trees next to the checkout (RAMUS_SHARED_DATA): their counts are known from an independent program."""
 
 import json
 import os
@@ -42,7 +42,7 @@ class RealTrees(CommandLineTest):
         info = self.json("info", TREES / "brain_unjoined_7001.swc", "--json")
         self.assertEqual((info["roots"], info["loops"], len(info["repairs"])), (4, 0, 82))
 
-    def test_there_and_back_again(self):
+    def test_conversion_and_back_keeps_the_tree(self):
         for name in COUNTS:
             with self.subTest(name):
                 self.expect_done("convert", TREES / (name + ".swc"), "-o", "a.json")

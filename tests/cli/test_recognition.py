@@ -95,7 +95,7 @@ class Recognition(CommandLineTest):
     def test_meshes(self):
         self.check_corpus(MESHES, self.ask_mesh)
 
-    def test_headers_whose_values_lie_in_another_file(self):
+    def test_headers_with_values_in_another_file(self):
         for extension, path in self.corpus(DETACHED):
             with self.subTest(path=path):
                 header, values = path.read_bytes().split(b"====\n", 1)
@@ -149,7 +149,7 @@ class Kinds(CommandLineTest):
         report = self.json("info", path, "--json")
         return report["branches"], report["segments"]
 
-    def test_a_scene_of_tubes_is_no_image(self):
+    def test_a_tubetk_scene_is_not_an_image(self):
         tube = ("ObjectType = Tube\nNDims = 3\nID = {}\nParentID = {}\nRoot = {}\nPointDim = x y z r\nNPoints = 4\n"
                 "Points = \n{}\n")
         rows = ["\n".join(f"{x} 0 {z + step} 1" for step in range(4)) for x, z in ((0, 0), (5, 9))]
@@ -169,7 +169,7 @@ class Kinds(CommandLineTest):
         self.expect_failure("info", self.write("mark.mha", "ObjectType = Landmark\nNDims = 3\n"),
                             says=["mark.mha", "ElementDataFile"])
 
-    def test_dicom_is_known_by_its_mark_whatever_stands_before_it(self):
+    def test_dicom_is_recognised_by_its_mark_after_any_preamble(self):
         plain = (CORPUS / "dcm" / "bits").read_bytes()
         self.assertEqual(plain[128:132], b"DICM")
         expected = None
@@ -182,7 +182,7 @@ class Kinds(CommandLineTest):
                 expected = expected or report
                 self.assertEqual(report, expected)
 
-    def test_the_content_counts_more_than_the_name(self):
+    def test_the_content_takes_precedence_over_the_name(self):
         tree = self.write("tree.swc", GOOD)
         expected = self.branches(tree)
         for extension in ("vtp", "json", "vmv", "mrk.json", "graphml"):
@@ -194,7 +194,7 @@ class Kinds(CommandLineTest):
                     self.expect_done("mesh", name, "-o", "a.ply", "--method", "cones")
                     (self.folder / name).unlink()
 
-    def test_the_name_counts_more_than_a_likeness(self):
+    def test_the_name_takes_precedence_over_a_similarity(self):
         # The columns of a table of nodes look like those of SWC.
         table = self.write("tree.csv", "id type x y z radius parent\n1 2 0 0 0 1 -1\n")
         self.expect_failure("info", table, says=["tree.csv: the first line names neither"])

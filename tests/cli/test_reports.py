@@ -88,7 +88,7 @@ class Reports(CommandLineTest):
         for name in ("s.json", "plain.html"):
             self.assertFalse("Jane &" in (self.folder / name).read_text() or "Jane <" in (self.folder / name).read_text(), name)
 
-    def test_what_a_case_line_is_not_of(self):
+    def test_invalid_report_options_are_refused(self):
         tree = self.write("tree.swc", GOOD)
         for line, says in (("report r.csv --case x", "page"), ("report r.html --case", "--case"),
                            ("report r.html --size 3", "size"), ("report r.html --size 0x5", "size"),
@@ -99,7 +99,7 @@ class Reports(CommandLineTest):
                 self.expect_failure("render", tree, "--size", "200x150", "--commands", "plan.txt", says=["plan.txt:2", says])
         self.assertEqual(self.names(), ["plan.txt", "tree.swc"])
 
-    def test_pictures_are_on_white_and_cut_no_vessel(self):
+    def test_pictures_are_white_and_contain_all_vessels(self):
         self.write("organ.obj", CUBE)
         # A wide picture, of which a page in another shape would cut the ends off.
         far = "1 1 0 0 0 1 -1\n" + "".join("%d 3 %d 0 %d 1 %d\n" % (n + 2, 8 * n + 8, n % 2, n + 1) for n in range(12))
@@ -125,12 +125,12 @@ class Reports(CommandLineTest):
             self.write("dialog.txt", command + "\n")
             self.expect_done("render", tree, "--ui", "--size", "800x600", "--commands", "dialog.txt", "-o", "window.png")
 
-    def test_cuts_above_the_limit_stand_out(self):
+    def test_cuts_above_the_limit_are_emphasised(self):
         self.page("cut 0 0.5\nreconstruct 1\nreport page.html\nreconstruct 9\nreport other.html\n")
         self.assertIn('<tr class="flag">', (self.folder / "page.html").read_text())
         self.assertNotIn('<tr class="flag">', (self.folder / "other.html").read_text())
 
-    def test_another_shape_of_the_picture_can_be_asked_for(self):
+    def test_the_size_of_the_picture_can_be_set(self):
         page = self.page("report page.html --size 100x50\n")
         self.assertEqual(size_of(page.pictures["As it was looked at"]), (1200, 600))
 
@@ -151,7 +151,7 @@ class Reports(CommandLineTest):
         self.assertIn('background:#c98268', (self.folder / "page.html").read_text())
         self.assertNotIn("Context", self.page("report page.html\n").tables)
 
-    def test_pages_say_millilitres_and_tables_cubic_millimetres(self):
+    def test_pages_use_millilitres_and_tables_cubic_millimetres(self):
         # A tube of radius 5 mm and length 100 mm: pi 25 100 = 7,854 mm3.
         tree = self.write("tube.swc", "1 1 0 0 0 5 -1\n2 3 0 0 100 5 1\n")
         page = self.page("select 0\ncut 0 0\nreport page.html\nreport rows.csv selection\n", tree=tree)

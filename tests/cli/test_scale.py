@@ -51,7 +51,7 @@ class Scale(CommandLineTest):
             self.assertAlmostEqual(bar["mm"] / bar["pixels"], 80 / SIZE, places=9)
             self.assertAlmostEqual(self.thickness() * bar["mm"] / bar["pixels"] / DIAMETER, 1.0, delta=0.02)
 
-    def test_depth_is_said_and_too_much_of_it_has_no_bar(self):
+    def test_the_depth_of_a_bar_is_stated_and_too_deep_pictures_have_none(self):
         # From 60 mm to 140 mm before the eye: more than twice as far.
         self.write("deep.swc", "1 0 -20 40 -8 2 -1\n2 0 20 40 -8 2 1\n3 0 -20 -40 8 2 -1\n4 0 20 -40 8 2 3\n")
         self.assertIsNone(self.render("deep.swc", "--camera", camera(100))["scale_bar"])
@@ -66,7 +66,7 @@ class Scale(CommandLineTest):
         self.assertIsNone(self.render("deep.swc", "--camera", away)["scale_bar"])
         self.assertIsNone(self.render("deep.swc", "--orthographic", "--overlays", "cube")["scale_bar"])
 
-    def test_pixels_are_those_of_the_picture_that_is_written(self):
+    def test_pixels_refer_to_the_written_picture(self):
         self.write("tree.swc", GOOD)
         plain = self.render("tree.swc", size="450x300")["scale_bar"]
         finer = self.render("tree.swc", "--supersample", "3", size="450x300")["scale_bar"]
@@ -77,7 +77,7 @@ class Scale(CommandLineTest):
             self.assertIsNone(self.render("tree.swc", *many, size="450x300")["scale_bar"])
             self.assertEqual(self.render("tree.swc", "--orthographic", *many, size="450x300")["scale_bar"]["at"], "everywhere")
 
-    def test_compared_surfaces_share_a_bar_that_is_true_of_both(self):
+    def test_compared_surfaces_share_a_bar_that_is_valid_for_both(self):
         self.write("tree.swc", GOOD)
         alone = self.render("tree.swc", "--view", "left", size="301x300")["scale_bar"]
         both = self.render("tree.swc", "--camera", json.dumps(self.render("tree.swc", "--view", "left", size="301x300")["camera"]),

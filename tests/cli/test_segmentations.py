@@ -158,7 +158,7 @@ class Segmentations(CommandLineTest):
         self.assertEqual(self.counts(path)[0],
                          {2: (len(LESION), "lesion"), 9: (len(ORGAN), "liver"), 10: (len(vein), None)})
 
-    def test_one_layer_as_before(self):
+    def test_nrrd_with_one_layer(self):
         path = self.write("one.seg.nrrd", seg_nrrd(SIZE, [layer((3, VESSEL))], slicer(0, "vein", 3) +
                                                    slicer(1, "empty", 4)))
         self.assertEqual(self.counts(path), ({3: (len(VESSEL), "vein"), 4: (0, "empty")}, {}))
@@ -215,7 +215,7 @@ class Segmentations(CommandLineTest):
         self.assertTrue(json.loads(self.expect_done("validate", "near.json", "--mask", path, "--label", "portal vein",
                                                     "--json").stdout))
 
-    def test_files_of_others(self):
+    def test_files_of_other_programs(self):
         if not SHARED.is_dir():
             self.skipTest("SKIPPED: no shared/data")
         labels, overlaps = self.counts(SHARED / "seg_vessel_in_organ.dcm")
@@ -291,7 +291,7 @@ class Names(CommandLineTest):
                             self.assertIn("the names of labels are those of its header's extension", self.notes)
                             self.assertEqual(self.named(self.write("b.nii.gz", gzip.compress(content))), self.EXPECTED)
 
-    def test_damaged_extensions_say_nothing_of_the_voxels(self):
+    def test_damaged_extensions_do_not_affect_the_voxels(self):
         damaged = "an extension of its header is damaged, and was left out"
         for extension, note in (((0, TABLE[:200]), "the names of labels in its header's extension are damaged, and "
                                  "were left out"),

@@ -70,7 +70,7 @@ class Skeletonize(CommandLineTest):
                 info = self.json("info", tree, "--json")
                 self.assertEqual((info["units"], info["orientation"]), said, tree)
 
-    def test_a_mask_is_read_wherever_a_tree_is(self):
+    def test_every_command_that_reads_trees_reads_masks(self):
         self.expect_done("mesh", "mask.nii", "-o", "surface.stl")
         self.expect_done("render", "mask.nii", "-o", "picture.png", "--size", "200x150")
 
@@ -90,7 +90,7 @@ class Skeletonize(CommandLineTest):
         for wrong in (("--isovalue", "much"), ("--isovalue", "200", "--label", "1")):
             self.assertEqual(self.run_ramus("skeletonize", "scan.nii", "-o", "x.json", *wrong).returncode, 2, wrong)
 
-    def test_a_session_without_a_tree_is_pictured_and_makes_no_surface(self):
+    def test_a_session_without_a_tree_is_drawn_and_has_no_surface(self):
         (self.folder / "s.ramus.json").write_text(json.dumps(
             {"version": 1, "tree": None, "context": [{"path": "mask.nii", "label": 1, "exact": True, "opacity": 1}]}))
         report = self.json("render", "--session", "s.ramus.json", "-o", "one.png", "--size", "200x150", "--json")
@@ -107,7 +107,7 @@ class Skeletonize(CommandLineTest):
         self.expect_failure("render", "--session", "s.ramus.json", "--commands", "commands.txt", says=("no tree to export",))
         self.assertFalse((self.folder / "x.ply").exists())
 
-    def test_how_a_mask_becomes_a_tree_is_asked_wherever_one_is_read(self):
+    def test_options_of_masks_exist_wherever_trees_are_read(self):
         def branches(*arguments):
             self.expect_done("convert", *arguments, "-o", "tree.json")
             return self.json("info", "tree.json", "--json")
@@ -127,7 +127,7 @@ class Skeletonize(CommandLineTest):
             self.assertEqual(self.run_ramus("mesh", "mask.nii", "-o", "x.ply", *wrong).returncode, 2, wrong)
         self.assertEqual(self.run_ramus("mesh", "mask.nii", "--method", "iso", "--fill-holes", "-o", "x.ply").returncode, 2)
 
-    def test_a_session_keeps_how_its_mask_is_read(self):
+    def test_a_session_stores_the_options_of_its_mask(self):
         (self.folder / "commands.txt").write_text("read-as labels together fill-holes on bulge-size 1 root 47,6,8\n"
                                                   "save s.ramus.json\n")
         self.expect_done("render", "mask.nii", "--commands", "commands.txt", "--overwrite", "--size", "64x48")
@@ -154,7 +154,7 @@ class Skeletonize(CommandLineTest):
         total = next(note["text"] for note in report["notes"] if "such places (pieces)" in note["text"])
         self.assertEqual(int(total.split()[4]), report["roots"] - 1)
 
-    def test_noise_takes_no_quadratic_time(self):
+    def test_noise_does_not_take_quadratic_time(self):
         """Eight times the voxels take eight times as long, not 64 times."""
         seconds = []
         for side in (48, 96):
@@ -166,7 +166,7 @@ class Skeletonize(CommandLineTest):
             seconds.append(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before)
         self.assertLess(seconds[1], 20 * seconds[0])
 
-    def test_a_sparse_mask_takes_the_memory_of_its_voxels(self):
+    def test_a_sparse_mask_needs_memory_for_its_voxels_only(self):
         """One bit for each voxel of this volume would take 134 MB, four times."""
         side = 1024
         head = nifti((side,) * 3, None)
@@ -188,7 +188,7 @@ class Skeletonize(CommandLineTest):
         self.assertLess(usage.ru_maxrss * 1024, (150 << 20) + SANITIZER_MEMORY)
         self.expect_failure("skeletonize", "large.nii", "-o", "tree.json", "--memory", "10M", says=("--memory",))
 
-    def test_what_is_wrong_is_said(self):
+    def test_errors_are_reported(self):
         self.expect_failure("skeletonize", "mask.nii", "-o", "t.json", "--label", "7", says=("no voxel has label 7",))
         self.expect_failure("skeletonize", "mask.nii", "-o", "t.xyz", says=("t.xyz",))
         self.expect_failure("skeletonize", "mask.nii", "-o", "t.json", "--islands", "100", says=("lower --islands",))

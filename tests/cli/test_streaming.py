@@ -17,7 +17,7 @@ class Streaming(CommandLineTest):
         super().setUp()
         self.write("tube.swc", TUBE)
 
-    def test_streaming_keeps_to_its_memory_and_gives_the_same_file(self):
+    def test_streaming_stays_within_its_memory_and_gives_the_same_file(self):
         # What a process had at its peak counts what its parent had when it began: this one stays small.
         with subprocess.Popen([RAMUS, *self.COMMAND, "streamed.ply", "--json", "--verbose"], cwd=self.folder,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:

@@ -64,7 +64,7 @@ class Input(Streams):
                     for key in ("branches", "segments", "length", "volume"):
                         self.assertAlmostEqual(found[key], expected[key], places=5, msg=extension)
 
-    def test_the_same_results_as_of_a_file(self):
+    def test_results_are_the_same_as_from_a_file(self):
         self.write("tree.swc", GOOD)
         self.expect_done("mesh", "tree.swc", "-o", "file.ply")
         self.passed(GOOD, "mesh", "-", "-o", "pipe.ply")
@@ -121,7 +121,7 @@ class Input(Streams):
         self.refused(GOOD, "skeletonize", "-", "-o", "a.swc", says=["standard input: "])
         self.assertNotIn("a.swc", self.names())
 
-    def test_what_needs_other_files_cannot_come_through_a_pipe(self):
+    def test_formats_of_several_files_cannot_be_piped(self):
         for name, content in TABLES.items():
             self.write(name, content)
             self.refused(content, "info", "-", says=["standard input", "stands in another file", "name its file"])
@@ -141,7 +141,7 @@ class Input(Streams):
         self.refused(GOOD, "mesh", "--session", "-", "-o", "a.stl", says=["only for trees, masks and meshes"])
         self.refused(GOOD, "-", status=2, says=["the window opens files"])
 
-    def test_no_standard_input(self):
+    def test_missing_standard_input(self):
         closed = subprocess.run(["sh", "-c", f"exec {RAMUS} info - <&-"], capture_output=True, text=True, timeout=60)
         self.assertEqual(closed.returncode, 1)
         self.assertIn("standard input: is closed", closed.stderr)
@@ -179,7 +179,7 @@ class Input(Streams):
 
 
 class Output(Streams):
-    def test_every_format_comes_as_it_is_in_a_file(self):
+    def test_every_format_has_the_same_bytes_as_a_file(self):
         self.write("tree.swc", GOOD)
         for extension in ("swc", "json", "vtp", "vmv", "mrk.json", "graphml"):
             self.expect_done("convert", "tree.swc", "-o", "file." + extension)
@@ -198,7 +198,7 @@ class Output(Streams):
         mask = self.write("mask.nii", tube_mask())
         self.assertIn(b"standard output", self.piped(b"", "skeletonize", mask, "-o", "-", "--format", "swc").stderr)
 
-    def test_through_and_through(self):
+    def test_pipe_between_two_commands(self):
         stl = self.passed(gzip.compress(GOOD.encode()), "mesh", "-", "-o", "-", "--format", "stl")
         self.assertEqual(len(stl), 84 + 50 * struct.unpack_from("<I", stl, 80)[0])
         found = json.loads(self.passed(stl, "compare", "-", self.write("tree.swc", GOOD), "--json"))
@@ -226,7 +226,7 @@ class Output(Streams):
         self.assertEqual(result.returncode, 1)
         self.assertIn("standard output: is a terminal", result.stderr)
 
-    def test_a_reader_that_goes_leaves_nothing(self):
+    def test_a_closed_pipe_leaves_nothing(self):
         self.write("tree.swc", GOOD)
         for arguments in (["mesh", "tree.swc", "--detail", "64", "-o", "-", "--format", "stl"],
                           ["info", "tree.swc", "--branches", "--json"]):

@@ -51,15 +51,15 @@ class Study(CommandLineTest):
 
     def study(self, folder, *options):
         self.expect_done("study", "tree.swc", "-o", folder, "--size", "64x48", *options)
-        sheets = {path.name: path.read_text() for path in (self.folder / folder / "sheets").iterdir()}
-        return json.loads((self.folder / folder / "key.json").read_text()), sheets
+        pages = {path.name: path.read_text() for path in (self.folder / folder / "sheets").iterdir()}
+        return json.loads((self.folder / folder / "key.json").read_text()), pages
 
-    def test_a_sheet_for_each_rater_that_does_not_change_when_there_are_more(self):
-        key, sheets = self.study("one")
-        self.assertEqual(sorted(sheets), ["rater_001.html"])
-        more, more_sheets = self.study("more", "--raters", "7")
-        self.assertEqual(len(more_sheets), 7)
-        self.assertEqual(more_sheets["rater_001.html"], sheets["rater_001.html"])
+    def test_a_page_for_each_rater_that_does_not_change_when_there_are_more(self):
+        key, pages = self.study("one")
+        self.assertEqual(sorted(pages), ["rater_001.html"])
+        more, more_pages = self.study("more", "--raters", "7")
+        self.assertEqual(len(more_pages), 7)
+        self.assertEqual(more_pages["rater_001.html"], pages["rater_001.html"])
         self.assertEqual(more["study"], key["study"])
         self.assertEqual(more["orders"][0], key["orders"][0])
         # Six raters see the six orders of a scene's pictures once each: every method is twice at each place.
@@ -72,10 +72,10 @@ class Study(CommandLineTest):
         self.assertEqual(other["study"], key["study"])
         self.assertNotEqual(other["orders"], more["orders"])
 
-    def test_a_sheet_says_no_method_and_has_the_pictures_of_its_rater_in_their_order(self):
-        key, sheets = self.study("out", "--raters", "2")
-        for number, sheet in ((1, sheets["rater_001.html"]), (2, sheets["rater_002.html"])):
-            data = json.loads(sheet.split('<script id="sheet" type="application/json">')[1].split("</script>")[0])
+    def test_a_page_hides_the_methods_and_has_the_pictures_in_the_order_of_its_rater(self):
+        key, pages = self.study("out", "--raters", "2")
+        for number, page in ((1, pages["rater_001.html"]), (2, pages["rater_002.html"])):
+            data = json.loads(page.split('<script id="page" type="application/json">')[1].split("</script>")[0])
             self.assertEqual(data["rater"], number)
             self.assertEqual(data["study"], key["study"])
             self.assertEqual([[picture["code"] for picture in scene["pictures"]] for scene in data["scenes"]],
@@ -84,11 +84,11 @@ class Study(CommandLineTest):
                 self.assertEqual(len({picture["source"] for picture in scene["pictures"]}), 3)
                 for picture in scene["pictures"]:
                     picture["source"] = ""
-            for words in (json.dumps(data).lower(), sheet.split("<script")[0].lower()):
+            for words in (json.dumps(data).lower(), page.split("<script")[0].lower()):
                 for word in ("isosurface", "cone", "convolution"):
                     self.assertNotIn(word, words)
 
-    def test_what_cannot_be_is_told_before_anything_is_drawn(self):
+    def test_failures_are_reported_before_anything_is_drawn(self):
         self.write("file", "not a folder")
         self.expect_failure("study", "tree.swc", "-o", "file", says=("file", "folder"))
         (self.folder / "full").mkdir()

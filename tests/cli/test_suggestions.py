@@ -14,17 +14,17 @@ class SuggestionsTest(CommandLineTest):
     def refused(self, *arguments, says):
         return self.expect_failure(*arguments, status=2, says=says)
 
-    def test_a_mistyped_command_is_known_whatever_follows_it(self):
+    def test_a_misspelled_command_is_recognised_with_any_arguments(self):
         for command in self.commands():
             swapped = command[:-2] + command[-1] + command[-2]
             for rest in ((), ("liver.swc",), ("liver.swc", "-o", "x.stl"), ("--json", "--size", "1x1")):
                 self.refused(swapped, *rest, says=(f"{swapped}: neither a command nor a file", f"did you mean {command}?"))
 
-    def test_a_word_like_no_command_is_told_where_they_are_listed(self):
+    def test_an_unknown_word_refers_to_the_list_of_commands(self):
         result = self.refused("xyzzy", says=("xyzzy: neither a command nor a file", "ramus --help"))
         self.assertNotIn("did you mean", result.stderr)
 
-    def test_every_long_option_of_every_command_is_found_again(self):
+    def test_every_misspelled_long_option_is_recognised(self):
         for command in self.commands():
             options = set(re.findall(r"(--[a-z][a-z-]{4,})", self.expect_done(command, "--help").stdout))
             self.assertGreater(len(options), 1)
@@ -37,7 +37,7 @@ class SuggestionsTest(CommandLineTest):
                 self.assertEqual(result.returncode, 2)
                 self.assertIn(f"Did you mean {option}?", result.stderr)
 
-    def test_a_mistyped_option(self):
+    def test_a_misspelled_option(self):
         self.write("tree.swc", GOOD)
         for words in (("--detial", "16"), ("--detial=16",), ("--det", "16")):
             self.refused("mesh", "tree.swc", "-o", "x.stl", *words, says=("not expected", "Did you mean --detail?",
@@ -51,12 +51,12 @@ class SuggestionsTest(CommandLineTest):
         self.write("tree.swc", GOOD)
         self.refused("info", "tree.swc", "--for-printing", says=("--for-printing is an option of ramus mesh",))
 
-    def test_an_option_like_none(self):
+    def test_an_option_without_similar_ones(self):
         self.write("tree.swc", GOOD)
         result = self.refused("info", "tree.swc", "--xyzzy", says=("not expected: --xyzzy",))
         self.assertNotIn("Did you mean", result.stderr)
 
-    def test_a_mistyped_line_of_a_commands_file(self):
+    def test_a_misspelled_line_of_a_commands_file(self):
         self.write("tree.swc", GOOD)
         self.write("c.txt", "slect 2\n")
         self.expect_failure("render", "tree.swc", "-o", "x.png", "--commands", "c.txt",

@@ -28,7 +28,7 @@ class Systems(CommandLineTest):
         super().setUp()
         self.tree = self.write("two.json", json.dumps(TREE))
 
-    def test_info_lists_them(self):
+    def test_info_lists_systems(self):
         report = self.json("info", self.tree, "--json", "--branches")
         self.assertEqual(report["systems"], ["portal vein", "hepatic vein"])
         self.assertEqual([(s["name"], s["colour"], s["branches"], s["length_mm"]) for s in report["system_list"]],
@@ -38,13 +38,13 @@ class Systems(CommandLineTest):
         self.assertIn("  hepatic vein: 1 branch, 20.0 mm, #c8503c\n", text)
         self.assertIn("portal vein", text.splitlines()[-2])
 
-    def test_each_has_a_surface_of_its_own(self):
+    def test_each_system_has_a_surface_of_its_own(self):
         self.assertEqual(self.json("mesh", self.tree, "-o", "a.ply", "--json")["components"], 2)
         joined = {key: value for key, value in TREE.items() if "systems" not in key}
         one = self.json("mesh", self.write("one.json", json.dumps(joined)), "-o", "b.ply", "--blend", "paper", "--json")
         self.assertEqual(one["components"], 1)
 
-    def test_one_is_chosen_by_name_or_number(self):
+    def test_a_system_is_chosen_by_name_or_number(self):
         whole = self.json("mesh", self.tree, "-o", "a.ply", "--json")
         portal = self.json("mesh", self.tree, "--system", "Portal Vein", "-o", "b.ply", "--json")
         hepatic = self.json("mesh", self.tree, "--system", "2", "-o", "c.ply", "--json")
@@ -69,7 +69,7 @@ class Systems(CommandLineTest):
         part = self.json("mesh", "--session", "s.ramus.json", "-o", "a.ply", "--json")
         self.assertEqual(part["components"], 1)
 
-    def test_what_is_written_has_the_names_and_colours_of_the_session(self):
+    def test_written_files_have_the_names_and_colours_of_the_session(self):
         commands = self.write("commands.txt", 'name-system 1 "V. portae"\ncolour-system 1 102030\nsave s.ramus.json\n'
                                               "export tree exported.json\nexport surface exported.glb --parts system\n")
         self.expect_done("render", self.tree, "--commands", commands, "--size", "64x48")

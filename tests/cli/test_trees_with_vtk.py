@@ -1,4 +1,4 @@
-"""Beside VTK (Debian's python3-vtk9): what its writers write, in all their encodings, ramus reads to the bit, and what
+"""Comparison with VTK (Debian's python3-vtk9): what its writers write, in all their encodings, ramus reads to the bit, and what
 ramus writes, its readers read with the same points, lines and arrays.
 """
 
@@ -107,7 +107,7 @@ class TreesBesideVtk(CommandLineTest):
                 with self.subTest(modes=modes, name=name):
                     self.check_read(self.written(writer, data, name))
 
-    def test_other_compressors_are_refused_with_a_word(self):
+    def test_other_compressors_are_refused_with_a_message(self):
         for compressor in ("LZ4", "LZMA"):
             writer = vtkXMLPolyDataWriter()
             getattr(writer, "SetCompressorTypeTo" + compressor)()

@@ -30,7 +30,7 @@ class Validate(CommandLineTest):
         for words in ("lost branches: none", "false branches: none", "merged branches: none", "radius away from joints"):
             self.assertIn(words, text)
 
-    def test_free_ends_are_told_apart(self):
+    def test_distances_are_also_given_without_free_ends(self):
         # A tube of radius 2 goes on half a ball beyond its ends as cones, 0.7075 radii as a convolution surface. Fine
         # triangles: chords of the half balls are nearer.
         self.write("tube.swc", swc((0, 0, 0, 2, -1), (0, 0, 30, 2, 1)))
@@ -176,7 +176,7 @@ class Validate(CommandLineTest):
         self.assertIn("Mean, units", page.words)
         self.assertNotIn("Mean, mm", page.words)
 
-    def test_a_mask_that_lies_elsewhere_is_told(self):
+    def test_a_mask_in_another_place_is_reported(self):
         size = (9, 9, 14)
         inside = [1 if 3 <= x <= 5 and 3 <= y <= 5 and 2 <= z <= 11 else 0 for x, y, z in voxels(size)]
         self.write("mask.nii", nifti(size, inside, rows=((1, 0, 0, -4), (0, 1, 0, -4), (0, 0, 2, 0))))
@@ -212,7 +212,7 @@ class Validate(CommandLineTest):
         for words in (("cubic",), ("inverse-cubic", "--width", "2"), ("polynomial", "--width", "20")):
             self.assertEqual(self.run_ramus("validate", "fork.swc", "--kernel", *words).returncode, 2)
 
-    def test_what_cannot_be(self):
+    def test_invalid_inputs_are_refused(self):
         self.expect_failure("validate", "fork.swc", "--surface", "missing.ply", says=["missing.ply"])
         self.expect_failure("validate", "fork.swc", "--mask", "fork.swc", says=["fork.swc"])
         self.write("file", "not a folder")
@@ -221,7 +221,7 @@ class Validate(CommandLineTest):
         for words in ((), ("fork.swc", "--label", "1"), ("fork.swc", "--mask-units", "cm")):
             self.assertEqual(self.run_ramus("validate", *words).returncode, 2)
 
-    def test_the_report_takes_no_place_of_what_is_read(self):
+    def test_the_report_does_not_replace_inputs(self):
         (self.folder / "report").mkdir()
         for name in ("index.html", "radii.csv"):
             target = self.folder / "report" / name

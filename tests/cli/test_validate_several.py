@@ -106,7 +106,7 @@ class ValidateSeveral(CommandLineTest):
                 self.expect_failure("validate", *words, "--report", "report", says=says, status=2)
                 self.assertEqual(self.names(), ["fork.swc", "mask.nii"])
 
-    def test_a_bad_file_is_named_before_the_work(self):
+    def test_a_bad_file_is_reported_before_computing(self):
         self.write("broken.swc", "1 0 0 0 x 1 -1\n")
         self.write("mask.nii", "no mask")
         self.write("broken.stl", "no mesh")

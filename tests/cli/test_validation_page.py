@@ -18,7 +18,7 @@ import trees  # noqa: E402
 
 
 class ValidationPage(unittest.TestCase):
-    def test_each_part_has_its_marks_its_command_and_its_text(self):
+    def test_each_part_has_marks_command_and_text(self):
         page = (ROOT / "docs" / "VALIDATION.md").read_text(encoding="utf-8")
         for name in parts.PARTS:
             found = re.findall(f"<!-- {name} -->\n(.+?)\n<!-- end of {name} -->\n\n    scripts/validation {name}\n", page, re.S)
@@ -42,7 +42,7 @@ class ValidationPage(unittest.TestCase):
         volume = 0.25 * sum(data[352:])
         self.assertAlmostEqual(volume / (math.pi * 9.0 * (30.0 + 4.0)), 1.0, delta=0.02)
 
-    def test_a_stenosis_is_as_narrow_as_it_is_called(self):
+    def test_a_stenosis_has_the_stated_width(self):
         rows = trees.stenosis(0.8, 3)
         self.assertAlmostEqual(min(row[3] for row in rows), 0.4, places=3)
 

@@ -35,7 +35,7 @@ class WrongFiles(CommandLineTest):
     def test_a_mask_where_a_surface_is_validated(self):
         self.expect_failure("validate", "tree.swc", "--surface", "scan.nii", says=["scan.nii: this is a mask", "--mask"])
 
-    def test_where_a_tree_is_wanted(self):
+    def test_where_a_tree_is_needed(self):
         for command in self.OF_TREES:
             with self.subTest(command):
                 for file, words in (("s.ramus.json", "s.ramus.json: this is a session"), ("missing", "no such file"),
@@ -46,7 +46,7 @@ class WrongFiles(CommandLineTest):
         self.write("noname", "hello\nworld\n")
         self.expect_failure("info", "noname", says=["its format is not recognised"])
 
-    def test_where_a_mask_is_wanted(self):
+    def test_where_a_mask_is_needed(self):
         for command in (["skeletonize", "FILE", "-o", "o.swc"], ["mesh", "FILE", "-o", "o.stl", "--method", "iso"],
                         ["validate", "tree.swc", "--mask", "FILE"],
                         ["paper", "-o", "p", "--figures", "9", "--tree", "tree.swc", "--mask", "FILE"]):
@@ -59,13 +59,13 @@ class WrongFiles(CommandLineTest):
         for command in (["skeletonize", "tree.swc", "-o", "o.swc"], ["mesh", "tree.swc", "-o", "o.stl", "--method", "iso"]):
             self.expect_failure(*command, says=["this is a vessel tree, where a segmentation mask is needed"])
 
-    def test_where_context_or_a_surface_is_wanted(self):
+    def test_where_context_or_a_surface_is_needed(self):
         for option in ("--context", "--deviation-from"):
             for file, words in (("missing", "no such file"), ("tree.swc", "neither a mask nor a mesh"),
                                 ("folder", "neither a mask nor a mesh")):
                 self.expect_failure("render", "tree.swc", "-o", "o.png", option, file, *SIZE, says=[file + ": ", words])
 
-    def test_where_a_session_is_wanted(self):
+    def test_where_a_session_is_needed(self):
         for file, words in (("missing", "no such file"), ("tree.swc", "not valid JSON"), ("folder", "a directory"),
                             ("empty", "the file is empty")):
             self.expect_failure("mesh", "--session", file, "-o", "o.stl", says=[file, words])

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Raters fill their sheets in a browser: chromium without a window, driven by Debian's python3-selenium.
+"""Raters fill in rating pages in a browser: chromium without a window, driven by Debian's python3-selenium.
 
     rating_journey.py RAMUS
 
@@ -167,7 +167,7 @@ def nothing_missing_is_saved(program, folder, key):
     try:
         browser.open(page)
         becomes(lambda: browser.by("progress").text == "24 of 48 answers", "nothing is lost when the browser is closed")
-        becomes(lambda: browser.by("title").text.startswith("Scene 2 of 4"), "and the sheet opens where it was left")
+        becomes(lambda: browser.by("title").text.startswith("Scene 2 of 4"), "and the page opens where it was left")
         check(browser.shown() == shown[1], "with the pictures in the same order")
         for scene in range(2):
             browser.click("next")
@@ -176,7 +176,7 @@ def nothing_missing_is_saved(program, folder, key):
         browser.all("#steps button")[-1].click()
         browser.click("save-answers")
         becomes(lambda: all(words in browser.by("save-result").text for words in ("Not saved", "1 answer is missing")),
-                "a sheet with an answer missing is not saved")
+                "a page with an answer missing is not saved")
         check(browser.texts("#missing button") == ["Picture B: Branchings"] and "Scene 3" in browser.by("missing").text,
               "and which answer it is, is told")
         check(list(browser.downloads.iterdir()) == [], "no file is written")
@@ -187,7 +187,7 @@ def nothing_missing_is_saved(program, folder, key):
         browser.driver.switch_to.active_element.send_keys(str(SCORES[methods[shown[2][1]]]))
         browser.all("#steps button")[-1].click()
         browser.click("save-answers")
-        becomes(lambda: "Saved" in browser.by("save-result").text, "a whole sheet is saved")
+        becomes(lambda: "Saved" in browser.by("save-result").text, "a complete page is saved")
         file = browser.downloaded()
         check(file.name == f"ratings_{key['study']}_rater_1.json", "under a name that says whose it is")
         browser.all("summary")[0].click()

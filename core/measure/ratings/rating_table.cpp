@@ -11,8 +11,8 @@ namespace {
 ScoreSummary summary_of(const Scores& scores, std::size_t method, std::size_t criterion) {
     std::vector<double> values;
     for (std::size_t rater = 0; rater < scores.size().raters; ++rater)
-        for (std::size_t scene = 0; scene < scores.size().scenes; ++scene)
-            values.push_back(scores.at({rater, scene, method, criterion}));
+        for (std::size_t view = 0; view < scores.size().views; ++view)
+            values.push_back(scores.at({rater, view, method, criterion}));
     std::ranges::sort(values);
     ScoreSummary found;
     found.count = values.size();
@@ -25,15 +25,16 @@ ScoreSummary summary_of(const Scores& scores, std::size_t method, std::size_t cr
     return found;
 }
 
-// An integer for each pair. For raters it is the sum over the scenes, not the mean, so that ties are exactly equal.
+// An integer for each pair. For raters it is the sum over the study views, not the mean, so that ties are exactly
+// equal.
 std::vector<double> differences(const Scores& scores, const MethodComparison& pair, std::size_t method,
                                 PairedBy paired_by) {
     std::vector<double> found;
     for (std::size_t rater = 0; rater < scores.size().raters; ++rater) {
         int sum = 0;
-        for (std::size_t scene = 0; scene < scores.size().scenes; ++scene) {
-            const int difference = scores.at({rater, scene, method, pair.criterion}) -
-                                   scores.at({rater, scene, pair.other, pair.criterion});
+        for (std::size_t view = 0; view < scores.size().views; ++view) {
+            const int difference =
+                scores.at({rater, view, method, pair.criterion}) - scores.at({rater, view, pair.other, pair.criterion});
             if (paired_by == PairedBy::kAnswer) found.push_back(difference);
             sum += difference;
         }
@@ -79,7 +80,7 @@ RatingTable rating_table(const Scores& scores, std::size_t method, PairedBy pair
             const std::vector<double> pairs = differences(scores, one, method, paired_by);
             one.ranks = signed_rank(pairs);
             one.t = paired_t(pairs);
-            if (paired_by == PairedBy::kRater) scale(one.t, 1.0 / static_cast<double>(size.scenes));
+            if (paired_by == PairedBy::kRater) scale(one.t, 1.0 / static_cast<double>(size.views));
             table.comparisons.push_back(one);
         }
     }

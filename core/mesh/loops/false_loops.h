@@ -3,7 +3,7 @@
 
 #include "core/base/job.h"
 #include "core/mesh/loops/axes.h"
-#include "core/mesh/loops/surface_loops.h"
+#include "core/mesh/loops/closed_lines.h"
 #include "core/mesh/triangle_mesh.h"
 
 #include <cstddef>
@@ -27,18 +27,18 @@ public:
     [[nodiscard]] std::size_t cut(std::size_t most, Job& job);
 
 private:
-    [[nodiscard]] std::vector<SurfaceLoop> best_apart(std::size_t most, Job& job);
-    [[nodiscard]] SurfaceLoop best(const SurfaceGraph& graph, const SurfaceLoops& loops, Job& job);
-    void look(const SurfaceLoops& loops, std::uint32_t vertex);
-    [[nodiscard]] bool goes_around_vessel(const SurfaceLoop& loop);
-    void forget(const SurfaceLoop& loop);
+    [[nodiscard]] std::vector<ClosedLine> best_apart(std::size_t most, Job& job);
+    [[nodiscard]] ClosedLine best(const SurfaceGraph& graph, const ClosedLines& closed_lines, Job& job);
+    void look(const ClosedLines& closed_lines, std::uint32_t vertex);
+    [[nodiscard]] bool goes_around_vessel(const ClosedLine& line);
+    void forget(const ClosedLine& line);
 
     TriangleMesh& mesh_;
     const Axes& axes_;
     bool fill_holes_;
     std::span<const std::uint8_t> barred_;
-    IndependentKinds found_; // kinds of the lines found on the current surface
-    SurfaceLoop best_;
+    IndependentClasses found_; // homology classes of the lines found on the current surface
+    ClosedLine best_;
     double cost_ = 0.0;
     std::map<std::vector<std::uint32_t>, bool> around_vessel_; // cache of goes_around_vessel(), by a line's vertices
     std::size_t steps_ = 0;                                    // work of all searches

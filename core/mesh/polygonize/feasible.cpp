@@ -35,13 +35,13 @@ std::string millions(double count) {
 }
 
 Result<void> check_resolved(const field::Field& field, const bricks::Sizing& sizing, const PolygonizeOptions& options) {
-    const field::Frame& frame = field.frame();
-    if (bricks::levels_needed(frame, sizing) > bricks::kMaximumLevels)
+    const field::Extent& extent = field.extent();
+    if (bricks::levels_needed(extent, sizing) > bricks::kMaximumLevels)
         return fail("the thinnest vessel is too thin for the tree's extent", {},
                     "scale or prune the tree, or set --cell");
     // Positions of a surface are in single precision. In cells smaller than its resolution, grid points would coincide.
     constexpr double kLeastSteps = 2.0; // least size of a cell, in steps of single precision
-    const glm::dvec3 corner = glm::max(glm::abs(frame.lower), glm::abs(frame.upper));
+    const glm::dvec3 corner = glm::max(glm::abs(extent.lower), glm::abs(extent.upper));
     const double farthest = std::max({corner.x, corner.y, corner.z});
     if (sizing.finest_cell_mm >= kLeastSteps * farthest * static_cast<double>(std::numeric_limits<float>::epsilon()))
         return {};

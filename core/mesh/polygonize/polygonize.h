@@ -2,11 +2,11 @@
 // the local vessel needs, vertices on the isosurface, normals from the field's gradient, and the dominating branch and
 // local radius at each vertex.
 //
-// The steps, a folder each: octree (which cubes of space the surface may cross, how fine, and what is beside each) ->
-// cells (samples, loops, vertices) -> join (triangles). Every step works brick by brick in a fixed order, so the result
-// has the same bits for any number of threads. Not promised: that the surface has no loops of its own where vessels
-// pass closer than a cell (make_surface() cuts them: loops/cut_false_loops.h), nor that triangles of different sheets
-// never intersect there.
+// The steps, a folder each: octree (which cubes of space the surface may cross, how fine, and the neighbours of each)
+// -> cells (samples, circuits, vertices) -> join (triangles). Every step works brick by brick in a fixed order, so the
+// result has the same bits for any number of threads. Not promised: that the surface has no loops of its own where
+// vessels pass closer than a cell (make_surface() cuts them: loops/cut_false_loops.h), nor that triangles of different
+// parts of the surface never intersect there.
 #pragma once
 
 #include "core/base/bounds.h"

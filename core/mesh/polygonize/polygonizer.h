@@ -19,7 +19,7 @@ public:
     // Computes the surface from scratch. If it fails, there is no surface.
     [[nodiscard]] Result<void> make(field::Field field, const PolygonizeOptions& options, Job& job);
     // Updates the surface to another state of the tree. Computes it from scratch in the first call, and if the options,
-    // the frame or the kernel have changed. If it is cancelled, or computing from scratch fails, there is no surface.
+    // the extent or the kernel have changed. If it is cancelled, or computing from scratch fails, there is no surface.
     [[nodiscard]] Result<void> update(field::Field field, const PolygonizeOptions& options, Job& job);
 
     [[nodiscard]] const PolygonizeStatistics& statistics() const { return statistics_; } // of the last call

@@ -155,9 +155,9 @@ private:
 
 } // namespace
 
-std::vector<ClosedLoop> close_loops(VoxelGraph& graph) {
+std::vector<BrokenCycle> break_cycles(VoxelGraph& graph) {
     struct Width {
-        ClosedLoop thinnest;
+        BrokenCycle thinnest;
         std::size_t line;
     };
     std::vector<Width> widths;
@@ -172,19 +172,19 @@ std::vector<ClosedLoop> close_loops(VoxelGraph& graph) {
     }
     std::ranges::stable_sort(widths, std::ranges::greater{}, [](const Width& w) { return w.thinnest.distance; });
     DisjointSets joined(graph.nodes.size());
-    std::vector<ClosedLoop> closed;
+    std::vector<BrokenCycle> broken;
     std::vector<bool> goes(graph.lines.size(), false);
     for (const Width& width : widths) {
         const VoxelGraph::Line& line = graph.lines[width.line];
         if (joined.join(static_cast<std::uint32_t>(line.from), static_cast<std::uint32_t>(line.to))) continue;
         goes[width.line] = true;
-        closed.push_back(width.thinnest);
+        broken.push_back(width.thinnest);
     }
     std::vector<VoxelGraph::Line> kept;
     for (std::size_t l = 0; l < graph.lines.size(); ++l)
         if (!goes[l]) kept.push_back(std::move(graph.lines[l]));
     graph.lines = std::move(kept);
-    return closed;
+    return broken;
 }
 
 void prune_bulges(VoxelGraph& graph, double bulge_size, const glm::dvec3& spacing) {

@@ -1,19 +1,19 @@
-// Removes from a skeleton's graph what is no vessel: spurs in bulges of the wall, and on request loops.
+// Removes from a skeleton's graph what is no vessel: spurs in bulges of the wall, and on request cycles.
 #pragma once
 
 #include "core/volume/skeletonize/voxel_graph.h"
 
 namespace ramus::volume {
 
-// A line that close_loops() removed.
-struct ClosedLoop {
-    glm::dvec3 at{0.0};    // its thinnest point
+// A cycle that break_cycles() broke, by the line that it removed.
+struct BrokenCycle {
+    glm::dvec3 at{0.0};    // the thinnest point of the line, mm
     double distance = 0.0; // of that point to the nearest outside voxel, mm
 };
 
-// Removes a line from each loop, the one with the thinnest point: a bridge between touching vessels, or the rim of a
+// Removes a line from each cycle, the one with the thinnest point: a bridge between touching vessels, or the rim of a
 // hole in the mask. What remains is a maximum spanning forest with respect to the thinnest points.
-[[nodiscard]] std::vector<ClosedLoop> close_loops(VoxelGraph& graph);
+[[nodiscard]] std::vector<BrokenCycle> break_cycles(VoxelGraph& graph);
 
 // Removes leaf lines that are bulges of the wall, the shortest first. A leaf is a bulge if it extends less than
 // `bulge_size` times its own thickness plus one voxel beyond the inscribed ball of the node where it begins; or nowhere

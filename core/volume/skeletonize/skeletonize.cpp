@@ -81,10 +81,10 @@ glm::dvec3 in_patient(const glm::dvec3& along_axes, const glm::dmat4& to_patient
     return glm::dvec3(to_patient * glm::dvec4(along_axes / spacing_mm(to_patient), 1.0));
 }
 
-void close_loops_of(VoxelGraph& graph, const glm::dmat4& to_patient, std::vector<Note>& notes) {
-    for (const ClosedLoop& loop : close_loops(graph))
+void break_cycles_of(VoxelGraph& graph, const glm::dmat4& to_patient, std::vector<Note>& notes) {
+    for (const BrokenCycle& cycle : break_cycles(graph))
         notes.push_back({Note::Kind::kRepaired, "fill-holes", "a loop was closed at its thinnest place",
-                         in_patient(loop.at, to_patient)});
+                         in_patient(cycle.at, to_patient)});
 }
 
 // The points and edges of one mask, in mm, RAS. Empty: cancelled.
@@ -109,7 +109,7 @@ tree::Graph graph_of_mask(SparseMask mask, const glm::dmat4& to_patient, const S
     const Thinned thinned = thin(set, distances, tips, job.part(0.5F, 0.85F));
     if (job.cancelled()) return {};
     VoxelGraph graph = graph_of(thinned.skeleton, set, distances);
-    if (options.fill_holes) close_loops_of(graph, to_patient, notes);
+    if (options.fill_holes) break_cycles_of(graph, to_patient, notes);
     prune_bulges(graph, options.bulge_size, spacing);
     tree::Graph lines = centerlines_of(graph, set, BranchVoxels(set, thinned, graph), job.part(0.85F, 1.0F));
     const std::vector<VolumeCut> cuts = extend_to_border(lines, set, size);

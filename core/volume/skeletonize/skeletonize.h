@@ -28,7 +28,7 @@ namespace ramus::volume {
 struct SkeletonizeOptions {
     // The only parameter: a bulge is a vessel if it stands out by more than this times its thickness, plus a voxel.
     double bulge_size = 0.5;
-    bool fill_holes = false;        // removes a line from each loop (prune.h)
+    bool fill_holes = false;        // removes a line from each cycle (prune.h)
     double islands_mm = 0.0;        // removes pieces whose bounding box is not longer along any axis
     std::optional<glm::dvec3> root; // mm, RAS: the nearest end becomes the root of its piece
     double memory_bytes = 0.0;      // memory limit of the process; 0: half of the machine's memory

@@ -112,7 +112,7 @@ TEST_CASE("pending commands finish in the order in which they came, one at a tim
     CHECK(stage.document.step_count() == 3);
 }
 
-TEST_CASE("what fails in its work, in its continuation or by an exception leaves the document as it was") {
+TEST_CASE("a command that fails in its work, in its continuation or by an exception does not change the document") {
     test::CommandStage stage(twigs());
     Gate gate;
     gate.open = true;
@@ -140,7 +140,7 @@ TEST_CASE("what fails in its work, in its continuation or by an exception leaves
     CHECK(stage.document.step_count() == 1);
 }
 
-TEST_CASE("cancelled commands never happen, and others may follow") {
+TEST_CASE("cancelled commands have no effect, and later commands run") {
     test::CommandStage stage(twigs());
     Gate gate;
     CommandRunner runner({});
@@ -157,7 +157,7 @@ TEST_CASE("cancelled commands never happen, and others may follow") {
     CHECK(stage.document.step_count() == 1);
 }
 
-TEST_CASE("what was asked for of one tree does not reach the next, what is asked of the next does") {
+TEST_CASE("commands on a tree have no effect on the next tree that is opened; commands on that tree have") {
     test::CommandStage stage(twigs());
     Gate gate;
     CommandRunner runner({});
@@ -191,7 +191,7 @@ struct Asked {
 
 } // namespace
 
-TEST_CASE("what is run after a click takes effect after it, however late it is known what the click is on") {
+TEST_CASE("commands that follow a click take effect after it, even if the picked branch is known late") {
     test::CommandStage stage(twigs());
     CommandRunner runner({});
     Asked first, second;
@@ -219,7 +219,7 @@ TEST_CASE("what is run after a click takes effect after it, however late it is k
     CHECK(branches_in_state(stage.marks(), tree::BranchState::kHidden) == std::vector<int>{3, 7});
 }
 
-TEST_CASE("what comes of a click goes before what waited for it, and a refusal is told") {
+TEST_CASE("commands that a click causes run before commands that wait for the click, and refusals are reported") {
     test::CommandStage stage(twigs());
     CommandRunner runner({});
     Asked click, found;
@@ -239,7 +239,7 @@ TEST_CASE("what comes of a click goes before what waited for it, and a refusal i
     CHECK(stage.document.step_name(0) == "look branch 4");
 }
 
-TEST_CASE("what a person does after a click happens in its turn, of whatever tree, with what comes of it") {
+TEST_CASE("input after a click is handled in order, together with the commands that it causes, for any tree") {
     test::CommandStage stage(twigs());
     CommandRunner runner({});
     Asked first, second;
@@ -270,7 +270,7 @@ TEST_CASE("what a person does after a click happens in its turn, of whatever tre
     CHECK_FALSE(runner.awaits());
 }
 
-TEST_CASE("what is run after brief work waits for it, and its refusal changes nothing") {
+TEST_CASE("commands that follow brief work wait for it, and a refusal of that work changes nothing") {
     test::CommandStage stage(twigs());
     Gate gate;
     CommandRunner runner({});
@@ -356,7 +356,7 @@ TEST_CASE("a click on one tree selects nothing of the next") {
     CHECK(click.taken == 0);
 }
 
-TEST_CASE("a script waits for what a command awaits") {
+TEST_CASE("a script waits until a pending command is done") {
     test::CommandStage stage(twigs());
     Asked found;
     const Command look("look", "", "", [&](ActionContext&, Arguments) -> Result<Outcome> { return found.select(4); });
@@ -364,7 +364,7 @@ TEST_CASE("a script waits for what a command awaits") {
     CHECK(stage.marks().selection == std::vector<int>{4});
 }
 
-TEST_CASE("a script's next line sees what the one before it read") {
+TEST_CASE("the next line of a script sees the files that the previous line read") {
     const TemporaryFolder folder;
     const std::string ball = sphere_file(folder, "ball.stl"), other = sphere_file(folder, "other.ply");
     test::CommandStage stage(twigs());
@@ -380,7 +380,7 @@ TEST_CASE("a script's next line sees what the one before it read") {
     CHECK(stage.bad("lesion-mesh " + other).find("there already") != std::string::npos);
 }
 
-TEST_CASE("a file that is asked for twice is there once") {
+TEST_CASE("a file that is added twice is stored once") {
     const TemporaryFolder folder;
     const std::string ball = sphere_file(folder, "ball.stl");
     test::CommandStage stage(twigs());
@@ -398,7 +398,7 @@ TEST_CASE("a file that is asked for twice is there once") {
     CHECK_FALSE(runner.busy());
 }
 
-TEST_CASE("it is known whether a file is being written, also one that waits its turn") {
+TEST_CASE("files that are being written, or wait to be written, are known") {
     const TemporaryFolder folder;
     test::CommandStage stage(twigs());
     Gate gate;

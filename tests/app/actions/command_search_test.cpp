@@ -18,7 +18,7 @@ std::string first_for(std::string_view words) {
 
 } // namespace
 
-TEST_CASE("commands are found by what people call them") {
+TEST_CASE("commands are found by everyday words") {
     CHECK(first_for("tumour") == "tool lesion");
     CHECK(first_for("print") == "export");
     CHECK(first_for("export") == "export");
@@ -63,7 +63,7 @@ TEST_CASE("commands are found by the words of the paper") {
     CHECK(first_for("territory") == "select-dependents");
 }
 
-TEST_CASE("what is called just so comes first") {
+TEST_CASE("an exact name or menu entry is the first result") {
     for (const Command* command : search_commands("")) {
         CAPTURE(command->name);
         std::string entry = command->name;
@@ -86,12 +86,12 @@ TEST_CASE("what is called just so comes first") {
     CHECK(first_for("Lesion") == "tool lesion");
 }
 
-TEST_CASE("what a person reads of a command names no option of the command line") {
+TEST_CASE("help texts of commands do not mention options of the command line") {
     for (const Command* command : search_commands(""))
         CHECK_MESSAGE(command->help.find("--") == std::string::npos, command->name);
 }
 
-TEST_CASE("every word has to be found, in any order, and a mistyped one counts as the word that it is near to") {
+TEST_CASE("all words must match, in any order, and a misspelled word matches the most similar one") {
     CHECK(first_for("all show") == "show-all");
     CHECK(first_for("clear lesion") == "lesion-clear");
     CHECK(first_for("tumuor") == "tool lesion");
@@ -99,7 +99,7 @@ TEST_CASE("every word has to be found, in any order, and a mistyped one counts a
     CHECK(search_commands("hide xyzzyq").empty());
 }
 
-TEST_CASE("without words all commands are there, each entry once, but those that nobody gives by hand") {
+TEST_CASE("without words, all commands are listed once, except those that only the window uses") {
     const auto all = search_commands("");
     const std::set<const Command*> once(all.begin(), all.end());
     CHECK(once.size() == all.size());
@@ -111,7 +111,7 @@ TEST_CASE("without words all commands are there, each entry once, but those that
     CHECK(std::ranges::equal(search_commands("  ,;"), all));
 }
 
-TEST_CASE("a command that is typed with its arguments is known by its name") {
+TEST_CASE("a command that is typed with arguments is recognised by its name") {
     const Command* command = command_given_by("select 3");
     REQUIRE(command != nullptr);
     CHECK(command->name == "select");
@@ -131,7 +131,7 @@ TEST_CASE("a command that is typed with its arguments is known by its name") {
         CHECK(command_given_by(none) == nullptr);
 }
 
-TEST_CASE("a command that cannot run by itself says that it takes arguments") {
+TEST_CASE("a command is marked as needing arguments if it cannot run without them") {
     CHECK(needs_arguments(*find_command("select-diameter")));
     CHECK_FALSE(needs_arguments(*find_command("fit")));
     CHECK_FALSE(needs_arguments(*find_command("orthographic"))); // [on|off]

@@ -80,7 +80,7 @@ TEST_CASE("selection commands do what they say") {
     CHECK(stage.selection().empty());
 }
 
-TEST_CASE("states act on the selection and can be taken back") {
+TEST_CASE("states apply to the selection and can be undone") {
     CommandStage stage;
     stage.good("select 2\nselect-dependents\nhighlight\nselect 3\nhide\nselect 1\ndefocus");
     CHECK(stage.in(BranchState::kHighlighted) == Ids{2, 4, 5});
@@ -117,7 +117,7 @@ TEST_CASE("options and colours are steps of undo") {
     CHECK(stage.document.marks() == Marks{});
 }
 
-TEST_CASE("a line that fails is named by file and line, and changes nothing") {
+TEST_CASE("an error names the file and the line of the command, which changes nothing") {
     CommandStage stage;
     stage.good("select 1");
     const Session before = stage.document.session();
@@ -139,7 +139,7 @@ TEST_CASE("a line that fails is named by file and line, and changes nothing") {
     CHECK(stage.bad("select-none\nhighlight").starts_with("c.txt:2: nothing is selected"));
 }
 
-TEST_CASE("a commands file is read as people write it") {
+TEST_CASE("a file of commands may have comments, quotes and empty lines") {
     const auto lines =
         parse_script("\xEF\xBB\xBFselect 1\t2 # both\r\n\r\n  name 1 \"a \\\"b\\\" c\"\nshot x#1.png", "c.txt");
     REQUIRE(lines);
@@ -148,7 +148,7 @@ TEST_CASE("a commands file is read as people write it") {
     CHECK(read_script("/nowhere/c.txt").error().where == "/nowhere/c.txt");
 }
 
-TEST_CASE("only the Gaussian's surface is told by centerlines and a width; that of another kernel by its mesh") {
+TEST_CASE("only surfaces of the Gaussian kernel are drawn from centerlines; those of other kernels need the mesh") {
     CommandStage stage;
     refresh(stage.assets, stage.document);
     const auto frame = [&] { return compose(stage.document.session(), stage.assets, nullptr, {}); };

@@ -40,7 +40,7 @@ struct ContactStage : test::CommandStage {
 
 } // namespace
 
-TEST_CASE("a contact is gone to by its number: both branches are selected and seen beside each other") {
+TEST_CASE("going to a contact by its number selects both branches, and shows them next to each other") {
     ContactStage stage;
     render::Camera camera = stage.document.session().camera;
     camera.focal_point = {0, 0, 0};
@@ -66,7 +66,7 @@ TEST_CASE("a contact is gone to by its number: both branches are selected and se
         CHECK(stage.bad(wrong).find("which contact?") != std::string::npos);
 }
 
-TEST_CASE("a contact is shown both ways with a line between them, in one step") {
+TEST_CASE("a contact is shown with both blends and a line between them, in one step of undo") {
     ContactStage stage;
     stage.good("compare-wipe 0.9\ncontact 2 wipe");
     const Comparison& comparison = stage.marks().comparison;
@@ -89,7 +89,7 @@ TEST_CASE("a tree without contacts says so") {
     CHECK(stage.bad("report contacts.csv contacts").find("nothing to report of contacts") != std::string::npos);
 }
 
-TEST_CASE("marking contacts is a step, and sessions keep it") {
+TEST_CASE("marking contacts is one step of undo, and is saved in sessions") {
     ContactStage stage;
     CHECK_FALSE(to_json(stage.document.session(), "/")["options"].contains("contact_marks"));
     stage.good("contact-marks");
@@ -114,7 +114,7 @@ TEST_CASE("a report lists contacts") {
                            "1,2,,3,upper,-0.2,0.1,0.1,30,0,0.9,mm\r\n"));
 }
 
-TEST_CASE("a window's contacts are found in the background, and follow smoothing, edits and undo") {
+TEST_CASE("the window finds contacts in the background, and again after smoothing, edits and undo") {
     const TemporaryFolder folder;
     Workspace workspace({});
     workspace.open(folder.write("tubes.swc", kTubes));

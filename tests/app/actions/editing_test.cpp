@@ -80,7 +80,7 @@ struct EditHand {
 
 } // namespace
 
-TEST_CASE("every edit of the tree is a step of undo that brings the very tree back") {
+TEST_CASE("every edit of the tree is one step of undo, and undo restores exactly the same tree") {
     for (const char* line :
          {"disconnect 1", "disconnect 1 0.25 4", "join 5 start 2 end", "delete-spur 2", "delete-spur 1 3 4",
           "move-root 3", "flip 5", "set-radius 1.5 1 2", "scale-radius 0.5 0"}) {
@@ -106,7 +106,7 @@ TEST_CASE("every edit of the tree is a step of undo that brings the very tree ba
     }
 }
 
-TEST_CASE("what edits say, and what they refuse") {
+TEST_CASE("edits report what they changed, and refuse invalid arguments") {
     EditStage stage;
     CHECK(stage.good("disconnect 1").find("3 pieces now") != std::string::npos);
     CHECK(stage.last_step() == "disconnect 1");
@@ -127,7 +127,7 @@ TEST_CASE("what edits say, and what they refuse") {
         stage.bad(line);
 }
 
-TEST_CASE("marks follow the vessels that they were put on") {
+TEST_CASE("marks stay on their vessels when the tree is edited") {
     EditStage stage;
     stage.good("select 3\nhide\nselect 1\nhighlight\nname 1 trunk\ncut 4 0.5\ncut 1 0.5\nmeasure diameter 1 0.9\n"
                "measure path 0 3\nselect 4");
@@ -209,7 +209,7 @@ TEST_CASE("a session with edits opens as it was saved") {
     CHECK(other.error().what.find("has changed") != std::string::npos);
 }
 
-TEST_CASE("a session file says what is wrong with its edits") {
+TEST_CASE("reading a session reports what is wrong with its edits") {
     Session session;
     session.tree.path = "/tmp/x.swc";
     session.marks.edits = {{tree::Edit::Kind::kCut, {1}, {0.5, 0.0}, 3.0}};
@@ -235,7 +235,7 @@ TEST_CASE("a session file says what is wrong with its edits") {
     CHECK_FALSE(session_from_json(other, "/tmp", "x"));
 }
 
-TEST_CASE("the surface is made anew after an edit, and again after its undo") {
+TEST_CASE("the surface is computed again after an edit, and after its undo") {
     const TemporaryFolder folder;
     Workspace workspace([] {});
     workspace.open(folder.write("vessels.swc", kEdited));
@@ -258,7 +258,7 @@ TEST_CASE("the surface is made anew after an edit, and again after its undo") {
     CHECK(triangles() == before);
 }
 
-TEST_CASE("the tools for edits show what a click does, and a wrong place says why") {
+TEST_CASE("the tools for edits show what a click will do, or why it cannot be done there") {
     EditHand hand;
     DisconnectTool disconnect;
     Pointing pointing = hand.over(1, {20, 2, 40});

@@ -54,7 +54,7 @@ std::set<int> exported_sides(const std::filesystem::path& file) {
 
 } // namespace
 
-TEST_CASE("a surface is exported of what is visible, selected or all") {
+TEST_CASE("the surface of visible, selected or all branches can be exported") {
     ExportStage stage;
     CHECK(stage.exported("surface", "all.ply", "--of all") == "Surface saved: " + stage.at("all.ply"));
     CHECK(exported_sides(stage.at("all.ply")) == std::set{0, 1, 2, 3, 4});
@@ -69,7 +69,7 @@ TEST_CASE("a surface is exported of what is visible, selected or all") {
     CHECK(stage.last_step().starts_with("select"));
 }
 
-TEST_CASE("a tree and a table are exported of the same branches") {
+TEST_CASE("trees and tables are exported with the same branches as surfaces") {
     ExportStage stage;
     stage.exported("tree", "all.json");
     const auto all = io::read_tree(stage.at("all.json"));
@@ -91,7 +91,7 @@ TEST_CASE("a tree and a table are exported of the same branches") {
     CHECK(std::ranges::count(stage.folder.text("all.csv"), '\n') == 1 + 5);
 }
 
-TEST_CASE("a picture is that of the picture's host, whatever is selected") {
+TEST_CASE("an exported picture does not depend on the selected branches") {
     ExportStage stage;
     stage.exported("picture", "seen.png");
     REQUIRE(stage.host.figures.size() == 1);
@@ -109,7 +109,7 @@ TEST_CASE("a picture is that of the picture's host, whatever is selected") {
     stage.exported("picture", "empty.png");
 }
 
-TEST_CASE("a surface of a tree whose unit and sides nobody has said does not say them either") {
+TEST_CASE("the surface of a tree of unknown unit and orientation does not claim any") {
     tree::VesselTree tree = export_forks();
     tree.claims = {tree::SaidBy::kNobody, tree::SaidBy::kNobody};
     ExportStage stage(std::move(tree));
@@ -122,7 +122,7 @@ TEST_CASE("a surface of a tree whose unit and sides nobody has said does not say
     }
 }
 
-TEST_CASE("a surface that is made on the disk is exported as any other" * doctest::test_suite("slow")) {
+TEST_CASE("a surface that is computed on the disk is exported like any other" * doctest::test_suite("slow")) {
     ExportStage stage;
     Marks marks = stage.marks();
     // Some two million triangles: 80 bytes each are more than that.
@@ -135,7 +135,7 @@ TEST_CASE("a surface that is made on the disk is exported as any other" * doctes
     CHECK(stage.folder.text("streamed.ply") == stage.folder.text("whole.ply"));
 }
 
-TEST_CASE("for printing, the export says what is thin") {
+TEST_CASE("an export for printing reports thin places") {
     ExportStage stage;
     // Branch 1 narrows to a radius of 0.3 mm at its end.
     const std::string thin = stage.exported("surface", "p.stl", "--for-printing");
@@ -147,7 +147,7 @@ TEST_CASE("for printing, the export says what is thin") {
     CHECK(stage.bad("export surface \"" + stage.at("p.glb") + "\" --for-printing").find("metres") != std::string::npos);
 }
 
-TEST_CASE("an export that cannot be says why, and writes nothing") {
+TEST_CASE("an export that is not possible reports the reason, and writes nothing") {
     ExportStage stage;
     const auto refused = [&](const std::string& words) { return stage.bad("export " + words); };
     CHECK(refused("sculpture x.stl").find("there is no export of \"sculpture\"") != std::string::npos);
@@ -180,7 +180,7 @@ TEST_CASE("an export that cannot be says why, and writes nothing") {
     CHECK(stage.folder.names().empty());
 }
 
-TEST_CASE("in a window a picture of it is written behind it, as it was when it was asked for") {
+TEST_CASE("the window writes its picture in the background, as it was when the command was given") {
     struct PictureElsewhere final : test::TestPicture {
         std::optional<app::Deferred<Result<render::Image>>> deferred_picture() override {
             return app::known_now<Result<render::Image>>(render::Image(30, 20));
@@ -208,7 +208,7 @@ TEST_CASE("in a window a picture of it is written behind it, as it was when it w
     CHECK(settle().size() == 1);
 }
 
-TEST_CASE("in a window an export is work behind it, which can be cancelled") {
+TEST_CASE("the window exports in the background, and the export can be cancelled") {
     ExportStage stage;
     CommandRunner runner({});
     const std::vector<std::string> words = {"export", "surface", stage.at("later.glb"), "--parts", "branch"};
@@ -229,7 +229,7 @@ TEST_CASE("in a window an export is work behind it, which can be cancelled") {
     CHECK(stage.said.empty());
 }
 
-TEST_CASE("the kinds of export have every format that is written") {
+TEST_CASE("the kinds of export offer all formats that can be written") {
     const auto extensions_of = [](ExportWhat what) {
         std::vector<std::string_view> extensions;
         for (const ExportFormat& format : export_kinds()[static_cast<std::size_t>(what)].formats)

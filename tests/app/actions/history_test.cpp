@@ -111,7 +111,7 @@ struct HistoryStage : test::CommandStage {
 
 } // namespace
 
-TEST_CASE("ids survive packing, whatever they are") {
+TEST_CASE("all ids are unchanged after packing and unpacking") {
     std::mt19937 random(7);
     for (const int sparse : {1, 2, 7, 50, 1000}) {
         std::vector<int> ids;
@@ -192,7 +192,7 @@ TEST_CASE("ten thousand steps on a tree of thirty thousand branches take less th
     CHECK(document.marks() == end);
 }
 
-TEST_CASE("every step is called after the command that made it") {
+TEST_CASE("every step of undo has the name of its command") {
     HistoryStage stage(1200);
     const auto called = [&](std::string_view line) {
         const auto done = stage.run(line);
@@ -220,7 +220,7 @@ TEST_CASE("every step is called after the command that made it") {
     CHECK(branches_in_state(stage.document.marks(), BranchState::kHidden) == std::vector<int>{3, 4, 5});
 }
 
-TEST_CASE("undo and redo refuse what is no number of steps that are there, and change nothing then") {
+TEST_CASE("undo and redo refuse an invalid number of steps, and then change nothing") {
     HistoryStage stage(10);
     REQUIRE(stage.run("select 1\nselect 2\nundo"));
     const auto refusal = [&](std::string_view line) {
@@ -238,7 +238,7 @@ TEST_CASE("undo and redo refuse what is no number of steps that are there, and c
     CHECK(refusal("redo 7") == "there is only 1 step to redo");
 }
 
-TEST_CASE("what one command changes is one step") {
+TEST_CASE("all changes of one command are one step of undo") {
     Document document;
     document.open(tree_of(10), {});
     const auto select = [&](int id) {
@@ -264,7 +264,7 @@ TEST_CASE("what one command changes is one step") {
     CHECK(document.step_count() == 1);
 }
 
-TEST_CASE("a document knows how far it is from what was saved") {
+TEST_CASE("a document counts the steps since it was saved") {
     Document document;
     document.open(tree_of(10), {});
     CHECK(document.unsaved_changes() == 0);

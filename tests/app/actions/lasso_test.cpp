@@ -136,7 +136,7 @@ TEST_CASE("a pixel is inside a polygon exactly when the plain even-odd loop says
     }
 }
 
-TEST_CASE("the runs of a row are what is inside") {
+TEST_CASE("the runs of a row cover exactly the pixels inside the polygon") {
     std::mt19937 random(11);
     const Polygon corners = scribble(random, 40, 300.0, 200.0);
     const PixelPolygon polygon(corners);
@@ -168,7 +168,7 @@ TEST_CASE("a simplified line stays near the line and keeps its ends") {
     }
 }
 
-TEST_CASE("half of a branch's length decides, or any part of it") {
+TEST_CASE("a lasso takes branches with half of their length inside, or with any part inside") {
     const tree::VesselTree tree = rods();
     render::Camera camera;
     camera.position = {20.0, 500.0, 0.0};
@@ -330,7 +330,7 @@ TEST_CASE("the lasso command selects, adds and removes, and refuses what it cann
     CHECK(run("lasso-mode some").starts_with("c.txt:1: lasso-mode is half or any"));
 }
 
-TEST_CASE("a lasso of what is visible waits for that, of the view in which it was drawn") {
+TEST_CASE("a lasso of visible branches waits for the picture, and uses the view in which it was drawn") {
     Document document;
     ComingPicture host;
     host.size = {100, 100};

@@ -37,7 +37,7 @@ TEST_CASE("a pin is set, moved, named, hidden and removed, each as one step of u
     CHECK(stage.marks() == before);
 }
 
-TEST_CASE("what is no pin, and no object, is refused") {
+TEST_CASE("invalid pins and unknown objects are refused") {
     PinStage stage;
     CHECK(stage.bad("pin 1,2").find("X,Y,Z") != std::string::npos);
     CHECK(stage.bad("pin-move 1 1,2,3").find("no pin") != std::string::npos);
@@ -65,7 +65,7 @@ TEST_CASE("objects of all kinds are shown, named and removed in the same way") {
     CHECK(stage.marks().measurements.size() == 1);
 }
 
-TEST_CASE("ids of objects are their own, whatever goes") {
+TEST_CASE("the ids of objects do not change when other objects are removed") {
     PinStage stage;
     stage.good("pin 0,0,0 a\npin 0,0,0 b\nlesion 0,0,0,3");
     const int second = stage.marks().pins[1].id;
@@ -75,7 +75,7 @@ TEST_CASE("ids of objects are their own, whatever goes") {
     CHECK(stage.marks().pins[1].id != stage.marks().lesions[0].id);
 }
 
-TEST_CASE("a pin comes back from a session file, and stands in a report") {
+TEST_CASE("a pin is restored from a session file, and listed in a report") {
     PinStage stage;
     stage.good("pin 1.5,-2,1e-7 \"an \\\"odd\\\" one\"\npin 0,0,0 b\nobject-hide pin 2");
     const auto& session = stage.document.session();

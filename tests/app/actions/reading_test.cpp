@@ -37,7 +37,7 @@ struct Opened {
 
 } // namespace
 
-TEST_CASE("read-as reads the file in another unit: radii become right, and what is marked and seen stays") {
+TEST_CASE("read-as reads the file in another unit: radii are corrected, and marks and view are kept") {
     const Opened opened(kInCentimetres);
     opened->good("select 1\nhide\nselect 2");
     const Marks before = opened->marks();
@@ -73,7 +73,7 @@ TEST_CASE("read-as reads the file in another unit: radii become right, and what 
     CHECK(distance(opened->document.session().camera) == doctest::Approx(0.1 * distance(turned)));
 }
 
-TEST_CASE("read-as takes several options, takes them back, and refuses what makes no sense") {
+TEST_CASE("read-as accepts several options, removes them again, and refuses invalid ones") {
     const Opened opened(kInCentimetres);
     opened->good("read-as units cm radius-is diameter axes lps");
     CHECK(opened.tree().points.front().radius == 2.5);
@@ -96,7 +96,7 @@ TEST_CASE("read-as takes several options, takes them back, and refuses what make
     CHECK(opened->bad("read-as units cm").find("has changed") != std::string::npos);
 }
 
-TEST_CASE("note goes to a place that reading repaired, from the same side and near enough") {
+TEST_CASE("note moves the camera to a repaired place, from the same side and close to it") {
     const Opened opened(kInCentimetres);
     const auto& notes = opened.tree().notes;
     const auto repaired = std::ranges::find(notes, "zero-radii", &tree::Note::topic);
@@ -137,7 +137,7 @@ std::filesystem::path mask_of_tubes(const std::filesystem::path& path) {
 
 } // namespace
 
-TEST_CASE("read-as makes the tree of a mask again: systems, islands and the root; what is seen stays") {
+TEST_CASE("read-as skeletonizes a mask again, with other systems, islands and root, and keeps the view") {
     const TemporaryFolder folder;
     const auto path = mask_of_tubes(folder.path() / "m.nii");
     Job job;
@@ -177,7 +177,7 @@ TEST_CASE("read-as makes the tree of a mask again: systems, islands and the root
     CHECK(stage.bad("read-as islands 500").find("islands") != std::string::npos);
 }
 
-TEST_CASE("options of masks are refused for files of trees, and all are where the tree is edited") {
+TEST_CASE("options of masks are refused for tree files, and all options are refused for edited trees") {
     const Opened opened(kInCentimetres);
     CHECK(opened->bad("read-as fill-holes on").find("option of masks") != std::string::npos);
     opened->good("flip 0");

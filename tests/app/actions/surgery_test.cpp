@@ -36,7 +36,7 @@ struct Stage : test::CommandStage {
 
 } // namespace
 
-TEST_CASE("branches are selected by what they are to the selected ones") {
+TEST_CASE("branches are selected by their relation to the selected ones") {
     Stage stage;
     stage.good("select 3\nselect-parent");
     CHECK(stage.selection() == Ids{1});
@@ -88,7 +88,7 @@ TEST_CASE("branches are selected by generation, diameter and distance") {
         stage.bad(line);
 }
 
-TEST_CASE("in a network only what is reached no other way is selected as dependent") {
+TEST_CASE("in a network, only branches that have no other path to the root are dependents") {
     // A stem, two ways round, a tail.
     auto network = io::parse_tree(
         R"({"format": "ramus-tree", "version": 1, "units": "mm", "orientation": "RAS",
@@ -108,7 +108,7 @@ TEST_CASE("in a network only what is reached no other way is selected as depende
     CHECK(stage.plan()->cuts.together.branches == 3);
 }
 
-TEST_CASE("cuts are placed, told, listed and taken back") {
+TEST_CASE("cuts are placed, reported, listed and undone") {
     Stage stage;
     CHECK(stage.plan()->cuts.cuts.empty());
     const std::string said = stage.good("cut 1 0.25");
@@ -136,7 +136,7 @@ TEST_CASE("cuts are placed, told, listed and taken back") {
         stage.bad(line);
 }
 
-TEST_CASE("the selected are cut where the others depend on them") {
+TEST_CASE("cut cuts those selected branches on which the others depend") {
     Stage stage;
     stage.good("select-subtree 1\nselect-add 2\ncut");
     CHECK(stage.marks().cuts == std::vector<std::pair<int, double>>{{1, 0.5}, {2, 0.5}});
@@ -228,7 +228,7 @@ TEST_CASE("a lesion may be a closed mesh") {
     CHECK(plan->lesion_distances_mm.size() == 5);
 }
 
-TEST_CASE("the diameter filter acts on thin branches and tells what it took") {
+TEST_CASE("the diameter filter hides, defocuses or shows thin branches, and reports how many") {
     Stage stage;
     const std::string said = stage.good("filter-diameter 2 hide");
     CHECK(said.find("Hidden: 2 of 5 branches below 2 mm, 40 % of them") == 0);
@@ -244,7 +244,7 @@ TEST_CASE("the diameter filter acts on thin branches and tells what it took") {
         stage.bad(line);
 }
 
-TEST_CASE("measurements are told, kept once, and removed") {
+TEST_CASE("measurements are reported, stored once, and removed") {
     Stage stage;
     CHECK(stage.good("measure distance 0,0,0 3,4,0").find("5.00 mm") != std::string::npos);
     // From the middle of 3 to the middle of 2: 2.5 + 8 + 3 mm.
@@ -274,7 +274,7 @@ TEST_CASE("measurements are told, kept once, and removed") {
     stage.bad("measure-selected");
 }
 
-TEST_CASE("a path, an angle and a diameter are those of the very places, and a measurement is moved in one step") {
+TEST_CASE("a path, an angle and a diameter belong to the exact places, and moving a measurement is one step of undo") {
     Stage stage;
     // Branch 1 runs 8 mm from the trunk's end, branch 2 6 mm at a right angle to it.
     CHECK(stage.good("measure path 1 0.75 2 0.5").find("13.5 mm") == std::string::npos);

@@ -68,7 +68,7 @@ TEST_CASE("vessels that the surface merges are found, gone to and reported") {
     CHECK(validation_table(stage.document, stage.assets).rows.empty());
 }
 
-TEST_CASE("behind the window the validation is made where it is wanted, and follows the surface's options") {
+TEST_CASE("the window validates in the background on request, and again when options of the surface change") {
     const TemporaryFolder folder;
     Workspace workspace({});
     workspace.open(folder.write("crossing.swc", kCrossing));
@@ -121,7 +121,7 @@ TEST_CASE("behind the window the validation is made where it is wanted, and foll
     CHECK_FALSE(workspace.awaited(WorkKind::kValidation));
 }
 
-TEST_CASE("the radii of cones and of a mask stand beside those of the surface") {
+TEST_CASE("the radii of cones and of a mask are shown next to those of the surface") {
     const TemporaryFolder folder;
     // A tube of radius 3 along z, and a mask of one of radius 4 in its place.
     const auto tube =

@@ -58,7 +58,7 @@ TEST_CASE("branches of a star have one length, one radius and their directions")
     }
 }
 
-TEST_CASE("vessels of a pair are as far apart everywhere as they should be") {
+TEST_CASE("the vessels of a pair have the same distance everywhere") {
     for (const tree::VesselTree& tree : {parallel_pair(3.0, 1.07, 14.0), s_shaped_pair(3.0, 1.07)}) {
         REQUIRE(tree.branches.size() == 2);
         CHECK(tree.roots.size() == 2);
@@ -68,7 +68,7 @@ TEST_CASE("vessels of a pair are as far apart everywhere as they should be") {
     }
 }
 
-TEST_CASE("a vessel of voxels goes from voxel to adjacent voxel, and smoothing brings it near to what it was") {
+TEST_CASE("the centerline of a voxelised vessel steps between adjacent voxels, and smoothing approximates it") {
     const tree::VesselTree jagged = winding_vessel_of_voxels();
     REQUIRE(jagged.branches.size() == 1);
     REQUIRE(jagged.voxels.has_value());
@@ -88,7 +88,7 @@ TEST_CASE("a vessel of voxels goes from voxel to adjacent voxel, and smoothing b
     CHECK(std::ranges::max(distances_to_winding_vessel(winding_vessel())) < 0.01);
 }
 
-TEST_CASE("pruning takes all spurs, and nothing else") {
+TEST_CASE("pruning removes all spurs, and nothing else") {
     const SpurredVessel vessel = spurred_vessel();
     CHECK(vessel.tree.branches.size() == static_cast<std::size_t>(vessel.real_branches + 2 * vessel.spurs));
     mesh::SurfaceOptions options = paper_options();
@@ -97,7 +97,7 @@ TEST_CASE("pruning takes all spurs, and nothing else") {
           static_cast<std::size_t>(vessel.real_branches));
 }
 
-TEST_CASE("the surface stands over joints as high as the closed form says") {
+TEST_CASE("the bulge of the surface at joints agrees with the closed form") {
     for (const double width : {1.0, 5.0})
         for (const std::vector<double>& degrees :
              {std::vector{270.0, 30.0, 150.0}, std::vector{270.0, 0.0, 180.0}, std::vector{270.0, 0.0, 90.0, 180.0}}) {
@@ -162,7 +162,7 @@ TEST_CASE("bounding volumes cover as many cells as their volume says, cylinders 
     CHECK(bounds_of_segments().back().reach_radii == doctest::Approx(1.7));
 }
 
-TEST_CASE("shapes of bounding volumes lie where the volumes end") {
+TEST_CASE("the shapes of bounding volumes lie on the boundary of the volumes") {
     const RoundSegment segment{{1.0, 2.0, -3.0}, {7.0, -2.0, 5.0}, 1.3};
     for (const BoundRow& row : bounds_of_segments()) {
         BoundRow inside = row, outside = row;
@@ -181,7 +181,7 @@ TEST_CASE("shapes of bounding volumes lie where the volumes end") {
     }
 }
 
-TEST_CASE("figures are chosen by numbers and ranges of them") {
+TEST_CASE("figures are chosen by numbers and ranges of numbers") {
     CHECK(numbers_of("4,1") == "1 4 ");
     CHECK(numbers_of("5-7,III") == "5 6 7 III ");
     CHECK(numbers_of("13-I,2,2") == "2 13 I ");
@@ -193,7 +193,7 @@ TEST_CASE("figures are chosen by numbers and ranges of them") {
     CHECK(figure_rows().size() == 16);
 }
 
-TEST_CASE("a page has every figure with what was measured, and runs nothing that a name says") {
+TEST_CASE("a page shows every figure with its measurements, and never executes names as code") {
     std::vector<MadeFigure> made;
     for (const FigureRow& row : figure_rows()) {
         MadeFigure one{&row, {}};

@@ -36,7 +36,7 @@ double luminance(const glm::vec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.07
 
 } // namespace
 
-TEST_CASE("colour maps get brighter from end to end, and their dark end is seen on a dark background") {
+TEST_CASE("colour maps increase in brightness, and their dark end is visible on a dark background") {
     for (const ColourMap map : kColourMaps) {
         CAPTURE(name_of(map));
         const auto ramp = ramp_of(map, 50);
@@ -49,7 +49,7 @@ TEST_CASE("colour maps get brighter from end to end, and their dark end is seen 
 }
 
 // The values that matplotlib 3.9 publishes, at the two ends and in the middle.
-TEST_CASE("colour maps are those that were published") {
+TEST_CASE("colour maps agree with the published ones") {
     const auto near = [](const glm::vec3& a, const glm::vec3& b) { return glm::length(a - b) < 2e-6F; };
     const auto middle = [](ColourMap map, double darkest) { return colour_at(map, (0.5 - darkest) / (1.0 - darkest)); };
     CHECK(near(colour_at(ColourMap::kCoolwarm, 0.0), {0.229806F, 0.298718F, 0.753683F}));
@@ -106,7 +106,7 @@ TEST_CASE("data of the tree's file have colours and a legend, by range, map and 
     CHECK_FALSE(colouring_of_tree("weather", tree));
 }
 
-TEST_CASE("every quantity colours every branch and says so in a legend") {
+TEST_CASE("every quantity colours every branch and has a legend") {
     ColouringStage stage(60);
     REQUIRE(stage.run("name 3 Segment\nlesion 0,0,0,4"));
     for (const ColouringRow& row : colourings()) {
@@ -143,7 +143,7 @@ TEST_CASE("the ticks of a diameter legend stand where the colours of those diame
     CHECK(frame.scale.ramp == ramp_of(ColourMap::kCividis));
 }
 
-TEST_CASE("names colour what depends on them, and other letters stay readable") {
+TEST_CASE("names colour their dependents, and characters beyond Latin-1 become question marks") {
     ColouringStage stage(60);
     const auto& branches = stage.document.tree()->branches;
     const auto parent = static_cast<std::size_t>(
@@ -158,7 +158,7 @@ TEST_CASE("names colour what depends on them, and other letters stay readable") 
     CHECK(latin1("a\xE2\x80\x93\xCE\xB2 z") == "a?? z");
 }
 
-TEST_CASE("margins follow the session's bands, and a branch has the colour of the nearest it reaches") {
+TEST_CASE("margins follow the session's bands, and a branch has the colour of the nearest band that it reaches") {
     ColouringStage stage(60);
     Marks marks = stage.document.marks();
     const auto& tree = *stage.document.tree();
@@ -210,7 +210,7 @@ TEST_CASE("beyond the margins systems stay distinguishable, and the legend says 
     CHECK(colouring.legend.swatches[3].text == "beyond 5: hepatic vein");
 }
 
-TEST_CASE("cuts make what lies beyond lost, with a ring where they are") {
+TEST_CASE("branches beyond cuts are lost, and each cut has a ring") {
     ColouringStage stage(60);
     REQUIRE(stage.run("cut 1 0.25"));
     const render::Frame frame = stage.frame();
@@ -319,7 +319,7 @@ TEST_CASE("depth cues are switched by a command, undone, and shown") {
         CHECK_FALSE(stage.run(wrong));
 }
 
-TEST_CASE("a system that is hidden as a whole leaves the legend") {
+TEST_CASE("a system that is completely hidden is not in the legend") {
     const tree::VesselTree tree = test::two_systems();
     const TreeFacts facts = facts_of(tree);
     Marks marks;

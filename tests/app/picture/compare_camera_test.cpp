@@ -68,7 +68,7 @@ double distance(const render::Camera& camera) { return glm::distance(camera.posi
 
 } // namespace
 
-TEST_CASE("a flat tree is seen first facing its largest side, any other from the front") {
+TEST_CASE("the first view of a flat tree faces its largest side, of any other tree its front") {
     CHECK(opening_view(flat_tree(0, 1)) == render::View::kSuperior);
     CHECK(opening_view(flat_tree(0, 2)) == render::View::kAnterior);
     CHECK(opening_view(flat_tree(1, 2)) == render::View::kLeft);
@@ -78,7 +78,7 @@ TEST_CASE("a flat tree is seen first facing its largest side, any other from the
     CHECK(opening_view(deep) == render::View::kAnterior);
 }
 
-TEST_CASE("fit takes in what is beside the tree") {
+TEST_CASE("fit includes objects next to the tree") {
     CameraStage stage;
     const auto in_picture = [&](const glm::dvec3& point) {
         const auto at = render::project(stage.camera(), stage.host.picture_size(), point);
@@ -92,7 +92,7 @@ TEST_CASE("fit takes in what is beside the tree") {
     CHECK_FALSE(in_picture({0, 0, 120}));
 }
 
-TEST_CASE("undo takes the camera of compare back, exactly, and redo brings it again") {
+TEST_CASE("undo restores the camera from before a comparison exactly, and redo restores that of the comparison") {
     CameraStage stage;
     const render::Camera whole = stage.camera();
     stage.run("compare side-by-side");
@@ -120,7 +120,7 @@ TEST_CASE("undo takes the camera of compare back, exactly, and redo brings it ag
     CHECK(stage.camera() == thirds);
 }
 
-TEST_CASE("undo leaves a camera alone that compare has not moved, or a person has moved since") {
+TEST_CASE("undo does not move a camera that the comparison did not move, or that the user moved since") {
     CameraStage stage;
     const render::Camera whole = stage.camera();
     SUBCASE("blended surfaces have the whole picture") {

@@ -35,7 +35,7 @@ tree::Contact contact(int n, double gap, double radius) {
 
 } // namespace
 
-TEST_CASE("all contacts have a ring around them, another where they overlap, and their numbers") {
+TEST_CASE("all contacts have a ring and a number, and overlaps have another ring") {
     const std::vector<tree::Contact> list{contact(0, -8.0, 8.0), contact(1, -0.1, 0.1), contact(2, 0.1, 8.0)};
     render::Frame frame = frame_before();
     mark_contacts(frame, list, ContactMarks::kAll, -1, kBranches, Lengths());
@@ -52,7 +52,7 @@ TEST_CASE("all contacts have a ring around them, another where they overlap, and
     CHECK(frame.labels[2].text == "3");
 }
 
-TEST_CASE("the contact that was gone to is marked stronger and says what it is, with the others and alone") {
+TEST_CASE("the current contact is emphasised and has a label, with the other contacts and alone") {
     const std::vector<tree::Contact> list{contact(0, -1.0, 4.0), contact(1, 0.5, 4.0)};
     render::Frame all = frame_before(), alone = frame_before(), none = frame_before();
     mark_contacts(all, list, ContactMarks::kAll, 1, kBranches, Lengths());
@@ -82,7 +82,7 @@ TEST_CASE("contacts of hidden branches are not marked, and many are not numbered
     CHECK(last.labels.size() == 1);
 }
 
-TEST_CASE("the vessels of the contact that was gone to have two colours, which no selection hides") {
+TEST_CASE("the vessels of the current contact have two colours, also while they are selected") {
     const std::vector<tree::Contact> list{contact(0, -1.0, 4.0), contact(1, 0.5, 4.0)};
     render::Frame frame = frame_before();
     frame.selected = {2, 3, 7};

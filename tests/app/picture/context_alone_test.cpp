@@ -16,7 +16,7 @@ using ramus::test::drawn;
 using ramus::test::settle;
 namespace fs = std::filesystem;
 
-TEST_CASE("without a tree a mask is shown alone: looked at, measured by, saved and opened again") {
+TEST_CASE("a mask is shown without a tree: viewed, measured, saved and opened again") {
     ContextStage stage;
     const std::string mask = stage.mask("mask.nii"), ball = stage.ball("organ.stl", {100, 0, 0});
     test::CommandStage alone(std::shared_ptr<const tree::VesselTree>{});
@@ -70,7 +70,7 @@ TEST_CASE("without a tree a mask is shown alone: looked at, measured by, saved a
     REQUIRE(settle(workspace, [&] { return workspace.document().marks().context.empty(); }));
 }
 
-TEST_CASE("without a tree somebody says the unit of all that is shown, and the view goes along") {
+TEST_CASE("without a tree, the unit of all context can be set, and the view follows") {
     ContextStage stage;
     const std::string ball = stage.ball("organ.stl"), other = stage.ball("other.stl", {40, 0, 15});
     test::CommandStage alone(std::shared_ptr<const tree::VesselTree>{});
@@ -105,7 +105,7 @@ TEST_CASE("without a tree somebody says the unit of all that is shown, and the v
     alone.bad("orientation LPS");
 }
 
-TEST_CASE("a session without a tree that names branches, or shows nothing, is refused") {
+TEST_CASE("a session without a tree is refused if it names branches or has no context") {
     const TemporaryFolder folder;
     Workspace workspace({});
     for (const char* const text : {R"({"version": 1, "tree": null})",

@@ -21,7 +21,7 @@ using ramus::test::drawn;
 using ramus::test::settle;
 namespace fs = std::filesystem;
 
-TEST_CASE("context is added, changed, hidden and taken away by commands, each a step of undo") {
+TEST_CASE("context is added, changed, hidden and removed by commands, each one step of undo") {
     ContextStage stage;
     const std::string file = stage.ball("organ.stl");
     CHECK(stage.commands.good("context \"" + file + "\"").find("1,280 triangles") != std::string::npos);
@@ -67,7 +67,7 @@ TEST_CASE("context is added, changed, hidden and taken away by commands, each a 
     CHECK(stage.drawn().size() == 1);
 }
 
-TEST_CASE("while context is being read, perspective has no scale bar: it would change with what comes") {
+TEST_CASE("while context is being read, perspective views have no scale bar, since it would change") {
     ContextStage stage;
     stage.commands.good("context \"" + stage.ball("ball.ply") + "\"");
     Session session = stage.commands.document.session();
@@ -107,7 +107,7 @@ TEST_CASE("a context mesh that does not state its axes can be given them later")
     CHECK(stage.commands.bad("context-axes 2 LPS").find("states its axes") != std::string::npos);
 }
 
-TEST_CASE("what cannot be context is refused, and changes nothing") {
+TEST_CASE("files that cannot be context are refused, and change nothing") {
     ContextStage stage;
     const std::string good = stage.ball("good.ply");
     stage.commands.good("context \"" + good + "\"");
@@ -153,7 +153,7 @@ TEST_CASE("what cannot be context is refused, and changes nothing") {
     }
 }
 
-TEST_CASE("a mask's surface lies in the patient's coordinates, of one label or of all") {
+TEST_CASE("the surface of a mask, of one label or of all, is in the coordinates of the patient") {
     ContextStage stage;
     const std::string file = stage.mask("organ.nii");
     stage.commands.good("context \"" + file + "\" --label 2 --exact\ncontext \"" + file +
@@ -172,7 +172,7 @@ TEST_CASE("a mask's surface lies in the patient's coordinates, of one label or o
     CHECK(drawn[0].mesh->normals.size() == drawn[0].mesh->positions.size());
 }
 
-TEST_CASE("a mesh with holes may stand beside the tree, and who lies far from it is told") {
+TEST_CASE("a mesh with holes may be context, and a mesh far from the tree is reported") {
     ContextStage stage;
     stage.folder.write("open.obj", "v 0 0 0\nv 10 0 0\nv 0 10 0\nf 1 2 3\n");
     CHECK(stage.commands.good("context \"" + (stage.folder.path() / "open.obj").string() + "\"").find("1 triangle") !=
@@ -183,7 +183,7 @@ TEST_CASE("a mesh with holes may stand beside the tree, and who lies far from it
     CHECK(stage.commands.good("context \"" + stage.ball("near.stl") + "\"").find("coordinates") == std::string::npos);
 }
 
-TEST_CASE("large context has a coarser stand-in for while the view moves" * doctest::test_suite("slow")) {
+TEST_CASE("large context has a coarse version for drawing while the view moves" * doctest::test_suite("slow")) {
     ContextStage stage;
     stage.commands.good("context \"" + stage.ball("small.ply") + "\"\ncontext \"" +
                         stage.ball("large.ply", {0, 0, 15}, 7) + "\"");
@@ -196,7 +196,7 @@ TEST_CASE("large context has a coarser stand-in for while the view moves" * doct
     CHECK(drawn[1].preview->triangles.size() > 20000);
 }
 
-TEST_CASE("a session names its context, and the window reads it behind its back") {
+TEST_CASE("a session names its context, and the window reads it in the background") {
     ContextStage stage;
     const std::string file = stage.ball("organ.stl"), mask = stage.mask("mask.nii");
     stage.commands.good("context \"" + mask + "\" --label 1 --opacity 0.5\ncontext \"" + file +
@@ -261,7 +261,7 @@ TEST_CASE("a scan is shown as the surface of its isovalue") {
     CHECK(again->session.marks.context == stage.context());
 }
 
-TEST_CASE("a picture is made of its arguments alone") {
+TEST_CASE("a picture depends only on its arguments") {
     ContextStage stage;
     stage.commands.good("context \"" + stage.ball("organ.stl") +
                         "\"\ncut 1\nmeasure diameter 0 0.5\ncolour-by diameter");
@@ -281,7 +281,7 @@ TEST_CASE("a picture is made of its arguments alone") {
     CHECK(compose(session, assets, nullptr, {}) == frame);
 }
 
-TEST_CASE("reading that was cancelled is not taken up again until somebody asks" * doctest::test_suite("slow")) {
+TEST_CASE("reading that was cancelled is not started again until requested" * doctest::test_suite("slow")) {
     ContextStage stage;
     const std::string file = stage.ball("organ.ply", {0, 0, 15}, 6);
     Workspace workspace({});

@@ -56,7 +56,7 @@ struct Spheres : test::CommandStage {
 
 } // namespace
 
-TEST_CASE("a sphere in one that is 0.5 mm larger is 0.5 mm away everywhere, and the legend says so") {
+TEST_CASE("a sphere inside a sphere that is 0.5 mm larger has a deviation of 0.5 mm everywhere, also in the legend") {
     Spheres stage;
     stage.measure();
     const SurfaceDeviation& found = stage.assets.deviation;
@@ -81,7 +81,7 @@ TEST_CASE("a sphere in one that is 0.5 mm larger is 0.5 mm away everywhere, and 
     CHECK(legend.bar == frame.scale.ramp);
 }
 
-TEST_CASE("a scale ends where it is told to, and its end says whether anything lies beyond") {
+TEST_CASE("a colour scale ends at the given value, and its end shows whether larger values exist") {
     Spheres stage;
     stage.measure();
     stage.good("deviation-scale 0.25");
@@ -111,7 +111,7 @@ TEST_CASE("a scale ends where it is told to, and its end says whether anything l
     CHECK(scale_end({}, {}) > 0.0);
 }
 
-TEST_CASE("what is not measured has no colour of the scale, and says so") {
+TEST_CASE("places without a measurement have no colour of the scale, and the legend shows it") {
     Spheres stage;
     const auto neutral = [](const render::Frame& frame) {
         return frame.scale.value == render::ColourScale::Value::kNone && frame.overlays.legend.bar.empty() &&
@@ -138,7 +138,7 @@ TEST_CASE("what is not measured has no colour of the scale, and says so") {
     CHECK(deviation_of(stage.document.tree(), stage.marks(), stage.marks().options) != before);
 }
 
-TEST_CASE("commands say from what and up to where, are undone, and refuse what makes no sense") {
+TEST_CASE("commands set the other surface and the scale of a deviation, can be undone, and refuse invalid values") {
     Spheres stage;
     const Marks start = stage.marks();
     CHECK(start.colour_by == ColourBy::kDeviation);
@@ -160,7 +160,7 @@ TEST_CASE("commands say from what and up to where, are undone, and refuse what m
           std::string::npos);
 }
 
-TEST_CASE("a session's file keeps from what colours measure and their scale, and refuses what makes no sense") {
+TEST_CASE("a session stores the other surface and the scale of a deviation, and is refused if they are invalid") {
     const TemporaryFolder folder;
     Session session;
     session.tree.path = folder.path() / "tree.swc";
@@ -188,7 +188,7 @@ TEST_CASE("a session's file keeps from what colours measure and their scale, and
     CHECK(refused({{"colour", "red"}}));
 }
 
-TEST_CASE("a surface that cannot be had is told of, and work that is cancelled ends") {
+TEST_CASE("a surface that cannot be computed is reported, and cancelled work ends") {
     Spheres stage;
     const auto made = [&](const DeviationOf& of, Job& job) {
         return make_deviation(of, 0, 0, stage.sphere, nullptr, job);
@@ -207,7 +207,7 @@ TEST_CASE("a surface that cannot be had is told of, and work that is cancelled e
     CHECK_FALSE(made(of, job));
 }
 
-TEST_CASE("behind the window distances follow the surface, and beside another surface they keep their legend") {
+TEST_CASE("distances are updated in the background with the surface, and keep their legend next to another surface") {
     const TemporaryFolder folder;
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kForkOfDeviation));

@@ -6,7 +6,7 @@ using namespace ramus;
 using namespace ramus::app;
 using Words = std::vector<std::string>;
 
-TEST_CASE("a picture's options survive their words") {
+TEST_CASE("the options of a picture are written as words and read back without loss") {
     FigureRequest request;
     CHECK(figure_words(request).empty());
     request.size = glm::ivec2(1920, 1080);
@@ -29,7 +29,7 @@ TEST_CASE("a picture's options survive their words") {
     CHECK(read.options == request.options);
 }
 
-TEST_CASE("words that no picture can follow are refused") {
+TEST_CASE("invalid options of a picture are refused") {
     for (const Words& words : std::vector<Words>{{"--size", "1600"},
                                                  {"--size", "1600x"},
                                                  {"--size", "x1200"},

@@ -57,7 +57,7 @@ void check_flight(const tree::VesselTree& tree, int end) {
 
 } // namespace
 
-TEST_CASE("along a straight vessel the camera follows behind and above, and looks ahead") {
+TEST_CASE("on a flight along a straight vessel the camera stays behind and above, and looks ahead") {
     std::vector<glm::dvec3> positions;
     for (int i = 0; i <= 20; ++i) positions.emplace_back(0.0, 0.0, -5.0 * i);
     const tree::VesselTree tree = line(positions, 1.0);

@@ -38,7 +38,7 @@ std::pair<double, double> reach(const render::Frame& frame, const std::vector<gl
 
 } // namespace
 
-TEST_CASE("lesions have an outline where clear context is shown, and none elsewhere") {
+TEST_CASE("lesions have an outline while transparent context is shown, and none otherwise") {
     for (const bool orthographic : {true, false}) {
         CAPTURE(orthographic);
         render::Frame frame = frame_with(orthographic);
@@ -68,7 +68,7 @@ TEST_CASE("lesions have an outline where clear context is shown, and none elsewh
     }
 }
 
-TEST_CASE("a mesh's outline is where it ends in the picture, in one loop, and in two where there are two parts") {
+TEST_CASE("the outline of a mesh in the picture is one closed line for each of its parts") {
     for (const bool orthographic : {true, false}) {
         CAPTURE(orthographic);
         render::Frame frame = frame_with(orthographic);

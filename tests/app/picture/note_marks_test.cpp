@@ -29,7 +29,7 @@ tree::VesselTree with_notes() {
 
 } // namespace
 
-TEST_CASE("every note with a place has a ring around its vessel that can be seen from anywhere") {
+TEST_CASE("every note with a place has a ring around its vessel, visible from everywhere") {
     for (const bool orthographic : {false, true}) {
         CAPTURE(orthographic);
         render::Frame frame = frame_of(orthographic);
@@ -49,7 +49,7 @@ TEST_CASE("every note with a place has a ring around its vessel that can be seen
     }
 }
 
-TEST_CASE("the note that was gone to is marked stronger and named") {
+TEST_CASE("the current note is emphasised and has a label") {
     render::Frame frame = frame_of(false);
     mark_notes(frame, with_notes(), 2);
     REQUIRE(frame.labels.size() == 1);

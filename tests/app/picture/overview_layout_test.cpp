@@ -131,7 +131,7 @@ TEST_CASE("loops are links between ends that the overview shows") {
     }
 }
 
-TEST_CASE("left in the overview is left in the anterior view") {
+TEST_CASE("the left side of the overview is the left side of the anterior view") {
     // RAS: from the front, the patient's right (+x) is at the left.
     const tree::VesselTree tree =
         built({{0, 0, 10}, {0, 0, 0}, {-8, 0, -5}, {8, 0, -5}}, {{0, 1}, {1, 2}, {1, 3}}, {0});
@@ -170,7 +170,7 @@ TEST_CASE("thirty thousand branches are drawn as few pieces" *
     for (const OverviewPiece& piece : visible_pieces(layout, close)) CHECK_FALSE(piece.merged);
 }
 
-TEST_CASE("the branch under the pointer in the overview is the nearest line") {
+TEST_CASE("the overview picks the branch whose line is nearest to the pointer") {
     const tree::VesselTree tree = ladder(8);
     const OverviewLayout layout = overview_layout(tree, facts_of(tree), OverviewDepth::kDistance);
     OverviewView view;

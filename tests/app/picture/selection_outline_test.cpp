@@ -9,7 +9,7 @@
 using namespace ramus;
 using namespace ramus::app;
 
-TEST_CASE("the selection's outline is laid out anew only when it changes, and is that of the session") {
+TEST_CASE("the outline of the selection is computed again only when it changes, and agrees with the session") {
     const TemporaryFolder folder;
     test::CommandStage stage{
         io::read_tree(folder.write("fork.swc", "1 3 0 0 0 2 -1\n2 3 0 0 20 2 1\n3 3 10 0 30 1 2\n4 3 -10 0 30 1.5 2\n"))

@@ -39,7 +39,7 @@ measure::DeviationStatistics statistics_of(std::vector<double> values) {
 
 } // namespace
 
-TEST_CASE("round numbers are 1, 2 or 5 times powers of ten apart, inside, and neither few nor many") {
+TEST_CASE("ticks are 1, 2 or 5 times a power of ten apart, inside the range, and neither few nor many") {
     CHECK(round_numbers(0.0, 1.0) == std::vector<double>{0.0, 0.2, 0.4, 3 * 0.2, 0.8, 1.0});
     CHECK(round_numbers(0.0, 0.4).size() == 5); // 0, 0.1, ..., 0.4
     CHECK(round_numbers(-2.0, 2.0) == std::vector<double>{-2.0, -1.0, 0.0, 1.0, 2.0});
@@ -67,7 +67,7 @@ TEST_CASE("round numbers are 1, 2 or 5 times powers of ten apart, inside, and ne
     }
 }
 
-TEST_CASE("ticks have as few digits as say the number") {
+TEST_CASE("ticks have no more digits than needed") {
     CHECK(tick_text(0.0) == "0");
     CHECK(tick_text(3 * 0.1) == "0.3");
     CHECK(tick_text(250.0) == "250");
@@ -86,7 +86,7 @@ TEST_CASE("axes go from end to end, linear and logarithmic") {
     CHECK(linear_axis(0.0, 0.0).share(0.0) == 0.0); // all distances may be 0
 }
 
-TEST_CASE("drawings are XML whatever their words are") {
+TEST_CASE("drawings are valid XML for any text") {
     const std::string name = "<b>&\"'.swc\x01\xFF";
     const auto statistics = statistics_of({0.0, 0.1, 0.2, 0.3, 0.4});
     const auto boxes = parsed_svg(box_plots("Surface to <cones>", {{name, &statistics, 0.25}}, kConesStroke, "half"));
@@ -96,7 +96,7 @@ TEST_CASE("drawings are XML whatever their words are") {
     CHECK(std::string(boxes.document_element().attribute("aria-label").value()) == "Surface to <cones>");
 }
 
-TEST_CASE("a histogram has a bar for each bin that has something, on an axis in percent") {
+TEST_CASE("a histogram has one bar for each bin that is not empty, on an axis in percent") {
     const auto statistics = statistics_of({0.0, 0.0, 0.0, 1.0});
     const auto plot = parsed_svg(histogram_plot("Distances", statistics, kMaskStroke, std::nullopt, ""));
     CHECK(plot.select_nodes("//rect").size() == 2);
@@ -105,7 +105,7 @@ TEST_CASE("a histogram has a bar for each bin that has something, on an axis in 
     parsed_svg(histogram_plot("Nothing", statistics_of({0.0, 0.0}), kMaskStroke, 0.5, "half"));
 }
 
-TEST_CASE("curves of radii leave the plot where they are higher, and are told apart by dashes too") {
+TEST_CASE("curves of radii are clipped at the top of the plot, and also differ by dashes") {
     RadiusCurves curves;
     for (int i = 0; i <= 10; ++i) {
         curves.along_mm.push_back(i);
@@ -133,7 +133,7 @@ TEST_CASE("long words are shortened in the middle, letter by letter") {
     CHECK(name.find("\xE2\x80\xA6") != std::string::npos);
 }
 
-TEST_CASE("text is safe in pages and drawings") {
+TEST_CASE("text is escaped in pages and drawings") {
     CHECK(html_text("<i>\"&'</i>") == "&lt;i&gt;&quot;&amp;&#39;&lt;/i&gt;");
     CHECK(html_text("\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80") == "\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80");
     // Not UTF-8: a cut letter, a needlessly long spelling, half of a letter of UTF-16; and control characters.

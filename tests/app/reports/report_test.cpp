@@ -69,7 +69,7 @@ TEST_CASE("CSV fields are quoted where they must be and nowhere else") {
     CHECK(csv_field("") == "");
 }
 
-TEST_CASE("base64 is that of RFC 4648") {
+TEST_CASE("base64 follows RFC 4648") {
     for (const auto& [bytes, text] :
          {std::pair{"", ""}, std::pair{"f", "Zg=="}, std::pair{"fo", "Zm8="}, std::pair{"foo", "Zm9v"},
           std::pair{"foob", "Zm9vYg=="}, std::pair{"fooba", "Zm9vYmE="}, std::pair{"foobar", "Zm9vYmFy"}})
@@ -77,7 +77,7 @@ TEST_CASE("base64 is that of RFC 4648") {
     CHECK(io::base64_encoded("\xFF\xFE\xFD") == "//79");
 }
 
-TEST_CASE("reports as CSV hold the tables, with names that need care") {
+TEST_CASE("CSV reports contain the tables, also with special characters in names") {
     Stage stage;
     CHECK(stage.bad("report " + stage.file("r.csv")).find("nothing to report") != std::string::npos);
     stage.good("name 1 \"segment V, \\\"upper\\\"\"\nselect 0 1\nreport " + stage.file("s.csv"));
@@ -120,7 +120,7 @@ TEST_CASE("reports as CSV hold the tables, with names that need care") {
     CHECK(std::ranges::none_of(stage.folder.names(), [](const std::string& n) { return n.starts_with("x."); }));
 }
 
-TEST_CASE("the page is whole by itself, and what people wrote is text in it") {
+TEST_CASE("the report page is self-contained, and shows user input as text") {
     Stage stage;
     stage.good(
         "name 1 \"<script>alert('x')</script>\"\nselect-generation 0 9\ncut 0\nlesion 8,10,10,2\nmeasure angle 1\n"
@@ -144,7 +144,7 @@ TEST_CASE("the page is whole by itself, and what people wrote is text in it") {
     CHECK(page.find("class=\"case\"") == std::string::npos);
 }
 
-TEST_CASE("a page has the case line that was typed, as text, and the document does not") {
+TEST_CASE("a page shows the case line as text, and the document does not store it") {
     Stage stage;
     const Marks before = stage.marks();
     stage.good("report " + stage.file("r.html") + " --case \"A <b> & C\" --size 50x100");
@@ -158,7 +158,7 @@ TEST_CASE("a page has the case line that was typed, as text, and the document do
     CHECK(stage.bad("report " + stage.file("r.csv") + " --case x").find("page") != std::string::npos);
 }
 
-TEST_CASE("volumes of a page are in ml once one of a column is a millilitre") {
+TEST_CASE("volumes of a column are in ml if one of them reaches a millilitre") {
     const auto table = [](double volume, const char* unit) {
         return in_words({"Volumes",
                          {{"volume", "Lost volume, mm\xC2\xB3"}, {"length", "Length, mm"}, unit_column()},

@@ -38,7 +38,7 @@ double number(const Table& table, std::size_t row, const std::string& column) {
 
 } // namespace
 
-TEST_CASE("an average is the mean of the data sets' figures, each weighing the same") {
+TEST_CASE("an average is the mean over data sets, each with the same weight") {
     // Figures of values 0, 2 (mean 1, sigma 1, rms sqrt 2) and of 6, 6, 6, 6 (mean 6, sigma 0, rms 6). Of all six
     // values together the mean would be 26/6; the mean of the means is 3.5.
     const std::vector<DistanceFigures> rows{figures_of(distances({0.0, 2.0}, 1.0)),
@@ -58,7 +58,7 @@ TEST_CASE("an average is the mean of the data sets' figures, each weighing the s
     CHECK(summary_of(std::span(rows).first(1), Of::kMean).sigma == doctest::Approx(1.0)); // of one: itself
 }
 
-TEST_CASE("averages count places per data set, and leave out radii that are not there") {
+TEST_CASE("averages count places per data set, and omit missing radii") {
     std::vector<ValidatedDataSet> sets{data_set("a.swc", {1.0, 3.0}), data_set("b.swc", {4.0})};
     sets[0].validation.lost.resize(3);
     sets[1].validation.merged.resize(1);
@@ -123,7 +123,7 @@ TEST_CASE("the table of distances ends with average and standard deviation where
     CHECK(all_distances_table(sets).columns[2].name == "distance");
 }
 
-TEST_CASE("the worst branches are those whose radius is most off where they are alone") {
+TEST_CASE("the worst branches have the largest error of the radius where they are alone") {
     const ValidatedDataSet set = data_set("a.swc", {1.0});
     const std::vector<validate::BranchError> worst = validate::worst_branches(set.validation, 9);
     REQUIRE(worst.size() == 2); // nothing of branch 2 is alone
@@ -157,7 +157,7 @@ TEST_CASE("every place of every question is a row of one table") {
           "2,position,8,,0,0,0,7,,0.5,,,mm\r\n");
 }
 
-TEST_CASE("the page needs nothing beside it, and names are text in it") {
+TEST_CASE("the page is self-contained, and shows names as text") {
     std::vector<ValidatedDataSet> sets{data_set("/data/<b>&.swc", {0.0, 1.0})};
     sets[0].files = {{"tree", "/data/<b>&.swc", "abc"}};
     for (std::size_t count : {1, 2}) {

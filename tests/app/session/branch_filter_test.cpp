@@ -101,7 +101,7 @@ TEST_CASE("words find labels, numbers find ids, and is: finds states") {
     CHECK(stage.find("is:leaf").size() == static_cast<std::size_t>(stage.facts.statistics.leaves));
 }
 
-TEST_CASE("what a filter cannot mean is said") {
+TEST_CASE("invalid filters are reported") {
     CHECK(trouble("d>").find("a number is missing") != std::string::npos);
     CHECK(trouble("d>thick").find("\"thick\" is not a number") != std::string::npos);
     CHECK(trouble("width>3").find("\"width\" is not known") != std::string::npos);

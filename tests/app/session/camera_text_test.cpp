@@ -47,7 +47,7 @@ render::Camera odd_camera() {
 
 } // namespace
 
-TEST_CASE("a camera goes to the clipboard and back to the last bit") {
+TEST_CASE("a camera is copied to the clipboard and back without loss") {
     CameraTextStage stage;
     stage.document.set_camera(odd_camera());
     REQUIRE(stage.run("camera-copy"));
@@ -59,7 +59,7 @@ TEST_CASE("a camera goes to the clipboard and back to the last bit") {
     CHECK_FALSE(stage.document.can_undo());
 }
 
-TEST_CASE("what was copied is a line of a commands file, and a file of its own") {
+TEST_CASE("a copied camera can be used as a line of a commands file and as a camera file") {
     const TemporaryFolder folder;
     CameraTextStage stage;
     stage.document.set_camera(odd_camera());
@@ -77,7 +77,7 @@ TEST_CASE("what was copied is a line of a commands file, and a file of its own")
     CHECK(braces->front().words == std::vector<std::string>{"camera", R"({"a": "}\"{", "b": {"c": 1}})", "x"});
 }
 
-TEST_CASE("what is no camera is refused and moves nothing") {
+TEST_CASE("text that is not a camera is refused, and the camera stays") {
     CameraTextStage stage;
     stage.document.set_camera(odd_camera());
     const auto refusal = [&](const std::string& line) {

@@ -37,7 +37,7 @@ render::Camera camera_at_work() {
 
 } // namespace
 
-TEST_CASE("branches of the same shape are the same; others where they lie at the same places") {
+TEST_CASE("branches are matched by equal shape, otherwise by equal position") {
     const auto fork = read(kFork);
     CHECK(same_branches(fork, read(kFork, "cm")) == std::vector<int>{0, 1, 2});
     const auto more = read(std::string(kFork) + kOrphan);
@@ -49,7 +49,7 @@ TEST_CASE("branches of the same shape are the same; others where they lie at the
     CHECK(lost == 1);
 }
 
-TEST_CASE("marks go with their branches, and what has none left is counted") {
+TEST_CASE("marks are carried over with their branches, and lost marks are counted") {
     const auto more = read(std::string(kFork) + kOrphan), fork = read(kFork);
     const std::vector<int> same = same_branches(more, fork);
     const auto lone = static_cast<int>(std::ranges::find(same, tree::kNoBranch) - same.begin());
@@ -73,7 +73,7 @@ TEST_CASE("marks go with their branches, and what has none left is counted") {
     CHECK(carried.lost == 5); // selection, state, cut, name, an end of a path
 }
 
-TEST_CASE("a system that is hidden as a whole stays hidden whatever its branches become; names of others go") {
+TEST_CASE("a hidden system stays hidden even if its branches change; names of systems that the tree lacks are lost") {
     const auto before = test::two_systems();
     auto after = before;
     for (tree::Point& point : after.points) point.position += 0.25; // no branch is where one was
@@ -98,7 +98,7 @@ TEST_CASE("a system that is hidden as a whole stays hidden whatever its branches
     CHECK(carried_over(together.marks, BranchMap::read_again(plain, before)).marks.colour_by.kind == ColourBy::kSystem);
 }
 
-TEST_CASE("a mask that tree and isosurface are made of has one unit") {
+TEST_CASE("a mask that is used for both tree and isosurface has one unit") {
     Marks marks;
     marks.comparison.mask = "/a/mask.nii";
     marks.reading.unit = io::length_unit("cm");
@@ -111,7 +111,7 @@ TEST_CASE("a mask that tree and isosurface are made of has one unit") {
     CHECK(marks.comparison.mask_units.empty());
 }
 
-TEST_CASE("the camera sees the same of a tree in another unit, and along other axes") {
+TEST_CASE("the camera shows the same part of a tree after a change of unit or axes") {
     const auto fork = read(kFork), in_cm = read(kFork, "cm"), turned = read(kFork, nullptr, io::Orientation::lps());
     const render::Camera camera = camera_at_work();
     const glm::ivec2 size(400, 300);

@@ -51,7 +51,7 @@ std::filesystem::path write_mask(const std::filesystem::path& path, double x = 0
 
 } // namespace
 
-TEST_CASE("a comparison and the skeleton survive the session's file, and are not in one without them") {
+TEST_CASE("a comparison and the skeleton are saved in sessions, and only there if they are used") {
     const TemporaryFolder folder;
     Session session;
     session.tree.path = folder.path() / "tree.swc";
@@ -95,7 +95,7 @@ TEST_CASE("a comparison and the skeleton survive the session's file, and are not
     CHECK(refused(3));
 }
 
-TEST_CASE("commands compare, are undone, and refuse what makes no sense") {
+TEST_CASE("commands of comparisons can be undone, and refuse invalid arguments") {
     const TemporaryFolder folder;
     const auto mask = write_mask(folder.path() / "mask of it.nii");
     test::CommandStage stage(forked());
@@ -256,7 +256,7 @@ TEST_CASE("all viewports have one camera; one without branches shows nothing of 
                                               surfaces.of(Compared::kConvolutionSurface), viewing));
 }
 
-TEST_CASE("an isosurface beside systems has a colour that no system has") {
+TEST_CASE("an isosurface next to vessel systems has a colour of its own") {
     test::CommandStage stage(test::two_systems());
     ShownSurfaces surfaces;
     for (auto& mesh : surfaces.meshes) mesh = std::make_shared<const render::PagedMesh>();
@@ -277,7 +277,7 @@ TEST_CASE("an isosurface beside systems has a colour that no system has") {
     CHECK(alike.viewports[1].frame.appearance.vessel == usual.vessel);
 }
 
-TEST_CASE("the surfaces that a comparison needs") {
+TEST_CASE("a comparison requests the surfaces that it needs") {
     Marks marks;
     CHECK(compared_requests(marks).empty());
     marks.comparison = {
@@ -304,7 +304,7 @@ TEST_CASE("the surfaces that a comparison needs") {
     CHECK(requests[1].wire);
 }
 
-TEST_CASE("both ways to blend are compared, whichever the session's own is") {
+TEST_CASE("both blends can be compared, whichever the session uses") {
     Marks marks;
     marks.comparison.mode = Mode::kWipe;
     marks.comparison.surfaces = {Compared::kMerged, Compared::kApart};
@@ -329,7 +329,7 @@ TEST_CASE("both ways to blend are compared, whichever the session's own is") {
     CHECK(compared_requests(marks).size() == 2);
 }
 
-TEST_CASE("surfaces to compare with are made, of masks and without one") {
+TEST_CASE("surfaces for a comparison are computed with and without a mask") {
     const TemporaryFolder folder;
     const tree::VesselTree tree = forked();
     Marks marks;
@@ -382,7 +382,7 @@ TEST_CASE("surfaces to compare with are made, of masks and without one") {
     CHECK(nothing->lines->triangles.empty());
 }
 
-TEST_CASE("a workspace makes them behind the document, and says why it cannot") {
+TEST_CASE("a workspace computes the surfaces of a comparison in the background, and reports failures") {
     const TemporaryFolder folder;
     Workspace workspace({});
     const auto file = folder.path() / "fork.swc";

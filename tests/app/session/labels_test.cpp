@@ -47,7 +47,7 @@ TEST_CASE("labels of all branches at once agree with labels one by one") {
     }
 }
 
-TEST_CASE("a name is its branch's alone, unless it was given to what depends on it") {
+TEST_CASE("a name belongs to one branch, unless it was given to its subtree") {
     const tree::VesselTree tree = test::grown(200);
     const tree::Dependency dependency(tree);
     Marks marks;
@@ -65,7 +65,7 @@ TEST_CASE("a name is its branch's alone, unless it was given to what depends on 
     CHECK(marks.names.size() == 1);
 }
 
-TEST_CASE("facts sum up what depends on a branch, and how far it is from the root") {
+TEST_CASE("facts include the sums over the dependents of a branch, and its distance from the root") {
     const tree::VesselTree tree = test::grown(300);
     const TreeFacts facts = facts_of(tree);
     double volume = 0.0;
@@ -90,7 +90,7 @@ TEST_CASE("facts sum up what depends on a branch, and how far it is from the roo
     CHECK(volume == doctest::Approx(facts.statistics.volume_mm3));
 }
 
-TEST_CASE("the volume of a straight vessel is its cylinder's") {
+TEST_CASE("the volume of a straight vessel is that of a cylinder") {
     tree::VesselTree tree;
     for (int i = 0; i < 3; ++i) tree.points.push_back({{5.0 * i, 0.0, 0.0}, 2.0});
     tree.branches.emplace_back().points = {0, 1, 2};

@@ -54,7 +54,7 @@ TEST_CASE("every member of Marks has a row of its own") {
     CHECK(members.size() == marks_table().size());
 }
 
-TEST_CASE("the marks of this test differ from the default in every member, and come back from a session file") {
+TEST_CASE("marks that differ from the default in every member are restored from a session file") {
     Session session;
     session.tree.path = "/data/tree.swc";
     session.marks = full_marks();
@@ -70,7 +70,7 @@ TEST_CASE("the marks of this test differ from the default in every member, and c
     }
 }
 
-TEST_CASE("a change leads from one value of every member to the other, and back") {
+TEST_CASE("a change transforms every member to its new value, and its reverse restores the old one") {
     const Marks none, full = full_marks();
     const MarksChange change = MarksChange::between(none, full);
     Marks marks = none;
@@ -84,7 +84,7 @@ TEST_CASE("a change leads from one value of every member to the other, and back"
     CHECK_FALSE(MarksChange::between(full, full).edits_tree());
 }
 
-TEST_CASE("each member's own change says nothing of the others") {
+TEST_CASE("the change of one member does not affect the others") {
     const Marks full = full_marks();
     for (const MarksRow& row : marks_table()) {
         Marks one;

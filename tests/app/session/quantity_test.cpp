@@ -23,7 +23,7 @@ std::shared_ptr<const tree::VesselTree> small_tree() {
 
 } // namespace
 
-TEST_CASE("every quantity has a row in its place, with a name and a value of its own") {
+TEST_CASE("every quantity has a row with a unique name and a valid value") {
     const auto tree = small_tree();
     const TreeFacts facts = facts_of(*tree);
     std::set<std::string_view> keys, filters;
@@ -47,7 +47,7 @@ TEST_CASE("every quantity has a row in its place, with a name and a value of its
     }
 }
 
-TEST_CASE("a quantity is what the filter, the list and the report say it is") {
+TEST_CASE("the filter, the list and the report show the same value of a quantity") {
     const auto tree = small_tree();
     Document document;
     Session session;
@@ -83,7 +83,7 @@ TEST_CASE("a quantity is what the filter, the list and the report say it is") {
     for (const auto& cells : table.rows) CHECK(cells.size() == table.columns.size());
 }
 
-TEST_CASE("every colouring has a key, stands in the menu and colours a tree") {
+TEST_CASE("every colouring has a key and a menu entry, and colours a tree") {
     const auto tree = small_tree();
     const TreeFacts facts = facts_of(*tree);
     test::CommandStage stage(*tree);

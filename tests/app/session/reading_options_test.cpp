@@ -11,7 +11,7 @@
 using namespace ramus;
 using namespace ramus::app;
 
-TEST_CASE("options of reading are spelled as they are read, to the last bit") {
+TEST_CASE("options of reading are written as text and read back without loss") {
     for (const char* text : {"mm", "cm", "um", "m", "0.62", "0.3x0.3x0.6", "0.123456789012345"}) {
         CAPTURE(text);
         CHECK(spelled(*io::length_unit(text)) == text);
@@ -22,7 +22,7 @@ TEST_CASE("options of reading are spelled as they are read, to the last bit") {
     CHECK_FALSE(repairs_in(""));
 }
 
-TEST_CASE("an option is changed, taken back, or refused with what it takes") {
+TEST_CASE("an option is changed, removed, or refused with a list of its values") {
     const auto cm = with({}, "units", "cm");
     REQUIRE(cm);
     CHECK(cm->unit->mm.x == 10.0);
@@ -39,7 +39,7 @@ TEST_CASE("an option is changed, taken back, or refused with what it takes") {
     }
 }
 
-TEST_CASE("what somebody says of a file wins over what the session says") {
+TEST_CASE("options of the command line take precedence over those of the session") {
     const auto session = with(*with({}, "units", "cm"), "repair", "none");
     CHECK(over({}, *session) == *session);
     const io::ReadOptions both = over(*with({}, "units", "um"), *session);
@@ -47,7 +47,7 @@ TEST_CASE("what somebody says of a file wins over what the session says") {
     CHECK(both.repair == tree::Repair::kNone);
 }
 
-TEST_CASE("how a mask becomes a tree is said, taken back, refused with what it takes, and kept") {
+TEST_CASE("options of masks are set, removed, refused with a list of their values, and saved") {
     io::ReadOptions reading;
     for (const auto& row :
          {std::pair("labels", "1+3,2"), std::pair("fill-holes", "on"), std::pair("bulge-size", "0.75"),
@@ -93,7 +93,7 @@ TEST_CASE("how a mask becomes a tree is said, taken back, refused with what it t
     }
 }
 
-TEST_CASE("sessions keep how the tree's file is read") {
+TEST_CASE("sessions store the options of reading the tree") {
     const TemporaryFolder folder;
     Session session;
     session.tree.path = folder.path() / "t.swc";
@@ -114,7 +114,7 @@ TEST_CASE("sessions keep how the tree's file is read") {
     CHECK(refused.error().what.find("furlong") != std::string::npos);
 }
 
-TEST_CASE("an unlikely unit, an open width and changed radii could mislead; a word about axes does not") {
+TEST_CASE("a suspicious unit, an ambiguous radius and repaired radii can mislead; axes cannot") {
     const std::string plain = "1 0 0 0 0 5 -1\n2 0 0 0 200 5 1\n";
     const auto misleads = [](const std::string& swc, const io::ReadOptions& options = {}) {
         const auto tree = io::parse_tree(swc, "t.swc", options);

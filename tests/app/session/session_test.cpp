@@ -71,7 +71,7 @@ TEST_CASE("a session survives its file to the last bit") {
     CHECK(read->session == session);
 }
 
-TEST_CASE("a session and its tree move together when they lie together") {
+TEST_CASE("a session finds its tree after both are moved together") {
     const Session session = lively_session("/data");
     CHECK(to_json(session, "/data")["tree"]["path"] == "trees/liver tree.swc");
     CHECK(to_json(session, "/elsewhere")["tree"]["path"] == "/data/trees/liver tree.swc");
@@ -80,7 +80,7 @@ TEST_CASE("a session and its tree move together when they lie together") {
     CHECK(moved->session.tree.path == "/moved/trees/liver tree.swc");
 }
 
-TEST_CASE("a session file that is none is refused with its name and a reason") {
+TEST_CASE("a file that is not a session is refused with its name and the reason") {
     const auto message = [](const char* text) {
         const auto session = session_from_json(nlohmann::json::parse(text), "/data", "s.json");
         REQUIRE_FALSE(session);
@@ -103,7 +103,7 @@ TEST_CASE("a session file that is none is refused with its name and a reason") {
           "\"one\" in names is not a branch id");
 }
 
-TEST_CASE("what a surgeon plans with is refused when it makes no sense") {
+TEST_CASE("invalid cuts, lesions and measurements are refused") {
     const auto message = [](const std::string& members) {
         const auto session = session_from_json(
             nlohmann::json::parse(R"({"version": 1, "tree": {"path": "a"}, )" + members + "}"), "/data", "s.json");
@@ -143,7 +143,7 @@ TEST_CASE("what a surgeon plans with is refused when it makes no sense") {
     CHECK(message(R"("options": {"glass_grey": -0.1})") == "glass_grey -0.1 is out of range");
 }
 
-TEST_CASE("reading a session names what is wrong with the file") {
+TEST_CASE("reading a session reports what is wrong with the file") {
     CHECK(read_session("/nowhere/s.json").error().what == "no such file");
     CHECK(read_session(fs::temp_directory_path()).error().what == "this is a directory, not a file");
     const TemporaryFolder folder;
@@ -228,7 +228,7 @@ TEST_CASE("the camera is no step of undo") {
     CHECK_FALSE(document.can_undo());
 }
 
-TEST_CASE("a session whose names are not text says so, and leaves the file that was there") {
+TEST_CASE("saving a session whose names are not text fails, and keeps the existing file") {
     const TemporaryFolder folder;
     Session session;
     session.tree.path = folder.path() / "tree.swc";

@@ -22,7 +22,7 @@ double other_value(const SurfaceOption& option) {
 
 } // namespace
 
-TEST_CASE("every option of the surface has a row that says all about it") {
+TEST_CASE("every option of the surface has a complete row") {
     std::set<std::string_view> keys;
     for (const SurfaceOption& option : surface_options()) {
         CAPTURE(option.key);
@@ -52,7 +52,7 @@ TEST_CASE("every option of the surface has a row that says all about it") {
     CHECK(surface_option("colour") == nullptr);
 }
 
-TEST_CASE("an option of words takes these and nothing else") {
+TEST_CASE("an option with a list of words accepts only these words") {
     const SurfaceOption* blend = surface_option("blend");
     REQUIRE(blend != nullptr);
     for (const mesh::BlendRow& row : mesh::kBlends) {
@@ -76,7 +76,7 @@ TEST_CASE("an option of words takes these and nothing else") {
     }
 }
 
-TEST_CASE("a session from before there was a choice shows the plain sum, as it did then") {
+TEST_CASE("an old session without a choice of blend shows the plain sum") {
     nlohmann::json value = to_json(Session{}, "/");
     value["options"].erase("blend");
     const auto before = session_from_json(value, "/", "s.json");
@@ -88,7 +88,7 @@ TEST_CASE("a session from before there was a choice shows the plain sum, as it d
     CHECK(by_hand->session.marks.options == mesh::SurfaceOptions{});
 }
 
-TEST_CASE("a session names a kernel where it is not the Gaussian, and is refused where nobody knows it") {
+TEST_CASE("a session stores the kernel unless it is the Gaussian, and is refused if the kernel is unknown") {
     Session session;
     CHECK_FALSE(to_json(session, "/")["options"].contains("kernel")); // as sessions were before there was a choice
     for (const field::KernelRow& row : field::kernel_rows()) {
@@ -105,7 +105,7 @@ TEST_CASE("a session names a kernel where it is not the Gaussian, and is refused
     CHECK_FALSE(session_from_json(value, "/", "s.json"));
 }
 
-TEST_CASE("options of the session are saved under their keys and read back, the machine's are not") {
+TEST_CASE("options of the session are saved under their keys and read back, options of the machine are not") {
     for (const SurfaceOption& option : surface_options()) {
         CAPTURE(option.key);
         Session session;
@@ -118,7 +118,7 @@ TEST_CASE("options of the session are saved under their keys and read back, the 
     }
 }
 
-TEST_CASE("what has a slider can be set by command") {
+TEST_CASE("every option with a slider can be set by a command") {
     test::CommandStage stage(*io::parse_tree("1 0 0 0 0 1 -1\n2 0 0 0 9 1 1\n", "small.swc"));
     for (const SurfaceOption& option : surface_options()) {
         CAPTURE(option.key);

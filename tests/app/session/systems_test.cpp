@@ -51,14 +51,14 @@ TEST_CASE("a system is selected, hidden and shown by its name or number") {
     CHECK_FALSE(stage.bad("select-system 3").empty());
 }
 
-TEST_CASE("showing a system leaves what was not hidden as it is") {
+TEST_CASE("showing a system does not change branches that were not hidden") {
     SystemsStage stage;
     stage.good("select 1\nhighlight\nselect 2\nhide\nshow-system 1");
     CHECK(stage.in(BranchState::kHighlighted) == Ids{1});
     CHECK(stage.in(BranchState::kHidden).empty());
 }
 
-TEST_CASE("names and colours of systems are steps of undo, and the tree's own are no change") {
+TEST_CASE("names and colours of systems are steps of undo, unless they equal those of the tree") {
     SystemsStage stage;
     stage.good("name-system 2 \"vena cava\"\ncolour-system \"vena cava\" 102030");
     const Systems& now = systems_of(*stage.document.tree(), stage.marks());
@@ -125,7 +125,7 @@ TEST_CASE("tables have a column of systems, and one of their own") {
     CHECK(systems.find("cava,#c8503c,1,0,30,") != std::string::npos); // 30 mm from x = -10 to 20
 }
 
-TEST_CASE("a session keeps names, colours and what is hidden, and refuses another tree's") {
+TEST_CASE("a session stores names, colours and hidden systems, and refuses those of another tree") {
     SystemsStage stage;
     stage.good("hide-system 2\nname-system 1 \"V. portae\"\ncolour-system 1 010203\ncolour-by system");
     const auto json = to_json(stage.document.session(), "/data");
@@ -143,7 +143,7 @@ TEST_CASE("a session keeps names, colours and what is hidden, and refuses anothe
     CHECK_FALSE(session_from_json(bad, "/data", "s").has_value());
 }
 
-TEST_CASE("what depends on a branch is of its system") {
+TEST_CASE("the dependents of a branch belong to its system") {
     const tree::VesselTree tree = test::two_systems();
     const TreeFacts facts = facts_of(tree);
     for (int id = 0; id < 4; ++id)

@@ -46,7 +46,7 @@ struct Session7 {
 
 } // namespace
 
-TEST_CASE("deselecting and selecting keep what was undone; redo gives it again") {
+TEST_CASE("selecting and deselecting do not discard undone steps") {
     Session7 at;
     at.select({2});
     at.state(2, BranchState::kHidden);
@@ -70,7 +70,7 @@ TEST_CASE("deselecting and selecting keep what was undone; redo gives it again")
     CHECK(at.document.marks() == Marks{});
 }
 
-TEST_CASE("Escape without a selection is no step at all") {
+TEST_CASE("Escape without a selection adds no step of undo") {
     Session7 at;
     at.state(1, BranchState::kHidden);
     REQUIRE(at.document.undo());
@@ -80,7 +80,7 @@ TEST_CASE("Escape without a selection is no step at all") {
     CHECK(at.document.can_redo());
 }
 
-TEST_CASE("an undone step that selected selects again; other looks stay as they are by then") {
+TEST_CASE("redo of a selection selects again, and keeps other looks as they are") {
     Session7 at;
     at.select({1});
     at.select({4});
@@ -92,7 +92,7 @@ TEST_CASE("an undone step that selected selects again; other looks stay as they 
     CHECK(at.document.marks().skeleton);
 }
 
-TEST_CASE("a change of anything else forgets what was undone, in one step with looks, too") {
+TEST_CASE("changes other than looks discard undone steps, also in one step with looks") {
     for (const bool with_looks : {false, true}) {
         Session7 at;
         at.state(1, BranchState::kHidden);
@@ -118,7 +118,7 @@ TEST_CASE("a change of anything else forgets what was undone, in one step with l
     }
 }
 
-TEST_CASE("an undone edit of the tree is redone with the selection that it made, whatever is selected before") {
+TEST_CASE("redo of an edit of the tree restores the selection that the edit made") {
     Session7 at;
     at.select({6});
     at.document.begin_step();
@@ -139,7 +139,7 @@ TEST_CASE("an undone edit of the tree is redone with the selection that it made,
     CHECK(at.document.branch_count() == 7);
 }
 
-TEST_CASE("looking is no work that closing would lose") {
+TEST_CASE("changes of looks do not count as unsaved work") {
     Session7 at;
     at.select({1});
     at.change([](Marks& marks) { marks.colour_by = Quantity::kGeneration, marks.contact_marks = true; });
@@ -161,7 +161,7 @@ TEST_CASE("looking is no work that closing would lose") {
     CHECK_FALSE(at.document.has_unsaved_work());
 }
 
-TEST_CASE("whatever is looked at in between, redo makes the same work, and undo goes all the way back") {
+TEST_CASE("with any looks in between, redo repeats the same work, and undo returns to the start") {
     std::mt19937 random(7);
     const auto below = [&](unsigned end) { return static_cast<int>(random() % end); };
     const auto work_of = [](const Marks& marks) { return with_looks(marks, Marks{}); };

@@ -15,7 +15,7 @@ tree::VesselTree vessel_of(double length_mm) {
 
 } // namespace
 
-TEST_CASE("margins and limits are those of a person's organ, and small round numbers in a mouse's") {
+TEST_CASE("default margins and limits fit a human organ, and are small round numbers for a mouse") {
     const Planning organ;
     CHECK(usual_sizes(vessel_of(180.0)).planning == organ);
     CHECK(usual_sizes(vessel_of(40.5)).planning == organ);
@@ -30,7 +30,7 @@ TEST_CASE("margins and limits are those of a person's organ, and small round num
     CHECK(mouse.thin_mm == doctest::Approx(0.2));
 }
 
-TEST_CASE("what nobody has chosen follows a file's unit, and what somebody has stays") {
+TEST_CASE("default sizes follow the unit of the file, and chosen sizes are kept") {
     const tree::VesselTree in_cm = vessel_of(12.0), in_mm = vessel_of(120.0);
     Marks marks;
     marks.planning = usual_sizes(in_cm).planning;

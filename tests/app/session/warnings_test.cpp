@@ -27,7 +27,7 @@ const Warning* about(const WarningList& list, const std::string& words) {
 
 } // namespace
 
-TEST_CASE("a warning stays until it is read, and in the list after that") {
+TEST_CASE("a warning is shown until it is read, and stays in the list") {
     WarningList list;
     list.add(Error{"the disk is full", "/data/plan.ramus.json", "make room"});
     CHECK(list.unread() == 1);
@@ -62,7 +62,7 @@ TEST_CASE("notes of the tree are warnings; each says what, where and what to do"
     CHECK(about(list, "Repaired")->command == "doctor");
 }
 
-TEST_CASE("another tree takes its own warnings along; what was read of both stays read") {
+TEST_CASE("another tree replaces the warnings of the previous tree, and read warnings stay read") {
     WarningList list;
     list.follow(read_swc(kDamaged), "/data/t.swc");
     list.mark_all_read();

@@ -10,7 +10,7 @@
 
 using namespace ramus::app;
 
-TEST_CASE("advice in a window names no flag and no command line") {
+TEST_CASE("advice in the window mentions no option and no command line") {
     for (const char* const advice :
          {"lower --detail, or prune with --prune", "use .ply, a lower --detail, or more --memory",
           "ramus info lists the labels of a mask", "choose an --isovalue, or a --label",
@@ -55,7 +55,7 @@ bool of_command_line(const std::string& text) {
 } // namespace
 
 // What stops the window from coming up is told on the terminal, where it was called.
-TEST_CASE("whatever core and the renderer advise has words in the window") {
+TEST_CASE("every hint of core and the renderer has a text for the window") {
     int advised = 0;
     for (const char* const folder :
          {"core", "render/renderer", "render/gpu", "render/scene", "app/storage", "app/workspace"})

@@ -94,7 +94,7 @@ std::vector<fs::path> files_in(const fs::path& folder, const std::string& ending
 
 } // namespace
 
-TEST_CASE("what a killed process left is found, read as it was written, and can be thrown away") {
+TEST_CASE("the recovery file of a killed process is found, restored exactly, and can be discarded") {
     const TemporaryFolder folder;
     const Snapshot snapshot = snapshot_of("/data/liver.swc");
     leave_behind(folder.path(), snapshot);
@@ -113,7 +113,7 @@ TEST_CASE("what a killed process left is found, read as it was written, and can 
     CHECK(find_abandoned(folder.path()).empty());
 }
 
-TEST_CASE("what a living process keeps is not offered, and no two processes are offered the same") {
+TEST_CASE("recovery files of running processes are not offered, and each file is offered to one process only") {
     const TemporaryFolder folder;
     auto living = Slot::take(folder.path());
     REQUIRE(living);
@@ -129,7 +129,7 @@ TEST_CASE("what a living process keeps is not offered, and no two processes are 
     CHECK(other->file() != first[0].file());
 }
 
-TEST_CASE("several are offered, the newest first, and each by itself") {
+TEST_CASE("several recovery files are offered separately, the newest first") {
     const TemporaryFolder folder;
     for (const char* tree : {"/data/a.swc", "/data/b.swc", "/data/c.swc"})
         leave_behind(folder.path(), snapshot_of(tree));
@@ -143,7 +143,7 @@ TEST_CASE("several are offered, the newest first, and each by itself") {
     CHECK(files_in(folder.path(), ".json").size() == 2);
 }
 
-TEST_CASE("a recovery file that is damaged is kept and named, not believed") {
+TEST_CASE("a damaged recovery file is kept and reported, not opened") {
     const TemporaryFolder folder;
     const auto reads = [&](const std::string& text) {
         std::ofstream(folder.path() / "7-0.json") << text;
@@ -169,7 +169,7 @@ TEST_CASE("a recovery file that is damaged is kept and named, not believed") {
     CHECK(fs::exists(folder.path() / "7-0.json"));
 }
 
-TEST_CASE("locks without a file, and half-written files of the dead, are cleared away") {
+TEST_CASE("locks without a file, and incomplete files of ended processes, are removed") {
     const TemporaryFolder folder;
     pid_t dead = 0;
     in_killed_process([&] { return bool(Slot::take(folder.path())); });
@@ -184,7 +184,7 @@ TEST_CASE("locks without a file, and half-written files of the dead, are cleared
     CHECK(find_abandoned({}).empty());
 }
 
-TEST_CASE("a session is kept while it is modified: after changes settle, and never seldom") {
+TEST_CASE("a modified session is kept once changes pause, and also during long changes") {
     const TemporaryFolder folder;
     Run run(folder.path() / "autosave");
     run.step(10.0);
@@ -239,7 +239,7 @@ TEST_CASE("a session is kept while it is modified: after changes settle, and nev
     CHECK(run.errors.empty());
 }
 
-TEST_CASE("a folder that cannot be written is told once, and the work goes on") {
+TEST_CASE("a folder that cannot be written is reported once, and work continues") {
     const TemporaryFolder folder;
     const fs::path blocked = folder.path() / "a file" / "autosave";
     std::ofstream(folder.path() / "a file") << "in the way";
@@ -267,7 +267,7 @@ TEST_CASE("a folder that cannot be written is told once, and the work goes on") 
     CHECK(run.errors.size() == 1);
 }
 
-TEST_CASE("a full disk is told once and leaves the last whole file") {
+TEST_CASE("a full disk is reported once, and the last complete file is kept") {
     const TemporaryFolder folder;
     const pid_t child = ::fork(); // the limit is for good
     if (child == 0) {
@@ -297,7 +297,7 @@ TEST_CASE("a full disk is told once and leaves the last whole file") {
     CHECK(branches_in_state(read->session.marks, tree::BranchState::kHidden) == std::vector<int>{3});
 }
 
-TEST_CASE("what was recovered is written over, with no moment in which it is not there") {
+TEST_CASE("a recovered file is replaced, and exists at every moment") {
     const TemporaryFolder folder;
     leave_behind(folder.path(), snapshot_of("/data/liver.swc"));
     auto found = find_abandoned(folder.path());
@@ -321,7 +321,7 @@ TEST_CASE("what was recovered is written over, with no moment in which it is not
     CHECK(folder.names().empty());
 }
 
-TEST_CASE("recovering opens everything as it was, unsaved; and refuses a tree that is another one") {
+TEST_CASE("recovering restores all unsaved work, and refuses another tree") {
     const TemporaryFolder folder;
     const fs::path tree = folder.path() / "fork.swc";
     const auto write = [&](const char* text) { std::ofstream(tree) << text; };

@@ -50,7 +50,7 @@ Document document_of(const fs::path& tree, const fs::path& file = {}) {
 
 } // namespace
 
-TEST_CASE("settings survive their file") {
+TEST_CASE("settings are restored from their file") {
     const TemporaryFolder folder;
     Settings settings;
     settings.ui_scale = 1.25;
@@ -71,7 +71,7 @@ TEST_CASE("settings survive their file") {
     CHECK(some->window == Settings{}.window);
 }
 
-TEST_CASE("settings that cannot be understood are told of, kept aside, and do not stop anything") {
+TEST_CASE("invalid settings are reported and kept in another file, and the program starts") {
     const TemporaryFolder folder;
     CHECK(read_settings(folder.path()).trouble.empty()); // none yet
     CHECK(read_settings({}).trouble.empty());
@@ -94,7 +94,7 @@ TEST_CASE("settings that cannot be understood are told of, kept aside, and do no
     CHECK_FALSE(write_settings({}, folder.path() / "file" / "ramus"));
 }
 
-TEST_CASE("places follow the XDG rules") {
+TEST_CASE("folders follow the XDG specification") {
     Environment environment;
     environment.set("HOME", "/home/ada");
     CHECK(user_folders::settings() == "/home/ada/.config/ramus");
@@ -114,7 +114,7 @@ TEST_CASE("places follow the XDG rules") {
     CHECK((user_folders::settings().empty() || user_folders::settings().is_absolute()));
 }
 
-TEST_CASE("pictures and documents lie where the person's folders are") {
+TEST_CASE("pictures and documents are saved in the user's folders") {
     const TemporaryFolder folder;
     Environment environment;
     environment.set("HOME", folder.path());
@@ -129,7 +129,7 @@ TEST_CASE("pictures and documents lie where the person's folders are") {
     CHECK(user_folders::documents() == folder.path());
 }
 
-TEST_CASE("what is saved without a name goes beside the tree or the session, never over another file") {
+TEST_CASE("a file saved without a name goes to the folder of the tree or session, and never replaces another file") {
     const TemporaryFolder folder;
     Environment environment;
     const fs::path home = folder.path() / "home";

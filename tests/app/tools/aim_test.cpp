@@ -39,7 +39,7 @@ Aim looking_from(const render::Camera& camera) {
 
 } // namespace
 
-TEST_CASE("what is under the pointer is aimed at, else the middle of what is visible") {
+TEST_CASE("the aim is the point under the pointer, otherwise the visible middle") {
     const render::Camera camera; // 500 mm before the far wall
     Aim aim = looking_from(camera);
     CHECK(aim.target(camera)->on == Aim::On::kMiddle); // the pointer is nowhere
@@ -57,7 +57,7 @@ TEST_CASE("what is under the pointer is aimed at, else the middle of what is vis
     CHECK(aim.target(camera)->on == Aim::On::kMiddle);
 }
 
-TEST_CASE("depths of another view say nothing of this one, but for what is held") {
+TEST_CASE("depths of another view are not used, except for the point of a drag") {
     const render::Camera camera;
     Aim aim = looking_from(camera);
     aim.point(0, {50.0, 150.0}, 4.0);
@@ -76,7 +76,7 @@ TEST_CASE("depths of another view say nothing of this one, but for what is held"
     CHECK(aim.target(nearer)->on == Aim::On::kMiddle);
 }
 
-TEST_CASE("nothing in view is told from no picture yet") {
+TEST_CASE("an empty view differs from a view without a picture") {
     Aim aim;
     CHECK_FALSE(aim.sees_nothing());
     CHECK_FALSE(aim.target(render::Camera{}));
@@ -87,7 +87,7 @@ TEST_CASE("nothing in view is told from no picture yet") {
     CHECK_FALSE(aim.goal(render::Camera{}));
 }
 
-TEST_CASE("sixty notches over each place come near what is there, and never pass it") {
+TEST_CASE("sixty wheel notches over any place approach the surface, and never pass it") {
     for (const bool orthographic : {false, true})
         for (const double x : {50.0, 200.0, 390.0}) {
             CAPTURE(orthographic);
@@ -112,7 +112,7 @@ TEST_CASE("sixty notches over each place come near what is there, and never pass
         }
 }
 
-TEST_CASE("the eye keeps a quarter of the vessel's radius off, and less of what is no vessel") {
+TEST_CASE("the camera stays a quarter of the radius away from vessels, and less from other objects") {
     tree::VesselTree tree;
     tree.points = {{{0, 0, 0}, 4.0}, {{0, 0, 10}, 2.0}};
     tree.branches.resize(1);

@@ -99,7 +99,7 @@ TEST_CASE("a lesion's usual size is 20 mm in an organ, and less in a smaller tre
     CHECK(usual_of(0.05) == doctest::Approx(0.002));
 }
 
-TEST_CASE("beside the vessels a lesion lies at the depth of the focal point; Escape gives it up") {
+TEST_CASE("away from vessels a lesion is placed at the depth of the focal point; Escape cancels") {
     ToolStage stage;
     LesionTool tool;
     tool.press(stage.at(300, 300));
@@ -160,7 +160,7 @@ TEST_CASE("the cut tool cuts where the centerline is nearest") {
     CHECK(tool.take_commands() == std::vector<CommandLine>{{"cut", "0", "0.750"}});
 }
 
-TEST_CASE("the measuring tools take what was clicked, and show the value before") {
+TEST_CASE("the measuring tools use the clicked places, and preview the value") {
     ToolStage stage;
     stage.under = pick_of(0, {0, 3, 30});
     MeasureTool diameter(Measurement::Kind::kDiameter);
@@ -198,7 +198,7 @@ TEST_CASE("the measuring tools take what was clicked, and show the value before"
           std::vector<CommandLine>{{"measure", "angle", "0", "0.75000", "0", "1.00000", "1", "1.00000"}});
 }
 
-TEST_CASE("a drag from place to place measures, too; beside the vessels nothing is taken") {
+TEST_CASE("a drag between two places measures, too; away from vessels it does nothing") {
     ToolStage stage;
     MeasureTool tool(Measurement::Kind::kDistance);
     tool.press(stage.at(10, 10));
@@ -294,7 +294,7 @@ TEST_CASE("an end that lies on a lesion is dragged over it and away from it") {
     }
 }
 
-TEST_CASE("an end of a measurement is dragged, with the value on the way, and is one command") {
+TEST_CASE("dragging the end of a measurement previews the value, and is one command") {
     ToolStage stage;
     Marks marks = stage.document.marks();
     marks.measurements.push_back({.kind = Measurement::Kind::kPath, .places = {{{0, 0.25}, {0, 0.75}}}});
@@ -320,7 +320,7 @@ TEST_CASE("an end of a measurement is dragged, with the value on the way, and is
     CHECK(tool.cursor() != Cursor::kHand);
 }
 
-TEST_CASE("what is undone while it is held is let go, and nothing is changed in its place") {
+TEST_CASE("undo during a drag releases the dragged object, and changes nothing else") {
     ToolStage stage;
     const Marks none = stage.document.marks();
     Marks both = none;
@@ -344,7 +344,7 @@ TEST_CASE("what is undone while it is held is let go, and nothing is changed in 
     }
 }
 
-TEST_CASE("the nearest fraction is where a place on the centerline lies") {
+TEST_CASE("the nearest fraction of a place on the centerline is the place itself") {
     const ToolStage stage;
     for (const double fraction : {0.0, 0.1, 0.25, 0.5, 0.9, 1.0}) {
         const auto place = measure::point_on(*stage.document.tree(), 0, fraction);

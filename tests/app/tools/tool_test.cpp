@@ -56,7 +56,7 @@ using Words = std::vector<std::string>;
 
 } // namespace
 
-TEST_CASE("a tool is told of presses, drags, releases and double-clicks, with what lies under the pointer") {
+TEST_CASE("a tool receives presses, drags, releases and double-clicks, with the object under the pointer") {
     Hand hand;
     Diary tool;
     hand.mouse.move(Hand::tell(tool), hand.at(10, 10));
@@ -73,7 +73,7 @@ TEST_CASE("a tool is told of presses, drags, releases and double-clicks, with wh
     CHECK(words(tool) == Words{"press", "release", "double", "release", "press", "release", "press", "release"});
 }
 
-TEST_CASE("a free-hand lasso becomes one command when it is let go") {
+TEST_CASE("a free-hand lasso becomes one command when the button is released") {
     Hand hand;
     LassoTool tool;
     const auto stroke = [&](Modifiers modifiers) {
@@ -129,7 +129,7 @@ TEST_CASE("a polygon lasso closes by a double-click, a right click, or at its fi
     CHECK(tool.drawing(hand.at(0, 0)).lines.empty());
 }
 
-TEST_CASE("every tool has an icon within its square, a label, a sentence, and its entry in the menu") {
+TEST_CASE("every tool has an icon within its square, a label, a help text and a menu entry") {
     std::set<std::string> names;
     for (const ToolKind& kind : tool_kinds()) {
         CAPTURE(kind.name);

@@ -64,7 +64,7 @@ struct TravelStage {
 
 } // namespace
 
-TEST_CASE("centre brings the middle of a branch into the middle of the picture, and is no step of undo") {
+TEST_CASE("centre moves the middle of a branch to the middle of the picture, without a step of undo") {
     TravelStage stage;
     const render::Camera before = stage.camera();
     stage.good("centre 17");
@@ -91,7 +91,7 @@ TEST_CASE("centre brings the middle of a branch into the middle of the picture, 
     CHECK(stage.camera() == there);
 }
 
-TEST_CASE("fly puts the camera on the way to a branch") {
+TEST_CASE("fly moves the camera along the path to a branch") {
     TravelStage stage;
     stage.good("fly 40 0.25");
     CHECK(stage.host.flown == std::pair(40, 0.25));
@@ -130,7 +130,7 @@ TEST_CASE("fly-along opens for the selected branch, else for the farthest end, a
     CHECK_FALSE(stage.run("fly-along 4711"));
 }
 
-TEST_CASE("rename asks for the name of the branch that the selection is about") {
+TEST_CASE("rename asks for the name of the selected branch") {
     TravelStage stage;
     CHECK_FALSE(stage.run("rename")); // nothing is selected
     stage.good("select 5\nrename");

@@ -11,7 +11,7 @@ const glm::ivec2 kSize{400, 300};
 const Grip kGrip = Grip::at({0.0, 0.0, 0.0}); // the focal point of a camera by default
 } // namespace
 
-TEST_CASE("a press and a release in one place is a click, with what the modifiers make of it") {
+TEST_CASE("a press and a release in one place are a click, whose meaning depends on the modifiers") {
     const auto click = [](Modifiers modifiers) {
         ViewportMouse mouse;
         mouse.press(MouseButton::kLeft, modifiers, {50, 60}, kGrip);
@@ -25,7 +25,7 @@ TEST_CASE("a press and a release in one place is a click, with what the modifier
     CHECK(click({.shift = true})->kind == Click::Kind::kAdd);
 }
 
-TEST_CASE("a drag moves the camera and is no click, a tremor is a click and moves nothing") {
+TEST_CASE("a drag moves the camera and is not a click; a tiny movement is a click and moves nothing") {
     const render::Camera camera;
     ViewportMouse mouse;
     mouse.press(MouseButton::kLeft, {}, {50, 60}, kGrip);
@@ -45,7 +45,7 @@ TEST_CASE("a drag moves the camera and is no click, a tremor is a click and move
     CHECK(mouse.release(MouseButton::kLeft, {57, 60}, 5.0));
 }
 
-TEST_CASE("buttons are those of 3D Slicer") {
+TEST_CASE("mouse buttons have the same functions as in 3D Slicer") {
     const render::Camera camera;
     const auto drag = [&](MouseButton button, Modifiers modifiers) {
         ViewportMouse mouse;
@@ -64,7 +64,7 @@ TEST_CASE("buttons are those of 3D Slicer") {
     CHECK(glm::distance(ViewportMouse::wheel(camera, kGrip, 1.0).position, camera.focal_point) < 500.0);
 }
 
-TEST_CASE("the second click of two quick ones centres, a third begins anew") {
+TEST_CASE("a double click centres, and a third click starts a new sequence") {
     ViewportMouse mouse;
     const auto click = [&](double seconds, glm::dvec2 at) {
         mouse.press(MouseButton::kLeft, {}, at, kGrip);
@@ -77,7 +77,7 @@ TEST_CASE("the second click of two quick ones centres, a third begins anew") {
     CHECK(click(3.2, {90, 60}) == Click::Kind::kSelect); // elsewhere
 }
 
-TEST_CASE("a click with a key held is never half of a double-click") {
+TEST_CASE("a click with a modifier key is never part of a double click") {
     ViewportMouse mouse;
     const auto click = [&](double seconds, Modifiers modifiers) {
         mouse.press(MouseButton::kLeft, modifiers, {50, 60}, kGrip);
@@ -90,7 +90,7 @@ TEST_CASE("a click with a key held is never half of a double-click") {
     CHECK(click(1.4, {}) == Click::Kind::kCentre);
 }
 
-TEST_CASE("while one button is held another changes nothing") {
+TEST_CASE("while one button is held, other buttons do nothing") {
     ViewportMouse mouse;
     mouse.press(MouseButton::kLeft, {}, {50, 60}, kGrip);
     mouse.press(MouseButton::kRight, {}, {50, 60}, kGrip);

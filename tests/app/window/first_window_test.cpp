@@ -5,7 +5,7 @@
 
 using namespace ramus::app;
 
-TEST_CASE("text follows the desktop's scale, and grows on large monitors where nobody has set one") {
+TEST_CASE("text follows the desktop's scale, and is larger on large monitors without a scale") {
     CHECK(suggested_scale({{1920, 1080}, 1.0F, 0.0F}) == 1.0F);
     CHECK(suggested_scale({{2560, 1440}, 1.0F, 0.0F}) == 1.0F);
     CHECK(suggested_scale({{1440, 2560}, 1.0F, 0.0F}) == 1.0F); // upright
@@ -28,7 +28,7 @@ TEST_CASE("text follows the desktop's scale, and grows on large monitors where n
     CHECK(suggested_scale({{1920, 1080}, 9.0F, 0.0F}) == 4.0F);
 }
 
-TEST_CASE("a monitor of another scale changes the text's, and back again") {
+TEST_CASE("the size of text follows the scale of the monitor when the window moves") {
     CHECK(scale_after_move(1.0F, 1.5F, 1.0F) == 1.5F); // the first monitor
     CHECK(scale_after_move(2.0F, 1.5F, 1.0F) == 2.0F);
     CHECK(scale_after_move(1.0F, 2.0F, 2.0F) == 1.0F);
@@ -36,7 +36,7 @@ TEST_CASE("a monitor of another scale changes the text's, and back again") {
     CHECK(scale_after_move(12.0F, 2.0F, 2.0F) == 4.0F);
 }
 
-TEST_CASE("a first window is neither a stamp on a large monitor nor larger than a small one") {
+TEST_CASE("a first window fits the monitor, and is not tiny on a large one") {
     CHECK(window_pixels({{3840, 2160}, 2.0F, 0.0F}, 2.0F, {0, 0}) == glm::ivec2(2880, 1800));
     CHECK(window_pixels({{3840, 2160}, 1.0F, 0.0F}, 1.5F, {0, 0}) == glm::ivec2(2688, 1512)); // 70 %
     CHECK(window_pixels({{1920, 1080}, 1.0F, 0.0F}, 1.0F, {0, 0}) == glm::ivec2(1440, 900));
@@ -52,7 +52,7 @@ TEST_CASE("a first window is neither a stamp on a large monitor nor larger than 
             }
 }
 
-TEST_CASE("what a person chose holds") {
+TEST_CASE("a window size that the user chose is kept") {
     CHECK(window_pixels({{1920, 1080}, 1.0F, 0.0F}, 1.0F, {1100, 700}) == glm::ivec2(1100, 700));
     CHECK(window_pixels({{3840, 2160}, 2.0F, 0.0F}, 2.0F, {1100, 700}) == glm::ivec2(2200, 1400));
     CHECK(window_pixels({{3840, 2160}, 2.0F, 0.0F}, 1.0F, {1100, 700}) == glm::ivec2(1100, 700));

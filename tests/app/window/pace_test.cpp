@@ -21,7 +21,7 @@ render::Frame a_frame() {
 
 } // namespace
 
-TEST_CASE("where full frames are quick, only a drag is drawn otherwise") {
+TEST_CASE("if full frames are fast, only drags are drawn in interactive quality") {
     Pace pace(false);
     render::Frame frame = a_frame();
     CHECK(pace.quality(frame, false, false, 1.0) == Quality::kFull);
@@ -32,7 +32,7 @@ TEST_CASE("where full frames are quick, only a drag is drawn otherwise") {
     CHECK(pace.quality(frame, false, false, 3.0) == Quality::kFull);
 }
 
-TEST_CASE("where they are slow, what changes is drawn quickly until it rests") {
+TEST_CASE("if full frames are slow, changes are drawn in interactive quality until the view rests") {
     Pace pace(true);
     render::Frame frame = a_frame();
     CHECK(pace.quality(frame, false, true, 1.0) == Quality::kInteractive);
@@ -53,7 +53,7 @@ TEST_CASE("where they are slow, what changes is drawn quickly until it rests") {
     CHECK(pace.quality(frame, false, false, 4.0) == Quality::kFull);
 }
 
-TEST_CASE("what awaits its surface counts as changed when that will be another one") {
+TEST_CASE("a frame that waits for its surface counts as changed when the awaited surface changes") {
     Pace pace(true);
     render::Frame frame = a_frame();
     frame.centerlines = std::make_shared<const render::Centerlines>();

@@ -59,7 +59,7 @@ struct Doubler {
 
 } // namespace
 
-TEST_CASE("what is missing is made when nothing else comes first, one after the other") {
+TEST_CASE("missing results are computed one after the other, when no other work has priority") {
     Doubler doubler;
     CHECK_FALSE(doubler.follow());
     doubler.wanted = {4, 3};
@@ -76,7 +76,7 @@ TEST_CASE("what is missing is made when nothing else comes first, one after the 
     CHECK_FALSE(doubler.awaited());
 }
 
-TEST_CASE("what nobody wants any more is dropped, or finished where that was said") {
+TEST_CASE("work that is no longer needed is dropped, or finished if so configured") {
     Doubler doubler;
     doubler.wanted = {100}; // goes on until something else is wanted
     doubler.follow();
@@ -100,7 +100,7 @@ TEST_CASE("what nobody wants any more is dropped, or finished where that was sai
     CHECK(finishing.made == std::vector{2, 4});
 }
 
-TEST_CASE("what cannot be had is not tried again while it is wanted, unless somebody asks") {
+TEST_CASE("failed work is not repeated while its result is needed, unless requested") {
     Doubler doubler;
     doubler.wanted = {0, 7};
     doubler.finish();
@@ -126,7 +126,7 @@ TEST_CASE("what cannot be had is not tried again while it is wanted, unless some
     CHECK_FALSE(doubler.awaited());
 }
 
-TEST_CASE("an exception ends the work with a word, and not the program") {
+TEST_CASE("an exception ends the work with an error, not the program") {
     Doubler doubler;
     doubler.wanted = {-1};
     doubler.finish();

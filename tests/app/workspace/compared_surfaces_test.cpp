@@ -8,7 +8,7 @@
 using namespace ramus;
 using namespace ramus::app;
 
-TEST_CASE("of several surfaces to compare with that cannot be made each is tried once") {
+TEST_CASE("if several surfaces for a comparison fail, each is tried only once") {
     const TemporaryFolder folder;
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", "1 3 0 0 0 2 -1\n2 3 0 0 20 2 1\n3 3 10 0 30 1 2\n4 3 -10 0 30 1.5 2\n"));

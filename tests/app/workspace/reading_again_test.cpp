@@ -35,7 +35,7 @@ void run(Workspace& workspace, const std::vector<std::string>& words) {
 
 } // namespace
 
-TEST_CASE("the surface is that of the tree as it is read now, also after undo and redo, and sessions open so") {
+TEST_CASE("the surface follows the options of reading, also after undo, redo and opening a session") {
     const TemporaryFolder folder;
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kForkInFile));

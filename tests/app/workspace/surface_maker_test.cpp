@@ -49,7 +49,7 @@ void check_same(const render::PagedMesh& mesh, const render::PagedMesh& other) {
 
 } // namespace
 
-TEST_CASE("a preview comes first, the surface last, and it is the one made from nothing" *
+TEST_CASE("the preview comes first, and the final surface equals one computed from scratch" *
           doctest::test_suite("slow")) {
     Shop shop;
     SurfaceRequest request;
@@ -63,7 +63,7 @@ TEST_CASE("a preview comes first, the surface last, and it is the one made from 
     check_same(*shop.shown[1].mesh, *make_ready(*shop.tree, request, job)->mesh);
 }
 
-TEST_CASE("loops that the tree has not are cut in the window's surface too, whatever is hidden before and after" *
+TEST_CASE("false loops are cut in the window's surface too, whichever branches are hidden before and after" *
           doctest::test_suite("slow")) {
     Shop shop(test::packed_trees(25));
     SurfaceRequest request;
@@ -81,7 +81,7 @@ TEST_CASE("loops that the tree has not are cut in the window's surface too, what
     }
 }
 
-TEST_CASE("hiding and showing follows the surface page by page" * doctest::test_suite("slow")) {
+TEST_CASE("hiding and showing branches updates the surface page by page" * doctest::test_suite("slow")) {
     Shop shop;
     SurfaceRequest request;
     shop.make(request);
@@ -114,7 +114,7 @@ TEST_CASE("hiding and showing follows the surface page by page" * doctest::test_
     check_same(*shop.shown.back().mesh, *make_ready(*shop.tree, request, job)->mesh);
 }
 
-TEST_CASE("a surface that was cancelled leaves nothing wrong behind" * doctest::test_suite("slow")) {
+TEST_CASE("a cancelled surface does not affect the next one" * doctest::test_suite("slow")) {
     Shop shop;
     SurfaceRequest request;
     shop.make(request);
@@ -131,7 +131,8 @@ TEST_CASE("a surface that was cancelled leaves nothing wrong behind" * doctest::
     CHECK(shop.shown.back().mesh->positions([](int b) { return b == 1; }).empty());
 }
 
-TEST_CASE("an edited tree's surface comes where there can be no cones until then" * doctest::test_suite("slow")) {
+TEST_CASE("the surface of an edited tree is computed even if no cones can be shown before" *
+          doctest::test_suite("slow")) {
     tree::Graph graph; // a vessel so long that its preview comes after cones were given up
     for (std::uint32_t i = 0; i <= 50; ++i) {
         graph.points.push_back({{0.0, 0.0, 400.0 * i}, 0.5});

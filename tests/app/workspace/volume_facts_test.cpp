@@ -20,7 +20,7 @@ std::filesystem::path small_volume(const TemporaryFolder& folder, const std::vec
 
 } // namespace
 
-TEST_CASE("what a mask holds: its size, its spacing, and how much each label has") {
+TEST_CASE("the facts of a mask are its size, its spacing and the volume of each label") {
     const TemporaryFolder folder;
     std::vector<std::uint8_t> values(24, 0);
     values[0] = values[1] = values[2] = 1;
@@ -39,7 +39,7 @@ TEST_CASE("what a mask holds: its size, its spacing, and how much each label has
     CHECK(words_for(*facts) == "A mask with 2 labels");
 }
 
-TEST_CASE("a scan has a curve of thresholds, a mask has labels, and what may be either has both") {
+TEST_CASE("a scan has a threshold curve, a mask has labels, and a volume that may be either has both") {
     const TemporaryFolder folder;
     Job job;
     // 12 x 12 x 4 voxels of 0.5 mm, whose values run through so many whole numbers from `first` on.
@@ -78,7 +78,7 @@ TEST_CASE("a scan has a curve of thresholds, a mask has labels, and what may be 
     CHECK_FALSE(read_volume_facts(folder.path() / "v.nii", {}, 0.0, job));
 }
 
-TEST_CASE("a file that is no volume is an error, not facts") {
+TEST_CASE("a file that is not a volume gives an error") {
     const TemporaryFolder folder;
     Job job;
     CHECK_FALSE(read_volume_facts(folder.path() / "missing.nii", {}, 0.0, job));

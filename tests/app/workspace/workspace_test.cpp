@@ -28,7 +28,7 @@ constexpr const char* kFork = "1 3 0 0 0 2 -1\n2 3 0 0 20 2 1\n3 3 10 0 30 1 2\n
 
 } // namespace
 
-TEST_CASE("a worker's results come in drain(), in order, and the newest task wins") {
+TEST_CASE("drain() delivers the results of a worker in order, and only those of the newest task") {
     std::atomic<int> wakes{0};
     Worker worker([&] { ++wakes; });
     std::vector<int> seen;
@@ -52,7 +52,7 @@ TEST_CASE("a worker's results come in drain(), in order, and the newest task win
     CHECK(seen == std::vector<int>{1, 3, 4});
 }
 
-TEST_CASE("a tree opens with its cones, then its surface; undo finds the surface that was") {
+TEST_CASE("a tree is shown as cones first, then with its surface; undo restores the earlier surface") {
     const TemporaryFolder folder;
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
@@ -75,7 +75,7 @@ TEST_CASE("a tree opens with its cones, then its surface; undo finds the surface
     CHECK(workspace.shown().mesh == first);
 }
 
-TEST_CASE("hidden branches go from the surface, and undo finds them again") {
+TEST_CASE("hidden branches are removed from the surface, and undo restores them") {
     const TemporaryFolder folder;
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
@@ -107,7 +107,7 @@ TEST_CASE("hidden branches go from the surface, and undo finds them again") {
     CHECK(workspace.shown().mesh == all);
 }
 
-TEST_CASE("options that are tried change the picture and not the session") {
+TEST_CASE("previewed options change the picture and not the session") {
     const TemporaryFolder folder;
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
@@ -159,7 +159,7 @@ TEST_CASE("a session opens with its tree; one of another tree is refused") {
     CHECK_FALSE(load(folder.path() / "s.json", {}, {}, job));
 }
 
-TEST_CASE("facts of a fork are those of its geometry") {
+TEST_CASE("the facts of a fork agree with its geometry") {
     const TemporaryFolder folder;
     Job job;
     const auto loaded = load(folder.write("fork.swc", kFork), {}, {}, job);
@@ -175,7 +175,7 @@ TEST_CASE("facts of a fork are those of its geometry") {
     CHECK(path_to(*loaded->assets.tree, 2) == std::vector<int>{0, 2});
 }
 
-TEST_CASE("distances to lesions that are meshes are measured behind the window's back" * doctest::test_suite("slow")) {
+TEST_CASE("distances to mesh lesions are measured in the background" * doctest::test_suite("slow")) {
     const TemporaryFolder folder;
     auto ball = test::icosphere(4, {0, 9, 5}, 3.0);
     ball.radii.resize(ball.positions.size(), 1.0F);
@@ -232,7 +232,7 @@ TEST_CASE("distances to lesions that are meshes are measured behind the window's
     CHECK_FALSE(awaited());
 }
 
-TEST_CASE("a lesion's file that was written since is read again, and distances follow" * doctest::test_suite("slow")) {
+TEST_CASE("a lesion file that has changed is read again, and distances are updated" * doctest::test_suite("slow")) {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "tumour.stl";
     const auto write_ball = [&](double radius, int level) {
@@ -272,7 +272,7 @@ TEST_CASE("a lesion's file that was written since is read again, and distances f
     CHECK(*load_lesion_mesh(assets, file.string()) == second);
 }
 
-TEST_CASE("centerlines of a large tree are made beside the window's thread, and those before stay until then") {
+TEST_CASE("centerlines of a large tree are computed by a worker, and the previous ones are kept until then") {
     std::string line;
     for (int i = 1; i <= 20'010; ++i)
         line += std::to_string(i) + " 2 " + std::to_string(i % 7) + " 0 " + std::to_string(i) + " 1 " +
@@ -312,7 +312,7 @@ TEST_CASE("centerlines of a large tree are made beside the window's thread, and 
     CHECK_FALSE(follow());
 }
 
-TEST_CASE("nobody waits for what is shown of an edited tree, and who keeps a picture may") {
+TEST_CASE("after an edit the tree is shown without waiting, and callers that save a picture can wait") {
     const TemporaryFolder folder;
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
@@ -340,7 +340,7 @@ TEST_CASE("nobody waits for what is shown of an edited tree, and who keeps a pic
     CHECK(workspace.assets().centerlines.lines);
 }
 
-TEST_CASE("a task that throws ends, and says so") {
+TEST_CASE("a task that throws ends, and its failure is reported") {
     Worker worker({});
     worker.start("too much", [](Job&, const Worker::Post&) { throw std::runtime_error("it broke"); });
     while (worker.busy()) worker.drain();
@@ -352,7 +352,7 @@ TEST_CASE("a task that throws ends, and says so") {
     CHECK(ran);
 }
 
-TEST_CASE("a file that arrives while unsaved work went on waits to be let in") {
+TEST_CASE("a file that finishes loading after unsaved changes waits until it is accepted") {
     const TemporaryFolder folder;
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));

@@ -85,9 +85,9 @@ void collect(const std::vector<Support>& supports, std::span<const std::uint32_t
 BrickGrid brick_grid(const field::ConvolutionField& field, double cell_mm) {
     BrickGrid grid;
     grid.cell_mm = cell_mm;
-    grid.origin = field.frame().lower - cell_mm;
+    grid.origin = field.extent().lower - cell_mm;
     constexpr double kBlockPoints = kBrickPoints * kBlockBricks;
-    const glm::dvec3 cells = (field.frame().upper - field.frame().lower) / cell_mm;
+    const glm::dvec3 cells = (field.extent().upper - field.extent().lower) / cell_mm;
     grid.blocks = glm::ivec3(glm::ceil((cells + 3.0) / kBlockPoints));
     return grid;
 }

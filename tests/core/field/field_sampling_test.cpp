@@ -121,7 +121,7 @@ TEST_CASE("bounds hold, and segments that are culled contribute nothing" * docte
             const glm::dvec3 middle = near_the_vessels(field, random);
             const double side = 0.05 * std::pow(1.5, trial % 10);
             std::vector<std::uint8_t> reaching(all.size());
-            const field::ChildCubes cubes{glm::vec3(middle - field.frame().middle()), static_cast<float>(side)};
+            const field::ChildCubes cubes{glm::vec3(middle - field.extent().middle()), static_cast<float>(side)};
             const field::ChildBounds bounds = field.bound_children(all, cubes, reaching);
             for (std::size_t child = 0; child < field::kChildren; ++child) {
                 const glm::dvec3 centre = middle + side * (glm::dvec3(child & 1, child >> 1 & 1, child >> 2) - 0.5);

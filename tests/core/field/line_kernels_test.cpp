@@ -278,7 +278,7 @@ TEST_CASE("bounds of line integrals hold, and segments that are culled contribut
             for (const Place& place : places) {
                 std::vector<std::uint8_t> reaching(all.size());
                 const field::ChildBounds bounds = field.bound_children(
-                    all, {glm::vec3(place.middle - field.frame().middle()), static_cast<float>(place.side)}, reaching);
+                    all, {glm::vec3(place.middle - field.extent().middle()), static_cast<float>(place.side)}, reaching);
                 for (std::size_t child = 0; child < field::kChildren; ++child) {
                     const bool outside = bounds.upper[child] < kernel.isovalue;
                     proven_outside += outside ? 1 : 0;

@@ -78,7 +78,8 @@ public:
         field::ChildBounds bounds;
         std::ranges::fill(reaching, std::uint8_t{0});
         for (std::size_t c = 0; c < field::kChildren; ++c) {
-            const glm::dvec3 centre = skeleton_.frame().middle() + glm::dvec3(centres.x[c], centres.y[c], centres.z[c]);
+            const glm::dvec3 centre =
+                skeleton_.extent().middle() + glm::dvec3(centres.x[c], centres.y[c], centres.z[c]);
             const double middle = 2.0 - glm::length(centre - core_of(centre)) / kRadius;
             bounds.lower[c] = static_cast<float>(middle - half_diagonal / kRadius);
             bounds.upper[c] = static_cast<float>(middle + half_diagonal / kRadius);

@@ -1,6 +1,6 @@
 // Loops of surfaces: found, cut, and left alone where the tree has a cycle.
 #include "core/mesh/connectivity.h"
-#include "core/mesh/loops/cut_loop.h"
+#include "core/mesh/loops/cut_along.h"
 #include "core/mesh/loops/false_loops.h"
 #include "core/mesh/loops/loop_patch.h"
 #include "core/mesh/loops/match_tree.h"
@@ -107,7 +107,7 @@ tree::VesselTree bars(int holes, int missing) {
 }
 
 // A fan on the other side of an open surface's rim.
-TriangleMesh closed_by_point(TriangleMesh mesh, const SurfaceLoop& rim) {
+TriangleMesh closed_by_point(TriangleMesh mesh, const ClosedLine& rim) {
     const auto tip = static_cast<std::uint32_t>(mesh.positions.size());
     mesh.positions.emplace_back(0.5F, 0.0F, 5.0F);
     for (std::size_t n = 0; n < rim.vertices.size(); ++n)
@@ -118,14 +118,14 @@ TriangleMesh closed_by_point(TriangleMesh mesh, const SurfaceLoop& rim) {
 std::size_t edges_of_loops(const TriangleMesh& mesh) {
     Job job;
     const SurfaceGraph graph(mesh);
-    return SurfaceLoops(graph, {}, job).edges().size();
+    return ClosedLines(graph, {}, job).edges().size();
 }
 
-std::vector<SurfaceLoop> shortest_loops(const TriangleMesh& mesh, std::uint32_t vertex, double longest) {
+std::vector<ClosedLine> shortest_lines(const TriangleMesh& mesh, std::uint32_t vertex, double longest) {
     Job job;
     const SurfaceGraph graph(mesh);
     std::size_t visited = 0;
-    return SurfaceLoops(graph, {}, job).shortest(vertex, longest, visited);
+    return ClosedLines(graph, {}, job).shortest(vertex, longest, visited);
 }
 
 SurfaceParts parts_at(const TriangleMesh& mesh, std::span<const Bounds<glm::vec3>> places) {
@@ -148,11 +148,11 @@ TEST_CASE("each loop of a surface has a line around its tube and one along it") 
     TriangleMesh mesh = torus();
     {
         const SurfaceGraph graph(mesh);
-        const SurfaceLoops loops(graph, {}, job);
+        const ClosedLines lines(graph, {}, job);
         std::size_t visited = 0;
         CHECK(graph.edges().size() == 3 * mesh.triangles.size() / 2);
-        CHECK(loops.edges().size() == 2);
-        const auto shortest = loops.shortest(0, 100.0, visited);
+        CHECK(lines.edges().size() == 2);
+        const auto shortest = lines.shortest(0, 100.0, visited);
         REQUIRE(shortest.size() == 3); // around the tube, along it, and both
         const double meridian = 2.0 * 16 * kTube * std::sin(std::numbers::pi / 16);
         const double inner = 2.0 * 48 * (kRadius - kTube) * std::sin(std::numbers::pi / 48);
@@ -160,18 +160,18 @@ TEST_CASE("each loop of a surface has a line around its tube and one along it") 
         CHECK(shortest[0].vertices.size() == 16);
         // Vertex 0 is on the torus's outside: the line goes to its inside and back.
         CHECK(shortest[1].length > inner);
-        for (const SurfaceLoop& loop : shortest) {
-            const std::set<std::uint32_t> each(loop.vertices.begin(), loop.vertices.end());
-            CHECK(each.size() == loop.vertices.size());
+        for (const ClosedLine& line : shortest) {
+            const std::set<std::uint32_t> each(line.vertices.begin(), line.vertices.end());
+            CHECK(each.size() == line.vertices.size());
         }
-        const auto inside = loops.shortest(8, 100.0, visited); // on the torus's inside
+        const auto inside = lines.shortest(8, 100.0, visited); // on the torus's inside
         REQUIRE(inside.size() == 3);
         CHECK(inside[1].length == doctest::Approx(inner).epsilon(1e-5));
-        CHECK(loops.shortest(0, 0.99 * meridian, visited).empty());
+        CHECK(lines.shortest(0, 0.99 * meridian, visited).empty());
     }
     append(mesh, torus(30, 12, {40, 0, 0}));
     CHECK(edges_of_loops(mesh) == 4);
-    CHECK(cut_along(mesh, shortest_loops(mesh, 0, 20.0).front()));
+    CHECK(cut_along(mesh, shortest_lines(mesh, 0, 20.0).front()));
     CHECK(edges_of_loops(mesh) == 2);
 }
 
@@ -181,7 +181,7 @@ TEST_CASE("what is told of loops does not depend on how many there are") {
     for (int n = 0; n < kMany; ++n) append(mesh, torus(12, 8, {40.0F * static_cast<float>(n), 0, 0}));
     CHECK(edges_of_loops(mesh) == 2 * kMany);
     for (const std::uint32_t first : {0U, 96U * 50U, 96U * 99U}) {
-        const auto of_many = shortest_loops(mesh, first, 100.0), of_one = shortest_loops(torus(12, 8), 0, 100.0);
+        const auto of_many = shortest_lines(mesh, first, 100.0), of_one = shortest_lines(torus(12, 8), 0, 100.0);
         REQUIRE(of_many.size() == of_one.size());
         for (std::size_t n = 0; n < of_one.size(); ++n)
             CHECK(of_many[n].length == doctest::Approx(of_one[n].length).epsilon(1e-4));
@@ -205,19 +205,19 @@ TEST_CASE("of thousands of loops the false one is found" * doctest::test_suite("
         CHECK(glm::distance(mesh.positions[v], glm::vec3(0.5F, 1.5F, 0.5F)) < 1.0F);
 }
 
-TEST_CASE("kinds of lines are independent where no sum of some is 0") {
-    IndependentKinds kinds;
-    CHECK(!kinds.allow({0, 0}));
-    for (const LoopKind& kind : {LoopKind{6, 1}, LoopKind{0, 3}, LoopKind{5, 0}}) {
-        REQUIRE(kinds.allow(kind));
-        kinds.add(kind);
-        CHECK(!kinds.allow(kind));
+TEST_CASE("homology classes are independent if no sum of some of them is 0") {
+    IndependentClasses classes;
+    CHECK(!classes.allow({0, 0}));
+    for (const HomologyClass& homology : {HomologyClass{6, 1}, HomologyClass{0, 3}, HomologyClass{5, 0}}) {
+        REQUIRE(classes.allow(homology));
+        classes.add(homology);
+        CHECK(!classes.allow(homology));
     }
-    CHECK(!kinds.allow({6, 2})); // the first two
-    CHECK(!kinds.allow({3, 1})); // the first and the third
-    CHECK(!kinds.allow({3, 2})); // all three
-    CHECK(kinds.allow({3, 0}));
-    CHECK(kinds.allow({0, 1}));
+    CHECK(!classes.allow({6, 2})); // the first two
+    CHECK(!classes.allow({3, 1})); // the first and the third
+    CHECK(!classes.allow({3, 2})); // all three
+    CHECK(classes.allow({3, 0}));
+    CHECK(classes.allow({0, 1}));
 }
 
 TEST_CASE("several loops of one part are cut, no more than asked for, and together they do not part the surface") {
@@ -256,7 +256,7 @@ TEST_CASE("where loops are far too many to cut in a while all stay") {
 }
 
 TEST_CASE("caps that would have an edge of the surface have a vertex in their middle instead") {
-    const SurfaceLoop ring{{0, 1, 2, 3}, 10.0}; // whose caps of least area have an edge from 0 to 2
+    const ClosedLine ring{{0, 1, 2, 3}, 10.0}; // whose caps of least area have an edge from 0 to 2
     for (const bool taken : {true, false}) {
         TriangleMesh mesh;
         mesh.positions = {{0, 0, 0}, {1, 0, 1}, {2, 0, 0}, {1, 3, 0}};
@@ -276,10 +276,10 @@ TEST_CASE("a surface whose triangles do not all face one way is not cut, and nob
     for (const std::uint32_t triangle : {14U, 15U, 16U, 17U}) {
         CAPTURE(triangle);
         TriangleMesh mesh = torus();
-        const SurfaceLoop loop = shortest_loops(mesh, 8, 100.0).front();
+        const ClosedLine line = shortest_lines(mesh, 8, 100.0).front();
         std::swap(mesh.triangles[triangle].x, mesh.triangles[triangle].y);
         const TriangleMesh before = mesh;
-        CHECK(!cut_along(mesh, loop));
+        CHECK(!cut_along(mesh, line));
         CHECK(mesh == before);
     }
 }
@@ -301,19 +301,19 @@ TEST_CASE("a surface cut along a line is closed, with a loop less and a hair's b
         CAPTURE(kind);
         TriangleMesh mesh = torus();
         const TriangleMesh before = mesh;
-        const SurfaceLoop loop = shortest_loops(before, 8, 100.0)[kind];
-        CHECK(cut_along(mesh, loop));
+        const ClosedLine line = shortest_lines(before, 8, 100.0)[kind];
+        CHECK(cut_along(mesh, line));
         CHECK(test::topology(mesh).closed_manifold());
         CHECK(connectivity_of(mesh) == Connectivity{1, 0});
-        CHECK(mesh.positions.size() == before.positions.size() + loop.vertices.size());
-        CHECK(mesh.triangles.size() == before.triangles.size() + 2 * (loop.vertices.size() - 2));
+        CHECK(mesh.positions.size() == before.positions.size() + line.vertices.size());
+        CHECK(mesh.triangles.size() == before.triangles.size() + 2 * (line.vertices.size() - 2));
         CHECK(mesh.dominance.size() == mesh.positions.size());
-        for (std::size_t n = 0; n < loop.vertices.size(); ++n) {
-            const glm::vec3 left = mesh.positions[loop.vertices[n]];
+        for (std::size_t n = 0; n < line.vertices.size(); ++n) {
+            const glm::vec3 left = mesh.positions[line.vertices[n]];
             const glm::vec3 right = mesh.positions[before.positions.size() + n];
             CHECK(glm::distance(left, right) > 0.01F * kTube);
             CHECK(glm::distance(left, right) < 0.03F * kTube);
-            CHECK(glm::distance(left, before.positions[loop.vertices[n]]) < 0.015F * kTube);
+            CHECK(glm::distance(left, before.positions[line.vertices[n]]) < 0.015F * kTube);
         }
     }
 }

@@ -23,8 +23,8 @@ std::uint32_t SurfaceCells::vertex(const Brick& brick, std::uint32_t index, int 
     if (in_brick == kNoVertex) return kAbsent;
     const std::uint32_t first = cells[index].first_vertex + in_brick;
     if (!is_recorded(index, cell)) return first;
-    const std::uint8_t loop = loop_of(record(brick, index, cell), subtrees[brick.subtree], crossing);
-    return loop == kNoLoop ? kAbsent : first + loop;
+    const std::uint8_t circuit = circuit_of(record(brick, index, cell), subtrees[brick.subtree], crossing);
+    return circuit == kNoCircuit ? kAbsent : first + circuit;
 }
 
 void SurfaceCells::reuse_vertices() {

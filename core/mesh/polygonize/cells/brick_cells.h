@@ -1,11 +1,10 @@
 // BrickCells: the surface inside each brick: the signs of its grid points, and the vertices of the circuits of its
-// cells. fill_subtrees() fills them brick by brick; the next step (join/) connects the vertices by triangles. The code
-// calls a circuit a loop (cell_loops.h).
+// cells. fill_subtrees() fills them brick by brick; the next step (join/) connects the vertices by triangles.
 #pragma once
 
 #include "core/field/field.h"
 #include "core/field/separation.h"
-#include "core/mesh/polygonize/cells/cell_loops.h"
+#include "core/mesh/polygonize/cells/cell_circuits.h"
 #include "core/mesh/polygonize/octree/neighbours.h"
 #include "core/mesh/triangle_mesh.h"
 
@@ -31,8 +30,8 @@ struct ArcVertex {
 
 // The description of a cell that has, or may have, more than one vertex.
 struct CellRecord {
-    std::array<std::uint8_t, kQuarterPoints> loop_of{}; // by minimal edge
-    std::uint32_t walls = 0xFFFFFFFFU; // index into SubtreeCells::upper_loops if edges have walls, else kNoWalls
+    std::array<std::uint8_t, kQuarterPoints> circuit_of{}; // by minimal edge
+    std::uint32_t walls = 0xFFFFFFFFU; // index into SubtreeCells::upper_circuits if edges have walls, else kNoWalls
     std::uint32_t arcs_begin = 0;      // index into SubtreeCells::arc_vertices
     std::uint32_t arcs_count = 0;
 };
@@ -120,8 +119,9 @@ struct SubtreeCells {
     std::vector<CellRecord> records;
     std::vector<ArcVertex> arc_vertices;
     std::vector<BrickWalls> walls;
-    std::vector<std::array<std::uint8_t, kQuarterPoints>> upper_loops; // CellRecord::loop_of for upper ends of edges
-    std::vector<std::uint32_t> walled_bricks;                          // bricks with walls
+    // CellRecord::circuit_of for upper ends of edges.
+    std::vector<std::array<std::uint8_t, kQuarterPoints>> upper_circuits;
+    std::vector<std::uint32_t> walled_bricks; // bricks with walls
     SampleCounts counts;
     // Whether the result depends on bricks next to the subtree; and on bricks next to these.
     bool looked_beyond = false, looked_far = false;
@@ -137,22 +137,23 @@ inline const CellRecord& record_of(const BrickCells& brick, const SubtreeCells& 
     const int before = std::popcount(brick.recorded & ((std::uint64_t{1} << cell) - 1));
     return subtree.records[brick.first_record + static_cast<std::uint32_t>(before)];
 }
-// The loop of a recorded cell through a crossing, or kNoLoop.
-inline std::uint8_t loop_of(const CellRecord& record, const SubtreeCells& subtree, int crossing) {
-    if (crossing < kUpperEnd) return record.loop_of[static_cast<std::size_t>(crossing)];
-    return record.walls == kNoWalls ? kNoLoop
-                                    : subtree.upper_loops[record.walls][static_cast<std::size_t>(crossing - kUpperEnd)];
+// The circuit of a recorded cell through a crossing, or kNoCircuit.
+inline std::uint8_t circuit_of(const CellRecord& record, const SubtreeCells& subtree, int crossing) {
+    if (crossing < kUpperEnd) return record.circuit_of[static_cast<std::size_t>(crossing)];
+    return record.walls == kNoWalls
+               ? kNoCircuit
+               : subtree.upper_circuits[record.walls][static_cast<std::size_t>(crossing - kUpperEnd)];
 }
 
-// For a cell with walls, one bit per loop: whether all of its crossings are at walls.
-inline std::uint64_t loops_along_walls(const CellRecord& record, const SubtreeCells& subtree) {
-    const auto& upper = subtree.upper_loops[record.walls];
+// For a cell with walls, one bit per circuit: whether all of its crossings are at walls.
+inline std::uint64_t circuits_along_walls(const CellRecord& record, const SubtreeCells& subtree) {
+    const auto& upper = subtree.upper_circuits[record.walls];
     std::uint64_t seen = 0, elsewhere = 0;
     for (std::size_t m = 0; m < kQuarterPoints; ++m) {
-        const std::uint8_t lower = record.loop_of[m];
-        if (lower == kNoLoop) continue;
+        const std::uint8_t lower = record.circuit_of[m];
+        if (lower == kNoCircuit) continue;
         seen |= std::uint64_t{1} << lower;
-        if (upper[m] == kNoLoop)
+        if (upper[m] == kNoCircuit)
             elsewhere |= std::uint64_t{1} << lower;
         else
             seen |= std::uint64_t{1} << upper[m];
@@ -172,8 +173,8 @@ struct SurfaceCells {
         return (cells[brick].recorded >> cell & 1U) != 0;
     }
     [[nodiscard]] const CellRecord& record(const Brick& brick, std::uint32_t index, int cell) const;
-    // The vertex of the loop through a crossing (an index into the mesh once first_vertex is one); kAbsent if a wall
-    // has no loop there.
+    // The vertex of the circuit through a crossing (an index into the mesh once first_vertex is one); kAbsent if a wall
+    // has no circuit there.
     static constexpr std::uint32_t kAbsent = 0xFFFFFFFFU;
     [[nodiscard]] std::uint32_t vertex(const Brick& brick, std::uint32_t index, int cell, int crossing) const;
     // The walls of a brick that has some.
@@ -182,7 +183,7 @@ struct SurfaceCells {
     }
 };
 
-// Samples the bricks of some subtrees, traces the loops of their cells and places the vertices on the surface. The
+// Samples the bricks of some subtrees, traces the circuits of their cells and places the vertices on the surface. The
 // neighbourhoods of the subtrees must be known. Incomplete if cancelled.
 void fill_subtrees(const field::Field& field, const Octree& octree, std::span<const std::uint32_t> subtrees,
                    SurfaceCells& surface, const JobRange& job);

@@ -4,7 +4,7 @@
 
 #include "core/field/separation.h"
 #include "core/mesh/polygonize/cells/brick_cells.h"
-#include "core/mesh/polygonize/cells/cell_loops.h"
+#include "core/mesh/polygonize/cells/cell_circuits.h"
 
 #include <array>
 #include <cstdint>
@@ -40,7 +40,7 @@ public:
     // kNoOwner.
     [[nodiscard]] std::uint32_t apart_from(const field::Separation& separation, glm::ivec3 cell,
                                            field::Owner owner) const;
-    // The owner of the loop through a crossing of a cell.
+    // The owner of the circuit through a crossing of a cell.
     [[nodiscard]] field::Owner of_crossing(glm::ivec3 cell, int crossing) const;
 
 private:

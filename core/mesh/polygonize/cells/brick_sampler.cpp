@@ -66,7 +66,7 @@ void BrickSampler::fill(std::uint32_t index, const Neighbourhood& neighbours, Br
     sort_cells(cells);
     decide_face_centres(subtree);
     for (const TracedCell& traced : traced_) {
-        if (traced.loops.loop_count == 0) continue;
+        if (traced.circuits.circuit_count == 0) continue;
         has_walled_cells_ |= traced.walled;
         cells.recorded |= std::uint64_t{1} << traced.cell;
         cells.first[static_cast<std::size_t>(traced.cell)] = static_cast<std::uint16_t>(guesses_.size());
@@ -114,7 +114,7 @@ void BrickSampler::find_owners(SubtreeCells& subtree) {
     apart_points_.clear();
 }
 
-// Guesses the vertices of plain cells, and traces the loops of other cells as far as possible without face centres.
+// Guesses the vertices of plain cells, and traces the circuits of other cells as far as possible without face centres.
 void BrickSampler::sort_cells(BrickCells& cells) {
     const GridBits inside = grid_.inside();
     const std::uint32_t finer = neighbours_->finer;
@@ -194,7 +194,7 @@ void BrickSampler::trace(int cell, unsigned corner_signs, std::uint32_t finer) {
         traced.apart = static_cast<int>(apart_points_.size());
         apart_points_.push_back(apart);
     }
-    traced.loops = trace_loops(traced.shape, traced.centres, apart_points(traced));
+    traced.circuits = trace_circuits(traced.shape, traced.centres, apart_points(traced));
     traced.first_centre = points_.size();
     for (int n = 0; n < traced.centres.count; ++n) {
         const int centre = traced.centres.centre[static_cast<std::size_t>(n)];
@@ -214,7 +214,7 @@ void BrickSampler::decide_face_centres(SubtreeCells& subtree) {
             if (point_values_[traced.first_centre + static_cast<std::size_t>(n)] >= isovalue_)
                 traced.centres.inside |= std::uint32_t{1} << n;
         find_centres_vessels(traced, subtree);
-        traced.loops = trace_loops(traced.shape, traced.centres, apart_points(traced));
+        traced.circuits = trace_circuits(traced.shape, traced.centres, apart_points(traced));
     }
 }
 
@@ -277,33 +277,34 @@ glm::vec3 BrickSampler::crossing(glm::ivec3 cell, int crossing) {
 }
 
 void BrickSampler::add_recorded_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record) {
-    const CellLoops& loops = traced.loops;
+    const CellCircuits& circuits = traced.circuits;
     const glm::ivec3 cell = low_corner_of(traced.cell);
-    std::copy_n(loops.loop_of.begin(), kQuarterPoints, record.loop_of.begin());
-    if (std::any_of(loops.loop_of.begin() + kUpperEnd, loops.loop_of.end(),
-                    [](std::uint8_t loop) { return loop != kNoLoop; })) {
-        record.walls = static_cast<std::uint32_t>(subtree.upper_loops.size());
-        std::copy_n(loops.loop_of.begin() + kUpperEnd, kQuarterPoints, subtree.upper_loops.emplace_back().begin());
+    std::copy_n(circuits.circuit_of.begin(), kQuarterPoints, record.circuit_of.begin());
+    if (std::any_of(circuits.circuit_of.begin() + kUpperEnd, circuits.circuit_of.end(),
+                    [](std::uint8_t circuit) { return circuit != kNoCircuit; })) {
+        record.walls = static_cast<std::uint32_t>(subtree.upper_circuits.size());
+        std::copy_n(circuits.circuit_of.begin() + kUpperEnd, kQuarterPoints,
+                    subtree.upper_circuits.emplace_back().begin());
     }
-    std::array<glm::vec3, kMostLoops> sum{};
-    std::array<int, kMostLoops> count{};
-    std::array<field::OwnedGuess, kMostLoops> whose{};
+    std::array<glm::vec3, kMostCircuits> sum{};
+    std::array<int, kMostCircuits> count{};
+    std::array<field::OwnedGuess, kMostCircuits> whose{};
     for (int m = 0; m < kCrossings; ++m) {
-        const std::uint8_t loop = loops.loop_of[static_cast<std::size_t>(m)];
-        if (loop == kNoLoop) continue;
-        sum[loop] += crossing(cell, m);
-        ++count[loop];
-        if (separation_ != nullptr) whose[loop].owner = owners_.of_crossing(cell, m);
+        const std::uint8_t circuit = circuits.circuit_of[static_cast<std::size_t>(m)];
+        if (circuit == kNoCircuit) continue;
+        sum[circuit] += crossing(cell, m);
+        ++count[circuit];
+        if (separation_ != nullptr) whose[circuit].owner = owners_.of_crossing(cell, m);
     }
-    for (std::size_t n = 0; n < static_cast<std::size_t>(loops.loop_count); ++n)
-        add_vertex(sum[n] / static_cast<float>(count[n]) * cell_mm_, cell, loops.loop_count == 1, whose[n]);
+    for (std::size_t n = 0; n < static_cast<std::size_t>(circuits.circuit_count); ++n)
+        add_vertex(sum[n] / static_cast<float>(count[n]) * cell_mm_, cell, circuits.circuit_count == 1, whose[n]);
 
     record.arcs_begin = static_cast<std::uint32_t>(subtree.arc_vertices.size());
-    for (const FaceArc& arc : loops.own_arcs) {
+    for (const FaceArc& arc : circuits.own_arcs) {
         if (!owns(arc, cell)) continue;
         subtree.add_arc(arc, guesses_.size());
         add_vertex(0.5F * (crossing(cell, arc.first) + crossing(cell, arc.second)) * cell_mm_, cell, false,
-                   whose[loops.loop_of[arc.first]]);
+                   whose[circuits.circuit_of[arc.first]]);
     }
     record.arcs_count = static_cast<std::uint32_t>(subtree.arc_vertices.size()) - record.arcs_begin;
 }

@@ -1,6 +1,6 @@
 // BrickSampler: processes one brick after another. It samples the field at the grid points (BrickGrid) and at hanging
-// corners where finer bricks touch the brick, traces the loops of the cells, and places a vertex for each loop. It
-// contains only scratch memory; each thread reuses one object.
+// corners where finer bricks touch the brick, traces the circuits of the cells, and places a vertex for each circuit.
+// It contains only scratch memory; each thread reuses one object.
 #pragma once
 
 #include "core/field/field.h"
@@ -36,7 +36,7 @@ private:
     struct TracedCell {
         int cell;
         CellShape shape;
-        CellLoops loops;
+        CellCircuits circuits;
         FaceCentres centres;
         std::size_t first_centre; // in points_
         int apart;                // index into apart_points_, or -1

@@ -3,7 +3,7 @@
 #include "core/field/separation.h"
 #include "core/mesh/line_box.h"
 #include "core/mesh/polygonize/cells/hanging_corners.h"
-#include "core/mesh/polygonize/cells/leave_out_loops.h"
+#include "core/mesh/polygonize/cells/leave_out_circuits.h"
 
 #include <algorithm>
 #include <functional>
@@ -35,7 +35,7 @@ Bounds<glm::ivec3> box_around(GridBits points) {
 // Whether a set of points extends over at most kMostCells - 2 steps along every axis: a speck with the cells around it
 // fits into kMostCells cells.
 bool is_small(GridBits points) {
-    constexpr int kMost = LoopWalk::kMostCells - 2;
+    constexpr int kMost = CircuitWalk::kMostCells - 2;
     return glm::all(glm::lessThanEqual(box_around(points).size(), glm::ivec3(kMost)));
 }
 
@@ -67,13 +67,13 @@ template <class Visit> void for_small_parts(GridBits all, const std::array<GridB
 }
 
 // Whether a part of the surface encloses only the gap of a wall: the last crossing along an axis enters a vessel.
-bool is_slit(const LoopWalk::Part& part) {
+bool is_slit(const CircuitWalk::Part& part) {
     const int axis = part.edges.front().axis;
-    const LoopEdge* last = nullptr;
-    const auto is_beyond = [&](const LoopEdge& edge, const LoopEdge& other) {
+    const CircuitEdge* last = nullptr;
+    const auto is_beyond = [&](const CircuitEdge& edge, const CircuitEdge& other) {
         return std::pair(edge.middle[axis], edge.upper) > std::pair(other.middle[axis], other.upper);
     };
-    for (const LoopEdge& edge : part.edges)
+    for (const CircuitEdge& edge : part.edges)
         if (edge.axis == axis && (last == nullptr || is_beyond(edge, *last))) last = &edge;
     return last->upper;
 }
@@ -136,7 +136,7 @@ bool Specks::goes_on_in(const Octree& octree, const Brick& brick, const std::arr
     return true;
 }
 
-// Loops through half edges only go around hanging corners.
+// Circuits through half edges only go around hanging corners.
 void Specks::add_around_hanging_corners(const BrickCells& cells, const SubtreeCells& made, std::uint32_t brick) {
     for (std::uint64_t left = cells.recorded; left != 0; left &= left - 1) {
         const int cell = std::countr_zero(left);
@@ -144,15 +144,15 @@ void Specks::add_around_hanging_corners(const BrickCells& cells, const SubtreeCe
         const CellRecord& record = record_of(cells, made, cell);
         std::uint64_t seen = 0, whole = 0;
         for (int m = 0; m < kCrossings; ++m) {
-            const std::uint8_t loop = loop_of(record, made, m);
-            if (loop == kNoLoop) continue;
-            seen |= std::uint64_t{1} << loop;
+            const std::uint8_t circuit = circuit_of(record, made, m);
+            if (circuit == kNoCircuit) continue;
+            seen |= std::uint64_t{1} << circuit;
             const auto [from, to] = ends_of_edge(m);
             const glm::ivec3 along = to - from;
-            if (along.x + along.y + along.z == 4) whole |= std::uint64_t{1} << loop;
+            if (along.x + along.y + along.z == 4) whole |= std::uint64_t{1} << circuit;
         }
-        for (std::uint64_t loops = seen & ~whole; loops != 0; loops &= loops - 1)
-            candidates_.push_back({{brick, cell, static_cast<std::uint8_t>(std::countr_zero(loops))}});
+        for (std::uint64_t circuits = seen & ~whole; circuits != 0; circuits &= circuits - 1)
+            candidates_.push_back({{brick, cell, static_cast<std::uint8_t>(std::countr_zero(circuits))}});
     }
 }
 
@@ -166,19 +166,20 @@ bool Specks::has_axis(const Octree& octree, std::uint32_t brick, const Bounds<gl
     });
 }
 
-// Adds loops with both crossings of an edge, where a wall ends, and loops along walls only. So every brick that
+// Adds circuits with both crossings of an edge, where a wall ends, and circuits along walls only. So every brick that
 // contains a part of a slit has a candidate for it.
 void Specks::add_along_walls(const BrickCells& cells, const SubtreeCells& made, std::uint32_t brick) {
     for (std::uint64_t left = cells.recorded; left != 0; left &= left - 1) {
         const int cell = std::countr_zero(left);
         const CellRecord& record = record_of(cells, made, cell);
         if (record.walls == kNoWalls) continue;
-        const auto& upper = made.upper_loops[record.walls];
+        const auto& upper = made.upper_circuits[record.walls];
         for (std::size_t m = 0; m < kQuarterPoints; ++m)
-            if (upper[m] != kNoLoop && upper[m] == record.loop_of[m]) candidates_.push_back({{brick, cell, upper[m]}});
-        for (std::uint64_t loops = loops_along_walls(record, made); loops != 0; loops &= loops - 1)
+            if (upper[m] != kNoCircuit && upper[m] == record.circuit_of[m])
+                candidates_.push_back({{brick, cell, upper[m]}});
+        for (std::uint64_t circuits = circuits_along_walls(record, made); circuits != 0; circuits &= circuits - 1)
             candidates_.push_back(
-                {{brick, cell, static_cast<std::uint8_t>(std::countr_zero(loops))}, LoopWalk::Kind::kSlit});
+                {{brick, cell, static_cast<std::uint8_t>(std::countr_zero(circuits))}, CircuitWalk::Kind::kSlit});
     }
 }
 
@@ -193,10 +194,10 @@ void Specks::list_candidates(const FilledSubtree& in, std::uint32_t brick, bool 
         const CellRecord& record = record_of(cells, made, cell);
         std::uint64_t seen = 0;
         for (int m = 0; m < kCrossings; ++m) {
-            const std::uint8_t loop = loop_of(record, made, m);
-            if (loop == kNoLoop || (seen >> loop & 1U) != 0) continue;
-            seen |= std::uint64_t{1} << loop;
-            candidates_.push_back({{brick, cell, loop}});
+            const std::uint8_t circuit = circuit_of(record, made, m);
+            if (circuit == kNoCircuit || (seen >> circuit & 1U) != 0) continue;
+            seen |= std::uint64_t{1} << circuit;
+            candidates_.push_back({{brick, cell, circuit}});
         }
     };
     const auto add_around = [&](GridBits points, bool inside) {
@@ -225,45 +226,46 @@ void Specks::list_candidates(const FilledSubtree& in, std::uint32_t brick, bool 
     if (cells.walls != kNoWalls) add_along_walls(cells, made, brick);
 }
 
-bool Specks::is_speck(const Octree& octree, const LoopWalk::Part& part, LoopWalk::Kind kind) const {
-    if (kind == LoopWalk::Kind::kSlit) return is_slit(part);
+bool Specks::is_speck(const Octree& octree, const CircuitWalk::Part& part, CircuitWalk::Kind kind) const {
+    if (kind == CircuitWalk::Kind::kSlit) return is_slit(part);
     constexpr float kThinCells = 2.0F; // radius of a vessel that may be as small as a speck
     const auto cell_mm = static_cast<float>(octree.lattice.cell_mm(part.most_level));
     if (part.parted && part.most_radius >= kThinCells * cell_mm) return true;
     Bounds<glm::ivec3> box;
-    for (const LoopEdge& edge : part.edges) {
+    for (const CircuitEdge& edge : part.edges) {
         glm::ivec3 half(0);
         half[edge.axis] = cell_units(edge.level) / 2;
         box.hold(edge.middle - half), box.hold(edge.middle + half);
     }
-    return std::ranges::none_of(part.loops, [&](const LoopPlace& loop) { return has_axis(octree, loop.brick, box); });
+    return std::ranges::none_of(part.circuits,
+                                [&](const CircuitPlace& circuit) { return has_axis(octree, circuit.brick, box); });
 }
 
 // Either all subtrees with a part of a speck remove it, or none does, since bricks that keep no vessels apart do not
 // look beyond their subtree.
 void Specks::find(const FilledSubtree& in) {
-    loops_.clear(), edges_.clear();
+    circuits_.clear(), edges_.clear();
     walk_.begin(in);
     const Subtree& subtree = in.octree.subtrees[in.index];
     for (std::uint32_t brick = subtree.first_brick; brick < subtree.first_brick + subtree.brick_count; ++brick) {
         if (!in.cells[brick].crossed) continue;
         const bool parted = std::ranges::binary_search(in.parted, brick, std::greater());
         list_candidates(in, brick, parted);
-        for (const auto& [loop, of_walls] : candidates_) {
-            if (std::ranges::find(loops_, loop) != loops_.end()) continue;
-            const LoopWalk::Kind kind = parted ? of_walls : LoopWalk::Kind::kWithin;
-            const LoopWalk::Part* const part = walk_.part_of(loop, kind);
+        for (const auto& [circuit, of_walls] : candidates_) {
+            if (std::ranges::find(circuits_, circuit) != circuits_.end()) continue;
+            const CircuitWalk::Kind kind = parted ? of_walls : CircuitWalk::Kind::kWithin;
+            const CircuitWalk::Part* const part = walk_.part_of(circuit, kind);
             if (part == nullptr || !(part->parted || part->within) || !is_speck(in.octree, *part, kind)) continue;
-            loops_.insert(loops_.end(), part->loops.begin(), part->loops.end());
+            circuits_.insert(circuits_.end(), part->circuits.begin(), part->circuits.end());
             edges_.insert(edges_.end(), part->edges.begin(), part->edges.end());
         }
     }
 }
 
-// Marks the edges of specks in every brick that contains them, even if none of its cells has a loop there.
+// Marks the edges of specks in every brick that contains them, even if none of its cells has a circuit there.
 void Specks::mark_edges(const Octree& octree, std::uint32_t subtree, ChunkedArray<BrickCells>& cells,
                         SubtreeCells& made) const {
-    for (const LoopEdge& edge : edges_)
+    for (const CircuitEdge& edge : edges_)
         for (int n = 0; n < 4; ++n) {
             const std::uint32_t index = brick_at(octree, unit_beside(edge, n));
             if (index == kNoBrick || octree.bricks[index].subtree != subtree) continue;
@@ -288,10 +290,11 @@ void Specks::leave_out(const Octree& octree, std::uint32_t subtree, const Chunke
     find({octree, subtree, neighbours, cells, made, parted});
     made.looked_beyond = looked_beyond_ || walk_.looked_beyond();
     made.looked_far = walk_.looked_far();
-    if (loops_.empty()) return;
+    if (circuits_.empty()) return;
     mark_edges(octree, subtree, cells, made);
-    std::erase_if(loops_, [&](const LoopPlace& loop) { return octree.bricks[loop.brick].subtree != subtree; });
-    leave_out_loops(octree.subtrees[subtree], loops_, cells, made, vertices);
+    std::erase_if(circuits_,
+                  [&](const CircuitPlace& circuit) { return octree.bricks[circuit.brick].subtree != subtree; });
+    leave_out_circuits(octree.subtrees[subtree], circuits_, cells, made, vertices);
 }
 
 } // namespace ramus::mesh::bricks

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "core/base/bounds.h"
-#include "core/mesh/polygonize/cells/loop_walk.h"
+#include "core/mesh/polygonize/cells/circuit_walk.h"
 
 #include <array>
 #include <cstdint>
@@ -41,7 +41,7 @@ private:
     [[nodiscard]] bool goes_on_in(const Octree& octree, const Brick& brick, const std::array<glm::ivec3, 4>& line,
                                   bool inside);
     [[nodiscard]] bool has_axis(const Octree& octree, std::uint32_t brick, const Bounds<glm::ivec3>& box) const;
-    [[nodiscard]] bool is_speck(const Octree& octree, const LoopWalk::Part& part, LoopWalk::Kind kind) const;
+    [[nodiscard]] bool is_speck(const Octree& octree, const CircuitWalk::Part& part, CircuitWalk::Kind kind) const;
     void find(const FilledSubtree& in);
     void mark_edges(const Octree& octree, std::uint32_t subtree, ChunkedArray<BrickCells>& cells,
                     SubtreeCells& made) const;
@@ -50,14 +50,14 @@ private:
     std::unique_ptr<field::BrickField> beyond_; // for bricks beyond the subtree
     float isovalue_;
     bool looked_beyond_ = false;
-    LoopWalk walk_;
+    CircuitWalk walk_;
     struct Candidate {
-        LoopPlace loop;
-        LoopWalk::Kind kind = LoopWalk::Kind::kAny;
+        CircuitPlace circuit;
+        CircuitWalk::Kind kind = CircuitWalk::Kind::kAny;
     };
-    std::vector<Candidate> candidates_; // of a brick: at least one loop of each speck that it may have
-    std::vector<LoopPlace> loops_;      // the loops of specks, in the subtree's bricks or beyond
-    std::vector<LoopEdge> edges_;       // the edges of specks
+    std::vector<Candidate> candidates_;  // of a brick: at least one circuit of each speck that it may have
+    std::vector<CircuitPlace> circuits_; // the circuits of specks, in the subtree's bricks or beyond
+    std::vector<CircuitEdge> edges_;     // the edges of specks
 };
 
 } // namespace ramus::mesh::bricks

@@ -1,5 +1,5 @@
-// First guesses for the vertices of plain cells (cells with exactly one loop): the mean of the crossings of the cell's
-// edges. Vectorised over the cells.
+// First guesses for the vertices of plain cells (cells with exactly one circuit): the mean of the crossings of the
+// cell's edges. Vectorised over the cells.
 #pragma once
 
 #include "core/field/brick_field.h"

@@ -1,5 +1,5 @@
 // Connects the vertices of cells by triangles: one polygon around every crossed minimal edge, with the vertices of the
-// loops in the three or four cells around the edge. The mesh is closed, oriented, edge- and vertex-manifold by
+// circuits in the three or four cells around the edge. The mesh is closed, oriented, edge- and vertex-manifold by
 // construction.
 #pragma once
 

@@ -35,11 +35,11 @@ public:
         : octree_(octree), changes_(changes), enters_(enters), visit_(visit) {}
 
     void walk() {
-        Surroundings root;
-        root.owners.fill(UpperNode::kNothing);
-        root.entries.at[kSelf] = OctreeEntry::node(octree_.upper[0].node);
-        root.owners[kSelf] = UpperNode::node_code(0);
-        walk(root);
+        Surroundings top;
+        top.owners.fill(UpperNode::kNothing);
+        top.entries.at[kSelf] = OctreeEntry::node(octree_.upper[0].node);
+        top.owners[kSelf] = UpperNode::node_code(0);
+        walk(top);
     }
 
 private:

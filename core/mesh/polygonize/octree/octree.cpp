@@ -13,9 +13,9 @@ namespace {
 
 // Divides all cubes larger than subtrees, level by level, and returns the seeds of subtrees in depth-first order. Ends
 // early if cancelled.
-std::vector<Seed> find_subtrees(const Splitter& splitter, const Cube& root, Octree& octree, const Job& job) {
+std::vector<Seed> find_subtrees(const Splitter& splitter, const Cube& top, Octree& octree, const Job& job) {
     std::vector<Seed> frontier(1);
-    frontier[0].cube = root;
+    frontier[0].cube = top;
     for (bool some = true; some && !job.cancelled();) {
         std::vector<std::uint32_t> upper_of(frontier.size());
         some = false;
@@ -75,9 +75,9 @@ std::vector<std::uint32_t> Octree::subtrees_in_order() const {
     return order;
 }
 
-int levels_needed(const field::Frame& frame, const Sizing& sizing) {
-    const glm::dvec3 extent = frame.upper - frame.lower;
-    const double largest = std::max({extent.x, extent.y, extent.z});
+int levels_needed(const field::Extent& extent, const Sizing& sizing) {
+    const glm::dvec3 size = extent.upper - extent.lower;
+    const double largest = std::max({size.x, size.y, size.z});
     return std::max(1, static_cast<int>(std::ceil(std::log2(largest / (4.0 * sizing.finest_cell_mm)))) + 1);
 }
 
@@ -92,14 +92,14 @@ Bounds<glm::vec3> box_of_brick(const Octree& octree, std::uint32_t brick) {
 Octree build_octree(const field::Field& field, const Sizing& sizing, Job& job,
                     const LargeAllocator<std::byte>& memory) {
     Octree octree(memory);
-    octree.top_level = levels_needed(field.frame(), sizing);
+    octree.top_level = levels_needed(field.extent(), sizing);
     octree.lattice.unit_mm = 0.25 * sizing.finest_cell_mm;
-    const double root_mm = octree.lattice.unit_mm * brick_units(octree.top_level);
-    octree.lattice.origin = field.frame().middle() - glm::dvec3(0.5 * root_mm);
+    const double top_mm = octree.lattice.unit_mm * brick_units(octree.top_level);
+    octree.lattice.origin = field.extent().middle() - glm::dvec3(0.5 * top_mm);
 
-    const RootLists lists(field, sizing);
+    const TopLists lists(field, sizing);
     const Splitter splitter{field, sizing, octree.lattice};
-    std::vector<Seed> seeds = find_subtrees(splitter, lists.root(octree.top_level), octree, job);
+    std::vector<Seed> seeds = find_subtrees(splitter, lists.top_cube(octree.top_level), octree, job);
     if (job.cancelled()) return octree;
     append_subtrees(splitter, seeds, octree, job);
     return octree;

@@ -111,7 +111,7 @@ struct Octree {
 
 // The number of levels from the finest cell to the box around the field. Beyond kMaximumLevels the coordinates of the
 // lattice overflow.
-[[nodiscard]] int levels_needed(const field::Frame& frame, const Sizing& sizing);
+[[nodiscard]] int levels_needed(const field::Extent& extent, const Sizing& sizing);
 inline constexpr int kMaximumLevels = 18;
 
 } // namespace ramus::mesh::bricks

@@ -100,12 +100,12 @@ void group_pieces(Sizing& sizing, float half_extent) {
 
 Sizing make_sizing(const field::Field& field, int detail, double cell_mm) {
     const Segments& s = field.skeleton().segments();
-    const glm::dvec3 origin = field.frame().middle();
+    const glm::dvec3 origin = field.extent().middle();
     // The whole support, so that a cube that a segment reaches is never coarser than the segment requires.
     const double reach_radii = field.support_radii();
     const double cells_per_radius = 2.0 * std::numbers::pi / detail;
     Sizing sizing;
-    sizing.finest_cell_mm = cell_mm > 0.0 ? cell_mm : cells_per_radius * field.frame().thinnest;
+    sizing.finest_cell_mm = cell_mm > 0.0 ? cell_mm : cells_per_radius * field.extent().thinnest;
     double ball = 0.0; // triangles
     const auto add = [&](std::int32_t branch, glm::dvec3 a, glm::dvec3 b, double thinnest, double thickest,
                          double reach, double extent) {
@@ -154,8 +154,8 @@ Sizing make_sizing(const field::Field& field, int detail, double cell_mm) {
     sizing.expected_triangles = std::max(sizing.expected_triangles, ball);
     if (cell_mm <= 0.0) {
         sizing.cell_per_radius = cells_per_radius;
-        const glm::vec3 extent(field.frame().upper - field.frame().lower);
-        group_pieces(sizing, 0.5F * std::max({extent.x, extent.y, extent.z}));
+        const glm::vec3 size(field.extent().upper - field.extent().lower);
+        group_pieces(sizing, 0.5F * std::max({size.x, size.y, size.z}));
     }
     return sizing;
 }

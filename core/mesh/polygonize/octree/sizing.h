@@ -21,7 +21,7 @@ namespace ramus::mesh::bricks {
 
 // A straight stretch of vessel with a nearly constant radius, and so with one required cell size.
 struct SizingPiece {
-    glm::vec3 start{0.0F}; // relative to the middle of the frame, mm
+    glm::vec3 start{0.0F}; // relative to the middle of the extent, mm
     glm::vec3 direction{0.0F};
     float length = 0.0F;   // mm
     float cell_mm = 0.0F;  // required cell size within reach_mm of the axis
@@ -63,7 +63,7 @@ void active_children(std::span<const SizingPiece> all, std::span<const std::uint
 [[nodiscard]] float most_asked(const Sizing& sizing, float radius);
 
 // Whether a piece may require cells smaller than `most` in a cube, or in a part of it. `middle`: relative to the middle
-// of the frame, mm.
+// of the extent, mm.
 [[nodiscard]] bool can_matter(const SizingPiece& piece, glm::vec3 middle, float side, float most);
 
 // The level of the cells that a vessel of this radius requires.

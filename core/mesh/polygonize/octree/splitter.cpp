@@ -68,7 +68,7 @@ OctreeEntry descend(const Splitter& splitter, const Cube& cube, std::span<Childr
 } // namespace
 
 glm::vec3 Splitter::middle_of(const Cube& cube) const {
-    return glm::vec3(lattice.position(cube.corner) + glm::dvec3(child_side(cube)) - field.frame().middle());
+    return glm::vec3(lattice.position(cube.corner) + glm::dvec3(child_side(cube)) - field.extent().middle());
 }
 
 void Splitter::split(const Cube& cube, Children& children, bool upper) const {

@@ -45,7 +45,7 @@ struct Splitter {
     void expand(const Cube& cube, std::size_t child, Indices groups, std::vector<std::uint32_t>& pieces) const;
     // Whether a cube is small enough to be a subtree. Depends only on its segments.
     [[nodiscard]] bool is_subtree(const Cube& cube) const;
-    // The middle of a cube relative to the middle of the frame (mm), and the edge of its children (mm).
+    // The middle of a cube relative to the middle of the extent (mm), and the edge of its children (mm).
     [[nodiscard]] glm::vec3 middle_of(const Cube& cube) const;
     [[nodiscard]] field::ChildCubes children_of(const Cube& cube) const {
         return {middle_of(cube), static_cast<float>(child_side(cube))};
@@ -57,13 +57,13 @@ private:
 };
 
 // The lists of the top cube: all segments and all groups.
-class RootLists {
+class TopLists {
 public:
-    RootLists(const field::Field& field, const Sizing& sizing) : segments_(field.skeleton().present()) {
+    TopLists(const field::Field& field, const Sizing& sizing) : segments_(field.skeleton().present()) {
         groups_.resize(sizing.groups.size());
         std::iota(groups_.begin(), groups_.end(), 0U);
     }
-    [[nodiscard]] Cube root(int level) const { return {glm::ivec3(0), level, segments_, groups_}; }
+    [[nodiscard]] Cube top_cube(int level) const { return {glm::ivec3(0), level, segments_, groups_}; }
 
 private:
     std::span<const std::uint32_t> segments_;

@@ -22,9 +22,9 @@ public:
         : octree_(octree), before_(before), after_(after), splitter_{after.field, after.sizing, octree.lattice} {}
 
     // Level by level, so that the nodes of one can be split in parallel.
-    void update(const Cube& root, const Changed& changed) {
+    void update(const Cube& top, const Changed& changed) {
         std::vector<Node> level(1);
-        level[0].cube = root;
+        level[0].cube = top;
         level[0].changed = changed;
         while (!level.empty()) {
             std::vector<std::vector<Node>> children(level.size());
@@ -113,7 +113,7 @@ private:
         const float most = most_asked(after_.sizing, thickest);
         const auto side = static_cast<float>(splitter_.child_side(parent));
         const glm::vec3 middle(octree_.lattice.position(cube.corner) + glm::dvec3(0.5 * side) -
-                               after_.field.frame().middle());
+                               after_.field.extent().middle());
         for (const std::size_t list : {2, 3}) {
             const Sizing& sizing = (list == 2 ? before_ : after_).sizing;
             std::erase_if(changed[list],
@@ -196,9 +196,9 @@ private:
 
 OctreeChanges update_octree(Octree& octree, const TreeState& before, const TreeState& after, Job& job) {
     Updater updater(octree, before, after);
-    const RootLists lists(after.field, after.sizing);
+    const TopLists lists(after.field, after.sizing);
     const Changed changed{before.changed_segments, after.changed_segments, before.changed_pieces, after.changed_pieces};
-    if (!is_empty(changed)) updater.update(lists.root(octree.top_level), changed);
+    if (!is_empty(changed)) updater.update(lists.top_cube(octree.top_level), changed);
     return updater.finish(job);
 }
 

@@ -14,7 +14,7 @@ struct TreeState {
     std::vector<std::uint32_t> changed_segments, changed_pieces;
 };
 
-// Both states must have the same frame. Incomplete if cancelled.
+// Both states must have the same extent. Incomplete if cancelled.
 [[nodiscard]] OctreeChanges update_octree(Octree& octree, const TreeState& before, const TreeState& after, Job& job);
 
 } // namespace ramus::mesh::bricks

@@ -9,22 +9,22 @@ using doctest::Approx;
 
 namespace {
 
-// Scores of one criterion; rows are raters, with the scenes one after the other, and for each the methods.
+// Scores of one criterion; rows are raters, with the study views one after the other, and for each the methods.
 template <std::size_t raters, std::size_t values>
-measure::Scores scores_of(const std::array<std::array<int, values>, raters>& rows, std::size_t scenes) {
-    measure::Scores scores({raters, scenes, values / scenes, 1});
+measure::Scores scores_of(const std::array<std::array<int, values>, raters>& rows, std::size_t views) {
+    measure::Scores scores({raters, views, values / views, 1});
     for (std::size_t rater = 0; rater < raters; ++rater)
         for (std::size_t i = 0; i < values; ++i)
-            scores.at({rater, i / (values / scenes), i % (values / scenes), 0}) = rows[rater][i];
+            scores.at({rater, i / (values / views), i % (values / views), 0}) = rows[rater][i];
     return scores;
 }
 
-// Three raters, two scenes, two methods.
+// Three raters, two study views, two methods.
 const measure::Scores kSmall = scores_of<3, 4>({{{2, 4, 3, 3}, {1, 5, 2, 4}, {3, 4, 2, 5}}}, 2);
 
 } // namespace
 
-TEST_CASE("mean, sigma and median are those of all raters and scenes") {
+TEST_CASE("mean, sigma and median are those of all raters and study views") {
     const measure::RatingTable table = measure::rating_table(kSmall, 1);
     REQUIRE(table.summaries.size() == 1);
     REQUIRE(table.summaries[0].size() == 2);
@@ -38,13 +38,13 @@ TEST_CASE("mean, sigma and median are those of all raters and scenes") {
     CHECK(table.summaries[0][1].mean == Approx(25.0 / 6.0));
 }
 
-TEST_CASE("a rater counts once, with the mean over the scenes") {
+TEST_CASE("a rater counts once, with the mean over the study views") {
     const measure::RatingTable table = measure::rating_table(kSmall, 1);
     REQUIRE(table.comparisons.size() == 1);
     const measure::MethodComparison& one = table.comparisons[0];
     CHECK(one.other == 0);
     CHECK(one.ranks.pairs == 3);
-    // Sums over the scenes: 2, 6, 4. Three pairs of one direction: 2 of 8 ways.
+    // Sums over the study views: 2, 6, 4. Three pairs of one direction: 2 of 8 ways.
     CHECK(one.ranks.p == 0.25);
     CHECK(one.corrected_p == 0.25);
     CHECK(one.ranks.effect == 1.0);
@@ -63,8 +63,8 @@ TEST_CASE("every answer is a pair of its own when that is asked for") {
     CHECK(one.t.mean == Approx(2.0));
 }
 
-TEST_CASE("means over scenes that are no binary numbers are tied all the same") {
-    // Three scenes: both raters differ by thirds, the one by 1 + 0 + 0 and the other by 0 + 0 + 1.
+TEST_CASE("means over study views that are no binary numbers are tied all the same") {
+    // Three study views: both raters differ by thirds, the one by 1 + 0 + 0 and the other by 0 + 0 + 1.
     const measure::Scores scores = scores_of<2, 6>({{{1, 2, 3, 3, 4, 4}, {5, 5, 2, 2, 3, 4}}}, 3);
     const measure::MethodComparison one = measure::rating_table(scores, 1).comparisons.at(0);
     CHECK(one.ranks.positive_sum == 3.0);

@@ -1,15 +1,15 @@
 "use strict";
-// The sheet of one rater: what is asked stands in the element "sheet" as JSON. Answers are kept in this browser while
+// The page of one rater: what is asked stands in the element "page" as JSON. Answers are kept in this browser while
 // they are given, and become a file when all are there. Nothing is sent.
 (() => {
-  const sheet = JSON.parse(document.getElementById("sheet").textContent);
+  const page = JSON.parse(document.getElementById("page").textContent);
   const by = (id) => document.getElementById(id);
-  const [lowest, highest] = sheet.scale;
+  const [lowest, highest] = page.scale;
   const letter = (index) => String.fromCharCode(65 + index);
-  const scenes = sheet.scenes;
+  const scenes = page.scenes;
   const last = scenes.length + 1; // steps: the start, the scenes, saving
-  const asked = scenes.reduce((sum, scene) => sum + scene.pictures.length * sheet.criteria.length, 0);
-  const place = `ramus rating sheet ${sheet.study} ${sheet.rater}`;
+  const asked = scenes.reduce((sum, scene) => sum + scene.pictures.length * page.criteria.length, 0);
+  const place = `ramus rating sheet ${page.study} ${page.rater}`;
 
   // Made with text alone, never from HTML.
   function made(tag, attributes, ...children) {
@@ -49,12 +49,12 @@
       const seconds = Number((found.seconds || {})[scene.pictures[0].code]);
       if (seconds > 0) state.seconds[scene.pictures[0].code] = seconds;
       for (const picture of scene.pictures)
-        for (const criterion of sheet.criteria) {
+        for (const criterion of page.criteria) {
           const score = ((found.scores || {})[picture.code] || {})[criterion.key];
           if (Number.isInteger(score) && score >= lowest && score <= highest) give(picture, criterion, score);
         }
     }
-    if (sheet.roles.some((role) => role.key === found.role)) state.role = found.role;
+    if (page.roles.some((role) => role.key === found.role)) state.role = found.role;
     if (typeof found.years === "string") state.years = found.years;
     if (typeof found.started === "string" && !isNaN(Date.parse(found.started))) state.started = found.started;
     if (Number.isInteger(found.step) && found.step >= 0 && found.step <= last) state.step = found.step;
@@ -68,7 +68,7 @@
   function missing(scene) {
     const found = [];
     scene.pictures.forEach((picture, index) => {
-      for (const criterion of sheet.criteria)
+      for (const criterion of page.criteria)
         if (score(picture, criterion) === undefined) found.push({ picture, index, criterion });
     });
     return found;
@@ -141,7 +141,7 @@
         onclick: () => lookCloser(scene, index) },
         made("img", { src: picture.source, alt: "" }), made("b", {}, letter(index))));
     });
-    for (const criterion of sheet.criteria) {
+    for (const criterion of page.criteria) {
       section.append(made("div", { class: "rule" }), made("p", { class: "question", "aria-hidden": "true" },
         made("b", {}, criterion.name), made("span", {}, criterion.question)));
       scene.pictures.forEach((picture, index) => section.append(scaleOf(picture, index, criterion)));
@@ -198,7 +198,7 @@
     clock();
     [...by("parts").children].forEach((part, at) => (part.hidden = at !== step));
     const scene = scenes[step - 1];
-    by("title").textContent = scene ? `Scene ${step} of ${scenes.length}: ${scene.title}` : step === 0 ? "Rating sheet" : "Save your answers";
+    by("title").textContent = scene ? `Scene ${step} of ${scenes.length}: ${scene.title}` : step === 0 ? "Rating page" : "Save your answers";
     by("back").disabled = step === 0;
     by("next").disabled = step === last;
     by("next").textContent = step === 0 ? (asked === allMissing() ? "Begin" : "Go on") : "Next";
@@ -213,20 +213,20 @@
     const field = by("years");
     if (field.value === "") return field.validity.badInput ? undefined : null;
     const value = Number(field.value);
-    return Number.isInteger(value) && value >= 0 && value <= sheet.most_years ? value : undefined;
+    return Number.isInteger(value) && value >= 0 && value <= page.most_years ? value : undefined;
   }
   function showYears() {
-    by("years-wrong").textContent = years() === undefined ? `Give a whole number from 0 to ${sheet.most_years}, or nothing.` : "";
+    by("years-wrong").textContent = years() === undefined ? `Give a whole number from 0 to ${page.most_years}, or nothing.` : "";
   }
 
   function answersText() {
     const answers = [];
     for (const scene of scenes)
       for (const picture of scene.pictures)
-        for (const criterion of sheet.criteria)
+        for (const criterion of page.criteria)
           answers.push({ picture: picture.code, criterion: criterion.key, score: score(picture, criterion) });
     return JSON.stringify({
-      format: sheet.format, version: sheet.version, study: sheet.study, rater: sheet.rater,
+      format: page.format, version: page.version, study: page.study, rater: page.rater,
       role: state.role || null, years: years() === undefined ? null : years(),
       started: state.started, saved: new Date().toISOString(),
       scenes: scenes.map((scene) => ({
@@ -265,7 +265,7 @@
     }
     clock();
     by("as-text").open = false; // it would show what was before
-    const file = `ratings_${sheet.study}_rater_${sheet.rater}.json`;
+    const file = `ratings_${page.study}_rater_${page.rater}.json`;
     const address = URL.createObjectURL(new Blob([answersText()], { type: "application/json" }));
     const link = made("a", { href: address, download: file });
     document.body.append(link);
@@ -281,12 +281,12 @@
 
   recall();
   by("scene-count").textContent = counted(scenes.length, "scene", "scenes");
-  by("questions").append(...sheet.criteria.map((criterion) => made("div", {}, made("dt", {}, criterion.name),
+  by("questions").append(...page.criteria.map((criterion) => made("div", {}, made("dt", {}, criterion.name),
     made("dd", {}, `${criterion.question} `, made("span", { class: "quiet" }, `${lowest}: ${criterion.low}, ${highest}: ${criterion.high}`)))));
-  by("role").append(...sheet.roles.map((role) => made("option", { value: role.key }, role.name)));
+  by("role").append(...page.roles.map((role) => made("option", { value: role.key }, role.name)));
   by("role").value = state.role;
   by("role").addEventListener("change", () => { state.role = by("role").value; keep(); });
-  by("years").max = sheet.most_years;
+  by("years").max = page.most_years;
   by("years").value = state.years;
   by("years").addEventListener("input", () => { state.years = by("years").value; keep(); showYears(); });
   scenes.forEach((scene, index) => by("save").before(sceneOf(scene, index + 1)));
@@ -295,7 +295,7 @@
   by("next").addEventListener("click", () => { go(state.step + 1); by("title").focus(); });
   by("save-answers").addEventListener("click", save);
   by("forget").addEventListener("click", () => {
-    if (!window.confirm("Delete all answers of this sheet from this browser?")) return;
+    if (!window.confirm("Delete all answers of this page from this browser?")) return;
     try { localStorage.removeItem(place); } catch (error) { /* nothing was kept */ }
     saved = true;
     since = null;

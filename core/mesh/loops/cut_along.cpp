@@ -1,4 +1,4 @@
-#include "core/mesh/loops/cut_loop.h"
+#include "core/mesh/loops/cut_along.h"
 
 #include "core/field/brick_field.h"
 #include "core/field/separation.h"
@@ -30,7 +30,7 @@ int corner_of(const glm::uvec3& triangle, std::uint32_t vertex) {
 
 class Cut {
 public:
-    Cut(TriangleMesh& mesh, const SurfaceLoop& loop) : mesh_(mesh), line_(loop.vertices) {
+    Cut(TriangleMesh& mesh, const ClosedLine& line) : mesh_(mesh), line_(line.vertices) {
         for (const std::uint32_t v : line_) around_[v];
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
             for (int corner = 0; corner < 3; ++corner)
@@ -148,6 +148,6 @@ private:
 
 } // namespace
 
-bool cut_along(TriangleMesh& mesh, const SurfaceLoop& loop) { return Cut(mesh, loop).make(); }
+bool cut_along(TriangleMesh& mesh, const ClosedLine& line) { return Cut(mesh, line).make(); }
 
 } // namespace ramus::mesh

@@ -4,7 +4,7 @@
 //
 // Method: a spanning tree of the edges, and a spanning tree of the triangles that does not cross it, leave 2 g edges
 // (Eppstein, Dynamic generators of topologically embedded graphs, SODA 2003). If the first is a shortest-path tree and
-// the second prefers edges that close long loops, the remaining edges lie at the connections (Erickson and Whittlesey,
+// the second prefers edges that close long lines, the remaining edges lie at the connections (Erickson and Whittlesey,
 // Greedy optimal homotopy and homology generators, SODA 2005). Each remaining edge belongs to a closed row of
 // triangles, along the tree of triangles. A closed line divides the surface if and only if it crosses every row an even
 // number of times.
@@ -26,55 +26,55 @@
 namespace ramus::mesh {
 
 // The exclusive or of the labels of the rows of triangles that a closed line crosses: its homology class modulo 2.
-using LoopKind = std::array<std::uint64_t, 2>;
+using HomologyClass = std::array<std::uint64_t, 2>;
 
-struct SurfaceLoop {
+struct ClosedLine {
     std::vector<std::uint32_t> vertices; // in order, each once
     double length = 0.0;                 // mm
-    LoopKind kind{};
+    HomologyClass homology{};
 };
 
-// A set of linearly independent kinds (over GF(2)). Closed lines of these kinds without common vertices do not divide
-// the surface, even together.
-class IndependentKinds {
+// A set of linearly independent classes (over GF(2)). Closed lines of these classes without common vertices do not
+// divide the surface, even together.
+class IndependentClasses {
 public:
-    // `kind`, reduced by the kinds of the set: 0 if it is a sum of them.
-    [[nodiscard]] LoopKind rest(LoopKind kind) const;
-    [[nodiscard]] bool allow(const LoopKind& kind) const { return rest(kind) != LoopKind{}; }
-    void add(const LoopKind& kind) { rests_.push_back(rest(kind)); } // allow(kind) must hold
+    // `homology`, reduced by the classes of the set: 0 if it is a sum of them.
+    [[nodiscard]] HomologyClass rest(HomologyClass homology) const;
+    [[nodiscard]] bool allow(const HomologyClass& homology) const { return rest(homology) != HomologyClass{}; }
+    void add(const HomologyClass& homology) { rests_.push_back(rest(homology)); } // allow(homology) must hold
 
 private:
-    std::vector<LoopKind> rests_; // each has a highest bit of its own
+    std::vector<HomologyClass> rests_; // each has a highest bit of its own
 };
 
-[[nodiscard]] std::vector<glm::dvec3> positions_of(const TriangleMesh& mesh, const SurfaceLoop& loop); // mm
+[[nodiscard]] std::vector<glm::dvec3> positions_of(const TriangleMesh& mesh, const ClosedLine& line); // mm
 
-class SurfaceLoops {
+class ClosedLines {
 public:
     // The graph must outlive the object. `barred`: by vertex; not 0: no line may pass through the vertex. Vertices
     // beyond the end of the span are not barred.
-    SurfaceLoops(const SurfaceGraph& graph, std::span<const std::uint8_t> barred, Job& job);
+    ClosedLines(const SurfaceGraph& graph, std::span<const std::uint8_t> barred, Job& job);
 
     // The remaining edges: two for each loop that connectivity_of() counts; none if the job was cancelled.
     [[nodiscard]] std::span<const std::uint32_t> edges() const { return edges_; }
     // The shortest lines through a vertex that do not divide the surface and are no longer than `longest` mm: one of
-    // each kind, the shortest first. Adds the number of visited vertices to `visited`.
-    [[nodiscard]] std::vector<SurfaceLoop> shortest(std::uint32_t vertex, double longest, std::size_t& visited) const;
+    // each class, the shortest first. Adds the number of visited vertices to `visited`.
+    [[nodiscard]] std::vector<ClosedLine> shortest(std::uint32_t vertex, double longest, std::size_t& visited) const;
 
 private:
     struct Tree;
     [[nodiscard]] Tree shortest_paths(Job& job) const;
     void find_crossings(std::span<const std::uint32_t> tree);
-    [[nodiscard]] LoopKind label(std::size_t row) const;
+    [[nodiscard]] HomologyClass label(std::size_t row) const;
     struct Known;
     using KnownVertices = std::unordered_map<std::uint32_t, Known>;
     [[nodiscard]] bool is_barred(std::uint32_t vertex) const { return vertex < barred_.size() && barred_[vertex] != 0; }
-    [[nodiscard]] SurfaceLoop closed(const KnownVertices& known, std::uint32_t start, std::uint32_t edge) const;
+    [[nodiscard]] ClosedLine closed(const KnownVertices& known, std::uint32_t start, std::uint32_t edge) const;
 
     const SurfaceGraph& graph_;
     std::span<const std::uint8_t> barred_;
     std::vector<std::uint32_t> edges_;
-    std::vector<LoopKind> crossings_; // by edge
+    std::vector<HomologyClass> crossings_; // by edge
 };
 
 } // namespace ramus::mesh

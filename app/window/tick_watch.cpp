@@ -1,10 +1,10 @@
-#include "app/window/loop_watch.h"
+#include "app/window/tick_watch.h"
 
 #include <ctime>
 
 namespace ramus::app {
 
-LoopWatch::Moment LoopWatch::now() {
+TickWatch::Moment TickWatch::now() {
     const auto seconds = [](clockid_t clock) {
         timespec time{};
         clock_gettime(clock, &time);
@@ -13,7 +13,7 @@ LoopWatch::Moment LoopWatch::now() {
     return {seconds(CLOCK_MONOTONIC), seconds(CLOCK_THREAD_CPUTIME_ID)};
 }
 
-void LoopWatch::waits() {
+void TickWatch::waits() {
     last_ = now();
     gap_ = {};
     longest_step_ = longest_by_clock_ = 0.0;
@@ -22,7 +22,7 @@ void LoopWatch::waits() {
 }
 
 // Events are handled at the end of a wait: only the processor time of a wait counts.
-void LoopWatch::did(const char* step) {
+void TickWatch::did(const char* step) {
     const Moment at = now();
     const double took = at.processor - last_.processor;
     gap_.processor_seconds += took;
@@ -34,9 +34,9 @@ void LoopWatch::did(const char* step) {
     last_ = at;
 }
 
-void LoopWatch::spare() { last_ = now(); }
+void TickWatch::spare() { last_ = now(); }
 
-void LoopWatch::ends(const std::string& command) {
+void TickWatch::ends(const std::string& command) {
     if (gap_.processor_seconds < kFelt && gap_.seconds < kFeltByClock) return;
     gap_.ended = now().clock;
     gap_.doing = step_;

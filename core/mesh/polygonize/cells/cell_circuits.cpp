@@ -1,4 +1,4 @@
-#include "core/mesh/polygonize/cells/cell_loops.h"
+#include "core/mesh/polygonize/cells/cell_circuits.h"
 
 #include <algorithm>
 #include <bit>
@@ -259,26 +259,26 @@ Arcs collect_arcs(const CellShape& shape, FaceCentres& centres, const ApartPoint
 }
 
 // A wall through only one edge, whose ends are apart although all points around belong to both, has two coincident
-// sides: loops that consist of its two crossings, and are no surface.
-void drop_lenses(CellLoops& loops) {
-    std::array<int, kMostLoops> crossings{}, walls{};
+// sides: circuits that consist of its two crossings, and are no surface.
+void drop_lenses(CellCircuits& circuits) {
+    std::array<int, kMostCircuits> crossings{}, walls{};
     for (int edge = 0; edge < kQuarterPoints; ++edge) {
-        const std::uint8_t lower = loops.loop_of[static_cast<std::size_t>(edge)];
-        const std::uint8_t upper = loops.loop_of[static_cast<std::size_t>(edge + kUpperEnd)];
-        if (lower != kNoLoop) ++crossings[lower];
-        if (upper != kNoLoop) ++crossings[upper];
-        if (lower != kNoLoop && lower == upper) ++walls[lower];
+        const std::uint8_t lower = circuits.circuit_of[static_cast<std::size_t>(edge)];
+        const std::uint8_t upper = circuits.circuit_of[static_cast<std::size_t>(edge + kUpperEnd)];
+        if (lower != kNoCircuit) ++crossings[lower];
+        if (upper != kNoCircuit) ++crossings[upper];
+        if (lower != kNoCircuit && lower == upper) ++walls[lower];
     }
-    std::array<std::uint8_t, kMostLoops> number{};
+    std::array<std::uint8_t, kMostCircuits> number{};
     int left = 0;
-    for (std::size_t loop = 0; loop < static_cast<std::size_t>(loops.loop_count); ++loop) {
-        const bool lens = crossings[loop] == 2 && walls[loop] == 1;
-        number[loop] = lens ? kNoLoop : static_cast<std::uint8_t>(left++);
+    for (std::size_t circuit = 0; circuit < static_cast<std::size_t>(circuits.circuit_count); ++circuit) {
+        const bool lens = crossings[circuit] == 2 && walls[circuit] == 1;
+        number[circuit] = lens ? kNoCircuit : static_cast<std::uint8_t>(left++);
     }
-    if (left == loops.loop_count) return;
-    for (std::uint8_t& loop : loops.loop_of)
-        if (loop != kNoLoop) loop = number[loop];
-    loops.loop_count = left;
+    if (left == circuits.circuit_count) return;
+    for (std::uint8_t& circuit : circuits.circuit_of)
+        if (circuit != kNoCircuit) circuit = number[circuit];
+    circuits.circuit_count = left;
 }
 
 std::array<bool, 256> find_plain_cells() {
@@ -289,8 +289,8 @@ std::array<bool, 256> find_plain_cells() {
             if (mask >> corner & 1U)
                 shape.inside |= 1U << (2 * (corner & 1) + 6 * (corner >> 1 & 1) + 18 * (corner >> 2));
         FaceCentres centres;
-        const CellLoops loops = trace_loops(shape, centres);
-        plain[mask] = centres.count == 0 && loops.loop_count == 1;
+        const CellCircuits circuits = trace_circuits(shape, centres);
+        plain[mask] = centres.count == 0 && circuits.circuit_count == 1;
     }
     return plain;
 }
@@ -325,7 +325,7 @@ const std::pair<glm::ivec3, glm::ivec3>& ends_of_edge(int crossing) {
     return ends[static_cast<std::size_t>(crossing % kQuarterPoints)];
 }
 
-CellLoops trace_loops(const CellShape& shape, FaceCentres& centres, const ApartPoints* apart) {
+CellCircuits trace_circuits(const CellShape& shape, FaceCentres& centres, const ApartPoints* apart) {
     const Arcs found = collect_arcs(shape, centres, apart);
     const auto& arcs = found.arc;
     const int arc_count = found.count;
@@ -342,34 +342,35 @@ CellLoops trace_loops(const CellShape& shape, FaceCentres& centres, const ApartP
         }
     }
 
-    CellLoops loops;
-    loops.loop_of.fill(kNoLoop);
+    CellCircuits circuits;
+    circuits.circuit_of.fill(kNoCircuit);
     for (int n = 0; n < arc_count; ++n) {
         const std::uint8_t start = arcs[static_cast<std::size_t>(n)].first;
-        if (loops.loop_of[start] != kNoLoop) continue;
+        if (circuits.circuit_of[start] != kNoCircuit) continue;
         std::uint8_t edge = start;
         int arc = n;
         do {
-            loops.loop_of[edge] = static_cast<std::uint8_t>(loops.loop_count);
+            circuits.circuit_of[edge] = static_cast<std::uint8_t>(circuits.circuit_count);
             const Arc& along = arcs[static_cast<std::size_t>(arc)];
             edge = along.first == edge ? along.second : along.first;
             arc = ends[edge][0] == arc ? ends[edge][1] : ends[edge][0];
         } while (edge != start);
-        ++loops.loop_count;
+        ++circuits.circuit_count;
     }
 
-    if (apart != nullptr) drop_lenses(loops);
+    if (apart != nullptr) drop_lenses(circuits);
     for (int n = 0; n < arc_count; ++n) {
         const Arc& arc = arcs[static_cast<std::size_t>(n)];
-        if (!arc.shared || loops.loop_of[arc.first] == kNoLoop) continue;
+        if (!arc.shared || circuits.circuit_of[arc.first] == kNoCircuit) continue;
         bool own_vertex = false;
         for (int m = 0; m < arc_count && !own_vertex; ++m) {
             const Arc& other = arcs[static_cast<std::size_t>(m)];
-            own_vertex = m != n && other.face == arc.face && loops.loop_of[other.first] == loops.loop_of[arc.first];
+            own_vertex =
+                m != n && other.face == arc.face && circuits.circuit_of[other.first] == circuits.circuit_of[arc.first];
         }
-        if (own_vertex) loops.own_arcs.push_back({arc.face, arc.first, arc.second});
+        if (own_vertex) circuits.own_arcs.push_back({arc.face, arc.first, arc.second});
     }
-    return loops;
+    return circuits;
 }
 
 // Must be initialised after kFaces.

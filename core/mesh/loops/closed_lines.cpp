@@ -1,4 +1,4 @@
-#include "core/mesh/loops/surface_loops.h"
+#include "core/mesh/loops/closed_lines.h"
 
 #include "core/base/disjoint_sets.h"
 #include "core/base/splitmix64.h"
@@ -30,36 +30,36 @@ using Front = std::priority_queue<Reached, std::vector<Reached>, std::greater<>>
 
 constexpr std::size_t kBits = 128; // of a label
 
-void flip(LoopKind& bits, const LoopKind& by) {
+void flip(HomologyClass& bits, const HomologyClass& by) {
     for (std::size_t n = 0; n < by.size(); ++n) bits[n] ^= by[n];
 }
 
-bool any(const LoopKind& bits) { return (bits[0] | bits[1]) != 0; }
+bool any(const HomologyClass& bits) { return (bits[0] | bits[1]) != 0; }
 
 } // namespace
 
-std::vector<glm::dvec3> positions_of(const TriangleMesh& mesh, const SurfaceLoop& loop) {
+std::vector<glm::dvec3> positions_of(const TriangleMesh& mesh, const ClosedLine& line) {
     std::vector<glm::dvec3> positions;
-    for (const std::uint32_t v : loop.vertices) positions.emplace_back(mesh.positions[v]);
+    for (const std::uint32_t v : line.vertices) positions.emplace_back(mesh.positions[v]);
     return positions;
 }
 
-LoopKind IndependentKinds::rest(LoopKind kind) const {
-    for (const LoopKind& other : rests_) {
-        LoopKind without = kind;
+HomologyClass IndependentClasses::rest(HomologyClass homology) const {
+    for (const HomologyClass& other : rests_) {
+        HomologyClass without = homology;
         flip(without, other);
-        kind = std::min(kind, without);
+        homology = std::min(homology, without);
     }
-    return kind;
+    return homology;
 }
 
 // The shortest paths from one vertex of each piece.
-struct SurfaceLoops::Tree {
+struct ClosedLines::Tree {
     std::vector<double> distance;
     std::vector<std::uint32_t> edge; // toward the start, by vertex
 };
 
-SurfaceLoops::Tree SurfaceLoops::shortest_paths(Job& job) const {
+ClosedLines::Tree ClosedLines::shortest_paths(Job& job) const {
     const std::size_t count = graph_.mesh().positions.size();
     Tree tree{std::vector<double>(count, std::numeric_limits<double>::max()), std::vector<std::uint32_t>(count, kNone)};
     Front front;
@@ -83,7 +83,7 @@ SurfaceLoops::Tree SurfaceLoops::shortest_paths(Job& job) const {
     return tree;
 }
 
-SurfaceLoops::SurfaceLoops(const SurfaceGraph& graph, std::span<const std::uint8_t> barred, Job& job)
+ClosedLines::ClosedLines(const SurfaceGraph& graph, std::span<const std::uint8_t> barred, Job& job)
     : graph_(graph), barred_(barred) {
     const auto edges = graph.edges();
     const Tree tree = shortest_paths(job);
@@ -91,7 +91,7 @@ SurfaceLoops::SurfaceLoops(const SurfaceGraph& graph, std::span<const std::uint8
     std::vector<bool> in_tree(edges.size(), false);
     for (const std::uint32_t edge : tree.edge)
         if (edge != kNone) in_tree[edge] = true;
-    std::vector<std::pair<double, std::uint32_t>> others; // by the length of the loop that each closes
+    std::vector<std::pair<double, std::uint32_t>> others; // by the length of the closed line through each
     for (std::uint32_t e = 0; e < edges.size(); ++e) {
         if (in_tree[e]) continue;
         const auto& [a, b] = edges[e].ends;
@@ -107,20 +107,20 @@ SurfaceLoops::SurfaceLoops(const SurfaceGraph& graph, std::span<const std::uint8
     find_crossings(of_triangles);
 }
 
-LoopKind SurfaceLoops::label(std::size_t row) const {
+HomologyClass ClosedLines::label(std::size_t row) const {
     if (edges_.size() > kBits) return {splitmix64(2 * row), splitmix64(2 * row + 1)};
-    LoopKind bits{};
+    HomologyClass bits{};
     bits[row / 64] = std::uint64_t{1} << row % 64;
     return bits;
 }
 
 // The row of a remaining edge runs along the tree of triangles from one side of the edge to the other. It crosses an
 // edge of that tree if exactly one of its ends is below the edge.
-void SurfaceLoops::find_crossings(std::span<const std::uint32_t> tree) {
+void ClosedLines::find_crossings(std::span<const std::uint32_t> tree) {
     if (edges_.empty()) return;
     crossings_.resize(graph_.edges().size(), {});
     const std::size_t count = graph_.mesh().triangles.size();
-    std::vector<LoopKind> below(count, LoopKind{}); // each triangle of the tree
+    std::vector<HomologyClass> below(count, HomologyClass{}); // each triangle of the tree
     for (std::size_t row = 0; row < edges_.size(); ++row) {
         crossings_[edges_[row]] = label(row);
         for (const std::uint32_t t : graph_.edges()[edges_[row]].triangles) flip(below[t], label(row));
@@ -134,10 +134,10 @@ void SurfaceLoops::find_crossings(std::span<const std::uint32_t> tree) {
         const auto& sides = graph_.edges()[edge].triangles;
         return sides[0] == t ? sides[1] : sides[0];
     };
-    for (std::uint32_t root = 0; root < count; ++root) {
-        if (reached[root]) continue;
-        reached[root] = true;
-        order.assign(1, root);
+    for (std::uint32_t first = 0; first < count; ++first) {
+        if (reached[first]) continue;
+        reached[first] = true;
+        order.assign(1, first);
         for (std::size_t n = 0; n < order.size(); ++n)
             for (const std::uint32_t edge : beside[order[n]]) {
                 if (edge == kNone || edge == up[order[n]]) continue;
@@ -154,22 +154,22 @@ void SurfaceLoops::find_crossings(std::span<const std::uint32_t> tree) {
 }
 
 // A vertex that the search has reached.
-struct SurfaceLoops::Known {
+struct ClosedLines::Known {
     double distance;
-    std::uint32_t edge; // toward the start
-    LoopKind crossed;   // kind of the path from the start
+    std::uint32_t edge;    // toward the start
+    HomologyClass crossed; // class of the path from the start
     bool settled = false;
 };
 
-std::vector<SurfaceLoop> SurfaceLoops::shortest(std::uint32_t vertex, double longest, std::size_t& visited) const {
+std::vector<ClosedLine> ClosedLines::shortest(std::uint32_t vertex, double longest, std::size_t& visited) const {
     struct Closing {
         double length;
         std::uint32_t edge;
     };
     if (edges_.empty() || is_barred(vertex)) return {};
-    std::map<LoopKind, Closing> kinds;
+    std::map<HomologyClass, Closing> classes;
     KnownVertices known;
-    known.try_emplace(vertex, Known{0.0, kNone, LoopKind{}});
+    known.try_emplace(vertex, Known{0.0, kNone, HomologyClass{}});
     Front front;
     front.push({0.0, vertex});
     while (!front.empty()) {
@@ -183,7 +183,7 @@ std::vector<SurfaceLoop> SurfaceLoops::shortest(std::uint32_t vertex, double lon
             if (edge == here.edge) continue;
             const std::uint32_t to = graph_.other_end(edge, at);
             if (is_barred(to)) continue;
-            LoopKind there = here.crossed;
+            HomologyClass there = here.crossed;
             flip(there, crossings_[edge]);
             const double along = distance + graph_.length(edge);
             const auto [entry, fresh] = known.try_emplace(to, Known{along, edge, there});
@@ -194,23 +194,23 @@ std::vector<SurfaceLoop> SurfaceLoops::shortest(std::uint32_t vertex, double lon
             } else if (const double length = along + other.distance; other.settled && length <= longest) {
                 flip(there, other.crossed);
                 if (!any(there)) continue;
-                const auto [kind, first] = kinds.try_emplace(there, Closing{length, edge});
-                if (!first && length < kind->second.length) kind->second = {length, edge};
+                const auto [entry, first] = classes.try_emplace(there, Closing{length, edge});
+                if (!first && length < entry->second.length) entry->second = {length, edge};
             }
         }
     }
     visited += known.size();
-    std::vector<SurfaceLoop> loops;
-    for (const auto& [kind, closing] : kinds) {
-        loops.push_back(closed(known, vertex, closing.edge));
-        loops.back().kind = kind;
+    std::vector<ClosedLine> lines;
+    for (const auto& [homology, closing] : classes) {
+        lines.push_back(closed(known, vertex, closing.edge));
+        lines.back().homology = homology;
     }
-    std::ranges::stable_sort(loops, {}, &SurfaceLoop::length);
-    return loops;
+    std::ranges::stable_sort(lines, {}, &ClosedLine::length);
+    return lines;
 }
 
-// The loop that an edge closes, without the common beginning of its two paths from the start.
-SurfaceLoop SurfaceLoops::closed(const KnownVertices& known, std::uint32_t start, std::uint32_t edge) const {
+// The line that an edge closes, without the common beginning of its two paths from the start.
+ClosedLine ClosedLines::closed(const KnownVertices& known, std::uint32_t start, std::uint32_t edge) const {
     std::array<std::vector<std::uint32_t>, 2> ways; // from the start to the edge's ends
     for (std::size_t side = 0; side < 2; ++side) {
         for (std::uint32_t at = graph_.edges()[edge].ends[side];; at = graph_.other_end(known.at(at).edge, at)) {
@@ -220,14 +220,14 @@ SurfaceLoop SurfaceLoops::closed(const KnownVertices& known, std::uint32_t start
         std::ranges::reverse(ways[side]);
     }
     const auto [first, second] = std::ranges::mismatch(ways[0], ways[1]);
-    SurfaceLoop loop;
-    loop.vertices.assign(first - 1, ways[0].end());
-    loop.vertices.insert(loop.vertices.end(), ways[1].rbegin(), std::make_reverse_iterator(second));
+    ClosedLine line;
+    line.vertices.assign(first - 1, ways[0].end());
+    line.vertices.insert(line.vertices.end(), ways[1].rbegin(), std::make_reverse_iterator(second));
     const auto position = [&](std::size_t n) {
-        return glm::dvec3(graph_.mesh().positions[loop.vertices[n % loop.vertices.size()]]);
+        return glm::dvec3(graph_.mesh().positions[line.vertices[n % line.vertices.size()]]);
     };
-    for (std::size_t n = 0; n < loop.vertices.size(); ++n) loop.length += glm::distance(position(n), position(n + 1));
-    return loop;
+    for (std::size_t n = 0; n < line.vertices.size(); ++n) line.length += glm::distance(position(n), position(n + 1));
+    return line;
 }
 
 } // namespace ramus::mesh

@@ -1,8 +1,8 @@
-// Cell loops: the circuits in which the surface crosses the boundary of one cell. A cell is a cube whose faces may be
-// divided into four, and whose edges into two, where finer cells touch it (hanging corners). The crossings of its
-// minimal edges are connected by arcs across its minimal faces. The arcs close into loops, and each loop becomes one
-// vertex of the dual mesh. Both cells at a minimal face have the same arcs. So the polygons around crossed edges fit
-// without cracks, and every vertex has one ring of polygons.
+// Cell circuits: the circuits in which the surface crosses the boundary of one cell. A cell is a cube whose faces may
+// be divided into four, and whose edges into two, where finer cells touch it (hanging corners). The crossings of its
+// minimal edges are connected by arcs across its minimal faces. The arcs close into circuits, and each circuit becomes
+// one vertex of the dual mesh. Both cells at a minimal face have the same arcs. So the polygons around crossed edges
+// fit without cracks, and every vertex has one ring of polygons.
 //
 // Points of a cell are given on its 5 x 5 x 5 grid of quarter steps, index x + 5 y + 25 z: corners at 0 and 4, hanging
 // corners at 2, midpoints of half edges at 1 and 3. A minimal edge is identified by its midpoint. For a whole edge one
@@ -26,8 +26,9 @@ namespace ramus::mesh::bricks {
 inline constexpr int kQuarterPoints = 125;
 inline constexpr int kUpperEnd = kQuarterPoints; // added to the name of an edge
 inline constexpr int kCrossings = 2 * kQuarterPoints;
-inline constexpr std::uint8_t kNoLoop = 0xFF;
-inline constexpr std::size_t kMostLoops = 48; // 48 minimal edges have up to two crossings each; a loop has at least two
+inline constexpr std::uint8_t kNoCircuit = 0xFF;
+// 48 minimal edges have up to two crossings each; a circuit has at least two.
+inline constexpr std::size_t kMostCircuits = 48;
 
 constexpr int quarter_index(int x, int y, int z) { return x + 5 * y + 25 * z; }
 
@@ -45,7 +46,7 @@ constexpr int edge_midpoint(int edge) {
 // a whole one.
 [[nodiscard]] const std::pair<glm::ivec3, glm::ivec3>& ends_of_edge(int crossing);
 
-// By the signs of the eight corners: whether a cell without hanging corners is crossed in exactly one loop, whatever
+// By the signs of the eight corners: whether a cell without hanging corners is crossed in exactly one circuit, whatever
 // the signs at the centres of its faces. Bit n is the corner with x = n & 1, y = n >> 1 & 1, z = n >> 2.
 extern const std::array<bool, 256> kPlainCells;
 
@@ -64,10 +65,10 @@ struct FaceArc {
     std::uint8_t first = 0, second = 0; // crossings at its ends
 };
 
-struct CellLoops {
-    int loop_count = 0;
-    std::array<std::uint8_t, kCrossings> loop_of{}; // by crossing; kNoLoop also where a wall has no surface
-    // Arcs of whole faces that need a vertex of their own, since a loop crosses the face more than once: if the cell
+struct CellCircuits {
+    int circuit_count = 0;
+    std::array<std::uint8_t, kCrossings> circuit_of{}; // by crossing; kNoCircuit also where a wall has no surface
+    // Arcs of whole faces that need a vertex of their own, since a circuit crosses the face more than once: if the cell
     // beyond does the same, two arcs would connect the same two vertices.
     std::vector<FaceArc> own_arcs;
 };
@@ -83,8 +84,9 @@ struct FaceCentres {
     std::array<std::uint32_t, 24> apart{};
 };
 
-// Traces the loops of a cell. `apart`: the points of vessels that are kept apart, or null. Uses the signs in
+// Traces the circuits of a cell. `apart`: the points of vessels that are kept apart, or null. Uses the signs in
 // `centres.inside`, and lists the centres that matter in `centres`, in an order that does not depend on their signs.
-[[nodiscard]] CellLoops trace_loops(const CellShape& shape, FaceCentres& centres, const ApartPoints* apart = nullptr);
+[[nodiscard]] CellCircuits trace_circuits(const CellShape& shape, FaceCentres& centres,
+                                          const ApartPoints* apart = nullptr);
 
 } // namespace ramus::mesh::bricks

@@ -16,7 +16,7 @@ namespace ramus::app {
 using StudyPngs = std::map<std::string, std::string>; // code to the bytes of the file
 
 // Returns UTF-8. `rater`: counted from 1, must have an order; `pngs` must have every picture.
-[[nodiscard]] std::string rating_sheet(const RatingStudy& study, int rater, const StudyPngs& pngs);
+[[nodiscard]] std::string rating_page(const RatingStudy& study, int rater, const StudyPngs& pngs);
 
 // Writes FOLDER/sheets/rater_001.html, ... and FOLDER/key.json; FOLDER must exist. Returns the rating pages.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> write_study(const RatingStudy& study, const StudyPngs& pngs,

@@ -1,6 +1,6 @@
-#include "app/ratings/rating_sheet.h"
+#include "app/ratings/rating_page.h"
 
-#include "app/ratings/sheet_texts.h"
+#include "app/ratings/page_texts.h"
 #include "app/session/json_text.h"
 #include "core/io/binary_numbers.h"
 #include "core/io/output_file.h"
@@ -19,42 +19,42 @@ std::string script_json(const nlohmann::ordered_json& value) {
     return text;
 }
 
-nlohmann::ordered_json sheet_json(const RatingStudy& study, int rater, const StudyPngs& pngs) {
-    nlohmann::ordered_json sheet{{"format", kAnswersFormat},
-                                 {"version", kRatingsVersion},
-                                 {"study", id_of(study)},
-                                 {"rater", rater},
-                                 {"scale", {kLowestScore, kHighestScore}},
-                                 {"most_years", kMostYears}};
+nlohmann::ordered_json page_json(const RatingStudy& study, int rater, const StudyPngs& pngs) {
+    nlohmann::ordered_json page{{"format", kAnswersFormat},
+                                {"version", kRatingsVersion},
+                                {"study", id_of(study)},
+                                {"rater", rater},
+                                {"scale", {kLowestScore, kHighestScore}},
+                                {"most_years", kMostYears}};
     for (const Criterion& criterion : kCriteria)
-        sheet["criteria"].push_back({{"key", criterion.key},
-                                     {"name", criterion.name},
-                                     {"question", criterion.question},
-                                     {"low", criterion.low},
-                                     {"high", criterion.high}});
-    for (const RaterRole& role : kRaterRoles) sheet["roles"].push_back({{"key", role.key}, {"name", role.name}});
-    for (const ShownScene& shown : study.orders[static_cast<std::size_t>(rater - 1)]) {
-        const StudyScene& scene = study.scenes[shown.scene];
+        page["criteria"].push_back({{"key", criterion.key},
+                                    {"name", criterion.name},
+                                    {"question", criterion.question},
+                                    {"low", criterion.low},
+                                    {"high", criterion.high}});
+    for (const RaterRole& role : kRaterRoles) page["roles"].push_back({{"key", role.key}, {"name", role.name}});
+    for (const ShownView& shown : study.orders[static_cast<std::size_t>(rater - 1)]) {
+        const StudyView& view = study.views[shown.view];
         nlohmann::ordered_json pictures;
         for (const std::size_t picture : shown.pictures) {
-            const std::string& code = scene.pictures[picture].code;
+            const std::string& code = view.pictures[picture].code;
             pictures.push_back(
                 {{"code", code}, {"source", "data:image/png;base64," + io::base64_encoded(pngs.at(code))}});
         }
-        sheet["scenes"].push_back({{"title", scene.title}, {"pictures", pictures}});
+        page["scenes"].push_back({{"title", view.title}, {"pictures", pictures}});
     }
-    return sheet;
+    return page;
 }
 
 } // namespace
 
-std::string rating_sheet(const RatingStudy& study, int rater, const StudyPngs& pngs) {
-    const std::map<std::string, std::string, std::less<>> parts{{"style", std::string(kSheetTexts.at("sheet.css"))},
-                                                                {"script", std::string(kSheetTexts.at("sheet.js"))},
+std::string rating_page(const RatingStudy& study, int rater, const StudyPngs& pngs) {
+    const std::map<std::string, std::string, std::less<>> parts{{"style", std::string(kPageTexts.at("page.css"))},
+                                                                {"script", std::string(kPageTexts.at("page.js"))},
                                                                 {"rater", std::to_string(rater)},
-                                                                {"sheet", script_json(sheet_json(study, rater, pngs))}};
+                                                                {"page", script_json(page_json(study, rater, pngs))}};
     // Replaces in one pass, so that inserted text is not searched again.
-    std::string_view left = kSheetTexts.at("sheet.html");
+    std::string_view left = kPageTexts.at("page.html");
     std::string page;
     for (std::size_t open = left.find("{{"); open != std::string_view::npos; open = left.find("{{")) {
         const std::size_t close = left.find("}}", open);
@@ -72,7 +72,7 @@ Result<std::vector<std::filesystem::path>> write_study(const RatingStudy& study,
         const std::string number = std::to_string(rater);
         const std::string name = "rater_" + std::string(3 - std::min<std::size_t>(3, number.size()), '0') + number;
         files.push_back(sheets / (name + ".html"));
-        if (auto done = together.add(files.back(), rating_sheet(study, static_cast<int>(rater), pngs)); !done)
+        if (auto done = together.add(files.back(), rating_page(study, static_cast<int>(rater), pngs)); !done)
             return tl::unexpected(done.error());
     }
     RAMUS_TRY(key, json_text(key_json(study), (folder / "key.json").string()));

@@ -1,4 +1,4 @@
-// LoopWatch: measures how long the window did not handle events, and what it did meanwhile; for --status, so that tests
+// TickWatch: measures how long the window did not handle events, and what it did meanwhile; for --status, so that tests
 // can limit it. Measures the processor time of the window's thread, which is independent of other programs, and the
 // clock's time, which includes waiting for threads of a software rasteriser. Writing --status itself is excluded.
 #pragma once
@@ -8,7 +8,7 @@
 
 namespace ramus::app {
 
-class LoopWatch {
+class TickWatch {
 public:
     struct Gap {
         double ended = 0.0;             // monotonic clock at its end, seconds
