@@ -20,14 +20,20 @@ constexpr glm::ivec2 kBoundPanel(540, 420);
 constexpr std::array kColours{glm::vec3(0.34F, 0.71F, 0.92F), glm::vec3(0.0F, 0.62F, 0.45F),
                               glm::vec3(0.90F, 0.62F, 0.0F)}; // of segments; M. Okabe and K. Ito, 2008
 
+// The smooth step by which ramus multiplies the kernel; `rho`: the squared distance in (r / sqrt(w))^2.
+double fade_at(double rho) {
+    const double c = std::clamp((field::kFadeEnd - rho) / (field::kFadeEnd - field::kFadeBegin), 0.0, 1.0);
+    return c * c * (3.0 - 2.0 * c);
+}
+
 // What a vessel adds to the field across it, in percent of the isovalue, where a bounding volume may cut it.
 Svg fade_plot() {
-    constexpr double kWidth = 440.0, kHeight = 260.0, kFrom = 1.25, kTo = 1.75, kStep = 0.0025;
+    constexpr double kWidth = 440.0, kHeight = 260.0, kFrom = 1.35, kTo = 1.75, kStep = 0.0025;
     constexpr const char* kTitle = "What a long vessel adds at a distance from its axis";
     const field::Kernel kernel = field::gaussian(5.0);
     Svg svg(kWidth, kHeight, kTitle);
     svg.text({14.0, 16.0}, kTitle, Anchor::kStart, 12.0);
-    const PlotArea area{70.0, 28.0, kWidth - 14.0, kHeight - 72.0, linear_axis(kFrom, kTo), linear_axis(0.0, 15.0)};
+    const PlotArea area{70.0, 28.0, kWidth - 14.0, kHeight - 72.0, linear_axis(kFrom, kTo), linear_axis(0.0, 6.0)};
     draw_y_axis(svg, area, "% of the isovalue");
     draw_x_axis(svg, area, "Distance, radii");
     const double w = kernel.width * std::log(2.0);
@@ -36,12 +42,12 @@ Svg fade_plot() {
         const double whole = 100.0 * std::exp(-w * x * x) / kernel.isovalue;
         plain.push_back({area.at_x(x), area.at_y(whole)});
         cut.push_back({area.at_x(x), area.at_y(x <= kPaperReach ? whole : 0.0)});
-        fading.push_back({area.at_x(x), area.at_y(100.0 * kernel.long_vessel->value(kernel, x * x) / kernel.isovalue)});
+        fading.push_back({area.at_x(x), area.at_y(whole * fade_at(w * x * x))});
     }
     constexpr Stroke kPlain{"#5b6570", 1.2, "2 2"};
-    svg.polyline(plain, kPlain);
-    svg.polyline(cut, kConesStroke);
     svg.polyline(fading, kSurfaceStroke);
+    svg.polyline(cut, kConesStroke);
+    svg.polyline(plain, kPlain);
     draw_legend(
         svg, {14.0, kHeight - 22.0}, kWidth - 14.0,
         {{"without bounds", kPlain}, {"cut at 1.5 radii (paper)", kConesStroke}, {"fading (ramus)", kSurfaceStroke}});
