@@ -1,7 +1,6 @@
-#include "app/paper/bounding_figure.h"
-
 #include "app/paper/bounding_volumes.h"
 #include "app/paper/exact_trees.h"
+#include "app/paper/figures.h"
 #include "app/reports/plots/axis.h"
 #include "app/session/numbers.h"
 #include "core/field/kernels/gaussian.h"
@@ -67,19 +66,15 @@ Result<Figure> bounding_volumes(Workbench& bench, Job& job) {
     const tree::VesselTree tree = aslant_branching(kBoundRadius);
     const std::vector<RoundSegment> segments = segments_of(tree);
     RAMUS_TRY(vessel, made_surface(tree, paper_options(), job));
-    const std::array all{vessel.paged};
-    Looking looking{.azimuth = -28.0, .elevation = 22.0};
-    render::Camera camera = camera_on(all, kBoundPanel, looking);
+    render::Camera camera = camera_on({vessel.paged}, kBoundPanel, {.azimuth = -28.0, .elevation = 22.0});
     camera.scale *= 1.2; // the volumes reach farther
     Plate plate{.columns = bounds_of_segments().size()};
     std::vector<Panel> cut;
-    Table table{"Cells that each volume covers",
-                {{"volume", "Volume"},
-                 {"cells", "Cells"},
-                 {"evaluations", "Evaluations"},
-                 {"by_volume", "Evaluations by volume"},
-                 {"unbounded", "Without bounds"}},
-                {}};
+    double unbounded = 0.0;
+    Table table{
+        "Cells that each volume covers",
+        {{"volume", "Volume"}, {"cells", "Cells"}, {"evaluations", "Evaluations"}, {"unbounded", "Without bounds"}},
+        {}};
     for (const BoundRow& row : bounds_of_segments()) {
         const CoveredCells covered = covered_cells(row, segments, kGridCell);
         render::Frame shapes =
@@ -101,25 +96,21 @@ Result<Figure> bounding_volumes(Workbench& bench, Job& job) {
         cut.push_back({std::move(cubes), {}});
         const double by_volume = volume / (kGridCell * kGridCell * kGridCell);
         const auto evaluations = static_cast<double>(covered.evaluations);
+        if (row.bound == Bound::kBox) unbounded = static_cast<double>(covered.cells.size() * segments.size());
         table.rows.push_back(
-            {std::string(row.name), static_cast<double>(covered.cells.size()), evaluations, std::round(by_volume), ""});
+            {std::string(row.name), static_cast<double>(covered.cells.size()), evaluations, unbounded});
         figure.measured.push_back({"evaluations, " + std::string(row.name), evaluations, "", by_volume});
     }
-    const CoveredCells boxes = covered_cells(bounds_of_segments().front(), segments, kGridCell);
-    for (auto& row : table.rows) row.back() = static_cast<double>(boxes.cells.size() * segments.size());
     plate.panels.insert(plate.panels.end(), std::make_move_iterator(cut.begin()), std::make_move_iterator(cut.end()));
-    RAMUS_TRY(picture,
-              bench.picture("figure_04.png",
-                            "Above the volumes, one for each segment; below the cells whose centre some volume "
-                            "covers, cut open in the plane of the vessels.",
-                            plate, job));
-    figure.pictures.push_back(std::move(picture));
     figure.plots.push_back({"figure_04_fade.svg", fade_plot()});
     figure.tables.push_back({"figure_04_cells.csv", std::move(table),
-                             "A cell is evaluated once for each segment whose volume covers its centre. By volume: the "
-                             "closed form of the volumes over that of a cell. Without bounds: every segment in every "
+                             "A cell is evaluated once for each segment whose volume covers its centre; the closed "
+                             "form above is the volumes over that of a cell. Without bounds: every segment in every "
                              "cell of the boxes."});
-    return figure;
+    return bench.with_picture(std::move(figure), "figure_04.png",
+                              "Above the volumes, one for each segment; below the cells whose centre some volume "
+                              "covers, cut open in the plane of the vessels.",
+                              plate, job);
 }
 
 } // namespace ramus::app::paper

@@ -1,10 +1,6 @@
 #include "app/paper/figure_rows.h"
 
-#include "app/paper/artificial_figures.h"
-#include "app/paper/bounding_figure.h"
-#include "app/paper/clinical_figures.h"
-#include "app/paper/distance_figures.h"
-#include "app/paper/method_figures.h"
+#include "app/paper/figures.h"
 
 #include <algorithm>
 #include <cstddef>
