@@ -92,10 +92,10 @@ Result<ComparedTree> compare(const InputTree& input, TreeResults& results, Job& 
 } // namespace
 
 Facts grown_trees() {
-    Facts facts;
+    Facts facts{{"Trees", "ramus grow"}};
     for (const GrownTree& row : kGrown)
-        facts.emplace_back("Tree " + std::string(row.letter), "ramus grow --branches " + std::to_string(row.branches) +
-                                                                  " --seed " + std::to_string(row.seed));
+        facts.emplace_back("Tree " + std::string(row.letter),
+                           std::to_string(row.branches) + " branches, seed " + std::to_string(row.seed));
     return facts;
 }
 

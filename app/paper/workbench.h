@@ -27,7 +27,7 @@ struct InputTree {
     std::optional<tree::GrowOptions> grown;  // it was not given
 };
 
-// The trees in place of given ones: name and command that grows the same.
+// The trees in place of given ones: names, and options of `ramus grow` for the same trees.
 [[nodiscard]] Facts grown_trees();
 
 // How surfaces of figures are made: as the paper makes them, as far as ramus can.
