@@ -1,6 +1,6 @@
 #include "core/validate/probe.h"
 
-#include "core/base/infinity.h"
+#include "core/base/bounds.h"
 #include "core/base/memory.h"
 #include "core/validate/reference.h"
 
@@ -30,11 +30,8 @@ Probe::Probe(const mesh::TriangleMesh& surface, std::span<const Place> places)
     : surface_(surface), triangles_(surface) {
     // Frees the scratch memory of packing before the next step needs memory.
     if (surface.triangles.size() >= kWorthReleasing) release_unused_memory();
-    glm::dvec3 least(kInfinity), most(-kInfinity);
-    for (const glm::vec3& position : surface.positions) {
-        least = glm::min(least, glm::dvec3(position));
-        most = glm::max(most, glm::dvec3(position));
-    }
+    const Bounds<glm::vec3> box = box_of_points(surface.positions);
+    const glm::dvec3 least(box.least), most(box.most);
     middle_ = 0.5 * (least + most);
     size_ = glm::length(most - least);
     constexpr std::size_t kAsked = 200;
