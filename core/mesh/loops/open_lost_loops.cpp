@@ -55,10 +55,8 @@ std::vector<tree::Point> corners_of(const std::vector<tree::Point>& cycle) {
 
 double distance_to(const std::vector<tree::Point>& cycle, const glm::dvec3& place) {
     double least = kInfinity;
-    for (std::size_t i = 0; i < cycle.size(); ++i) {
-        const glm::dvec3 a = cycle[i].position, along = cycle[(i + 1) % cycle.size()].position - a;
-        least = std::min(least, glm::distance(place, a + share_along(place - a, along) * along));
-    }
+    for (std::size_t i = 0; i < cycle.size(); ++i)
+        least = std::min(least, distance_to_line(place, cycle[i].position, cycle[(i + 1) % cycle.size()].position));
     return least;
 }
 
@@ -104,9 +102,7 @@ class TunnelFinder {
 public:
     TunnelFinder(const TriangleMesh& mesh, const LargeAllocator<std::byte>& memory)
         : mesh_(mesh), surface_(mesh, measure::kMostCopied, memory) {
-        Bounds<glm::vec3> box;
-        for (const glm::vec3& position : mesh.positions) box.hold(position);
-        size_ = static_cast<double>(glm::length(box.size()));
+        size_ = static_cast<double>(glm::length(box_of_points(mesh.positions).size()));
     }
 
     [[nodiscard]] bool inside(const glm::dvec3& place) {
