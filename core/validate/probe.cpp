@@ -1,5 +1,6 @@
 #include "core/validate/probe.h"
 
+#include "core/base/across.h"
 #include "core/base/bounds.h"
 #include "core/base/memory.h"
 #include "core/validate/reference.h"
@@ -119,9 +120,7 @@ CrossSection Probe::cross_section(const glm::dvec3& at, const glm::dvec3& direct
     const int turns = winding(at);
     if (turns <= 0) return section;
     section.inside = true;
-    const glm::dvec3 side = glm::normalize(
-        glm::cross(direction, std::abs(direction.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0)));
-    const glm::dvec3 other = glm::cross(direction, side);
+    const auto [side, other] = axes_across(direction);
     constexpr double kTurned = 0.0618034; // rays, too, keep away from edges
     double squares = 0.0, flat_squares = 0.0;
     glm::dvec3 moment(0.0);

@@ -1,5 +1,6 @@
 #include "core/mesh/loops/open_lost_loops.h"
 
+#include "core/base/across.h"
 #include "core/base/bounds.h"
 #include "core/base/infinity.h"
 #include "core/base/lines.h"
@@ -114,9 +115,7 @@ public:
     // The straight tunnel through the place, across the spanning triangles; none if a third triangle is in the way.
     [[nodiscard]] std::optional<Tunnel> through(const Middle& middle) const {
         const glm::dvec3 d = middle.across;
-        const glm::dvec3 u =
-            glm::normalize(glm::cross(d, std::abs(d.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0)));
-        const glm::dvec3 v = glm::cross(d, u);
+        const auto [u, v] = axes_across(d);
         Tunnel tunnel;
         tunnel.radius = kWidest * middle.clearance;
         std::array<std::array<double, 3>, 2> angle{}; // of the triangles' corners around the tunnel
