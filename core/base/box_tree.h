@@ -62,7 +62,7 @@ public:
     template <class Call> void for_each_group_meeting(const Box& box, std::size_t first, const Call& call) const {
         if (levels_.size() > 1)
             look<1>(levels_.size() - 1, 0, first, box, call);
-        else if (first < levels_.front().size() && levels_.front()[0].meeting(box) != 0)
+        else if (first < levels_.front().size() && levels_.front()[0].around().meets(box))
             call(std::size_t{0});
     }
 
