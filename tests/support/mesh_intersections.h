@@ -8,6 +8,8 @@
 #include "core/mesh/untangle/intersecting_triangles.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <glm/common.hpp>
 #include <limits>
@@ -80,8 +82,36 @@ public:
         }
     }
 
+    // Calls call(a, b), once, for the triangles of each pair whose boxes meet. One is in this group, the other in it or
+    // in a later group. A search of one group at a time visits a quarter of the nodes.
+    template <class Call> void for_each_pair(std::size_t group, const Call& call) const {
+        const std::size_t groups_begin = std::size_t{1} << levels_;
+        const Box& box = nodes_[groups_begin + group];
+        std::array<std::size_t, 128> stack;
+        std::size_t depth = 0;
+        stack[depth++] = 1;
+        while (depth > 0) {
+            const std::size_t node = stack[--depth];
+            const int below = levels_ + 1 - std::bit_width(node);
+            const std::size_t last = ((node + 1) << below) - 1 - groups_begin; // group
+            if (last < group || !nodes_[node].meets(box)) continue;
+            if (below > 0) {
+                stack[depth++] = 2 * node + 1;
+                stack[depth++] = 2 * node;
+                continue;
+            }
+            for (std::size_t n = group * kGroup; n < end_of(group); ++n)
+                for (std::size_t m = last == group ? n + 1 : last * kGroup; m < end_of(last); ++m)
+                    if (boxes_[triangles_[n]].meets(boxes_[triangles_[m]])) call(triangles_[n], triangles_[m]);
+        }
+    }
+    [[nodiscard]] std::size_t groups() const { return (triangles_.size() + kGroup - 1) / kGroup; }
+
 private:
     static constexpr std::size_t kGroup = 8;
+    [[nodiscard]] std::size_t end_of(std::size_t group) const {
+        return std::min((group + 1) * kGroup, triangles_.size());
+    }
     static std::uint64_t place_on_curve(const glm::vec3& at) { // 0 to 1 each
         std::uint64_t place = 0;
         for (int i = 0; i < 3; ++i) {
@@ -101,10 +131,11 @@ using IntersectingPair = mesh::TrianglePair; // triangles, the lower first
 [[nodiscard]] inline std::vector<IntersectingPair> intersecting_triangles(const mesh::TriangleMesh& mesh) {
     const BoxTree tree(mesh);
     ListsByThread<IntersectingPair> found;
-    tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(mesh.triangles.size()), [&](std::uint32_t n) {
-        tree.for_each_in(tree.box(n), [&](std::uint32_t other) {
-            if (other > n && mesh::triangles_meet(mesh.positions, mesh.triangles[n], mesh.triangles[other]))
-                found.local().push_back({n, other});
+    tbb::parallel_for(std::size_t{0}, tree.groups(), [&](std::size_t group) {
+        tree.for_each_pair(group, [&](std::uint32_t a, std::uint32_t b) {
+            if (a > b) std::swap(a, b);
+            if (mesh::triangles_meet(mesh.positions, mesh.triangles[a], mesh.triangles[b]))
+                found.local().push_back({a, b});
         });
     });
     return found.sorted();
