@@ -1,5 +1,7 @@
 #include "app/session/member_change.h"
 
+#include <bit>
+
 namespace ramus::app {
 
 using tree::BranchState;
@@ -38,8 +40,9 @@ std::vector<int> PackedIds::ids() const {
     std::vector<int> found;
     found.reserve(count_);
     if (bits_) {
-        for (std::size_t i = 0; i < 8 * bytes_.size(); ++i)
-            if ((bytes_[i / 8] >> (i % 8) & 1U) != 0) found.push_back(first_ + static_cast<int>(i));
+        for (std::size_t i = 0; i < bytes_.size(); ++i)
+            for (unsigned left = bytes_[i]; left != 0; left &= left - 1)
+                found.push_back(first_ + static_cast<int>(8 * i) + std::countr_zero(left));
         return found;
     }
     int next = 0;

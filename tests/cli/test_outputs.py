@@ -73,11 +73,11 @@ class Outputs(CommandLineTest):
 
     def test_interrupt_leaves_the_old_file_or_the_new_one(self):
         self.write("tree.swc", TUBE)
-        command = ["mesh", "tree.swc", "-o", "out.ply", "--detail", "400"]
+        command = ["mesh", "tree.swc", "-o", "out.ply", "--detail", "200"]
         self.expect_done(*command)
         new = (self.folder / "out.ply").read_bytes()
         for number in (signal.SIGINT, signal.SIGTERM):
-            for wait in (0.02, 0.1, 0.3, 0.6, 1.0, 1.5):
+            for wait in (0.02, 0.1, 0.2, 0.3, 0.5):
                 with self.subTest(number=number, wait=wait):
                     old = self.write("out.ply", "old")
                     process = subprocess.Popen(

@@ -18,10 +18,10 @@ SECONDS = float(os.environ.get("RAMUS_SECONDS", "5"))  # machines that test have
 
 # What it is given, and whether it would go on for ever.
 COMMANDS = {
-    "grow": (["grow", "-o", "grown.swc", "--branches", "1500"], False),
+    "grow": (["grow", "-o", "grown.swc", "--branches", "800"], False),
     "info": (["info", "tree.swc", "--contacts"], False),
     "convert": (["convert", "tree.swc", "-o", "pair.csv"], False),
-    "mesh": (["mesh", "tree.swc", "-o", "a.stl", "--detail", "40"], False),
+    "mesh": (["mesh", "tree.swc", "-o", "a.stl", "--detail", "24"], False),
     "mesh of a mask": (["mesh", "mask.nii", "-o", "a.ply"], False),
     "skeletonize": (["skeletonize", "plane.nii", "-o", "plane.swc"], False),
     "render": (["render", "tree.swc", "-o", "a.png", "--size", "500x400"], False),
@@ -65,8 +65,8 @@ class Signals(CommandLineTest):
         self.write("small.swc", GOOD)
         self.expect_done("grow", "-o", "tree.swc", "--branches", "200")
         self.write("mask.nii", mask((60, 60, 60), lambda x, y, z: (x - 30) ** 2 + (y - 30) ** 2 < 64))
-        self.write("plane.nii", mask((700, 700, 3), lambda x, y, z: True))
-        self.expect_done("mesh", "small.swc", "-o", "large.obj", "--detail", "100")
+        self.write("plane.nii", mask((400, 400, 3), lambda x, y, z: True))
+        self.expect_done("mesh", "small.swc", "-o", "large.obj", "--detail", "64")
         self.write("key.json", "{}")
         self.write("fifo.ramus.json", '{"version": 1, "tree": {"path": "ff"}}')
         os.mkfifo(self.folder / "ff")

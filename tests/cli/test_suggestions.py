@@ -15,9 +15,10 @@ class SuggestionsTest(CommandLineTest):
         return self.expect_failure(*arguments, status=2, says=says)
 
     def test_a_misspelled_command_is_recognised_with_any_arguments(self):
-        for command in self.commands():
+        rests = ((), ("liver.swc",), ("liver.swc", "-o", "x.stl"), ("--json", "--size", "1x1"))
+        for number, command in enumerate(self.commands()):
             swapped = command[:-2] + command[-1] + command[-2]
-            for rest in ((), ("liver.swc",), ("liver.swc", "-o", "x.stl"), ("--json", "--size", "1x1")):
+            for rest in rests if number == 0 else rests[number % len(rests):][:1]:
                 self.refused(swapped, *rest, says=(f"{swapped}: neither a command nor a file", f"did you mean {command}?"))
 
     def test_an_unknown_word_refers_to_the_list_of_commands(self):
@@ -25,15 +26,18 @@ class SuggestionsTest(CommandLineTest):
         self.assertNotIn("did you mean", result.stderr)
 
     def test_every_misspelled_long_option_is_recognised(self):
+        """An option that several commands share is tested with the first of them."""
+        found = set()
         for command in self.commands():
             options = set(re.findall(r"(--[a-z][a-z-]{4,})", self.expect_done(command, "--help").stdout))
             self.assertGreater(len(options), 1)
-            for option in options:
+            for option in sorted(options - found):
                 wrong = option[:4] + "q" + option[4:]
                 self.assertNotIn(wrong, options)
                 result = self.run_ramus(command, wrong)
                 if "required" in result.stderr.lower():
                     continue  # the first thing to say
+                found.add(option)
                 self.assertEqual(result.returncode, 2)
                 self.assertIn(f"Did you mean {option}?", result.stderr)
 

@@ -11,8 +11,12 @@
 
 namespace ramus::test {
 
-// 20 * 4^level triangles, turned outward, corners on the sphere.
-inline mesh::TriangleMesh icosphere(int level, glm::dvec3 centre, double radius) {
+struct UnitSphere {
+    std::vector<glm::dvec3> points;
+    std::vector<glm::uvec3> triangles;
+};
+
+inline UnitSphere make_unit_sphere(int level) {
     const double g = 1.6180339887498949;
     std::vector<glm::dvec3> points{{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
                                    {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
@@ -37,13 +41,21 @@ inline mesh::TriangleMesh icosphere(int level, glm::dvec3 centre, double radius)
         }
         triangles = std::move(finer);
     }
+    for (glm::dvec3& p : points) p = glm::normalize(p);
+    return {std::move(points), std::move(triangles)};
+}
+
+// 20 * 4^level triangles, turned outward, corners on the sphere. Each thread makes the sphere of a level once.
+inline mesh::TriangleMesh icosphere(int level, glm::dvec3 centre, double radius) {
+    thread_local std::map<int, UnitSphere> spheres;
+    const auto [sphere, fresh] = spheres.try_emplace(level);
+    if (fresh) sphere->second = make_unit_sphere(level);
     mesh::TriangleMesh mesh;
-    for (const glm::dvec3& p : points) {
-        const glm::dvec3 out = glm::normalize(p);
+    for (const glm::dvec3& out : sphere->second.points) {
         mesh.positions.push_back(glm::vec3(centre + radius * out));
         mesh.normals.push_back(glm::vec3(out));
     }
-    for (const glm::uvec3& t : triangles) mesh.triangles.push_back(t);
+    for (const glm::uvec3& t : sphere->second.triangles) mesh.triangles.push_back(t);
     return mesh;
 }
 

@@ -5,9 +5,11 @@
 #include "core/tree/prepare.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -49,22 +51,51 @@ struct KeptApart {
     return all;
 }
 
-// Whether both axes of some pair that is kept apart are within `reach` times the larger radius of the two.
-[[nodiscard]] inline bool concerned(const glm::dvec3& place, const std::vector<KeptApart>& all,
-                                    const tree::Contacts& contacts, double reach) {
-    double thickest = 0.0;
-    for (const KeptApart& segment : all) thickest = std::max({thickest, segment.start_radius, segment.end_radius});
-    std::vector<std::pair<std::uint32_t, KeptApart::Near>> near; // by piece
-    for (const KeptApart& segment : all)
-        if (const auto found = segment.near(place); found.distance <= reach * thickest)
-            near.emplace_back(segment.piece, found);
-    for (const auto& [piece, own] : near)
-        for (const auto& partner : contacts.partners_of(piece))
-            for (const auto& [other, its] : near)
-                if (other == partner.piece &&
-                    std::max(own.distance, its.distance) <= reach * std::max(own.radius, its.radius))
-                    return true;
-    return false;
-}
+// Finds places that contacts can concern: both axes of a pair that is kept apart are within `reach` times the larger
+// radius of the two. A grid of cubes holds the segments near each cube. Keeps references to its arguments.
+class Concern {
+public:
+    Concern(const std::vector<KeptApart>& all, const tree::Contacts& contacts, double reach)
+        : all_(all), contacts_(contacts), reach_(reach) {
+        double thickest = 0.0;
+        for (const KeptApart& segment : all) thickest = std::max({thickest, segment.start_radius, segment.end_radius});
+        farthest_ = reach * thickest;
+        for (std::uint32_t n = 0; n < all.size(); ++n) {
+            const Cube lower = cube_at(glm::min(all[n].start, all[n].end) - farthest_);
+            const Cube upper = cube_at(glm::max(all[n].start, all[n].end) + farthest_);
+            for (int x = lower[0]; x <= upper[0]; ++x)
+                for (int y = lower[1]; y <= upper[1]; ++y)
+                    for (int z = lower[2]; z <= upper[2]; ++z) near_[{x, y, z}].push_back(n);
+        }
+    }
+
+    [[nodiscard]] bool at(const glm::dvec3& place) const {
+        const auto cube = near_.find(cube_at(place));
+        if (cube == near_.end()) return false;
+        std::vector<std::pair<std::uint32_t, KeptApart::Near>> near; // by piece
+        for (const std::uint32_t n : cube->second)
+            if (const auto found = all_[n].near(place); found.distance <= farthest_)
+                near.emplace_back(all_[n].piece, found);
+        for (const auto& [piece, own] : near)
+            for (const auto& partner : contacts_.partners_of(piece))
+                for (const auto& [other, its] : near)
+                    if (other == partner.piece &&
+                        std::max(own.distance, its.distance) <= reach_ * std::max(own.radius, its.radius))
+                        return true;
+        return false;
+    }
+
+private:
+    using Cube = std::array<int, 3>;
+    [[nodiscard]] Cube cube_at(const glm::dvec3& place) const {
+        const glm::dvec3 at = glm::floor(place / farthest_);
+        return {static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.z)};
+    }
+
+    const std::vector<KeptApart>& all_;
+    const tree::Contacts& contacts_;
+    double reach_, farthest_ = 0.0;                   // the second in mm, the side of a cube too
+    std::map<Cube, std::vector<std::uint32_t>> near_; // segments by cube
+};
 
 } // namespace ramus::test

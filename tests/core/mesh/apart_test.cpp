@@ -177,8 +177,8 @@ TEST_CASE("away from contacts the surface is the plain sum's, to the bit" * doct
         const TriangleMesh apart = surface_with(tree, options);
         options.blend = Blend::kPaper;
         const TriangleMesh merged = surface_with(tree, options);
-        const Agreement found = agreement(
-            apart, merged, [&](const glm::dvec3& p) { return test::concerned(p, segments, contacts, kConcern); });
+        const test::Concern concern(segments, contacts, kConcern);
+        const Agreement found = agreement(apart, merged, [&](const glm::dvec3& p) { return concern.at(p); });
         MESSAGE(name << ": " << found.far << " vertices away from contacts, " << found.near << " near them");
         CHECK(found.vertices == 0);
         CHECK(found.triangles);
@@ -211,9 +211,9 @@ TEST_CASE("where one side of a contact is hidden the other is the plain sum's, t
         // Around the contact, unless others are there too.
         const glm::dvec3 at = contact.sides[1].at;
         const double around = 3.0 * contact.sides[1].radius;
-        const Agreement found = agreement(apart, merged, [&](const glm::dvec3& p) {
-            return glm::distance(p, at) > around || test::concerned(p, left, contacts, kConcern);
-        });
+        const test::Concern concern(left, contacts, kConcern);
+        const Agreement found = agreement(
+            apart, merged, [&](const glm::dvec3& p) { return glm::distance(p, at) > around || concern.at(p); });
         CHECK(found.vertices == 0);
         CHECK(found.triangles);
         whole += found.far > 100 ? 1 : 0;

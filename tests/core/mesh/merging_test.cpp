@@ -51,14 +51,17 @@ tree::VesselTree fork_of(const std::vector<glm::dvec3>& places, double radius, d
 
 } // namespace
 
+// Fine cells take most of the time. Away from the radius at which vessels merge they show no more than coarse cells.
 TEST_CASE("a surface is closed, and in one piece without loops, near the radius at which vessels merge" *
           doctest::test_suite("slow")) {
+    constexpr int kFine = 24;
     for (const test::MergingShape& shape : test::merging_shapes())
         for (const auto centerline : {tree::Centerline::kLines, tree::Centerline::kSmooth})
             for (const Blend blend : {Blend::kTree, Blend::kPaper})
                 for (const double width : {1.0, 1.5, 2.0, 3.0, 5.0})
                     for (const double factor : {0.97, 0.99, 0.999, 0.9995, 1.0, 1.01})
-                        for (const int detail : {6, 8, 12, 16, 20, 24, 32, 48}) {
+                        for (const int detail : {6, 8, 12, 16, 20, kFine, 32, 48}) {
+                            if (detail >= kFine && factor != 0.9995 && factor != 1.0) continue;
                             CAPTURE(shape.name);
                             CAPTURE(centerline);
                             CAPTURE(blend);

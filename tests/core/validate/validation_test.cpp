@@ -217,16 +217,20 @@ TEST_CASE("validation: real trees lose nothing and get nothing that is false" * 
         auto tree = io::read_tree(path);
         REQUIRE(tree);
         INFO(path.string());
-        const validate::Validation found = validated(*tree, surface_of(*tree));
+        // Only one tree uses the default detail. Coarser triangles lie farther from the field, and take less time.
+        const bool at_default = path.filename() == "brain_BG001.swc";
+        mesh::SurfaceOptions options;
+        if (!at_default) options.detail = 10;
+        const validate::Validation found = validated(*tree, surface_with(*tree, options));
         CHECK(found.nothing_found());
         CHECK(found.fidelity.points > 900);
         CHECK(found.fidelity.outside == 0);
         if (!path.stem().string().starts_with("brain_BG")) continue;
-        mesh::SurfaceOptions options;
         const validate::RadiusError error = found.radius_error;
         CHECK(error.median < 0.01);
         CHECK(error.points > 1000);
         CHECK(error.points_median < 0.005);
+        if (!at_default) continue;
         options.centerline = tree::Centerline::kLines;
         CHECK(validated(*tree, surface_with(*tree, options)).radius_error.median < 0.005);
     }

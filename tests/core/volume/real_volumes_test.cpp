@@ -159,7 +159,7 @@ TEST_CASE("a real volume that was cut short is refused, wherever it was cut" * d
         Job job;
         const auto bytes = io::read_file(*path);
         REQUIRE(bytes);
-        for (std::size_t n = 0; n < 20; ++n) {
+        for (const std::size_t n : {0U, 1U, 2U, 4U, 8U, 13U, 19U}) { // early cuts take little time
             CAPTURE(n);
             const auto volume = io::read_volume(folder.write(name, bytes->substr(0, bytes->size() * n / 20)), {}, job);
             REQUIRE_FALSE(volume);
