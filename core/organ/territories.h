@@ -1,0 +1,48 @@
+// Territories: parts of an organ by the branches that supply them. Branches are put into groups; those in front of all
+// groups (the trunk) are no territory of their own.
+#pragma once
+
+#include "core/organ/supply.h"
+#include "core/tree/dependency.h"
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ramus::organ {
+
+inline constexpr int kNoGroup = -1; // the trunk: it supplies nothing itself
+
+// Groups of branches.
+struct Grouping {
+    std::vector<int> group;         // by branch id: index into `names`, or kNoGroup
+    std::vector<std::string> names; // of the groups, for people
+};
+
+// One group for each system, or one for a tree without systems. The stem, which is the branch of a root where that
+// forks, is of no group unless `with_stem`.
+[[nodiscard]] Grouping by_system(const tree::VesselTree& tree, bool with_stem = false);
+// One for each branch of a generation (0: a root), with all branches behind it; branches in front of them are the
+// trunk. Leaves of lower generations are groups of their own.
+[[nodiscard]] Grouping by_generation(const tree::VesselTree& tree, int generation);
+// One for each of the branches, with all that depend on it (but those of a later group inside of it); what neither
+// belongs to them nor lies in front of one of them is the group "rest".
+[[nodiscard]] Grouping by_branches(const tree::VesselTree& tree, const tree::Dependency& dependency,
+                                   const std::vector<int>& branches);
+
+// By branch id, not 0: of no group (`excluded` of supply_of()).
+[[nodiscard]] std::vector<std::uint8_t> trunk_of(const Grouping& grouping);
+
+struct Territory {
+    std::string name;
+    int system = 0; // index into VesselTree::systems, 0 where there are none
+    std::vector<int> branches;
+    std::size_t voxels = 0;
+};
+
+// The territories of all groups, in their order, also those without a voxel.
+[[nodiscard]] std::vector<Territory> territories_of(const tree::VesselTree& tree, const Supply& supply,
+                                                    const Grouping& grouping);
+
+} // namespace ramus::organ
