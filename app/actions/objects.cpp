@@ -2,6 +2,7 @@
 
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
+#include "app/assets/assets.h"
 #include "app/picture/scene_objects.h"
 #include "app/session/colour_by.h"
 #include "core/base/bounds.h"
@@ -64,6 +65,7 @@ Result<void> name_object(ActionContext& context, Arguments arguments) {
 
 Result<void> centre_object(ActionContext& context, Arguments arguments) {
     if (arguments.size() != 2) return fail("which object?", {}, object_usage());
+    refresh(context.assets, context.document);
     std::vector<glm::vec3> points;
     auto found = change_object(context, arguments, [&](Marks&, auto& list, std::size_t index) {
         add_points(points, context.assets, list[index]);

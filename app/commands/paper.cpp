@@ -56,8 +56,11 @@ std::vector<paper::InputTree> inputs_of(const PaperFlags& flags, std::vector<tre
 }
 
 Facts facts_of(const std::vector<paper::InputTree>& inputs) {
-    if (inputs.empty()) return {{"Trees", "grown by ramus"}, {"Masks", "made of the trees"}};
     Facts facts;
+    if (inputs.empty()) {
+        facts = paper::grown_trees();
+        facts.emplace_back("Masks", "made of the trees");
+    }
     for (const paper::InputTree& input : inputs) {
         const std::string mask = std::filesystem::path(io::input_name(input.mask)).filename().string();
         facts.emplace_back(input.name, mask.empty() ? "mask made of the tree" : mask);

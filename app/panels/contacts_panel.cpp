@@ -8,10 +8,10 @@
 #include "app/panels/widgets.h"
 #include "app/session/labels.h"
 #include "app/session/numbers.h"
+#include "app/session/window_words.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <imgui.h>
 
@@ -36,8 +36,7 @@ std::string side_text(const Document& document, const ContactSide& side) {
 
 // The full text for a tooltip.
 std::string whole_text(const Document& document, const Contact& contact) {
-    std::string text = gap_text(contact, document.lengths());
-    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    std::string text = capitalised(gap_text(contact, document.lengths()));
     for (const ContactSide& side : contact.sides) text.append("\n").append(side_text(document, side));
     return text + "\nClick to look at the place and to select both";
 }

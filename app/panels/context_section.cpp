@@ -1,5 +1,6 @@
 // The section of context: a row per item with visibility, colour, removal and opacity.
 #include "app/assets/shapes.h"
+#include "app/panels/choice_row.h"
 #include "app/panels/plan_rows.h"
 #include "app/panels/row_buttons.h"
 #include "app/panels/sections.h"

@@ -63,8 +63,7 @@ std::string text_of(const Note& note, const std::string& path, bool of_mask) {
         text.erase(0, text.find_first_not_of(' '));
         if (!text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) != 0) text.insert(0, "line ");
     }
-    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    return text;
+    return capitalised(text);
 }
 
 // Truncates the end.

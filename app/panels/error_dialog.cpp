@@ -9,16 +9,14 @@
 #include "app/panels/widgets.h"
 #include "app/session/window_words.h"
 
-#include <cctype>
 #include <imgui.h>
 
 namespace ramus::app {
 
 namespace {
 
-// Messages are written to stand in the middle of a line.
-std::string sentence(std::string text) {
-    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+std::string sentence(const std::string& words) {
+    std::string text = capitalised(words);
     if (!text.empty() && text.back() != '.') text += '.';
     return text;
 }

@@ -27,7 +27,7 @@ void draw_lesion(InterfaceContext& context, std::size_t index, const Lesion& les
     const std::string unit = context.workspace.document().lengths().unit();
     const float behind = ImGui::CalcTextSize(unit.c_str()).x + cross + 2.0F * gap;
     constexpr float kField = 56.0F;
-    ImGui::PushID(static_cast<int>(index));
+    ImGui::PushID(("lesion" + number).c_str());
     plan_rows::object_controls(context, plan_rows::row_of(context, lesion, index));
     ImGui::AlignTextToFramePadding();
     const float sign = ImGui::CalcTextSize("\xC3\x98").x + gap;

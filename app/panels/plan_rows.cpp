@@ -104,7 +104,7 @@ void object_opacity(InterfaceContext& context, const ObjectRow& row) {
 }
 
 void object_row(InterfaceContext& context, const ObjectRow& row) {
-    ImGui::PushID(static_cast<int>(row.index));
+    ImGui::PushID((std::string(row.kind) + std::to_string(row.index)).c_str()); // kinds share a panel
     object_controls(context, row);
     const ImVec4& colour = row.words.trouble ? theme::kTrouble : row.visible ? theme::kText : theme::kQuiet;
     const std::string help = row.words.details + (row.words.details.empty() ? "" : "\n") +

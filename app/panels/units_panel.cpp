@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <imgui.h>
 
 namespace ramus::app {
@@ -24,11 +23,6 @@ namespace {
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
 constexpr const char *kOpen = "open", *kVoxelSize = "voxels";
-
-std::string capitalised(std::string text) {
-    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    return text;
-}
 
 std::string side_words(io::Side side) {
     return std::string(io::name_of(side)) + " (" + std::string(1, io::letter_of(side)) + ")";

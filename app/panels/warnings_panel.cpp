@@ -7,19 +7,14 @@
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
+#include "app/session/window_words.h"
 
-#include <cctype>
 #include <filesystem>
 #include <imgui.h>
 
 namespace ramus::app {
 
 namespace {
-
-std::string as_sentence(std::string text) {
-    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    return text;
-}
 
 // Actions to run after the list is drawn, since they change it.
 struct Pressed {
@@ -30,7 +25,7 @@ struct Pressed {
 void draw_warning(const Warning& warning, std::size_t index, Pressed& pressed) {
     ImGui::PushID(static_cast<int>(index));
     ImGui::PushStyleColor(ImGuiCol_Text, warning.read ? theme::kQuiet : theme::kText);
-    ImGui::TextWrapped("%s", as_sentence(warning.what).c_str());
+    ImGui::TextWrapped("%s", capitalised(warning.what).c_str());
     ImGui::PopStyleColor();
     ImGui::PushFont(theme::small_font());
     if (!warning.where.empty()) {

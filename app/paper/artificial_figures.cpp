@@ -1,7 +1,6 @@
-#include "app/paper/artificial_figures.h"
-
 #include "app/paper/closed_forms.h"
 #include "app/paper/exact_trees.h"
+#include "app/paper/figures.h"
 #include "app/reports/plots/axis.h"
 #include "app/session/numbers.h"
 #include "core/measure/deviation/packed_triangles.h"
@@ -45,11 +44,11 @@ const std::array<Joint, 3>& joints() {
 constexpr double kJointRadius = 2.0, kJointLength = 11.0; // mm
 
 // The joint seen along its plane, with the outline that straight vessels would have.
-render::Frame side_view(const Paged& surface, double height_radii) {
+render::Frame side_view(const Paged& surface) {
     constexpr glm::ivec2 kSize(170, 250);
     render::Camera camera = render::camera_for(surface->positions(), render::View::kLeft, kSize, true);
-    camera = magnified(camera, glm::dvec3(0.0), 4.4 * kJointRadius);
-    render::Frame frame = frame_of(surface, camera, kSize, digits(height_radii, 4) + " r");
+    camera = magnified(camera, glm::dvec3(0.0), 4.8 * kJointRadius);
+    render::Frame frame = frame_of(surface, camera, kSize, "");
     frame.overlays.scale_bar = false;
     const glm::dvec3 before = -1.5 * kJointLength * render::axes_of(camera).forward;
     for (const double side : {-kJointRadius, kJointRadius})
@@ -77,7 +76,7 @@ Svg merging_plot(const std::vector<std::pair<double, double>>& found) {
     draw_y_axis(svg, area, "Radius, mm");
     draw_x_axis(svg, area, "Width coefficient");
     std::vector<PlotPoint> curve;
-    for (double width = 0.8; width <= kMost; width += 0.05)
+    for (double width = 1.0; width < kMost + 0.01; width += 0.05)
         curve.push_back({area.at_x(width), area.at_y(merging_radius(kDistance, width))});
     svg.polyline(curve, kSurfaceStroke);
     for (const auto& [width, radius] : found) svg.diamond({area.at_x(width), area.at_y(radius)}, 4.5, kInk);
@@ -85,10 +84,6 @@ Svg merging_plot(const std::vector<std::pair<double, double>>& found) {
                 {{"1.5 mm / sqrt(1 + 1 / width); diamonds: found on surfaces", kSurfaceStroke}});
     return svg;
 }
-
-struct Pair {
-    double width, radius;
-};
 
 } // namespace
 
@@ -109,41 +104,34 @@ Result<double> found_merging_radius(double distance_mm, double width, Job& job) 
 }
 
 Result<Figure> bulging(Workbench& bench, Job& job) {
-    constexpr glm::ivec2 kSize(520, 400);
+    constexpr glm::ivec2 kSize(520, 360);
     Figure figure{.options = {kFineOptions}};
     Plate plate{.columns = joints().size()};
-    std::vector<MadeSurface> surfaces;
     std::vector<Paged> all;
     for (const double width : kWidths)
         for (const Joint& joint : joints()) {
             RAMUS_TRY(surface, made_surface(star(joint.degrees, kJointRadius, kJointLength), fine(width), job));
-            all.push_back(surface.paged);
-            surfaces.push_back(std::move(surface));
-        }
-    const render::Camera camera = camera_on(all, kSize, {.azimuth = 0.0, .elevation = 28.0, .share = 0.7});
-    auto next = surfaces.begin();
-    for (const double width : kWidths)
-        for (const Joint& joint : joints()) {
-            const MadeSurface& surface = *next++;
             const double height = height_over_joint(surface.mesh) / kJointRadius;
-            const std::string caption = std::string(joint.name) + ", " + width_text(width);
-            plate.panels.push_back({frame_of(surface.paged, camera, kSize, caption), side_view(surface.paged, height)});
-            figure.measured.push_back({"height over the joint, " + caption, height, "radii",
+            const std::string name = std::string(joint.name) + ", " + width_text(width);
+            figure.measured.push_back({"height over the joint, " + name, height, "radii",
                                        joint_height(static_cast<int>(joint.degrees.size()), width)});
+            plate.panels.push_back(
+                {frame_of(surface.paged, {}, kSize, name + ": " + digits(height, 4) + " r"), side_view(surface.paged)});
+            all.push_back(surface.paged);
         }
-    RAMUS_TRY(picture, bench.picture("figure_01.png",
-                                     "Above width 1, below width 5. Insets: the same joint seen along its plane; the "
-                                     "blue lines are one radius from the axis, the number is the height of the surface "
-                                     "over the joint in radii.",
-                                     plate, job));
-    figure.pictures.push_back(std::move(picture));
-    return figure;
+    const render::Camera camera = camera_on(all, kSize, {.elevation = 28.0, .right = 0.35});
+    for (Panel& panel : plate.panels) panel.frame.camera = camera;
+    return bench.with_picture(
+        std::move(figure), "figure_01.png",
+        "Above width 1, below width 5, with the height of the surface over the joint in radii r. "
+        "Insets: the same joint seen along its plane; the blue lines are one radius from the axis.",
+        plate, job);
 }
 
 Result<Figure> unwanted_blending(Workbench& bench, Job& job) {
-    constexpr glm::ivec2 kSize(520, 560);
+    constexpr glm::ivec2 kSize(520, 520), kInset(220, 220);
     constexpr double kRadius = 1.07;
-    Figure figure{.options = {kFineOptions, "on the right --blend tree --width 1"}};
+    Figure figure{.options = {std::string(kFineOptions) + "; on the right --blend tree --width 1"}};
     Plate plate{.columns = 3};
     const tree::VesselTree pair = s_shaped_pair(kDistance, kRadius);
     struct Way {
@@ -152,58 +140,57 @@ Result<Figure> unwanted_blending(Workbench& bench, Job& job) {
         const char* name;
         int pieces; // of the surface
     };
+    std::vector<Paged> all;
     for (const Way& way :
          {Way{1.0, mesh::Blend::kPaper, "the plain sum", 1}, Way{5.0, mesh::Blend::kPaper, "the plain sum", 2},
           Way{1.0, mesh::Blend::kTree, "ramus keeps them apart", 2}}) {
         mesh::SurfaceOptions options = fine(way.width);
         options.blend = way.blend;
         RAMUS_TRY(surface, made_surface(pair, options, job));
-        const std::array all{surface.paged};
-        const render::Camera camera = camera_on(all, kSize, {.azimuth = 0.0, .elevation = 0.0, .share = 0.6});
-        const int pieces = mesh::component_count(surface.mesh);
-        const std::string caption = "Radius 1.07 mm, " + width_text(way.width) + ": " + way.name;
-        Panel panel{frame_of(surface.paged, camera, kSize, caption), {}};
-        constexpr glm::ivec2 kInset(210, 210);
-        panel.inset = frame_of(surface.paged, magnified(camera, {-8.0, 0.0, -8.0}, 7.0), kInset, "");
-        plate.panels.push_back(std::move(panel));
         figure.measured.push_back({"pieces of the surface, " + width_text(way.width) + ", " + way.name,
-                                   static_cast<double>(pieces), "", static_cast<double>(way.pieces)});
+                                   static_cast<double>(mesh::component_count(surface.mesh)), "",
+                                   static_cast<double>(way.pieces)});
+        plate.panels.push_back({frame_of(surface.paged, {}, kSize, "Width " + rounded(way.width) + ", " + way.name),
+                                frame_of(surface.paged, {}, kInset, "")});
+        all.push_back(surface.paged);
     }
-    RAMUS_TRY(picture, bench.picture("figure_02.png",
-                                     "Two S-shaped vessels of radius 1.07 mm, 3 mm apart, which are not connected. At "
-                                     "width 1 the plain sum makes one surface of them, at width 5 it does not.",
-                                     plate, job));
-    figure.pictures.push_back(std::move(picture));
-    return figure;
+    const render::Camera camera = camera_on(all, kSize, {.right = 0.46});
+    for (Panel& panel : plate.panels) {
+        panel.frame.camera = camera;
+        panel.inset->camera = magnified(camera, {-8.0, 0.0, -8.0}, 7.0);
+    }
+    return bench.with_picture(std::move(figure), "figure_02.png",
+                              "Two S-shaped vessels of radius 1.07 mm, 3 mm apart, which are not connected. At width 1 "
+                              "the plain sum makes one surface of them, at width 5 it does not.",
+                              plate, job);
 }
 
 Result<Figure> merging(Workbench& bench, Job& job) {
-    constexpr glm::ivec2 kSize(460, 420), kInset(200, 200);
+    constexpr glm::ivec2 kSize(460, 440), kInset(220, 220);
     Figure figure{.options = {kFineOptions}};
     Plate plate{.columns = 3};
-    for (const Pair& pair :
+    std::vector<Paged> all;
+    using Pair = std::pair<double, double>; // width and radius
+    for (const auto& [width, radius] :
          {Pair{1.0, 1.04}, Pair{1.0, 1.07}, Pair{1.0, 1.37}, Pair{5.0, 1.07}, Pair{5.0, 1.36}, Pair{5.0, 1.37}}) {
-        mesh::SurfaceOptions options = fine(pair.width);
+        mesh::SurfaceOptions options = fine(width);
         options.detail = 192; // the bridge at 1.37 mm is a tenth of a millimetre thick
-        RAMUS_TRY(surface, made_surface(parallel_pair(kDistance, pair.radius, kPairLength), options, job));
-        const std::array all{surface.paged};
-        const render::Camera camera = camera_on(all, kSize, {.azimuth = 25.0, .elevation = 20.0, .share = 0.6});
-        const bool one = mesh::component_count(surface.mesh) == 1;
-        const std::string caption =
-            "Radius " + rounded(pair.radius) + " mm, " + width_text(pair.width) + ": " + (one ? "merged" : "apart");
-        const render::Camera front = render::looking(camera, render::View::kAnterior);
-        Panel panel{frame_of(surface.paged, camera, kSize, caption), {}};
-        panel.inset = frame_of(surface.paged, magnified(front, glm::dvec3(0.0), 4.6), kInset, "from the front");
-        plate.panels.push_back(std::move(panel));
-        figure.measured.push_back(
-            {"pieces of the surface, radius " + rounded(pair.radius) + " mm, " + width_text(pair.width),
-             one ? 1.0 : 2.0, "", pair.radius > merging_radius(kDistance, pair.width) ? 1.0 : 2.0});
+        RAMUS_TRY(surface, made_surface(parallel_pair(kDistance, radius, kPairLength), options, job));
+        const int pieces = mesh::component_count(surface.mesh);
+        const std::string name = rounded(radius) + " mm, " + width_text(width);
+        figure.measured.push_back({"pieces of the surface, radius " + name, static_cast<double>(pieces), "",
+                                   radius > merging_radius(kDistance, width) ? 1.0 : 2.0});
+        plate.panels.push_back(
+            {frame_of(surface.paged, {}, kSize, "Radius " + name + (pieces == 1 ? ": merged" : ": apart")),
+             frame_of(surface.paged, {}, kInset, "")});
+        all.push_back(surface.paged);
     }
-    RAMUS_TRY(picture, bench.picture("figure_03.png",
-                                     "Two parallel vessels 3 mm apart, above at width 1, below at width 5. Insets: the "
-                                     "gap from the front, magnified.",
-                                     plate, job));
-    figure.pictures.push_back(std::move(picture));
+    const render::Camera camera = camera_on(all, kSize, {.azimuth = 25.0, .elevation = 20.0, .right = 0.5});
+    const render::Camera front = render::looking(camera, render::View::kAnterior);
+    for (Panel& panel : plate.panels) {
+        panel.frame.camera = camera;
+        panel.inset->camera = magnified(front, glm::dvec3(0.0), 7.6);
+    }
     std::vector<std::pair<double, double>> found;
     for (const double width : kWidths) {
         RAMUS_TRY(radius, found_merging_radius(kDistance, width, job));
@@ -216,7 +203,10 @@ Result<Figure> merging(Workbench& bench, Job& job) {
                                    wide ? "29 %" : "9 %"});
     }
     figure.plots.push_back({"figure_03_merging.svg", merging_plot(found)});
-    return figure;
+    return bench.with_picture(std::move(figure), "figure_03.png",
+                              "Two parallel vessels 3 mm apart, above at width 1, below at width 5. Insets: the gap "
+                              "from the front, magnified.",
+                              plate, job);
 }
 
 } // namespace ramus::app::paper

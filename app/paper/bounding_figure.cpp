@@ -1,7 +1,6 @@
-#include "app/paper/bounding_figure.h"
-
 #include "app/paper/bounding_volumes.h"
 #include "app/paper/exact_trees.h"
+#include "app/paper/figures.h"
 #include "app/reports/plots/axis.h"
 #include "app/session/numbers.h"
 #include "core/field/kernels/gaussian.h"
@@ -20,14 +19,20 @@ constexpr glm::ivec2 kBoundPanel(540, 420);
 constexpr std::array kColours{glm::vec3(0.34F, 0.71F, 0.92F), glm::vec3(0.0F, 0.62F, 0.45F),
                               glm::vec3(0.90F, 0.62F, 0.0F)}; // of segments; M. Okabe and K. Ito, 2008
 
+// The smooth step by which ramus multiplies the kernel; `rho`: the squared distance in (r / sqrt(w))^2.
+double fade_at(double rho) {
+    const double c = std::clamp((field::kFadeEnd - rho) / (field::kFadeEnd - field::kFadeBegin), 0.0, 1.0);
+    return c * c * (3.0 - 2.0 * c);
+}
+
 // What a vessel adds to the field across it, in percent of the isovalue, where a bounding volume may cut it.
 Svg fade_plot() {
-    constexpr double kWidth = 440.0, kHeight = 260.0, kFrom = 1.25, kTo = 1.75, kStep = 0.0025;
+    constexpr double kWidth = 440.0, kHeight = 260.0, kFrom = 1.35, kTo = 1.75, kStep = 0.0025;
     constexpr const char* kTitle = "What a long vessel adds at a distance from its axis";
     const field::Kernel kernel = field::gaussian(5.0);
     Svg svg(kWidth, kHeight, kTitle);
     svg.text({14.0, 16.0}, kTitle, Anchor::kStart, 12.0);
-    const PlotArea area{70.0, 28.0, kWidth - 14.0, kHeight - 72.0, linear_axis(kFrom, kTo), linear_axis(0.0, 15.0)};
+    const PlotArea area{70.0, 28.0, kWidth - 14.0, kHeight - 72.0, linear_axis(kFrom, kTo), linear_axis(0.0, 6.0)};
     draw_y_axis(svg, area, "% of the isovalue");
     draw_x_axis(svg, area, "Distance, radii");
     const double w = kernel.width * std::log(2.0);
@@ -36,12 +41,12 @@ Svg fade_plot() {
         const double whole = 100.0 * std::exp(-w * x * x) / kernel.isovalue;
         plain.push_back({area.at_x(x), area.at_y(whole)});
         cut.push_back({area.at_x(x), area.at_y(x <= kPaperReach ? whole : 0.0)});
-        fading.push_back({area.at_x(x), area.at_y(100.0 * kernel.long_vessel->value(kernel, x * x) / kernel.isovalue)});
+        fading.push_back({area.at_x(x), area.at_y(whole * fade_at(w * x * x))});
     }
     constexpr Stroke kPlain{"#5b6570", 1.2, "2 2"};
-    svg.polyline(plain, kPlain);
-    svg.polyline(cut, kConesStroke);
     svg.polyline(fading, kSurfaceStroke);
+    svg.polyline(cut, kConesStroke);
+    svg.polyline(plain, kPlain);
     draw_legend(
         svg, {14.0, kHeight - 22.0}, kWidth - 14.0,
         {{"without bounds", kPlain}, {"cut at 1.5 radii (paper)", kConesStroke}, {"fading (ramus)", kSurfaceStroke}});
@@ -61,19 +66,15 @@ Result<Figure> bounding_volumes(Workbench& bench, Job& job) {
     const tree::VesselTree tree = aslant_branching(kBoundRadius);
     const std::vector<RoundSegment> segments = segments_of(tree);
     RAMUS_TRY(vessel, made_surface(tree, paper_options(), job));
-    const std::array all{vessel.paged};
-    Looking looking{.azimuth = -28.0, .elevation = 22.0};
-    render::Camera camera = camera_on(all, kBoundPanel, looking);
+    render::Camera camera = camera_on({vessel.paged}, kBoundPanel, {.azimuth = -28.0, .elevation = 22.0});
     camera.scale *= 1.2; // the volumes reach farther
     Plate plate{.columns = bounds_of_segments().size()};
     std::vector<Panel> cut;
-    Table table{"Cells that each volume covers",
-                {{"volume", "Volume"},
-                 {"cells", "Cells"},
-                 {"evaluations", "Evaluations"},
-                 {"by_volume", "Evaluations by volume"},
-                 {"unbounded", "Without bounds"}},
-                {}};
+    double unbounded = 0.0;
+    Table table{
+        "Cells that each volume covers",
+        {{"volume", "Volume"}, {"cells", "Cells"}, {"evaluations", "Evaluations"}, {"unbounded", "Without bounds"}},
+        {}};
     for (const BoundRow& row : bounds_of_segments()) {
         const CoveredCells covered = covered_cells(row, segments, kGridCell);
         render::Frame shapes =
@@ -95,25 +96,21 @@ Result<Figure> bounding_volumes(Workbench& bench, Job& job) {
         cut.push_back({std::move(cubes), {}});
         const double by_volume = volume / (kGridCell * kGridCell * kGridCell);
         const auto evaluations = static_cast<double>(covered.evaluations);
+        if (row.bound == Bound::kBox) unbounded = static_cast<double>(covered.cells.size() * segments.size());
         table.rows.push_back(
-            {std::string(row.name), static_cast<double>(covered.cells.size()), evaluations, std::round(by_volume), ""});
+            {std::string(row.name), static_cast<double>(covered.cells.size()), evaluations, unbounded});
         figure.measured.push_back({"evaluations, " + std::string(row.name), evaluations, "", by_volume});
     }
-    const CoveredCells boxes = covered_cells(bounds_of_segments().front(), segments, kGridCell);
-    for (auto& row : table.rows) row.back() = static_cast<double>(boxes.cells.size() * segments.size());
     plate.panels.insert(plate.panels.end(), std::make_move_iterator(cut.begin()), std::make_move_iterator(cut.end()));
-    RAMUS_TRY(picture,
-              bench.picture("figure_04.png",
-                            "Above the volumes, one for each segment; below the cells whose centre some volume "
-                            "covers, cut open in the plane of the vessels.",
-                            plate, job));
-    figure.pictures.push_back(std::move(picture));
     figure.plots.push_back({"figure_04_fade.svg", fade_plot()});
     figure.tables.push_back({"figure_04_cells.csv", std::move(table),
-                             "A cell is evaluated once for each segment whose volume covers its centre. By volume: the "
-                             "closed form of the volumes over that of a cell. Without bounds: every segment in every "
+                             "A cell is evaluated once for each segment whose volume covers its centre; the closed "
+                             "form above is the volumes over that of a cell. Without bounds: every segment in every "
                              "cell of the boxes."});
-    return figure;
+    return bench.with_picture(std::move(figure), "figure_04.png",
+                              "Above the volumes, one for each segment; below the cells whose centre some volume "
+                              "covers, cut open in the plane of the vessels.",
+                              plate, job);
 }
 
 } // namespace ramus::app::paper

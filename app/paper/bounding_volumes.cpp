@@ -1,5 +1,6 @@
 #include "app/paper/bounding_volumes.h"
 
+#include "core/base/lines.h"
 #include "core/field/kernels/gaussian.h"
 
 #include <algorithm>
@@ -14,18 +15,6 @@
 namespace ramus::app::paper {
 
 namespace {
-
-// A point relative to a segment, mm.
-struct Foot {
-    double along, across, length;
-};
-
-Foot foot_of(const RoundSegment& segment, const glm::dvec3& point) {
-    const double length = glm::distance(segment.from, segment.to);
-    const glm::dvec3 way = (segment.to - segment.from) / length, off = point - segment.from;
-    const double along = glm::dot(off, way);
-    return {along, glm::length(off - along * way), length};
-}
 
 glm::dvec3 grown_extent(const RoundSegment& segment, double reach) {
     return glm::abs(segment.to - segment.from) + 2.0 * reach;
@@ -107,8 +96,8 @@ std::vector<ProfilePoint> capsule_profile(double length, double reach) {
 
 const std::array<BoundRow, 3>& bounds_of_segments() {
     static const std::array<BoundRow, 3> rows{
-        BoundRow{Bound::kBox, "boxes", kPaperReach}, BoundRow{Bound::kCylinder, "cylinders (CBV)", kPaperReach},
-        BoundRow{Bound::kSupport, "support of the fading kernel (ramus)", field::gaussian(5.0).support_radii}};
+        BoundRow{Bound::kBox, "Boxes", kPaperReach}, BoundRow{Bound::kCylinder, "Cylinders (CBV)", kPaperReach},
+        BoundRow{Bound::kSupport, "Support of the fading kernel (ramus)", field::gaussian(5.0).support_radii}};
     return rows;
 }
 
@@ -124,16 +113,19 @@ std::vector<RoundSegment> segments_of(const tree::VesselTree& tree) {
 
 bool covers(const BoundRow& row, const RoundSegment& segment, const glm::dvec3& point) {
     const double reach = row.reach_radii * segment.radius;
-    const Foot foot = foot_of(segment, point);
     switch (row.bound) {
     case Bound::kBox: {
         const glm::dvec3 off = glm::abs(point - 0.5 * (segment.from + segment.to));
         return glm::all(glm::lessThanEqual(off, 0.5 * grown_extent(segment, reach)));
     }
-    case Bound::kCylinder:
-        return foot.across <= reach && foot.along >= -reach && foot.along <= foot.length + reach;
+    case Bound::kCylinder: {
+        const double length = glm::distance(segment.from, segment.to);
+        const glm::dvec3 way = (segment.to - segment.from) / length, off = point - segment.from;
+        const double along = glm::dot(off, way);
+        return glm::length(off - along * way) <= reach && along >= -reach && along <= length + reach;
+    }
     case Bound::kSupport:
-        return std::hypot(foot.across, foot.along - std::clamp(foot.along, 0.0, foot.length)) <= reach;
+        return distance_to_line(point, segment.from, segment.to) <= reach;
     }
     return false;
 }

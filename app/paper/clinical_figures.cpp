@@ -1,7 +1,5 @@
-#include "app/paper/clinical_figures.h"
-
 #include "app/assets/assets.h"
-#include "app/paper/method_figures.h"
+#include "app/paper/figures.h"
 #include "app/picture/close_ups.h"
 #include "app/picture/compose.h"
 #include "app/picture/lesion_outlines.h"
@@ -9,6 +7,7 @@
 #include "app/session/numbers.h"
 #include "app/workspace/surface_maker.h"
 #include "core/base/words.h"
+#include "core/measure/lesion_distance.h"
 #include "core/volume/isosurface.h"
 #include "render/scene/bounds.h"
 
@@ -17,13 +16,15 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
+#include <limits>
 #include <utility>
 
 namespace ramus::app::paper {
 
 namespace {
 
-constexpr glm::ivec2 kSceneSize(820, 760);
+constexpr glm::ivec2 kSceneSize(820, 620);
 
 // A session's picture on white, without the window.
 struct Scene {
@@ -43,6 +44,7 @@ struct Scene {
         viewing.size = kSceneSize;
         viewing.ground = Ground::kWhite;
         render::Frame frame = compose(document.session(), assets, tree.surface.paged, viewing);
+        frame.pixel_ratio = kPlateRatio;
         frame.overlays.caption = caption;
         frame.overlays.orientation_cube = true;
         return frame;
@@ -55,35 +57,48 @@ Result<std::shared_ptr<const mesh::TriangleMesh>> organ_around(const ComparedTre
     const render::Box box = render::bounds_of(*tree.input.tree);
     const glm::dvec3 corner = box.lower - kMargin;
     const glm::ivec3 size(glm::ceil((box.upper - box.lower + 2.0 * kMargin) / kStep));
+    std::vector<glm::ivec3> cells;
     std::vector<tree::Point> points;
     for (int k = 0; k < size.z; ++k)
         for (int j = 0; j < size.y; ++j)
-            for (int i = 0; i < size.x; ++i) points.push_back({corner + kStep * glm::dvec3(i, j, k), 0.0});
+            for (int i = 0; i < size.x; ++i) {
+                cells.emplace_back(i, j, k);
+                points.push_back({corner + kStep * glm::dvec3(cells.back()), 0.0});
+            }
     const std::vector<double> depths = tree::organ_depths_mm(*tree.input.grown, points);
     volume::BitMask inside(size);
-    std::size_t n = 0;
-    for (int k = 0; k < size.z; ++k)
-        for (int j = 0; j < size.y; ++j)
-            for (int i = 0; i < size.x; ++i)
-                if (depths[n++] > 0.0) inside.set({i, j, k});
+    for (std::size_t n = 0; n < cells.size(); ++n)
+        if (depths[n] > 0.0) inside.set(cells[n]);
     const glm::dmat4 to_patient = glm::scale(glm::translate(glm::dmat4(1.0), corner), glm::dvec3(kStep));
     RAMUS_TRY(mesh, volume::mask_surface(inside, to_patient, {.steps = volume::VoxelSteps::kSmoothed}, job));
     return std::make_shared<const mesh::TriangleMesh>(std::move(mesh));
 }
 
-// A round lesion beside a vessel of middling width, on the side away from the middle of the tree.
-Lesion lesion_beside(const tree::VesselTree& tree) {
-    constexpr double kShare = 0.075; // of the tree's size
-    const std::vector<CloseUp> places = close_ups_of(tree);
+// A round lesion next to a vessel of middling width: seen from the front at its side, within the organ if there is one,
+// and no nearer to any vessel than a third of its radius. On the side on which it is nearest, and away from the middle
+// of the tree if it is as near on several.
+Lesion lesion_next_to_vessel(const InputTree& input) {
+    constexpr int kSides = 24;
+    const std::vector<CloseUp> places = close_ups_of(*input.tree);
     const CloseUp& place = places[places.size() / 4];
-    const render::Box box = render::bounds_of(tree);
-    const double radius = kShare * box.radius();
-    glm::dvec3 away = place.position - box.centre();
-    if (glm::length(away) < 1e-9) away = glm::dvec3(0.0, 0.0, 1.0);
-    const glm::dvec3 middle = place.position + (radius + 2.0 * place.radius) * glm::normalize(away);
-    Lesion lesion;
-    lesion.sphere = {middle.x, middle.y, middle.z, radius};
-    return lesion;
+    const render::Box box = render::bounds_of(*input.tree);
+    const double radius = 0.075 * box.radius(), gap = radius / 3.0, step = 0.05 * radius;
+    Lesion best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int side = 0; side < kSides; ++side) {
+        const double turn = glm::radians(360.0 * side / kSides);
+        const glm::dvec3 way(std::cos(turn), 0.0, std::sin(turn));
+        const double outward = step * glm::dot(way, place.position - box.centre()) / box.radius();
+        for (double offset = radius + place.radius + gap; offset - outward < least; offset += step) {
+            const glm::dvec3 middle = place.position + offset * way;
+            const std::array sphere{middle.x, middle.y, middle.z, radius};
+            if (input.grown && tree::organ_depths_mm(*input.grown, {{middle, 0.0}}).front() < radius) break;
+            if (std::ranges::min(measure::wall_distances(*input.tree, {{sphere}, {}})) < gap) continue;
+            least = offset - outward;
+            best.sphere = sphere;
+        }
+    }
+    return best;
 }
 
 std::string lesion_command(const Lesion& lesion) {
@@ -107,31 +122,29 @@ int third_of(const TreeFacts& facts) {
 Result<Figure> study_pictures(Workbench& bench, Job& job) {
     constexpr glm::ivec2 kPanel(560, 440);
     RAMUS_TRY(tree, bench.first(job));
-    RAMUS_TRY(renderer, bench.renderer());
+    RAMUS_TRY(artist, bench.artist());
     Figure figure{.options = {"ramus study TREE -o FOLDER --mask MASK --blend paper --centerline lines"}};
     const std::vector<NamedSurface> surfaces = surfaces_of(*tree);
     const std::vector<glm::vec3> positions = surfaces.back().paged->positions();
-    const render::Camera whole = render::camera_for(positions, render::View::kAnterior, kPanel);
+    const render::Camera whole = render::camera_for(positions, render::View::kAnterior, kPanel, true);
     const render::Frame context = frame_of(surfaces.back().paged, whole, kPanel, "");
-    if (const auto drawn = renderer->draw(context); !drawn) return tl::unexpected(drawn.error());
+    if (const auto drawn = artist->renderer().draw(context); !drawn) return tl::unexpected(drawn.error());
     Plate plate{.columns = surfaces.size()};
-    for (const CloseUp& place : choose_close_ups(*renderer, context, close_ups_of(*tree->input.tree)))
+    for (const CloseUp& place : choose_close_ups(artist->renderer(), context, close_ups_of(*tree->input.tree)))
         for (const NamedSurface& surface : surfaces) {
-            plate.panels.push_back({frame_of(surface.paged, close_to(place, whole), kPanel, surface.title), {}});
+            plate.panels.push_back({frame_of(surface.paged, close_to(place, whole), kPanel, surface.title)});
             show_claims(plate.panels.back().frame, tree->input.tree->claims);
         }
-    RAMUS_TRY(picture, bench.picture("figure_11.png",
-                                     "A wide, a middling and a thin branching of the tree " + tree->input.name +
-                                         ", each seen alike by each method. " + isosurface_text(*tree),
-                                     plate, job));
-    figure.pictures.push_back(std::move(picture));
-    return figure;
+    return bench.with_picture(std::move(figure), "figure_11.png",
+                              "A wide, a middling and a thin branching of the tree " + tree->input.name +
+                                  ", each seen alike by each method, in parallel projection. " + isosurface_text(*tree),
+                              plate, job);
 }
 
 Result<Figure> lesion_in_liver(Workbench& bench, Job& job) {
     RAMUS_TRY(tree, bench.first(job));
     Marks marks;
-    add_lesion(marks, lesion_beside(*tree->input.tree));
+    add_lesion(marks, lesion_next_to_vessel(tree->input));
     Figure figure{.options = {"ramus render TREE --commands FILE with " + lesion_command(marks.lesions.front()) +
                               "; colour-by lesion; shortest-distances on"}};
     marks.colour_by = ColourBy::kLesion;
@@ -143,7 +156,7 @@ Result<Figure> lesion_in_liver(Workbench& bench, Job& job) {
         organ = std::move(made);
         all.push_back(paged(*organ, *tree->input.tree));
     }
-    const render::Camera camera = camera_on(all, kSceneSize);
+    const render::Camera camera = camera_on(all, kSceneSize, {.left = 0.24});
     Scene scene;
     if (auto opened = scene.open(*tree, marks, camera, job); !opened) return tl::unexpected(opened.error());
     const Lengths lengths(tree->input.tree->claims);
@@ -154,24 +167,19 @@ Result<Figure> lesion_in_liver(Workbench& bench, Job& job) {
     }
     const auto& sphere = marks.lesions.front().sphere;
     render::Frame close = scene.frame(*tree, "");
-    close.camera = magnified(camera, {sphere[0], sphere[1], sphere[2]}, 8.0 * sphere[3]);
+    close.camera = magnified(camera, {sphere[0], sphere[1], sphere[2]}, 6.5 * sphere[3]);
     close.overlays.legend = {};
-    Plate plate{.columns = 2, .panels = {{std::move(whole), {}}, {std::move(close), {}}}};
-    RAMUS_TRY(picture,
-              bench.picture("figure_12.png",
-                            "A round lesion (" + lengths.text(2.0 * sphere[3]) +
-                                " across) that was put beside a vessel of the tree " + tree->input.name +
-                                "; vessels in the colours of their distance from it, and the shortest distance" +
-                                (tree->input.grown ? ". The organ is the one in which the tree was grown." : "."),
-                            plate, job));
-    figure.pictures.push_back(std::move(picture));
-    return figure;
+    return bench.with_picture(std::move(figure), "figure_12.png",
+                              "A round lesion (" + lengths.text(2.0 * sphere[3]) +
+                                  " across) that was put next to a vessel of the tree " + tree->input.name +
+                                  "; vessels in the colours of their distance from it, and the shortest distance" +
+                                  (tree->input.grown ? ". The organ is the one in which the tree was grown." : "."),
+                              {.columns = 2, .panels = {{std::move(whole), {}, 1}, {std::move(close)}}}, job);
 }
 
 Result<Figure> branches_in_focus(Workbench& bench, Job& job) {
     RAMUS_TRY(tree, bench.first(job));
-    const std::array all{tree->surface.paged};
-    const render::Camera camera = camera_on(all, kSceneSize);
+    const render::Camera camera = camera_on({tree->surface.paged}, kSceneSize);
     const TreeFacts facts = facts_of(*tree->input.tree);
     const int branch = third_of(facts);
     Figure figure{.options = {"ramus render TREE --commands FILE with select-subtree " + std::to_string(branch) +
@@ -188,15 +196,13 @@ Result<Figure> branches_in_focus(Workbench& bench, Job& job) {
                   glass ? tree::BranchState::kDefocused : tree::BranchState::kHighlighted);
         Scene scene;
         if (auto opened = scene.open(*tree, marks, camera, job); !opened) return tl::unexpected(opened.error());
-        plate.panels.push_back({scene.frame(*tree, glass ? "Others defocused (glass)" : "Highlighted"), {}});
+        plate.panels.push_back({scene.frame(*tree, glass ? "Others defocused (glass)" : "Highlighted")});
     }
-    RAMUS_TRY(picture, bench.picture("figure_13.png",
-                                     "A branch of the tree " + tree->input.name + " with all that depends on it, " +
-                                         counted(focus.size(), "branch", "branches") + " of " +
-                                         grouped(facts.branches.size()) + ".",
-                                     plate, job));
-    figure.pictures.push_back(std::move(picture));
-    return figure;
+    return bench.with_picture(std::move(figure), "figure_13.png",
+                              "A branch of the tree " + tree->input.name + " with all that depends on it, " +
+                                  counted(focus.size(), "branch", "branches") + " of " +
+                                  grouped(facts.branches.size()) + ".",
+                              plate, job);
 }
 
 Result<Figure> table_of_criteria(Workbench& /*bench*/, Job& /*job*/) {

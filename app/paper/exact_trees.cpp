@@ -35,6 +35,11 @@ struct Skeleton {
         edges.emplace_back(from, added);
         return added;
     }
+    // The whole line, from a root of its own.
+    void add_line(const std::vector<tree::Point>& line) {
+        std::uint32_t last = begin(line.front());
+        for (std::size_t i = 1; i < line.size(); ++i) last = go_on(last, line[i]);
+    }
     [[nodiscard]] tree::VesselTree tree() const { return tree::assemble(points, {}, edges, roots); }
 };
 
@@ -90,7 +95,7 @@ tree::VesselTree parallel_pair(double distance_mm, double radius_mm, double leng
     Skeleton skeleton;
     for (const double side : {-0.5, 0.5}) {
         const double x = side * distance_mm;
-        skeleton.go_on(skeleton.begin({{x, 0.0, -0.5 * length_mm}, radius_mm}), {{x, 0.0, 0.5 * length_mm}, radius_mm});
+        skeleton.add_line({{{x, 0.0, -0.5 * length_mm}, radius_mm}, {{x, 0.0, 0.5 * length_mm}, radius_mm}});
     }
     return skeleton.tree();
 }
@@ -101,14 +106,14 @@ tree::VesselTree s_shaped_pair(double distance_mm, double radius_mm) {
     constexpr int kSteps = 64;    // of a half circle
     Skeleton skeleton;
     for (const double side : {-0.5, 0.5}) {
-        std::uint32_t last = 0;
+        std::vector<tree::Point> line;
         for (int step = 0; step <= 2 * kSteps; ++step) {
             const double below = step > kSteps ? -1.0 : 1.0;
             const double turn = std::numbers::pi * (step > kSteps ? step - kSteps : step) / kSteps;
             const double bend = kBend + below * side * distance_mm;
-            const glm::dvec3 at(below * bend * std::sin(turn), 0.0, below * kBend + bend * std::cos(turn));
-            last = step == 0 ? skeleton.begin({at, radius_mm}) : skeleton.go_on(last, {at, radius_mm});
+            line.push_back({{below * bend * std::sin(turn), 0.0, below * kBend + bend * std::cos(turn)}, radius_mm});
         }
+        skeleton.add_line(line);
     }
     return skeleton.tree();
 }
@@ -124,23 +129,22 @@ tree::VesselTree aslant_branching(double radius_mm) {
 
 tree::VesselTree winding_vessel() {
     constexpr int kSteps = 208;
-    Skeleton skeleton;
-    std::uint32_t last = 0;
+    std::vector<tree::Point> line;
     for (int step = 0; step <= kSteps; ++step) {
         const double along = kWindingLength * step / kSteps;
-        const tree::Point point{winding(along), winding_radius(along)};
-        last = step == 0 ? skeleton.begin(point) : skeleton.go_on(last, point);
+        line.push_back({winding(along), winding_radius(along)});
     }
+    Skeleton skeleton;
+    skeleton.add_line(line);
     return skeleton.tree();
 }
 
 tree::VesselTree winding_vessel_of_voxels() {
+    std::vector<tree::Point> line;
+    for (const glm::dvec3& voxel : voxels_along(winding, kWindingLength))
+        line.push_back({voxel, 0.5 * std::round(2.0 * winding_radius(voxel.x))});
     Skeleton skeleton;
-    std::uint32_t last = 0;
-    for (const glm::dvec3& voxel : voxels_along(winding, kWindingLength)) {
-        const double radius = 0.5 * std::round(2.0 * winding_radius(voxel.x));
-        last = skeleton.points.empty() ? skeleton.begin({voxel, radius}) : skeleton.go_on(last, {voxel, radius});
-    }
+    skeleton.add_line(line);
     return of_voxels(skeleton);
 }
 

@@ -1,10 +1,6 @@
 #include "app/paper/figure_rows.h"
 
-#include "app/paper/artificial_figures.h"
-#include "app/paper/bounding_figure.h"
-#include "app/paper/clinical_figures.h"
-#include "app/paper/distance_figures.h"
-#include "app/paper/method_figures.h"
+#include "app/paper/figures.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -13,12 +9,19 @@ namespace ramus::app::paper {
 
 namespace {
 
-constexpr std::string_view kSameTrees =
-    "The shapes, distances and radii are the paper's; light, colours and views are not. That figures 1 to 3 have "
-    "these artificial trees is recorded, which of them has which number is not.";
+constexpr std::string_view kArtificialTrees =
+    "That figures 1 to 3 have such artificial trees is recorded; which of them is figure 1 and which is figure 2 is "
+    "not, nor are their sizes. Light, colours and views are not the paper's.";
+constexpr std::string_view kParallelVessels =
+    "Distance and radii are the paper's; the length of the vessels, light, colours and views are not.";
 constexpr std::string_view kOtherTree =
     "The paper shows vessels of patients of its authors, which are not reproduced; here is the first tree that was "
     "given, or one that ramus grows.";
+
+constexpr std::string_view kCones =
+    "Another tree than the paper's. Each segment is a closed cone with 16 sides, which lie up to 2 % of the radius "
+    "within a round one. Distances are to the nearest wall, even to one inside of another cone; so they are smaller "
+    "beyond free ends and at branchings than those to the outer wall.";
 
 std::vector<FigureRow> artificial_rows() {
     return {
@@ -29,7 +32,7 @@ std::vector<FigureRow> artificial_rows() {
          "The larger the width coefficient, the less a convolution surface bulges where vessels branch. Over the "
          "joint of N equal branches in a plane the height is sqrt(1 + log2(N / 2) / width) radii, by equations 7 to "
          "10.",
-         kSameTrees,
+         kArtificialTrees,
          {"figure_01.png"},
          bulging},
         {"2",
@@ -37,7 +40,7 @@ std::vector<FigureRow> artificial_rows() {
          "Two S-shaped vessels, 3 mm apart everywhere and of radius 1.07 mm, which are not connected.",
          "Vessels that only pass each other blend in a convolution surface; a larger width coefficient keeps them "
          "apart for longer.",
-         kSameTrees,
+         kArtificialTrees,
          {"figure_02.png"},
          unwanted_blending},
         {"3",
@@ -45,7 +48,7 @@ std::vector<FigureRow> artificial_rows() {
          "Two straight vessels, 3 mm apart, of growing radius, and the radius from which on they have one surface.",
          "They merge at a radius of 1.37 mm (width 5) and of 1.07 mm (width 1): with gaps of 9 % and of 29 % of "
          "their distance.",
-         kSameTrees,
+         kParallelVessels,
          {"figure_03.png", "figure_03_merging.svg"},
          merging},
         {"4",
@@ -90,13 +93,14 @@ std::vector<FigureRow> method_rows() {
          "Deviation from truncated cones",
          "The convolution surface in colours of its distance from truncated cones, and the histogram of distances.",
          "For livers 0.09 mm in the mean and 1.07 mm at most (Table I).",
-         kOtherTree,
+         kCones,
          {"figure_08.png", "figure_08_histogram.svg"},
          deviation_from_cones},
         {"9",
          "Deviation from the isosurface",
-         "The same of its distance from the isosurface of the mask.",
-         "For livers 0.37 mm in the mean, 91.26 % of it below half the diagonal of a voxel (Table I).",
+         "The convolution surface in colours of its distance from the isosurface of the mask, and the histogram of "
+         "distances.",
+         "For livers 0.37 mm in the mean; 91.26 % of the distances are below half the diagonal of a voxel (Table I).",
          kOtherTree,
          {"figure_09.png", "figure_09_histogram.svg"},
          deviation_from_isosurface},
@@ -115,7 +119,7 @@ std::vector<FigureRow> clinical_rows() {
         {"11",
          "Pictures of the user study",
          "Three branchings, each seen alike by each of the three methods.",
-         "Raters judged such pictures, a method each, of the same view (section VIII).",
+         "Raters judged pictures of the three methods from the same view (section VIII).",
          kOtherTree,
          {"figure_11.png"},
          study_pictures},
@@ -123,7 +127,7 @@ std::vector<FigureRow> clinical_rows() {
          "A clinical example: a lesion in a liver",
          "Vessels by their distance from a round lesion, whole with the organ, and close to the lesion.",
          "Convolution surfaces are used to plan operations of the liver.",
-         "The paper shows a patient. Here the lesion is a sphere that was put beside a vessel of the first tree.",
+         "The paper shows a patient. Here the lesion is a sphere that was put next to a vessel of the first tree.",
          {"figure_12.png"},
          lesion_in_liver},
         {"13",
@@ -141,11 +145,12 @@ std::vector<FigureRow> table_rows() {
     return {
         {"I",
          "Distances to truncated cones and to the isosurface",
-         "Mean, deviation and largest distance, the share below half the diagonal of a voxel (VoxDiag2), for each "
-         "tree and averaged.",
+         "Mean, standard deviation (sigma) and largest distance, and the share above half the diagonal of a voxel "
+         "(VoxDiag2), for each tree and averaged.",
          "Averages over ten trees; for livers: to cones 0.09 mm in the mean, 1.07 mm at most; to the isosurface "
          "0.37 mm in the mean, 91.26 % below VoxDiag2.",
-         "Other trees: the averages are not the paper's. Grown trees have masks without noise.",
+         "Other trees: the averages are not the paper's. Grown trees have masks without noise. Figure 8 says how "
+         "distances to truncated cones are measured.",
          {"table_1_to_cones.csv", "table_1_to_isosurface.csv"},
          table_of_distances},
         {"II",

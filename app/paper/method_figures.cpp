@@ -1,7 +1,6 @@
-#include "app/paper/method_figures.h"
-
 #include "app/assets/centerlines.h"
 #include "app/paper/exact_trees.h"
+#include "app/paper/figures.h"
 #include "app/picture/compose.h"
 #include "app/session/numbers.h"
 #include "core/io/standard_input.h"
@@ -9,7 +8,6 @@
 #include "core/tree/smooth.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -38,51 +36,38 @@ double turning_of(const tree::VesselTree& tree) {
     return glm::degrees(turning) / tree::length_mm(tree, tree.branches.front());
 }
 
-// Two rows of pictures of one vessel: its surfaces, and its centerlines with rings of the radius.
+// Pictures of one vessel, a row for each way to make it: its surface, and its centerline with rings of the radius.
 class Rows {
 public:
-    explicit Rows(glm::ivec2 size) : size_(size) {}
+    Rows(glm::ivec2 size, const glm::dvec3& close_to, double height_mm) // what insets magnify
+        : size_(size), close_to_(close_to), height_mm_(height_mm) {}
 
     [[nodiscard]] Result<void> add(const std::string& caption, const tree::VesselTree& tree,
                                    const mesh::SurfaceOptions& options, Job& job) {
         RAMUS_TRY(surface, made_surface(tree, options, job));
-        columns_.push_back({caption, surface.paged, centerlines_of(tree, options).lines});
+        const int inset = size_.y - size_.y / 4;
+        const Looking looking{.elevation = 8.0, .right = static_cast<double>(inset + 20) / size_.x};
+        const render::Camera camera = plate_.panels.empty() ? camera_on({surface.paged}, size_, looking)
+                                                            : plate_.panels.front().frame.camera; // all rows alike
+        for (const bool lines : {false, true}) {
+            render::Frame frame = frame_of(surface.paged, camera, size_, lines ? "" : caption);
+            if (lines) frame.skeleton = centerlines_of(tree, options).lines;
+            Panel panel{frame};
+            frame.camera = magnified(camera, close_to_, height_mm_);
+            frame.size = glm::ivec2(inset);
+            frame.overlays.caption.clear();
+            panel.inset = std::move(frame);
+            plate_.panels.push_back(std::move(panel));
+        }
         return {};
     }
-    // `close_to`: what insets magnify, `height_mm` high.
-    [[nodiscard]] Plate plate(const Looking& looking, const glm::dvec3& close_to, double height_mm) const {
-        Plate plate{.columns = columns_.size()};
-        const std::array all{columns_.front().surface};
-        const render::Camera camera = camera_on(all, size_, looking);
-        for (const bool lines : {false, true})
-            for (const Column& column : columns_) {
-                render::Frame frame = frame_of(column.surface, camera, size_, lines ? "" : column.caption);
-                if (lines) show_skeleton(frame, column.lines);
-                Panel panel{frame, {}};
-                frame.camera = magnified(camera, close_to, height_mm);
-                frame.size = glm::ivec2(size_.y / 2);
-                frame.overlays.caption.clear();
-                panel.inset = std::move(frame);
-                plate.panels.push_back(std::move(panel));
-            }
-        return plate;
-    }
+    [[nodiscard]] const Plate& plate() const { return plate_; }
 
 private:
-    struct Column {
-        std::string caption;
-        Paged surface;
-        std::shared_ptr<const render::Centerlines> lines;
-    };
-    // Over a pale surface.
-    static void show_skeleton(render::Frame& frame, const std::shared_ptr<const render::Centerlines>& lines) {
-        frame.skeleton = lines;
-        frame.appearance.vessel = glm::vec3(0.86F, 0.80F, 0.78F);
-        frame.appearance.centerline = glm::vec3(0.05F, 0.30F, 0.60F);
-    }
-
     glm::ivec2 size_;
-    std::vector<Column> columns_;
+    glm::dvec3 close_to_;
+    double height_mm_;
+    Plate plate_{.columns = 2};
 };
 
 } // namespace
@@ -107,32 +92,36 @@ std::string isosurface_text(const ComparedTree& tree) {
 }
 
 Result<Figure> methods(Workbench& bench, Job& job) {
-    constexpr glm::ivec2 kSize(720, 470), kInset(260, 260);
+    constexpr glm::ivec2 kSize(560, 400);
     RAMUS_TRY(tree, bench.first(job));
-    Figure figure{.options = {"ramus mesh TREE --method iso, cones and cs; cs with --blend paper --centerline lines"}};
-    Plate plate{.columns = 3};
+    Figure figure{
+        .options = {"ramus mesh MASK --method iso, and ramus mesh TREE --method cones and cs; cs with --blend paper "
+                    "--centerline lines"}};
     const std::vector<NamedSurface> surfaces = surfaces_of(*tree);
-    const std::array all{surfaces.front().paged, surfaces.back().paged};
-    const render::Camera camera = camera_on(all, kSize, {.azimuth = 0.0, .elevation = 0.0, .share = 0.63});
+    Plate plate{.columns = surfaces.size()};
+    const render::Camera camera = camera_on({surfaces.front().paged, surfaces.back().paged}, kSize);
     const CloseUp place = branching_of(*tree->input.tree);
-    for (const NamedSurface& surface : surfaces) {
-        Panel panel{frame_of(surface.paged, camera, kSize, surface.title), {}};
-        panel.inset = frame_of(surface.paged, magnified(camera, place.position, 9.0 * place.radius), kInset, "");
-        for (render::Frame* frame : {&panel.frame, &*panel.inset}) show_claims(*frame, tree->input.tree->claims);
-        plate.panels.push_back(std::move(panel));
-    }
-    RAMUS_TRY(picture, bench.picture("figure_05.png", "The tree " + tree->input.name + ". " + isosurface_text(*tree),
-                                     plate, job));
-    figure.pictures.push_back(std::move(picture));
-    return figure;
+    for (const bool close : {false, true})
+        for (const NamedSurface& surface : surfaces) {
+            plate.panels.push_back({frame_of(surface.paged, camera, kSize, surface.title)});
+            Panel& panel = plate.panels.back();
+            show_claims(panel.frame, tree->input.tree->claims);
+            if (close)
+                panel.frame.camera = magnified(camera, place.position, 9.0 * place.radius);
+            else
+                panel.close_up = plate.panels.size() - 1 + surfaces.size();
+        }
+    return bench.with_picture(std::move(figure), "figure_05.png",
+                              "The tree " + tree->input.name + ", below at a branching. " + isosurface_text(*tree),
+                              plate, job);
 }
 
 Result<Figure> smoothing(Workbench& bench, Job& job) {
     Figure figure{.options = {"--smooth 0, 1 (the default) and 4; all with --blend paper --centerline lines"}};
-    const tree::VesselTree jagged = winding_vessel_of_voxels(), exact = winding_vessel();
+    const tree::VesselTree jagged = winding_vessel_of_voxels();
     mesh::SurfaceOptions options = paper_options();
     options.detail = 32;
-    Rows rows({640, 330});
+    Rows rows({780, 290}, {26.0, 0.0, -3.0}, 14.0);
     const auto add = [&](const std::string& name, const tree::VesselTree& tree) {
         const tree::VesselTree smooth = tree::smooth(tree, options.smooth_passes);
         figure.measured.push_back({"turning of the centerline, " + name, turning_of(smooth), "degrees per mm"});
@@ -150,15 +139,11 @@ Result<Figure> smoothing(Workbench& bench, Job& job) {
     figure.measured.push_back({"largest displacement of a point, four passes",
                                tree::displacement_of(jagged, tree::smooth(jagged, options.smooth_passes)).largest_mm,
                                "mm"});
-    if (auto added = add("The exact centerline", exact); !added) return tl::unexpected(added.error());
-    const Plate plate = rows.plate({.azimuth = 0.0, .elevation = 8.0, .share = 0.74}, {26.0, 0.0, -3.0}, 14.0);
-    RAMUS_TRY(picture,
-              bench.picture("figure_06.png",
-                            "A winding vessel whose centerline runs from voxel to voxel of 1 mm, with radii in "
-                            "halves of a voxel. Below: centerlines and radii.",
-                            plate, job));
-    figure.pictures.push_back(std::move(picture));
-    return figure;
+    if (auto added = add("The exact centerline", winding_vessel()); !added) return tl::unexpected(added.error());
+    return bench.with_picture(std::move(figure), "figure_06.png",
+                              "A winding vessel whose centerline runs from voxel to voxel of 1 mm, with radii in "
+                              "halves of a voxel. Left: surfaces; right: their centerlines and radii.",
+                              rows.plate(), job);
 }
 
 Result<Figure> pruning(Workbench& bench, Job& job) {
@@ -171,7 +156,7 @@ Result<Figure> pruning(Workbench& bench, Job& job) {
     const auto branches = [&] {
         return static_cast<double>(mesh::prepare_tree(vessel.tree, options).tree.branches.size());
     };
-    Rows rows({800, 380});
+    Rows rows({780, 350}, {20.0, 0.0, 4.0}, 12.0);
     if (auto added = rows.add("Not pruned", vessel.tree, options, job); !added) return tl::unexpected(added.error());
     // Each spur makes a branch more, and cuts the one that it stands on in two.
     figure.measured.push_back({"branches, not pruned", branches(), "", vessel.real_branches + 2.0 * vessel.spurs});
@@ -180,13 +165,10 @@ Result<Figure> pruning(Workbench& bench, Job& job) {
         !added)
         return tl::unexpected(added.error());
     figure.measured.push_back({"branches, pruned", branches(), "", static_cast<double>(vessel.real_branches)});
-    RAMUS_TRY(picture, bench.picture(
-                           "figure_07.png",
-                           "A vessel of voxels with one side branch and four spurs of three voxels, as thinning "
-                           "leaves them. Below: centerlines and radii.",
-                           rows.plate({.azimuth = 0.0, .elevation = 8.0, .share = 0.74}, {20.0, 0.0, 4.0}, 12.0), job));
-    figure.pictures.push_back(std::move(picture));
-    return figure;
+    return bench.with_picture(std::move(figure), "figure_07.png",
+                              "A vessel of voxels with one side branch and four spurs of three voxels, as thinning "
+                              "leaves them. Left: surfaces; right: their centerlines and radii.",
+                              rows.plate(), job);
 }
 
 } // namespace ramus::app::paper

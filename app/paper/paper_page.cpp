@@ -1,6 +1,8 @@
 #include "app/paper/paper_page.h"
 
-#include <algorithm>
+#include "app/reports/validation/validation_tables.h"
+
+#include <utility>
 
 namespace ramus::app::paper {
 
@@ -9,32 +11,8 @@ namespace {
 constexpr const char* kIntroduction =
     "The figures and tables of S. Oeltze and B. Preim, Visualization of Vasculature with Convolution Surfaces: Method, "
     "Validation and Evaluation, IEEE Transactions on Medical Imaging 24 (4), 2005, made anew as far as their content "
-    "is "
-    "known. Under each stands what it shows, what was measured, and what the paper says. Pictures of patients, "
-    "drawings "
-    "and the answers of raters are the authors' and are not reproduced; what stands in their place says so.";
-
-Table measured_of(const Figure& figure) {
-    Table table{"Measured",
-                {{"what", "Quantity"},
-                 {"value", "Measured", 4},
-                 {"formula", "Closed form", 4},
-                 {"unit", "Unit"},
-                 {"paper", "Paper"}},
-                {}};
-    for (const Measured& one : figure.measured)
-        table.rows.push_back({one.what, one.value, one.formula ? Cell(*one.formula) : Cell(""), one.unit, one.paper});
-    // Columns in which nothing stands.
-    for (std::size_t column = table.columns.size(); column-- > 2;) {
-        const bool empty = std::ranges::all_of(
-            table.rows, [&](const auto& row) { return !row[column].number && row[column].text.empty(); });
-        if (!empty) continue;
-        const auto place = static_cast<std::ptrdiff_t>(column);
-        table.columns.erase(table.columns.begin() + place);
-        for (auto& row : table.rows) row.erase(row.begin() + place);
-    }
-    return table;
-}
+    "is known. Each has what it shows, what was measured, and what the paper says. Pictures of patients, drawings and "
+    "the answers of raters are the authors' and are not reproduced; the text of such a figure says what replaces them.";
 
 std::string anchor_of(const FigureRow& row) {
     return (row.is_table() ? "table-" : "figure-") + std::string(row.number);
@@ -48,15 +26,21 @@ std::string figure_html(const MadeFigure& made) {
     const auto& [row, figure] = made;
     std::string text = "<section id=\"" + anchor_of(*row) + "\">\n<h2>" + row->name() + ": " + html_text(row->title) +
                        "</h2>\n<p>" + html_text(row->shows) + "</p>\n";
-    for (const Picture& picture : figure.pictures) text += pictures_html({{picture.caption, picture.png}});
+    for (const Picture& picture : figure.pictures)
+        text += "<div class=\"wide\">" + pictures_html({{picture.caption, picture.png}}) + "</div>\n";
     if (!figure.plots.empty()) {
         text += "<div class=\"plots\">\n";
         for (const Plot& plot : figure.plots) text += "<figure>" + plot.svg.drawing() + "</figure>\n";
         text += "</div>\n";
     }
-    if (!figure.measured.empty()) text += table_html(measured_of(figure), {.is_part = true});
+    if (!figure.measured.empty()) {
+        Table measured = measured_table({made});
+        measured.columns.erase(measured.columns.begin());
+        for (auto& cells : measured.rows) cells.erase(cells.begin());
+        text += table_html(for_people(std::move(measured)), {.is_part = true});
+    }
     for (const SavedTable& saved : figure.tables)
-        text += table_html(saved.table,
+        text += table_html(for_people(saved.table),
                            {.note = saved.note, .sums = saved.sums, .is_part = true, .all_rows_in = saved.file});
     text += paragraph("The paper:", row->paper) + paragraph("Here:", row->differs);
     for (const std::string& options : figure.options)
@@ -70,8 +54,8 @@ Table measured_table(const std::vector<MadeFigure>& figures) {
     Table table{"Measured",
                 {{"figure", "Figure"},
                  {"what", "Quantity"},
-                 {"value", "Measured"},
-                 {"formula", "Closed form"},
+                 {"value", "Measured", 4},
+                 {"formula", "Closed form", 4},
                  {"unit", "Unit"},
                  {"paper", "Paper"}},
                 {}};

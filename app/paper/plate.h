@@ -9,9 +9,9 @@
 #include "render/renderer/renderer.h"
 #include "render/scene/frame.h"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -19,11 +19,11 @@ namespace ramus::app::paper {
 
 using Paged = std::shared_ptr<const render::PagedMesh>;
 
+// Where an inset or a close-up looks the same way as its panel, a rectangle in the panel shows what it magnifies.
 struct Panel {
-    render::Frame frame;
-    // In the lower right corner. Where it looks the same way as the panel, a frame in the panel shows what it
-    // magnifies.
-    std::optional<render::Frame> inset{};
+    render::Frame frame;                   // its caption stands above the picture, not in it
+    std::optional<render::Frame> inset{};  // in the lower right corner
+    std::optional<std::size_t> close_up{}; // the panel of the plate that magnifies a part of this one
 };
 
 struct Plate {
@@ -31,16 +31,20 @@ struct Plate {
     std::vector<Panel> panels{}; // row by row, all of one size
 };
 
+// Text and scale bars of all panels: pixels per point. Pages show plates at less than their size.
+inline constexpr float kPlateRatio = 1.5F;
+
 // Surface, camera and caption on white, with a scale bar.
 [[nodiscard]] render::Frame frame_of(Paged mesh, const render::Camera& camera, glm::ivec2 size,
                                      const std::string& caption);
 
-// A parallel projection from the front that shows all of the surfaces, turned by angles in degrees. `share`: of the
-// width from the left that they may take; the rest is left for an inset.
+// A parallel projection from the front that shows all of the surfaces above the scale bar, turned by angles in degrees.
+// `left`, `right`: shares of the width that are kept free, for a legend and for an inset.
 struct Looking {
-    double azimuth = 0.0, elevation = 0.0, share = 1.0;
+    double azimuth = 0.0, elevation = 0.0, left = 0.0, right = 0.0;
 };
-[[nodiscard]] render::Camera camera_on(std::span<const Paged> surfaces, glm::ivec2 size, const Looking& looking = {});
+[[nodiscard]] render::Camera camera_on(const std::vector<Paged>& surfaces, glm::ivec2 size,
+                                       const Looking& looking = {});
 // The same direction, `height_mm` high around `at`.
 [[nodiscard]] render::Camera magnified(render::Camera camera, const glm::dvec3& at, double height_mm);
 
@@ -54,7 +58,7 @@ public:
 private:
     Artist() = default;
     [[nodiscard]] Result<render::Image> draw(const render::Frame& frame);
-    [[nodiscard]] Result<render::Image> draw(const Panel& panel);
+    [[nodiscard]] Result<render::Image> draw(const Panel& panel, const Plate& plate);
 
     std::unique_ptr<render::GlContext> context_; // lives longest
     std::unique_ptr<render::Renderer> renderer_;

@@ -6,30 +6,30 @@
 #include "core/mesh/surface.h"
 
 #include <array>
-#include <filesystem>
+#include <tuple>
 #include <utility>
 
 namespace ramus::app::paper {
 
 namespace {
 
-struct GrownAs {
+struct GrownTree {
+    const char* letter;
     int branches;
     std::uint64_t seed;
+    [[nodiscard]] std::string name() const {
+        return std::string(letter) + " (" + std::to_string(branches) + " branches)";
+    }
 };
-constexpr std::array<GrownAs, 3> kGrown{{{61, 1}, {121, 2}, {121, 3}}};
+constexpr std::array<GrownTree, 3> kGrown{{{"A", 61, 1}, {"B", 121, 2}, {"C", 121, 3}}};
 
-std::string name_of(const GrownAs& grown) {
-    return "grown, " + std::to_string(grown.branches) + " branches, seed " + std::to_string(grown.seed);
-}
-
-Result<InputTree> grown_input(const GrownAs& as, Job& job) {
+Result<InputTree> grown_input(const GrownTree& row, Job& job) {
     tree::GrowOptions options;
-    options.branches = as.branches;
-    options.seed = as.seed;
+    options.branches = row.branches;
+    options.seed = row.seed;
     RAMUS_TRY(grown, tree::grow(options, job));
     InputTree input;
-    input.name = name_of(as);
+    input.name = row.name();
     input.tree = std::make_shared<const tree::VesselTree>(tree::vessel_tree_of(std::move(grown)));
     input.grown = options;
     return input;
@@ -55,55 +55,49 @@ SurfaceDistances distances_of(const ComparedTree& tree, const mesh::TriangleMesh
     return found;
 }
 
-struct Compared3 {
+// The three surfaces of a tree; `results` gets distances and times.
+Result<ComparedTree> compare(const InputTree& input, TreeResults& results, Job& job) {
     ComparedTree tree;
-    TreeResults results;
-};
-
-Result<Compared3> compare(const InputTree& input, Job& job) {
-    Compared3 made;
-    made.tree.input = input;
-    std::optional<double> diagonal_mm;
-    struct Part {
-        Compared kind;
-        MadeSurface& to;
-        const char* name;
-    };
-    ComparedTree& tree = made.tree;
-    const std::array<Part, 3> parts{Part{Compared::kConvolutionSurface, tree.surface, "convolution surface"},
-                                    Part{Compared::kTruncatedCones, tree.cones, "truncated cones"},
-                                    Part{Compared::kIsosurface, tree.isosurface, "isosurface"}};
+    tree.input = input;
+    ValidatedDataSet& set = results.distances;
+    set.tree = input.name;
+    set.mask = input.mask;
+    set.claims = input.tree->claims;
+    results.points = input.tree->points.size();
+    results.branches = input.tree->branches.size();
     float done = 0.0F;
-    for (const auto& [kind, to, name] : parts) {
+    for (const auto& [kind, to, name] :
+         {std::tuple{Compared::kConvolutionSurface, &tree.surface, "convolution surface"},
+          std::tuple{Compared::kTruncatedCones, &tree.cones, "truncated cones"},
+          std::tuple{Compared::kIsosurface, &tree.isosurface, "isosurface"}}) {
         Job part(job, done, done + 0.2F);
         done += 0.2F;
         const Stopwatch watch;
         RAMUS_TRY(found, compared_mesh(*input.tree, request_of(input, kind), part));
-        to.mesh = std::move(found.mesh);
-        to.seconds = watch.seconds();
-        to.paged = paged(to.mesh, *input.tree);
-        made.results.steps.push_back({name, to.mesh.triangles.size(), to.seconds});
-        if (kind != Compared::kIsosurface) continue;
-        diagonal_mm = found.voxel_diagonal_mm;
-        tree.voxel_mm = found.voxel_mm;
+        results.steps.push_back({name, found.mesh.triangles.size(), watch.seconds()});
+        to->paged = paged(found.mesh, *input.tree);
+        to->mesh = std::move(found.mesh);
+        if (found.voxel_diagonal_mm) set.half_voxel_mm = 0.5 * *found.voxel_diagonal_mm;
+        tree.voxel_mm = found.voxel_mm; // of the last, the isosurface
     }
     if (job.cancelled()) return fail("cancelled");
-    ValidatedDataSet& set = made.results.distances;
-    set.tree = input.name;
-    set.mask = input.mask;
-    set.claims = input.tree->claims;
-    if (diagonal_mm) set.half_voxel_mm = 0.5 * *diagonal_mm;
     const Stopwatch watch;
     set.to_cones = distances_of(tree, tree.cones.mesh, set.half_voxel_mm, tree.to_cones_mm);
     if (job.cancelled()) return fail("cancelled");
     set.to_mask = distances_of(tree, tree.isosurface.mesh, set.half_voxel_mm, tree.to_isosurface_mm);
-    made.results.steps.push_back({"distances to both", tree.surface.mesh.triangles.size(), watch.seconds()});
-    made.results.points = input.tree->points.size();
-    made.results.branches = input.tree->branches.size();
-    return made;
+    results.steps.push_back({"distances to both", tree.surface.mesh.triangles.size(), watch.seconds()});
+    return tree;
 }
 
 } // namespace
+
+Facts grown_trees() {
+    Facts facts{{"Trees", "ramus grow"}};
+    for (const GrownTree& row : kGrown)
+        facts.emplace_back("Tree " + std::string(row.letter),
+                           std::to_string(row.branches) + " branches, seed " + std::to_string(row.seed));
+    return facts;
+}
 
 mesh::SurfaceOptions paper_options(double width) {
     mesh::SurfaceOptions options;
@@ -114,41 +108,32 @@ mesh::SurfaceOptions paper_options(double width) {
 }
 
 Result<MadeSurface> made_surface(const tree::VesselTree& tree, const mesh::SurfaceOptions& options, Job& job) {
-    const Stopwatch watch;
     RAMUS_TRY(surface, mesh::make_surface(tree, options, job));
-    MadeSurface made{std::move(surface.mesh), nullptr, watch.seconds()};
-    made.paged = app::paged(made.mesh, tree);
-    return made;
+    Paged shown = app::paged(surface.mesh, tree);
+    return MadeSurface{std::move(surface.mesh), std::move(shown)};
 }
 
-Result<void> Workbench::make_artist() {
-    if (artist_) return {};
+Result<Artist*> Workbench::artist() {
+    if (artist_) return artist_.get();
     RAMUS_TRY(made, Artist::create());
     artist_ = std::move(made);
-    return {};
+    return artist_.get();
 }
 
-Result<render::Renderer*> Workbench::renderer() {
-    if (auto made = make_artist(); !made) return tl::unexpected(made.error());
-    return &artist_->renderer();
-}
-
-Result<render::Image> Workbench::draw(const Plate& plate, Job& job) {
-    if (auto made = make_artist(); !made) return tl::unexpected(made.error());
-    return artist_->draw(plate, job);
-}
-
-Result<Picture> Workbench::picture(const std::string& file, const std::string& caption, const Plate& plate, Job& job) {
-    RAMUS_TRY(image, draw(plate, job));
+Result<Figure> Workbench::with_picture(Figure figure, const std::string& file, const std::string& caption,
+                                       const Plate& plate, Job& job) {
+    RAMUS_TRY(drawer, artist());
+    RAMUS_TRY(image, drawer->draw(plate, job));
     RAMUS_TRY(png, render::encode_png(image));
-    return Picture{file, caption, std::move(png)};
+    figure.pictures.push_back({file, caption, std::move(png)});
+    return figure;
 }
 
 Result<void> Workbench::grow_inputs(Job& job) {
     if (!inputs_.empty()) return {};
     std::vector<InputTree> inputs;
-    for (const GrownAs& as : kGrown) {
-        RAMUS_TRY(input, grown_input(as, job));
+    for (const GrownTree& row : kGrown) {
+        RAMUS_TRY(input, grown_input(row, job));
         inputs.push_back(std::move(input));
     }
     inputs_ = std::move(inputs);
@@ -158,9 +143,10 @@ Result<void> Workbench::grow_inputs(Job& job) {
 Result<const ComparedTree*> Workbench::first(Job& job) {
     if (first_) return first_.get();
     if (auto grown = grow_inputs(job); !grown) return tl::unexpected(grown.error());
-    RAMUS_TRY(made, compare(inputs_.front(), job));
-    first_ = std::make_unique<const ComparedTree>(std::move(made.tree));
-    all_.push_back(std::move(made.results));
+    TreeResults results;
+    RAMUS_TRY(made, compare(inputs_.front(), results, job));
+    first_ = std::make_unique<const ComparedTree>(std::move(made));
+    all_.push_back(std::move(results));
     return first_.get();
 }
 
@@ -172,8 +158,9 @@ Result<const TreeResults*> Workbench::results_of_first(Job& job) {
 Result<const std::vector<TreeResults>*> Workbench::all(Job& job) {
     if (auto made = first(job); !made) return tl::unexpected(made.error());
     while (all_.size() < inputs_.size()) {
-        RAMUS_TRY(made, compare(inputs_[all_.size()], job));
-        all_.push_back(std::move(made.results));
+        TreeResults results;
+        if (auto made = compare(inputs_[all_.size()], results, job); !made) return tl::unexpected(made.error());
+        all_.push_back(std::move(results));
     }
     return &all_;
 }

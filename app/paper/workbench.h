@@ -27,13 +27,15 @@ struct InputTree {
     std::optional<tree::GrowOptions> grown;  // it was not given
 };
 
+// The trees in place of given ones: names, and options of `ramus grow` for the same trees.
+[[nodiscard]] Facts grown_trees();
+
 // How surfaces of figures are made: as the paper makes them, as far as ramus can.
 [[nodiscard]] mesh::SurfaceOptions paper_options(double width = 5.0);
 
 struct MadeSurface {
     mesh::TriangleMesh mesh;
     Paged paged;
-    double seconds = 0.0;
 };
 // Of any tree. The mesh is kept for measuring.
 [[nodiscard]] Result<MadeSurface> made_surface(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,
@@ -64,25 +66,21 @@ public:
     // `inputs`: given by a person; empty: three trees are grown.
     explicit Workbench(std::vector<InputTree> inputs) : inputs_(std::move(inputs)) {}
 
-    [[nodiscard]] Result<render::Image> draw(const Plate& plate, Job& job);
-    // The same as a picture of the folder.
-    [[nodiscard]] Result<Picture> picture(const std::string& file, const std::string& caption, const Plate& plate,
-                                          Job& job);
-    [[nodiscard]] Result<render::Renderer*> renderer();
+    [[nodiscard]] Result<Artist*> artist();
+    // The figure with one more picture.
+    [[nodiscard]] Result<Figure> with_picture(Figure figure, const std::string& file, const std::string& caption,
+                                              const Plate& plate, Job& job);
 
     // The first tree with its surfaces.
     [[nodiscard]] Result<const ComparedTree*> first(Job& job);
     [[nodiscard]] Result<const TreeResults*> results_of_first(Job& job);
     // All trees.
     [[nodiscard]] Result<const std::vector<TreeResults>*> all(Job& job);
-    [[nodiscard]] bool trees_are_given() const { return given_; }
 
 private:
-    [[nodiscard]] Result<void> make_artist();
     [[nodiscard]] Result<void> grow_inputs(Job& job);
 
     std::vector<InputTree> inputs_;
-    bool given_ = !inputs_.empty();
     std::unique_ptr<Artist> artist_;
     std::unique_ptr<const ComparedTree> first_;
     std::vector<TreeResults> all_; // the first of them, or all

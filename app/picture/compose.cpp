@@ -110,7 +110,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     frame.overlays.orientation_cube = frame.overlays.scale_bar = frame.mesh || alone; // otherwise nothing to measure
     // In perspective the scale depends on everything in the picture.
     if (viewing.context_awaited && !frame.camera.orthographic) frame.overlays.scale_bar = false;
-    if (alone) show_alone(frame, assets, viewing.context ? *viewing.context : session.marks.context);
+    if (alone) show_alone(frame, assets, viewing.objects ? viewing.objects->context : session.marks.context);
     if (!assets.tree) return frame;
     const tree::VesselTree& tree = *assets.tree;
     show_claims(frame, tree.claims);

@@ -23,7 +23,7 @@ std::string title_in(DeviationChoice::Unit unit) {
 
 // Labels the end of the scale, and marks it as clipped if there are larger values.
 void mark_end(render::Legend& legend, double end, bool clipped) {
-    constexpr double kApart = 0.08; // of the bar: closer texts would overlap
+    constexpr double kApart = 0.11; // of the bar: closer texts would overlap
     std::erase_if(legend.ticks, [](const render::Legend::Tick& tick) { return tick.at > 1.0 - kApart; });
     legend.ticks.push_back({1.0, (clipped ? "> " : "") + rounded(end)});
 }

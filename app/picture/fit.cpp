@@ -1,5 +1,7 @@
 #include "app/picture/fit.h"
 
+#include "core/base/bounds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -19,12 +21,9 @@ render::Camera with_room(render::Camera camera, const Comparison& comparison) {
 
 render::View opening_view(const tree::VesselTree& tree) {
     constexpr double kFlat = 0.1; // thickness by the middle side; tuned on mesentery and trees of organs
-    glm::dvec3 least(HUGE_VAL), most(-HUGE_VAL);
-    for (const tree::Point& point : tree.points) {
-        least = glm::min(least, point.position - point.radius);
-        most = glm::max(most, point.position + point.radius);
-    }
-    const glm::dvec3 size = most - least;
+    Bounds<glm::dvec3> box;
+    for (const tree::Point& point : tree.points) box.hold(point.position, point.radius);
+    const glm::dvec3 size = box.size();
     const auto is_flat = [&](double side, double one, double other) { return side < kFlat * std::min(one, other); };
     if (is_flat(size.x, size.y, size.z)) return render::View::kLeft;
     return is_flat(size.z, size.x, size.y) ? render::View::kSuperior : render::View::kAnterior;
@@ -34,15 +33,15 @@ bool context_in_view(const render::Frame& frame) {
     return std::ranges::any_of(frame.context, [&](const render::ContextMesh& item) {
         if (!item.shown()) return false;
         const render::Box box = render::bounds_of(*item.mesh);
-        glm::dvec2 least(1e300), most(-1e300);
+        Bounds<glm::dvec2> pixels;
         for (int corner = 0; corner < 8; ++corner) {
             const glm::bvec3 high((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0);
             const auto pixel = render::project(frame.camera, frame.size, glm::mix(box.lower, box.upper, high));
             if (!pixel) return true; // the box surrounds the eye
-            least = glm::min(least, glm::dvec2(*pixel));
-            most = glm::max(most, glm::dvec2(*pixel));
+            pixels.hold(glm::dvec2(*pixel));
         }
-        return most.x >= 0.0 && most.y >= 0.0 && least.x < frame.size.x && least.y < frame.size.y;
+        return pixels.most.x >= 0.0 && pixels.most.y >= 0.0 && pixels.least.x < frame.size.x &&
+               pixels.least.y < frame.size.y;
     });
 }
 

@@ -1,5 +1,6 @@
 #include "app/picture/overview_layout.h"
 
+#include "core/base/bounds.h"
 #include "core/base/lines.h"
 
 #include <algorithm>
@@ -337,14 +338,10 @@ int branch_near(const OverviewLayout& layout, const OverviewView& view, glm::dve
 std::vector<int> branches_within(const OverviewLayout& layout, std::span<const glm::dvec2> polygon) {
     std::vector<int> ids;
     if (polygon.size() < 3) return ids;
-    glm::dvec2 least = polygon[0];
-    glm::dvec2 most = polygon[0];
-    for (const glm::dvec2& corner : polygon) least = glm::min(least, corner), most = glm::max(most, corner);
+    const Bounds<glm::dvec2> around = box_of_points(polygon);
     std::vector<double> crossings; // of the polygon with the branch's line, as fractions of the branch
     const auto inside = [&](glm::dvec2 a, glm::dvec2 b) {
-        if (std::max(a.x, b.x) < least.x || std::min(a.x, b.x) > most.x || std::max(a.y, b.y) < least.y ||
-            std::min(a.y, b.y) > most.y)
-            return false;
+        if (!around.meets({glm::min(a, b), glm::max(a, b)})) return false;
         const glm::dvec2 along = b - a;
         const auto side = [&](glm::dvec2 p) { return along.x * (p.y - a.y) - along.y * (p.x - a.x); };
         crossings.clear();

@@ -25,6 +25,7 @@ p { margin: .3em 0; }
 .quiet, figcaption, dt, th { color: #5b6570; }
 .pictures { display: grid; grid-template-columns: 1fr 1fr; gap: .7em; margin-top: 1.3em; }
 .pictures figure:first-child { grid-column: 1 / -1; } .pictures.even figure:first-child { grid-column: auto; }
+.wide { width: min(94vw, 90em); margin-left: 50%; transform: translateX(-50%); }
 .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(26em, 100%), 1fr)); gap: .8em 1.2em; margin: .8em 0; }
 figure { margin: 0; } .pictures img { border: 1px solid #d5d9de; box-sizing: border-box; } img, svg { display: block; width: 100%; height: auto; } img { border-radius: 4px; }
 figcaption { font-size: .85em; margin-top: .25em; }
@@ -41,7 +42,7 @@ tr.flag td { background: #fff1ec; } tr.sum td { font-weight: 600; border-top: 2p
 .sums td:last-child { font-family: monospace; font-size: .84em; }
 @media screen and (max-width: 40em) { body { margin: 1em auto; padding: 0 .8em; } .pictures { grid-template-columns: 1fr; } }
 @media print { body { margin: 0; padding: 0; max-width: none; font-size: 11px; } h2, h3 { break-after: avoid; } tr, figure { break-inside: avoid; } thead { display: table-header-group; }
-  .scroll { overflow: visible; } .plots { grid-template-columns: 1fr 1fr; } .data-set { break-before: page; } }
+  .wide { width: auto; margin-left: 0; transform: none; } .scroll { overflow: visible; } .plots { grid-template-columns: 1fr 1fr; } .data-set { break-before: page; } }
 )";
 
 constexpr std::string_view kNoLetter = "\xEF\xBF\xBD"; // U+FFFD

@@ -91,6 +91,11 @@ std::string window_words(std::string text) {
     return text;
 }
 
+std::string capitalised(std::string text) {
+    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
 Error in_window_words(Error error) {
     error.what = window_words(std::move(error.what));
     error.hint = window_words(std::move(error.hint));

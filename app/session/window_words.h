@@ -11,7 +11,10 @@ namespace ramus::app {
 // place in the window, or are omitted.
 [[nodiscard]] std::string window_words(std::string text);
 
-// The same for all texts of an Error.
+// With an upper-case first letter: messages are written to stand in the middle of a line.
+[[nodiscard]] std::string capitalised(std::string text);
+
+// The same as window_words() for all texts of an Error.
 [[nodiscard]] Error in_window_words(Error error);
 
 } // namespace ramus::app

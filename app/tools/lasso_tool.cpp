@@ -41,8 +41,7 @@ void LassoBase::begin(const Pointing& pointing) {
 void LassoBase::finish(const Pointing& pointing, std::vector<glm::dvec2>&& drawn) {
     const std::vector<glm::dvec2> outline = std::move(drawn); // may be points_
     points_.clear();
-    Bounds<glm::dvec2> box;
-    for (const glm::dvec2& point : outline) box.hold(point);
+    const Bounds<glm::dvec2> box = box_of_points(outline);
     if (outline.size() < 3 || glm::length(box.size()) < kLeastSize * pointing.pixel_ratio) return;
     CommandLine line{"lasso"};
     if (pointing.settings.lasso_any_part) line.emplace_back("--any");

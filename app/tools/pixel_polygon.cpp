@@ -24,9 +24,8 @@ double crossing(const glm::dvec2& a, const glm::dvec2& b, double y) {
 // Rows are exact although their borders are rounded: the row of a height grows with the height, so the rows from that
 // of an edge's upper end to that of its lower end have all heights between the two.
 std::size_t PixelPolygon::row_of(double y) const {
-    const std::size_t rows = row_starts_.size() - 1;
     const double row = (y - top_) * rows_per_pixel_;
-    return row >= static_cast<double>(rows) ? rows - 1 : row > 0.0 ? static_cast<std::size_t>(row) : 0;
+    return row >= static_cast<double>(rows_) ? rows_ - 1 : row > 0.0 ? static_cast<std::size_t>(row) : 0;
 }
 
 PixelPolygon::PixelPolygon(std::vector<glm::dvec2> corners) : corners_(std::move(corners)) {
@@ -40,30 +39,20 @@ PixelPolygon::PixelPolygon(std::vector<glm::dvec2> corners) : corners_(std::move
         std::ranges::minmax_element(corners_, [](const auto& p, const auto& q) { return p.y < q.y; });
     top_ = upper->y;
     bottom_ = lower->y;
-    const std::size_t rows = std::min(2 * edges.size(), kMostRows);
-    rows_per_pixel_ = static_cast<double>(rows) / (bottom_ - top_);
+    rows_ = std::min(2 * edges.size(), kMostRows);
+    rows_per_pixel_ = static_cast<double>(rows_) / (bottom_ - top_);
     if (!std::isfinite(rows_per_pixel_)) rows_per_pixel_ = 0.0; // nearly flat: one row has it all
-    row_starts_.assign(rows + 1, 0);
-    const auto rows_of = [&](const Edge& edge) {
-        return std::pair(row_of(std::min(edge.a.y, edge.b.y)), row_of(std::max(edge.a.y, edge.b.y)));
-    };
-    for (const Edge& edge : edges) {
-        const auto [first, last] = rows_of(edge);
-        for (std::size_t row = first; row <= last; ++row) ++row_starts_[row + 1];
-    }
-    for (std::size_t row = 0; row < rows; ++row) row_starts_[row + 1] += row_starts_[row];
-    edges_.resize(row_starts_.back());
-    std::vector<std::uint32_t> next(row_starts_.begin(), row_starts_.end() - 1);
-    for (const Edge& edge : edges) {
-        const auto [first, last] = rows_of(edge);
-        for (std::size_t row = first; row <= last; ++row) edges_[next[row]++] = edge;
-    }
+    edges_ = Grouped<Edge>(rows_, [&](const auto& put) {
+        for (const Edge& edge : edges) {
+            const std::size_t last = row_of(std::max(edge.a.y, edge.b.y));
+            for (std::size_t row = row_of(std::min(edge.a.y, edge.b.y)); row <= last; ++row) put(row, edge);
+        }
+    });
 }
 
 std::span<const PixelPolygon::Edge> PixelPolygon::edges_at(double y) const {
-    if (row_starts_.empty() || !(y >= top_ && y < bottom_)) return {};
-    const std::size_t row = row_of(y);
-    return std::span(edges_).subspan(row_starts_[row], row_starts_[row + 1] - row_starts_[row]);
+    if (rows_ == 0 || !(y >= top_ && y < bottom_)) return {};
+    return edges_.of(row_of(y));
 }
 
 bool PixelPolygon::contains(glm::dvec2 point) const {

@@ -4,7 +4,9 @@
 // including rounding.
 #pragma once
 
-#include <cstdint>
+#include "core/base/grouped.h"
+
+#include <cstddef>
 #include <glm/vec2.hpp>
 #include <span>
 #include <utility>
@@ -32,8 +34,8 @@ private:
 
     std::vector<glm::dvec2> corners_;
     double top_ = 0.0, bottom_ = 0.0, rows_per_pixel_ = 0.0;
-    std::vector<std::uint32_t> row_starts_; // one more than rows; empty: no edge crosses a row
-    std::vector<Edge> edges_;               // row by row
+    std::size_t rows_ = 0; // 0: no edge crosses a height
+    Grouped<Edge> edges_;  // by row
 };
 
 // Simplifies a polyline within `tolerance` (Douglas and Peucker 1973). Keeps its ends.

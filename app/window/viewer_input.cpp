@@ -88,10 +88,9 @@ void ViewerInput::take_pick() {
     if (!pick) return;
     pick_pending_ = false;
     if (!picture_.shows_tree() || pick->branch >= state_.workspace.document().branch_count()) return;
-    if (pointer_over_picture_ && !mouse_.dragging() && points_at_branches())
-        point_at(pick->branch, object_at(in_viewport(pointer_), *pick));
-    else
-        point_at(tree::kNoBranch, {});
+    if (!pointer_over_picture_ || mouse_.dragging() || !points_at_branches()) return point_at(tree::kNoBranch, {});
+    const auto object = object_at(in_viewport(pointer_), *pick);
+    point_at(object ? tree::kNoBranch : pick->branch, object);
 }
 
 std::optional<ObjectPlace> ViewerInput::object_at(glm::dvec2 in_viewport, const render::Pick& pick) const {

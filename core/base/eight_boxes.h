@@ -37,6 +37,9 @@ public:
         for (std::size_t n = 0; n < kCount; ++n) all.hold(box(n));
         return all;
     }
+    // Coordinates of all eight boxes along one axis.
+    [[nodiscard]] const float* least(std::size_t axis) const { return least_[axis].data(); }
+    [[nodiscard]] const float* most(std::size_t axis) const { return most_[axis].data(); }
     // Bit n is set if box n meets `box`. Boxes that only touch meet.
     [[nodiscard]] unsigned meeting(const Box& box) const {
         const Bits low = meeting(0, Bits{1, 2, 4, 8}, box), high = meeting(kLanes, Bits{16, 32, 64, 128}, box);

@@ -21,6 +21,9 @@ public:
         std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
         for_each([&](std::size_t group, const T& thing) { things_[next[group]++] = thing; });
     }
+    // All values, group by group, and the index of the first one of a group.
+    [[nodiscard]] const std::vector<T>& all() const { return things_; }
+    [[nodiscard]] std::uint32_t first(std::size_t group) const { return first_[group]; }
     [[nodiscard]] std::span<T> of(std::size_t group) {
         return std::span(things_).subspan(first_[group], first_[group + 1] - first_[group]);
     }

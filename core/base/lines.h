@@ -14,9 +14,12 @@ template <class Vector> [[nodiscard]] auto share_along(const Vector& from, const
     return squared > Number(0) ? std::clamp(glm::dot(from, line) / squared, Number(0), Number(1)) : Number(0);
 }
 
-// The distance from p to the segment ab.
+// The point of the segment ab that is nearest to p.
+template <class Vector> [[nodiscard]] Vector nearest_on_line(const Vector& p, const Vector& a, const Vector& b) {
+    return a + share_along(p - a, b - a) * (b - a);
+}
 template <class Vector> [[nodiscard]] auto distance_to_line(const Vector& p, const Vector& a, const Vector& b) {
-    return glm::distance(p, a + share_along(p - a, b - a) * (b - a));
+    return glm::distance(p, nearest_on_line(p, a, b));
 }
 
 } // namespace ramus

@@ -67,8 +67,7 @@ std::vector<std::uint32_t> segments_reaching(const Field& field, SegmentIndices 
         Bounds<glm::dvec3> reached;
         reached.hold(start, reach);
         reached.hold(start + static_cast<double>(s.length) * glm::dvec3(s.ux, s.uy, s.uz), reach);
-        const Bounds<glm::dvec3> common = reached.common(box);
-        if (!glm::any(glm::greaterThan(common.least, common.most))) found.push_back(n);
+        if (reached.meets(box)) found.push_back(n);
     }
     return found;
 }

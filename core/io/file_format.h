@@ -25,8 +25,6 @@ struct FileFormat {
     // not identify the format.
     bool (*has_signature)(std::string_view head) = nullptr;
     Certainty certainty = Certainty::kMark; // of has_signature
-    bool states_unit = false;               // false: readers assume mm
-    bool states_orientation = false;        // false: readers assume RAS
     std::string_view help;                  // what is in such a file, in one sentence
 };
 

@@ -18,10 +18,6 @@ using Box = MeshDistance::Box;
 
 double square(const glm::dvec3& v) { return glm::dot(v, v); }
 
-glm::dvec3 nearest_on_edge(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
-    return a + share_along(p - a, b - a) * (b - a);
-}
-
 // A degenerate triangle is treated as its edges.
 glm::dvec3 nearest_on(const glm::dvec3& p, const Triangle& t) {
     const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
@@ -30,9 +26,9 @@ glm::dvec3 nearest_on(const glm::dvec3& p, const Triangle& t) {
     for (std::size_t i = 0; i < 3 && over; ++i)
         over = glm::dot(glm::cross(t[(i + 1) % 3] - t[i], p - t[i]), normal) >= 0.0;
     if (over) return p - glm::dot(p - t[0], normal) / area * normal;
-    glm::dvec3 best = nearest_on_edge(p, t[0], t[1]);
+    glm::dvec3 best = nearest_on_line(p, t[0], t[1]);
     for (std::size_t i = 1; i < 3; ++i) {
-        const glm::dvec3 other = nearest_on_edge(p, t[i], t[(i + 1) % 3]);
+        const glm::dvec3 other = nearest_on_line(p, t[i], t[(i + 1) % 3]);
         if (square(p - other) < square(p - best)) best = other;
     }
     return best;

@@ -1,5 +1,6 @@
 #include "core/tree/merge_trunks.h"
 
+#include "core/base/bounds.h"
 #include "core/base/grouped.h"
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <ranges>
 #include <tuple>
 
 namespace ramus::tree {
@@ -20,18 +22,17 @@ namespace {
 // resolution of single precision. At most a hundredth of the usual length of an edge, so that a stray point does not
 // matter.
 double same_place(const Graph& graph) {
-    glm::dvec3 least(HUGE_VAL), most(-HUGE_VAL);
-    for (const Point& p : graph.points) least = glm::min(least, p.position), most = glm::max(most, p.position);
+    const Bounds<glm::dvec3> box = box_of_points(graph.points | std::views::transform(&Point::position));
     std::vector<double> lengths;
     for (const auto& [a, b] : graph.edges)
         lengths.push_back(glm::distance(graph.points[a].position, graph.points[b].position));
     if (lengths.empty()) return 0.0;
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
     std::ranges::nth_element(lengths, middle);
-    const glm::dvec3 side = most - least;
+    const glm::dvec3 side = box.size();
     const double near = std::min(1e-6 * std::max({side.x, side.y, side.z}), 0.01 * *middle);
     // A tolerance finer than the resolution of the coordinates has no effect.
-    const glm::dvec3 far = glm::max(glm::abs(least), glm::abs(most));
+    const glm::dvec3 far = glm::max(glm::abs(box.least), glm::abs(box.most));
     return std::isfinite(near) && near > 1e-14 * std::max({far.x, far.y, far.z}) ? near : 0.0;
 }
 

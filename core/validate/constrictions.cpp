@@ -1,3 +1,4 @@
+#include "core/base/across.h"
 #include "core/validate/questions.h"
 
 #include <algorithm>
@@ -96,9 +97,7 @@ double around(const Reference& reference, std::size_t first, std::size_t end, st
 // The least radius of several tilted sections through a place: in a bend the section across the chord is oblique.
 double narrowest(const Probe& probe, const Place& place) {
     const glm::dvec3& along = place.direction;
-    const glm::dvec3 side = glm::normalize(
-        glm::cross(along, std::abs(along.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0)));
-    const glm::dvec3 other = glm::cross(along, side);
+    const auto [side, other] = axes_across(along);
     constexpr int kWays = 16;
     const double reach = 4.0 * place.radius;
     double least = probe.cross_section(place.at, along, reach).radius;

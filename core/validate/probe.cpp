@@ -1,6 +1,7 @@
 #include "core/validate/probe.h"
 
-#include "core/base/infinity.h"
+#include "core/base/across.h"
+#include "core/base/bounds.h"
 #include "core/base/memory.h"
 #include "core/validate/reference.h"
 
@@ -30,11 +31,8 @@ Probe::Probe(const mesh::TriangleMesh& surface, std::span<const Place> places)
     : surface_(surface), triangles_(surface) {
     // Frees the scratch memory of packing before the next step needs memory.
     if (surface.triangles.size() >= kWorthReleasing) release_unused_memory();
-    glm::dvec3 least(kInfinity), most(-kInfinity);
-    for (const glm::vec3& position : surface.positions) {
-        least = glm::min(least, glm::dvec3(position));
-        most = glm::max(most, glm::dvec3(position));
-    }
+    const Bounds<glm::vec3> box = box_of_points(surface.positions);
+    const glm::dvec3 least(box.least), most(box.most);
     middle_ = 0.5 * (least + most);
     size_ = glm::length(most - least);
     constexpr std::size_t kAsked = 200;
@@ -122,9 +120,7 @@ CrossSection Probe::cross_section(const glm::dvec3& at, const glm::dvec3& direct
     const int turns = winding(at);
     if (turns <= 0) return section;
     section.inside = true;
-    const glm::dvec3 side = glm::normalize(
-        glm::cross(direction, std::abs(direction.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0)));
-    const glm::dvec3 other = glm::cross(direction, side);
+    const auto [side, other] = axes_across(direction);
     constexpr double kTurned = 0.0618034; // rays, too, keep away from edges
     double squares = 0.0, flat_squares = 0.0;
     glm::dvec3 moment(0.0);

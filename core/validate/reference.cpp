@@ -158,7 +158,7 @@ NearbyVessels::Nearest NearbyVessels::nearest(const tree::Point& place, double m
             if (link.branch == but.branches[0] || link.branch == but.branches[1]) continue;
             const double closeness = tree::closeness(place, link);
             if (closeness >= best.closeness) continue;
-            const double share = tree::share_along(place.position - link.a.position, link.b.position - link.a.position);
+            const double share = tree::nearest_share(place.position, link);
             const double radius = tree::point_on(link, share).radius;
             if (is_out(but, boxes_.order[i], share, place.radius + radius)) continue;
             best = {closeness, link.branch, radius};

@@ -1,5 +1,7 @@
 #include "core/validate/sections.h"
 
+#include "core/base/across.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -22,9 +24,7 @@ bool wide_enough(const CrossSection& section, const Place& place) {
 
 // Searches around a place for the nearest cross-section that belongs to its vessel and not to another one.
 std::optional<CrossSection> aside(const Reference& reference, const Probe& probe, const Place& place) {
-    const glm::dvec3 side = glm::normalize(glm::cross(
-        place.direction, std::abs(place.direction.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0)));
-    const glm::dvec3 other = glm::cross(place.direction, side);
+    const auto [side, other] = axes_across(place.direction);
     constexpr int kWays = 8;
     std::optional<CrossSection> nearest;
     double least = kAside * place.radius;

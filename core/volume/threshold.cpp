@@ -1,10 +1,12 @@
 #include "core/volume/threshold.h"
 
+#include "core/base/disjoint_sets.h"
+#include "core/base/grouped.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <glm/common.hpp>
-#include <numeric>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_reduce.h>
 
@@ -105,8 +107,7 @@ struct Grid {
 
 template <class T> Grid grid_of(const Volume& volume, const SparseArray<T>& values, const Bins& bins, int step) {
     Grid grid{(volume.size + step - 1) / step, {}};
-    grid.bins.reserve(static_cast<std::size_t>(grid.size.x) * static_cast<std::size_t>(grid.size.y) *
-                      static_cast<std::size_t>(grid.size.z));
+    grid.bins.reserve(voxel_count(grid.size));
     const auto columns = static_cast<std::size_t>(volume.size.x), rows = static_cast<std::size_t>(volume.size.y);
     for (int k = 0; k < volume.size.z; k += step)
         for (int j = 0; j < volume.size.y; j += step)
@@ -133,40 +134,14 @@ template <class T> Grid grid_of(const Volume& volume, const RunsOf<T>& runs, con
     return grid;
 }
 
-// Union-find with path halving.
-class Joined {
-public:
-    explicit Joined(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
-    bool join(std::uint32_t one, std::uint32_t other) { // false: they were joined already
-        one = root(one), other = root(other);
-        if (one == other) return false;
-        parents_[std::max(one, other)] = std::min(one, other);
-        return true;
-    }
-
-private:
-    std::uint32_t root(std::uint32_t place) {
-        while (parents_[place] != place) place = parents_[place] = parents_[parents_[place]];
-        return place;
-    }
-    std::vector<std::uint32_t> parents_;
-};
-
-// The voxels of the grid in ascending order of their bins.
-std::vector<std::uint32_t> ordered(const Grid& grid, std::size_t count) {
-    std::vector<std::size_t> next(count + 1, 0);
-    for (const std::uint16_t bin : grid.bins) ++next[bin + std::size_t{1}];
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    std::vector<std::uint32_t> places(grid.bins.size());
-    for (std::size_t n = 0; n < grid.bins.size(); ++n) places[next[grid.bins[n]]++] = static_cast<std::uint32_t>(n);
-    return places;
-}
-
 // Adds voxels from the brightest on. Each begins as a piece of its own, and joins the pieces that it touches.
 Result<BinCounts> pieces_of(const Grid& grid, std::size_t count, const JobRange& job) {
-    const std::vector<std::uint32_t> places = ordered(grid, count);
+    const Grouped<std::uint32_t> by_bin(count, [&](const auto& put) {
+        for (std::uint32_t n = 0; n < grid.bins.size(); ++n) put(grid.bins[n], n);
+    });
+    const std::vector<std::uint32_t>& places = by_bin.all();
     const glm::ivec3 size = grid.size;
-    Joined joined(places.size());
+    DisjointSets joined(places.size());
     BinCounts pieces(count, 0);
     std::uint64_t now = 0;
     constexpr std::size_t kBetweenReports = std::size_t{1} << 16U;

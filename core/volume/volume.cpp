@@ -9,9 +9,8 @@
 
 namespace ramus::volume {
 
-std::size_t voxel_count(const Volume& volume) {
-    return static_cast<std::size_t>(volume.size.x) * static_cast<std::size_t>(volume.size.y) *
-           static_cast<std::size_t>(volume.size.z);
+std::size_t voxel_count(const glm::ivec3& size) {
+    return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
 }
 
 bool says_sides(const Volume& volume) {

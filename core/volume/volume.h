@@ -57,7 +57,7 @@ struct Volume {
 
 // Whether the file states the patient's sides. If not, the axes are a guess, and a note says so.
 [[nodiscard]] bool says_sides(const Volume& volume);
-[[nodiscard]] std::size_t voxel_count(const Volume& volume);
+[[nodiscard]] std::size_t voxel_count(const glm::ivec3& size);
 [[nodiscard]] bool holds_whole_numbers(const Volume& volume);
 // The value of a voxel within `size`. Where labels overlap, the greatest of them.
 [[nodiscard]] double value_at(const Volume& volume, const glm::ivec3& voxel);

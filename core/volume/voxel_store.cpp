@@ -52,9 +52,8 @@ std::string text_of(double whole) {
 } // namespace
 
 VoxelStore::VoxelStore(const glm::ivec3& size, double memory_bytes, std::string name)
-    : size_(size),
-      total_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z)),
-      memory_bytes_(memory_bytes), name_(std::move(name)), voxels_(VoxelRuns()) {}
+    : size_(size), total_(voxel_count(size)), memory_bytes_(memory_bytes), name_(std::move(name)),
+      voxels_(VoxelRuns()) {}
 
 std::string VoxelStore::voxel_name(std::size_t at) const {
     const auto x = static_cast<std::size_t>(size_.x);

@@ -1,5 +1,7 @@
 #include "render/gpu/shape_triangles.h"
 
+#include "core/base/splitmix64.h"
+
 #include <bit>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -9,13 +11,6 @@ namespace ramus::render {
 
 namespace {
 
-std::uint64_t mixed(std::uint64_t x) { // splitmix64 (Steele, Lea, Flood, 2014)
-    x += 0x9e3779b97f4a7c15ULL;
-    x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    x = (x ^ (x >> 27U)) * 0x94d049bb133111ebULL;
-    return x ^ (x >> 31U);
-}
-
 // Whether every edge is traversed equally often in both directions: compares sums of random numbers for both directions
 // (wrong for an open mesh with probability 2^-64). Vertices at the same position count as one, as along seams.
 bool is_closed(const mesh::TriangleMesh& mesh) {
@@ -24,11 +19,11 @@ bool is_closed(const mesh::TriangleMesh& mesh) {
     for (const glm::vec3& p : mesh.positions) {
         std::uint64_t position = 0;
         for (const float x : {p.x, p.y, p.z})
-            position = mixed(position ^ std::bit_cast<std::uint32_t>(x + 0.0F)); // no -0
+            position = splitmix64(position ^ std::bit_cast<std::uint32_t>(x + 0.0F)); // no -0
         positions.push_back(position);
     }
     std::uint64_t there = 0, back = 0;
-    const auto edge = [&](std::uint32_t a, std::uint32_t b) { return mixed(positions[a] + 3 * positions[b]); };
+    const auto edge = [&](std::uint32_t a, std::uint32_t b) { return splitmix64(positions[a] + 3 * positions[b]); };
     for (const glm::uvec3& t : mesh.triangles)
         for (const auto& [a, b] : {std::pair(t.x, t.y), {t.y, t.z}, {t.z, t.x}}) {
             there += edge(a, b);

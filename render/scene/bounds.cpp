@@ -28,8 +28,7 @@ void Box::include(const glm::dvec3& point) {
 
 Box bounds_of(const mesh::TriangleMesh& mesh) {
     if (mesh.positions.empty()) return {};
-    Bounds<glm::vec3> box;
-    for (const glm::vec3& position : mesh.positions) box.hold(position);
+    const Bounds<glm::vec3> box = box_of_points(mesh.positions);
     return {glm::dvec3(box.least), glm::dvec3(box.most)};
 }
 

@@ -1,5 +1,6 @@
 #include "render/scene/centerlines.h"
 
+#include "core/base/bounds.h"
 #include "core/base/lines.h"
 
 #include <algorithm>
@@ -31,10 +32,7 @@ std::optional<Centerlines::BranchPoint> Centerlines::at(int branch, double fract
 
 double Centerlines::extent_mm() const {
     if (points.empty()) return 0.0;
-    glm::vec3 lower(points.front()), upper = lower;
-    for (const glm::vec4& point : points)
-        lower = glm::min(lower, glm::vec3(point)), upper = glm::max(upper, glm::vec3(point));
-    return glm::length(upper - lower);
+    return glm::length(glm::vec3(box_of_points(points).size()));
 }
 
 namespace {

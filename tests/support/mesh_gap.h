@@ -63,11 +63,11 @@ struct Gap {
 // The least distance between triangles of different groups (a number for each vertex), where it is below `limit`, mm.
 [[nodiscard]] inline Gap least_gap(const mesh::TriangleMesh& mesh, const std::vector<std::uint32_t>& group_of_vertex,
                                    double limit) {
-    const BoxTree tree(mesh);
+    const TriangleFinder tree(mesh);
     tbb::enumerable_thread_specific<Gap> least(Gap{limit, {}});
     tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(mesh.triangles.size()), [&](std::uint32_t n) {
-        Box box = tree.box(n);
-        box.lower -= static_cast<float>(limit), box.upper += static_cast<float>(limit);
+        TriangleFinder::Box box = tree.box(n);
+        box.least -= limit, box.most += limit;
         const glm::uvec3& own = mesh.triangles[n];
         tree.for_each_in(box, [&](std::uint32_t other) {
             const glm::uvec3& there = mesh.triangles[other];

@@ -61,8 +61,11 @@ Svg box_plots(const std::string& title, const std::vector<BoxRow>& rows, const S
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const double top = kTop + kRow * static_cast<double>(i);
         const std::string beyond = beyond_text(*rows[i].statistics, unit);
+        const double room = width_of(beyond, 9.5);
+        svg.rectangle({kPlotWidth - kSide - room, top}, {room, 13.0}, "#ffffff"); // no grid behind words
         svg.text({kPlotWidth - kSide, top + 10.0}, beyond, Anchor::kEnd, 9.5, kQuietInk);
-        const std::string name = shortened(rows[i].name, kPlotWidth - 2.0 * kSide - width_of(beyond, 9.5) - 12.0);
+        const std::string name = shortened(rows[i].name, kPlotWidth - 2.0 * kSide - room - 12.0);
+        svg.rectangle({kSide, top}, {width_of(name), 13.0}, "#ffffff");
         svg.text({kSide, top + 10.0}, name, Anchor::kStart, 11.0, kInk,
                  name == rows[i].name ? std::string_view() : std::string_view(rows[i].name));
         draw_box(svg, area, rows[i], top + 26.0, stroke);

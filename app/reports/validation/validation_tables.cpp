@@ -109,8 +109,8 @@ Table distance_table(std::span<const ValidatedDataSet> sets, Held how) {
                  {"max", "Max, mm"},
                  {"median", "Median, mm"},
                  {"percentile_95", "95th percentile, mm"},
-                 {"above_percent", "Above half a voxel, %"},
-                 {"half_voxel", "Half a voxel, mm"}},
+                 {"above_percent", "Above half a voxel's diagonal, %"},
+                 {"half_voxel", "Half a voxel's diagonal, mm"}},
                 {}};
     table.columns.push_back(unit_column());
     for (std::size_t i = 0; i < sets.size(); ++i) {
@@ -356,7 +356,7 @@ Table for_people(Table table) {
         table.columns.erase(table.columns.begin() + at);
         for (std::vector<Cell>& row : table.rows) row.erase(row.begin() + at);
     }
-    constexpr double kNoLength = 1e-5; // mm: ten nanometres
+    constexpr double kNoLength = 5e-5; // mm: less than a tenth of a micrometre
     for (std::vector<Cell>& row : table.rows)
         for (Cell& cell : row)
             if (cell.number && std::abs(*cell.number) < kNoLength) cell = 0;

@@ -47,7 +47,7 @@ ContactZone::Layer ContactZone::layer_of(const Cells& cells) {
 }
 
 void ContactZone::add(const Cells& cells) {
-    if (is_empty(cells)) return;
+    if (cells.is_empty()) return;
     const auto [low, high] = layer_of(cells).bits;
     for (int z = cells.least.z; z <= cells.most.z; ++z) {
         Layer& layer = layers_[static_cast<std::size_t>(z)];
@@ -57,7 +57,7 @@ void ContactZone::add(const Cells& cells) {
 }
 
 bool ContactZone::has_all(const Cells& cells) const {
-    if (is_empty(cells)) return true;
+    if (cells.is_empty()) return true;
     const auto [low, high] = layer_of(cells).bits;
     for (int z = cells.least.z; z <= cells.most.z; ++z) {
         const Layer& layer = layers_[static_cast<std::size_t>(z)];

@@ -10,7 +10,6 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <glm/vector_relational.hpp>
 
 namespace ramus::field {
 
@@ -18,9 +17,6 @@ class ContactZone {
 public:
     // A box of cells, first to last, both included; empty where `most` is below `least` along some axis.
     using Cells = Bounds<glm::ivec3>;
-    [[nodiscard]] static bool is_empty(const Cells& cells) {
-        return glm::any(glm::greaterThan(cells.least, cells.most));
-    }
 
     // Begins a brick, with an empty zone. `axes` in mm.
     void begin(const GridAxes& axes);

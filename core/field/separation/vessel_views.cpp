@@ -60,7 +60,7 @@ void VesselViews::list_counted_axes() {
         if (moved_[n] != 0) {
             const PieceShape& shape = *shape_of(n);
             for (glm::dvec3* const place : {&start, &end})
-                *place += shape.move.at(tree::share_along(*place - shape.start, shape.end - shape.start));
+                *place += shape.move.at(share_along(*place - shape.start, shape.end - shape.start));
         }
         const double length = glm::distance(start, end);
         counted_axes_.add(start, (end - start) / std::max(length, 1e-300), length, 1.0, 0.0);

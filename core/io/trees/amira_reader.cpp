@@ -1,3 +1,4 @@
+#include "core/base/bounds.h"
 #include "core/io/text_numbers.h"
 #include "core/io/trees/amira.h"
 #include "core/io/trees/amira_file.h"
@@ -185,14 +186,14 @@ private:
     Result<void> build(const AmiraGraph& graph) {
         vertices_ = graph.vertices.size() / 3;
         std::vector<tree::Point>& points = imported_.graph.points;
-        glm::dvec3 least(HUGE_VAL), most(-HUGE_VAL);
+        Bounds<glm::dvec3> box;
         for (std::size_t v = 0; v < vertices_; ++v) {
             points.push_back({at(graph.vertices, v), graph.width_array->of == "VERTEX" ? graph.widths[v] : 0.0});
             take_data(graph, "VERTEX", v, v);
-            least = glm::min(least, points.back().position), most = glm::max(most, points.back().position);
+            box.hold(points.back().position);
         }
         // The precision of numbers in text files.
-        near_ = vertices_ > 0 ? 1e-6 * glm::length(most - least) : 0.0;
+        near_ = vertices_ > 0 ? 1e-6 * glm::length(box.size()) : 0.0;
         by_edge_ = graph.width_array->of == "EDGE" || (graph.width_array->of == "POINT" && constant_along_edges(graph));
         std::size_t first = 0;
         for (std::size_t e = 0; e < graph.inner_counts.size(); ++e) {

@@ -1,5 +1,6 @@
 #include "core/io/trees/imported_tree.h"
 
+#include "core/base/bounds.h"
 #include "core/base/grouped.h"
 #include "core/io/text_numbers.h"
 #include "core/io/trees/tree_data.h"
@@ -37,12 +38,12 @@ Result<void> check_lengths(const ImportedTree& imported) {
 // The largest radius, and the longest side of the bounding box of all points, in the units of the graph.
 std::pair<double, double> sizes_of(const tree::Graph& graph) {
     double radius = 0.0;
-    glm::dvec3 least(HUGE_VAL), most(-HUGE_VAL);
+    Bounds<glm::dvec3> box;
     for (const tree::Point& p : graph.points) {
         radius = std::max(radius, p.radius);
-        least = glm::min(least, p.position), most = glm::max(most, p.position);
+        box.hold(p.position);
     }
-    const glm::dvec3 side = most - least;
+    const glm::dvec3 side = box.size();
     return {radius, std::max({side.x, side.y, side.z, 0.0})};
 }
 

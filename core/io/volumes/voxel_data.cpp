@@ -184,8 +184,7 @@ Result<volume::Volume> read_voxels(ByteSource& source, std::uint64_t offset, con
     volume::VoxelStore store(layout.size, memory_bytes, source.name());
     if (auto skipped = source.skip(offset); !skipped) return tl::unexpected(skipped.error());
     const NumberRow& type = row_of(layout.type);
-    const auto voxels = static_cast<std::size_t>(layout.size.x) * static_cast<std::size_t>(layout.size.y) *
-                        static_cast<std::size_t>(layout.size.z) * layers_of(layout);
+    const std::size_t voxels = volume::voxel_count(layout.size) * layers_of(layout);
     const auto read = layout.encoding == Encoding::kText ? type.text : type.binary;
     if (auto all = read({source, layout, voxels, job}, store); !all) return tl::unexpected(all.error());
     if (auto sound = source.check_end(); !sound) return tl::unexpected(sound.error());

@@ -1,5 +1,6 @@
 #include "core/measure/deviation/deviation.h"
 
+#include "core/base/bounds.h"
 #include "core/measure/deviation/packed_triangles.h"
 #include "core/mesh/close_mesh.h"
 
@@ -89,9 +90,7 @@ DeviationStatistics statistics_of(std::span<double> values, std::optional<double
 std::vector<std::size_t> farthest_vertices(const mesh::TriangleMesh& surface, std::span<const double> distances,
                                            std::size_t count) {
     constexpr double kLeastDistance = 0.01; // of the diagonal of the surface's box
-    glm::vec3 least(surface.positions.front()), most(least);
-    for (const glm::vec3& at : surface.positions) least = glm::min(least, at), most = glm::max(most, at);
-    const auto apart = static_cast<float>(kLeastDistance) * glm::distance(least, most);
+    const auto apart = static_cast<float>(kLeastDistance) * glm::length(box_of_points(surface.positions).size());
     std::vector<std::size_t> found;
     const auto is_free = [&](const glm::vec3& at) {
         return std::ranges::none_of(found, [&](std::size_t other) {

@@ -89,14 +89,14 @@ HWY_INLINE double least_squared(const PackedLeaf& leaf, const Vector& point) {
 }
 
 // Squared distances to the boxes of a node, rounded.
-HWY_INLINE void to_boxes(const PackedNode& node, const float* point, float* squared) {
+HWY_INLINE void to_boxes(const EightBoxes& node, const float* point, float* squared) {
     const Singles d;
     for (std::size_t n = 0; n < kPack; n += hn::Lanes(d)) {
         auto sum = hn::Zero(d);
-        for (int axis = 0; axis < 3; ++axis) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto at = hn::Set(d, point[axis]);
-            const auto off = hn::Max(hn::Max(hn::Sub(hn::LoadU(d, node.least[axis] + n), at),
-                                             hn::Sub(at, hn::LoadU(d, node.most[axis] + n))),
+            const auto off = hn::Max(hn::Max(hn::Sub(hn::LoadU(d, node.least(axis) + n), at),
+                                             hn::Sub(at, hn::LoadU(d, node.most(axis) + n))),
                                      hn::Zero(d));
             sum = hn::Add(sum, hn::Mul(off, off));
         }
@@ -122,7 +122,7 @@ HWY_INLINE double nearest_squared(const PackedView& view, const float* place, st
     const std::uint32_t begin = leaf;
     float limit = limit_of(best);
     Open open[kMostOpen];
-    open[0] = {0, view.levels - 1, 0.0F};
+    open[0] = {0, view.level_count - 1, 0.0F};
     std::size_t count = 1;
     while (count > 0) {
         const Open next = open[--count];
@@ -137,7 +137,7 @@ HWY_INLINE double nearest_squared(const PackedView& view, const float* place, st
             continue;
         }
         float squared[kPack];
-        to_boxes(view.nodes[view.first[next.level] + next.node], place, squared);
+        to_boxes(view.levels[next.level][next.node], place, squared);
         const std::uint32_t below = next.level == 0 ? kLeafLevel : next.level - 1;
         const std::size_t first = count;
         for (std::uint32_t child = 0; child < kPack; ++child) {
@@ -160,22 +160,22 @@ void distances_of(const PackedView& view, const glm::vec3* points, const std::ui
 
 // The bits of the boxes of a node that a line intersects, and the parameter at which it enters each. Has a margin, so
 // that rounding does not lose a flat box.
-HWY_INLINE std::uint32_t boxes_met(const PackedNode& node, const double* from, const double* inverse, double length,
+HWY_INLINE std::uint32_t boxes_met(const EightBoxes& node, const double* from, const double* inverse, double length,
                                    double* begins) {
     const Doubles d;
     std::uint32_t bits = 0;
     for (std::size_t n = 0; n < kPack; n += hn::Lanes(d)) {
         Values enter = hn::Zero(d), leave = hn::Set(d, length);
-        for (int axis = 0; axis < 3; ++axis) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
             const Values start = hn::Set(d, from[axis]), per = hn::Set(d, inverse[axis]);
-            const Values low = hn::Mul(hn::Sub(wide(node.least[axis] + n), start), per);
-            const Values high = hn::Mul(hn::Sub(wide(node.most[axis] + n), start), per);
+            const Values low = hn::Mul(hn::Sub(wide(node.least(axis) + n), start), per);
+            const Values high = hn::Mul(hn::Sub(wide(node.most(axis) + n), start), per);
             enter = hn::Max(enter, hn::Min(low, high));
             leave = hn::Min(leave, hn::Max(low, high));
         }
         const Values slack = hn::Mul(hn::Set(d, 1e-9), hn::Add(hn::Abs(leave), hn::Set(d, 1.0)));
         std::uint8_t byte[8] = {};
-        const auto is_there = hn::Le(wide(node.least[0] + n), wide(node.most[0] + n));
+        const auto is_there = hn::Le(wide(node.least(0) + n), wide(node.most(0) + n));
         hn::StoreMaskBits(d, hn::And(is_there, hn::Le(enter, hn::Add(leave, slack))), byte);
         bits |= static_cast<std::uint32_t>(byte[0]) << n;
         hn::StoreU(enter, d, begins + n);
@@ -227,7 +227,7 @@ std::size_t crossings_along(const PackedView& view, const double* from, const do
     for (int axis = 0; axis < 3; ++axis) inverse[axis] = 1.0 / (direction[axis] != 0.0 ? direction[axis] : 1e-300);
     const Vector start = all(from), way = all(direction);
     Open open[kMostOpen];
-    open[0] = {0, view.levels - 1, 0.0F};
+    open[0] = {0, view.level_count - 1, 0.0F};
     std::size_t count = 1, total = 0;
     while (count > 0) {
         const Open next = open[--count];
@@ -239,7 +239,7 @@ std::size_t crossings_along(const PackedView& view, const double* from, const do
             continue;
         }
         double begins[kPack];
-        const PackedNode& node = view.nodes[view.first[next.level] + next.node];
+        const EightBoxes& node = view.levels[next.level][next.node];
         const std::uint32_t bits = boxes_met(node, from, inverse, length, begins);
         const std::uint32_t below = next.level == 0 ? kLeafLevel : next.level - 1;
         for (std::uint32_t child = 0; child < kPack; ++child)
@@ -254,7 +254,7 @@ Crossing exit_along(const PackedView& view, const double* from, const double* di
     const Vector start = all(from), way = all(direction);
     Crossing first{std::numeric_limits<double>::infinity(), true, 0};
     Open open[kMostOpen];
-    open[0] = {0, view.levels - 1, 0.0F};
+    open[0] = {0, view.level_count - 1, 0.0F};
     std::size_t count = 1;
     while (count > 0) {
         const Open next = open[--count];
@@ -272,7 +272,7 @@ Crossing exit_along(const PackedView& view, const double* from, const double* di
             continue;
         }
         double begins[kPack];
-        const PackedNode& node = view.nodes[view.first[next.level] + next.node];
+        const EightBoxes& node = view.levels[next.level][next.node];
         const std::uint32_t bits = boxes_met(node, from, inverse, first.at, begins);
         const std::uint32_t below = next.level == 0 ? kLeafLevel : next.level - 1;
         const std::size_t earlier = count;

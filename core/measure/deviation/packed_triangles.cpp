@@ -6,7 +6,6 @@
 #include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_sort.h>
@@ -53,48 +52,11 @@ template <class Call> void for_all(std::size_t count, const Call& call) {
     });
 }
 
-void put_box(PackedNode& node, std::uint32_t child, const glm::vec3& least, const glm::vec3& most) {
-    for (int axis = 0; axis < 3; ++axis) {
-        node.least[axis][child] = least[axis];
-        node.most[axis][child] = most[axis];
-    }
-}
-
-struct FloatBox {
-    glm::vec3 least{std::numeric_limits<float>::infinity()}, most{-std::numeric_limits<float>::infinity()};
-    void take(const glm::vec3& low, const glm::vec3& high) {
-        least = glm::min(least, low);
-        most = glm::max(most, high);
-    }
-};
-
-FloatBox box_of(const PackedLeaf& leaf) {
-    FloatBox box;
+Bounds<glm::vec3> box_of(const PackedLeaf& leaf) {
+    Bounds<glm::vec3> box;
     for (std::uint32_t n = 0; n < kPack; ++n)
-        for (const auto& corner : leaf.corner) {
-            const glm::vec3 place(corner[0][n], corner[1][n], corner[2][n]);
-            box.take(place, place);
-        }
+        for (const auto& corner : leaf.corner) box.hold({corner[0][n], corner[1][n], corner[2][n]});
     return box;
-}
-
-FloatBox box_of(const PackedNode& node) {
-    FloatBox box;
-    for (std::uint32_t n = 0; n < kPack; ++n)
-        box.take({node.least[0][n], node.least[1][n], node.least[2][n]},
-                 {node.most[0][n], node.most[1][n], node.most[2][n]});
-    return box;
-}
-
-// Builds one level of nodes above `count` leaves or nodes with these boxes.
-template <class BoxOf> void put_level(PackedNode* nodes, std::size_t number, std::size_t count, const BoxOf& box_at) {
-    for_all(number, [&](std::size_t n) {
-        for (std::uint32_t child = 0; child < kPack; ++child) {
-            const std::size_t at = n * kPack + child;
-            const FloatBox box = at < count ? box_at(at) : FloatBox();
-            put_box(nodes[n], child, box.least, box.most);
-        }
-    });
 }
 
 // The numbers 0 to count - 1, sorted by place(n) along a Hilbert curve through the bounding box. Calls place() twice
@@ -102,11 +64,8 @@ template <class BoxOf> void put_level(PackedNode* nodes, std::size_t number, std
 template <class PlaceAt>
 LargeArray<std::uint32_t> hilbert_order(std::size_t count, const LargeAllocator<std::byte>& memory,
                                         const PlaceAt& place_at) {
-    FloatBox box;
-    for (std::size_t i = 0; i < count; ++i) {
-        const glm::vec3 place = place_at(i);
-        box.take(place, place);
-    }
+    Bounds<glm::vec3> box;
+    for (std::size_t i = 0; i < count; ++i) box.hold(place_at(i));
     const glm::dvec3 least(box.least), size = glm::dvec3(box.most) - least;
     const double side = std::max({size.x, size.y, size.z});
     const double scale = side > 0.0 ? 65535.0 / side : 0.0;
@@ -131,13 +90,9 @@ LargeArray<std::uint32_t> hilbert_order(std::size_t count, const LargeAllocator<
 
 } // namespace
 
-LargeArray<std::uint32_t> along_hilbert_curve(std::span<const glm::vec3> places) {
-    return hilbert_order(places.size(), {}, [&](std::size_t i) { return places[i]; });
-}
-
 PackedTriangles::PackedTriangles(const mesh::TriangleMesh& mesh, std::size_t most_copied,
                                  const LargeAllocator<std::byte>& memory)
-    : leaves_(memory), nodes_(memory) {
+    : leaves_(memory) {
     const std::size_t count = mesh.triangles.size();
     order_ = hilbert_order(count, memory, [&](std::size_t i) {
         const glm::uvec3& t = mesh.triangles[i];
@@ -154,42 +109,18 @@ PackedTriangles::PackedTriangles(const mesh::TriangleMesh& mesh, std::size_t mos
         for_all(leaves, [&](std::size_t leaf) { fill_leaf(view_, leaf, leaves_[leaf]); });
         view_.leaves = leaves_.data();
     }
-    make_nodes(leaves);
-}
-
-void PackedTriangles::make_nodes(std::size_t leaves) {
-    std::vector<std::size_t> numbers; // of nodes of each level
-    std::size_t total = 0, below = leaves;
-    do {
-        below = (below + kPack - 1) / kPack;
-        numbers.push_back(below);
-        total += below;
-    } while (below > 1);
-    nodes_.resize(total);
-    view_.nodes = nodes_.data();
-    view_.levels = static_cast<std::uint32_t>(numbers.size());
     const auto box_of_leaf = [this](std::size_t number) {
         if (view_.leaves != nullptr) return box_of(view_.leaves[number]);
         PackedLeaf leaf;
         fill_leaf(view_, number, leaf);
         return box_of(leaf);
     };
-    std::size_t first = 0;
-    for (std::size_t level = 0; level < numbers.size(); ++level) {
-        view_.first[level] = static_cast<std::uint32_t>(first);
-        PackedNode* const nodes = nodes_.data() + first;
-        if (level == 0) {
-            put_level(nodes, numbers[0], leaves, box_of_leaf);
-        } else {
-            const PackedNode* const lower = nodes_.data() + view_.first[level - 1];
-            put_level(nodes, numbers[level], numbers[level - 1], [&](std::size_t n) { return box_of(lower[n]); });
-        }
-        first += numbers[level];
-    }
+    tree_.emplace(BoxTree::level_of(leaves, box_of_leaf, memory));
+    for (const BoxTree::Level& level : tree_->levels()) view_.levels[view_.level_count++] = level.data();
 }
 
 LargeArray<double> PackedTriangles::distances(std::span<const glm::vec3> points) const {
-    const LargeArray<std::uint32_t> order = along_hilbert_curve(points);
+    const LargeArray<std::uint32_t> order = hilbert_order(points.size(), {}, [&](std::size_t i) { return points[i]; });
     LargeArray<double> distances(points.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), kGrain), [&](const auto& range) {
         packed_distances(view_, points.data(), order.data() + range.begin(), range.size(), distances.data());

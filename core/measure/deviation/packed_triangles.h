@@ -1,6 +1,6 @@
-// PackedTriangles: a bounding-volume hierarchy over the triangles of a mesh for distance and ray queries, with eight
-// triangles per leaf and eight boxes per node, so that SIMD processes all of them at once. Triangles are sorted along a
-// Hilbert curve and packed in that order, so building takes about the time of the sort.
+// PackedTriangles: a bounding-volume hierarchy over the triangles of a mesh for distance and ray queries: a BoxTree
+// (core/base/box_tree.h) whose leaves are eight triangles each, so that SIMD processes all of them at once. Triangles
+// are sorted along a Hilbert curve and packed in that order, so building takes about the time of the sort.
 //
 // Guarantees: distances are to the triangles themselves, computed in double precision; the same bits for any number of
 // threads, any order of points and any instruction set. Immutable. Leaves contain copies of the corners. For a large
@@ -8,35 +8,31 @@
 // slower, with the same bits.
 #pragma once
 
+#include "core/base/box_tree.h"
 #include "core/base/large_array.h"
 #include "core/mesh/triangle_mesh.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace ramus::measure {
 
-inline constexpr std::uint32_t kPack = 8;
+inline constexpr std::uint32_t kPack = EightBoxes::kCount;
 
 // Unused entries repeat another triangle.
 struct PackedLeaf {
     float corner[3][3][kPack]; // corner, axis, triangle
 };
-// The boxes of the children. Unused boxes are empty (least above most).
-struct PackedNode {
-    float least[3][kPack], most[3][kPack]; // axis, child
-};
 
-// The data for queries, as plain arrays. The children of nodes of level 0 are leaves; the last level is the top node.
-// The children of node n of a level are the nodes 8 n to 8 n + 7 of the level below.
+// The data for queries, as plain arrays.
 struct PackedView {
     const PackedLeaf* leaves = nullptr; // null: queries call fill_leaf()
-    const PackedNode* nodes = nullptr;  // level by level
-    std::uint32_t first[12] = {};       // by level: its first node
-    std::uint32_t levels = 0;
+    const EightBoxes* levels[12] = {};  // of the BoxTree; the children of nodes of level 0 are leaves
+    std::uint32_t level_count = 0;
     const glm::vec3* positions = nullptr; // of the mesh
     const glm::uvec3* triangles = nullptr;
     const std::uint32_t* order = nullptr; // by place in the leaves: the triangle of the mesh
@@ -84,15 +80,10 @@ public:
     [[nodiscard]] Crossing first_exit(const glm::dvec3& from, const glm::dvec3& direction, double after) const;
 
 private:
-    void make_nodes(std::size_t leaves);
-
-    LargeArray<PackedLeaf> leaves_; // empty if corners are not copied
-    LargeArray<PackedNode> nodes_;
+    LargeArray<PackedLeaf> leaves_;   // empty if corners are not copied
+    std::optional<BoxTree> tree_;     // of leaves
     LargeArray<std::uint32_t> order_; // PackedView::order
     PackedView view_;
 };
-
-// The indices of `places`, in the order of a Hilbert curve through their bounding box.
-[[nodiscard]] LargeArray<std::uint32_t> along_hilbert_curve(std::span<const glm::vec3> places);
 
 } // namespace ramus::measure

@@ -1,5 +1,6 @@
 #include "core/mesh/loops/open_lost_loops.h"
 
+#include "core/base/across.h"
 #include "core/base/bounds.h"
 #include "core/base/infinity.h"
 #include "core/base/lines.h"
@@ -55,10 +56,8 @@ std::vector<tree::Point> corners_of(const std::vector<tree::Point>& cycle) {
 
 double distance_to(const std::vector<tree::Point>& cycle, const glm::dvec3& place) {
     double least = kInfinity;
-    for (std::size_t i = 0; i < cycle.size(); ++i) {
-        const glm::dvec3 a = cycle[i].position, along = cycle[(i + 1) % cycle.size()].position - a;
-        least = std::min(least, glm::distance(place, a + share_along(place - a, along) * along));
-    }
+    for (std::size_t i = 0; i < cycle.size(); ++i)
+        least = std::min(least, distance_to_line(place, cycle[i].position, cycle[(i + 1) % cycle.size()].position));
     return least;
 }
 
@@ -104,9 +103,7 @@ class TunnelFinder {
 public:
     TunnelFinder(const TriangleMesh& mesh, const LargeAllocator<std::byte>& memory)
         : mesh_(mesh), surface_(mesh, measure::kMostCopied, memory) {
-        Bounds<glm::vec3> box;
-        for (const glm::vec3& position : mesh.positions) box.hold(position);
-        size_ = static_cast<double>(glm::length(box.size()));
+        size_ = static_cast<double>(glm::length(box_of_points(mesh.positions).size()));
     }
 
     [[nodiscard]] bool inside(const glm::dvec3& place) {
@@ -118,9 +115,7 @@ public:
     // The straight tunnel through the place, across the spanning triangles; none if a third triangle is in the way.
     [[nodiscard]] std::optional<Tunnel> through(const Middle& middle) const {
         const glm::dvec3 d = middle.across;
-        const glm::dvec3 u =
-            glm::normalize(glm::cross(d, std::abs(d.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0)));
-        const glm::dvec3 v = glm::cross(d, u);
+        const auto [u, v] = axes_across(d);
         Tunnel tunnel;
         tunnel.radius = kWidest * middle.clearance;
         std::array<std::array<double, 3>, 2> angle{}; // of the triangles' corners around the tunnel

@@ -32,14 +32,10 @@ SurfaceGraph::SurfaceGraph(const TriangleMesh& mesh) : mesh_(&mesh) {
     for (std::size_t n = 0; n + 1 < sides.size(); n += 2)
         edges_.push_back({{static_cast<std::uint32_t>(sides[n].ends >> 32), static_cast<std::uint32_t>(sides[n].ends)},
                           {sides[n].triangle, sides[n + 1].triangle}});
-    first_.resize(mesh.positions.size() + 1, 0);
-    for (const SurfaceEdge& edge : edges_)
-        for (const std::uint32_t end : edge.ends) ++first_[end + 1];
-    for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-    at_.resize(2 * edges_.size());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t e = 0; e < edges_.size(); ++e)
-        for (const std::uint32_t end : edges_[e].ends) at_[next[end]++] = e;
+    at_ = Grouped<std::uint32_t>(mesh.positions.size(), [&](const auto& put) {
+        for (std::uint32_t e = 0; e < edges_.size(); ++e)
+            for (const std::uint32_t end : edges_[e].ends) put(end, e);
+    });
 }
 
 double SurfaceGraph::length(std::uint32_t edge) const {

@@ -1,6 +1,7 @@
 // SurfaceGraph: the edges of a closed surface, with the two triangles of each edge and the edges at each vertex.
 #pragma once
 
+#include "core/base/grouped.h"
 #include "core/mesh/triangle_mesh.h"
 
 #include <array>
@@ -24,9 +25,7 @@ public:
     // Whether every edge has two triangles. If not, the graph is empty.
     [[nodiscard]] bool is_closed() const { return closed_; }
     [[nodiscard]] std::span<const SurfaceEdge> edges() const { return edges_; }
-    [[nodiscard]] std::span<const std::uint32_t> edges_at(std::uint32_t vertex) const {
-        return std::span(at_).subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
-    }
+    [[nodiscard]] std::span<const std::uint32_t> edges_at(std::uint32_t vertex) const { return at_.of(vertex); }
     [[nodiscard]] double length(std::uint32_t edge) const; // mm
     [[nodiscard]] std::uint32_t other_end(std::uint32_t edge, std::uint32_t vertex) const {
         const auto& [a, b] = edges_[edge].ends;
@@ -37,7 +36,7 @@ private:
     const TriangleMesh* mesh_;
     bool closed_ = true;
     std::vector<SurfaceEdge> edges_;
-    std::vector<std::uint32_t> first_, at_; // by vertex
+    Grouped<std::uint32_t> at_; // edges at each vertex
 };
 
 } // namespace ramus::mesh

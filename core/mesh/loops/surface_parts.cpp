@@ -251,7 +251,7 @@ std::vector<std::uint32_t> triangles_around(const TriangleMesh& mesh, const Tria
         const TriangleBox around{box.least - reach, box.most + reach};
         boxes.for_each_group_in(around, [&](std::size_t group, const TriangleBox&) {
             boxes.for_each_of(group, [&](std::uint32_t other) {
-                if (is_around[other] == 0 && boxes_meet(boxes.box(other), around)) is_around[other] = 1;
+                if (is_around[other] == 0 && boxes.box(other).meets(around)) is_around[other] = 1;
             });
         });
     }

@@ -73,7 +73,7 @@ std::vector<IntersectionPlace> intersection_places(const TriangleMesh& mesh, con
     for (std::uint32_t n = 0; n < pairs.size(); ++n) {
         const TriangleBox box = box_around(mesh, pairs[n]);
         const auto last = std::span(looked_at).last(std::min(kRemembered, looked_at.size()));
-        const auto known = std::ranges::find_if(last, [&](const auto& other) { return holds(other.first, box); });
+        const auto known = std::ranges::find_if(last, [&](const auto& other) { return other.first.contains(box); });
         if (known != last.end()) {
             together.join(n, known->second);
             continue;

@@ -9,9 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <glm/vector_relational.hpp>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <span>
 #include <utility>
 
@@ -23,19 +20,6 @@ using TriangleBox = EightBoxes::Box; // mm
     TriangleBox box;
     for (int corner = 0; corner < 3; ++corner) box.hold(positions[triangle[corner]]);
     return box;
-}
-[[nodiscard]] inline bool boxes_meet(const TriangleBox& a, const TriangleBox& b) {
-    bool meet = true; // no test depends on another
-    for (int axis = 0; axis < 3; ++axis) {
-        meet &= a.least[axis] <= b.most[axis];
-        meet &= b.least[axis] <= a.most[axis];
-    }
-    return meet;
-}
-// Whether a box contains another one.
-[[nodiscard]] inline bool holds(const TriangleBox& box, const TriangleBox& other) {
-    return glm::all(glm::lessThanEqual(box.least, other.least)) &&
-           glm::all(glm::greaterThanEqual(box.most, other.most));
 }
 
 class TriangleBoxes {
@@ -58,23 +42,15 @@ public:
     template <class Call>
     [[nodiscard]] static Groups groups_of(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
                                           const Call& call, const Groups::allocator_type& memory = {}) {
-        constexpr std::size_t kEight = EightBoxes::kCount;
-        Groups groups((triangles.size() + kGroup * kEight - 1) / (kGroup * kEight), memory);
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups.size()), [&](const auto& range) {
-            for (std::size_t eight = range.begin(); eight < range.end(); ++eight) {
-                groups[eight] = EightBoxes();
-                for (std::size_t group = 0; group < kEight; ++group) {
-                    const std::size_t first = kGroup * (kEight * eight + group);
-                    TriangleBox box;
-                    for (std::size_t n = first; n < std::min(first + kGroup, triangles.size()); ++n) {
-                        box.hold(box_of(positions, triangles[n]));
-                        call(n);
-                    }
-                    groups[eight].set(group, box);
-                }
+        const auto box_of_group = [&](std::size_t group) {
+            TriangleBox box;
+            for (std::size_t n = kGroup * group; n < std::min(kGroup * (group + 1), triangles.size()); ++n) {
+                box.hold(box_of(positions, triangles[n]));
+                call(n);
             }
-        });
-        return groups;
+            return box;
+        };
+        return BoxTree::level_of((triangles.size() + kGroup - 1) / kGroup, box_of_group, memory);
     }
 
     [[nodiscard]] std::span<const glm::vec3> positions() const { return positions_; }
@@ -93,9 +69,9 @@ public:
     // Calls call(triangle) for each triangle whose box intersects `box`, ascending.
     template <class Call> void for_each_in(const TriangleBox& box, const Call& call) const {
         for_each_group_in(box, [&](std::size_t group, const TriangleBox& around) {
-            const bool all = holds(box, around); // then the boxes of single triangles need no test
+            const bool all = box.contains(around); // then the boxes of single triangles need no test
             for_each_of(group, [&](std::uint32_t n) {
-                if (all || boxes_meet(this->box(n), box)) call(n);
+                if (all || this->box(n).meets(box)) call(n);
             });
         });
     }

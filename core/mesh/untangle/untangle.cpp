@@ -33,11 +33,11 @@ LargeArray<Compared> suspects(const TriangleMesh& mesh, const Folds& folds, std:
     for (const std::uint32_t n : folds.triangles) suspected[n] = Compared::kWithAll;
     tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t place) {
         folds.boxes.for_each_group_in(places[place], [&](std::size_t group, const TriangleBox& around) {
-            const bool all = holds(places[place], around);
+            const bool all = places[place].contains(around);
             folds.boxes.for_each_of(group, [&](std::uint32_t n) {
                 const std::atomic_ref<Compared> one(suspected[n]);
                 if (one.load(std::memory_order_relaxed) != Compared::kNot) return; // no need of its box
-                if (all || boxes_meet(folds.boxes.box(n), places[place]))
+                if (all || folds.boxes.box(n).meets(places[place]))
                     one.store(Compared::kNotAdjacent, std::memory_order_relaxed);
             });
         });

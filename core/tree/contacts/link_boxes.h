@@ -3,7 +3,7 @@
 // closeness. They are in single precision and rounded outward.
 #pragma once
 
-#include "core/base/eight_boxes.h"
+#include "core/base/box_tree.h"
 #include "core/tree/contacts/links.h"
 
 #include <cstddef>
@@ -19,7 +19,7 @@ public:
     // Two links touch if their closeness is below `limit`.
     LinkBoxes(const Links& links, double limit);
 
-    [[nodiscard]] std::size_t leaves() const { return levels_.front().size(); }
+    [[nodiscard]] std::size_t leaves() const { return tree_.levels().front().size(); }
     // Leaf n holds the places kFan * n to kFan * n + kFan - 1, as far as they are below size().
     [[nodiscard]] std::size_t size() const { return order_.size(); }
     [[nodiscard]] std::uint32_t link(std::size_t place) const { return order_[place]; }
@@ -27,18 +27,12 @@ public:
     void find_beside(std::size_t leaf, std::vector<std::uint32_t>& beside) const;
     // One bit for each link of a leaf: whether its box intersects the box of the link at `place`.
     [[nodiscard]] unsigned meeting(std::size_t leaf, std::size_t place) const {
-        return levels_.front()[leaf].meeting(levels_.front()[place / kFan].box(place % kFan));
+        return tree_.levels().front()[leaf].meeting(tree_.box(place));
     }
 
 private:
-    using Box = EightBoxes::Box;
-
-    void sort_by_place(const std::vector<Box>& boxes);
-    void descend(std::size_t level, std::size_t n, std::size_t leaf, const Box& box,
-                 std::vector<std::uint32_t>& beside) const;
-
-    std::vector<std::uint32_t> order_;            // links in Morton order
-    std::vector<std::vector<EightBoxes>> levels_; // from the boxes of links to the single top node
+    std::vector<std::uint32_t> order_; // links in Morton order
+    BoxTree tree_;
 };
 
 } // namespace ramus::tree

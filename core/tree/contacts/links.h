@@ -23,8 +23,6 @@ struct Link {
     int branch = 0; // id in the file's tree
 };
 
-using ramus::share_along;
-
 // The point at a share of a link: 0 at its start, 1 at its end. The radius is interpolated linearly.
 [[nodiscard]] inline Point point_on(const Link& link, double share) {
     return {glm::mix(link.a.position, link.b.position, share), link.a.radius + share * (link.b.radius - link.a.radius)};

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 
@@ -67,26 +66,21 @@ TouchingLinks::TouchingLinks(const Links& links, double limit, double together) 
         for (std::size_t leaf = n * kLeavesAtOnce; leaf < std::min((n + 1) * kLeavesAtOnce, boxes.leaves()); ++leaf)
             find_pairs(links, boxes, leaf, limit, search, found[n]);
     });
-    first_.assign(links.all().size() + 1, 0);
-    for (const auto& some : found)
-        for (const Found& pair : some) ++first_[pair.low + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    others_.resize(first_.back());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (const auto& some : found)
-        for (const Found& pair : some) others_[next[pair.low]++] = pair.other;
-    tbb::parallel_for(std::size_t{0}, links.all().size(), [&](std::size_t n) {
-        std::sort(others_.begin() + first_[n], others_.begin() + first_[n + 1],
-                  [](const Other& a, const Other& b) { return a.link < b.link; });
+    others_ = Grouped<Other>(links.all().size(), [&](const auto& put) {
+        for (const auto& some : found)
+            for (const Found& pair : some) put(pair.low, pair.other);
     });
+    tbb::parallel_for(std::size_t{0}, links.all().size(),
+                      [&](std::size_t n) { std::ranges::sort(others_.of(n), {}, &Other::link); });
 }
 
 std::uint32_t TouchingLinks::find(std::uint32_t a, std::uint32_t b) const {
     const auto [low, high] = std::minmax(a, b);
-    const auto begin = others_.begin() + first_[low];
-    const auto end = others_.begin() + first_[low + 1];
-    const auto found = std::ranges::lower_bound(begin, end, high, {}, &Other::link);
-    return found != end && found->link == high ? static_cast<std::uint32_t>(found - others_.begin()) : kNone;
+    const auto others = others_.of(low);
+    const auto found = std::ranges::lower_bound(others, high, {}, &Other::link);
+    return found != others.end() && found->link == high
+               ? others_.first(low) + static_cast<std::uint32_t>(found - others.begin())
+               : kNone;
 }
 
 } // namespace ramus::tree

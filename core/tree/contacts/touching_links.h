@@ -24,15 +24,14 @@ public:
     TouchingLinks(const Links& links, double limit, double together);
 
     // Pairs have the numbers 0 to size() - 1. Pairs with the same lower link are consecutive.
-    [[nodiscard]] std::size_t size() const { return others_.size(); }
-    [[nodiscard]] std::uint32_t first(std::size_t link) const { return first_[link]; }
-    [[nodiscard]] const Other& other(std::size_t pair) const { return others_[pair]; }
+    [[nodiscard]] std::size_t size() const { return others_.all().size(); }
+    [[nodiscard]] std::uint32_t first(std::size_t link) const { return others_.first(link); }
+    [[nodiscard]] const Other& other(std::size_t pair) const { return others_.all()[pair]; }
     // The pair of two links, or kNone.
     [[nodiscard]] std::uint32_t find(std::uint32_t a, std::uint32_t b) const;
 
 private:
-    std::vector<std::uint32_t> first_; // by lower link: its first pair; its pairs ascend by the higher link
-    std::vector<Other> others_;
+    Grouped<Other> others_; // by lower link, ascending by the higher link
 };
 
 } // namespace ramus::tree

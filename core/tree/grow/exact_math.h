@@ -3,6 +3,8 @@
 // that IEEE 754 rounds exactly: + - * / and sqrt.
 #pragma once
 
+#include "core/base/splitmix64.h"
+
 #include <bit>
 #include <cstdint>
 #include <glm/common.hpp>
@@ -25,12 +27,7 @@ class Random {
 public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
 
-    std::uint64_t bits() {
-        std::uint64_t z = (state_ += 0x9E3779B97F4A7C15ULL);
-        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
-        z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
-        return z ^ (z >> 31);
-    }
+    std::uint64_t bits() { return splitmix64_of_state(state_ += kSplitmixStep); }
     // Uniform in [0, 1).
     double unit() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
     double between(double low, double high) { return low + (high - low) * unit(); }

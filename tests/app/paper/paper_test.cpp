@@ -1,10 +1,11 @@
 // The paper's artificial vessels against their construction, and what is measured on their surfaces against closed
 // forms.
-#include "app/paper/artificial_figures.h"
 #include "app/paper/bounding_volumes.h"
 #include "app/paper/closed_forms.h"
 #include "app/paper/exact_trees.h"
+#include "app/paper/figures.h"
 #include "app/paper/paper_page.h"
+#include "core/base/lines.h"
 #include "core/mesh/connectivity.h"
 #include "core/mesh/tree_field.h"
 #include "core/tree/smooth.h"
@@ -26,12 +27,9 @@ namespace {
 
 double distance_to(const tree::VesselTree& tree, const tree::Branch& branch, const glm::dvec3& at) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i < branch.points.size(); ++i) {
-        const glm::dvec3 from = tree.points[branch.points[i - 1]].position;
-        const glm::dvec3 line = tree.points[branch.points[i]].position - from;
-        const double share = std::clamp(glm::dot(at - from, line) / glm::dot(line, line), 0.0, 1.0);
-        nearest = std::min(nearest, glm::distance(at, from + share * line));
-    }
+    for (std::size_t i = 1; i < branch.points.size(); ++i)
+        nearest = std::min(nearest, distance_to_line(at, tree.points[branch.points[i - 1]].position,
+                                                     tree.points[branch.points[i]].position));
     return nearest;
 }
 

@@ -30,6 +30,10 @@ Marks full_marks() {
     marks.colour_map = ColourMap::kGrey;
     marks.colour_look = {.range = {{1.0, 2.0}}, .logarithmic = true, .legend = false};
     marks.pins = {{.at = {1.0, 2.0, 3.0}, .name = "here"}};
+    for_each_object(marks, []<class T>(T& object) {
+        object.colour = {1, 2, 3};
+        if constexpr (SurfaceObject<T>) object.opacity = 0.75;
+    });
     marks.planning = {.bands_mm = {1.0, 3.0}, .reconstruct_mm = 4.0, .touch_mm = 1.5};
     marks.glass = {.opacity = 1.5, .grey = 0.25};
     marks.depth_cues.set(depth_cues().front(), !marks.depth_cues.has(depth_cues().front()));

@@ -124,7 +124,7 @@ TEST_CASE("invalid cuts, lesions and measurements are refused") {
     CHECK(message(R"("context": [{"path": "a.stl", "color": "#ffffff"}])") == "unknown name \"color\" in context");
     CHECK(message(R"("cuts": [[3, 1.5]])") == "cut 1.5 is out of range");
     CHECK(message(R"("measurements": {})") == "measurements is not a list");
-    CHECK(message(R"("measurements": [5])") == "a measurement is not an object");
+    CHECK(message(R"("measurements": [5])") == "measurement is not an object");
     CHECK(message(R"("measurements": [{"kind": "volume"}])") == "unknown measurement \"volume\"");
     CHECK(message(R"("measurements": [{"kind": 3}])") == "kind of a measurement is not a text");
     CHECK(message(R"("measurements": [{"kind": "path", "branches": [1]}])") ==

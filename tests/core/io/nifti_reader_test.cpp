@@ -40,7 +40,7 @@ template <class T> void check_type(NiftiType type, const std::vector<T>& values)
             file.dim = {3, static_cast<std::int64_t>(values.size()), 1, 1, 1, 1, 1, 1};
             file.put(values);
             const volume::Volume volume = files.good(file.bytes());
-            REQUIRE(volume::voxel_count(volume) == values.size());
+            REQUIRE(volume::voxel_count(volume.size) == values.size());
             for (std::size_t n = 0; n < values.size(); ++n)
                 CHECK(volume::value_at(volume, {static_cast<int>(n), 0, 0}) == static_cast<double>(values[n]));
             CHECK(volume.minimum == static_cast<double>(*std::ranges::min_element(values)));

@@ -52,7 +52,7 @@ template <class T> void check_nrrd_type(const std::vector<const char*>& words, c
     for (const T value : values) text += " " + std::to_string(value) + (value == values[1] ? "\n" : "");
     const auto check = [&](const NrrdText& file) {
         const volume::Volume volume = files.good(file.bytes());
-        REQUIRE(volume::voxel_count(volume) == values.size());
+        REQUIRE(volume::voxel_count(volume.size) == values.size());
         for (std::size_t n = 0; n < values.size(); ++n)
             CHECK(volume::value_at(volume, {static_cast<int>(n), 0, 0}) == static_cast<double>(values[n]));
     };

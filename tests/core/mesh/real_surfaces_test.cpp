@@ -138,7 +138,7 @@ TEST_CASE("next to no triangles intersect away from walls, where branches touch 
                 REQUIRE(raw.has_value());
                 const auto at_wall = [&](const test::IntersectingPair& pair) {
                     const mesh::TriangleBox box = mesh::box_of(raw->positions, raw->triangles[pair.first]);
-                    return std::ranges::any_of(walls, [&](const auto& wall) { return mesh::boxes_meet(box, wall); });
+                    return std::ranges::any_of(walls, [&](const auto& wall) { return box.meets(wall); });
                 };
                 const auto pairs = test::intersecting_triangles(*raw);
                 const auto elsewhere = pairs.size() - static_cast<std::size_t>(std::ranges::count_if(pairs, at_wall));

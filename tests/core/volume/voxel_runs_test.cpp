@@ -45,7 +45,7 @@ bool are_runs(const volume::Volume& volume) { return std::holds_alternative<volu
 volume::Volume one_by_one(const volume::Volume& volume) {
     volume::Volume other = volume;
     SparseArray<std::int32_t> array;
-    array.resize(volume::voxel_count(volume));
+    array.resize(volume::voxel_count(volume.size));
     for (std::size_t n = 0; n < array.size(); ++n)
         array[n] = std::visit([&](const auto& values) { return static_cast<std::int32_t>(values[n]); }, volume.voxels);
     other.voxels = std::move(array);

@@ -265,6 +265,7 @@ const std::vector<Look> kLooks{
     {"a lesion and its margins",
      [](Frame& f) {
          f.lesions.spheres = {{8.0, -6.0, 4.0, 6.0}, {-14.0, 3.0, 20.0, 4.0}};
+         f.lesions.looks = {{{0.2F, 0.6F, 0.9F}, 0.4F}};
          f.margins.bands = {{3.0F, {0.9F, 0.2F, 0.1F}}, {8.0F, {0.9F, 0.8F, 0.2F}}, {15.0F, {0.2F, 0.6F, 0.3F}}};
          f.colours = {{0.3F, 0.4F, 0.9F}, {0.8F, 0.4F, 0.4F}, {0.3F, 0.4F, 0.9F}, {0.8F, 0.4F, 0.4F}};
      }},
@@ -291,6 +292,7 @@ const std::vector<Look> kLooks{
          f.states[0] = BranchState::kDefocused;
          f.lesions.spheres = {{-14.0, 3.0, 20.0, 4.0}};
          f.lesions.meshes = {a_mesh({2, -4, -14}, {6, 4, -2}, 5.0F)};
+         f.lesions.looks = {{}, {{0.9F, 0.3F, 0.6F}, 0.8F}};
      }},
     {"clear and opaque context",
      [](Frame& f) {

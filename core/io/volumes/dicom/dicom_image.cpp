@@ -112,7 +112,6 @@ Result<void> take_segments(const DicomSet& set, DicomImage& image) {
 
 void take_identity(const DicomSet& set, DicomImage& image) {
     image.sop_class = set.text(0x00080016);
-    image.sop_uid = set.text(0x00080018);
     image.series_uid = set.text(0x0020000e);
     image.series_number = set.text(0x00200011);
     image.description = set.text(0x0008103e);

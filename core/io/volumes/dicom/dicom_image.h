@@ -30,7 +30,7 @@ enum class SegmentKind { kNone, kBinary, kFractional, kLabels };
 struct DicomImage {
     DicomBytes file;
     DicomLayout layout;
-    std::string sop_class, sop_uid, series_uid, series_number, description, modality, photometric;
+    std::string sop_class, series_uid, series_number, description, modality, photometric;
     bool localizer = false;
     int rows = 0, columns = 0, samples = 1;
     int bits_allocated = 0, bits_stored = 0, high_bit = 0;

@@ -141,7 +141,6 @@ public:
             }
             if (auto past = pass(*element); !past) return tl::unexpected(past.error());
         }
-        layout_.header_bytes = at_;
         return layout_;
     }
 
@@ -262,7 +261,6 @@ private:
         if (element.tag != kPixelData)
             return fail("its pixels are fractions (float pixel data)", name_, "convert it to NIfTI");
         layout_.has_pixels = true;
-        layout_.header_bytes = at_;
         layout_.pixel_begin = element.value;
         layout_.encapsulated = element.length == kUndefined;
         if (!layout_.encapsulated) {

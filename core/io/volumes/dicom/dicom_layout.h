@@ -28,8 +28,7 @@ struct DicomBytes {
 inline constexpr std::string_view kDicomBigEndian = "1.2.840.10008.1.2.2"; // explicit; PS3.5, A.3
 
 struct DicomLayout {
-    std::string transfer_syntax; // its UID
-    std::uint64_t header_bytes = 0;
+    std::string transfer_syntax;                    // its UID
     std::uint64_t pixel_begin = 0, pixel_bytes = 0; // of the values, or of all fragments if compressed
     bool has_pixels = false, encapsulated = false;
     DicomSet elements; // those that readers of images need
