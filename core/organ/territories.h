@@ -2,10 +2,12 @@
 // groups (the trunk) are no territory of their own.
 #pragma once
 
+#include "core/measure/cuts.h"
 #include "core/organ/supply.h"
 #include "core/tree/dependency.h"
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,10 +16,19 @@ namespace ramus::organ {
 
 inline constexpr int kNoGroup = -1; // the trunk: it supplies nothing itself
 
-// Groups of branches.
+// Groups of branches. A group may begin within a branch, at a cut.
 struct Grouping {
-    std::vector<int> group;         // by branch id: index into `names`, or kNoGroup
+    struct Part {
+        int group = kNoGroup;  // index into `names`
+        double from = 0.0;     // where it begins: fraction of the branch's length from the parent's end
+        int before = kNoGroup; // group of what is in front of that, if anything is
+    };
+    std::vector<Part> branches;     // by branch id
     std::vector<std::string> names; // of the groups, for people
+    [[nodiscard]] int group_at(std::size_t branch, double at) const {
+        const Part& part = branches[branch];
+        return at >= part.from ? part.group : part.before;
+    }
 };
 
 // One group for each system, or one for a tree without systems. The stem, which is the branch of a root where that
@@ -31,8 +42,16 @@ struct Grouping {
 [[nodiscard]] Grouping by_branches(const tree::VesselTree& tree, const tree::Dependency& dependency,
                                    const std::vector<int>& branches);
 
+// One for what each cut takes away (measure/cuts.h), and "rest". A cut that loses nothing has an empty group. At most
+// one cut of a branch.
+[[nodiscard]] Grouping by_cuts(const tree::VesselTree& tree, const tree::Dependency& dependency,
+                               std::span<const measure::Cut> cuts);
+
 // By branch id, not 0: of no group (`excluded` of supply_of()).
 [[nodiscard]] std::vector<std::uint8_t> trunk_of(const Grouping& grouping);
+
+// By voxel of the organ: its group. `supply`: without the trunk.
+[[nodiscard]] std::vector<int> voxel_groups(const Supply& supply, const Grouping& grouping);
 
 struct Territory {
     std::string name;

@@ -144,7 +144,8 @@ TEST_CASE("territories take all voxels of the organ, and none for the stem") {
     // The two children of the stem have the same territories by each way of naming them.
     const auto by_generation = organ::by_generation(tree, 1),
                by_branches = organ::by_branches(tree, dependency, {left, right});
-    for (std::size_t id = 1; id < tree.branches.size(); ++id) CHECK(by_generation.group[id] == by_branches.group[id]);
+    for (std::size_t id = 1; id < tree.branches.size(); ++id)
+        CHECK(by_generation.branches[id].group == by_branches.branches[id].group);
 }
 
 TEST_CASE("the place on the branch is the fraction of its length") {
