@@ -347,8 +347,8 @@ void add_options(CLI::App& command, TerritoriesFlags& flags) {
     add_option_taking<std::string>(
         command, "--by", "tips|axis|wall",
         [&flags](const std::string& text) { flags.supply.rule = *organ::rule_named(text); },
-        "Which branch a voxel belongs to: the nearest, where tips reach further (default), the nearest axis, or the "
-        "nearest wall")
+        "Which branch a voxel belongs to: the nearest, where tips reach further and thick axes less far (default), the "
+        "nearest axis, or the nearest wall")
         ->check(expecting(" is not tips, axis or wall", organ::rule_named));
     add_option(command, "--drains", "SYSTEM", flags.drains,
                "Vessel systems that drain the organ, by name or number (default: veins by their names, but the portal "
@@ -363,8 +363,10 @@ void add_options(CLI::App& command, TerritoriesFlags& flags) {
 
 void register_territories(CLI::App& app, Action& chosen) {
     CLI::App* command = add_command(app, "territories", "Divide an organ by the branches that supply or drain it");
-    command->footer("Territories are estimated by distance: a voxel belongs to the branch whose axis, or whose visible "
-                    "tip less 6 of its radii, is nearest. They are as sure as the tree is complete.");
+    command->footer(
+        "Territories are estimated by distance, since a scan shows the thick branches only: a voxel belongs "
+        "to the branch whose visible tip, less 6 of its radii, or whose axis, plus 4, is nearest. See the "
+        "guide for how sure they are.");
     const auto flags = std::make_shared<TerritoriesFlags>();
     add_input(*command, "TREE", "", flags->file, "Vessel tree, or a mask of vessels")->required();
     add_options(*command, *flags);

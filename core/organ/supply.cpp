@@ -55,7 +55,8 @@ double value_at(const Site& site, const glm::dvec3& p) {
     return glm::length(from_start - t * site.along) - (site.radius + t * site.more);
 }
 
-// The wall between two points: the cone that touches both balls. Where one ball contains the other, only that counts.
+// Gives a segment these values of r at its ends: its wall is the cone that touches both balls. Where one ball contains
+// the other, only that counts.
 void add_wall(Site& site, double first, double last) {
     const double gain = last - first, length = std::sqrt(site.length_squared);
     if (std::abs(gain) >= length) {
@@ -93,6 +94,8 @@ std::vector<Site> sites_of(const Organ& organ, const tree::VesselTree& tree, con
             behind += own;
             if (inside[a] == 0 && inside[b] == 0) continue;
             if (options.rule == Rule::kWall) add_wall(site, from.radius, to.radius);
+            if (options.rule == Rule::kTips)
+                add_wall(site, -options.axis_back * from.radius, -options.axis_back * to.radius);
             sites.push_back(site);
         }
         const std::uint32_t last = branch.points.back();

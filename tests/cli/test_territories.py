@@ -21,6 +21,7 @@ def swc(lines):
 
 
 PORTAL = {"0": ((10, -6, 5), (10, 6, 5)), "1": ((10, 6, 5), (4, 14, 5)), "2": ((10, 6, 5), (17, 15, 4))}
+RADII = {"1": (1.5, 1.0), "2": (1.5, 0.8)}
 TIPS = {"1": ((4, 14, 5), 1.0), "2": ((17, 15, 4), 0.8)}
 
 
@@ -29,6 +30,17 @@ def distance(p, a, b):
     ap = [y - x for x, y in zip(a, p)]
     share = min(1.0, max(0.0, sum(x * y for x, y in zip(ap, ab)) / sum(x * x for x in ab)))
     return math.dist(p, [x + share * y for x, y in zip(a, ab)])
+
+
+def thick(p, a, b, radii):
+    """The least distance to a point of the axis, plus 4 times its radius; by ternary search."""
+    def value(t):
+        return math.dist(p, [x + t * (y - x) for x, y in zip(a, b)]) + 4 * (radii[0] + t * (radii[1] - radii[0]))
+    low, high = 0.0, 1.0
+    for _ in range(60):
+        first, second = low + (high - low) / 3, high - (high - low) / 3
+        low, high = (low, second) if value(first) < value(second) else (first, high)
+    return value((low + high) / 2)
 
 
 class Territories(CommandLineTest):
@@ -64,7 +76,7 @@ class Territories(CommandLineTest):
                         values[branch] = distance(place, *PORTAL[branch])
                         if rule == "tips":
                             at, radius = TIPS[branch]
-                            values[branch] = min(values[branch], math.dist(place, at) - 6 * radius)
+                            values[branch] = min(thick(place, *PORTAL[branch], RADII[branch]), math.dist(place, at) - 6 * radius)
                     nearest = min(values, key=values.get)
                     if abs(values["1"] - values["2"]) < 1e-4:
                         nearest = str(labels[n])

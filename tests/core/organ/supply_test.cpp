@@ -54,10 +54,10 @@ double to_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b)
     return glm::length(glm::cross(p - a, unit));
 }
 
-// The least of |p - q| - r(q) over the points q of a segment, by golden section: the function is convex.
-double to_wall(const glm::dvec3& p, const tree::Point& a, const tree::Point& b) {
+// The least of |p - q| - times r(q) over the points q of a segment, by golden section: the function is convex.
+double to_wall(const glm::dvec3& p, const tree::Point& a, const tree::Point& b, double times) {
     const auto value = [&](double t) {
-        return glm::distance(p, glm::mix(a.position, b.position, t)) - std::lerp(a.radius, b.radius, t);
+        return glm::distance(p, glm::mix(a.position, b.position, t)) - times * std::lerp(a.radius, b.radius, t);
     };
     double low = 0.0, high = 1.0;
     for (int n = 0; n < 100; ++n) {
@@ -81,7 +81,8 @@ std::vector<double> brute_force(const tree::VesselTree& tree, const std::vector<
         for (std::size_t n = 1; n < points.size(); ++n) {
             const tree::Point &a = tree.points[points[n - 1]], &b = tree.points[points[n]];
             if (inside[points[n - 1]] == 0 && inside[points[n]] == 0) continue;
-            least = std::min(least, rule == Rule::kWall ? to_wall(p, a, b) : to_segment(p, a.position, b.position));
+            least = std::min(least, rule == Rule::kAxis ? to_segment(p, a.position, b.position)
+                                                        : to_wall(p, a, b, rule == Rule::kWall ? 1.0 : -4.0));
         }
         const tree::Point& end = tree.points[points.back()];
         if (rule == Rule::kTips && ends[id] != 0 && inside[points.back()] != 0)
