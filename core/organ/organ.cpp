@@ -1,0 +1,84 @@
+#include "core/organ/organ.h"
+
+#include "core/base/disjoint_sets.h"
+
+#include <algorithm>
+#include <functional>
+#include <glm/matrix.hpp>
+#include <span>
+#include <utility>
+
+namespace ramus::organ {
+
+Organ::Organ(volume::BitMask mask, const glm::dmat4& to_patient) : mask_(std::move(mask)), to_patient_(to_patient) {
+    std::size_t count = 0;
+    for (int k = 0; k < size().z; ++k)
+        for (int j = 0; j < size().y; ++j) {
+            row_starts_.push_back(count);
+            for (const std::uint64_t word : std::as_const(mask_).row(j, k))
+                count += static_cast<std::size_t>(std::popcount(word));
+        }
+    row_starts_.push_back(count);
+}
+
+double Organ::voxel_ml() const { return volume::voxel_volume_mm3(to_patient_) / 1000.0; }
+
+Result<Organ> organ_of(const volume::Volume& volume, const volume::Selection& selection, const JobRange& job) {
+    RAMUS_TRY(mask, volume::inside(volume, selection, job));
+    return Organ(std::move(mask), volume.to_patient);
+}
+
+namespace {
+
+// Voxels from..to-1 of a row.
+struct Run {
+    int from, to;
+};
+
+// Joins the sets of runs that have a voxel face in common. `a`, `b`: the runs of two rows, ascending; their numbers
+// begin at `first_a` and `first_b`.
+void join_rows(DisjointSets& sets, std::span<const Run> a, std::size_t first_a, std::span<const Run> b,
+               std::size_t first_b) {
+    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+        if (std::max(a[i].from, b[j].from) < std::min(a[i].to, b[j].to))
+            (void)sets.join(static_cast<std::uint32_t>(first_a + i), static_cast<std::uint32_t>(first_b + j));
+        if (a[i].to < b[j].to)
+            ++i;
+        else
+            ++j;
+    }
+}
+
+} // namespace
+
+std::vector<std::size_t> part_sizes(const Organ& organ) {
+    std::vector<Run> runs;
+    std::vector<std::size_t> first; // by row: its first run
+    const glm::ivec3 size = organ.size();
+    for (int k = 0; k < size.z; ++k)
+        for (int j = 0; j < size.y; ++j) {
+            first.push_back(runs.size());
+            organ.for_voxels({0, j, k}, {size.x, j + 1, k + 1}, [&](const glm::ivec3& voxel, std::size_t) {
+                if (runs.size() > first.back() && runs.back().to == voxel.x)
+                    ++runs.back().to;
+                else
+                    runs.push_back({voxel.x, voxel.x + 1});
+            });
+        }
+    first.push_back(runs.size());
+    DisjointSets sets(runs.size());
+    const auto row = [&](std::size_t r) { return std::span(runs).subspan(first[r], first[r + 1] - first[r]); };
+    const auto rows = static_cast<std::size_t>(size.y);
+    for (std::size_t r = 0; r + 1 < first.size(); ++r) {
+        if (r % rows > 0) join_rows(sets, row(r - 1), first[r - 1], row(r), first[r]);
+        if (r >= rows) join_rows(sets, row(r - rows), first[r - rows], row(r), first[r]);
+    }
+    std::vector<std::size_t> voxels(runs.size(), 0);
+    for (std::size_t n = 0; n < runs.size(); ++n)
+        voxels[sets.find(static_cast<std::uint32_t>(n))] += static_cast<std::size_t>(runs[n].to - runs[n].from);
+    std::erase(voxels, std::size_t{0});
+    std::ranges::sort(voxels, std::greater());
+    return voxels;
+}
+
+} // namespace ramus::organ

@@ -1,0 +1,125 @@
+#include "core/organ/territories.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+namespace ramus::organ {
+
+namespace {
+
+std::string branch_name(int id) { return "branch " + std::to_string(id); }
+
+// Whether a root branch forks.
+bool is_stem(const tree::Branch& branch) { return branch.parent == tree::kNoBranch && !branch.children.empty(); }
+
+// The order in which groups take their branches: inner ones take them from outer ones.
+std::vector<std::size_t> outer_first(const tree::Dependency& dependency, const std::vector<int>& branches) {
+    std::vector<std::size_t> order(branches.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::greater(),
+                             [&](std::size_t n) { return dependency.with_dependents(branches[n]).size(); });
+    return order;
+}
+
+} // namespace
+
+Grouping by_system(const tree::VesselTree& tree, bool with_stem) {
+    Grouping grouping;
+    for (const tree::System& system : tree.systems) grouping.names.push_back(system.name);
+    if (grouping.names.empty()) grouping.names.emplace_back("all");
+    for (const tree::Branch& branch : tree.branches)
+        grouping.branches.push_back({is_stem(branch) && !with_stem ? kNoGroup : branch.system});
+    return grouping;
+}
+
+Grouping by_generation(const tree::VesselTree& tree, int generation) {
+    Grouping grouping;
+    grouping.branches.resize(tree.branches.size());
+    std::vector<int> open;
+    for (std::size_t id = 0; id < tree.branches.size(); ++id) {
+        const tree::Branch& branch = tree.branches[id];
+        const bool leaf = branch.generation < generation && branch.children.empty();
+        if (branch.generation != generation && !leaf) continue;
+        open.push_back(static_cast<int>(id));
+        while (!open.empty()) {
+            const auto at = static_cast<std::size_t>(open.back());
+            open.pop_back();
+            grouping.branches[at].group = static_cast<int>(grouping.names.size());
+            open.insert(open.end(), tree.branches[at].children.begin(), tree.branches[at].children.end());
+        }
+        grouping.names.push_back(branch_name(static_cast<int>(id)));
+    }
+    return grouping;
+}
+
+Grouping by_branches(const tree::VesselTree& tree, const tree::Dependency& dependency,
+                     const std::vector<int>& branches) {
+    Grouping grouping;
+    grouping.branches.assign(tree.branches.size(), {static_cast<int>(branches.size())});
+    for (const int id : branches) {
+        grouping.names.push_back(branch_name(id));
+        for (const int before : dependency.upstream(id))
+            grouping.branches[static_cast<std::size_t>(before)].group = kNoGroup;
+    }
+    grouping.names.emplace_back("rest");
+    for (const std::size_t n : outer_first(dependency, branches))
+        for (const int id : dependency.with_dependents(branches[n]))
+            grouping.branches[static_cast<std::size_t>(id)].group = static_cast<int>(n);
+    return grouping;
+}
+
+Grouping by_cuts(const tree::VesselTree& tree, const tree::Dependency& dependency, std::span<const measure::Cut> cuts) {
+    Grouping grouping;
+    const int rest = static_cast<int>(cuts.size());
+    for (const tree::Branch& branch : tree.branches) grouping.branches.push_back({is_stem(branch) ? kNoGroup : rest});
+    std::vector<int> branches;
+    for (const auto& [branch, at] : cuts) {
+        branches.push_back(branch);
+        grouping.names.push_back("beyond the cut of " + branch_name(branch));
+    }
+    grouping.names.emplace_back("rest");
+    for (const std::size_t n : outer_first(dependency, branches)) {
+        if (!dependency.is_bridge(branches[n])) continue; // nothing depends on it
+        const auto head = static_cast<std::size_t>(branches[n]);
+        const int outer = grouping.branches[head].group, before = outer == kNoGroup ? rest : outer;
+        for (const int id : dependency.with_dependents(branches[n]))
+            grouping.branches[static_cast<std::size_t>(id)] = {static_cast<int>(n)};
+        grouping.branches[head] = {static_cast<int>(n), cuts[n].second, before};
+    }
+    return grouping;
+}
+
+std::vector<std::uint8_t> trunk_of(const Grouping& grouping) {
+    std::vector<std::uint8_t> trunk;
+    for (const Grouping::Part& part : grouping.branches) trunk.push_back(part.group == kNoGroup ? 1 : 0);
+    return trunk;
+}
+
+std::vector<int> voxel_groups(const Supply& supply, const Grouping& grouping) {
+    std::vector<int> groups(supply.branch.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups.size()), [&](const auto& range) {
+        for (std::size_t voxel = range.begin(); voxel < range.end(); ++voxel)
+            groups[voxel] = grouping.group_at(static_cast<std::size_t>(supply.branch[voxel]),
+                                              static_cast<double>(supply.at[voxel]));
+    });
+    return groups;
+}
+
+std::vector<Territory> territories_of(const tree::VesselTree& tree, const Supply& supply, const Grouping& grouping) {
+    std::vector<Territory> territories;
+    for (const std::string& name : grouping.names) territories.push_back({name, 0, {}, 0});
+    for (std::size_t id = 0; id < tree.branches.size(); ++id) {
+        const int group = grouping.branches[id].group;
+        if (group == kNoGroup) continue;
+        Territory& territory = territories[static_cast<std::size_t>(group)];
+        if (territory.branches.empty()) territory.system = tree.branches[id].system;
+        territory.branches.push_back(static_cast<int>(id));
+    }
+    for (const int group : voxel_groups(supply, grouping)) ++territories[static_cast<std::size_t>(group)].voxels;
+    return territories;
+}
+
+} // namespace ramus::organ

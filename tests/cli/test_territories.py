@@ -1,0 +1,145 @@
+"""ramus territories: the parts of an organ by the branches that supply or drain it, against a search in Python."""
+
+import gzip
+import math
+import struct
+import unittest
+
+from nifti import nifti, voxels
+from ramus import CommandLineTest
+
+SIZE = (22, 24, 11)
+SPACING = (1.0, 1.0, 1.25)
+
+
+def in_organ(x, y, z):
+    return y >= 3 and (x - 10.5) ** 2 / 110 + (y - 12) ** 2 / 120 + (z - 5) ** 2 / 30 <= 1
+
+
+def swc(lines):
+    return "\n".join(lines) + "\n"
+
+
+PORTAL = {"0": ((10, -6, 5), (10, 6, 5)), "1": ((10, 6, 5), (4, 14, 5)), "2": ((10, 6, 5), (17, 15, 4))}
+RADII = {"1": (1.5, 1.0), "2": (1.5, 0.8)}
+TIPS = {"1": ((4, 14, 5), 1.0), "2": ((17, 15, 4), 0.8)}
+
+
+def distance(p, a, b):
+    ab = [y - x for x, y in zip(a, b)]
+    ap = [y - x for x, y in zip(a, p)]
+    share = min(1.0, max(0.0, sum(x * y for x, y in zip(ap, ab)) / sum(x * x for x in ab)))
+    return math.dist(p, [x + share * y for x, y in zip(a, ab)])
+
+
+def thick(p, a, b, radii):
+    """The least distance to a point of the axis, plus 4 times its radius; by ternary search."""
+    def value(t):
+        return math.dist(p, [x + t * (y - x) for x, y in zip(a, b)]) + 4 * (radii[0] + t * (radii[1] - radii[0]))
+    low, high = 0.0, 1.0
+    for _ in range(60):
+        first, second = low + (high - low) / 3, high - (high - low) / 3
+        low, high = (low, second) if value(first) < value(second) else (first, high)
+    return value((low + high) / 2)
+
+
+class Territories(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        self.write("tree.swc", swc(["# mm, RAS", "1 3 10 -6 5 1.5 -1", "2 3 10 6 5 1.5 1", "3 3 4 14 5 1 2", "4 3 17 15 4 0.8 2"]))
+        self.places = [(x, y, SPACING[2] * z) for x, y, z in voxels(SIZE)]
+        self.inside = [int(in_organ(*place)) for place in self.places]
+        self.write("organ.nii", nifti(SIZE, self.inside, rows=((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, SPACING[2], 0))))
+
+    def territories(self, *words):
+        return self.json("territories", "tree.swc", "--organ", "organ.nii", "--json", *words)
+
+    def labels(self, name):
+        content = (self.folder / name).read_bytes()
+        content = gzip.decompress(content) if name.endswith(".gz") else content
+        self.assertEqual(struct.unpack_from("<8h", content, 40)[:4], (3, *SIZE))
+        start = int(struct.unpack_from("<f", content, 108)[0])
+        return list(content[start:])
+
+    def test_voxels_belong_to_the_nearest_branch(self):
+        for rule in ("axis", "tips"):
+            with self.subTest(rule):
+                report = self.territories("--by", rule, "--group", "branches=1,2", "-o", f"{rule}.nii.gz")
+                expected = {"branch 1": 0, "branch 2": 0}
+                labels = self.labels(f"{rule}.nii.gz")
+                for n, (place, inside) in enumerate(zip(self.places, self.inside)):
+                    if not inside:
+                        self.assertEqual(labels[n], 0)
+                        continue
+                    values = {}
+                    for branch in ("1", "2"): # the stem is the trunk
+                        values[branch] = distance(place, *PORTAL[branch])
+                        if rule == "tips":
+                            at, radius = TIPS[branch]
+                            values[branch] = min(thick(place, *PORTAL[branch], RADII[branch]), math.dist(place, at) - 6 * radius)
+                    nearest = min(values, key=values.get)
+                    if abs(values["1"] - values["2"]) < 1e-4:
+                        nearest = str(labels[n])
+                    expected["branch " + nearest] += 1
+                    self.assertEqual(labels[n], int(nearest))
+                found = {one["name"]: one["voxels"] for one in report["territories"]}
+                self.assertEqual(found.pop("rest"), 0)
+                self.assertEqual(found, expected)
+                self.assertEqual(sum(found.values()), sum(self.inside))
+        self.assertAlmostEqual(report["organ_ml"], sum(self.inside) * SPACING[2] / 1000)
+
+    def test_a_cut_takes_away_what_lies_behind_it(self):
+        whole = self.territories("--group", "cuts=1@0")
+        half = self.territories("--group", "cuts=1@0.5")
+        beyond = [report["territories"][0]["voxels"] for report in (whole, half)]
+        self.assertGreater(beyond[0], beyond[1])
+        self.assertGreater(beyond[1], 0)
+        for report in (whole, half):
+            self.assertEqual(sum(one["voxels"] for one in report["territories"]), sum(self.inside))
+            remnant = report["remnant"]
+            self.assertAlmostEqual(report["functional_ml"] - remnant["supplied_ml"], report["systems"][0]["lost_ml"])
+            self.assertEqual(remnant["congested_ml"], 0)
+        stem = self.territories("--group", "cuts=0@0.5")
+        self.assertEqual(stem["remnant"]["supplied_ml"], 0)
+
+    def test_lesions_and_large_vessels_are_not_functional(self):
+        lesion = [int(math.dist(place, (16, 15, 5)) < 3) for place in self.places]
+        self.write("lesion.nii", nifti(SIZE, lesion, rows=((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, SPACING[2], 0))))
+        both = sum(a and b for a, b in zip(lesion, self.inside))
+        voxel = SPACING[2] / 1000
+        plain = self.territories("--large-vessels", "100")
+        self.assertAlmostEqual(plain["functional_ml"], plain["organ_ml"])
+        without = self.territories("--large-vessels", "100", "--lesions", "lesion.nii")
+        self.assertAlmostEqual(without["functional_ml"], (sum(self.inside) - both) * voxel)
+        stem = self.territories("--large-vessels", "3") # the stem alone is so thick at both ends
+        walls = sum(1 for place, inside in zip(self.places, self.inside)
+                    if inside and distance(place, *PORTAL["0"]) <= 1.5)
+        self.assertAlmostEqual(stem["functional_ml"], (sum(self.inside) - walls) * voxel)
+
+    def test_the_label_map_keeps_grid_and_names(self):
+        self.territories("--group", "branches=1,2", "-o", "labels.seg.nrrd")
+        info = self.json("info", "labels.seg.nrrd", "--json")
+        self.assertEqual([label["name"] for label in info["labels"]], ["branch 1", "branch 2", "rest"])
+        self.territories("--group", "branches=1,2", "-o", "labels.nii.gz")
+        again = self.json("info", "labels.nii.gz", "--json")
+        self.assertEqual([label["name"] for label in again["labels"]], ["branch 1", "branch 2"])
+        for one in (info, again):
+            self.assertEqual(one["size"], list(SIZE))
+            self.assertEqual([round(x, 6) for x in one["spacing_mm"]], list(SPACING))
+
+    def test_bad_requests_are_refused(self):
+        command = ("territories", "tree.swc", "--organ", "organ.nii")
+        self.expect_failure(*command, "--group", "branches=7", says=("no branch 7",))
+        self.expect_failure(*command, "--group", "house", says=("house",), status=2)
+        self.expect_failure(*command, "--group", "cuts=1@2", says=("cuts=1@2",), status=2)
+        self.expect_failure(*command, "--group", "cuts=1@0,1@0.5", says=("cuts=1",), status=2)
+        self.expect_failure(*command, "--organ-label", "9", says=("organ.nii",))
+        self.expect_failure(*command, "-o", "labels.stl", says=(".seg.nrrd",))
+        self.expect_failure(*command, "--drains", "spleen", says=("spleen",))
+        self.write("far.swc", swc(["# mm, RAS", "1 3 500 0 0 1 -1", "2 3 510 0 0 1 1"]))
+        self.expect_failure("territories", "far.swc", "--organ", "organ.nii", says=("no vessel of the tree lies in the organ",))
+        self.assertFalse((self.folder / "labels.stl").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
