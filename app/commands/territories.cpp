@@ -7,6 +7,7 @@
 #include "app/commands/printed_report.h"
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
+#include "app/commands/surface_input.h"
 #include "app/session/comparison.h"
 #include "app/session/numbers.h"
 #include "app/session/systems.h"
@@ -17,6 +18,7 @@
 #include "core/io/run_inputs.h"
 #include "core/io/volumes/label_map_file.h"
 #include "core/io/volumes/volume_file.h"
+#include "core/io/volumes/volume_unit.h"
 #include "core/organ/remnant.h"
 #include "core/organ/roles.h"
 
@@ -79,7 +81,7 @@ std::optional<GroupWish> group_in(std::string_view text) {
 
 struct TerritoriesFlags {
     SurfaceFlags reading;
-    std::string file, organ, lesions, output;
+    std::string file, organ, lesions, mask_units, output;
     std::vector<volume::LabelChoice> organ_labels, lesion_labels;
     GroupWish group;
     organ::SupplyOptions supply;
@@ -93,6 +95,7 @@ struct Case {
     tree::VesselTree tree;
     tree::Dependency dependency;
     organ::Organ organ;
+    tree::Claims claims;                  // of the organ's mask
     std::vector<organ::Role> roles;       // by system
     std::vector<std::uint8_t> functional; // by voxel
     std::size_t functional_voxels = 0;
@@ -109,10 +112,12 @@ std::vector<std::uint8_t> sampled(const organ::Organ& organ, const organ::Organ&
     return inside;
 }
 
+// `claims`: receives the mask's, unless null.
 Result<organ::Organ> load_organ(const std::string& file, const std::vector<volume::LabelChoice>& labels,
-                                const SurfaceFlags& reading) {
+                                const SurfaceFlags& reading, tree::Claims* claims = nullptr) {
     RAMUS_TRY(volume, load_volume(file, reading));
     warn_about(file, volume);
+    if (claims != nullptr) *claims = io::claims_of(volume, reading.read.unit);
     return with_progress(
         "organ",
         [&](Job& job) {
@@ -136,7 +141,9 @@ Result<std::vector<organ::Role>> roles_in(const tree::VesselTree& tree, const st
 
 Result<Case> load_case(const TerritoriesFlags& flags) {
     RAMUS_TRY(tree, load_tree(flags.file, flags.reading));
-    RAMUS_TRY(organ, load_organ(flags.organ, flags.organ_labels, flags.reading));
+    const SurfaceFlags of_masks = with_units(flags.reading, {{}, flags.mask_units});
+    tree::Claims claims;
+    RAMUS_TRY(organ, load_organ(flags.organ, flags.organ_labels, of_masks, &claims));
     RAMUS_TRY(roles, roles_in(tree, flags.drains));
     for (const int branch : flags.group.branches)
         if (static_cast<std::size_t>(branch) >= tree.branches.size())
@@ -144,15 +151,20 @@ Result<Case> load_case(const TerritoriesFlags& flags) {
                         "its branches are 0 to " + std::to_string(tree.branches.size() - 1));
     std::vector<std::uint8_t> functional = organ::large_vessels(organ, tree, flags.large_vessels_mm);
     if (!flags.lesions.empty()) {
-        RAMUS_TRY(lesions, load_organ(flags.lesions, flags.lesion_labels, flags.reading));
+        RAMUS_TRY(lesions, load_organ(flags.lesions, flags.lesion_labels, of_masks));
         const std::vector<std::uint8_t> in_lesion = sampled(organ, lesions);
         for (std::size_t n = 0; n < functional.size(); ++n) functional[n] |= in_lesion[n];
     }
     for (std::uint8_t& voxel : functional) voxel ^= 1U;
     const auto count = static_cast<std::size_t>(std::ranges::count(functional, 1));
     tree::Dependency dependency(tree);
-    return Case{std::move(tree),  std::move(dependency), std::move(organ),
-                std::move(roles), std::move(functional), count};
+    return Case{std::move(tree),
+                std::move(dependency),
+                std::move(organ),
+                claims,
+                std::move(roles),
+                std::move(functional),
+                count};
 }
 
 int system_count(const tree::VesselTree& tree) { return std::max(1, static_cast<int>(tree.systems.size())); }
@@ -251,6 +263,7 @@ nlohmann::ordered_json report_of(const Case& read, const Answer& answer, const T
     return {{"organ_ml", volume(read.organ.count())},
             {"functional_ml", volume(read.functional_voxels)},
             {"voxels", read.organ.count()},
+            {"unit", read.claims.unit_word()},
             {"parts", answer.parts},
             {"by", organ::name_of(flags.supply.rule)},
             {"territories", territories},
@@ -262,11 +275,10 @@ nlohmann::ordered_json report_of(const Case& read, const Answer& answer, const T
               {"unsupplied_ml", volume(answer.remnant.unsupplied)}}}};
 }
 
-std::string ml_text(double ml) { return rounded(ml) + " ml"; }
-
 void print_text(const Case& read, const Answer& answer, const TerritoriesFlags& flags) {
-    const double ml = read.organ.voxel_ml();
-    const auto volume = [&](std::size_t voxels) { return ml_text(static_cast<double>(voxels) * ml); };
+    const double mm3 = 1000.0 * read.organ.voxel_ml();
+    const Lengths lengths(read.claims);
+    const auto volume = [&](std::size_t voxels) { return lengths.volume(static_cast<double>(voxels) * mm3); };
     std::cout << "organ         " << volume(read.organ.count()) << ", functional " << volume(read.functional_voxels)
               << '\n';
     for (const organ::Territory& one : answer.territories)
@@ -281,7 +293,7 @@ void print_text(const Case& read, const Answer& answer, const TerritoriesFlags& 
 Result<void> write_labels(const Case& read, const organ::Supply& supply, const organ::Grouping& grouping,
                           const TerritoriesFlags& flags) {
     const std::vector<int> groups = organ::voxel_groups(supply, grouping);
-    io::LabelMap map{read.organ.size(), read.organ.to_patient(), read.tree.claims, {}, {}};
+    io::LabelMap map{read.organ.size(), read.organ.to_patient(), read.claims, {}, {}};
     for (std::size_t n = 0; n < grouping.names.size(); ++n)
         map.names.push_back({static_cast<std::int32_t>(n + 1), grouping.names[n], territory_colour(n)});
     const auto across = static_cast<std::size_t>(read.organ.size().x);
@@ -320,7 +332,7 @@ Result<int> run_territories(const TerritoriesFlags& flags) {
         if (auto written = write_labels(read, supply, grouping, flags); !written)
             return tl::unexpected(written.error());
     if (flags.json)
-        std::cout << printed_report(report_of(read, answer, flags), read.tree.claims) << '\n';
+        std::cout << printed_report(report_of(read, answer, flags), read.claims) << '\n';
     else
         print_text(read, answer, flags);
     return kDone;
@@ -329,6 +341,7 @@ Result<int> run_territories(const TerritoriesFlags& flags) {
 void add_options(CLI::App& command, TerritoriesFlags& flags) {
     add_input(command, "--organ", "MASK", flags.organ, "Mask of the organ: " + io::readable_volume_extensions())
         ->required();
+    add_mask_units_flag(command, flags.mask_units, "the masks");
     const auto add_labels = [&](const char* name, std::vector<volume::LabelChoice>& labels, const char* help) {
         add_option_taking<std::string>(
             command, name, "LABEL,...", [&labels](const std::string& text) { labels = *label_list(text); }, help)

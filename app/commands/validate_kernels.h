@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/mesh/surface_options.h"
+#include "core/tree/vessel_tree.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 // How right are territories of a tree of which only the thick branches are seen? Grows organs whose supply is known to
-// the last leaf, prunes the tree to its N thickest branches, and compares territories of the pruned tree with the
-// truth.
+// the last leaf, prunes the tree to its N thickest branches (as they are counted then), and compares territories of the
+// pruned tree with the truth.
 //
 //     ramus_bench_territories [--leaves 30000] [--seeds 6] [--voxel 2] [--noise 0.15] [--missing 0.25]
 #include "core/organ/supply.h"
@@ -84,7 +84,15 @@ Visible visible_part(const tree::VesselTree& whole, std::size_t count, double mi
     const auto radius = [&](std::size_t id) { return whole.points[whole.branches[id].points.back()].radius; };
     std::ranges::stable_sort(order, std::greater(), radius);
     std::vector<char> kept(whole.branches.size(), 0);
-    for (std::size_t n = 0; n < std::min(count, order.size()); ++n) kept[order[n]] = 1;
+    // A branch of which one child is seen is one with that in the visible tree, so branches are counted by their ends.
+    std::size_t ends = 0;
+    std::vector<int> seen_children(kept.size(), 0);
+    for (std::size_t n = 0; n < order.size() && 2 * ends < count + 1; ++n) {
+        kept[order[n]] = 1;
+        ++ends;
+        const int parent = whole.branches[order[n]].parent;
+        if (parent != tree::kNoBranch && seen_children[static_cast<std::size_t>(parent)]++ == 0) --ends;
+    }
     // A scan that misses branches misses what hangs on them, too; the two first generations are always seen.
     std::bernoulli_distribution misses(missing);
     std::ranges::stable_sort(order, std::less(), [&](std::size_t id) { return whole.branches[id].generation; });
@@ -132,7 +140,7 @@ Visible visible_part(const tree::VesselTree& whole, std::size_t count, double mi
 }
 
 // The heads of `count` parts of a tree: the part with the most flow (radius cubed) is divided at its next fork, again
-// and again. Side branches with less than an eighth of the flow do not make a fork.
+// and again. Side branches with less than a quarter of the flow do not make a fork.
 std::vector<int> heads_of(const tree::VesselTree& tree, std::size_t count) {
     const auto flow = [&](int id) {
         return std::pow(tree.points[tree.branches[static_cast<std::size_t>(id)].points.back()].radius, 3.0);
@@ -144,7 +152,7 @@ std::vector<int> heads_of(const tree::VesselTree& tree, std::size_t count) {
             if (children.empty()) return children;
             double all = 0.0;
             for (const int child : children) all += flow(child);
-            std::erase_if(children, [&](int child) { return flow(child) < all / 8.0; });
+            std::erase_if(children, [&](int child) { return flow(child) < all / 4.0; });
             if (children.size() > 1) return children;
             id = children.front();
         }

@@ -24,6 +24,7 @@ COMMANDS = {
     "mesh": (["mesh", "tree.swc", "-o", "a.stl", "--detail", "24"], False),
     "mesh of a mask": (["mesh", "mask.nii", "-o", "a.ply"], False),
     "skeletonize": (["skeletonize", "plane.nii", "-o", "plane.swc"], False),
+    "territories": (["territories", "tree.swc", "--organ", "organ.nii", "-o", "labels.nii.gz"], False),
     "render": (["render", "tree.swc", "-o", "a.png", "--size", "500x400"], False),
     "turntable": (["render", "small.swc", "-o", "turn.png", "--turntable", "8", "--size", "200x150"], False),
     "standard output": (["render", "tree.swc", "-o", "-", "--size", "300x200"], False),
@@ -65,6 +66,10 @@ class Signals(CommandLineTest):
         self.write("small.swc", GOOD)
         self.expect_done("grow", "-o", "tree.swc", "--branches", "200")
         self.write("mask.nii", mask((60, 60, 60), lambda x, y, z: (x - 30) ** 2 + (y - 30) ** 2 < 64))
+        # Around the tree, with voxels of 1.5 mm.
+        middle, far = (5, 3, 2), 90
+        self.write("organ.nii", nifti((120, 120, 120), [1] * 120 ** 3,
+                                      rows=tuple((1.5 * (k == 0), 1.5 * (k == 1), 1.5 * (k == 2), middle[k] - far) for k in range(3))))
         self.write("plane.nii", mask((400, 400, 3), lambda x, y, z: True))
         self.expect_done("mesh", "small.swc", "-o", "large.obj", "--detail", "64")
         self.write("key.json", "{}")
