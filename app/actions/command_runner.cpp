@@ -23,7 +23,9 @@ std::string branches_phrase(const std::vector<int>& branches, const Marks& marks
 // The name of a step of the history, from the command that made it: "hide 12 branches", "lasso 3 branches", "surface
 // detail 24". The menu puts "Undo" or "Redo" in front. `after`: the marks after `change`.
 std::string phrase_of(const Command& command, Arguments arguments, const MarksChange& change, const Marks& after) {
+    constexpr std::string_view kOfAnyKind = "object-"; // "hide lesion 2"
     std::string words = command.name;
+    if (words.starts_with(kOfAnyKind)) words.erase(0, kOfAnyKind.size());
     std::ranges::replace(words, '-', ' ');
     const std::vector<int> restated = change.restated();
     if (!change.edits_tree() && (!restated.empty() || (change.selects() && !after.selection.empty()))) {

@@ -170,7 +170,7 @@ Result<Case> load_case(const TerritoriesFlags& flags) {
 int system_count(const tree::VesselTree& tree) { return std::max(1, static_cast<int>(tree.systems.size())); }
 
 // The systems whose branches divide the organ, not 0: those of --system, else those of the branches that are named,
-// else those that supply.
+// else all for a division by systems and the one that supplies for others. Fails if several supply.
 Result<std::vector<std::uint8_t>> dividing_systems(const Case& read, const TerritoriesFlags& flags) {
     std::vector<std::uint8_t> chosen(static_cast<std::size_t>(system_count(read.tree)), 0);
     for (const std::string& word : flags.reading.systems) {
@@ -182,6 +182,9 @@ Result<std::vector<std::uint8_t>> dividing_systems(const Case& read, const Terri
     if (std::ranges::find(chosen, 1) != chosen.end()) return chosen;
     for (std::size_t s = 0; s < chosen.size(); ++s)
         chosen[s] = flags.group.kind == GroupWish::Kind::kSystem || read.roles[s] == organ::Role::kSupplies ? 1 : 0;
+    if (flags.group.kind != GroupWish::Kind::kSystem && std::ranges::count(chosen, 1) > 1)
+        return fail("the tree has several systems that supply, and each could divide the organ", flags.file,
+                    "name one with --system, or say with --drains which do not supply");
     return chosen;
 }
 
@@ -199,21 +202,19 @@ organ::Grouping grouping_of(const Case& read, const GroupWish& wish) {
     return organ::by_system(read.tree);
 }
 
-// Branches that do not take part: the trunk of the grouping, and those of other systems.
-std::vector<std::uint8_t> excluded_in(const tree::VesselTree& tree, const organ::Grouping& grouping,
-                                      const std::vector<std::uint8_t>& systems) {
-    std::vector<std::uint8_t> excluded = organ::trunk_of(grouping);
-    for (std::size_t id = 0; id < excluded.size(); ++id)
-        if (systems[static_cast<std::size_t>(tree.branches[id].system)] == 0) excluded[id] = 1;
-    return excluded;
+// Branches of other systems are of no group.
+organ::Grouping restricted(organ::Grouping grouping, const tree::VesselTree& tree,
+                           const std::vector<std::uint8_t>& systems) {
+    for (std::size_t id = 0; id < tree.branches.size(); ++id)
+        if (systems[static_cast<std::size_t>(tree.branches[id].system)] == 0) grouping.branches[id] = {};
+    return grouping;
 }
 
-Result<organ::Supply> supply_by(const Case& read, const organ::Grouping& grouping,
-                                const std::vector<std::uint8_t>& systems, const TerritoriesFlags& flags) {
+Result<organ::Supply> supply_by(const Case& read, const organ::Grouping& grouping, const TerritoriesFlags& flags) {
     return with_progress(
         "territories",
         [&](Job& job) {
-            return organ::supply_of(read.organ, read.tree, flags.supply, excluded_in(read.tree, grouping, systems),
+            return organ::supply_of(read.organ, read.tree, flags.supply, organ::trunk_of(grouping),
                                     JobRange(job, 0.0F, 1.0F));
         },
         kNothingWritten);
@@ -226,7 +227,7 @@ Result<organ::Remnant> remnant_after(const Case& read, const TerritoriesFlags& f
     for (std::size_t s = 0; s < systems; ++s) {
         std::vector<std::uint8_t> only(systems, 0);
         only[s] = 1;
-        RAMUS_TRY(supply, supply_by(read, organ::by_system(read.tree), only, flags));
+        RAMUS_TRY(supply, supply_by(read, restricted(organ::by_system(read.tree), read.tree, only), flags));
         supplies.push_back(std::move(supply));
     }
     std::vector<organ::SystemSupply> parts;
@@ -318,11 +319,13 @@ Result<int> run_territories(const TerritoriesFlags& flags) {
             return tl::unexpected(possible.error());
     RAMUS_TRY(read, load_case(flags));
     RAMUS_TRY(systems, dividing_systems(read, flags));
-    const organ::Grouping grouping = grouping_of(read, flags.group);
+    const organ::Grouping grouping = restricted(grouping_of(read, flags.group), read.tree, systems);
     if (grouping.names.size() > 65534)
         return fail("there are more than 65,534 territories", {}, "group by fewer branches");
-    RAMUS_TRY(supply, supply_by(read, grouping, systems, flags));
+    RAMUS_TRY(supply, supply_by(read, grouping, flags));
     Answer answer{organ::territories_of(read.tree, supply, grouping), {}, organ::part_sizes(read.organ)};
+    if (flags.group.kind != GroupWish::Kind::kCuts) // groups of other systems; a cut may lose nothing
+        std::erase_if(answer.territories, [](const organ::Territory& one) { return one.branches.empty(); });
     RAMUS_TRY(remnant, remnant_after(read, flags));
     answer.remnant = std::move(remnant);
     if (answer.parts.size() > 1)

@@ -219,7 +219,11 @@ tree::System system_in(const json& value) {
 }
 
 json context_json(const ContextItem& item, const fs::path& folder) {
-    json value{{"path", written_path(item.file, folder).string()}, {"wireframe", item.wireframe}};
+    json value{{"path", written_path(item.file, folder).string()},
+               {"colour", colour_text(item.colour)}, // these also where they are usual
+               {"opacity", item.opacity},
+               {"wireframe", item.wireframe},
+               {"visible", item.visible}};
     if (!item.label.none()) value["label"] = label_json(item.label);
     if (item.isovalue) value["isovalue"] = *item.isovalue;
     if (item.exact) value["exact"] = true;

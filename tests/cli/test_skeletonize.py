@@ -102,7 +102,7 @@ class Skeletonize(CommandLineTest):
         self.expect_done("render", "--session", "s.ramus.json", "--sheet", "-o", "four.png", "--size", "400x300")
         for command in ("mesh", "convert"):
             self.expect_failure(command, "--session", "s.ramus.json", "-o", "x.ply" if command == "mesh" else "x.swc",
-                                says=("without a tree",))
+                                says=("this session has no tree",))
         (self.folder / "commands.txt").write_text("export surface x.ply\n")
         self.expect_failure("render", "--session", "s.ramus.json", "--commands", "commands.txt", says=("no tree to export",))
         self.assertFalse((self.folder / "x.ply").exists())

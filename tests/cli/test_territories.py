@@ -89,8 +89,8 @@ class Territories(CommandLineTest):
         self.assertAlmostEqual(report["organ_ml"], sum(self.inside) * SPACING[2] / 1000)
 
     def test_a_cut_takes_away_what_lies_behind_it(self):
-        whole = self.territories("--group", "cuts=1@0")
-        half = self.territories("--group", "cuts=1@0.5")
+        whole = self.territories("--by", "axis", "--group", "cuts=1@0")
+        half = self.territories("--by", "axis", "--group", "cuts=1@0.5")
         beyond = [report["territories"][0]["voxels"] for report in (whole, half)]
         self.assertGreater(beyond[0], beyond[1])
         self.assertGreater(beyond[1], 0)
@@ -127,6 +127,26 @@ class Territories(CommandLineTest):
             self.assertEqual(one["size"], list(SIZE))
             self.assertEqual([round(x, 6) for x in one["spacing_mm"]], list(SPACING))
 
+    def test_the_system_that_divides_the_organ_must_be_known(self):
+        # Two trees of tubes in the organ, which a mask has as two labels.
+        tubes = [(n % 22, n // 22 % 24, n // 22 // 24) for n in range(22 * 24 * 11)]
+        labels = [1 if (x - 6) ** 2 + (z - 4) ** 2 <= 3 else 2 if (x - 15) ** 2 + (z - 4) ** 2 <= 3 else 0 for x, y, z in tubes]
+        self.write("vessels.nii", nifti(SIZE, labels, rows=((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, SPACING[2], 0))))
+        command = ("territories", "vessels.nii", "--organ", "organ.nii", "--json")
+        self.expect_failure(*command, "--group", "generation=0", says=("several systems", "--system", "--drains"))
+        by_system = self.json(*command)
+        self.assertEqual([one["name"] for one in by_system["territories"]], ["label 1", "label 2"])
+        one = self.json(*command, "--group", "generation=0", "--drains", "2")
+        self.assertEqual([(t["system"], t["voxels"]) for t in one["territories"]], [("label 1", sum(self.inside))])
+        self.assertEqual([system["role"] for system in one["systems"]], ["supplies", "drains"])
+        two = self.json(*command, "--group", "generation=0", "--system", "label 2")
+        self.assertEqual([t["system"] for t in two["territories"]], ["label 2"])
+        cut = self.json(*command, "--group", f"cuts={two['territories'][0]['branches'][0]}@0.5", "--drains", "2")
+        remnant, functional = cut["remnant"], cut["functional_ml"]
+        self.assertAlmostEqual(remnant["supplied_ml"], functional)
+        self.assertGreater(remnant["congested_ml"], 0)
+        self.assertAlmostEqual(remnant["congested_ml"] + remnant["drained_ml"], functional)
+
     def test_bad_requests_are_refused(self):
         command = ("territories", "tree.swc", "--organ", "organ.nii")
         self.expect_failure(*command, "--group", "branches=7", says=("no branch 7",))
@@ -135,7 +155,7 @@ class Territories(CommandLineTest):
         self.expect_failure(*command, "--group", "cuts=1@0,1@0.5", says=("cuts=1",), status=2)
         self.expect_failure(*command, "--organ-label", "9", says=("organ.nii",))
         self.expect_failure(*command, "-o", "labels.stl", says=(".seg.nrrd",))
-        self.expect_failure(*command, "--drains", "spleen", says=("spleen",))
+        self.expect_failure(*command, "--drains", "spleen", says=("no systems",))
         self.write("far.swc", swc(["# mm, RAS", "1 3 500 0 0 1 -1", "2 3 510 0 0 1 1"]))
         self.expect_failure("territories", "far.swc", "--organ", "organ.nii", says=("no vessel of the tree lies in the organ",))
         self.assertFalse((self.folder / "labels.stl").exists())

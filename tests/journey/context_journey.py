@@ -56,7 +56,7 @@ def context(program, screen, folder):
 
         slide(window, "Opacity", 0.8)
         status = window.wait("more of it", lambda s: items(s)[0]["opacity"] > 0.7)
-        check(status["undo"].startswith("context opacity"), "its slider is one step of undo when it is let go")
+        check(status["undo"].startswith("opacity context"), "its slider is one step of undo when it is let go")
         dense = seen()
         check(differing(veiled, dense, threshold=3) > 0.1, "and the organ is denser")
 

@@ -108,7 +108,7 @@ TEST_CASE("every voxel belongs to the branch that brute force finds nearest, by 
         std::size_t next = 0;
         organ.for_voxels([&](const glm::ivec3& voxel, std::size_t number) {
             number_wrong += number == next++ ? 0 : 1;
-            if (number % 11 != 0) return;
+            if (number % 31 != 0) return;
             std::vector<double> values = brute_force(tree, inside, rule, organ.centre_mm(voxel));
             const auto least = std::ranges::min_element(values);
             const auto nearest = static_cast<std::int32_t>(least - values.begin());
@@ -119,7 +119,7 @@ TEST_CASE("every voxel belongs to the branch that brute force finds nearest, by 
             wrong += supply.branch[number] == nearest ? 0 : 1;
         });
         CHECK(number_wrong == 0);
-        CHECK(compared > 500);
+        CHECK(compared > 150);
         CHECK(wrong == 0);
     }
 }
