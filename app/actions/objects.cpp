@@ -72,9 +72,8 @@ Result<void> centre_object(ActionContext& context, Arguments arguments) {
     });
     if (!found) return found;
     if (points.empty()) return fail("it has no place yet", {}, "its file is not read, or it cannot be measured");
-    Bounds<glm::dvec3> box;
-    for (const glm::vec3& point : points) box.hold(point);
-    const glm::dvec3 middle = 0.5 * (box.least + box.most);
+    const Bounds<glm::vec3> box = box_of_points(points);
+    const glm::dvec3 middle = 0.5F * (box.least + box.most);
     return move_camera(context, render::centred_on(context.document.session().camera, middle));
 }
 

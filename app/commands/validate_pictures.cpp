@@ -146,7 +146,7 @@ Result<ReportPicture> ValidationPainter::draw(const render::Frame& frame, std::s
     return ReportPicture{std::move(caption), std::move(png)};
 }
 
-Result<void> ValidationPainter::paint(PaintedSurface surface, ValidatedDataSet& set) {
+Result<void> ValidationPainter::paint(const PaintedSurface& surface, ValidatedDataSet& set) {
     render::Frame frame;
     frame.mesh = paged(surface.mesh, surface.tree);
     show_claims(frame, surface.tree.claims);

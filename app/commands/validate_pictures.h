@@ -31,7 +31,7 @@ public:
 
     // Draws all pictures of a data set and adds them to `set`. Places have the same codes as in the tables of the
     // report.
-    [[nodiscard]] Result<void> paint(PaintedSurface surface, ValidatedDataSet& set);
+    [[nodiscard]] Result<void> paint(const PaintedSurface& surface, ValidatedDataSet& set);
 
 private:
     ValidationPainter() = default;

@@ -11,7 +11,6 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <ranges>
 #include <tuple>
 
 namespace ramus::tree {
@@ -22,7 +21,8 @@ namespace {
 // resolution of single precision. At most a hundredth of the usual length of an edge, so that a stray point does not
 // matter.
 double same_place(const Graph& graph) {
-    const Bounds<glm::dvec3> box = box_of_points(graph.points | std::views::transform(&Point::position));
+    Bounds<glm::dvec3> box;
+    for (const Point& point : graph.points) box.hold(point.position);
     std::vector<double> lengths;
     for (const auto& [a, b] : graph.edges)
         lengths.push_back(glm::distance(graph.points[a].position, graph.points[b].position));
