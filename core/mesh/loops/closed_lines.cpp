@@ -194,8 +194,8 @@ std::vector<ClosedLine> ClosedLines::shortest(std::uint32_t vertex, double longe
             } else if (const double length = along + other.distance; other.settled && length <= longest) {
                 flip(there, other.crossed);
                 if (!any(there)) continue;
-                const auto [entry, first] = classes.try_emplace(there, Closing{length, edge});
-                if (!first && length < entry->second.length) entry->second = {length, edge};
+                const auto [shortest, first] = classes.try_emplace(there, Closing{length, edge});
+                if (!first && length < shortest->second.length) shortest->second = {length, edge};
             }
         }
     }
