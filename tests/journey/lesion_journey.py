@@ -1,5 +1,5 @@
 """A lesion and the vessels near it: its row says how far the nearest vessel is, the line to it is drawn while the pointer is
-on the row and for good when it is ticked; a distance snaps to the lesion, and with Shift is the shortest one.
+on the row and for good when it is ticked; a right click on it hides it; a distance snaps to the lesion, and with Shift is the shortest one.
 
 Usage: lesion_journey.py PROGRAM
 """
@@ -69,6 +69,17 @@ def measured(window):
           status["measured"][1].endswith(": 15.0 mm"), status["measured"][1])
 
 
+def clicked_in_the_picture(window):
+    """The menu of the right button is about the lesion, and its row gives it another colour."""
+    on_lesion = project(window.status(), [0, 40, -20])
+    window.xdotool("mousemove", *on_lesion, "click", 3)
+    window.wait("the lesion's menu", lambda s: "menu: Bring to the middle" in s["controls"])
+    click(window, "menu: Hide")
+    window.wait("it is hidden", lambda s: s["undo"] == "hide lesion 1" and "Show" in s["controls"])
+    window.xdotool("key", "ctrl+z")
+    window.wait("it is shown", lambda s: s["undo"] == "" and "Show" not in s["controls"])
+
+
 def journey(program, screen, folder):
     (folder / "small tree.swc").write_text(SMALL_TREE)
     (folder / "plan.ramus.json").write_text(json.dumps({"version": 1, "tree": {"path": "small tree.swc"}, "lesions": [LESION]}))
@@ -77,6 +88,8 @@ def journey(program, screen, folder):
     try:
         window.wait("the surface", lambda s: s["surface_ready"])
         window.xdotool("key", "b")
+        row(window)
+        clicked_in_the_picture(window)
         pointed_at(window, row(window))
         measured(window)
         window.shot("lesion")
