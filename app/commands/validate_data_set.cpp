@@ -230,9 +230,9 @@ Result<ValidatedDataSet> validated(const ValidateFlags& flags, std::size_t n, co
     if (painter == nullptr) return set;
     RAMUS_TRY(files, checksums_of(set));
     set.files = std::move(files);
-    PaintedSurface painted{std::move(surface), tree, flags.surface.surface, std::move(to_cones_mm),
-                           std::move(to_mask_mm)};
-    if (auto done = with_progress("pictures", [&](Job&) { return painter->paint(std::move(painted), set); }); !done)
+    const PaintedSurface painted{std::move(surface), tree, flags.surface.surface, std::move(to_cones_mm),
+                                 std::move(to_mask_mm)};
+    if (auto done = with_progress("pictures", [&](Job&) { return painter->paint(painted, set); }); !done)
         return tl::unexpected(done.error());
     return set;
 }
