@@ -26,12 +26,7 @@ nlohmann::ordered_json page_json(const RatingStudy& study, int rater, const Stud
                                 {"rater", rater},
                                 {"scale", {kLowestScore, kHighestScore}},
                                 {"most_years", kMostYears}};
-    for (const Criterion& criterion : kCriteria)
-        page["criteria"].push_back({{"key", criterion.key},
-                                    {"name", criterion.name},
-                                    {"question", criterion.question},
-                                    {"low", criterion.low},
-                                    {"high", criterion.high}});
+    page["criteria"] = criteria_json();
     for (const RaterRole& role : kRaterRoles) page["roles"].push_back({{"key", role.key}, {"name", role.name}});
     for (const ShownView& shown : study.orders[static_cast<std::size_t>(rater - 1)]) {
         const StudyView& view = study.views[shown.view];

@@ -121,14 +121,20 @@ std::optional<ShownView> picture_of(const RatingStudy& study, const std::string&
     return std::nullopt;
 }
 
+nlohmann::ordered_json criteria_json() {
+    nlohmann::ordered_json criteria = nlohmann::ordered_json::array();
+    for (const Criterion& criterion : kCriteria)
+        criteria.push_back({{"key", criterion.key},
+                            {"name", criterion.name},
+                            {"question", criterion.question},
+                            {"low", criterion.low},
+                            {"high", criterion.high}});
+    return criteria;
+}
+
 nlohmann::ordered_json key_json(const RatingStudy& study) {
     nlohmann::ordered_json key{{"format", kKeyFormat}, {"version", kRatingsVersion}, {"study", id_of(study)}};
-    for (const Criterion& criterion : kCriteria)
-        key["criteria"].push_back({{"key", criterion.key},
-                                   {"name", criterion.name},
-                                   {"question", criterion.question},
-                                   {"low", criterion.low},
-                                   {"high", criterion.high}});
+    key["criteria"] = criteria_json();
     for (const StudyMethod& method : study.methods)
         key["methods"].push_back({{"name", method.name}, {"title", method.title}});
     key["compared"] = study.methods[study.method].name;

@@ -88,6 +88,8 @@ struct RatingStudy {
 // The picture with this code; none: unknown.
 [[nodiscard]] std::optional<ShownView> picture_of(const RatingStudy& study, const std::string& code);
 
+// kCriteria, as the key and the page of a rater have them.
+[[nodiscard]] nlohmann::ordered_json criteria_json();
 // The content of the key's file.
 [[nodiscard]] nlohmann::ordered_json key_json(const RatingStudy& study);
 // Fails if `key` is not a complete key; `where` names the file.
