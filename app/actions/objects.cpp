@@ -43,10 +43,10 @@ template <class Change> Result<void> change_object(ActionContext& context, Argum
     return done;
 }
 
-template <bool visible> Result<void> switch_object(ActionContext& context, Arguments arguments) {
+Result<void> switch_object(ActionContext& context, Arguments arguments, bool visible) {
     if (arguments.size() > 2) return fail("an object is shown or hidden by its kind and number", {}, object_usage());
     return change_object(context, arguments,
-                         [](Marks&, auto& list, std::size_t index) { list[index].visible = visible; });
+                         [&](Marks&, auto& list, std::size_t index) { list[index].visible = visible; });
 }
 
 Result<void> name_object(ActionContext& context, Arguments arguments) {
@@ -86,18 +86,18 @@ bool has_objects(const Document& document) {
 } // namespace
 
 CommandAction for_kind(std::string_view kind, Result<void> (*action)(ActionContext&, Arguments)) {
-    return [kind = std::string(kind), action](ActionContext& context, Arguments arguments) -> Result<Outcome> {
+    return [kind = std::string(kind), action](ActionContext& context, Arguments arguments) {
         std::vector<std::string> words{kind};
         words.insert(words.end(), arguments.begin(), arguments.end());
-        return outcome_of(action(context, words));
+        return action(context, words);
     };
 }
 
 Result<void> show_object(ActionContext& context, Arguments arguments) {
-    return switch_object<true>(context, arguments);
+    return switch_object(context, arguments, true);
 }
 Result<void> hide_object(ActionContext& context, Arguments arguments) {
-    return switch_object<false>(context, arguments);
+    return switch_object(context, arguments, false);
 }
 
 Result<void> colour_object(ActionContext& context, Arguments arguments) {
