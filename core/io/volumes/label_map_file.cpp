@@ -7,7 +7,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
-#include <glm/geometric.hpp>
+#include <new>
 #include <nifti/nifti1.h>
 #include <pugixml.hpp>
 #include <sstream>
@@ -23,9 +23,9 @@ class Bytes {
 public:
     Bytes(OutputFile& file, bool compressed) : file_(file), compressed_(compressed) {
         // The fastest level: label maps are long runs, and gain nothing by a slower one. 16: with gzip's header.
-        if (compressed_)
-            compressed_ =
-                deflateInit2(&stream_, Z_BEST_SPEED, Z_DEFLATED, MAX_WBITS + 16, 8, Z_DEFAULT_STRATEGY) == Z_OK;
+        constexpr int kGzip = MAX_WBITS + 16;
+        if (compressed && deflateInit2(&stream_, Z_BEST_SPEED, Z_DEFLATED, kGzip, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+            throw std::bad_alloc(); // nothing else can fail with these arguments
     }
     ~Bytes() {
         if (compressed_) deflateEnd(&stream_);
