@@ -8,10 +8,11 @@
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_input.h"
+#include "app/picture/colouring.h"
+#include "app/session/colour_by.h"
 #include "app/session/comparison.h"
 #include "app/session/numbers.h"
 #include "app/session/systems.h"
-#include "app/session/territory_colours.h"
 #include "core/base/printable.h"
 #include "core/base/words.h"
 #include "core/io/input_file.h"
@@ -39,8 +40,8 @@ struct GroupWish {
     enum class Kind : std::uint8_t { kSystem, kGeneration, kBranches, kCuts };
     Kind kind = Kind::kSystem;
     int generation = 0;
-    std::vector<int> branches;
-    std::vector<measure::Cut> cuts;
+    std::vector<int> branches;      // of kBranches and kCuts
+    std::vector<measure::Cut> cuts; // of kCuts, one for each of `branches`
 };
 
 std::optional<measure::Cut> cut_in(std::string_view word) {
@@ -71,12 +72,11 @@ std::optional<GroupWish> group_in(std::string_view text) {
     for (const std::string_view word : words) {
         const auto cut = cut_in(word);
         if (!cut || (kind == "branches" && word.find('@') != std::string_view::npos)) return {};
-        const auto same = [&](const measure::Cut& other) { return other.first == cut->first; };
-        if (std::ranges::any_of(wish.cuts, same)) return {};
-        wish.cuts.push_back(*cut);
+        if (std::ranges::find(wish.branches, cut->first) != wish.branches.end()) return {};
         wish.branches.push_back(cut->first);
+        if (wish.kind == GroupWish::Kind::kCuts) wish.cuts.push_back(*cut);
     }
-    return wish.cuts.empty() ? std::nullopt : std::optional(wish);
+    return wish.branches.empty() ? std::nullopt : std::optional(wish);
 }
 
 struct TerritoriesFlags {
@@ -223,6 +223,8 @@ Result<organ::Supply> supply_by(const Case& read, const organ::Grouping& groupin
 // What remains of the functional organ after the cuts, by each system on its own.
 Result<organ::Remnant> remnant_after(const Case& read, const TerritoriesFlags& flags) {
     const auto systems = static_cast<std::size_t>(system_count(read.tree));
+    const std::size_t whole = read.functional_voxels;
+    if (flags.group.cuts.empty()) return organ::Remnant{whole, whole, whole, std::vector<std::size_t>(systems, 0)};
     std::vector<organ::Supply> supplies;
     for (std::size_t s = 0; s < systems; ++s) {
         std::vector<std::uint8_t> only(systems, 0);
@@ -272,8 +274,8 @@ nlohmann::ordered_json report_of(const Case& read, const Answer& answer, const T
             {"remnant",
              {{"supplied_ml", volume(answer.remnant.supplied)},
               {"drained_ml", volume(answer.remnant.drained)},
-              {"congested_ml", volume(answer.remnant.congested)},
-              {"unsupplied_ml", volume(answer.remnant.unsupplied)}}}};
+              {"congested_ml", volume(answer.remnant.congested())},
+              {"unsupplied_ml", volume(answer.remnant.unsupplied())}}}};
 }
 
 void print_text(const Case& read, const Answer& answer, const TerritoriesFlags& flags) {
@@ -286,9 +288,9 @@ void print_text(const Case& read, const Answer& answer, const TerritoriesFlags& 
         std::cout << printable(one.name) << ": " << volume(one.voxels) << ", "
                   << rounded(100.0 * double(one.voxels) / double(read.organ.count())) << " %, "
                   << counted(one.branches.size(), "branch", "branches") << '\n';
-    if (flags.group.cuts.empty() || flags.group.kind != GroupWish::Kind::kCuts) return;
+    if (flags.group.cuts.empty()) return;
     std::cout << "remnant       supplied " << volume(answer.remnant.supplied) << ", drained "
-              << volume(answer.remnant.drained) << ", congested " << volume(answer.remnant.congested) << '\n';
+              << volume(answer.remnant.drained) << ", congested " << volume(answer.remnant.congested()) << '\n';
 }
 
 Result<void> write_labels(const Case& read, const organ::Supply& supply, const organ::Grouping& grouping,
@@ -296,7 +298,7 @@ Result<void> write_labels(const Case& read, const organ::Supply& supply, const o
     const std::vector<int> groups = organ::voxel_groups(supply, grouping);
     io::LabelMap map{read.organ.size(), read.organ.to_patient(), read.claims, {}, {}};
     for (std::size_t n = 0; n < grouping.names.size(); ++n)
-        map.names.push_back({static_cast<std::int32_t>(n + 1), grouping.names[n], territory_colour(n)});
+        map.names.push_back({static_cast<std::int32_t>(n + 1), grouping.names[n], bytes_of(label_colour(n))});
     const auto across = static_cast<std::size_t>(read.organ.size().x);
     map.fill_slice = [&](int k, std::span<std::uint16_t> labels) {
         read.organ.for_voxels(

@@ -9,20 +9,12 @@
 #include "app/session/numbers.h"
 #include "app/session/systems.h"
 
-#include <cmath>
 #include <imgui.h>
 #include <string>
 
 namespace ramus::app {
 
 namespace {
-
-std::array<std::uint8_t, 3> bytes_of(const glm::vec3& colour) {
-    std::array<std::uint8_t, 3> bytes{};
-    for (int k = 0; k < 3; ++k)
-        bytes[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::lround(255.0F * colour[k]));
-    return bytes;
-}
 
 void draw_swatch(InterfaceContext& context, const glm::vec3& now, int system) {
     Editing::System& trial = context.interface.of<Editing>().system;

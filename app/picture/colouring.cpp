@@ -29,19 +29,6 @@ glm::vec3 distinct(std::size_t index) {
     return {channel(5.0), channel(3.0), channel(1.0)};
 }
 
-// Distinguishable colours for a few things, also for colour-blind people (M. Okabe and K. Ito, 2008); then arbitrary
-// ones.
-glm::vec3 label_colour(std::size_t index) {
-    constexpr std::array<glm::vec3, 7> kPalette{{{0.902F, 0.624F, 0.000F},
-                                                 {0.337F, 0.706F, 0.914F},
-                                                 {0.000F, 0.620F, 0.451F},
-                                                 {0.941F, 0.894F, 0.259F},
-                                                 {0.000F, 0.447F, 0.698F},
-                                                 {0.835F, 0.369F, 0.000F},
-                                                 {0.800F, 0.475F, 0.655F}}};
-    return index < kPalette.size() ? kPalette[index] : distinct(index);
-}
-
 double mean_diameter(const tree::VesselTree& tree, const tree::Branch& branch) {
     double sum = 0.0;
     for (const auto point : branch.points) sum += 2.0 * tree.points[point].radius;
@@ -369,6 +356,17 @@ std::string latin1(const std::string& utf8) {
         }
     }
     return text;
+}
+
+glm::vec3 label_colour(std::size_t index) {
+    constexpr std::array<glm::vec3, 7> kPalette{{{0.902F, 0.624F, 0.000F},
+                                                 {0.337F, 0.706F, 0.914F},
+                                                 {0.000F, 0.620F, 0.451F},
+                                                 {0.941F, 0.894F, 0.259F},
+                                                 {0.000F, 0.447F, 0.698F},
+                                                 {0.835F, 0.369F, 0.000F},
+                                                 {0.800F, 0.475F, 0.655F}}};
+    return index < kPalette.size() ? kPalette[index] : distinct(index);
 }
 
 Colouring colouring_of(const tree::VesselTree& tree, const TreeFacts& facts, const Marks& marks, const Plan* plan) {

@@ -25,6 +25,10 @@ struct Colouring {
 [[nodiscard]] Colouring colouring_of(const tree::VesselTree& tree, const TreeFacts& facts, const Marks& marks,
                                      const Plan* plan);
 
+// Distinguishable colours (sRGB) for a few things, also for colour-blind people (M. Okabe and K. Ito, 2008); then
+// arbitrary ones.
+[[nodiscard]] glm::vec3 label_colour(std::size_t index);
+
 // A bar from `low` to `high` with ticks at round numbers.
 [[nodiscard]] render::Legend bar_legend(const std::string& title, ColourMap map, double low, double high,
                                         bool logarithmic);

@@ -1,21 +1,16 @@
 #include "app/picture/surface_names.h"
 
 #include "app/picture/colouring.h"
+#include "app/session/colour_by.h"
 #include "app/session/labels.h"
 #include "app/session/systems.h"
 #include "render/scene/frame.h"
 
-#include <cmath>
 #include <filesystem>
 
 namespace ramus::app {
 
 namespace {
-
-io::Colour colour_of(const glm::vec3& srgb) {
-    const auto byte = [](float part) { return static_cast<std::uint8_t>(std::lround(255.0F * part)); };
-    return {byte(srgb.x), byte(srgb.y), byte(srgb.z)};
-}
 
 std::string name_of_branch(int id, int source, const BranchNames& names) {
     std::string number = "branch " + std::to_string(id);
@@ -41,12 +36,12 @@ io::MeshNames surface_names(const tree::VesselTree& tree, const TreeFacts& facts
     io::MeshNames names;
     names.by = by;
     names.claims = tree.claims;
-    names.colour = colour_of(render::Appearance{}.vessel);
+    names.colour = bytes_of(render::Appearance{}.vessel);
     if (!tree.source.empty()) names.name = std::filesystem::path(tree.source).stem().string();
     names.systems = systems_of(tree, marks);
     for (std::size_t i = 0; i < names.systems.size(); ++i) {
         const auto system = static_cast<int>(i);
-        const io::Colour colour = colour_of(shown_colour(names.systems, system));
+        const io::Colour colour = bytes_of(shown_colour(names.systems, system));
         names.systems[i] = {system_name(names.systems, system), colour};
     }
     const std::vector<glm::vec3> colours = colouring_of(tree, facts, marks, plan).branches;
@@ -54,7 +49,7 @@ io::MeshNames surface_names(const tree::VesselTree& tree, const TreeFacts& facts
     for (std::size_t id = 0; id < tree.branches.size(); ++id) {
         const int system = tree.branches[id].system;
         names.branches.push_back({name_of_branch(static_cast<int>(id), sources[id], marks.names),
-                                  !colours.empty()       ? colour_of(colours[id])
+                                  !colours.empty()       ? bytes_of(colours[id])
                                   : tree.systems.empty() ? names.colour
                                                          : names.systems[static_cast<std::size_t>(system)].colour,
                                   system});

@@ -166,6 +166,11 @@ Result<void> check(const ColourLook& look) {
     return {};
 }
 
+std::array<std::uint8_t, 3> bytes_of(const glm::vec3& colour) {
+    const auto byte = [](float channel) { return static_cast<std::uint8_t>(std::lround(255.0F * channel)); };
+    return {byte(colour.x), byte(colour.y), byte(colour.z)};
+}
+
 std::string colour_text(const std::array<std::uint8_t, 3>& colour) {
     constexpr std::string_view kDigits = "0123456789abcdef";
     std::string text = "#";

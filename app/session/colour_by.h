@@ -88,6 +88,8 @@ struct ColourLook {
 // The colour of unknown values, sRGB: a grey that occurs in no other map, darker than the middle of the grey map.
 inline constexpr glm::vec3 kUnknownColour{0.47F, 0.50F, 0.54F};
 
+[[nodiscard]] std::array<std::uint8_t, 3> bytes_of(const glm::vec3& colour); // of channels from 0 to 1
+
 // Colours as text: #RRGGBB, sRGB. The # is optional, because it starts a comment in command files.
 [[nodiscard]] std::string colour_text(const std::array<std::uint8_t, 3>& colour); // "#c98268"
 [[nodiscard]] std::optional<std::array<std::uint8_t, 3>> colour_in(std::string_view text);

@@ -27,22 +27,16 @@ void add(Remnant& remnant, std::span<const SystemSupply> systems, std::span<cons
             ++remnant.lost[s];
             (system.role == Role::kSupplies ? supplied : drained) = false;
         }
-        ++remnant.voxels;
         remnant.supplied += supplied ? 1 : 0;
         remnant.drained += drained ? 1 : 0;
         remnant.both += supplied && drained ? 1 : 0;
-        remnant.congested += supplied && !drained ? 1 : 0;
-        remnant.unsupplied += drained && !supplied ? 1 : 0;
     }
 }
 
 Remnant sum(Remnant a, const Remnant& b) {
-    a.voxels += b.voxels;
     a.supplied += b.supplied;
     a.drained += b.drained;
     a.both += b.both;
-    a.congested += b.congested;
-    a.unsupplied += b.unsupplied;
     for (std::size_t s = 0; s < a.lost.size(); ++s) a.lost[s] += b.lost[s];
     return a;
 }

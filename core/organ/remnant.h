@@ -22,16 +22,14 @@ struct SystemSupply {
     std::span<const float> at;
 };
 
-// Numbers of voxels. A voxel is supplied if every supplying system that there is still reaches it, and drained
-// likewise.
+// Numbers of voxels after cuts. A voxel is supplied if every supplying system that there is still reaches it, and
+// drained if every draining system does.
 struct Remnant {
-    std::size_t voxels = 0;   // of the organ, or of its functional part
-    std::size_t supplied = 0; // after the cuts
-    std::size_t drained = 0;
+    std::size_t supplied = 0, drained = 0;
     std::size_t both = 0;          // supplied and drained
-    std::size_t congested = 0;     // supplied, not drained
-    std::size_t unsupplied = 0;    // drained, not supplied
     std::vector<std::size_t> lost; // by system: voxels that it no longer reaches
+    [[nodiscard]] std::size_t congested() const { return supplied - both; }
+    [[nodiscard]] std::size_t unsupplied() const { return drained - both; }
 };
 
 // `spans`: lost_spans() of the tree (measure/cuts.h), by branch id; empty: no cuts. `counted`: by voxel, 0: it is not

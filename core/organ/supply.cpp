@@ -204,6 +204,7 @@ private:
 };
 
 } // namespace
+
 std::string_view name_of(Rule rule) {
     return std::ranges::find(kRules, rule, &std::pair<Rule, std::string_view>::first)->second;
 }

@@ -85,6 +85,7 @@ class Territories(CommandLineTest):
                 found = {one["name"]: one["voxels"] for one in report["territories"]}
                 self.assertEqual(found, expected)
                 self.assertEqual(sum(found.values()), sum(self.inside))
+                self.assertAlmostEqual(report["remnant"]["supplied_ml"], report["functional_ml"])  # nothing is cut
         self.assertAlmostEqual(report["organ_ml"], sum(self.inside) * SPACING[2] / 1000)
 
     def test_a_cut_takes_away_what_lies_behind_it(self):
