@@ -63,7 +63,7 @@ template <class Value> CLI::Option* finite(CLI::Option* option) {
 [[nodiscard]] std::string input_word(const std::string& word);
 [[nodiscard]] bool reads_standard_input(); // whether the command line names standard input
 
-// Adds an option with a value. `type` is the placeholder of the value in the help. Numbers must be finite.
+// Adds an option with a value. `type` is how --help writes the value, as "MM". Numbers must be finite.
 template <class Value>
 CLI::Option* add_option(CLI::App& command, const std::string& name, const std::string& type, Value& value,
                         const std::string& help) {
