@@ -28,9 +28,9 @@ constexpr double kSmoothPositions = 1.0, kSmoothShifts = 0.6, kSmoothAreas = 0.2
 constexpr double kFlat = 1.255; // see radius_of()
 // The radius at a node, in radii of its inscribed ball: where vessels meet, the wall is farther out than the ball.
 constexpr double kNode = 1.165;
-// No point is clear within kEnd radii of an end, in radii of the largest ball there. A ball counts if its centre is
+// No point is clear within kTip radii of an end, in radii of the largest ball there. A ball counts if its centre is
 // within kReach of its radii.
-constexpr double kEnd = 0.75, kReach = 1.2;
+constexpr double kTip = 0.75, kReach = 1.2;
 // An end that extends farther than a tube of its volume by this factor is treated as a cone.
 constexpr double kLonger = 1.15;
 constexpr int kCentrings = 2;
@@ -106,7 +106,7 @@ private:
     }
 
     // The distance from a node within which no point is clear. At a node of several lines: the radius of its ball. At
-    // an end, which the line may approach obliquely: kEnd times the largest ball of this vessel that reaches there.
+    // an end, which the line may approach obliquely: kTip times the largest ball of this vessel that reaches there.
     [[nodiscard]] double unclear_around(int node_number, int other, const SampledLine& sampled) const {
         const MidPoint& here = node(node_number);
         if (!is_end(node_number)) return here.distance;
@@ -117,7 +117,7 @@ private:
             if (!of_other && glm::distance(sampled.at[i], here.position) < kReach * sampled.radius[i])
                 ball = std::max(ball, sampled.radius[i]);
         }
-        return kEnd * ball;
+        return kTip * ball;
     }
 
     // If no point of a short leaf line is clear, tries half and a quarter of the distances, then the middle point.
