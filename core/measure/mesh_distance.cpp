@@ -2,6 +2,7 @@
 
 #include "core/base/infinity.h"
 #include "core/base/lines.h"
+#include "core/mesh/line_triangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,46 @@ glm::dvec3 nearest_on(const glm::dvec3& p, const Triangle& t) {
         if (square(p - other) < square(p - best)) best = other;
     }
     return best;
+}
+
+// The nearest places of two segments: on ab, on cd. C. Ericson, "Real-Time Collision Detection", 2005, 5.1.9.
+std::pair<glm::dvec3, glm::dvec3> nearest_on_segments(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                                                      const glm::dvec3& d) {
+    const glm::dvec3 u = b - a, v = d - c, w = a - c;
+    const double uu = square(u), vv = square(v), uv = glm::dot(u, v), uw = glm::dot(u, w), vw = glm::dot(v, w);
+    const double crossed = uu * vv - uv * uv;
+    const double s = crossed > 0.0 ? std::clamp((uv * vw - uw * vv) / crossed, 0.0, 1.0) : 0.0;
+    const glm::dvec3 on_second = nearest_on_line(a + s * u, c, d);
+    return {nearest_on_line(on_second, a, b), on_second};
+}
+
+// The nearest places of two triangles; one place where they meet.
+MeshDistance::Gap gap_between(const Triangle& a, const Triangle& b) {
+    MeshDistance::Gap gap{kInfinity, {}, {}};
+    const auto consider = [&gap](const glm::dvec3& on_a, const glm::dvec3& on_b) {
+        const double squared = square(on_a - on_b);
+        if (squared < gap.distance_mm) gap = {squared, on_a, on_b};
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        consider(a[i], nearest_on(a[i], b));
+        consider(nearest_on(b[i], a), b[i]);
+        for (std::size_t j = 0; j < 3; ++j) {
+            const auto [on_a, on_b] = nearest_on_segments(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]);
+            consider(on_a, on_b);
+        }
+    }
+    // Where an edge of one passes through the other, they meet.
+    for (std::size_t i = 0; i < 6 && gap.distance_mm > 0.0; ++i) {
+        const Triangle &edges = i < 3 ? a : b, &other = i < 3 ? b : a;
+        const glm::dvec3 &from = edges[i % 3], &to = edges[(i + 1) % 3];
+        if (!mesh::line_meets(from, to, other)) continue;
+        const double before = mesh::signed_volume(other[0], other[1], other[2], from);
+        const double after = mesh::signed_volume(other[0], other[1], other[2], to);
+        const glm::dvec3 at = glm::mix(from, to, before / (before - after));
+        gap = {0.0, at, at};
+    }
+    gap.distance_mm = std::sqrt(gap.distance_mm);
+    return gap;
 }
 
 double to_box(const glm::dvec3& p, const Box& box) {
@@ -153,6 +194,22 @@ double MeshDistance::wall_distance(const tree::Point& a, const tree::Point& b, d
         return least_gap(a, b, so_far, [&](const glm::dvec3& p) { return nearest_on(p, triangle); });
     };
     return least(best, -std::max(a.radius, b.radius), gap_to_box, gap_to_triangle); // nothing can be less
+}
+
+std::optional<MeshDistance::Gap> MeshDistance::triangle_gap(const std::array<glm::dvec3, 3>& triangle,
+                                                            double best) const {
+    std::optional<Gap> nearest;
+    const Box around = box_of_points(triangle);
+    const auto between_boxes = [&](const Box& box, double) {
+        return glm::length(glm::max(glm::max(box.least - around.most, around.least - box.most), glm::dvec3(0.0)));
+    };
+    const auto between_triangles = [&](const Triangle& other, double so_far) {
+        const Gap gap = gap_between(triangle, other);
+        if (gap.distance_mm < so_far) nearest = gap;
+        return gap.distance_mm;
+    };
+    (void)least(best, 0.0, between_boxes, between_triangles);
+    return nearest;
 }
 
 int MeshDistance::winding(const glm::dvec3& point, const glm::dvec3& direction, bool& grazed) const {

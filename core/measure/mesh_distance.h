@@ -12,6 +12,7 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 namespace ramus::measure {
@@ -31,6 +32,13 @@ public:
     // segment. Negative if the vessel's wall passes through the surface. The error is below 1e-9 mm, up to rounding.
     // Fast if `best` is near the result.
     [[nodiscard]] double wall_distance(const tree::Point& a, const tree::Point& b, double best) const;
+
+    // The nearest places of a triangle and of the surface. None: they are not nearer to each other than `best`.
+    struct Gap {
+        double distance_mm = 0.0; // 0: the two meet
+        glm::dvec3 on_triangle{0.0}, on_surface{0.0};
+    };
+    [[nodiscard]] std::optional<Gap> triangle_gap(const std::array<glm::dvec3, 3>& triangle, double best) const;
 
     using Box = Bounds<glm::dvec3>;
     [[nodiscard]] const Box& bounds() const { return nodes_.front().box; }

@@ -49,36 +49,72 @@ void join_rows(DisjointSets& sets, std::span<const Run> a, std::size_t first_a, 
     }
 }
 
-} // namespace
-
-std::vector<std::size_t> part_sizes(const Organ& organ) {
+// The runs of an organ, row by row, and which of them touch by faces.
+struct Runs {
     std::vector<Run> runs;
-    std::vector<std::size_t> first; // by row: its first run
+    std::vector<std::size_t> first; // by row: its first run; then the number of all runs
+    DisjointSets sets;
+};
+
+Runs joined_runs(const Organ& organ) {
+    Runs all;
     const glm::ivec3 size = organ.size();
     for (int k = 0; k < size.z; ++k)
         for (int j = 0; j < size.y; ++j) {
-            first.push_back(runs.size());
+            all.first.push_back(all.runs.size());
             organ.for_voxels({0, j, k}, {size.x, j + 1, k + 1}, [&](const glm::ivec3& voxel, std::size_t) {
-                if (runs.size() > first.back() && runs.back().to == voxel.x)
-                    ++runs.back().to;
+                if (all.runs.size() > all.first.back() && all.runs.back().to == voxel.x)
+                    ++all.runs.back().to;
                 else
-                    runs.push_back({voxel.x, voxel.x + 1});
+                    all.runs.push_back({voxel.x, voxel.x + 1});
             });
         }
-    first.push_back(runs.size());
-    DisjointSets sets(runs.size());
-    const auto row = [&](std::size_t r) { return std::span(runs).subspan(first[r], first[r + 1] - first[r]); };
+    all.first.push_back(all.runs.size());
+    all.sets = DisjointSets(all.runs.size());
+    const auto row = [&](std::size_t r) {
+        return std::span(all.runs).subspan(all.first[r], all.first[r + 1] - all.first[r]);
+    };
     const auto rows = static_cast<std::size_t>(size.y);
-    for (std::size_t r = 0; r + 1 < first.size(); ++r) {
-        if (r % rows > 0) join_rows(sets, row(r - 1), first[r - 1], row(r), first[r]);
-        if (r >= rows) join_rows(sets, row(r - rows), first[r - rows], row(r), first[r]);
+    for (std::size_t r = 0; r + 1 < all.first.size(); ++r) {
+        if (r % rows > 0) join_rows(all.sets, row(r - 1), all.first[r - 1], row(r), all.first[r]);
+        if (r >= rows) join_rows(all.sets, row(r - rows), all.first[r - rows], row(r), all.first[r]);
     }
-    std::vector<std::size_t> voxels(runs.size(), 0);
-    for (std::size_t n = 0; n < runs.size(); ++n)
-        voxels[sets.find(static_cast<std::uint32_t>(n))] += static_cast<std::size_t>(runs[n].to - runs[n].from);
+    return all;
+}
+
+std::size_t length_of(const Run& run) { return static_cast<std::size_t>(run.to - run.from); }
+
+// By run that represents its part: the part's voxels; 0 for other runs.
+std::vector<std::size_t> voxels_by_part(Runs& all) {
+    std::vector<std::size_t> voxels(all.runs.size(), 0);
+    for (std::size_t n = 0; n < all.runs.size(); ++n)
+        voxels[all.sets.find(static_cast<std::uint32_t>(n))] += length_of(all.runs[n]);
+    return voxels;
+}
+
+} // namespace
+
+std::vector<std::size_t> part_sizes(const Organ& organ) {
+    Runs all = joined_runs(organ);
+    std::vector<std::size_t> voxels = voxels_by_part(all);
     std::erase(voxels, std::size_t{0});
     std::ranges::sort(voxels, std::greater());
     return voxels;
+}
+
+std::vector<std::uint32_t> parts_of_voxels(const Organ& organ) {
+    Runs all = joined_runs(organ);
+    const std::vector<std::size_t> voxels = voxels_by_part(all);
+    std::vector<std::uint32_t> order, place(all.runs.size(), 0);
+    for (std::size_t n = 0; n < voxels.size(); ++n)
+        if (voxels[n] > 0) order.push_back(static_cast<std::uint32_t>(n));
+    std::ranges::stable_sort(order, std::greater(), [&](std::uint32_t part) { return voxels[part]; });
+    for (std::size_t n = 0; n < order.size(); ++n) place[order[n]] = static_cast<std::uint32_t>(n);
+    std::vector<std::uint32_t> parts;
+    parts.reserve(organ.count());
+    for (std::size_t n = 0; n < all.runs.size(); ++n)
+        parts.insert(parts.end(), length_of(all.runs[n]), place[all.sets.find(static_cast<std::uint32_t>(n))]);
+    return parts;
 }
 
 } // namespace ramus::organ

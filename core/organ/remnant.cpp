@@ -13,27 +13,26 @@ namespace ramus::organ {
 
 namespace {
 
-// Adds voxels [begin, end).
-void add(Remnant& remnant, std::span<const SystemSupply> systems, std::span<const measure::LostSpan> spans,
-         std::span<const std::uint8_t> counted, std::size_t begin, std::size_t end) {
+// Adds voxels [begin, end). share(voxel): how much of the voxel counts.
+template <class Number, class Share>
+void add(RemnantOf<Number>& remnant, std::span<const SystemSupply> systems, std::span<const measure::LostSpan> spans,
+         const Share& share, std::size_t begin, std::size_t end) {
     for (std::size_t voxel = begin; voxel < end; ++voxel) {
-        if (!counted.empty() && counted[voxel] == 0) continue;
+        const Number counts = share(voxel);
+        if (counts == Number(0)) continue;
         bool supplied = true, drained = true;
         for (std::size_t s = 0; s < systems.size() && !spans.empty(); ++s) {
-            const SystemSupply& system = systems[s];
-            const measure::LostSpan& span = spans[static_cast<std::size_t>(system.branch[voxel])];
-            const auto at = static_cast<double>(system.at[voxel]);
-            if (!span.any() || at < span.from || at > span.to) continue;
-            ++remnant.lost[s];
-            (system.role == Role::kSupplies ? supplied : drained) = false;
+            if (!is_lost(systems[s], spans, voxel)) continue;
+            remnant.lost[s] += counts;
+            (systems[s].role == Role::kSupplies ? supplied : drained) = false;
         }
-        remnant.supplied += supplied ? 1 : 0;
-        remnant.drained += drained ? 1 : 0;
-        remnant.both += supplied && drained ? 1 : 0;
+        remnant.supplied += supplied ? counts : Number(0);
+        remnant.drained += drained ? counts : Number(0);
+        remnant.both += supplied && drained ? counts : Number(0);
     }
 }
 
-Remnant sum(Remnant a, const Remnant& b) {
+template <class Number> RemnantOf<Number> sum(RemnantOf<Number> a, const RemnantOf<Number>& b) {
     a.supplied += b.supplied;
     a.drained += b.drained;
     a.both += b.both;
@@ -41,20 +40,36 @@ Remnant sum(Remnant a, const Remnant& b) {
     return a;
 }
 
+template <class Number, class Share>
+RemnantOf<Number> remnant_by(std::span<const SystemSupply> systems, std::span<const measure::LostSpan> spans,
+                             const Share& share) {
+    RemnantOf<Number> none;
+    none.lost.resize(systems.size());
+    if (systems.empty()) return none;
+    constexpr std::size_t kGrain = 65536; // the same parts for any number of threads, so that sums round alike
+    return tbb::parallel_deterministic_reduce(
+        tbb::blocked_range<std::size_t>(0, systems.front().branch.size(), kGrain), none,
+        [&](const tbb::blocked_range<std::size_t>& range, RemnantOf<Number> so_far) {
+            add(so_far, systems, spans, share, range.begin(), range.end());
+            return so_far;
+        },
+        sum<Number>);
+}
+
 } // namespace
 
 Remnant remnant_of(std::span<const SystemSupply> systems, std::span<const measure::LostSpan> spans,
                    std::span<const std::uint8_t> counted) {
-    Remnant none;
-    none.lost.resize(systems.size());
-    if (systems.empty()) return none;
-    return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, systems.front().branch.size()), none,
-        [&](const tbb::blocked_range<std::size_t>& range, Remnant so_far) {
-            add(so_far, systems, spans, counted, range.begin(), range.end());
-            return so_far;
-        },
-        sum);
+    return remnant_by<std::size_t>(systems, spans, [counted](std::size_t voxel) -> std::size_t {
+        return counted.empty() || counted[voxel] != 0 ? 1 : 0;
+    });
+}
+
+PartRemnant remnant_of(std::span<const SystemSupply> systems, std::span<const measure::LostSpan> spans,
+                       std::span<const std::uint8_t> counted, std::span<const float> kept) {
+    return remnant_by<double>(systems, spans, [counted, kept](std::size_t voxel) {
+        return counted.empty() || counted[voxel] != 0 ? static_cast<double>(kept[voxel]) : 0.0;
+    });
 }
 
 std::vector<std::uint8_t> large_vessels(const Organ& organ, const tree::VesselTree& tree, double least_diameter_mm) {

@@ -1,0 +1,106 @@
+#include "core/organ/resect/voxel_solid.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/matrix.hpp>
+#include <numeric>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <unordered_map>
+#include <utility>
+
+namespace ramus::organ {
+
+namespace {
+
+// Adds the corners of voxel boxes to a mesh, each once.
+class BoxCorners {
+public:
+    BoxCorners(const Organ& voxels, mesh::TriangleMesh& mesh) : voxels_(voxels), mesh_(mesh) {}
+
+    // `corner`: the corner at the lower ends of a voxel has the voxel's indices.
+    std::uint32_t vertex(const glm::ivec3& corner) {
+        const glm::ivec3 size = voxels_.size() + 1;
+        const std::uint64_t key = static_cast<std::uint64_t>(corner.x) +
+                                  static_cast<std::uint64_t>(size.x) *
+                                      (static_cast<std::uint64_t>(corner.y) +
+                                       static_cast<std::uint64_t>(size.y) * static_cast<std::uint64_t>(corner.z));
+        const auto [found, added] = known_.try_emplace(key, static_cast<std::uint32_t>(mesh_.positions.size()));
+        if (added)
+            mesh_.positions.push_back(glm::vec3(voxels_.to_patient() * glm::dvec4(glm::dvec3(corner) - 0.5, 1.0)));
+        return found->second;
+    }
+
+private:
+    const Organ& voxels_;
+    mesh::TriangleMesh& mesh_;
+    std::unordered_map<std::uint64_t, std::uint32_t> known_;
+};
+
+} // namespace
+
+mesh::TriangleMesh surface_of_boxes(const Organ& voxels) {
+    mesh::TriangleMesh mesh;
+    BoxCorners corners(voxels, mesh);
+    const bool mirrored = volume::mirrors(voxels.to_patient());
+    voxels.for_voxels([&](const glm::ivec3& voxel, std::size_t) {
+        for (int axis = 0; axis < 3; ++axis)
+            for (int side = 0; side < 2; ++side) {
+                glm::ivec3 next = voxel, u(0), v(0), base = voxel;
+                next[axis] += side == 1 ? 1 : -1;
+                if (voxels.mask().test(next)) continue;
+                base[axis] += side;
+                u[(axis + 1) % 3] = v[(axis + 2) % 3] = 1;
+                if ((side == 0) != mirrored) std::swap(u, v);
+                const std::array<std::uint32_t, 4> ring{corners.vertex(base), corners.vertex(base + u),
+                                                        corners.vertex(base + u + v), corners.vertex(base + v)};
+                mesh.triangles.push_back({ring[0], ring[1], ring[2]});
+                mesh.triangles.push_back({ring[0], ring[2], ring[3]});
+            }
+    });
+    return mesh;
+}
+
+VoxelSolid::VoxelSolid(Organ voxels)
+    : voxels_(std::move(voxels)), to_voxels_(glm::inverse(voxels_.to_patient())), surface_(surface_of_boxes(voxels_)),
+      to_surface_(surface_) {}
+
+double VoxelSolid::distance(const glm::dvec3& point) const {
+    const glm::dvec3 index(to_voxels_ * glm::dvec4(point, 1.0));
+    if (voxels_.mask().test(glm::ivec3(glm::floor(index + 0.5)))) return 0.0;
+    return to_surface_.surface_distance(point);
+}
+
+std::shared_ptr<const VoxelSolid> solid_of(const Organ& organ, std::span<const std::uint8_t> chosen) {
+    volume::BitMask mask(organ.size());
+    organ.for_voxels([&](const glm::ivec3& voxel, std::size_t number) {
+        if (chosen[number] != 0) mask.set(voxel);
+    });
+    Organ voxels(std::move(mask), organ.to_patient());
+    return voxels.count() == 0 ? nullptr : std::make_shared<const VoxelSolid>(std::move(voxels));
+}
+
+std::vector<std::uint8_t> lost_voxels(std::span<const SystemSupply> systems, std::span<const measure::LostSpan> spans) {
+    std::vector<std::uint8_t> lost(systems.empty() ? 0 : systems.front().branch.size(), 0);
+    if (spans.empty()) return lost;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lost.size()), [&](const auto& range) {
+        for (std::size_t voxel = range.begin(); voxel < range.end(); ++voxel)
+            lost[voxel] =
+                std::ranges::any_of(systems, [&](const SystemSupply& system) { return is_lost(system, spans, voxel); });
+    });
+    return lost;
+}
+
+std::vector<VoxelLesion> lesions_of(const Organ& mask, const std::string& name) {
+    const std::vector<std::uint32_t> parts = parts_of_voxels(mask);
+    const std::size_t count = parts.empty() ? 0 : 1 + *std::ranges::max_element(parts);
+    std::vector<VoxelLesion> lesions;
+    std::vector<std::uint8_t> chosen(parts.size());
+    for (std::size_t part = 0; part < count; ++part) {
+        std::ranges::transform(parts, chosen.begin(), [part](std::uint32_t of) { return of == part ? 1 : 0; });
+        lesions.push_back({count == 1 ? name : name + ' ' + std::to_string(part + 1), solid_of(mask, chosen)});
+    }
+    return lesions;
+}
+
+} // namespace ramus::organ
