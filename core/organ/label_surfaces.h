@@ -11,8 +11,8 @@
 // - surface_of() is closed, oriented outward, and every edge has two triangles, every vertex one ring of them.
 // - Each vertex is within half a voxel, along each axis, of the border between voxels.
 // - The volume of each label differs from that of its voxels by less than 1 %, whatever their number.
-// - Voxels of a label that share only an edge are connected where a border between two other labels would have to
-//   connect otherwise, and where the other two are outside of the organ or have a higher label.
+// - Where four voxels around an edge touch crosswise, the two of one label are connected: those of the only label that
+//   is there twice, else those of the organ, else those of the lower label.
 // - The same bits for any number of threads.
 // Not guaranteed: that triangles do not intersect, where a label is only one voxel thick.
 #pragma once
