@@ -6,11 +6,13 @@
 #include "app/commands/organ_case.h"
 #include "app/commands/printed_report.h"
 #include "app/commands/subcommands.h"
+#include "app/commands/territory_surfaces.h"
 #include "app/session/numbers.h"
 #include "app/session/systems.h"
 #include "core/base/printable.h"
 #include "core/base/words.h"
 #include "core/io/input_file.h"
+#include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/label_map_file.h"
 #include "core/organ/remnant.h"
 
@@ -61,7 +63,7 @@ std::optional<GroupWish> group_in(std::string_view text) {
 }
 
 struct TerritoriesFlags : OrganFlags {
-    std::string output;
+    std::string output, surfaces;
     GroupWish group;
     bool json = false;
 };
@@ -119,6 +121,7 @@ Result<organ::Remnant> remnant_after(const OrganCase& read, const TerritoriesFla
 struct Answer {
     std::vector<organ::Territory> territories;
     organ::Remnant remnant;
+    std::vector<TerritorySurface> surfaces;
 };
 
 nlohmann::ordered_json report_of(const OrganCase& read, const Answer& answer, const TerritoriesFlags& flags) {
@@ -137,6 +140,9 @@ nlohmann::ordered_json report_of(const OrganCase& read, const Answer& answer, co
         systems.push_back({{"name", name_of_system(read.tree, static_cast<int>(s))},
                            {"role", read.roles[s] == organ::Role::kDrains ? "drains" : "supplies"},
                            {"lost_ml", volume(answer.remnant.lost[s])}});
+    nlohmann::ordered_json surfaces = nlohmann::ordered_json::array();
+    for (const TerritorySurface& one : answer.surfaces)
+        surfaces.push_back({{"name", one.name}, {"file", one.file}, {"triangles", one.triangles}});
     return {{"organ_ml", volume(read.organ.count())},
             {"functional_ml", volume(read.functional_voxels)},
             {"voxels", read.organ.count()},
@@ -149,7 +155,8 @@ nlohmann::ordered_json report_of(const OrganCase& read, const Answer& answer, co
              {{"supplied_ml", volume(answer.remnant.supplied)},
               {"drained_ml", volume(answer.remnant.drained)},
               {"congested_ml", volume(answer.remnant.congested())},
-              {"unsupplied_ml", volume(answer.remnant.unsupplied())}}}};
+              {"unsupplied_ml", volume(answer.remnant.unsupplied())}}},
+            {"surfaces", surfaces}};
 }
 
 void print_text(const OrganCase& read, const Answer& answer, const TerritoriesFlags& flags) {
@@ -167,10 +174,26 @@ void print_text(const OrganCase& read, const Answer& answer, const TerritoriesFl
               << volume(answer.remnant.drained) << ", congested " << volume(answer.remnant.congested()) << '\n';
 }
 
+// The label map and the surfaces that are wanted.
+Result<void> write_files(const OrganCase& read, const organ::Supply& supply, const organ::Grouping& grouping,
+                         const TerritoriesFlags& flags, Answer& answer) {
+    if (flags.output.empty() && flags.surfaces.empty()) return {};
+    const std::vector<int> groups = organ::voxel_groups(supply, grouping);
+    const auto label_of = [&](std::size_t number) { return static_cast<std::uint16_t>(groups[number] + 1); };
+    if (!flags.output.empty())
+        if (auto written = write_organ_labels(read, grouping.names, label_of, flags.output); !written) return written;
+    if (flags.surfaces.empty()) return {};
+    RAMUS_TRY(surfaces, write_territory_surfaces(read, grouping.names, groups, flags.surfaces));
+    answer.surfaces = std::move(surfaces);
+    return {};
+}
+
 Result<int> run_territories(const TerritoriesFlags& flags) {
     if (!flags.output.empty())
         if (auto possible = io::check_label_map_output(flags.output); !possible)
             return tl::unexpected(possible.error());
+    if (!flags.surfaces.empty())
+        if (auto possible = check_surfaces_output(flags.surfaces); !possible) return tl::unexpected(possible.error());
     RAMUS_TRY(read, load_case(flags));
     for (const int branch : flags.group.branches)
         if (auto there = check_branch(read.tree, branch, flags.tree); !there) return tl::unexpected(there.error());
@@ -180,17 +203,13 @@ Result<int> run_territories(const TerritoriesFlags& flags) {
     if (grouping.names.size() > 65534)
         return fail("there are more than 65,534 territories", {}, "group by fewer branches");
     RAMUS_TRY(supply, supply_by(read, flags, organ::trunk_of(grouping)));
-    Answer answer{organ::territories_of(read.tree, supply, grouping), {}};
+    Answer answer{organ::territories_of(read.tree, supply, grouping), {}, {}};
     if (flags.group.kind != GroupWish::Kind::kCuts) // groups of other systems; a cut may lose nothing
         std::erase_if(answer.territories, [](const organ::Territory& one) { return one.branches.empty(); });
     RAMUS_TRY(remnant, remnant_after(read, flags));
     answer.remnant = std::move(remnant);
-    if (!flags.output.empty()) {
-        const std::vector<int> groups = organ::voxel_groups(supply, grouping);
-        const auto label_of = [&](std::size_t number) { return static_cast<std::uint16_t>(groups[number] + 1); };
-        if (auto written = write_organ_labels(read, grouping.names, label_of, flags.output); !written)
-            return tl::unexpected(written.error());
-    }
+    if (auto written = write_files(read, supply, grouping, flags, answer); !written)
+        return tl::unexpected(written.error());
     if (flags.json)
         std::cout << printed_report(report_of(read, answer, flags), read.claims) << '\n';
     else
@@ -216,6 +235,9 @@ void register_territories(CLI::App& app, Action& chosen) {
         "with all that depend on it, or what each cut takes away (at fraction F of the branch)")
         ->check(expecting(" is not system, generation=N, branches=ID,... or cuts=ID@F,...", group_in));
     add_option(*command, "-o,--output", "FILE", flags->output, "Label map to write: " + io::label_map_extensions());
+    add_option(*command, "--surfaces", "FILE", flags->surfaces,
+               "Surfaces to write, closed, one of each territory: " + io::writable_mesh_extensions() +
+                   "; VTP and GLB hold all, other formats get a file each, named after its territory");
     flags->reading.command = command;
     add_source_flags(*command, flags->reading);
     add_system_flag(*command, flags->reading);

@@ -4,7 +4,9 @@ import gzip
 import math
 import struct
 import unittest
+from collections import Counter
 
+import ply
 from nifti import nifti, voxels
 from ramus import CommandLineTest
 
@@ -126,6 +128,49 @@ class Territories(CommandLineTest):
         for one in (info, again):
             self.assertEqual(one["size"], list(SIZE))
             self.assertEqual([round(x, 6) for x in one["spacing_mm"]], list(SPACING))
+
+    def check_surface(self, corners, triangles, voxels):
+        """Closed, oriented outward, one ring of triangles around each vertex; the volume of the voxels."""
+        edges = Counter((t[n], t[(n + 1) % 3]) for t in triangles for n in range(3))
+        self.assertEqual(set(edges.values()), {1})
+        self.assertTrue(all((b, a) in edges for a, b in edges))
+        onward = {(t[n], t[(n + 1) % 3]): t[(n + 2) % 3] for t in triangles for n in range(3)}
+        for vertex in range(len(corners)):
+            around = [b for a, b in edges if a == vertex]
+            at, ring = around[0], 0
+            while ring == 0 or at != around[0]:
+                at, ring = onward[vertex, at], ring + 1
+            self.assertEqual(ring, len(around))
+        volume = sum(a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+                     for a, b, c in ([corners[v] for v in t] for t in triangles)) / 6
+        self.assertAlmostEqual(volume / (voxels * SPACING[2]), 1, delta=0.01)
+
+    def test_surfaces_are_closed_and_share_their_borders(self):
+        groups = ("--group", "branches=1,2")
+        report = self.territories(*groups, "--surfaces", "parts.ply")
+        voxels = {one["name"]: one["voxels"] for one in report["territories"]}
+        self.assertEqual([(one["name"], one["file"]) for one in report["surfaces"]],
+                         [("branch 1", "parts-branch 1.ply"), ("branch 2", "parts-branch 2.ply")])
+        places = []
+        for one in report["surfaces"]:
+            mesh = ply.read(self.folder / one["file"])
+            self.assertEqual(len(mesh.triangles), one["triangles"])
+            self.check_surface(mesh.positions, mesh.triangles, voxels[one["name"]])
+            turned = [[mesh.positions[v] for v in t] for t in mesh.triangles]
+            places.append({tuple(t[n:] + t[:n]) for t in turned for n in range(3)})
+        shared = sum(1 for a, b, c in places[0] if (c, b, a) in places[1]) // 3
+        self.assertGreater(shared, 50)
+        rims = [Counter(frozenset(edge) for t in places[n] if (t[2], t[1], t[0]) not in places[1 - n] for edge in ((t[0], t[1]),))
+                for n in (0, 1)] # edges where the shared border ends
+        self.assertEqual({edge for edge, n in rims[0].items() if n == 1}, {edge for edge, n in rims[1].items() if n == 1})
+        # All in one file where that can hold names.
+        for name in ("parts.vtp", "parts.glb"):
+            together = self.territories(*groups, "--surfaces", name)["surfaces"]
+            self.assertEqual([(one["file"], one["triangles"]) for one in together],
+                             [(name, one["triangles"]) for one in report["surfaces"]])
+            content = (self.folder / name).read_bytes()
+            self.assertTrue(b"branch 1" in content and b"branch 2" in content)
+        self.expect_failure("territories", "tree.swc", "--organ", "organ.nii", "--surfaces", "parts.nii", says=(".ply", ".glb"))
 
     def test_the_system_that_divides_the_organ_must_be_known(self):
         # Two trees of tubes in the organ, which a mask has as two labels.
