@@ -6,6 +6,7 @@
 #include "app/commands/organ_case.h"
 #include "app/commands/printed_report.h"
 #include "app/commands/subcommands.h"
+#include "app/commands/suggest_cuts.h"
 #include "app/commands/territory_surfaces.h"
 #include "app/session/numbers.h"
 #include "app/session/systems.h"
@@ -65,6 +66,7 @@ std::optional<GroupWish> group_in(std::string_view text) {
 struct TerritoriesFlags : OrganFlags {
     std::string output, surfaces;
     GroupWish group;
+    CutWish cuts;
     bool json = false;
 };
 
@@ -122,6 +124,7 @@ struct Answer {
     std::vector<organ::Territory> territories;
     organ::Remnant remnant;
     std::vector<TerritorySurface> surfaces;
+    std::optional<CutAnswer> cuts;
 };
 
 nlohmann::ordered_json report_of(const OrganCase& read, const Answer& answer, const TerritoriesFlags& flags) {
@@ -143,20 +146,22 @@ nlohmann::ordered_json report_of(const OrganCase& read, const Answer& answer, co
     nlohmann::ordered_json surfaces = nlohmann::ordered_json::array();
     for (const TerritorySurface& one : answer.surfaces)
         surfaces.push_back({{"name", one.name}, {"file", one.file}, {"triangles", one.triangles}});
-    return {{"organ_ml", volume(read.organ.count())},
-            {"functional_ml", volume(read.functional_voxels)},
-            {"voxels", read.organ.count()},
-            {"unit", read.claims.unit_word()},
-            {"parts", read.parts},
-            {"by", organ::name_of(flags.supply.rule)},
-            {"territories", territories},
-            {"systems", systems},
-            {"remnant",
-             {{"supplied_ml", volume(answer.remnant.supplied)},
-              {"drained_ml", volume(answer.remnant.drained)},
-              {"congested_ml", volume(answer.remnant.congested())},
-              {"unsupplied_ml", volume(answer.remnant.unsupplied())}}},
-            {"surfaces", surfaces}};
+    nlohmann::ordered_json report{{"organ_ml", volume(read.organ.count())},
+                                  {"functional_ml", volume(read.functional_voxels)},
+                                  {"voxels", read.organ.count()},
+                                  {"unit", read.claims.unit_word()},
+                                  {"parts", read.parts},
+                                  {"by", organ::name_of(flags.supply.rule)},
+                                  {"territories", territories},
+                                  {"systems", systems},
+                                  {"remnant",
+                                   {{"supplied_ml", volume(answer.remnant.supplied)},
+                                    {"drained_ml", volume(answer.remnant.drained)},
+                                    {"congested_ml", volume(answer.remnant.congested())},
+                                    {"unsupplied_ml", volume(answer.remnant.unsupplied())}}},
+                                  {"surfaces", surfaces}};
+    if (answer.cuts) report["fewest_cuts"] = json_of(read, *answer.cuts);
+    return report;
 }
 
 void print_text(const OrganCase& read, const Answer& answer, const TerritoriesFlags& flags) {
@@ -169,6 +174,7 @@ void print_text(const OrganCase& read, const Answer& answer, const TerritoriesFl
         std::cout << printable(one.name) << ": " << volume(one.voxels) << ", "
                   << rounded(100.0 * double(one.voxels) / double(read.organ.count())) << " %, "
                   << counted(one.branches.size(), "branch", "branches") << '\n';
+    if (answer.cuts) print_cuts(read, *answer.cuts);
     if (flags.group.cuts.empty()) return;
     std::cout << "remnant       supplied " << volume(answer.remnant.supplied) << ", drained "
               << volume(answer.remnant.drained) << ", congested " << volume(answer.remnant.congested()) << '\n';
@@ -203,11 +209,15 @@ Result<int> run_territories(const TerritoriesFlags& flags) {
     if (grouping.names.size() > 65534)
         return fail("there are more than 65,534 territories", {}, "group by fewer branches");
     RAMUS_TRY(supply, supply_by(read, flags, organ::trunk_of(grouping)));
-    Answer answer{organ::territories_of(read.tree, supply, grouping), {}, {}};
+    Answer answer{organ::territories_of(read.tree, supply, grouping), {}, {}, {}};
     if (flags.group.kind != GroupWish::Kind::kCuts) // groups of other systems; a cut may lose nothing
         std::erase_if(answer.territories, [](const organ::Territory& one) { return one.branches.empty(); });
     RAMUS_TRY(remnant, remnant_after(read, flags));
     answer.remnant = std::move(remnant);
+    if (flags.cuts.margin_mm) {
+        RAMUS_TRY(cuts, suggest_cuts(read, flags, flags.cuts));
+        answer.cuts = std::move(cuts);
+    }
     if (auto written = write_files(read, supply, grouping, flags, answer); !written)
         return tl::unexpected(written.error());
     if (flags.json)
@@ -234,6 +244,7 @@ void register_territories(CLI::App& app, Action& chosen) {
         "What a territory is of: each vessel system (default), each branch of a generation, each of some branches "
         "with all that depend on it, or what each cut takes away (at fraction F of the branch)")
         ->check(expecting(" is not system, generation=N, branches=ID,... or cuts=ID@F,...", group_in));
+    add_cut_options(*command, flags->cuts);
     add_option(*command, "-o,--output", "FILE", flags->output, "Label map to write: " + io::label_map_extensions());
     add_option(*command, "--surfaces", "FILE", flags->surfaces,
                "Surfaces to write, closed, one of each territory: " + io::writable_mesh_extensions() +

@@ -192,6 +192,38 @@ class Territories(CommandLineTest):
         self.assertGreater(remnant["congested_ml"], 0)
         self.assertAlmostEqual(remnant["congested_ml"] + remnant["drained_ml"], functional)
 
+    def test_fewest_cuts_cover_the_lesion_with_the_least_loss(self):
+        # Two lesions, one behind each of the two branches.
+        lesion = [int(min(math.dist(place, (4, 14, 5)), math.dist(place, (17, 15, 4))) < 2.5) for place in self.places]
+        self.write("lesion.nii", nifti(SIZE, lesion, rows=((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, SPACING[2], 0))))
+        words = ("--by", "axis", "--lesions", "lesion.nii")
+        margin = 1.5
+        report = self.territories(*words, "--fewest-cuts", str(margin))
+        cuts = report["fewest_cuts"]
+        boxes = [place for place, inside in zip(self.places, lesion) if inside]
+        def gap(a, b):
+            return math.dist([max(0, abs(x - y) - half) for x, y, half in zip(a, b, (0.5, 0.5, SPACING[2] / 2))], (0, 0, 0))
+        near = [bool(inside and min(gap(place, box) for box in boxes) <= margin) for place, inside in zip(self.places, self.inside)]
+        voxel = SPACING[2] / 1000
+        self.assertAlmostEqual(cuts["target_ml"], sum(near) * voxel)
+        self.assertEqual(cuts["out_of_reach_ml"], 0)
+        one, two = cuts["suggestions"]
+        self.assertEqual([len(one["cuts"]), len(two["cuts"])], [1, 2])
+        self.assertEqual(one["cuts"], ["0@1"])
+        self.assertAlmostEqual(one["lost_ml"], report["functional_ml"])
+        self.assertEqual([cut.split("@")[0] for cut in two["cuts"]], ["1", "2"])
+        self.assertAlmostEqual(two["lost_percent"], 100 * two["lost_ml"] / report["functional_ml"])
+        # The cuts take away what they say, all that is near, and less than cuts at the beginnings.
+        after = self.territories(*words, "--group", "cuts=" + ",".join(two["cuts"]), "-o", "cut.nii")
+        self.assertAlmostEqual(after["systems"][0]["lost_ml"], two["lost_ml"])
+        labels = self.labels("cut.nii")
+        self.assertTrue(all(label in (1, 2) for label, is_near in zip(labels, near) if is_near))
+        begin = self.territories(*words, "--group", "cuts=1,2")
+        self.assertLess(two["lost_ml"], begin["systems"][0]["lost_ml"])
+        self.assertEqual(len(self.territories(*words, "--fewest-cuts", "1.5", "--most-cuts", "1")["fewest_cuts"]["suggestions"]), 1)
+        self.expect_failure("territories", "tree.swc", "--organ", "organ.nii", "--fewest-cuts", "5", says=("--lesions",), status=2)
+        self.expect_failure("territories", "tree.swc", "--organ", "organ.nii", *words, "--fewest-cuts", "-1", says=("-1",), status=2)
+
     def test_bad_requests_are_refused(self):
         command = ("territories", "tree.swc", "--organ", "organ.nii")
         self.expect_failure(*command, "--group", "branches=7", says=("no branch 7",))
