@@ -245,19 +245,30 @@ private:
                                        const glm::ivec3& voxel) const {
         Crossing one{samples.resection, removed_corners(values), linear_through(values)};
         const Resection& resection = resections_[samples.resection];
-        const bool smooth = std::holds_alternative<HalfSpace>(resection) || std::holds_alternative<Sheet>(resection);
-        if (smooth || std::abs(one.fit.middle) > 2.0 * half_diagonal_) return one;
+        const bool mixed = one.removed != 0 && one.removed != 0xFFU;
+        if (std::holds_alternative<HalfSpace>(resection)) return one;
+        if (std::holds_alternative<Sheet>(resection) ? !mixed : std::abs(one.fit.middle) > 2.0 * half_diagonal_)
+            return one;
+        const double centre = value_at(resection, place(glm::dvec3(voxel)));
         const double most = 0.1 * half_diagonal_; // tuned: less changes no volume by 0.01 %
-        one.flat = std::abs(value_at(resection, place(glm::dvec3(voxel))) - one.fit.middle) <= most;
+        one.flat = std::abs(centre - one.fit.middle) <= most;
         for (int corner = 0; corner < 8; ++corner)
             one.flat = one.flat &&
                        std::abs(one.fit.at(unit_corner(corner)) - values[static_cast<std::size_t>(corner)]) <= most;
+        // The mean over the box, by Simpson's rule, is that of a curved surface, too.
+        one.fit.middle = (one.fit.middle + 2.0 * centre) / 3.0;
         return one;
     }
 
     // The share of a voxel that is removed.
     [[nodiscard]] double share_of(const std::vector<Crossing>& crossing, const glm::ivec3& voxel) const {
-        if (crossing.size() == 1 && crossing.front().flat) return share_below(crossing.front().fit);
+        if (crossing.size() == 1 && crossing.front().flat) {
+            const double share = share_below(crossing.front().fit);
+            // Distances from voxels allow for rounding (value_at()); a margin of 0 removes just the voxels.
+            constexpr double kTouched = 1e-3;
+            const bool around = std::holds_alternative<Around>(resections_[crossing.front().resection]);
+            return around && share < kTouched ? 0.0 : share;
+        }
         constexpr int kSide = 6; // samples along an axis
         int removed = 0;
         for (int n = 0; n < kSide * kSide * kSide; ++n) {
