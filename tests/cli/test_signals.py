@@ -25,6 +25,7 @@ COMMANDS = {
     "mesh of a mask": (["mesh", "mask.nii", "-o", "a.ply"], False),
     "skeletonize": (["skeletonize", "plane.nii", "-o", "plane.swc"], False),
     "territories": (["territories", "tree.swc", "--organ", "organ.nii", "-o", "labels.nii.gz"], False),
+    "resect": (["resect", "--tree", "tree.swc", "--organ", "organ.nii", "--plane", "0,0,5,1,0,1", "-o", "parts.nii.gz"], False),
     "render": (["render", "tree.swc", "-o", "a.png", "--size", "500x400"], False),
     "turntable": (["render", "small.swc", "-o", "turn.png", "--turntable", "8", "--size", "200x150"], False),
     "standard output": (["render", "tree.swc", "-o", "-", "--size", "300x200"], False),

@@ -21,6 +21,20 @@ double distance_to_box(const glm::dvec3& p, const Bounds<glm::dvec3>& box) {
     return glm::length(glm::max(glm::max(box.least - p, p - box.most), glm::dvec3(0.0)));
 }
 
+bool holds_around(const Resection& resection) { return std::holds_alternative<Around>(resection); }
+
+// Whether the resection removes a margin around voxels that the lesion is part of. All of its surface is then at least
+// as far from the lesion as the margin, and its vertices are exactly so far from the voxels.
+bool surrounds(const Resection& resection, const VoxelSolid& lesion) {
+    const auto* around = std::get_if<Around>(&resection);
+    if (around == nullptr) return false;
+    bool inside = true;
+    lesion.voxels().for_voxels([&](const glm::ivec3& voxel, std::size_t) {
+        inside = inside && around->solid->distance(lesion.voxels().centre_mm(voxel)) == 0.0;
+    });
+    return inside;
+}
+
 // The search for the nearest place of one lesion.
 class MarginSearch {
 public:
@@ -33,7 +47,11 @@ public:
         margin.removed = removed();
         if (surface_.triangles.empty()) return margin;
         find_vertices();
-        const measure::MeshDistance::Gap gap = nearest_ == 0.0 ? meeting() : refined();
+        for (const Resection& one : resections_) {
+            constexpr double kRounding = 1e-3; // mm
+            surrounds_.push_back(surrounds(one, lesion_) && nearest_ <= std::get<Around>(one).margin_mm + kRounding);
+        }
+        const measure::MeshDistance::Gap gap = nearest_ == 0.0 ? of_vertices() : refined();
         margin.distance_mm = gap.distance_mm;
         margin.on_surface = gap.on_triangle;
         margin.on_lesion = gap.on_surface;
@@ -78,10 +96,11 @@ private:
         nearest_ = *std::ranges::min_element(distances_);
     }
 
-    [[nodiscard]] measure::MeshDistance::Gap meeting() const {
+    // The vertex that is nearest to the lesion.
+    [[nodiscard]] measure::MeshDistance::Gap of_vertices() const {
         const auto at = std::ranges::min_element(distances_) - distances_.begin();
         const glm::dvec3& place = surface_.places[static_cast<std::size_t>(at)];
-        return {0.0, place, place};
+        return {nearest_, place, nearest_ > 0.0 ? lesion_.to_surface().nearest_on_surface(place) : place};
     }
 
     // How far the exact surface may be from a triangle: from the values at its middle and those of its sides.
@@ -120,6 +139,7 @@ private:
                 std::max({glm::distance(corners[0], corners[1]), glm::distance(corners[1], corners[2]),
                           glm::distance(corners[2], corners[0])});
             constexpr double kOff = 0.2; // mm; more than the exact surface is from a triangle
+            if (surrounds_[surface_.resections[n]]) continue;
             if (std::min({distances_[t.x], distances_[t.y], distances_[t.z]}) - longest - kOff > best) continue;
             if (surface_.voxels[n] != voxel || surface_.resections[n] != cell.resection) {
                 close();
@@ -132,20 +152,21 @@ private:
     }
 
     [[nodiscard]] measure::MeshDistance::Gap refined() const {
-        constexpr double kFine = 1e-5;    // mm
-        constexpr int kMostDivided = 400; // cells; more only where all places are about equally near
+        constexpr double kFine = 1e-5; // mm
         std::priority_queue<Cell> open;
         double best = nearest_;
         first_cells(open, best);
-        measure::MeshDistance::Gap gap{kInfinity, {}, {}};
-        for (int divided = 0; !open.empty() && open.top().least < gap.distance_mm; ++divided) {
+        measure::MeshDistance::Gap gap = of_vertices();
+        // Around a lesion all places are about equally near, and the vertices exactly.
+        int may_divide = std::ranges::any_of(resections_, holds_around) ? 40 : 400; // cells
+        while (!open.empty() && open.top().least < gap.distance_mm - kFine) {
             const Cell cell = open.top();
             open.pop();
-            if (cell.off <= kFine || divided >= kMostDivided) {
+            if (cell.off <= kFine) {
                 if (cell.gap.distance_mm < gap.distance_mm) gap = cell.gap;
-                if (divided >= kMostDivided) break;
                 continue;
             }
+            if (may_divide-- == 0) break;
             for (int part = 0; part < 8; ++part) {
                 const double size = 0.5 * cell.size;
                 Cell half{kInfinity,
@@ -168,6 +189,7 @@ private:
     const VoxelSolid& lesion_;
     std::vector<double> distances_; // by vertex
     double nearest_ = kInfinity;
+    std::vector<bool> surrounds_; // by resection: no place of its surface is nearer than its vertices
 };
 
 } // namespace

@@ -19,8 +19,8 @@ double value_of(const SurfaceCut& cut, const glm::dvec3& p) {
     return cut.other_side ? -value : value;
 }
 double value_of(const Around& around, const glm::dvec3& p) {
-    constexpr double kRounding = 1e-4; // mm; of the corners of boxes, so that a margin of 0 removes the voxels
-    return around.solid->distance(p) - around.margin_mm - kRounding;
+    constexpr double kLeast = 1e-4; // mm; above the rounding of corners, so that a margin of 0 removes the voxels
+    return around.solid->distance(p) - std::max(around.margin_mm, kLeast);
 }
 
 // Adds the crossings between two fractions of the segment.
