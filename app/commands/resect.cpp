@@ -35,7 +35,7 @@ struct ResectFlags : OrganFlags {
 };
 
 // All that is computed.
-struct Plan {
+struct ResectPlan {
     std::vector<std::string> kinds; // of the resections
     organ::Removal removal;
     std::vector<organ::VoxelLesion> lesions;
@@ -63,10 +63,10 @@ Result<organ::Removal> removal_of(const OrganCase& read, const std::vector<organ
         kNothingWritten);
 }
 
-Result<Plan> plan_of(const OrganCase& read, const ResectFlags& flags) {
+Result<ResectPlan> plan_of(const OrganCase& read, const ResectFlags& flags) {
     RAMUS_TRY(systems, supplies_by_system(read, flags));
     RAMUS_TRY(named, resections_of(read, flags, flags.resections, systems));
-    Plan plan;
+    ResectPlan plan;
     std::vector<organ::Resection> resections;
     for (NamedResection& one : named) {
         plan.kinds.push_back(one.kind);
@@ -92,7 +92,7 @@ Result<Plan> plan_of(const OrganCase& read, const ResectFlags& flags) {
 
 nlohmann::ordered_json place_json(const glm::dvec3& place) { return {place.x, place.y, place.z}; }
 
-nlohmann::ordered_json margins_json(const Plan& plan) {
+nlohmann::ordered_json margins_json(const ResectPlan& plan) {
     nlohmann::ordered_json margins = nlohmann::ordered_json::array();
     for (std::size_t n = 0; n < plan.margins.size(); ++n) {
         const organ::Margin& margin = plan.margins[n];
@@ -112,7 +112,7 @@ nlohmann::ordered_json margins_json(const Plan& plan) {
     return margins;
 }
 
-nlohmann::ordered_json vessels_json(const OrganCase& read, const Plan& plan) {
+nlohmann::ordered_json vessels_json(const OrganCase& read, const ResectPlan& plan) {
     nlohmann::ordered_json vessels = nlohmann::ordered_json::array();
     for (const organ::CutVessel& vessel : plan.vessels) {
         const int system = read.tree.branches[static_cast<std::size_t>(vessel.place.branch)].system;
@@ -126,7 +126,7 @@ nlohmann::ordered_json vessels_json(const OrganCase& read, const Plan& plan) {
     return vessels;
 }
 
-nlohmann::ordered_json resection_report(const OrganCase& read, const Plan& plan, const ResectFlags& flags) {
+nlohmann::ordered_json resection_report(const OrganCase& read, const ResectPlan& plan, const ResectFlags& flags) {
     const double ml = read.organ.voxel_ml();
     const auto whole = static_cast<double>(read.organ.count());
     nlohmann::ordered_json systems = nlohmann::ordered_json::array();
@@ -157,7 +157,7 @@ nlohmann::ordered_json resection_report(const OrganCase& read, const Plan& plan,
               {"unsupplied_ml", plan.remnant.unsupplied() * ml}}}};
 }
 
-void print_margins(const Plan& plan, const Lengths& lengths) {
+void print_margins(const ResectPlan& plan, const Lengths& lengths) {
     for (std::size_t n = 0; n < plan.margins.size(); ++n) {
         const organ::Margin& margin = plan.margins[n];
         const char* kRemoved[] = {"not removed", "removed in part", "removed"};
@@ -167,7 +167,7 @@ void print_margins(const Plan& plan, const Lengths& lengths) {
     }
 }
 
-void print_resection(const OrganCase& read, const Plan& plan) {
+void print_resection(const OrganCase& read, const ResectPlan& plan) {
     const double mm3 = 1000.0 * read.organ.voxel_ml();
     const Lengths lengths(read.claims);
     const auto volume = [&](double voxels) { return lengths.volume(voxels * mm3); };
@@ -195,7 +195,7 @@ void print_resection(const OrganCase& read, const Plan& plan) {
                   << " outside of the organ, which do not count as cut\n";
 }
 
-Result<void> write_resection(const OrganCase& read, Plan& plan, const std::string& output) {
+Result<void> write_resection(const OrganCase& read, ResectPlan& plan, const std::string& output) {
     if (output.empty()) return {};
     if (!is_mesh_output(output)) {
         const auto label_of = [&](std::size_t number) -> std::uint16_t {

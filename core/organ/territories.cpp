@@ -57,17 +57,29 @@ Grouping by_generation(const tree::VesselTree& tree, int generation) {
 
 Grouping by_branches(const tree::VesselTree& tree, const tree::Dependency& dependency,
                      const std::vector<int>& branches) {
+    std::vector<std::pair<int, std::string>> named;
+    for (const int id : branches) named.emplace_back(id, branch_name(id));
+    return by_names(tree, dependency, named);
+}
+
+Grouping by_names(const tree::VesselTree& tree, const tree::Dependency& dependency,
+                  std::span<const std::pair<int, std::string>> named) {
     Grouping grouping;
-    grouping.branches.assign(tree.branches.size(), {static_cast<int>(branches.size())});
-    for (const int id : branches) {
-        grouping.names.push_back(branch_name(id));
+    std::vector<int> branches, groups; // by element of `named`
+    for (const auto& [branch, name] : named) {
+        const auto known = std::ranges::find(grouping.names, name);
+        branches.push_back(branch);
+        groups.push_back(static_cast<int>(known - grouping.names.begin()));
+        if (known == grouping.names.end()) grouping.names.push_back(name);
+    }
+    grouping.branches.assign(tree.branches.size(), {static_cast<int>(grouping.names.size())});
+    grouping.names.emplace_back("rest");
+    for (const int id : branches)
         for (const int before : dependency.upstream(id))
             grouping.branches[static_cast<std::size_t>(before)].group = kNoGroup;
-    }
-    grouping.names.emplace_back("rest");
     for (const std::size_t n : outer_first(dependency, branches))
         for (const int id : dependency.with_dependents(branches[n]))
-            grouping.branches[static_cast<std::size_t>(id)].group = static_cast<int>(n);
+            grouping.branches[static_cast<std::size_t>(id)].group = groups[n];
     return grouping;
 }
 

@@ -41,6 +41,9 @@ struct Grouping {
 // belongs to them nor lies in front of one of them is the group "rest".
 [[nodiscard]] Grouping by_branches(const tree::VesselTree& tree, const tree::Dependency& dependency,
                                    const std::vector<int>& branches);
+// The same for branches with names: those of one name form one group.
+[[nodiscard]] Grouping by_names(const tree::VesselTree& tree, const tree::Dependency& dependency,
+                                std::span<const std::pair<int, std::string>> named);
 
 // One for what each cut takes away (measure/cuts.h), and "rest". A cut that loses nothing has an empty group. At most
 // one cut of a branch.

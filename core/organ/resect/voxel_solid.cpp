@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/common.hpp>
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 #include <numeric>
 #include <oneapi/tbb/blocked_range.h>
@@ -61,11 +63,34 @@ mesh::TriangleMesh surface_of_boxes(const Organ& voxels) {
     return mesh;
 }
 
+namespace {
+
+Organ samples_of(const measure::MeshDistance& closed) {
+    constexpr int kSamples = 32;
+    const measure::MeshDistance::Box& box = closed.bounds();
+    const glm::dvec3 sides = box.size();
+    const double step = std::max(std::max({sides.x, sides.y, sides.z}) / kSamples, 1e-9);
+    volume::BitMask mask(glm::ivec3(glm::ceil(sides / step)) + 1);
+    const glm::dmat4 to_patient = glm::scale(glm::translate(glm::dmat4(1.0), box.least + 0.5 * step), glm::dvec3(step));
+    for (int k = 0; k < mask.size().z; ++k)
+        for (int j = 0; j < mask.size().y; ++j)
+            for (int i = 0; i < mask.size().x; ++i)
+                if (closed.inside(glm::dvec3(to_patient * glm::dvec4(i, j, k, 1.0)))) mask.set({i, j, k});
+    return Organ(std::move(mask), to_patient);
+}
+
+} // namespace
+
 VoxelSolid::VoxelSolid(Organ voxels)
-    : voxels_(std::move(voxels)), to_voxels_(glm::inverse(voxels_.to_patient())), surface_(surface_of_boxes(voxels_)),
-      to_surface_(surface_) {}
+    : surface_(surface_of_boxes(voxels)), to_surface_(surface_), voxels_(std::move(voxels)),
+      to_voxels_(glm::inverse(voxels_.to_patient())) {}
+
+VoxelSolid::VoxelSolid(mesh::TriangleMesh closed)
+    : surface_(std::move(closed)), to_surface_(surface_), voxels_(samples_of(to_surface_)),
+      to_voxels_(glm::inverse(voxels_.to_patient())), of_boxes_(false) {}
 
 double VoxelSolid::distance(const glm::dvec3& point) const {
+    if (!of_boxes_) return to_surface_.distance(point);
     const glm::dvec3 index(to_voxels_ * glm::dvec4(point, 1.0));
     if (voxels_.mask().test(glm::ivec3(glm::floor(index + 0.5)))) return 0.0;
     return to_surface_.surface_distance(point);

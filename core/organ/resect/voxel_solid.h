@@ -1,6 +1,6 @@
-// VoxelSolid: a set of voxels as a solid: the union of their boxes. Its surface is the faces of boxes that do not touch
-// another voxel of the set. Distances are from that surface, exact up to the rounding of corners to single precision
-// (1e-5 mm). Immutable and safe for concurrent use.
+// VoxelSolid: a set of voxels as a solid, the union of their boxes; or the inside of a closed mesh. Its surface is the
+// faces of boxes that do not touch another voxel of the set. Distances are from that surface, exact up to the rounding
+// of corners to single precision (1e-5 mm). Immutable and safe for concurrent use.
 #pragma once
 
 #include "core/base/error.h"
@@ -23,6 +23,8 @@ class VoxelSolid {
 public:
     // `voxels`: at least one.
     explicit VoxelSolid(Organ voxels);
+    // The inside of a closed mesh; its voxels() are samples of it, 32 along its longest side.
+    explicit VoxelSolid(mesh::TriangleMesh closed);
 
     [[nodiscard]] const Organ& voxels() const { return voxels_; }
     [[nodiscard]] const mesh::TriangleMesh& surface() const { return surface_; } // positions and triangles
@@ -31,10 +33,11 @@ public:
     [[nodiscard]] const measure::MeshDistance& to_surface() const { return to_surface_; }
 
 private:
-    Organ voxels_;
-    glm::dmat4 to_voxels_;
     mesh::TriangleMesh surface_;
     measure::MeshDistance to_surface_;
+    Organ voxels_;
+    glm::dmat4 to_voxels_;
+    bool of_boxes_ = true;
 };
 
 // The surface of a set of voxels: two triangles for each outer face, counter-clockwise from outside. Faces share
