@@ -17,6 +17,9 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> state_commands();
 [[nodiscard]] std::vector<Command> system_commands();
 [[nodiscard]] std::vector<Command> surgery_commands();
+[[nodiscard]] std::vector<Command> organ_commands();
+[[nodiscard]] std::vector<Command> resection_commands();
+[[nodiscard]] std::vector<Command> plan_commands();
 [[nodiscard]] std::vector<Command> lesion_vessel_commands();
 [[nodiscard]] std::vector<Command> object_commands();
 [[nodiscard]] std::vector<Command> context_commands();
@@ -55,6 +58,9 @@ inline constexpr std::array kCommandGroups{
     system_commands,        //
     glass_commands,         //
     surgery_commands,       //
+    organ_commands,         //
+    resection_commands,     //
+    plan_commands,          //
     lesion_vessel_commands, //
     object_commands,        //
     context_commands,       //

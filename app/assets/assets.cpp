@@ -224,6 +224,8 @@ void complete_contacts(Assets& assets, const Document& document) {
 Result<void> complete(Assets& assets, const Document& document, Job& job) {
     complete_lesions(assets, document);
     if (document.marks().contact_marks) complete_contacts(assets, document);
+    const Marks& marks = document.marks();
+    if (auto organ = complete_organ(assets, marks, job); !organ) return organ;
     return load_context(assets, document.marks(), job);
 }
 
@@ -242,6 +244,8 @@ void keep_loaded(Assets& assets, Assets before, const Marks& marks) {
     std::erase_if(before.context_shapes, [&](const auto& known) {
         return std::ranges::find(marks.context, known.first, source_of) == marks.context.end();
     });
+    if (before.organ.source == marks.organ.source)
+        assets.organ.source = before.organ.source, assets.organ.mask = before.organ.mask;
     assets.lesion_meshes.merge(before.lesion_meshes);
     assets.context_shapes.merge(before.context_shapes);
 }

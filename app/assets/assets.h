@@ -15,6 +15,7 @@
 #include "app/assets/contacts.h"
 #include "app/assets/deviation.h"
 #include "app/assets/measured.h"
+#include "app/assets/organ.h"
 #include "app/assets/plan.h"
 #include "app/assets/selection_outline.h"
 #include "app/assets/shapes.h"
@@ -48,6 +49,7 @@ struct Assets {
     SurfaceDeviation deviation; // measured by the owner of the surface
     TreeValidation validation;  // may belong to an earlier tree or options
     TreeContacts contacts;      // of the tree; may belong to earlier options of the surface
+    OrganAssets organ;
 
     // The result of the measurement with this id, or why it failed. Null: not measured yet.
     [[nodiscard]] const Result<Measured>* measured(int id) const;

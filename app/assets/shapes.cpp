@@ -60,8 +60,7 @@ Result<std::shared_ptr<const ContextShape>> read_shape(const ContextSource& sour
         ContextShape shape;
         auto mesh = read_surface(source, shape, job);
         if (!mesh) return tl::unexpected(mesh.error());
-        if (mesh->triangles.size() > kPreviewFrom)
-            shape.preview = std::make_shared<const mesh::TriangleMesh>(mesh::coarse_mesh(*mesh, kPreview));
+        shape.preview = preview_of(*mesh);
         shape.box = render::bounds_of(*mesh);
         shape.mesh = std::make_shared<const mesh::TriangleMesh>(std::move(*mesh));
         return std::make_shared<const ContextShape>(std::move(shape));
@@ -78,9 +77,7 @@ Loaded<LesionMesh> read_lesion_mesh(const std::filesystem::path& file, const std
     return read_if_written(file, before, "the lesion", [&]() -> Result<std::shared_ptr<const LesionMesh>> {
         RAMUS_TRY(read, io::read_mesh_file(file, {io::Holes::kRefused, io::slicer_space(axes)}));
         auto distance = std::make_shared<const measure::MeshDistance>(read.mesh);
-        auto coarse = read.mesh.triangles.size() > kPreviewFrom
-                          ? std::make_shared<const mesh::TriangleMesh>(mesh::coarse_mesh(read.mesh, kPreview))
-                          : nullptr;
+        auto coarse = preview_of(read.mesh);
         return std::make_shared<const LesionMesh>(
             LesionMesh{std::move(read.mesh), std::move(coarse), axes, read.axes, std::move(distance)});
     });
@@ -92,6 +89,11 @@ Loaded<ContextShape> read_context_shape(const ContextSource& source, const Loade
     auto loaded = read_if_written(source.file, before, "the file", [&] { return read_shape(source, job); });
     if (job.cancelled()) loaded.value = fail("cancelled");
     return loaded;
+}
+
+std::shared_ptr<const mesh::TriangleMesh> preview_of(const mesh::TriangleMesh& mesh) {
+    if (mesh.triangles.size() <= kPreviewFrom) return {};
+    return std::make_shared<const mesh::TriangleMesh>(mesh::coarse_mesh(mesh, kPreview));
 }
 
 bool can_be_context(const std::string& file) { return io::may_be_mesh(file) || io::is_volume(file); }

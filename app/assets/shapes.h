@@ -95,6 +95,9 @@ struct ContextShape {
 [[nodiscard]] Loaded<ContextShape> read_context_shape(const ContextSource& source, const Loaded<ContextShape>* before,
                                                       Job& job);
 
+// The mesh with fewer triangles, for pictures while the view moves; null: it is small.
+[[nodiscard]] std::shared_ptr<const mesh::TriangleMesh> preview_of(const mesh::TriangleMesh& mesh);
+
 // Whether the file is a mask or a mesh, by its name or content.
 [[nodiscard]] bool can_be_context(const std::string& file);
 [[nodiscard]] std::string context_extensions(); // ".nii, .nii.gz, .ply, .stl or .obj"

@@ -93,6 +93,19 @@ std::vector<std::string> draw_object_entries(const InterfaceContext& context, co
     return chosen;
 }
 
+// Names a branch and all that depends on it as a segment of the liver (Couinaud).
+std::vector<std::string> draw_segment_names(int branch) {
+    constexpr int kSegments = 8;
+    std::vector<std::string> chosen;
+    if (!ImGui::BeginMenu("Name as segment")) return chosen;
+    for (int segment = 1; segment <= kSegments; ++segment) {
+        const std::string name = "S" + std::to_string(segment);
+        if (ImGui::MenuItem(name.c_str())) chosen = {"name", std::to_string(branch), name, "subtree"};
+    }
+    ImGui::EndMenu();
+    return chosen;
+}
+
 } // namespace
 
 void draw_context_menu(InterfaceContext& context) {
@@ -120,6 +133,7 @@ void draw_context_menu(InterfaceContext& context) {
             ImGui::TextColored(theme::kAccent, "%s",
                                widgets::fitted(branch_title(document, menu.branch), 220.0F * scale).c_str());
             chosen = draw_groups(context, kForBranch);
+            if (document.marks().organ.any()) line = draw_segment_names(menu.branch);
         }
         if (chosen != nullptr || !line.empty() || std::exchange(menu.close, false)) ImGui::CloseCurrentPopup();
         ImGui::EndPopup();

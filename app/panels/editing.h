@@ -4,14 +4,17 @@
 #include "app/panels/slider_row.h"
 #include "app/panels/widgets.h"
 #include "app/session/objects.h"
+#include "core/organ/couinaud.h"
 
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ramus::app {
 
@@ -20,7 +23,7 @@ namespace ramus::app {
 struct Editing {
     std::map<std::string_view, widgets::Slider<float>> options; // by the key of a SurfaceOption
     std::set<std::string_view> shown_options; // that are seen only when set; once seen they stay, for what is below
-    widgets::Slider<float> glass_opacity, glass_grey, blend, wipe;
+    widgets::Slider<float> glass_opacity, glass_grey, blend, wipe, territories;
     // Of one object of the scene, its colour while the picker is open, or its opacity while the slider is held.
     struct Object {
         std::string_view kind; // empty: of none
@@ -38,6 +41,12 @@ struct Editing {
         std::string field; // its id; empty: none
         std::array<char, 64> typed{};
     } numbers;
+    // Branches suggested for segments of the liver, of this tree, until each is taken or left.
+    struct Segments {
+        std::weak_ptr<const tree::VesselTree> tree;
+        std::vector<organ::SegmentSuggestion> list;
+        std::string trouble; // why there are none
+    } segments;
     std::string thin;           // diameter below which vessels are thin, as it was typed; empty: the usual one
     std::string colours_before; // what colours said before they said distances to lesions; empty: the usual
 };

@@ -81,6 +81,7 @@ struct Interface {
     std::optional<ObjectPlace> pointed;            // object of the scene under the pointer in the picture
     PointedLesion listed_lesion;                   // under the pointer among the lesions
     std::optional<GlassLook> tried_glass;          // while a slider is held
+    std::optional<double> tried_territories;       // their opacity, while its slider is held
     std::optional<SceneObjects> tried_objects;     // while a slider is held or a colour is chosen
     std::optional<double> tried_blend, tried_wipe; // while a slider is held
     bool wipe_held = false;                        // the line is dragged in the picture

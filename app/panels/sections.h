@@ -20,6 +20,9 @@ void draw_pins(InterfaceContext& context);
 void draw_lesions(InterfaceContext& context); // and the vessels nearest to each
 void draw_margins(InterfaceContext& context); // and the branches within them
 void draw_cuts(InterfaceContext& context);
+void draw_organ(InterfaceContext& context);      // and what the cuts leave of it
+void draw_plans(InterfaceContext& context);      // and their figures side by side
+void draw_resections(InterfaceContext& context); // and the vessels they cut
 void draw_thin_vessels(InterfaceContext& context);
 void draw_report_button(InterfaceContext& context);
 
@@ -41,6 +44,9 @@ inline constexpr Section kSections[] = {
     {PanelPage::kPlan, draw_lesions},
     {PanelPage::kPlan, draw_margins},
     {PanelPage::kPlan, draw_cuts},
+    {PanelPage::kPlan, draw_organ},
+    {PanelPage::kPlan, draw_resections},
+    {PanelPage::kPlan, draw_plans},
     {PanelPage::kPlan, draw_pins},
     {PanelPage::kPlan, draw_thin_vessels},
     {PanelPage::kPlan, draw_report_button},

@@ -8,6 +8,7 @@
 #include "app/picture/lesion_outlines.h"
 #include "app/picture/note_marks.h"
 #include "app/picture/scene_objects.h"
+#include "app/picture/territories.h"
 #include "app/session/session.h"
 #include "render/overlay/scale_bar.h"
 #include "render/scene/frame.h"
@@ -129,6 +130,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     if (frame.mesh) frame.overlays.legend = std::move(colouring.legend);
     frame.overlays.legend.title = Lengths(tree.claims).worded(frame.overlays.legend.title);
     if (plan != nullptr) show_plan(frame, assets, marks);
+    draw_territories(frame, assets, marks, viewing.territories_opacity);
     const mesh::SurfaceOptions& options = viewing.options ? *viewing.options : marks.options;
     if (frame.mesh && marks.colour_by == ColourBy::kDeviation) {
         const SurfaceDeviation& deviation = assets.deviation;

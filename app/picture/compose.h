@@ -25,6 +25,7 @@ struct Viewing {
     std::optional<GlassLook> glass{};              // trial value that replaces the session's
     std::optional<SceneObjects> objects{};         // trial value
     std::optional<mesh::SurfaceOptions> options{}; // trial value
+    std::optional<double> territories_opacity{};   // trial value
     std::optional<render::AxisNames> axes{};       // trial value that replaces the known names
     bool notes = false;                            // marks the places that reading the tree repaired or suspects
     int note = -1;                                 // index of the emphasised note; -1: none

@@ -1,12 +1,14 @@
 #include "app/picture/scene_objects.h"
 
 #include "app/assets/assets.h"
+#include "app/assets/territories.h"
 #include "app/picture/colouring.h"
 #include "app/picture/place_marks.h"
 #include "core/base/lines.h"
 #include "core/base/words.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -68,6 +70,17 @@ void draw_object(const SceneDrawing& drawing, const Pin& pin) {
     if (!pin.name.empty()) drawing.frame.labels.push_back({pin.at, latin1(shortened(pin.name))});
 }
 
+// In the colours of the margins around lesions; its own is that beyond them.
+void draw_object(const SceneDrawing& drawing, const Resection& resection) {
+    const Operation::Parts* parts = surface_of(drawing.assets, resection);
+    for (std::size_t n = 0; parts != nullptr && n < parts->size(); ++n) {
+        const glm::vec3 colour = n + 1 < parts->size() ? margin_colour(n, parts->size() - 1) : colour_of(resection);
+        if (!(*parts)[n]->triangles.empty())
+            drawing.frame.context.push_back(
+                {(*parts)[n], nullptr, colour, static_cast<float>(resection.opacity), false});
+    }
+}
+
 std::optional<glm::dvec3> under(const PointerInPicture& pointer, const std::vector<glm::dvec3>& line) {
     const double reach = kMarkReach * static_cast<double>(pointer.pixel_ratio);
     double nearest = reach;
@@ -112,6 +125,11 @@ std::optional<glm::dvec3> under(const PointerInPicture& pointer, const Assets& a
 std::optional<glm::dvec3> under(const PointerInPicture& pointer, const Assets& /*assets*/, const Marks& /*marks*/,
                                 const Pin& pin) {
     return under(pointer, {pin.at});
+}
+
+std::optional<glm::dvec3> under(const PointerInPicture& /*pointer*/, const Assets& /*assets*/, const Marks& /*marks*/,
+                                const Resection& /*resection*/) {
+    return {};
 }
 
 std::string numbered(std::string_view what, std::size_t index) {
@@ -165,6 +183,11 @@ void add_points(std::vector<glm::vec3>& points, const Assets& /*assets*/, const 
     points.emplace_back(pin.at);
 }
 
+void add_points(std::vector<glm::vec3>& points, const Assets& assets, const Resection& resection) {
+    if (const Operation::Parts* parts = surface_of(assets, resection))
+        for (const auto& part : *parts) points.insert(points.end(), part->positions.begin(), part->positions.end());
+}
+
 std::vector<glm::vec3> visible_points(const Marks& marks, const Assets& assets) {
     std::vector<glm::vec3> points;
     for_each_object(marks, [&]<class T>(const T& object) {
@@ -172,6 +195,9 @@ std::vector<glm::vec3> visible_points(const Marks& marks, const Assets& assets) 
             if (object.opacity == 0.0) return;
         if (object.visible) add_points(points, assets, object);
     });
+    if (assets.organ.territories && marks.organ.territories != TerritoriesOf::kNothing && marks.organ.opacity > 0.0)
+        for (const OrganTerritories::Part& part : assets.organ.territories->parts)
+            points.insert(points.end(), part.mesh->positions.begin(), part.mesh->positions.end());
     return points;
 }
 
@@ -223,6 +249,37 @@ ObjectWords words_of(const Measurement& measurement, std::size_t index, const As
     if (words.trouble) return words;
     for (const auto& [name, value] : (*found)->details) words.details += "\n" + name + ": " + value;
     words.value = (*found)->value_text();
+    return words;
+}
+
+ObjectWords words_of(const Resection& resection, std::size_t index, const Assets& assets, const Lengths& lengths) {
+    using Kind = Resection::Kind;
+    ObjectWords words{resection.name};
+    const std::string margin = lengths.text(resection.margin_mm);
+    switch (resection.kind) {
+    case Kind::kPlane:
+        words.details = "A plane";
+        break;
+    case Kind::kSheet:
+        words.details = "A sheet with " + std::to_string(resection.sheet.heights.size()) + " control points";
+        break;
+    case Kind::kSurface:
+        words.details = resection.file;
+        if (const auto mesh = assets.organ.meshes.find(resection.file);
+            mesh != assets.organ.meshes.end() && !mesh->second.surface)
+            words.trouble = true, words.details = mesh->second.surface.error().message();
+        break;
+    case Kind::kCuts:
+        words.details = "All that depends on the cuts, and " + margin + " around it";
+        break;
+    case Kind::kLesion:
+        words.details = "A lesion, and " + margin + " around it";
+        break;
+    }
+    constexpr std::array<std::string_view, 5> kTitles{"Plane", "Sheet", "Surface", "Beyond the cuts", "Around lesion"};
+    if (words.title.empty()) words.title = numbered(kTitles[static_cast<std::size_t>(resection.kind)], index);
+    const Operation::Parts* parts = surface_of(assets, resection);
+    if (!words.trouble && parts != nullptr && parts->empty()) words.details += "\nIt does not meet the organ";
     return words;
 }
 

@@ -36,6 +36,7 @@ void add_points(std::vector<glm::vec3>& points, const Assets& assets, const Lesi
 void add_points(std::vector<glm::vec3>& points, const Assets& assets, const ContextItem& item);
 void add_points(std::vector<glm::vec3>& points, const Assets& assets, const Measurement& measurement);
 void add_points(std::vector<glm::vec3>& points, const Assets& assets, const Pin& pin);
+void add_points(std::vector<glm::vec3>& points, const Assets& assets, const Resection& resection);
 // Of all visible objects.
 [[nodiscard]] std::vector<glm::vec3> visible_points(const Marks& marks, const Assets& assets);
 
@@ -70,6 +71,8 @@ struct ObjectWords {
 [[nodiscard]] ObjectWords words_of(const ContextItem& item, std::size_t index, const Assets& assets,
                                    const Lengths& lengths);
 [[nodiscard]] ObjectWords words_of(const Measurement& measurement, std::size_t index, const Assets& assets,
+                                   const Lengths& lengths);
+[[nodiscard]] ObjectWords words_of(const Resection& resection, std::size_t index, const Assets& assets,
                                    const Lengths& lengths);
 [[nodiscard]] ObjectWords words_of(const Pin& pin, std::size_t index, const Assets& assets, const Lengths& lengths);
 // Of the object at that place.

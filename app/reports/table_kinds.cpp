@@ -1,6 +1,8 @@
 #include "app/reports/table_kinds.h"
 
 #include "app/assets/assets.h"
+#include "app/assets/operation.h"
+#include "app/reports/organ_tables.h"
 #include "core/base/words.h"
 
 #include <algorithm>
@@ -18,6 +20,10 @@ Table pins_table(const Document& document, const Assets& /*assets*/) {
     return table;
 }
 
+bool has_operation(const Document& document, const Assets& assets) {
+    return operation_of(assets, document.marks(), document.marks().plans.place) != nullptr;
+}
+
 } // namespace
 
 std::span<const TableKind> table_kinds() {
@@ -32,6 +38,11 @@ std::span<const TableKind> table_kinds() {
         {"measurements", "Measurements", measurements_table,
          [](const Document& d, const Assets&) { return !d.marks().measurements.empty(); }, true},
         {"pins", "Pins", pins_table, [](const Document& d, const Assets&) { return !d.marks().pins.empty(); }, true},
+        {"organ", "Organ", organ_table, has_operation, true},
+        {"cut-vessels", "Vessels that resections cut", cut_vessels_table,
+         [](const Document& d, const Assets& a) { return has_operation(d, a) && !d.marks().resections.empty(); }, true},
+        {"territories", "Territories", territories_table,
+         [](const Document&, const Assets& a) { return a.organ.territories != nullptr; }, true},
         {"systems", "Systems", systems_table,
          [](const Document& d, const Assets&) { return !d.tree()->systems.empty(); }},
         {"contacts", "Contacts", contacts_table,

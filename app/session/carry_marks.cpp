@@ -64,13 +64,25 @@ std::size_t carry_states(Marks& marks, const BranchMap& map) {
     return lost;
 }
 
-std::size_t carry_cuts(Marks& marks, const BranchMap& map) {
+namespace {
+
+std::size_t carry(std::vector<std::pair<int, double>>& cuts, const BranchMap& map) {
     std::size_t lost = 0;
-    for (const auto& [branch, fraction] : std::exchange(marks.cuts, {}))
+    for (const auto& [branch, fraction] : std::exchange(cuts, {}))
         if (const auto place = map.place({branch, fraction}))
-            marks.cuts.emplace_back(place->branch, place->fraction);
+            cuts.emplace_back(place->branch, place->fraction);
         else
             ++lost;
+    return lost;
+}
+
+} // namespace
+
+std::size_t carry_cuts(Marks& marks, const BranchMap& map) { return carry(marks.cuts, map); }
+
+std::size_t carry_plans(Marks& marks, const BranchMap& map) {
+    std::size_t lost = 0;
+    for (OperationPlan& plan : marks.plans.others) lost += carry(plan.cuts, map);
     return lost;
 }
 
@@ -114,6 +126,11 @@ std::size_t carry_systems(Marks& marks, const BranchMap& map) {
 
 std::size_t carry_colour_by(Marks& marks, const BranchMap& map) {
     if (map.before().systems != map.after().systems) marks.colour_by = first_colouring(marks.colour_by, map.after());
+    return 0;
+}
+
+std::size_t carry_organ(Marks& marks, const BranchMap& map) {
+    if (map.before().systems.size() != map.after().systems.size()) marks.organ.roles.clear(), marks.organ.system = -1;
     return 0;
 }
 

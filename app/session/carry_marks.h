@@ -13,10 +13,12 @@ class BranchMap; // app/session/carry_over.h
 std::size_t carry_selection(Marks& marks, const BranchMap& map);
 std::size_t carry_states(Marks& marks, const BranchMap& map);
 std::size_t carry_cuts(Marks& marks, const BranchMap& map);
+std::size_t carry_plans(Marks& marks, const BranchMap& map); // cuts of the plans that wait
 std::size_t carry_names(Marks& marks, const BranchMap& map); // also `subtree_names`
 std::size_t carry_measurements(Marks& marks, const BranchMap& map);
 std::size_t carry_systems(Marks& marks, const BranchMap& map);
 std::size_t carry_colour_by(Marks& marks, const BranchMap& map);
+std::size_t carry_organ(Marks& marks, const BranchMap& map); // roles of systems
 std::size_t carry_planning(Marks& marks, const BranchMap& map);
 
 } // namespace ramus::app

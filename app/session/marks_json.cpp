@@ -24,7 +24,7 @@ constexpr std::array<std::pair<std::string_view, Measurement::Kind>, 4> kMeasure
 } // namespace
 
 // "sphere 2", "mesh 1": counted from 1 among the lesions of the same shape; empty: none.
-static std::string lesion_json(int id, const Marks& marks) {
+std::string lesion_json(int id, const Marks& marks) {
     if (id == kNoObject) return {};
     const auto index = lesion_index(marks, id);
     const std::size_t spheres = spheres_of(marks).size();
@@ -32,8 +32,8 @@ static std::string lesion_json(int id, const Marks& marks) {
     return *index < spheres ? "sphere " + std::to_string(*index + 1) : "mesh " + std::to_string(*index + 1 - spheres);
 }
 
-static int lesion_in(const json& value, const Marks& marks) {
-    const std::string wanted = text(value, "lesion of a measurement");
+int lesion_in(const json& value, const Marks& marks) {
+    const std::string wanted = text(value, "lesion");
     if (wanted.empty()) return kNoObject;
     const std::size_t blank = wanted.find(' ');
     const int number = blank == std::string::npos ? 0 : parsed<int>(wanted.substr(blank + 1)).value_or(0);
@@ -120,7 +120,7 @@ fs::path written_path(const fs::path& tree, const fs::path& folder) {
     return relative.empty() || *relative.begin() == ".." ? fs::absolute(tree).lexically_normal() : relative;
 }
 
-static std::string units_in(const json& value) {
+std::string units_in(const json& value) {
     std::string units = text(value, "units");
     if (!io::length_unit(units)) throw Refusal{"\"" + units + "\" is no unit of length"};
     return units;
@@ -132,15 +132,21 @@ std::string mesh_axes_in(const json& value) {
     return axes;
 }
 
-// A number, or a name.
-static json label_json(const volume::LabelChoice& label) {
-    return label.name.empty() ? json(label.number) : json(label.name);
-}
+json label_json(const volume::LabelChoice& label) { return label.name.empty() ? json(label.number) : json(label.name); }
 
-static volume::LabelChoice label_in(const json& value) {
+volume::LabelChoice label_in(const json& value) {
     if (value.is_string() && !value.get<std::string>().empty()) return volume::LabelChoice(value.get<std::string>());
     if (value.is_string()) throw Refusal{"a label has an empty name"};
     return integer(value, "label", std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+}
+
+std::vector<volume::LabelChoice> labels_in(const json& object, const std::string& key) {
+    std::vector<volume::LabelChoice> labels;
+    for (const json& label : list_in(object, key)) labels.push_back(label_in(label));
+    if (std::ranges::any_of(labels, &volume::LabelChoice::none))
+        throw Refusal{key + " is not a list of names and whole numbers other than 0"};
+    sort_unique(labels);
+    return labels;
 }
 
 json comparison_json(const Comparison& comparison, const fs::path& folder) {
@@ -168,10 +174,7 @@ Comparison comparison_in(const json& value, const fs::path& folder) {
     if (value.contains("mask"))
         comparison.mask = (folder / text(value["mask"], "path of the mask")).lexically_normal().string();
     if (value.contains("mask_units")) comparison.mask_units = units_in(value["mask_units"]);
-    for (const json& label : list_in(value, "labels")) comparison.labels.push_back(label_in(label));
-    if (std::ranges::any_of(comparison.labels, &volume::LabelChoice::none))
-        throw Refusal{"labels is not a list of names and whole numbers other than 0"};
-    sort_unique(comparison.labels);
+    comparison.labels = labels_in(value, "labels");
     if (value.contains("blend")) comparison.blend = number(value["blend"], "blend", 0.0, 1.0);
     if (value.contains("wipe")) comparison.wipe = number(value["wipe"], "wipe", 0.0, 1.0);
     return comparison;

@@ -115,11 +115,6 @@ MarksEntry spheres_entry() {
             }};
 }
 
-std::pair<int, double> cut_in(const json& value, const fs::path& /*folder*/) {
-    if (!value.is_array() || value.size() != 2) throw Refusal{"a cut is not [branch id, fraction]"};
-    return {integer(value[0], "branch id of a cut", 0, kMostBranches), session_json::number(value[1], "cut", 0.0, 1.0)};
-}
-
 // A path, or an object with further keys.
 MarksEntry lesion_meshes_entry() {
     return {"lesion_meshes",
@@ -248,7 +243,8 @@ MarksRow context_row() {
 
 MarksRow cuts_row() {
     return row<&Marks::cuts>({.entries = {list_entry<&Marks::cuts>(
-                                  "cuts", [](const auto& cut, const fs::path&) { return json(cut); }, cut_in)},
+                                  "cuts", [](const auto& cut, const fs::path&) { return json(cut); },
+                                  [](const json& value, const fs::path&) { return session_json::cut_in(value); })},
                               .most = kMostMarks,
                               .noun = "cuts",
                               .largest_branch =
@@ -309,6 +305,52 @@ MarksRow pins_row() {
         {.entries = {list_entry<&Marks::pins>("pins", pin_json, pin_in)}, .most = kMostMarks, .noun = "pins"});
 }
 
+MarksRow resections_row() {
+    return row<&Marks::resections>({.entries = {{"resections",
+                                                 [](const Marks& marks, const fs::path& folder) {
+                                                     json list = json::array();
+                                                     for (const Resection& one : marks.resections)
+                                                         list.push_back(resection_json(one, marks, folder));
+                                                     return list.empty() ? json() : list;
+                                                 },
+                                                 [](const json& value, const fs::path& folder, Marks& marks) {
+                                                     if (!value.is_array()) throw Refusal{"resections is not a list"};
+                                                     for (const json& one : value)
+                                                         marks.resections.push_back(resection_in(one, marks, folder));
+                                                 }}},
+                                    .most = kMostResections,
+                                    .noun = "resections",
+                                    .file_noun = "surfaces of resections",
+                                    .add_files = [](const Marks& marks, std::vector<fs::path>& files) {
+                                        for (const OperationPlan& plan : all_plans(marks))
+                                            for (const Resection& one : plan.resections)
+                                                if (!one.file.empty()) files.emplace_back(one.file);
+                                    }});
+}
+
+MarksRow plans_row() {
+    MarksRow plans =
+        row<&Marks::plans>({.entries = {{"plans",
+                                         [](const Marks& marks, const fs::path& folder) {
+                                             return marks.plans == Plans{} ? json() : plans_json(marks, folder);
+                                         },
+                                         [](const json& value, const fs::path& folder, Marks& marks) {
+                                             marks.plans = plans_in(value, marks, folder);
+                                         }}},
+                            .largest_branch =
+                                [](const Marks& marks) {
+                                    int largest = -1;
+                                    for (const OperationPlan& plan : marks.plans.others)
+                                        for (const auto& cut : plan.cuts) largest = std::max(largest, cut.first);
+                                    return largest;
+                                },
+                            .carry = carry_plans});
+    plans.count = [](const Marks& marks) { return marks.plans.count(); };
+    plans.most = kMostPlans;
+    plans.noun = "plans";
+    return plans;
+}
+
 std::vector<MarksRow> rows_of_plan() {
     return {edits_row(),
             selection_row(),
@@ -318,6 +360,8 @@ std::vector<MarksRow> rows_of_plan() {
             cuts_row(),
             measurements_row(),
             pins_row(),
+            resections_row(),
+            plans_row(),
             row<&Marks::names>(
                 {.entries = {names_entry()},
                  .largest_branch =
@@ -336,6 +380,11 @@ std::vector<MarksRow> rows_of_files() {
                 {.entries = {entry<&Marks::deviation>("deviation", deviation_json, deviation_in)},
                  .add_files = [](const Marks& marks,
                                  std::vector<fs::path>& files) { files.emplace_back(marks.deviation.file); }}),
+            row<&Marks::organ>(
+                {.entries = {entry<&Marks::organ>("organ", organ_json, organ_in)},
+                 .add_files = [](const Marks& marks,
+                                 std::vector<fs::path>& files) { files.emplace_back(marks.organ.source.file); },
+                 .carry = carry_organ}),
             row<&Marks::reading>({.entries = {entry<&Marks::reading>("reading", reading_json, reading_in)},
                                   .add_files = [](const Marks& marks, std::vector<fs::path>& files) {
                                       files.emplace_back(marks.reading.data);

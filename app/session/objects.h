@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/measure/branch_point.h"
+#include "core/organ/resect/sheet.h"
 #include "core/volume/label_choice.h"
 
 #include <array>
@@ -95,6 +96,26 @@ struct Pin {
     bool operator==(const Pin&) const = default;
 };
 
+// A part of the organ that an operation removes.
+struct Resection {
+    static constexpr std::string_view kNoun = "resection";
+    enum class Kind : std::uint8_t { kPlane, kSheet, kSurface, kCuts, kLesion };
+    Kind kind = Kind::kPlane;
+    glm::dvec3 point{0.0}, normal{0.0, 0.0, 1.0}; // kPlane: removed is what the normal, of unit length, points to
+    organ::Sheet sheet{};                         // kSheet
+    std::string file{};                           // kSurface: absolute path of a mesh; of a closed one the inside goes
+    std::string axes{};                           // of a mesh that does not state them: "LPS"; empty: not specified
+    bool other_side = false;                      // kSurface: the other side goes
+    double margin_mm = 0.0; // around what the cuts take away (kCuts), or around a lesion (kLesion)
+    int lesion = kNoObject; // kLesion: its id
+    int id = kNoObject;
+    std::string name{};
+    bool visible = true; // hidden ones are still carried out
+    Rgb colour{233, 226, 206};
+    double opacity = 0.6;
+    bool operator==(const Resection&) const = default;
+};
+
 template <class T>
 concept SceneObject = std::equality_comparable<T> && requires(T object) {
     {std::string_view(T::kNoun)}; // the kind in messages, "lesion"
@@ -115,6 +136,7 @@ struct SceneObjects {
     std::vector<ContextItem> context; // in order of addition
     std::vector<Measurement> measurements;
     std::vector<Pin> pins;
+    std::vector<Resection> resections; // of the current plan
     bool operator==(const SceneObjects&) const = default;
 };
 void for_each_object_list(auto& objects, const auto& call) {
@@ -122,6 +144,7 @@ void for_each_object_list(auto& objects, const auto& call) {
     call(objects.context);
     call(objects.measurements);
     call(objects.pins);
+    call(objects.resections);
 }
 void for_each_object(auto& objects, const auto& call) {
     for_each_object_list(objects, [&](auto& list) {

@@ -57,9 +57,12 @@ void add_lesion(Marks& marks, Lesion lesion) {
 
 std::size_t remove_object(Marks& marks, std::vector<Lesion>& list, std::size_t index) {
     const auto at = list.begin() + static_cast<std::ptrdiff_t>(index);
-    const std::size_t gone = std::erase_if(marks.measurements, [id = at->id](const Measurement& measurement) {
+    std::size_t gone = std::erase_if(marks.measurements, [id = at->id](const Measurement& measurement) {
         return std::ranges::find(measurement.lesions, id) != measurement.lesions.end();
     });
+    gone += std::erase_if(marks.resections, [id = at->id](const Resection& one) { return one.lesion == id; });
+    for (OperationPlan& plan : marks.plans.others)
+        std::erase_if(plan.resections, [id = at->id](const Resection& one) { return one.lesion == id; });
     list.erase(at);
     return gone;
 }

@@ -11,6 +11,8 @@
 #include "app/session/depth_cues.h"
 #include "app/session/deviation.h"
 #include "app/session/objects.h"
+#include "app/session/organ.h"
+#include "app/session/plans.h"
 #include "core/io/trees/imported_tree.h"
 #include "core/mesh/surface_options.h"
 #include "core/tree/edit_tree.h"
@@ -49,7 +51,7 @@ struct GlassLook {
 };
 
 // Everything that undo and redo cover. Each member has a row in app/session/marks_table.h.
-struct Marks : SceneObjects {
+struct Marks : SceneObjects {                 // cuts and resections are those of the current plan
     std::vector<tree::Edit> edits;            // of the file's tree, in order; branch ids below refer to the edited tree
     std::vector<int> selection;               // branch ids, ascending
     std::vector<tree::BranchState> states;    // by branch id; branches without an entry are normal
@@ -65,6 +67,8 @@ struct Marks : SceneObjects {
     DepthCues depth_cues;
     Comparison comparison;
     DeviationChoice deviation;
+    OrganChoice organ;
+    Plans plans;
     bool skeleton = false;           // centerlines and rings of the radius are drawn over the vessels
     bool contact_marks = false;      // rings where vessels press on each other
     bool shortest_distances = false; // lines from lesions to the nearest vessel of each system
@@ -101,8 +105,8 @@ void number_objects(Marks& marks);
 [[nodiscard]] std::optional<std::size_t> lesion_index(const Marks& marks, int id); // none: no such lesion
 // Inserts a lesion after the existing ones of the same shape (spheres, then meshes).
 void add_lesion(Marks& marks, Lesion lesion);
-// Removes an object from its list in `marks`; with a lesion also the measurements that refer to it. Returns how many
-// other objects were removed.
+// Removes an object from its list in `marks`; with a lesion also the measurements and resections that refer to it.
+// Returns how many other objects of the picture were removed.
 std::size_t remove_object(Marks& marks, std::vector<Lesion>& list, std::size_t index);
 template <SceneObject T> std::size_t remove_object(Marks& /*marks*/, std::vector<T>& list, std::size_t index) {
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(index));

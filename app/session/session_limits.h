@@ -4,6 +4,7 @@
 
 #include "app/session/session.h"
 #include "core/base/error.h"
+#include "core/organ/resect/resection.h"
 
 namespace ramus::app {
 
@@ -13,6 +14,9 @@ inline constexpr std::size_t kMostMarks = 10'000;
 inline constexpr std::size_t kMostShapes = 500;
 // Each edit computes the tree anew (measured: 6 ms for 6,000 points).
 inline constexpr std::size_t kMostEdits = 1'000;
+
+inline constexpr std::size_t kMostResections = organ::kMostResections; // of a plan
+inline constexpr std::size_t kMostPlans = 100;                         // all are measured at once
 
 inline constexpr std::size_t kMostBands = 20; // margins around lesions; more colours cannot be distinguished
 

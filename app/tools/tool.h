@@ -110,6 +110,9 @@ public:
     // Whether the branch under the pointer is highlighted as without a tool.
     [[nodiscard]] virtual bool points_at_branches() const { return false; }
 
+    // Whether the commands until this is false again are one step of undo: something is dragged and changes on the way.
+    [[nodiscard]] virtual bool changes_while_held() const { return false; }
+
     // Index of the measurement that is being changed: the tool draws it instead of the picture.
     [[nodiscard]] virtual std::optional<std::size_t> moved_measurement() const { return {}; }
 

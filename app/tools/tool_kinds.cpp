@@ -12,6 +12,11 @@ namespace ramus::app {
 
 // Of pin_tool.cpp. NOLINTNEXTLINE(readability-redundant-declaration): where both are compiled as one file
 std::unique_ptr<Tool> make_pin_tool();
+// Of resection_tools.cpp. NOLINTBEGIN(readability-redundant-declaration)
+std::unique_ptr<Tool> make_plane_tool();
+std::unique_ptr<Tool> make_sheet_tool();
+std::unique_ptr<Tool> make_handle_tool();
+// NOLINTEND(readability-redundant-declaration)
 
 namespace {
 
@@ -84,6 +89,29 @@ const std::vector<ToolKind>& tool_kinds() {
          {"Shift+C"},
          {{{0.06F, 0.62F}, {0.42F, 0.50F}}, {{0.58F, 0.45F}, {0.94F, 0.33F}}, {{0.40F, 0.20F}, {0.60F, 0.76F}}},
          make<CutTool>},
+        {"resect-plane",
+         "Resect by a plane",
+         "Divides the organ by a plane behind a line drawn across the picture.",
+         {},
+         {{{0.10F, 0.60F}, {0.62F, 0.82F}, {0.90F, 0.40F}, {0.38F, 0.18F}, {0.10F, 0.60F}}},
+         make_plane_tool},
+        {"resect-sheet",
+         "Resect by a sheet",
+         "Divides the organ by a sheet behind a stroke drawn across the picture.",
+         {},
+         {{{0.08F, 0.66F}, {0.26F, 0.46F}, {0.46F, 0.52F}, {0.64F, 0.70F}, {0.92F, 0.50F}},
+          {{0.08F, 0.40F}, {0.26F, 0.20F}, {0.46F, 0.26F}, {0.64F, 0.44F}, {0.92F, 0.24F}},
+          {{0.08F, 0.66F}, {0.08F, 0.40F}},
+          {{0.92F, 0.50F}, {0.92F, 0.24F}}},
+         make_sheet_tool},
+        {"resection",
+         "Move resections",
+         "Drags the points of planes and sheets.",
+         {},
+         {{{0.08F, 0.62F}, {0.34F, 0.40F}, {0.66F, 0.66F}, {0.92F, 0.42F}},
+          ring({0.34F, 0.40F}, 0.09F),
+          ring({0.66F, 0.66F}, 0.09F)},
+         make_handle_tool},
         {"measure-distance",
          "Distance",
          "Measures straight between two places on vessels or lesions.",

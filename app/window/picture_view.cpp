@@ -29,6 +29,7 @@ Viewing PictureView::viewing() const {
     viewing.ground = interface.settings.ground;
     if (interface.listed != tree::kNoBranch) viewing.hovered = interface.listed;
     viewing.glass = interface.tried_glass;
+    viewing.territories_opacity = interface.tried_territories;
     viewing.objects = interface.tried_objects;
     viewing.options = state_.workspace.tried_options();
     viewing.notes = interface.left_is<Doctor>() && interface.of<Doctor>().mark;

@@ -291,9 +291,14 @@ void ViewerInput::tell_tool(Tool::Event event, const Pointing& pointing) {
 }
 
 void ViewerInput::perform_tool() {
-    if (!state_.interface.tool) return;
-    for (const CommandLine& line : state_.interface.tool->take_commands())
-        state_.perform(line.front(), {line.begin() + 1, line.end()});
+    const bool holds = state_.interface.tool && state_.interface.tool->changes_while_held();
+    if (holds && !in_step_) state_.workspace.document().begin_step(), in_step_ = true;
+    if (state_.interface.tool) run_commands_of(*state_.interface.tool);
+    if (in_step_ && !holds) state_.workspace.document().end_step("drag"), in_step_ = false;
+}
+
+void ViewerInput::run_commands_of(Tool& tool) {
+    for (const CommandLine& line : tool.take_commands()) state_.perform(line.front(), {line.begin() + 1, line.end()});
 }
 
 Cursor ViewerInput::cursor() const {

@@ -86,6 +86,7 @@ private:
         return [this](Tool::Event event, const Pointing& pointing) { tell_tool(event, pointing); };
     }
     void perform_tool();
+    void run_commands_of(Tool& tool);
     void clicked(const Click& click);
     void click_on(Click::Kind kind, const Pointing& pointing);
     void right_click_on(const Pointing& pointing);
@@ -107,6 +108,7 @@ private:
     double wipe_grip_ = 0.0; // distance from the line to where it was grabbed, pixels
     bool pointer_over_picture_ = false;
     bool pick_wanted_ = false, pick_pending_ = false;
+    bool in_step_ = false; // of undo: what a tool drags changes on the way
     int tools_taken_ = 0; // counts selected tools: events from before a selection are not passed to the new tool
 };
 

@@ -28,6 +28,11 @@ namespace ramus::app {
 enum class WorkKind : std::uint8_t {
     kLesions,
     kContext,
+    kOrgan,
+    kSupply,
+    kResectionMeshes,
+    kOperation,
+    kTerritories,
     kComparison,
     kDeviation,
     kValidation,

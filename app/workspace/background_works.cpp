@@ -1,5 +1,6 @@
 #include "app/workspace/background_works.h"
 
+#include "app/assets/territories.h"
 #include "app/workspace/deviation_maker.h"
 #include "app/workspace/validation_maker.h"
 
@@ -78,6 +79,115 @@ std::unique_ptr<BackgroundWork> context_work(const std::function<void()>& wake) 
              },
          .trouble = [](const Shape& shape) { return shape.value ? std::nullopt : std::optional(shape.value.error()); },
          .finishes = true});
+}
+
+std::unique_ptr<BackgroundWork> organ_work(const std::function<void()>& wake) {
+    using Mask = Loaded<OrganMask>;
+    const auto put = [](const OrganSource& source, const Mask& mask, Assets& assets) { assets.organ = {source, mask}; };
+    return work_of<OrganSource, Mask>(
+        wake,
+        {.kind = WorkKind::kOrgan,
+         .title = titled<OrganSource>("Reading the organ"),
+         .missing = [](const WorkView& view, const Assets& assets) -> std::vector<OrganSource> {
+             const auto source = wanted_organ(view.document.marks());
+             if (!source || assets.organ.source == *source) return {};
+             return {*source};
+         },
+         .make = [](const OrganSource& source, Job& job) -> Result<Mask> { return read_organ(source, nullptr, job); },
+         .put = put,
+         .refused =
+             [put](const OrganSource& source, const std::string& problem, Assets& assets) {
+                 put(source, {{}, fail(problem, source.file)}, assets);
+             },
+         .trouble = [](const Mask& mask) { return mask.value ? std::nullopt : std::optional(mask.value.error()); },
+         .tidy =
+             [](const WorkView& view, Assets& assets) {
+                 if (!view.document.marks().organ.any()) assets.organ = {};
+             },
+         .finishes = true});
+}
+
+std::unique_ptr<BackgroundWork> supply_work(const std::function<void()>& wake) {
+    using Of = OrganSupply::Of;
+    return work_of<Of, std::shared_ptr<const OrganSupply>>(
+        wake, {.kind = WorkKind::kSupply,
+               .title = titled<Of>("Dividing the organ"),
+               .missing = [](const WorkView& view, const Assets& assets) -> std::vector<Of> {
+                   const auto of = wanted_supply(assets.organ, view.document.marks(), view.document.tree());
+                   if (!of || (assets.organ.supply && assets.organ.supply->of == *of)) return {};
+                   return {*of};
+               },
+               .make = [](const Of& of, Job& job) -> Result<std::shared_ptr<const OrganSupply>> {
+                   RAMUS_TRY(supply, supply_of(of, JobRange(job, 0.0F, 1.0F)));
+                   return std::make_shared<const OrganSupply>(std::move(supply));
+               },
+               .put = [](const Of&, const auto& supply, Assets& assets) { assets.organ.supply = supply; }});
+}
+
+std::unique_ptr<BackgroundWork> resection_mesh_work(const std::function<void()>& wake) {
+    const auto put = [](const ResectionMeshOf& of, const ResectionMesh& read, Assets& assets) {
+        assets.organ.meshes.insert_or_assign(of.file, read);
+    };
+    return work_of<ResectionMeshOf, ResectionMesh>(
+        wake, {.kind = WorkKind::kResectionMeshes,
+               .title = titled<ResectionMeshOf>("Reading a resection"),
+               .missing = [](const WorkView& view,
+                             const Assets& assets) { return wanted_meshes(assets.organ, view.document.marks()); },
+               .make = [](const ResectionMeshOf& of, Job& job) -> Result<ResectionMesh> {
+                   return read_resection_mesh(of, JobRange(job, 0.0F, 1.0F));
+               },
+               .put = put,
+               .refused =
+                   [put](const ResectionMeshOf& of, const std::string& problem, Assets& assets) {
+                       put(of, {of.mask, fail(problem, of.file)}, assets);
+                   },
+               .trouble =
+                   [](const ResectionMesh& read) {
+                       return read.surface ? std::nullopt : std::optional(read.surface.error());
+                   }});
+}
+
+std::unique_ptr<BackgroundWork> operation_work(const std::function<void()>& wake) {
+    using Made = std::shared_ptr<const Operation>;
+    return work_of<OperationWork, Made>(
+        wake, {.kind = WorkKind::kOperation,
+               .title = titled<OperationWork>("Measuring what remains"),
+               .missing = [](const WorkView& view,
+                             const Assets& assets) { return wanted_operations(assets, view.document.marks()); },
+               .make = [](const OperationWork& work, Job& job) -> Result<Made> {
+                   RAMUS_TRY(operation, make_operation(work, JobRange(job, 0.0F, 1.0F)));
+                   return std::make_shared<const Operation>(std::move(operation));
+               },
+               .put = [](const OperationWork& work, const Made& made,
+                         Assets& assets) { put_operation(assets, work.plan, made); },
+               .tidy = [](const WorkView& view, Assets& assets) { tidy_operations(assets, view.document.marks()); },
+               .finishes = true,
+               .quiet = true});
+}
+
+std::unique_ptr<BackgroundWork> territory_work(const std::function<void()>& wake) {
+    using Of = OrganTerritories::Of;
+    return work_of<Of, std::shared_ptr<const OrganTerritories>>(
+        wake,
+        {.kind = WorkKind::kTerritories,
+         .title = titled<Of>("Finding territories"),
+         .missing = [](const WorkView& view, const Assets& assets) -> std::vector<Of> {
+             const auto of = wanted_territories(assets, view.document.marks());
+             if (!of || (assets.organ.territories && assets.organ.territories->of == *of)) return {};
+             return {*of};
+         },
+         .make = [](const Of& of, Job& job) -> Result<std::shared_ptr<const OrganTerritories>> {
+             RAMUS_TRY(territories, make_territories(of, JobRange(job, 0.0F, 1.0F)));
+             return std::make_shared<const OrganTerritories>(std::move(territories));
+         },
+         .put = [](const Of&, const auto& territories, Assets& assets) { assets.organ.territories = territories; },
+         .refused = [](const Of&, const std::string&, Assets& assets) { assets.organ.territories.reset(); },
+         .tidy =
+             [](const WorkView& view, Assets& assets) {
+                 if (view.document.marks().organ.territories == TerritoriesOf::kNothing)
+                     assets.organ.territories.reset();
+             },
+         .waits = after_surface});
 }
 
 struct ComparisonWork {
@@ -267,6 +377,11 @@ std::vector<std::unique_ptr<BackgroundWork>> background_works(const std::functio
     std::vector<std::unique_ptr<BackgroundWork>> works;
     works.push_back(lesion_work(wake));
     works.push_back(context_work(wake));
+    works.push_back(organ_work(wake));
+    works.push_back(supply_work(wake));
+    works.push_back(resection_mesh_work(wake));
+    works.push_back(operation_work(wake));
+    works.push_back(territory_work(wake));
     works.push_back(comparison_work(wake, compared));
     works.push_back(deviation_work(wake));
     works.push_back(validation_work(wake));

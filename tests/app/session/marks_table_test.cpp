@@ -30,6 +30,16 @@ Marks full_marks() {
     marks.colour_map = ColourMap::kGrey;
     marks.colour_look = {.range = {{1.0, 2.0}}, .logarithmic = true, .legend = false};
     marks.pins = {{.at = {1.0, 2.0, 3.0}, .name = "here"}};
+    organ::Sheet sheet;
+    sheet.size = {2, 2};
+    sheet.heights = {0.5, 1.5, 2.5, 3.5};
+    sheet.removes_below = true;
+    marks.resections = {{.kind = Resection::Kind::kPlane, .point = {1, 2, 3}, .normal = {0, 1, 0}},
+                        {.kind = Resection::Kind::kSheet, .sheet = sheet},
+                        {.kind = Resection::Kind::kSurface, .file = "/data/cut.stl", .axes = "LPS", .other_side = true},
+                        {.kind = Resection::Kind::kCuts, .margin_mm = 5.0},
+                        {.kind = Resection::Kind::kLesion, .margin_mm = 10.0, .lesion = 2, .name = "wedge"}};
+    marks.plans = {.name = "B", .place = 1, .others = {{"A", {{2, 0.5}}, {{.kind = Resection::Kind::kCuts}}}}};
     for_each_object(marks, []<class T>(T& object) {
         object.colour = {1, 2, 3};
         if constexpr (SurfaceObject<T>) object.opacity = 0.75;
@@ -40,6 +50,20 @@ Marks full_marks() {
     marks.comparison.mode = Comparison::Mode::kBlend;
     marks.comparison.mask = "/data/mask.nii";
     marks.deviation = {.from = DeviationChoice::From::kFile, .file = "/data/other.ply"};
+    marks.organ = {.source = {"/data/liver.nii", {3}, "cm"},
+                   .rule = organ::Rule::kWall,
+                   .roles = {organ::Role::kDrains, organ::Role::kSupplies},
+                   .large_vessels_mm = 4.0,
+                   .weight_kg = 70.0,
+                   .height_cm = 170.0,
+                   .least_of_weight = 0.8,
+                   .least_of_standard = 25.0,
+                   .territories = TerritoriesOf::kGeneration,
+                   .generation = 3,
+                   .system = 1,
+                   .opacity = 0.25,
+                   .apart_mm = 15.0,
+                   .hidden = {"removed"}};
     marks.skeleton = marks.contact_marks = marks.shortest_distances = true;
     marks.options.smooth_passes = 3;
     marks.reading.radius_mm = 0.5;

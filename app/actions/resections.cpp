@@ -1,0 +1,214 @@
+// Commands of resections: what an operation removes of the organ by planes, sheets, surfaces and margins.
+// objects.cpp shows, names, colours and removes resections.
+#include "app/actions/arguments.h"
+#include "app/actions/groups.h"
+#include "app/actions/organ_strokes.h"
+#include "app/assets/assets.h"
+#include "app/assets/operation.h"
+#include "app/session/numbers.h"
+#include "core/base/words.h"
+#include "core/io/meshes/mesh_file.h"
+#include "core/io/orientation.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <glm/geometric.hpp>
+
+namespace ramus::app::actions {
+
+namespace {
+
+using Kind = Resection::Kind;
+
+constexpr const char* kResectUsage = "plane X,Y,Z NX,NY,NZ, sheet and three or more X,Y,Z, line or stroke and X,Y of "
+                                     "the picture, surface FILE, cuts MM, "
+                                     "or lesion N MM";
+
+std::optional<glm::dvec3> vector_in(const std::string& word) {
+    const auto numbers = numbers_in(word, 3, kFarthestMm);
+    return numbers ? std::optional(glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2])) : std::nullopt;
+}
+
+Result<Resection> plane_of(Arguments arguments) {
+    const auto point = arguments.size() == 2 ? vector_in(arguments[0]) : std::nullopt;
+    const auto normal = arguments.size() == 2 ? vector_in(arguments[1]) : std::nullopt;
+    if (!point || !normal || glm::length(*normal) == 0.0)
+        return fail("a plane is a point X,Y,Z and a normal NX,NY,NZ", {}, "what the normal points to is removed");
+    return Resection{.kind = Kind::kPlane, .point = *point, .normal = glm::normalize(*normal)};
+}
+
+Result<Resection> sheet_of(Arguments arguments) {
+    std::vector<glm::dvec3> contour;
+    for (const std::string& word : arguments) {
+        const auto point = vector_in(word);
+        if (!point) return fail("\"" + word + "\" is not a point X,Y,Z", {}, "a sheet goes through three or more");
+        contour.push_back(*point);
+    }
+    RAMUS_TRY(sheet, organ::sheet_through(contour));
+    return Resection{.kind = Kind::kSheet, .sheet = std::move(sheet)};
+}
+
+Result<Resection> surface_of(Arguments arguments) {
+    if (arguments.empty() || (arguments.size() != 1 && (arguments.size() != 3 || arguments[1] != "--mesh-orientation")))
+        return fail("resect surface takes a mesh, and --mesh-orientation LPS or RAS", {},
+                    io::readable_mesh_extensions());
+    Resection resection{.kind = Kind::kSurface};
+    resection.file = std::filesystem::absolute(arguments[0]).lexically_normal().string();
+    if (arguments.size() == 3) {
+        if (!io::slicer_space(arguments[2])) return fail("--mesh-orientation takes LPS or RAS");
+        resection.axes = arguments[2];
+    }
+    return resection;
+}
+
+Result<Resection> margin_of(const Marks& marks, Kind kind, Arguments arguments) {
+    const bool of_lesion = kind == Kind::kLesion;
+    Resection resection{.kind = kind};
+    if (of_lesion) {
+        if (arguments.size() != 2) return fail("resect lesion takes a lesion's number and a margin in mm");
+        RAMUS_TRY(index, list_index(arguments.first(1), marks.lesions.size(), "lesion"));
+        resection.lesion = marks.lesions[index].id;
+        arguments = arguments.subspan(1);
+    } else if (marks.cuts.empty()) {
+        return fail("there are no cuts", {}, "cut ID makes one");
+    }
+    const auto margin = arguments.size() == 1 ? number_in(arguments[0], 0.0, kFarthestMm) : std::nullopt;
+    if (!margin) return fail("a margin is a length in mm");
+    resection.margin_mm = *margin;
+    return resection;
+}
+
+Result<Resection> asked_resection(const ActionContext& context, Arguments arguments) {
+    const Marks& marks = context.document.marks();
+    if (!marks.organ.any()) return fail("there is no organ", {}, "organ FILE reads its mask");
+    if (arguments.empty()) return fail("what is removed?", {}, kResectUsage);
+    const std::string& kind = arguments[0];
+    arguments = arguments.subspan(1);
+    if (kind == "plane") return plane_of(arguments);
+    if (kind == "sheet") return sheet_of(arguments);
+    if (kind == "surface") return surface_of(arguments);
+    if (kind == "cuts") return margin_of(marks, Kind::kCuts, arguments);
+    if (kind == "lesion") return margin_of(marks, Kind::kLesion, arguments);
+    if (kind == "line" || kind == "stroke") return resection_drawn(context, kind == "line", arguments);
+    return fail("there is no resection by " + kind, {}, kResectUsage);
+}
+
+Result<void> add_resection(ActionContext& context, const Resection& resection) {
+    return edit(context, [&](Marks& marks) {
+        marks.resections.push_back(resection);
+        number_objects(marks);
+    });
+}
+
+Result<Outcome> resect(ActionContext& context, Arguments arguments) {
+    RAMUS_TRY(asked, asked_resection(context, arguments));
+    if (asked.kind != Kind::kSurface) return outcome_of(add_resection(context, asked));
+    const auto& mask = context.assets.organ.mask.value;
+    if (context.assets.organ.source != context.document.marks().organ.source || !mask || !*mask)
+        return fail("the organ is not read yet", {}, "wait for it, and give the command again");
+    return Pending{
+        "Reading a resection",
+        [resection = asked, of = ResectionMeshOf{asked.file, asked.axes, *mask}](Job& job) -> Result<Continuation> {
+            const ResectionMesh read = read_resection_mesh(of, JobRange(job, 0.0F, 1.0F));
+            if (!read.surface) return tl::unexpected(read.surface.error());
+            return [resection, read](ActionContext& then) {
+                then.assets.organ.meshes.insert_or_assign(resection.file, read);
+                return add_resection(then, resection);
+            };
+        }};
+}
+
+// Changes resection N by change(Resection&, Arguments after N), which returns a Result<void>.
+template <class Change> CommandAction changing(const char* usage, std::size_t values, const Change& change) {
+    return [usage, values, change](ActionContext& context, Arguments arguments) -> Result<void> {
+        if (arguments.size() != 1 + values) return fail(usage);
+        Marks next = context.document.marks();
+        RAMUS_TRY(index, list_index(arguments.first(1), next.resections.size(), "resection"));
+        if (auto changed = change(next.resections[index], arguments.subspan(1)); !changed) return changed;
+        context.document.change(std::move(next));
+        return {};
+    };
+}
+
+Result<void> flip(Resection& resection, Arguments) {
+    switch (resection.kind) {
+    case Kind::kPlane:
+        resection.normal = -resection.normal;
+        return {};
+    case Kind::kSheet:
+        resection.sheet.removes_below = !resection.sheet.removes_below;
+        return {};
+    case Kind::kSurface:
+        resection.other_side = !resection.other_side;
+        return {};
+    case Kind::kCuts:
+    case Kind::kLesion:
+        break;
+    }
+    return fail("a margin has no other side");
+}
+
+Result<void> set_margin(Resection& resection, Arguments arguments) {
+    const auto margin = number_in(arguments[0], 0.0, kFarthestMm);
+    if (!margin || (resection.kind != Kind::kCuts && resection.kind != Kind::kLesion))
+        return fail(margin ? "this resection has no margin" : "a margin is a length in mm");
+    resection.margin_mm = *margin;
+    return {};
+}
+
+Result<void> set_plane(Resection& resection, Arguments arguments) {
+    if (resection.kind != Kind::kPlane) return fail("this resection is no plane");
+    RAMUS_TRY(plane, plane_of(arguments));
+    resection.point = plane.point;
+    resection.normal = plane.normal;
+    return {};
+}
+
+Result<void> set_control(Resection& resection, Arguments arguments) {
+    if (resection.kind != Kind::kSheet) return fail("this resection is no sheet");
+    const auto i = parsed<int>(arguments[0]), j = parsed<int>(arguments[1]);
+    const auto height = number_in(arguments[2], -kFarthestMm, kFarthestMm);
+    organ::Sheet& sheet = resection.sheet;
+    if (!i || !j || *i < 0 || *j < 0 || *i >= sheet.size.x || *j >= sheet.size.y || !height)
+        return fail("a control point is two numbers from 0 and a height in mm", {},
+                    "this sheet has " + std::to_string(sheet.size.x) + " by " + std::to_string(sheet.size.y));
+    sheet.heights[sheet.index(*i, *j)] = *height;
+    return {};
+}
+
+bool has_an_organ(const Document& document) { return document.marks().organ.any(); }
+bool has_resections(const Document& document) { return !document.marks().resections.empty(); }
+
+} // namespace
+
+std::vector<Command> resection_commands() {
+    return {
+        Command(
+            "resect", "plane|sheet|line|stroke|surface|cuts|lesion ...",
+            "Removes a part of the organ: plane X,Y,Z NX,NY,NZ what the normal points to; sheet X,Y,Z... the "
+            "smaller side of a smooth sheet through these points; line X,Y X,Y and stroke X,Y... what lies behind a "
+            "line drawn across the picture; surface FILE the inside of a closed mesh or the smaller side of an open "
+            "one; cuts MM all that depends on the cuts, with a margin; lesion N MM a lesion with a margin.",
+            resect)
+            .when(has_an_organ),
+        Command("resect", "cuts MM", "Removes all that depends on the cuts.", resect)
+            .in_menu("Plan", "Resect beyond the cuts")
+            .giving({"cuts", "0"})
+            .when(has_an_organ),
+        Command("resection-flip", "N", "Removes the other side of a plane, sheet or surface.",
+                changing("resection-flip takes a resection's number", 0, flip))
+            .when(has_resections),
+        Command("resection-margin", "N MM", "Sets the margin of a resection around a lesion or beyond cuts.",
+                changing("resection-margin takes a resection's number and a margin in mm", 1, set_margin))
+            .when(has_resections),
+        Command("resection-plane", "N X,Y,Z NX,NY,NZ", "Moves the plane of resection N.",
+                changing("resection-plane takes a resection's number, a point and a normal", 2, set_plane))
+            .when(has_resections),
+        Command("resection-control", "N I J MM", "Moves a control point of the sheet of resection N to a height.",
+                changing("resection-control takes a resection's number, two numbers of a control point and its height",
+                         3, set_control))
+            .when(has_resections),
+    };
+}
+
+} // namespace ramus::app::actions

@@ -1,0 +1,171 @@
+#include "app/assets/territories.h"
+
+#include "app/assets/assets.h"
+#include "app/session/systems.h"
+#include "core/organ/label_surfaces.h"
+#include "core/tree/dependency.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+namespace ramus::app {
+
+namespace {
+
+constexpr std::string_view kSelected = "selected";
+
+// The first system of `named`, or else the first that supplies; the session's choice goes before both.
+int dividing_system(const OrganTerritories::Of& of, const tree::VesselTree& tree, const OrganChoice& choice) {
+    if (choice.system >= 0 && choice.system < static_cast<int>(tree.systems.size())) return choice.system;
+    if (!of.named.empty()) return tree.branches[static_cast<std::size_t>(of.named.front().first)].system;
+    const std::vector<organ::Role> roles = roles_of(tree, choice);
+    const auto supplies = std::ranges::find(roles, organ::Role::kSupplies);
+    return supplies == roles.end() ? 0 : static_cast<int>(supplies - roles.begin());
+}
+
+// Branches of other systems are of no group.
+void restrict_to(organ::Grouping& grouping, const tree::VesselTree& tree, int system) {
+    for (std::size_t id = 0; id < tree.branches.size(); ++id)
+        if (tree.branches[id].system != system) grouping.branches[id] = {};
+}
+
+organ::Grouping grouping_of(const OrganTerritories::Of& of) {
+    const tree::VesselTree& tree = *of.supply->of.tree;
+    if (of.kind == TerritoriesOf::kSystems) return organ::by_system(tree);
+    const tree::Dependency dependency(tree);
+    organ::Grouping grouping = of.kind == TerritoriesOf::kGeneration ? organ::by_generation(tree, of.generation)
+                               : of.kind == TerritoriesOf::kCuts     ? organ::by_cuts(tree, dependency, of.cuts)
+                                                                     : organ::by_names(tree, dependency, of.named);
+    restrict_to(grouping, tree, of.system);
+    return grouping;
+}
+
+// By voxel: its RemnantPart.
+std::vector<int> remnant_labels(const Operation& operation) {
+    const OrganSupply& supply = *operation.of.supply;
+    std::vector<measure::Cut> cuts = operation.of.cuts;
+    const std::vector<measure::Cut> more = organ::cuts_of(operation.vessels);
+    cuts.insert(cuts.end(), more.begin(), more.end());
+    const std::vector<measure::LostSpan> spans = measure::lost_spans(*supply.of.tree, cuts);
+    std::vector<int> labels(supply.of.mask->organ.count(), 0);
+    std::vector<organ::SystemSupply> systems;
+    for (std::size_t system = 0; system < supply.systems.size(); ++system)
+        if (supply.reaches(system))
+            systems.push_back({operation.of.roles[system], supply.systems[system].branch, supply.systems[system].at});
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, labels.size()), [&](const auto& range) {
+        for (std::size_t voxel = range.begin(); voxel < range.end(); ++voxel) {
+            bool supplied = true, drained = true;
+            for (const organ::SystemSupply& system : systems)
+                if (!spans.empty() && organ::is_lost(system, spans, voxel))
+                    (system.role == organ::Role::kSupplies ? supplied : drained) = false;
+            RemnantPart part = supplied ? (drained ? RemnantPart::kKept : RemnantPart::kNotDrained)
+                                        : (drained ? RemnantPart::kNotSupplied : RemnantPart::kLost);
+            if (!operation.kept.empty() && operation.kept[voxel] < 0.5F) part = RemnantPart::kRemoved;
+            labels[voxel] = static_cast<int>(part);
+        }
+    });
+    return labels;
+}
+
+struct Labels {
+    std::vector<int> of_voxels;
+    std::vector<std::string> names;
+};
+
+Result<Labels> labels_of(const OrganTerritories::Of& of, const JobRange& job) {
+    const OrganMask& mask = *of.supply->of.mask;
+    if (of.kind == TerritoriesOf::kOrgan) return Labels{std::vector<int>(mask.organ.count(), 0), {"organ"}};
+    if (of.kind == TerritoriesOf::kRemnant)
+        return Labels{remnant_labels(*of.operation), {kRemnantParts.begin(), kRemnantParts.end()}};
+    const organ::Grouping grouping = grouping_of(of);
+    RAMUS_TRY(supply, organ::supply_of(mask.organ, *of.supply->of.tree, {.rule = of.supply->of.rule},
+                                       organ::trunk_of(grouping), job));
+    return Labels{organ::voxel_groups(supply, grouping), grouping.names};
+}
+
+// From the middle of what stays to that of what is removed, `apart_mm` long.
+glm::vec3 pull_of(const organ::Organ& organ, const std::vector<int>& labels, double apart_mm) {
+    std::array<glm::dvec3, 2> sums{};
+    std::array<double, 2> counts{};
+    organ.for_voxels([&](const glm::ivec3& voxel, std::size_t number) {
+        const std::size_t removed = labels[number] == static_cast<int>(RemnantPart::kRemoved) ? 1 : 0;
+        sums[removed] += organ.centre_mm(voxel);
+        counts[removed] += 1.0;
+    });
+    if (counts[0] == 0.0 || counts[1] == 0.0) return glm::vec3(0.0F);
+    const glm::dvec3 way = sums[1] / counts[1] - sums[0] / counts[0];
+    const double length = glm::length(way);
+    return length > 0.0 ? glm::vec3(apart_mm / length * way) : glm::vec3(0.0F);
+}
+
+} // namespace
+
+std::optional<OrganTerritories::Of> wanted_territories(const Assets& assets, const Marks& marks) {
+    const auto supply = wanted_supply(assets.organ, marks, assets.tree);
+    const OrganChoice& choice = marks.organ;
+    if (!supply || choice.territories == TerritoriesOf::kNothing || !assets.organ.supply ||
+        assets.organ.supply->of != *supply)
+        return {};
+    const tree::VesselTree& tree = *assets.tree;
+    OrganTerritories::Of of{assets.organ.supply, choice.territories, 0, 0, {}, {}, {}, 0.0};
+    switch (of.kind) {
+    case TerritoriesOf::kGeneration:
+        of.generation = choice.generation;
+        break;
+    case TerritoriesOf::kNames:
+        of.named.assign(marks.names.begin(), marks.names.end());
+        break;
+    case TerritoriesOf::kSelection:
+        for (const int branch : marks.selection) of.named.emplace_back(branch, kSelected);
+        break;
+    case TerritoriesOf::kRemnant:
+        of.operation = operation_of(assets, marks, marks.plans.place);
+        of.apart_mm = choice.apart_mm;
+        if (!of.operation) return {};
+        break;
+    case TerritoriesOf::kCuts:
+        of.cuts = marks.cuts;
+        if (!of.cuts.empty()) of.system = tree.branches[static_cast<std::size_t>(of.cuts.front().first)].system;
+        break;
+    case TerritoriesOf::kNothing:
+    case TerritoriesOf::kOrgan:
+    case TerritoriesOf::kSystems:
+        break;
+    }
+    const bool by_branches = of.kind == TerritoriesOf::kGeneration || of.kind == TerritoriesOf::kNames ||
+                             of.kind == TerritoriesOf::kSelection;
+    if (by_branches) of.system = dividing_system(of, tree, choice);
+    return of;
+}
+
+Result<OrganTerritories> make_territories(const OrganTerritories::Of& of, const JobRange& job) {
+    const organ::Organ& organ = of.supply->of.mask->organ;
+    RAMUS_TRY(labels, labels_of(of, job.part(0.0F, 0.3F)));
+    RAMUS_TRY(surfaces, organ::label_surfaces(organ, labels.of_voxels, job.part(0.3F, 0.9F)));
+    std::vector<std::size_t> voxels(labels.names.size(), 0);
+    for (const int label : labels.of_voxels)
+        if (label >= 0) ++voxels[static_cast<std::size_t>(label)];
+    OrganTerritories made{of, {}};
+    const glm::vec3 away = of.apart_mm > 0.0 ? pull_of(organ, labels.of_voxels, of.apart_mm) : glm::vec3(0.0F);
+    const bool has_rest =
+        of.kind == TerritoriesOf::kNames || of.kind == TerritoriesOf::kSelection || of.kind == TerritoriesOf::kCuts;
+    for (std::size_t label = 0; label < labels.names.size(); ++label) {
+        if (voxels[label] == 0) continue;
+        auto mesh = std::make_shared<mesh::TriangleMesh>(surface_of(surfaces, static_cast<int>(label)));
+        if (of.apart_mm > 0.0 && label == static_cast<std::size_t>(RemnantPart::kRemoved))
+            for (glm::vec3& position : mesh->positions) position += away;
+        OrganTerritories::Part part{labels.names[label],
+                                    of.kind == TerritoriesOf::kSystems ? static_cast<int>(label) : -1,
+                                    has_rest && label + 1 == labels.names.size(),
+                                    voxels[label],
+                                    mesh,
+                                    preview_of(*mesh)};
+        made.parts.push_back(std::move(part));
+    }
+    return made;
+}
+
+} // namespace ramus::app

@@ -1,0 +1,170 @@
+// The plans and resections of the planning page: what each removes, the vessels it cuts, and the plans compared.
+#include "app/assets/organ_text.h"
+#include "app/panels/choice_row.h"
+#include "app/panels/plan_rows.h"
+#include "app/panels/sections.h"
+#include "app/panels/theme.h"
+#include "app/panels/widgets.h"
+#include "app/session/numbers.h"
+#include "app/session/systems.h"
+
+#include <algorithm>
+#include <imgui.h>
+#include <string>
+#include <vector>
+
+namespace ramus::app {
+
+namespace {
+
+using Kind = Resection::Kind;
+
+bool has_margin(const Resection& resection) { return resection.kind == Kind::kCuts || resection.kind == Kind::kLesion; }
+
+// Its margin or a button for its other side, and its opacity.
+void draw_resection(InterfaceContext& context, const Resection& resection, std::size_t index) {
+    const plan_rows::ObjectRow row = plan_rows::row_of(context, resection, index);
+    const std::string number = std::to_string(index + 1);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4.0F * theme::scale(), 2.0F * theme::scale()});
+    plan_rows::object_row(context, row);
+    ImGui::PushID(static_cast<int>(index));
+    if (has_margin(resection)) {
+        plan_rows::field_label(context, "Margin (mm)");
+        const auto words =
+            plan_rows::number_field(context, ("margin " + number).c_str(), rounded(resection.margin_mm), 56.0F);
+        widgets::tooltip("How far around it tissue is removed, too");
+        if (words.size() == 1) context.perform("resection-margin", {number, words[0]});
+    } else {
+        if (ImGui::Button("Other side")) context.perform("resection-flip", {number});
+        widgets::tooltip("Removes the other side of it");
+        if (row.visible) {
+            ImGui::SameLine();
+            plan_rows::object_opacity(context, row);
+        }
+    }
+    ImGui::PopID();
+    ImGui::PopStyleVar();
+}
+
+// The thickest vessels that the resections cut.
+void draw_vessels_cut(InterfaceContext& context, const Operation& operation, const Marks& marks) {
+    constexpr std::size_t kMostRows = 8;
+    const Document& document = context.workspace.document();
+    const auto in_organ = static_cast<std::size_t>(
+        std::ranges::count_if(operation.vessels, [](const organ::CutVessel& vessel) { return vessel.in_organ; }));
+    if (in_organ == 0) return;
+    const double limit = marks.planning.reconstruct_mm;
+    const auto thick = std::ranges::count_if(operation.vessels, [limit](const organ::CutVessel& vessel) {
+        return vessel.in_organ && vessel.diameter_mm > limit;
+    });
+    widgets::row_headings({"Vessel that is cut", "Click a line to select the branch and to look at it"},
+                          {"Diameter", "The diameter where the resection cuts it"});
+    std::size_t shown = 0;
+    for (std::size_t n = 0; n < operation.vessels.size() && shown < kMostRows; ++n) {
+        const organ::CutVessel& vessel = operation.vessels[n];
+        const int branch = vessel.place.branch;
+        if (!vessel.in_organ || branch >= document.branch_count()) continue;
+        ++shown;
+        ImGui::PushID(static_cast<int>(n));
+        const std::string system = system_of(*document.tree(), marks, branch);
+        const std::string name = plan_rows::branch_name(document, branch) + (system.empty() ? "" : ", " + system);
+        const std::string value = "\xC3\x98 " + document.lengths().text(vessel.diameter_mm);
+        const float room = ImGui::GetContentRegionAvail().x, of_value = ImGui::CalcTextSize(value.c_str()).x;
+        const ImVec2 at = ImGui::GetCursorPos();
+        ImGui::PushStyleColor(ImGuiCol_Text, vessel.diameter_mm > limit ? theme::kTrouble : theme::kText);
+        if (ImGui::Selectable(widgets::fitted(name, room - of_value - 8.0F * theme::scale()).c_str()))
+            plan_rows::go_to(context, branch);
+        widgets::tooltip(
+            (name + ", cut at " + digits(vessel.angle_deg, 2) + "\xC2\xB0 to its axis. Click to go there").c_str());
+        if (ImGui::IsItemHovered()) context.interface.listed = branch;
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(at.x + room - of_value);
+        ImGui::TextUnformatted(value.c_str());
+        ImGui::PopStyleColor();
+        ImGui::PopID();
+    }
+    widgets::quiet_wrapped((counted(in_organ, "vessel is cut", "vessels are cut") + ", " + grouped(std::size_t(thick)) +
+                            " " + over_text(limit, document.lengths()))
+                               .c_str());
+}
+
+// The figures of all plans, a column each.
+void draw_comparison(InterfaceContext& context, const Marks& marks) {
+    const Assets& assets = context.workspace.assets();
+    const std::vector<OperationPlan> plans = all_plans(marks);
+    if (plans.size() < 2 || !marks.organ.any()) return;
+    std::vector<std::string> labels; // in the order of their first occurrence
+    std::vector<std::vector<std::string>> values(plans.size());
+    for (std::size_t plan = 0; plan < plans.size(); ++plan) {
+        const auto operation = operation_of(assets, marks, plan, OperationOf::kLast);
+        if (!operation) continue;
+        const Lengths lengths(operation->of.supply->of.mask->claims);
+        for (const OrganFact& fact : organ_facts(*operation, marks)) {
+            auto at = static_cast<std::size_t>(std::ranges::find(labels, fact.label) - labels.begin());
+            if (at == labels.size()) labels.push_back(fact.label);
+            values[plan].resize(std::max(values[plan].size(), at + 1));
+            values[plan][at] = fact.value(lengths);
+        }
+    }
+    const int columns = static_cast<int>(plans.size()) + 1;
+    if (!ImGui::BeginTable("plans", columns, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) return;
+    ImGui::TableSetupColumn("");
+    for (const OperationPlan& plan : plans) ImGui::TableSetupColumn(plan.name.c_str());
+    ImGui::PushFont(theme::small_font());
+    ImGui::TableHeadersRow();
+    for (std::size_t row = 0; row < labels.size(); ++row) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        widgets::quiet(labels[row].c_str());
+        for (std::size_t plan = 0; plan < plans.size(); ++plan) {
+            ImGui::TableNextColumn();
+            const std::string value = row < values[plan].size() ? values[plan][row] : std::string();
+            ImGui::TextUnformatted(value.empty() ? "\xE2\x80\x93" : value.c_str());
+        }
+    }
+    ImGui::PopFont();
+    ImGui::EndTable();
+}
+
+} // namespace
+
+void draw_plans(InterfaceContext& context) {
+    const Marks marks = context.workspace.document().marks(); // a choice changes it
+    if (!marks.organ.any() && marks.plans == Plans{}) return;
+    draw_title(context, "Plans", {{"Copy", "Begin another plan as a copy of this one", "plan-copy"}});
+    const std::vector<OperationPlan> plans = all_plans(marks);
+    if (plans.size() > 1) {
+        std::vector<std::pair<std::string, std::string>> entries;
+        for (std::size_t plan = 0; plan < plans.size(); ++plan)
+            entries.emplace_back(std::to_string(plan + 1), plans[plan].name);
+        const std::string now = std::to_string(marks.plans.place + 1);
+        const auto chosen = widgets::choice_row("Plan", "The plan whose cuts and resections are shown", now, entries);
+        if (chosen && *chosen != now) context.perform("plan-use", {*chosen});
+        if (ImGui::Button("Remove this plan")) context.perform("plan-remove", {now});
+        draw_comparison(context, marks);
+    }
+}
+
+void draw_resections(InterfaceContext& context) {
+    const Marks marks = context.workspace.document().marks(); // rows change it
+    if (!marks.organ.any()) return;
+    draw_title(
+        context, "Resections",
+        {{"Plane", "Draw a line across the picture: a plane behind it divides the organ", "tool", {"resect-plane"}},
+         {"Sheet", "Draw a stroke across the picture: a sheet behind it divides the organ", "tool", {"resect-sheet"}}});
+    if (!marks.cuts.empty() && ImGui::Button("Beyond the cuts")) context.perform("resect", {"cuts", "0"});
+    widgets::tooltip("Remove all that depends on the cuts");
+    if (!marks.lesions.empty()) {
+        if (!marks.cuts.empty()) ImGui::SameLine();
+        if (ImGui::Button("Around lesion 1")) context.perform("resect", {"lesion", "1", "10"});
+        widgets::tooltip("Remove the first lesion with a margin of 10 mm; the command resect takes any");
+    }
+    for (std::size_t i = 0; i < marks.resections.size(); ++i) draw_resection(context, marks.resections[i], i);
+    const bool dragged = std::ranges::any_of(
+        marks.resections, [](const Resection& one) { return one.kind == Kind::kPlane || one.kind == Kind::kSheet; });
+    if (dragged && ImGui::Button("Move points")) context.perform("tool", {"resection"});
+    if (const auto operation = operation_of(context.workspace.assets(), marks, marks.plans.place, OperationOf::kLast))
+        draw_vessels_cut(context, *operation, marks);
+}
+
+} // namespace ramus::app

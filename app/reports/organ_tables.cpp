@@ -1,0 +1,73 @@
+#include "app/reports/organ_tables.h"
+
+#include "app/assets/assets.h"
+#include "app/assets/organ_text.h"
+#include "app/assets/territories.h"
+#include "app/session/systems.h"
+
+namespace ramus::app {
+
+Table organ_table(const Document& document, const Assets& assets) {
+    Table table{"Organ",
+                {{"plan", "Plan"},
+                 {"figure", "Figure"},
+                 {"volume", "Volume, mm\xC2\xB3"},
+                 {"area", "Area, mm\xC2\xB2"},
+                 {"length", "Length, mm"},
+                 {"percent", "Percent"},
+                 {"meaning", "Meaning"}},
+                {}};
+    const auto cell = [](const std::optional<double>& number) { return number ? Cell(*number) : Cell(""); };
+    const Marks& marks = document.marks();
+    const std::vector<OperationPlan> plans = all_plans(marks);
+    for (std::size_t plan = 0; plan < plans.size(); ++plan)
+        if (const auto operation = operation_of(assets, marks, plan))
+            for (const OrganFact& fact : organ_facts(*operation, marks))
+                table.rows.push_back({plans[plan].name, fact.label, cell(fact.volume), cell(fact.area),
+                                      cell(fact.length), cell(fact.percent), fact.help});
+    add_unit(table, Lengths(assets.organ.mask.value.value()->claims));
+    return table;
+}
+
+Table cut_vessels_table(const Document& document, const Assets& assets) {
+    Table table{"Vessels that resections cut",
+                {{"resection", "Resection"},
+                 {"system", "System"},
+                 {"branch", "Branch"},
+                 {"name", "Name"},
+                 {"fraction", "At"},
+                 {"diameter", "Diameter, mm"},
+                 {"angle", "Angle, \xC2\xB0"},
+                 {"x", "x, mm"},
+                 {"y", "y, mm"},
+                 {"z", "z, mm"}},
+                {}};
+    const Marks& marks = document.marks();
+    const auto operation = operation_of(assets, marks, marks.plans.place);
+    for (const organ::CutVessel& vessel : operation->vessels) {
+        if (!vessel.in_organ) continue;
+        const auto name = marks.names.find(vessel.place.branch);
+        table.rows.push_back({static_cast<int>(vessel.resection + 1),
+                              system_of(*document.tree(), marks, vessel.place.branch), vessel.place.branch,
+                              name == marks.names.end() ? std::string() : name->second, vessel.place.fraction,
+                              vessel.diameter_mm, vessel.angle_deg, vessel.at.x, vessel.at.y, vessel.at.z});
+    }
+    add_unit(table, document.lengths());
+    return table;
+}
+
+Table territories_table(const Document& /*document*/, const Assets& assets) {
+    Table table{
+        "Territories", {{"name", "Name"}, {"volume", "Volume, mm\xC2\xB3"}, {"percent", "Percent of the organ"}}, {}};
+    const OrganTerritories& territories = *assets.organ.territories;
+    const OrganMask& mask = *territories.of.supply->of.mask;
+    for (const OrganTerritories::Part& part : territories.parts) {
+        const auto voxels = static_cast<double>(part.voxels);
+        table.rows.push_back({part.name, 1000.0 * mask.organ.voxel_ml() * voxels,
+                              100.0 * voxels / static_cast<double>(mask.organ.count())});
+    }
+    add_unit(table, Lengths(mask.claims));
+    return table;
+}
+
+} // namespace ramus::app
