@@ -87,7 +87,9 @@ void check_partition(const Labelled& parts, const LabelSurfaces& surfaces, doubl
     std::map<int, double> voxels{{kOutside, 0.0}};
     for (const int label : parts.labels) ++voxels[label];
     std::multiset<Face> forward, backward;
-    for (const auto& [label, count] : voxels) {
+    for (const auto& one : voxels) {
+        const int label = one.first;
+        const double count = one.second;
         CAPTURE(label);
         CAPTURE(count);
         const mesh::TriangleMesh mesh = organ::surface_of(surfaces, label);
@@ -226,12 +228,13 @@ TEST_CASE("half balls, octants and random labels have their volumes, and share t
         {"noise of many labels",
          [&](const glm::ivec3& v) { return in_ball(v) ? static_cast<int>(random() % 3000) : kOutside; }},
     };
-    for (const auto& [name, label_at] : labellings) {
+    for (const auto& one : labellings) {
+        const std::string name = one.first;
         CAPTURE(name);
         glm::dmat4 turned = glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1.0, -2.0, 0.5)));
         turned = glm::scale(turned, glm::dvec3(0.95, -0.95, 3.75)); // mirrored
         turned[3] = glm::dvec4(-40.0, 55.0, 120.0, 1.0);
-        const Labelled parts = labelled({31, 31, 31}, turned, label_at);
+        const Labelled parts = labelled({31, 31, 31}, turned, one.second);
         const LabelSurfaces surfaces = surfaces_of(parts);
         check_partition(parts, surfaces);
         CHECK(farthest_from_border(parts, surfaces) < 0.5F);
