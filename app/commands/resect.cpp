@@ -19,6 +19,7 @@
 #include "core/organ/resect/removal.h"
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -157,13 +158,14 @@ nlohmann::ordered_json resection_report(const OrganCase& read, const ResectPlan&
               {"unsupplied_ml", plan.remnant.unsupplied() * ml}}}};
 }
 
+constexpr std::array<const char*, 3> kRemovedWords{"not removed", "removed in part", "removed"};
+
 void print_margins(const ResectPlan& plan, const Lengths& lengths) {
     for (std::size_t n = 0; n < plan.margins.size(); ++n) {
         const organ::Margin& margin = plan.margins[n];
-        const char* kRemoved[] = {"not removed", "removed in part", "removed"};
         std::cout << "margin        " << printable(plan.lesions[n].name) << ": "
                   << (margin.distance_mm ? lengths.text(*margin.distance_mm) : "no surface in the organ") << ", "
-                  << kRemoved[static_cast<std::size_t>(margin.removed)] << '\n';
+                  << kRemovedWords[static_cast<std::size_t>(margin.removed)] << '\n';
     }
 }
 

@@ -142,8 +142,7 @@ Result<std::vector<NamedResection>> resections_of(const OrganCase& read, const O
     }
     if (!flags.wedge.empty()) {
         RAMUS_TRY(mask, load_organ(flags.wedge, organ_flags.lesion_labels, mask_flags(organ_flags)));
-        all.push_back({"lesion", organ::Around{std::make_shared<const organ::VoxelSolid>(std::move(mask)),
-                                               flags.margin_mm.value_or(0.0)}});
+        all.push_back({"lesion", organ::Around{organ::solid_of(mask, {}), flags.margin_mm.value_or(0.0)}});
     }
     return all;
 }

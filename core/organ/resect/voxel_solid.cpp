@@ -1,5 +1,7 @@
 #include "core/organ/resect/voxel_solid.h"
 
+#include "core/base/bounds.h"
+
 #include <algorithm>
 #include <array>
 #include <glm/common.hpp>
@@ -38,6 +40,32 @@ private:
     mesh::TriangleMesh& mesh_;
     std::unordered_map<std::uint64_t, std::uint32_t> known_;
 };
+
+constexpr int kNoPart = -1;
+
+// Parts of an organ, each on a grid of its own that is no larger than the part. part_of(number): the part of a voxel,
+// or kNoPart.
+template <class PartOf> std::vector<Organ> cropped_parts(const Organ& organ, std::size_t count, const PartOf& part_of) {
+    std::vector<Bounds<glm::ivec3>> boxes(count);
+    const auto for_chosen = [&](const auto& call) {
+        organ.for_voxels([&](const glm::ivec3& voxel, std::size_t number) {
+            const int part = part_of(number);
+            if (part != kNoPart) call(voxel, static_cast<std::size_t>(part));
+        });
+    };
+    for_chosen([&](const glm::ivec3& voxel, std::size_t part) { boxes[part].hold(voxel); });
+    std::vector<volume::BitMask> masks;
+    for (const Bounds<glm::ivec3>& box : boxes)
+        masks.emplace_back(box.is_empty() ? glm::ivec3(0) : box.most - box.least + 1);
+    for_chosen([&](const glm::ivec3& voxel, std::size_t part) { masks[part].set(voxel - boxes[part].least); });
+    std::vector<Organ> parts;
+    for (std::size_t n = 0; n < count; ++n) {
+        glm::dmat4 to_patient = organ.to_patient();
+        if (!boxes[n].is_empty()) to_patient[3] = glm::dvec4(organ.centre_mm(boxes[n].least), 1.0);
+        parts.emplace_back(std::move(masks[n]), to_patient);
+    }
+    return parts;
+}
 
 } // namespace
 
@@ -97,12 +125,9 @@ double VoxelSolid::distance(const glm::dvec3& point) const {
 }
 
 std::shared_ptr<const VoxelSolid> solid_of(const Organ& organ, std::span<const std::uint8_t> chosen) {
-    volume::BitMask mask(organ.size());
-    organ.for_voxels([&](const glm::ivec3& voxel, std::size_t number) {
-        if (chosen[number] != 0) mask.set(voxel);
-    });
-    Organ voxels(std::move(mask), organ.to_patient());
-    return voxels.count() == 0 ? nullptr : std::make_shared<const VoxelSolid>(std::move(voxels));
+    const auto part_of = [&](std::size_t number) { return chosen.empty() || chosen[number] != 0 ? 0 : kNoPart; };
+    std::vector<Organ> parts = cropped_parts(organ, 1, part_of);
+    return parts.front().count() == 0 ? nullptr : std::make_shared<const VoxelSolid>(std::move(parts.front()));
 }
 
 std::vector<std::uint8_t> lost_voxels(std::span<const SystemSupply> systems, std::span<const measure::LostSpan> spans) {
@@ -117,14 +142,14 @@ std::vector<std::uint8_t> lost_voxels(std::span<const SystemSupply> systems, std
 }
 
 std::vector<VoxelLesion> lesions_of(const Organ& mask, const std::string& name) {
-    const std::vector<std::uint32_t> parts = parts_of_voxels(mask);
-    const std::size_t count = parts.empty() ? 0 : 1 + *std::ranges::max_element(parts);
+    const std::vector<std::uint32_t> numbers = parts_of_voxels(mask);
+    const std::size_t count = numbers.empty() ? 0 : 1 + *std::ranges::max_element(numbers);
+    std::vector<Organ> parts =
+        cropped_parts(mask, count, [&](std::size_t number) { return static_cast<int>(numbers[number]); });
     std::vector<VoxelLesion> lesions;
-    std::vector<std::uint8_t> chosen(parts.size());
-    for (std::size_t part = 0; part < count; ++part) {
-        std::ranges::transform(parts, chosen.begin(), [part](std::uint32_t of) { return of == part ? 1 : 0; });
-        lesions.push_back({count == 1 ? name : name + ' ' + std::to_string(part + 1), solid_of(mask, chosen)});
-    }
+    for (std::size_t n = 0; n < count; ++n)
+        lesions.push_back({count == 1 ? name : name + ' ' + std::to_string(n + 1),
+                           std::make_shared<const VoxelSolid>(std::move(parts[n]))});
     return lesions;
 }
 

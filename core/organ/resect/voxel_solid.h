@@ -44,7 +44,7 @@ private:
 // vertices.
 [[nodiscard]] mesh::TriangleMesh surface_of_boxes(const Organ& voxels);
 
-// The voxels of an organ whose number has an entry other than 0. Null: there are none.
+// The voxels of an organ whose entry is not 0; empty: all. Null: there are none.
 [[nodiscard]] std::shared_ptr<const VoxelSolid> solid_of(const Organ& organ, std::span<const std::uint8_t> chosen);
 
 // By voxel of the organ, 1: after the cuts (`spans`, of lost_spans()) some system does not reach it any more.
