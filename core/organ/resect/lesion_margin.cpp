@@ -30,7 +30,7 @@ bool surrounds(const Resection& resection, const VoxelSolid& lesion) {
     if (around == nullptr) return false;
     bool inside = true;
     lesion.voxels().for_voxels([&](const glm::ivec3& voxel, std::size_t) {
-        inside = inside && around->solid->distance(lesion.voxels().centre_mm(voxel)) == 0.0;
+        inside = inside && around->solid->contains(lesion.voxels().centre_mm(voxel));
     });
     return inside;
 }
@@ -74,8 +74,7 @@ private:
         std::size_t count = 0;
         lesion_.voxels().for_voxels([&](const glm::ivec3& voxel, std::size_t) {
             const glm::dvec3 centre = lesion_.voxels().centre_mm(voxel);
-            count +=
-                std::ranges::any_of(resections_, [&](const Resection& one) { return value_at(one, centre) <= 0.0; });
+            count += std::ranges::any_of(resections_, [&](const Resection& one) { return removes(one, centre); });
         });
         return count == 0 ? Removed::kNone : count == lesion_.voxels().count() ? Removed::kWhole : Removed::kPart;
     }

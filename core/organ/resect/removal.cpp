@@ -251,7 +251,8 @@ private:
             return one;
         const double centre = value_at(resection, place(glm::dvec3(voxel)));
         const double most = 0.1 * half_diagonal_; // tuned: less changes no volume by 0.01 %
-        one.flat = std::abs(centre - one.fit.middle) <= most;
+        const auto* around = std::get_if<Around>(&resection);
+        one.flat = std::abs(centre - one.fit.middle) <= most && (around == nullptr || around->margin_mm > 0.0);
         for (int corner = 0; corner < 8; ++corner)
             one.flat = one.flat &&
                        std::abs(one.fit.at(unit_corner(corner)) - values[static_cast<std::size_t>(corner)]) <= most;
@@ -262,25 +263,18 @@ private:
 
     // The share of a voxel that is removed.
     [[nodiscard]] double share_of(const std::vector<Crossing>& crossing, const glm::ivec3& voxel) const {
-        if (crossing.size() == 1 && crossing.front().flat) {
-            const double share = share_below(crossing.front().fit);
-            // Distances from voxels allow for rounding (value_at()); a margin of 0 removes just the voxels.
-            constexpr double kTouched = 1e-3;
-            const bool around = std::holds_alternative<Around>(resections_[crossing.front().resection]);
-            return around && share < kTouched ? 0.0 : share;
-        }
-        constexpr int kSide = 6; // samples along an axis
+        if (crossing.size() == 1 && crossing.front().flat) return share_below(crossing.front().fit);
+        // Samples along an axis: fewer where each takes a search.
+        const int side = std::ranges::all_of(crossing, &Crossing::flat) ? 6 : 4;
         int removed = 0;
-        for (int n = 0; n < kSide * kSide * kSide; ++n) {
-            const glm::dvec3 at =
-                (glm::dvec3(n % kSide, n / kSide % kSide, n / (kSide * kSide)) + 0.5) / double{kSide} - 0.5;
+        for (int n = 0; n < side * side * side; ++n) {
+            const glm::dvec3 at = (glm::dvec3(n % side, n / side % side, n / (side * side)) + 0.5) / double(side) - 0.5;
             removed += std::ranges::any_of(crossing, [&](const Crossing& one) {
-                const double value =
-                    one.flat ? one.fit.at(at) : value_at(resections_[one.resection], place(glm::dvec3(voxel) + at));
-                return value <= 0.0;
+                return one.flat ? one.fit.at(at) <= 0.0
+                                : removes(resections_[one.resection], place(glm::dvec3(voxel) + at));
             });
         }
-        return removed / double{kSide * kSide * kSide};
+        return removed / double(side * side * side);
     }
 
     // Adds the surface in a voxel.

@@ -6,9 +6,9 @@
 // two resections in one voxel), it counts by samples inside of its box. The surface is made by marching cubes in these
 // boxes (resection_surface.h).
 //
-// Guarantees: the volume of half spaces is exact for the voxels' boxes; that of smooth surfaces is exact to second order
-// in the voxel's size over their radius. The result does not depend on the number of threads. Not guaranteed: parts of a
-// surface that are thinner than a voxel.
+// Guarantees: the volume of half spaces is exact for the voxels' boxes; that of smooth surfaces is exact to second
+// order in the voxel's size over their radius. The result does not depend on the number of threads. Not guaranteed:
+// parts of a surface that are thinner than a voxel.
 #pragma once
 
 #include "core/base/error.h"

@@ -58,6 +58,12 @@ double value_at(const Resection& resection, const glm::dvec3& point) {
     return std::visit([&](const auto& one) { return value_of(one, point); }, resection);
 }
 
+bool removes(const Resection& resection, const glm::dvec3& point) {
+    const auto* around = std::get_if<Around>(&resection);
+    if (around != nullptr && around->margin_mm == 0.0) return around->solid->contains(point);
+    return value_at(resection, point) <= 0.0;
+}
+
 double steepest_in(const Resection& resection, const Bounds<glm::dvec3>& box) {
     const auto* sheet = std::get_if<Sheet>(&resection);
     return sheet == nullptr ? 1.0 : steepest_in(*sheet, box);

@@ -40,6 +40,8 @@ inline constexpr std::size_t kMostResections = 64; // of a plan
 // Not above 0: the point is removed. For half spaces, surfaces and margins it is the distance (mm) from the surface of
 // the resection; for sheets the height, whose size is not below the distance.
 [[nodiscard]] double value_at(const Resection& resection, const glm::dvec3& point);
+// Whether a point is removed. Quick for a margin of 0.
+[[nodiscard]] bool removes(const Resection& resection, const glm::dvec3& point);
 // How fast the value changes at most in a box: by so much for each mm.
 [[nodiscard]] double steepest_in(const Resection& resection, const Bounds<glm::dvec3>& box);
 // The unit normal of the resection's surface at a point near it, away from what is removed.

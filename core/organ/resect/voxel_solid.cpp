@@ -117,11 +117,14 @@ VoxelSolid::VoxelSolid(mesh::TriangleMesh closed)
     : surface_(std::move(closed)), to_surface_(surface_), voxels_(samples_of(to_surface_)),
       to_voxels_(glm::inverse(voxels_.to_patient())), of_boxes_(false) {}
 
-double VoxelSolid::distance(const glm::dvec3& point) const {
-    if (!of_boxes_) return to_surface_.distance(point);
+bool VoxelSolid::contains(const glm::dvec3& point) const {
+    if (!of_boxes_) return to_surface_.inside(point);
     const glm::dvec3 index(to_voxels_ * glm::dvec4(point, 1.0));
-    if (voxels_.mask().test(glm::ivec3(glm::floor(index + 0.5)))) return 0.0;
-    return to_surface_.surface_distance(point);
+    return voxels_.mask().test(glm::ivec3(glm::floor(index + 0.5)));
+}
+
+double VoxelSolid::distance(const glm::dvec3& point) const {
+    return contains(point) ? 0.0 : to_surface_.surface_distance(point);
 }
 
 std::shared_ptr<const VoxelSolid> solid_of(const Organ& organ, std::span<const std::uint8_t> chosen) {

@@ -28,6 +28,7 @@ public:
 
     [[nodiscard]] const Organ& voxels() const { return voxels_; }
     [[nodiscard]] const mesh::TriangleMesh& surface() const { return surface_; } // positions and triangles
+    [[nodiscard]] bool contains(const glm::dvec3& point) const;
     // The distance of a point from the solid: 0 inside and on its surface.
     [[nodiscard]] double distance(const glm::dvec3& point) const;
     [[nodiscard]] const measure::MeshDistance& to_surface() const { return to_surface_; }
