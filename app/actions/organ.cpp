@@ -100,9 +100,9 @@ Result<void> organ_role(ActionContext& context, Arguments arguments) {
         RAMUS_TRY(found, find_system(systems_of(tree, context.document.marks()), arguments[0]));
         system = static_cast<std::size_t>(found);
     }
-    return change_organ(context, [&](OrganChoice& choice) {
-        choice.roles = roles_of(tree, choice);
-        choice.roles[system] = arguments[1] == "drains" ? organ::Role::kDrains : organ::Role::kSupplies;
+    return edit(context, [&](Marks& marks) {
+        marks.organ.roles = roles_of(tree, marks);
+        marks.organ.roles[system] = arguments[1] == "drains" ? organ::Role::kDrains : organ::Role::kSupplies;
     });
 }
 

@@ -87,7 +87,7 @@ Result<FewestCuts> asked_fewest(const ActionContext& context, Arguments argument
         return fail("the organ is not divided yet", {}, "organ FILE reads its mask; wait for it");
     FewestCuts asked{context.assets.organ.supply, 0, planned_lesions(context.assets, marks), *margin, *most};
     if (asked.lesions.empty()) return fail("there is no lesion", {}, "lesion X,Y,Z,R places one");
-    const std::vector<organ::Role> roles = roles_of(*context.assets.tree, marks.organ);
+    const std::vector<organ::Role> roles = roles_of(*context.assets.tree, marks);
     while (asked.system < roles.size() &&
            (roles[asked.system] != organ::Role::kSupplies || !asked.supply->reaches(asked.system)))
         ++asked.system;

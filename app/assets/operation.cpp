@@ -167,7 +167,7 @@ std::optional<Operation::Of> wanted_operation(const Assets& assets, const Marks&
     if (!supply || !assets.organ.supply || assets.organ.supply->of != *supply) return {};
     const OperationPlan planned = all_plans(marks)[plan];
     Operation::Of of{assets.organ.supply,
-                     roles_of(*assets.tree, marks.organ),
+                     roles_of(*assets.tree, marks),
                      planned.cuts,
                      {},
                      planned_lesions(assets, marks),

@@ -3,6 +3,7 @@
 #include "app/assets/assets.h"
 #include "app/assets/operation.h"
 #include "app/assets/territories.h"
+#include "app/session/systems.h"
 #include "core/io/length_unit.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/io/volumes/volume_unit.h"
@@ -41,9 +42,9 @@ Loaded<OrganMask> read_organ(const OrganSource& source, const Loaded<OrganMask>*
     return loaded;
 }
 
-std::vector<organ::Role> roles_of(const tree::VesselTree& tree, const OrganChoice& choice) {
-    std::vector<organ::Role> roles = organ::roles_by_name(tree);
-    return choice.roles.size() == roles.size() ? choice.roles : roles;
+std::vector<organ::Role> roles_of(const tree::VesselTree& tree, const Marks& marks) {
+    std::vector<organ::Role> roles = organ::roles_by_name(systems_of(tree, marks));
+    return marks.organ.roles.size() == roles.size() ? marks.organ.roles : roles;
 }
 
 Result<OrganSupply> supply_of(const OrganSupply::Of& of, const JobRange& job) {

@@ -35,7 +35,7 @@ struct OrganMask {
 [[nodiscard]] Loaded<OrganMask> read_organ(const OrganSource& source, const Loaded<OrganMask>* before, Job& job);
 
 // The role of each system of the tree (one for a tree without systems): the session's, or by its name.
-[[nodiscard]] std::vector<organ::Role> roles_of(const tree::VesselTree& tree, const OrganChoice& choice);
+[[nodiscard]] std::vector<organ::Role> roles_of(const tree::VesselTree& tree, const Marks& marks);
 
 // The supply of all voxels by each system.
 struct OrganSupply {

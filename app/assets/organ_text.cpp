@@ -45,7 +45,9 @@ void add_remnant(std::vector<OrganFact>& facts, const Operation& operation) {
         facts.push_back(share(label, operation, voxels, operation.functional, help));
     };
     const bool supply = operation.has(organ::Role::kSupplies), drainage = operation.has(organ::Role::kDrains);
-    if (supply) add("Keeps supply", found.supplied, "What remains and is still reached by the vessels that supply");
+    if (supply)
+        add("Keeps supply", found.supplied,
+            "What remains and is still reached by the vessels that supply, in percent of the functional organ");
     if (drainage) add("Keeps drainage", found.drained, "What remains and is still reached by the vessels that drain");
     if (!supply || !drainage) return;
     add("Keeps both", found.both, "What remains supplied and drained");

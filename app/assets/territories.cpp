@@ -18,10 +18,11 @@ namespace {
 constexpr std::string_view kSelected = "selected";
 
 // The first system of `named`, or else the first that supplies; the session's choice goes before both.
-int dividing_system(const OrganTerritories::Of& of, const tree::VesselTree& tree, const OrganChoice& choice) {
+int dividing_system(const OrganTerritories::Of& of, const tree::VesselTree& tree, const Marks& marks) {
+    const OrganChoice& choice = marks.organ;
     if (choice.system >= 0 && choice.system < static_cast<int>(tree.systems.size())) return choice.system;
     if (!of.named.empty()) return tree.branches[static_cast<std::size_t>(of.named.front().first)].system;
-    const std::vector<organ::Role> roles = roles_of(tree, choice);
+    const std::vector<organ::Role> roles = roles_of(tree, marks);
     const auto supplies = std::ranges::find(roles, organ::Role::kSupplies);
     return supplies == roles.end() ? 0 : static_cast<int>(supplies - roles.begin());
 }
@@ -137,7 +138,7 @@ std::optional<OrganTerritories::Of> wanted_territories(const Assets& assets, con
     }
     const bool by_branches = of.kind == TerritoriesOf::kGeneration || of.kind == TerritoriesOf::kNames ||
                              of.kind == TerritoriesOf::kSelection;
-    if (by_branches) of.system = dividing_system(of, tree, choice);
+    if (by_branches) of.system = dividing_system(of, tree, marks);
     return of;
 }
 

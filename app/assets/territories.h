@@ -43,7 +43,7 @@ struct OrganTerritories {
 
 // The parts of kRemnant, in their order.
 enum class RemnantPart : std::uint8_t { kKept, kNotDrained, kNotSupplied, kLost, kRemoved };
-inline constexpr std::array<std::string_view, 5> kRemnantParts{"supplied and drained", "not drained", "not supplied",
+inline constexpr std::array<std::string_view, 5> kRemnantParts{"kept", "not drained", "not supplied",
                                                                "neither", "removed"};
 
 } // namespace ramus::app

@@ -39,7 +39,7 @@ std::vector<std::uint8_t> sampled(const organ::Organ& organ, const organ::Organ&
 }
 
 Result<std::vector<organ::Role>> roles_in(const tree::VesselTree& tree, const std::vector<std::string>& drains) {
-    std::vector<organ::Role> roles = organ::roles_by_name(tree);
+    std::vector<organ::Role> roles = organ::roles_by_name(tree.systems);
     if (drains.empty()) return roles;
     std::ranges::fill(roles, organ::Role::kSupplies);
     for (const std::string& word : drains) {

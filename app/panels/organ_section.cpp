@@ -71,6 +71,23 @@ void draw_patient(InterfaceContext& context, const OrganChoice& choice) {
           choice.height_cm, choice.weight_kg, false);
 }
 
+// What each vessel system does for the organ.
+void draw_roles(InterfaceContext& context, const Marks& marks) {
+    const tree::VesselTree& tree = *context.workspace.document().tree();
+    const std::vector<organ::Role> roles = roles_of(tree, marks);
+    const Systems& systems = systems_of(tree, marks);
+    for (std::size_t system = 0; system < systems.size(); ++system) {
+        const std::string now = roles[system] == organ::Role::kDrains ? "drains" : "supplies";
+        const std::string name = system_name(systems, static_cast<int>(system));
+        ImGui::PushID(static_cast<int>(system));
+        const auto chosen = widgets::choice_row(widgets::fitted(name, 90.0F * theme::scale()).c_str(),
+                                                (name + ": what it does for the organ").c_str(), now,
+                                                {{"supplies", "Supplies the organ"}, {"drains", "Drains the organ"}});
+        ImGui::PopID();
+        if (chosen && *chosen != now) context.perform("organ-role", {std::to_string(system + 1), *chosen});
+    }
+}
+
 constexpr int kMostGenerations = 4; // that the list offers; the command takes any
 
 void draw_choice(InterfaceContext& context, const Marks& marks) {
@@ -139,11 +156,13 @@ void draw_parts(InterfaceContext& context, const Marks& marks) {
         ImGui::PopID();
         ImGui::SameLine(0.0F, 2.0F * theme::scale());
         ImGui::AlignTextToFramePadding();
-        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImVec2 at = ImGui::GetCursorScreenPos();
+        at.y += ImGui::GetStyle().FramePadding.y;
         ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 0.15F * size},
                                                   {at.x + 0.7F * size, at.y + 0.85F * size},
                                                   widgets::packed(glm::vec4(colour, 1.0F)), 2.0F);
-        ImGui::SetCursorScreenPos({at.x + size, at.y});
+        ImGui::SetCursorScreenPos({at.x + size, at.y - ImGui::GetStyle().FramePadding.y});
+        ImGui::AlignTextToFramePadding();
         const std::string value = lengths.volume(1000.0 * count * organ.voxel_ml()) + ", " +
                                   digits(100.0 * count / static_cast<double>(organ.count())) + " %";
         const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(value.c_str()).x - size;
@@ -212,6 +231,7 @@ void draw_organ(InterfaceContext& context) {
     draw_figures(context, marks);
     draw_patient(context, marks.organ);
     if (!context.workspace.document().tree()) return;
+    draw_roles(context, marks);
     draw_choice(context, marks);
     if (marks.organ.territories == TerritoriesOf::kNothing) return;
     draw_system(context, marks);

@@ -152,13 +152,15 @@ void draw_resections(InterfaceContext& context) {
         context, "Resections",
         {{"Plane", "Draw a line across the picture: a plane behind it divides the organ", "tool", {"resect-plane"}},
          {"Sheet", "Draw a stroke across the picture: a sheet behind it divides the organ", "tool", {"resect-sheet"}}});
-    if (!marks.cuts.empty() && ImGui::Button("Beyond the cuts")) context.perform("resect", {"cuts", "0"});
-    widgets::tooltip("Remove all that depends on the cuts");
-    if (!marks.lesions.empty()) {
-        if (!marks.cuts.empty()) ImGui::SameLine();
-        if (ImGui::Button("Around lesion 1")) context.perform("resect", {"lesion", "1", "10"});
-        widgets::tooltip("Remove the first lesion with a margin of 10 mm; the command resect takes any");
-    }
+    const auto offer = [&](const char* label, const char* help, const std::vector<std::string>& words) {
+        if (ImGui::Button(label)) context.perform("resect", words);
+        widgets::tooltip(help);
+    };
+    if (!marks.cuts.empty()) offer("Beyond the cuts", "Remove all that depends on the cuts", {"cuts", "0"});
+    if (!marks.cuts.empty() && !marks.lesions.empty()) ImGui::SameLine();
+    if (!marks.lesions.empty())
+        offer("Around lesion 1", "Remove the first lesion with a margin of 10 mm, which can be changed",
+              {"lesion", "1", "10"});
     for (std::size_t i = 0; i < marks.resections.size(); ++i) draw_resection(context, marks.resections[i], i);
     const bool dragged = std::ranges::any_of(
         marks.resections, [](const Resection& one) { return one.kind == Kind::kPlane || one.kind == Kind::kSheet; });

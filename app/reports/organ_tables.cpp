@@ -5,6 +5,9 @@
 #include "app/assets/territories.h"
 #include "app/session/systems.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace ramus::app {
 
 Table organ_table(const Document& document, const Assets& assets) {
@@ -26,6 +29,30 @@ Table organ_table(const Document& document, const Assets& assets) {
                 table.rows.push_back({plans[plan].name, fact.label, cell(fact.volume), cell(fact.area),
                                       cell(fact.length), cell(fact.percent), fact.help});
     add_unit(table, Lengths(assets.organ.mask.value.value()->claims));
+    return table;
+}
+
+Table plans_table(const Document& document, const Assets& assets) {
+    const Marks& marks = document.marks();
+    const std::vector<OperationPlan> plans = all_plans(marks);
+    Table table{"Organ and operation", {{"figure", "Figure"}}, {}};
+    for (const OperationPlan& plan : plans) table.columns.push_back({"plan " + plan.name, "Plan " + plan.name});
+    table.columns.push_back({"meaning", "Meaning"});
+    for (std::size_t plan = 0; plan < plans.size(); ++plan) {
+        const auto operation = operation_of(assets, marks, plan);
+        if (!operation) continue;
+        const Lengths lengths(operation->of.supply->of.mask->claims);
+        for (const OrganFact& fact : organ_facts(*operation, marks)) {
+            auto row = std::ranges::find_if(table.rows, [&](const auto& cells) { return cells[0].text == fact.label; });
+            if (row == table.rows.end()) {
+                std::vector<Cell> cells(table.columns.size(), Cell("\xE2\x80\x93"));
+                cells.front() = fact.label;
+                cells.back() = fact.help;
+                row = table.rows.insert(table.rows.end(), std::move(cells));
+            }
+            (*row)[plan + 1] = fact.value(lengths);
+        }
+    }
     return table;
 }
 

@@ -7,6 +7,8 @@ namespace ramus::app {
 
 // One row per figure of each plan whose operation is made.
 [[nodiscard]] Table organ_table(const Document& document, const Assets& assets);
+// One row per figure, one column per plan, with units: for people.
+[[nodiscard]] Table plans_table(const Document& document, const Assets& assets);
 // One row per vessel that the current plan's resections cut, the thickest first.
 [[nodiscard]] Table cut_vessels_table(const Document& document, const Assets& assets);
 // One row per territory that is shown.

@@ -1,6 +1,8 @@
 #include "app/reports/report_page.h"
 
 #include "app/assets/assets.h"
+#include "app/assets/operation.h"
+#include "app/reports/organ_tables.h"
 #include "app/reports/report_tables.h"
 #include "app/reports/surface_facts.h"
 #include "app/reports/table_kinds.h"
@@ -173,6 +175,13 @@ std::string report_page(const Document& document, const Assets& assets, const st
         page += table_html(bands, {.note = bands.rows.empty() ? "No vessel lies within the margins."
                                                               : "From the lesions to the vessels' walls; the thickest "
                                                                 "first."});
+    if (operation_of(assets, marks, marks.plans.place))
+        page += table_html(
+            plans_table(document, assets),
+            {.note =
+                 "Estimated by distance: a scan shows the thick branches only, and each voxel of the organ is given "
+                 "to the branch whose visible tip or axis is nearest. Volumes are those of the mask's voxels. For "
+                 "planning, with the scan itself; not a measurement of function."});
     for (const TableKind& kind : table_kinds())
         if (kind.plain_on_page && kind.there(document, assets)) page += table_html(kind.table(document, assets));
     if (!marks.selection.empty()) page += table_html(selection_table(document, assets));

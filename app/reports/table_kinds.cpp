@@ -38,7 +38,7 @@ std::span<const TableKind> table_kinds() {
         {"measurements", "Measurements", measurements_table,
          [](const Document& d, const Assets&) { return !d.marks().measurements.empty(); }, true},
         {"pins", "Pins", pins_table, [](const Document& d, const Assets&) { return !d.marks().pins.empty(); }, true},
-        {"organ", "Organ", organ_table, has_operation, true},
+        {"organ", "Organ", organ_table, has_operation},
         {"cut-vessels", "Vessels that resections cut", cut_vessels_table,
          [](const Document& d, const Assets& a) { return has_operation(d, a) && !d.marks().resections.empty(); }, true},
         {"territories", "Territories", territories_table,
