@@ -99,11 +99,11 @@ void print_cuts(const OrganCase& read, const CutAnswer& answer) {
     };
     std::cout << "lesions and margin " << volume(answer.targets) << '\n';
     if (answer.suggestions.out_of_reach > 0)
-        std::cout << "supplied on two ways, so that no one cut takes it away: "
+        std::cout << "reached on two ways, so that no single cut takes the supply away: "
                   << volume(answer.suggestions.out_of_reach) << '\n';
     for (const organ::SuggestedCuts& one : answer.suggestions.by_number)
-        std::cout << counted(one.cuts.size(), "cut", "cuts") << "         " << joined(one.cuts, ",", word_of)
-                  << " lose " << volume(one.lost) << ", "
+        std::cout << (one.cuts.size() == 1 ? "cut " : "cuts ") << joined(one.cuts, ",", word_of) << ": "
+                  << volume(one.lost) << " lost, "
                   << rounded(100.0 * double(one.lost) / double(std::max<std::size_t>(read.functional_voxels, 1)))
                   << " % of the functional organ\n";
 }

@@ -41,11 +41,11 @@ void append(mesh::TriangleMesh& all, const mesh::TriangleMesh& one, std::size_t 
     for (const glm::uvec3& triangle : one.triangles) all.triangles.push_back(triangle + first);
 }
 
-// Territories are written as systems and as branches: files have names of systems, and objects for branches.
+// Territories are written as systems, whose names and colours files can hold, of one branch each.
 io::MeshNames names_of(const OrganCase& read, const std::vector<std::string>& names) {
     io::MeshNames all;
     all.name = "territories";
-    all.by = io::PartsBy::kBranch;
+    all.by = io::PartsBy::kSystem;
     all.claims = read.claims;
     for (std::size_t n = 0; n < names.size(); ++n) {
         const io::Colour colour = bytes_of(label_colour(n));

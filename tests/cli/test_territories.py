@@ -164,12 +164,13 @@ class Territories(CommandLineTest):
         edges = Counter((t[n], t[(n + 1) % 3]) for t in outer for n in range(3))
         self.assertEqual(edges, Counter((b, a) for a, b in edges.elements()))
         # All in one file where that can hold names.
-        for name in ("parts.vtp", "parts.glb"):
+        for name, encoded in (("parts.vtp", lambda text: " ".join(str(ord(letter)) for letter in text) + " 0"), ("parts.glb", '"{}"'.format)):
             together = self.territories(*groups, "--surfaces", name)["surfaces"]
             self.assertEqual([(one["file"], one["triangles"]) for one in together],
                              [(name, one["triangles"]) for one in report["surfaces"]])
             content = (self.folder / name).read_bytes()
-            self.assertTrue(b"branch 1" in content and b"branch 2" in content)
+            for text in ("branch 1", "branch 2"):
+                self.assertIn(encoded(text).encode(), content)
         self.expect_failure("territories", "tree.swc", "--organ", "organ.nii", "--surfaces", "parts.nii", says=(".ply", ".glb"))
 
     def test_the_system_that_divides_the_organ_must_be_known(self):
@@ -220,6 +221,9 @@ class Territories(CommandLineTest):
         self.assertTrue(all(label in (1, 2) for label, is_near in zip(labels, near) if is_near))
         begin = self.territories(*words, "--group", "cuts=1,2")
         self.assertLess(two["lost_ml"], begin["systems"][0]["lost_ml"])
+        said = self.expect_done("territories", "tree.swc", "--organ", "organ.nii", *words, "--fewest-cuts", "1.5").stdout
+        self.assertIn("cut 0@1: ", said)
+        self.assertIn(f"cuts {two['cuts'][0]},{two['cuts'][1]}: ", said)
         self.assertEqual(len(self.territories(*words, "--fewest-cuts", "1.5", "--most-cuts", "1")["fewest_cuts"]["suggestions"]), 1)
         self.expect_failure("territories", "tree.swc", "--organ", "organ.nii", "--fewest-cuts", "5", says=("--lesions",), status=2)
         self.expect_failure("territories", "tree.swc", "--organ", "organ.nii", *words, "--fewest-cuts", "-1", says=("-1",), status=2)
