@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
@@ -15,6 +16,9 @@ namespace {
 // half of the sweeps normals are off by half as much again; the weight keeps shapes of 30 voxels and more. A start from
 // the smallest surface in the cells is worse, since that has kinks.
 constexpr int kSweeps = 150;
+// Sweeps after which the surface is smooth enough to have normals. Later, vertices at junctions on the organ's surface
+// move freely within it, so that its grid of vertices does not notch the line.
+constexpr int kFree = 50;
 constexpr float kStartWeight = 1e-4F;
 // Further weight of the start at a label of one voxel. It falls with the fourth power of the label's radius, as the
 // bending does.
@@ -89,6 +93,7 @@ public:
         LargeArray<glm::vec3> ahead = now;
         float momentum = 1.0F;
         for (int sweep = 0; sweep < kSweeps && !job.cancelled(); ++sweep) {
+            if (sweep == kFree) find_normals(now);
             const float next = 0.5F * (1.0F + std::sqrt(1.0F + 4.0F * momentum * momentum));
             const float onward = (momentum - 1.0F) / next;
             momentum = next;
@@ -111,7 +116,23 @@ private:
             const glm::vec3 at = places[rows_.vertex[row]];
             for (const std::uint32_t other : rows_.neighbours.of(row)) sum += places[other] - at;
             differences_[row] = sum * share(row);
+            if (row >= places.size() && !normals_.empty()) {
+                const glm::vec3& normal = normals_[row - places.size()];
+                differences_[row] = glm::dot(normal, differences_[row]) * normal;
+            }
         });
+    }
+    // From now on, rows on the organ's surface count along its normal alone.
+    void find_normals(const LargeArray<glm::vec3>& places) {
+        normals_.assign(rows_.vertex.size() - places.size(), glm::vec3(0.0F));
+        for (std::size_t n = 0; n < net_.quads.size(); ++n) {
+            if (net_.quad_sides[n].outside != kOutside) continue;
+            const auto& [a, b, c, d] = net_.quads[n];
+            const glm::vec3 normal = glm::cross(places[c] - places[a], places[d] - places[b]);
+            for (const std::uint32_t v : net_.quads[n])
+                if (rows_.outer_row[v] != Rows::kNone) normals_[rows_.outer_row[v] - places.size()] += normal;
+        }
+        for (glm::vec3& normal : normals_) normal = glm::length(normal) > 0.0F ? glm::normalize(normal) : normal;
     }
     // Of each neighbour in the mean of a row.
     [[nodiscard]] float share(std::size_t row) const {
@@ -129,6 +150,7 @@ private:
     Rows rows_;
     std::vector<float> weights_, steps_; // by vertex
     LargeArray<glm::vec3> differences_;  // by row: mean of the neighbours, less the vertex
+    std::vector<glm::vec3> normals_;     // of rows on the organ's surface; empty: not yet known
 };
 
 } // namespace

@@ -4,9 +4,9 @@
 // sum is that of thin plates), plus a small weight times the square of the distance from where it starts. Lengths are
 // in voxels: steps between thick slices are as high as others, and an affine image of a smooth surface is smooth. A
 // vertex at a junction of three borders is compared with its two neighbours along the junction, and, on the organ's
-// surface, with its neighbours on that. Vertices stay within half a voxel of their corner, along each axis. The energy
-// is a convex quadratic form; the solver is an accelerated projected gradient (A. Beck and M. Teboulle, A Fast
-// Iterative Shrinkage-Thresholding Algorithm, 2009).
+// surface, along its normal with its neighbours on that. Vertices stay within half a voxel of their corner, along each
+// axis. The energy is a convex quadratic form; the solver is an accelerated projected gradient (A. Beck and M.
+// Teboulle, A Fast Iterative Shrinkage-Thresholding Algorithm, 2009).
 #pragma once
 
 #include "core/base/large_array.h"
