@@ -117,4 +117,13 @@ std::vector<std::uint32_t> parts_of_voxels(const Organ& organ) {
     return parts;
 }
 
+Organ largest_part(const Organ& organ) {
+    const std::vector<std::uint32_t> parts = parts_of_voxels(organ);
+    volume::BitMask mask(organ.size());
+    organ.for_voxels([&](const glm::ivec3& voxel, std::size_t number) {
+        if (parts[number] == 0) mask.set(voxel);
+    });
+    return {std::move(mask), organ.to_patient()};
+}
+
 } // namespace ramus::organ

@@ -53,6 +53,8 @@ private:
 [[nodiscard]] std::vector<std::size_t> part_sizes(const Organ& organ);
 // By voxel: the number of its part, in that order; of parts with equally many voxels, that of the lowest voxel first.
 [[nodiscard]] std::vector<std::uint32_t> parts_of_voxels(const Organ& organ);
+// The largest of these parts as an organ of its own; of equally large ones the first.
+[[nodiscard]] Organ largest_part(const Organ& organ);
 
 template <class Call> void Organ::for_voxels(const glm::ivec3& from, const glm::ivec3& to, const Call& call) const {
     if (from.x >= to.x) return;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kAir = 1.2;          // straight tubes keep this many times the sum of their radii apart
 constexpr double kJointWay = 2.2;     // nearer along the tree than this many times the sum they may touch: a joint
-constexpr double kCapsule = 1.0;      // mm of tissue between a vessel's surface and the organ's
+constexpr double kInsideStep = 4.0;   // of the capsule's thickness: places at which a tube is tested
 constexpr double kTooParallel = 0.82; // cosine between two segments that leave one joint
 
 } // namespace
@@ -46,9 +46,10 @@ void Clearance::gather_kin(const Vec& fork, std::span<const Spoke> spokes, std::
 
 bool Clearance::inside(const Vec& a, const Vec& b, double radius_mm) const {
     const double length = glm::length(b - a);
-    const int steps = 1 + static_cast<int>(length / 4.0);
+    const int steps = 1 + static_cast<int>(length / (kInsideStep * organ_.capsule_mm()));
     for (int i = 0; i <= steps; ++i)
-        if (organ_.depth_mm(a + (b - a) * (static_cast<double>(i) / steps)) < radius_mm + kCapsule) return false;
+        if (organ_.depth_mm(a + (b - a) * (static_cast<double>(i) / steps)) < radius_mm + organ_.capsule_mm())
+            return false;
     return true;
 }
 

@@ -20,6 +20,7 @@ constexpr std::size_t kCandidates = 18;    // segments tried for each terminal
 constexpr double kBackward = -0.25;        // least cosine between a child and its parent's way
 constexpr double kTrunkTurn = 0.3;         // the same for the child that takes more blood than the other
 constexpr double kTerritory = 0.35;        // of that distance: how deep below the capsule a new terminal lies
+constexpr double kSkin = 1.5;              // of the capsule's thickness: how deep below the surface its wall lies
 constexpr double kFavourPeers = 0.12; // a twig on a trunk of n times its width costs 1 + kFavourPeers (n - 1) times
 constexpr double kFavourShort = 0.5;  // a terminal's segment longer than the distance costs this much extra
 constexpr double kGridSlack = 1.5;    // radii grow between two renewals of the grid
@@ -140,7 +141,7 @@ void Colony::renew_upstream_costs() {
 bool Colony::is_free(const Vec& point, double width) {
     const double radius = width * tree_.radius_scale();
     const double spacing = ease_ * spacing_mm_;
-    if (organ_.depth_mm(point) < std::max(radius + 1.5, kTerritory * spacing)) return false;
+    if (organ_.depth_mm(point) < std::max(radius + kSkin * organ_.capsule_mm(), kTerritory * spacing)) return false;
     terminals_.query(point, point, spacing, near_);
     for (const int id : near_)
         if (glm::length(tree_.at(id).position - point) < spacing) return false;

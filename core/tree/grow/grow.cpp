@@ -69,7 +69,11 @@ std::optional<Error> wrong_with(const GrowOptions& options) {
 Result<GrownTree> grow(const GrowOptions& options, Job& job) {
     if (const auto error = wrong_with(options)) return tl::unexpected<Error>(*error);
     Random random(options.seed);
-    const Organ organ(options.organ_width_mm, random);
+    const Liver liver(options.organ_width_mm, random);
+    return grow(options, liver, random, job);
+}
+
+Result<GrownTree> grow(const GrowOptions& options, const growth::Organ& organ, growth::Random& random, Job& job) {
     BentTree bent;
     const auto misplaced = [&](const Skeleton& tree) {
         bent = bend(tree, organ, options.spacing_mm, options.tortuosity, kJointReach, options.seed);
@@ -93,7 +97,7 @@ VesselTree vessel_tree_of(GrownTree grown) {
 
 std::vector<double> organ_depths_mm(const GrowOptions& options, const std::vector<Point>& points) {
     Random random(options.seed);
-    const Organ organ(options.organ_width_mm, random);
+    const Liver organ(options.organ_width_mm, random);
     std::vector<double> depths;
     depths.reserve(points.size());
     for (const Point& point : points) depths.push_back(organ.depth_mm(point.position));

@@ -21,6 +21,11 @@
 
 namespace ramus::tree {
 
+namespace growth {
+class Organ;
+class Random;
+} // namespace growth
+
 inline constexpr double kJointReach = 3.0;
 inline constexpr int kMaxGrownBranches = 1'000'000;
 
@@ -45,6 +50,11 @@ struct GrownTree {
 
 // Fails on wrong options, on an organ too small for so many branches, and when cancelled.
 [[nodiscard]] Result<GrownTree> grow(const GrowOptions& options, Job& job);
+
+// The same in another organ, with its own random numbers. The options must be right (wrong_with()); organ_width_mm is
+// not used. Masks: core/organ/grow_in.h.
+[[nodiscard]] Result<GrownTree> grow(const GrowOptions& options, const growth::Organ& organ, growth::Random& random,
+                                     Job& job);
 
 // The same points with branches and their hierarchy.
 [[nodiscard]] VesselTree vessel_tree_of(GrownTree grown);

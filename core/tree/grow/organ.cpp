@@ -26,7 +26,7 @@ double smooth_min(double a, double b, double blend) {
 
 } // namespace
 
-Organ::Organ(double width_mm, Random& random) {
+Liver::Liver(double width_mm, Random& random) {
     // Drawn by eye after CT anatomy: right lobe, medial segment, left lateral segment and its tip, caudate lobe.
     lobes_ = {
         {{40, -6, -2}, {62, 58, 70}},  {{30, 8, 22}, {56, 56, 46}},   {{-4, 24, 16}, {46, 38, 36}},
@@ -77,7 +77,7 @@ Organ::Organ(double width_mm, Random& random) {
     volume_mm3_ = inside * step.x * step.y * step.z;
 }
 
-double Organ::depth_mm(const Vec& point) const {
+double Liver::depth_mm(const Vec& point) const {
     double distance = ellipsoid_distance(point, lobes_.front().centre, lobes_.front().semi_axes);
     for (std::size_t i = 1; i < lobes_.size(); ++i)
         distance = smooth_min(distance, ellipsoid_distance(point, lobes_[i].centre, lobes_[i].semi_axes), blend_);
