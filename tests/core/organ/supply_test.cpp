@@ -4,6 +4,7 @@
 #include "core/organ/territories.h"
 #include "core/tree/grow/grow.h"
 #include "tests/support/built_tree.h"
+#include "tests/support/nearest_branch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,59 +46,13 @@ Organ ball_around(const tree::VesselTree& tree, double radius) {
     return {std::move(mask), to_patient};
 }
 
-double to_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
-    const double length = glm::distance(a, b);
-    const glm::dvec3 unit = (b - a) / length;
-    const double along = glm::dot(p - a, unit);
-    if (along <= 0.0) return glm::distance(p, a);
-    if (along >= length) return glm::distance(p, b);
-    return glm::length(glm::cross(p - a, unit));
-}
-
-// The least of |p - q| - times r(q) over the points q of a segment, by golden section: the function is convex.
-double to_wall(const glm::dvec3& p, const tree::Point& a, const tree::Point& b, double times) {
-    const auto value = [&](double t) {
-        return glm::distance(p, glm::mix(a.position, b.position, t)) - times * std::lerp(a.radius, b.radius, t);
-    };
-    double low = 0.0, high = 1.0;
-    for (int n = 0; n < 100; ++n) {
-        const double first = low + 0.381966 * (high - low), second = high - 0.381966 * (high - low);
-        if (value(first) < value(second))
-            high = second;
-        else
-            low = first;
-    }
-    return std::min({value(0.5 * (low + high)), value(0.0), value(1.0)});
-}
-
-// By branch: its value at p.
-std::vector<double> brute_force(const tree::VesselTree& tree, const std::vector<std::uint8_t>& inside, Rule rule,
-                                const glm::dvec3& p) {
-    const std::vector<char> ends = measure::free_ends(tree);
-    std::vector<double> values;
-    for (std::size_t id = 0; id < tree.branches.size(); ++id) {
-        double least = HUGE_VAL;
-        const auto& points = tree.branches[id].points;
-        for (std::size_t n = 1; n < points.size(); ++n) {
-            const tree::Point &a = tree.points[points[n - 1]], &b = tree.points[points[n]];
-            if (inside[points[n - 1]] == 0 && inside[points[n]] == 0) continue;
-            least = std::min(least, rule == Rule::kAxis ? to_segment(p, a.position, b.position)
-                                                        : to_wall(p, a, b, rule == Rule::kWall ? 1.0 : -4.0));
-        }
-        const tree::Point& end = tree.points[points.back()];
-        if (rule == Rule::kTips && ends[id] != 0 && inside[points.back()] != 0)
-            least = std::min(least, glm::distance(p, end.position) - 6.0 * end.radius);
-        values.push_back(least);
-    }
-    return values;
-}
-
 } // namespace
 
 TEST_CASE("every voxel belongs to the branch that brute force finds nearest, by each rule") {
     const tree::VesselTree tree = grown(201, 3);
     const Organ organ = ball_around(tree, 70.0);
     const std::vector<std::uint8_t> inside = organ::points_in(organ, tree);
+    const std::vector<char> ends = measure::free_ends(tree);
     CHECK(std::ranges::count(inside, 0) > 0); // of a tree that reaches beyond the ball
     Job job;
     for (const Rule rule : {Rule::kTips, Rule::kAxis, Rule::kWall}) {
@@ -109,14 +64,11 @@ TEST_CASE("every voxel belongs to the branch that brute force finds nearest, by 
         organ.for_voxels([&](const glm::ivec3& voxel, std::size_t number) {
             number_wrong += number == next++ ? 0 : 1;
             if (number % 31 != 0) return;
-            std::vector<double> values = brute_force(tree, inside, rule, organ.centre_mm(voxel));
-            const auto least = std::ranges::min_element(values);
-            const auto nearest = static_cast<std::int32_t>(least - values.begin());
-            const double best = *least;
-            *least = HUGE_VAL;
-            if (*std::ranges::min_element(values) - best < 1e-4) return;
+            const test::NearestBranch nearest =
+                test::nearest_branch(tree, inside, ends, {rule}, organ.centre_mm(voxel));
+            if (nearest.next - nearest.value < 1e-4) return;
             ++compared;
-            wrong += supply.branch[number] == nearest ? 0 : 1;
+            wrong += supply.branch[number] == nearest.branch ? 0 : 1;
         });
         CHECK(number_wrong == 0);
         CHECK(compared > 150);
