@@ -15,6 +15,7 @@
 #include "core/io/input_file.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/label_map_file.h"
+#include "core/organ/certainty.h"
 #include "core/organ/remnant.h"
 
 #include <algorithm>
@@ -125,7 +126,18 @@ struct Answer {
     organ::Remnant remnant;
     std::vector<TerritorySurface> surfaces;
     std::optional<CutAnswer> cuts;
+    std::optional<organ::Certainty> expected;
 };
+
+// How sure territories by tips of one system are on average. None where that was not measured.
+std::optional<organ::Certainty> expected_of(const OrganCase& read, const Answer& answer,
+                                            const std::vector<std::uint8_t>& systems, const TerritoriesFlags& flags) {
+    if (flags.supply.rule != organ::Rule::kTips || std::ranges::count(systems, 1) != 1) return std::nullopt;
+    const auto filled =
+        std::ranges::count_if(answer.territories, [](const organ::Territory& one) { return one.voxels > 0; });
+    return organ::expected_certainty(organ::visible_branches(read.organ, read.tree, systems),
+                                     static_cast<std::size_t>(filled));
+}
 
 nlohmann::ordered_json report_of(const OrganCase& read, const Answer& answer, const TerritoriesFlags& flags) {
     const double ml = read.organ.voxel_ml();
@@ -138,6 +150,9 @@ nlohmann::ordered_json report_of(const OrganCase& read, const Answer& answer, co
                                {"voxels", one.voxels},
                                {"volume_ml", volume(one.voxels)},
                                {"percent", 100.0 * static_cast<double>(one.voxels) / double(read.organ.count())}});
+    const auto expected = [&](double organ::Certainty::*figure) {
+        return answer.expected ? nlohmann::ordered_json((*answer.expected).*figure) : nlohmann::ordered_json();
+    };
     nlohmann::ordered_json systems = nlohmann::ordered_json::array();
     for (std::size_t s = 0; s < answer.remnant.lost.size(); ++s)
         systems.push_back({{"name", name_of_system(read.tree, static_cast<int>(s))},
@@ -152,6 +167,8 @@ nlohmann::ordered_json report_of(const OrganCase& read, const Answer& answer, co
                                   {"unit", read.claims.unit_word()},
                                   {"parts", read.parts},
                                   {"by", organ::name_of(flags.supply.rule)},
+                                  {"expected_dice", expected(&organ::Certainty::dice)},
+                                  {"expected_error_percent", expected(&organ::Certainty::error_percent)},
                                   {"territories", territories},
                                   {"systems", systems},
                                   {"remnant",
@@ -174,6 +191,9 @@ void print_text(const OrganCase& read, const Answer& answer, const TerritoriesFl
         std::cout << printable(one.name) << ": " << volume(one.voxels) << ", "
                   << rounded(100.0 * double(one.voxels) / double(read.organ.count())) << " %, "
                   << counted(one.branches.size(), "branch", "branches") << '\n';
+    if (answer.expected)
+        std::cout << "expected      Dice " << rounded(answer.expected->dice) << ", volumes off by "
+                  << rounded(answer.expected->error_percent) << " % on average, as in grown organs\n";
     if (answer.cuts) print_cuts(read, *answer.cuts);
     if (flags.group.cuts.empty()) return;
     std::cout << "remnant       supplied " << volume(answer.remnant.supplied) << ", drained "
@@ -209,9 +229,10 @@ Result<int> run_territories(const TerritoriesFlags& flags) {
     if (grouping.names.size() > 65534)
         return fail("there are more than 65,534 territories", {}, "group by fewer branches");
     RAMUS_TRY(supply, supply_by(read, flags, organ::trunk_of(grouping)));
-    Answer answer{organ::territories_of(read.tree, supply, grouping), {}, {}, {}};
+    Answer answer{organ::territories_of(read.tree, supply, grouping), {}, {}, {}, {}};
     if (flags.group.kind != GroupWish::Kind::kCuts) // groups of other systems; a cut may lose nothing
         std::erase_if(answer.territories, [](const organ::Territory& one) { return one.branches.empty(); });
+    answer.expected = expected_of(read, answer, systems, flags);
     RAMUS_TRY(remnant, remnant_after(read, flags));
     answer.remnant = std::move(remnant);
     if (flags.cuts.margin_mm) {
