@@ -25,15 +25,18 @@ organ::Organ liver_of(const tree::GrowOptions& options, const tree::VesselTree& 
     }
     const glm::ivec3 size(glm::ceil((most - least) / voxel));
     volume::BitMask mask(size);
-    std::vector<tree::Point> centres(static_cast<std::size_t>(size.x));
-    for (int k = 0; k < size.z; ++k)
-        for (int j = 0; j < size.y; ++j) {
-            for (int i = 0; i < size.x; ++i)
-                centres[static_cast<std::size_t>(i)] = {least + voxel * glm::dvec3(i, j, k), 0.0};
-            const std::vector<double> depths = tree::organ_depths_mm(options, centres);
-            for (int i = 0; i < size.x; ++i)
-                if (depths[static_cast<std::size_t>(i)] > 0.0) mask.set({i, j, k});
+    constexpr int kSlices = 16; // at a time: each call prepares the liver anew, and all voxels take much memory
+    for (int first = 0; first < size.z; first += kSlices) {
+        std::vector<tree::Point> centres;
+        for (int k = first; k < std::min(first + kSlices, size.z); ++k)
+            for (int j = 0; j < size.y; ++j)
+                for (int i = 0; i < size.x; ++i) centres.push_back({least + voxel * glm::dvec3(i, j, k), 0.0});
+        const std::vector<double> depths = tree::organ_depths_mm(options, centres);
+        for (std::size_t n = 0; n < depths.size(); ++n) {
+            const int at = static_cast<int>(n);
+            if (depths[n] > 0.0) mask.set({at % size.x, at / size.x % size.y, first + at / size.x / size.y});
         }
+    }
     glm::dmat4 to_patient(voxel);
     to_patient[3] = glm::dvec4(least, 1.0);
     return {std::move(mask), to_patient};
