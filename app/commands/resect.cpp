@@ -81,9 +81,10 @@ Result<ResectPlan> plan_of(const OrganCase& read, const ResectFlags& flags) {
         plan.margins = organ::margins_of(read.organ, resections, plan.removal.surface, plan.lesions);
     }
     plan.vessels = organ::vessels_cut(read.organ, read.tree, resections);
-    std::vector<measure::Cut> cuts = organ::cuts_of(plan.vessels);
     plan.outside = std::erase_if(plan.vessels, [](const organ::CutVessel& vessel) { return !vessel.in_organ; });
-    cuts.insert(cuts.end(), flags.resections.cuts.begin(), flags.resections.cuts.end());
+    for (const measure::Cut& cut : flags.resections.cuts) plan.vessels.push_back(organ::vessel_at(read.tree, cut));
+    organ::sort_vessels(plan.vessels);
+    const std::vector<measure::Cut> cuts = organ::cuts_of(plan.vessels);
     plan.remnant =
         organ::remnant_of(systems.parts, measure::lost_spans(read.tree, cuts), read.functional, plan.removal.kept);
     for (std::size_t voxel = 0; voxel < read.functional.size(); ++voxel)

@@ -11,6 +11,7 @@
 #include "core/io/input_file.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/text_numbers.h"
+#include "core/organ/resect/cut_vessels.h"
 #include "core/organ/resect/dividing_surface.h"
 #include "core/organ/resect/removal.h"
 #include "core/organ/resect/sheet.h"
@@ -85,7 +86,8 @@ Result<organ::Around> territory_of(const OrganCase& read, const OrganFlags& orga
     if (lost == nullptr)
         return fail("no voxel of the organ depends on the cuts", organ_flags.tree,
                     "cut a branch that leads into the organ");
-    return organ::Around{std::move(lost), flags.margin_mm.value_or(0.0)};
+    return organ::Around{std::move(lost), flags.margin_mm.value_or(0.0),
+                         std::make_shared<const std::vector<std::uint8_t>>(organ::spared_by(read.tree, flags.cuts))};
 }
 
 // The labels of a mask whose lesions are wanted; empty: the mask has none.

@@ -144,7 +144,9 @@ class Resect(CommandLineTest):
             territories = self.json("territories", "tree.swc", "--organ", "organ.nii", "--large-vessels", "100", "--json",
                                     "--group", "cuts=" + cut)
             self.assertAlmostEqual(report["removed_ml"], territories["systems"][0]["lost_ml"])
-            self.assertAlmostEqual(report["remnant"]["supplied_ml"], territories["remnant"]["supplied_ml"], delta=0.05 * VOXEL * len(self.organ))
+            self.assertAlmostEqual(report["remnant"]["supplied_ml"], territories["remnant"]["supplied_ml"])
+            branch, fraction = cut.split("@")
+            self.assertEqual([(v["branch"], v["fraction"]) for v in report["vessels"]], [(int(branch), float(fraction))])
             wider = self.resect("--cut", cut, "--margin", "1.5")
             self.assertGreater(wider["removed_ml"], report["removed_ml"])
 

@@ -63,7 +63,40 @@ void add_of_branch(const tree::VesselTree& tree, int id, std::span<const Resecti
     }
 }
 
+bool spares(const Resection& resection, std::size_t branch) {
+    const auto* around = std::get_if<Around>(&resection);
+    return around != nullptr && around->spared != nullptr && (*around->spared)[branch] != 0;
+}
+
 } // namespace
+
+std::vector<std::uint8_t> spared_by(const tree::VesselTree& tree, std::span<const measure::Cut> cuts) {
+    std::vector<std::uint8_t> spared(tree.branches.size(), 0);
+    const std::vector<measure::LostSpan> spans = measure::lost_spans(tree, cuts);
+    for (std::size_t id = 0; id < spans.size(); ++id) spared[id] = spans[id].any() ? 1 : 0;
+    for (const measure::Cut& cut : cuts)
+        for (int id = cut.first; id != tree::kNoBranch; id = tree.branches[static_cast<std::size_t>(id)].parent)
+            spared[static_cast<std::size_t>(id)] = 1;
+    return spared;
+}
+
+CutVessel vessel_at(const tree::VesselTree& tree, const measure::Cut& cut) {
+    const measure::BranchPoint point = measure::point_on(tree, cut.first, cut.second);
+    CutVessel vessel;
+    vessel.place = {cut.first, cut.second};
+    vessel.at = point.position;
+    vessel.diameter_mm = 2.0 * point.radius_mm;
+    vessel.angle_deg = 90.0;
+    vessel.in_organ = true;
+    return vessel;
+}
+
+void sort_vessels(std::vector<CutVessel>& vessels) {
+    std::ranges::stable_sort(vessels, [](const CutVessel& a, const CutVessel& b) {
+        return std::tuple(-a.diameter_mm, a.place.branch, a.place.fraction) <
+               std::tuple(-b.diameter_mm, b.place.branch, b.place.fraction);
+    });
+}
 
 std::vector<CutVessel> vessels_cut(const Organ& organ, const tree::VesselTree& tree,
                                    std::span<const Resection> resections) {
@@ -72,16 +105,13 @@ std::vector<CutVessel> vessels_cut(const Organ& organ, const tree::VesselTree& t
     std::vector<std::vector<CutVessel>> by_branch(tree.branches.size());
     tbb::parallel_for(std::size_t{0}, by_branch.size(), [&](std::size_t id) {
         for (std::size_t n = 0; n < resections.size(); ++n)
-            add_of_branch(tree, static_cast<int>(id), resections, n, by_branch[id]);
+            if (!spares(resections[n], id)) add_of_branch(tree, static_cast<int>(id), resections, n, by_branch[id]);
         for (CutVessel& vessel : by_branch[id])
             vessel.in_organ = voxel_within(organ, to_voxels, vessel.at, 0.5 * vessel.diameter_mm + diagonal);
     });
     std::vector<CutVessel> all;
     for (const std::vector<CutVessel>& some : by_branch) all.insert(all.end(), some.begin(), some.end());
-    std::ranges::stable_sort(all, [](const CutVessel& a, const CutVessel& b) {
-        return std::tuple(-a.diameter_mm, a.place.branch, a.place.fraction) <
-               std::tuple(-b.diameter_mm, b.place.branch, b.place.fraction);
-    });
+    sort_vessels(all);
     return all;
 }
 

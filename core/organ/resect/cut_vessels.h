@@ -24,6 +24,16 @@ struct CutVessel {
     bool in_organ = false;     // an organ voxel lies within the vessel's radius and a voxel's diagonal
 };
 
+// The vessels that removing all that depends on cuts does not cut elsewhere: those in front of the cuts, and those
+// behind them, which are lost as a whole. For Around::spared. By branch id, 1: it is spared.
+[[nodiscard]] std::vector<std::uint8_t> spared_by(const tree::VesselTree& tree, std::span<const measure::Cut> cuts);
+
+// The vessel at a cut, straight across.
+[[nodiscard]] CutVessel vessel_at(const tree::VesselTree& tree, const measure::Cut& cut);
+
+// Sorts as vessels_cut() does.
+void sort_vessels(std::vector<CutVessel>& vessels);
+
 // All places where a centerline passes the surface of the union of the resections, exact to 1e-9 mm. The thickest
 // first; then by branch and place. Two places of one vessel within 0.01 mm of each other may be missed.
 [[nodiscard]] std::vector<CutVessel> vessels_cut(const Organ& organ, const tree::VesselTree& tree,

@@ -7,6 +7,8 @@
 #include "core/organ/resect/sheet.h"
 #include "core/organ/resect/voxel_solid.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <span>
@@ -31,6 +33,8 @@ struct SurfaceCut {
 struct Around {
     std::shared_ptr<const VoxelSolid> solid;
     double margin_mm = 0.0;
+    // By branch of the tree, not 0: the resection goes around the vessel, and does not cut it. Null: there are none.
+    std::shared_ptr<const std::vector<std::uint8_t>> spared = nullptr;
 };
 
 using Resection = std::variant<HalfSpace, Sheet, SurfaceCut, Around>;
