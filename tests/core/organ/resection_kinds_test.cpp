@@ -182,6 +182,52 @@ TEST_CASE("what lies beyond a cut vessel loses its supply, also where it stays")
     CHECK(remnant.drained == doctest::Approx(kept)); // nothing drains, nothing is lost
 }
 
+TEST_CASE("a resection of all that depends on a cut goes around the vessels in front of it") {
+    const Organ organ = block({60, 30, 20});
+    const tree::VesselTree tree = test::built_tree(
+        {{{0, 15, 10}, 3}, {{20, 15, 10}, 2}, {{55, 4, 10}, 1}, {{55, 26, 10}, 1}}, {{0, 1}, {1, 2}, {1, 3}});
+    const std::vector<measure::Cut> cuts{{1, 0.25}};
+    Job job;
+    // As territories have it: the stem supplies nothing itself.
+    const std::vector<std::uint8_t> stem{1, 0, 0};
+    const Supply supply = supply_of(organ, tree, {Rule::kAxis}, stem, JobRange(job, 0.0F, 1.0F)).value();
+    const std::vector<SystemSupply> systems{{Role::kSupplies, supply.branch, supply.at}};
+    const std::vector<std::uint8_t> lost = lost_voxels(systems, measure::lost_spans(tree, cuts));
+    const auto solid = solid_of(organ, lost);
+    REQUIRE(solid != nullptr);
+    CHECK(solid->voxels().count() == static_cast<std::size_t>(std::ranges::count(lost, 1)));
+    const auto spared = std::make_shared<const std::vector<std::uint8_t>>(spared_by(tree, cuts));
+    CHECK(*spared == std::vector<std::uint8_t>{1, 1, 0});
+    // A margin that reaches the stem and the neighbour.
+    const auto branches_cut = [&](const Around& around) {
+        const Resection resection = around;
+        std::vector<int> branches;
+        for (const CutVessel& vessel : vessels_cut(organ, tree, std::span(&resection, 1)))
+            branches.push_back(vessel.place.branch);
+        std::ranges::sort(branches);
+        return branches;
+    };
+    CHECK(std::ranges::count(branches_cut({solid, 10.0}), 0) > 0);
+    CHECK(branches_cut({solid, 10.0, spared}) == std::vector<int>{2});
+    const CutVessel vessel = vessel_at(tree, cuts[0]);
+    CHECK(glm::distance(vessel.at, glm::dvec3(20 + 0.25 * 35, 15 - 0.25 * 11, 10)) < 1e-9);
+    CHECK(vessel.diameter_mm == doctest::Approx(2 * 1.75));
+}
+
+TEST_CASE("lesions are the parts of a mask that do not touch by faces, the largest first") {
+    const Organ mask = voxels_where({20, 20, 20}, glm::dvec3(1.0), [](const glm::dvec3& p) {
+        return glm::distance(p, glm::dvec3(5, 5, 5)) < 2.5 || glm::distance(p, glm::dvec3(14, 12, 9)) < 3.5;
+    });
+    const std::vector<VoxelLesion> lesions = lesions_of(mask, "tumour");
+    REQUIRE(lesions.size() == 2);
+    CHECK(lesions[0].name == "tumour 1");
+    CHECK(lesions[0].solid->voxels().count() + lesions[1].solid->voxels().count() == mask.count());
+    CHECK(lesions[0].solid->contains({14, 12, 9}));
+    CHECK(lesions[1].solid->contains({5, 5, 5}));
+    CHECK(lesions[1].solid->distance({5, 5, 10}) == doctest::Approx(2.5)); // its last voxel ends at 7.5
+    CHECK(lesions[1].solid->distance({5, 5, 7.4}) == 0.0);
+}
+
 TEST_CASE("threads change nothing") {
     const Organ organ = block({64, 48, 40});
     Sheet sheet{{-10, -10, 18}, {1, 0, 0}, {0, 1, 0}, {20.0, 17.0}, {5, 5}, std::vector<double>(25, 0.0)};
