@@ -71,6 +71,30 @@ TEST_CASE("the inside of a closed mesh is removed") {
     CHECK(outside.removed_voxels + removal.removed_voxels == doctest::Approx(216000.0).epsilon(1e-9));
 }
 
+TEST_CASE("the margin of a mesh is the least distance of all of its triangles, to 1e-4 mm") {
+    const Organ organ = block({60, 60, 60});
+    const test::UnitSphere unit = test::make_unit_sphere(3);
+    mesh::TriangleMesh sphere;
+    for (const glm::dvec3& p : unit.points) sphere.positions.push_back(glm::vec3(30.2 + 17.0 * p));
+    for (const glm::uvec3& t : unit.triangles) sphere.triangles.push_back(t);
+    const std::vector<Resection> inside{SurfaceCut{dividing(sphere, organ).value()}};
+    const Removal removal = removed_by(organ, inside);
+    for (const glm::dvec3& middle : {glm::dvec3(30, 30, 30), glm::dvec3(36, 28, 31), glm::dvec3(50, 48, 40)}) {
+        const Organ mask = voxels_where({60, 60, 60}, glm::dvec3(1.0),
+                                        [&](const glm::dvec3& p) { return glm::distance(p, middle) < 5.0; });
+        const std::vector<VoxelLesion> lesions = lesions_of(mask, "lesion");
+        const Margin margin = margins_of(organ, inside, removal.surface, lesions)[0];
+        double least = HUGE_VAL;
+        for (const glm::uvec3& t : sphere.triangles) {
+            const std::array<glm::dvec3, 3> corners{sphere.positions[t.x], sphere.positions[t.y],
+                                                    sphere.positions[t.z]};
+            if (const auto gap = lesions[0].solid->to_surface().triangle_gap(corners, least)) least = gap->distance_mm;
+        }
+        CHECK(std::abs(*margin.distance_mm - least) < 1e-4);
+        CHECK(margin.removed == (middle.x < 40 ? Removed::kWhole : Removed::kNone));
+    }
+}
+
 TEST_CASE("an open mesh removes the smaller part, as a plane does; also through the middles of voxels") {
     const Organ organ = block({40, 30, 20});
     for (const double x : {11.0, 11.5, 12.3, 25.25}) {

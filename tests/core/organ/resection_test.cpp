@@ -279,94 +279,93 @@ TEST_CASE("the vessels cut are the intersections of 1,000 planes and sheets with
 
 namespace {
 
-double to_box(const glm::dvec3& p, const glm::dvec3& middle, double half) {
-    return glm::length(glm::max(glm::abs(p - middle) - half, glm::dvec3(0.0)));
+// The surface of a plane or a sheet by two coordinates, mm.
+struct ByTwo {
+    explicit ByTwo(const Resection& resection) : sheet(std::get_if<Sheet>(&resection)) {
+        if (sheet != nullptr) {
+            u = sheet->u, v = sheet->v, from = sheet->origin, middle = {45.0, 45.0};
+            return;
+        }
+        const auto& half = std::get<HalfSpace>(resection);
+        u = glm::normalize(glm::cross(half.normal, glm::dvec3(0.3, 0.5, 0.9)));
+        v = glm::cross(half.normal, u);
+        from = half.point;
+    }
+    [[nodiscard]] glm::dvec3 place(const glm::dvec2& at) const {
+        const glm::dvec3 p = from + at.x * u + at.y * v;
+        return sheet == nullptr ? p : p + height_at(*sheet, at) * sheet->normal();
+    }
+    const Sheet* sheet;
+    glm::dvec3 u{0.0}, v{0.0}, from{0.0};
+    glm::dvec2 middle{0.0}; // near the middle of the organ
+};
+
+// The least distance of the boxes of a lesion's voxels (1 mm) from places of a surface within an organ: places every
+// mm, then ever finer around the nearest ones.
+double least_distance(const Organ& organ, const Organ& lesion, const ByTwo& surface) {
+    struct Try {
+        double distance;
+        glm::dvec2 at;
+    };
+    const auto look = [&](const glm::dvec2& at) {
+        const glm::dvec3 p = surface.place(at);
+        const glm::dvec3 index(glm::inverse(organ.to_patient()) * glm::dvec4(p, 1.0));
+        double least = HUGE_VAL;
+        if (!organ.mask().test(glm::ivec3(glm::floor(index + 0.5)))) return Try{least, at};
+        lesion.for_voxels([&](const glm::ivec3& voxel, std::size_t) {
+            const glm::dvec3 beyond = glm::max(glm::abs(p - lesion.centre_mm(voxel)) - 0.5, glm::dvec3(0.0));
+            least = std::min(least, glm::length(beyond));
+        });
+        return Try{least, at};
+    };
+    std::vector<Try> tries;
+    for (double a = -60.0; a < 60.0; a += 1.0)
+        for (double b = -60.0; b < 60.0; b += 1.0) tries.push_back(look(surface.middle + glm::dvec2(a, b)));
+    std::ranges::sort(tries, {}, &Try::distance);
+    tries.resize(25);
+    double step = 0.5;
+    for (int level = 0; level < 22; ++level, step *= 0.6) {
+        std::vector<Try> finer = tries;
+        for (const Try& one : tries)
+            for (int n = 0; n < 9; ++n) finer.push_back(look(one.at + step * glm::dvec2(n % 3 - 1, n / 3 - 1)));
+        std::ranges::sort(finer, {}, &Try::distance);
+        finer.resize(12);
+        tries = finer;
+    }
+    return tries[0].distance;
 }
 
 } // namespace
 
 TEST_CASE("margins are the least distances from the boxes of a lesion's voxels, to 1e-4 mm") {
-    const Organ organ = organ_where([](const glm::dvec3& p) { return glm::length(p) < 35.0; }, glm::dvec3(37.0),
-                                    glm::dvec3(1.0), false);
-    const Organ lesion_voxels =
-        organ_where([](const glm::dvec3& p) { return glm::distance(p, glm::dvec3(6, -4, 3)) < 6.0; }, glm::dvec3(37.0),
-                    glm::dvec3(1.0), false);
-    const std::vector<VoxelLesion> lesions = lesions_of(lesion_voxels, "lesion");
+    const auto in_ball = [](const glm::dvec3& middle, double radius) {
+        return [=](const glm::dvec3& p) { return glm::distance(p, middle) < radius; };
+    };
+    const glm::dvec3 middle(6, -4, 3);
+    const Organ organ = organ_where(in_ball(glm::dvec3(0.0), 35.0), glm::dvec3(37.0), glm::dvec3(1.0), false);
+    const Organ lesion = organ_where(in_ball(middle, 6.0), glm::dvec3(37.0), glm::dvec3(1.0), false);
+    const std::vector<VoxelLesion> lesions = lesions_of(lesion, "lesion");
     REQUIRE(lesions.size() == 1);
     CHECK(lesions[0].name == "lesion");
     std::mt19937_64 random(11);
     for (int trial = 0; trial < 12; ++trial) {
         CAPTURE(trial);
-        std::vector<Resection> resections;
-        if (trial % 2 == 0) {
-            HalfSpace half = plane(random, 0.0);
-            half.point = glm::dvec3(6, -4, 3) + half.normal * (trial == 0 ? 3.0 : 4.0 + 2.0 * trial);
-            resections.push_back(half);
-        } else {
-            Sheet sheet = waves(random, 4.0);
-            sheet.origin += sheet.normal() * (10.0 + trial);
-            resections.push_back(sheet);
-        }
-        const Removal removal = removal_of(organ, resections);
-        const Margin margin = margins_of(organ, resections, removal.surface, lesions)[0];
+        HalfSpace half = plane(random, 0.0);
+        half.point = middle + half.normal * (trial == 0 ? 3.0 : 4.0 + 2.0 * trial);
+        Sheet sheet = waves(random, 4.0);
+        sheet.origin += sheet.normal() * (10.0 + trial);
+        const Resection resection = trial % 2 == 0 ? Resection(half) : Resection(sheet);
+        const Removal removal = removal_of(organ, {resection});
+        const Margin margin = margins_of(organ, std::span(&resection, 1), removal.surface, lesions)[0];
         REQUIRE(margin.distance_mm.has_value());
-        // Brute force: places of the surface every 0.25 mm within the organ; then finer around the best ones.
-        const auto sheet = trial % 2 == 0 ? Sheet{} : std::get<Sheet>(resections[0]);
-        const auto half = trial % 2 == 0 ? std::get<HalfSpace>(resections[0]) : HalfSpace{};
-        glm::dvec3 u = sheet.u, v = sheet.v, from = sheet.origin;
-        if (trial % 2 == 0) {
-            u = glm::normalize(glm::cross(half.normal, glm::dvec3(0.3, 0.5, 0.9)));
-            v = glm::cross(half.normal, u);
-            from = half.point;
-        }
-        const auto on_surface = [&](double a, double b) {
-            const glm::dvec3 p = from + a * u + b * v;
-            return trial % 2 == 0 ? p : p + height_at(sheet, {a, b}) * sheet.normal();
-        };
-        const auto distance = [&](double a, double b) {
-            const glm::dvec3 p = on_surface(a, b);
-            const glm::dvec3 index(glm::inverse(organ.to_patient()) * glm::dvec4(p, 1.0));
-            if (!organ.mask().test(glm::ivec3(glm::floor(index + 0.5)))) return HUGE_VAL;
-            double least = HUGE_VAL;
-            lesion_voxels.for_voxels([&](const glm::ivec3& voxel, std::size_t) {
-                least = std::min(least, to_box(p, lesion_voxels.centre_mm(voxel), 0.5));
-            });
-            return least;
-        };
-        struct Try {
-            double value, a, b;
-        };
-        std::vector<Try> tries;
-        for (double a = -60.0; a < 60.0; a += 1.0)
-            for (double b = -60.0; b < 60.0; b += 1.0)
-                tries.push_back(
-                    {distance(a + (trial % 2) * 45, b + (trial % 2) * 45), a + (trial % 2) * 45, b + (trial % 2) * 45});
-        std::ranges::sort(tries, {}, &Try::value);
-        tries.resize(25);
-        double step = 0.5;
-        for (int level = 0; level < 22; ++level, step *= 0.6) {
-            std::vector<Try> finer = tries;
-            for (const Try& one : tries)
-                for (int n = 0; n < 9; ++n) {
-                    const double a = one.a + step * (n % 3 - 1), b = one.b + step * (n / 3 - 1);
-                    finer.push_back({distance(a, b), a, b});
-                }
-            std::ranges::sort(finer, {}, &Try::value);
-            finer.resize(12);
-            tries = finer;
-        }
-        CHECK(*margin.distance_mm == doctest::Approx(tries[0].value).epsilon(0).scale(1).epsilon(1e-4));
-        CHECK(std::abs(*margin.distance_mm - tries[0].value) < 1e-4);
-        CHECK(std::abs(value_at(resections[0], margin.on_surface)) < 1e-4);
+        CHECK(std::abs(*margin.distance_mm - least_distance(organ, lesion, ByTwo(resection))) < 1e-4);
+        CHECK(std::abs(value_at(resection, margin.on_surface)) < 1e-4);
         CHECK(glm::distance(margin.on_lesion, margin.on_surface) == doctest::Approx(*margin.distance_mm));
-        if (trial == 0) {
-            CHECK(*margin.distance_mm == 0.0);
-            CHECK(margin.removed == Removed::kPart);
-        } else if (trial % 2 == 0) {
-            CHECK(*margin.distance_mm > 1.0);
-            CHECK(margin.removed == Removed::kNone);
-            Resection other = HalfSpace{half.point, -half.normal};
-            CHECK(margins_of(organ, std::span(&other, 1), removal.surface, lesions)[0].removed == Removed::kWhole);
-        }
+        if (trial % 2 == 1) continue;
+        CHECK((*margin.distance_mm == 0.0) == (trial == 0));
+        CHECK(margin.removed == (trial == 0 ? Removed::kPart : Removed::kNone));
+        const Resection other = HalfSpace{half.point, -half.normal};
+        CHECK(margins_of(organ, std::span(&other, 1), removal.surface, lesions)[0].removed ==
+              (trial == 0 ? Removed::kPart : Removed::kWhole));
     }
 }
