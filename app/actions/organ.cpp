@@ -57,7 +57,10 @@ Result<void> take_organ(ActionContext& context, const OrganSource& source, const
                 digits(100.0 * static_cast<double>(organ.parts.front()) / static_cast<double>(organ.organ.count())) +
                 " % of it";
     context.say(said + (organ.suspicion.empty() ? "" : "; " + organ.suspicion));
-    return edit(context, [&](Marks& marks) { marks.organ.source = source; });
+    return edit(context, [&](Marks& marks) {
+        marks.organ.source = source;
+        if (marks.organ.territories == TerritoriesOf::kNothing) marks.organ.territories = TerritoriesOf::kOrgan;
+    });
 }
 
 Result<Outcome> organ(ActionContext& context, Arguments arguments) {
@@ -207,7 +210,8 @@ Command territories_in_menu(const char* help, const char* item, std::vector<std:
 std::vector<Command> organ_commands() {
     return {
         Command("organ", "[FILE [--label LABEL,...] [--units UNIT]]",
-                "Reads the mask of the organ that is planned in, or the labels of a mask; without FILE, asks for one. "
+                "Reads the mask of the organ that is planned in, or the labels of a mask, and shows it; without FILE, "
+                "asks for one. "
                 "Its voxels are divided among the branches that supply and drain them.",
                 organ)
             .in_menu("Plan", "Organ\xE2\x80\xA6"),

@@ -154,6 +154,13 @@ Result<void> cut(ActionContext& context, Arguments arguments) {
     return {};
 }
 
+Result<void> cut_move(ActionContext& context, Arguments arguments) {
+    const auto fraction = arguments.size() == 2 ? number_in(arguments[1], 0.0, 1.0) : std::nullopt;
+    if (!fraction) return fail("cut-move takes a cut's number and where on its branch it is to be, 0 to 1");
+    RAMUS_TRY(index, list_index(arguments.first(1), context.document.marks().cuts.size(), "cut"));
+    return edit(context, [&, index = index](Marks& marks) { marks.cuts[index].second = *fraction; });
+}
+
 Result<void> cut_remove(ActionContext& context, Arguments arguments) {
     return remove_from(context, arguments, &Marks::cuts, "cut");
 }
@@ -235,6 +242,7 @@ std::vector<Command> surgery_commands() {
                 cut)
             .in_menu("Plan", "Cut the selected", {"C"})
             .when(has_selection),
+        Command("cut-move", "N FRACTION", "Moves cut N of the list along its branch.", cut_move).when(has_cuts),
         Command("cut-remove", "N", "Takes cut N of the list back.", cut_remove),
         Command("cut-clear", "", "Takes all cuts back.", cut_clear).in_menu("Plan", "Remove all cuts").when(has_cuts),
         Command("reconstruct", "MM", "Sets the diameter above which cuts through vessels are marked.", reconstruct),

@@ -74,7 +74,9 @@ std::vector<organ::Resection> functions_of(const Operation::Of& of, const std::v
         case Resection::Kind::kCuts: {
             const auto lost = organ::lost_voxels(systems, measure::lost_spans(*of.supply->of.tree, of.cuts));
             if (auto solid = organ::solid_of(of.supply->of.mask->organ, lost))
-                add(n, organ::Around{std::move(solid), one.margin_mm});
+                add(n, organ::Around{std::move(solid), one.margin_mm,
+                                     std::make_shared<const std::vector<std::uint8_t>>(
+                                         organ::spared_by(*of.supply->of.tree, of.cuts))});
             break;
         }
         case Resection::Kind::kLesion: {
@@ -256,9 +258,9 @@ Result<Operation> make_operation(const OperationWork& work, const JobRange& job)
     operation.area_mm2 = removal.area_mm2;
     operation.vessels = organ::vessels_cut(organ, tree, functions);
     for (organ::CutVessel& vessel : operation.vessels) vessel.resection = numbers[vessel.resection];
-    std::vector<measure::Cut> cuts = of.cuts;
-    const std::vector<measure::Cut> cut_by_resections = organ::cuts_of(operation.vessels);
-    cuts.insert(cuts.end(), cut_by_resections.begin(), cut_by_resections.end());
+    for (const measure::Cut& cut : of.cuts) operation.vessels.push_back(organ::vessel_at(tree, cut));
+    organ::sort_vessels(operation.vessels);
+    const std::vector<measure::Cut> cuts = organ::cuts_of(operation.vessels);
     operation.remnant =
         by_system(of, organ::remnant_of(systems, measure::lost_spans(tree, cuts), functional, removal.kept));
     operation.margins = organ::margins_of(organ, functions, removal.surface, solids);

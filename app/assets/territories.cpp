@@ -47,9 +47,8 @@ organ::Grouping grouping_of(const OrganTerritories::Of& of) {
 // By voxel: its RemnantPart.
 std::vector<int> remnant_labels(const Operation& operation) {
     const OrganSupply& supply = *operation.of.supply;
-    std::vector<measure::Cut> cuts = operation.of.cuts;
-    const std::vector<measure::Cut> more = organ::cuts_of(operation.vessels);
-    cuts.insert(cuts.end(), more.begin(), more.end());
+    const std::vector<measure::Cut> cuts =
+        operation.vessels.empty() ? operation.of.cuts : organ::cuts_of(operation.vessels);
     const std::vector<measure::LostSpan> spans = measure::lost_spans(*supply.of.tree, cuts);
     std::vector<int> labels(supply.of.mask->organ.count(), 0);
     std::vector<organ::SystemSupply> systems;
@@ -142,6 +141,25 @@ std::optional<OrganTerritories::Of> wanted_territories(const Assets& assets, con
     return of;
 }
 
+namespace {
+
+// None where it was not measured.
+std::optional<organ::Certainty> expected_of(const OrganTerritories::Of& of, const Labels& labels) {
+    if (of.supply->of.rule != organ::Rule::kTips || of.kind == TerritoriesOf::kOrgan ||
+        of.kind == TerritoriesOf::kSystems || of.kind == TerritoriesOf::kRemnant)
+        return {};
+    const tree::VesselTree& tree = *of.supply->of.tree;
+    std::vector<std::uint8_t> systems(std::max<std::size_t>(tree.systems.size(), 1), 0);
+    systems[static_cast<std::size_t>(of.system)] = 1;
+    std::vector<std::uint8_t> filled(labels.names.size(), 0);
+    for (const int label : labels.of_voxels)
+        if (label >= 0) filled[static_cast<std::size_t>(label)] = 1;
+    return organ::expected_certainty(organ::visible_branches(of.supply->of.mask->organ, tree, systems),
+                                     static_cast<std::size_t>(std::ranges::count(filled, 1)));
+}
+
+} // namespace
+
 Result<OrganTerritories> make_territories(const OrganTerritories::Of& of, const JobRange& job) {
     const organ::Organ& organ = of.supply->of.mask->organ;
     RAMUS_TRY(labels, labels_of(of, job.part(0.0F, 0.3F)));
@@ -149,7 +167,7 @@ Result<OrganTerritories> make_territories(const OrganTerritories::Of& of, const 
     std::vector<std::size_t> voxels(labels.names.size(), 0);
     for (const int label : labels.of_voxels)
         if (label >= 0) ++voxels[static_cast<std::size_t>(label)];
-    OrganTerritories made{of, {}};
+    OrganTerritories made{of, {}, expected_of(of, labels)};
     const glm::vec3 away = of.apart_mm > 0.0 ? pull_of(organ, labels.of_voxels, of.apart_mm) : glm::vec3(0.0F);
     const bool has_rest =
         of.kind == TerritoriesOf::kNames || of.kind == TerritoriesOf::kSelection || of.kind == TerritoriesOf::kCuts;

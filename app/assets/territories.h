@@ -4,6 +4,7 @@
 
 #include "app/assets/operation.h"
 #include "core/mesh/triangle_mesh.h"
+#include "core/organ/certainty.h"
 
 #include <string>
 #include <utility>
@@ -33,7 +34,8 @@ struct OrganTerritories {
         std::shared_ptr<const mesh::TriangleMesh> preview; // fewer triangles; null: the mesh is small
     };
     Of of;
-    std::vector<Part> parts; // those with voxels
+    std::vector<Part> parts;                    // those with voxels
+    std::optional<organ::Certainty> expected{}; // how sure they are, on average in grown organs; none: not measured
 };
 
 // None: no territories are shown, or the organ is not divided yet.
@@ -43,7 +45,7 @@ struct OrganTerritories {
 
 // The parts of kRemnant, in their order.
 enum class RemnantPart : std::uint8_t { kKept, kNotDrained, kNotSupplied, kLost, kRemoved };
-inline constexpr std::array<std::string_view, 5> kRemnantParts{"kept", "not drained", "not supplied",
-                                                               "neither", "removed"};
+inline constexpr std::array<std::string_view, 5> kRemnantParts{"kept", "not drained", "not supplied", "neither",
+                                                               "removed"};
 
 } // namespace ramus::app

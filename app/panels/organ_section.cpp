@@ -34,7 +34,10 @@ void draw_mask(InterfaceContext& context, const OrganChoice& choice) {
     const int done = plan_rows::removable_row(name, trouble ? theme::kTrouble : theme::kText, help.c_str());
     if (done < 0) context.perform("organ-clear", {});
     if (done > 0) context.perform("organ", {});
-    if (trouble && ImGui::Button("Read again")) context.workspace.retry(WorkKind::kOrgan);
+    if (trouble && ImGui::Button("Read again")) {
+        context.workspace.assets().organ = {}; // so that it is missing
+        context.workspace.retry(WorkKind::kOrgan);
+    }
 }
 
 void draw_figures(InterfaceContext& context, const Marks& marks) {
@@ -211,6 +214,17 @@ void draw_segments(InterfaceContext& context, const Marks& marks) {
     if (done < segments.list.size()) segments.list.erase(segments.list.begin() + static_cast<std::ptrdiff_t>(done));
 }
 
+// How sure the territories are.
+void draw_certainty(const InterfaceContext& context) {
+    const auto& territories = context.workspace.assets().organ.territories;
+    if (!territories || !territories->expected) return;
+    widgets::fact("Expected error", digits(territories->expected->error_percent, 2) + " %, Dice " +
+                                        digits(territories->expected->dice, 2));
+    widgets::tooltip(
+        "Of a territory's volume and its overlap with the true one, on average in grown organs with as many "
+        "visible branches; a patient's organ may differ");
+}
+
 void draw_opacity(InterfaceContext& context, const OrganChoice& choice) {
     widgets::Slider<float>& slider = context.interface.of<Editing>().territories;
     const bool changed = widgets::share_row("Opacity", "Of the territories; 100 % is solid", slider, choice.opacity);
@@ -238,6 +252,7 @@ void draw_organ(InterfaceContext& context) {
     draw_segments(context, marks);
     draw_opacity(context, marks.organ);
     draw_parts(context, marks);
+    draw_certainty(context);
 }
 
 } // namespace ramus::app

@@ -60,7 +60,7 @@ struct OrganChoice {
     TerritoriesOf territories = TerritoriesOf::kNothing;
     int generation = 2;                // of kGeneration
     int system = -1;                   // the system whose territories are shown; -1: the first that supplies
-    double opacity = 0.5;              // of the territories
+    double opacity = 0.4;              // of the territories
     double apart_mm = 0.0;             // how far the removed part is pulled away from what remains
     std::vector<std::string> hidden{}; // territories that are not shown, by name, ascending
     [[nodiscard]] bool any() const { return !source.file.empty(); }

@@ -68,16 +68,56 @@ void put(std::array<double, 4>& sphere, const glm::dvec3& centre) {
     for (int k = 0; k < 3; ++k) sphere[static_cast<std::size_t>(k)] = centre[k];
 }
 
+constexpr double kCutReachPoints = 12.0; // distance from the middle of a cut's ring that still grabs it
+
+// The index of the cut whose ring is under the pointer.
+std::optional<std::size_t> cut_under(const Pointing& pointing) {
+    const auto& cuts = pointing.document.marks().cuts;
+    std::optional<std::size_t> found;
+    double nearest = kCutReachPoints * pointing.pixel_ratio;
+    for (std::size_t n = 0; n < cuts.size() && pointing.document.tree(); ++n) {
+        if (cuts[n].first >= pointing.document.branch_count()) continue;
+        const measure::BranchPoint place = measure::point_on(*pointing.document.tree(), cuts[n].first, cuts[n].second);
+        const auto at = render::project(pointing.camera(), pointing.size, place.position);
+        const double away = at ? glm::distance(glm::dvec2(*at), pointing.at) : nearest;
+        if (away < nearest) nearest = away, found = n;
+    }
+    return found;
+}
+
 } // namespace
 
 void CutTool::press(const Pointing& pointing) {
     const render::Pick pick = pointing.pick();
+    if (const auto cut = cut_under(pointing)) {
+        const auto& [branch, fraction] = pointing.document.marks().cuts[*cut];
+        held_ = Held{*cut, branch, fraction, fraction};
+        return;
+    }
     if (!on_tree(pointing, pick)) return;
     const double fraction = measure::nearest_fraction(*pointing.document.tree(), pick.branch, pick.position);
     command({"cut", std::to_string(pick.branch), spelled(fraction, 3)});
 }
 
-void CutTool::move(const Pointing& pointing) { under_ = pointing.pick(); }
+void CutTool::move(const Pointing& pointing) {
+    under_ = pointing.pick();
+    const auto& cuts = pointing.document.marks().cuts;
+    if (!held_ || !pointing.held || !on_tree(pointing, under_) || under_.branch != held_->branch) return;
+    if (held_->cut >= cuts.size() || cuts[held_->cut].first != held_->branch) return; // removed meanwhile
+    send(measure::nearest_fraction(*pointing.document.tree(), under_.branch, under_.position));
+}
+
+void CutTool::send(double fraction) {
+    if (fraction == std::exchange(held_->now, fraction)) return;
+    command({"cut-move", std::to_string(held_->cut + 1), spelled(fraction, 3)});
+}
+
+bool CutTool::escape() {
+    if (!held_) return false;
+    send(held_->before);
+    held_.reset();
+    return true;
+}
 
 // The ring of the cross-section, a little wider than the vessel.
 ToolDrawing CutTool::drawing(const Pointing& pointing) const {

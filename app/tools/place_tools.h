@@ -10,16 +10,31 @@
 namespace ramus::app {
 
 // CutTool: cuts the branch under the pointer, at the centerline point nearest to the surface point under the pointer; a
-// ring previews the cut.
+// ring previews the cut. A press on the ring of a cut grabs it, and it follows the pointer along its branch.
 class CutTool final : public Tool {
 public:
     void press(const Pointing& pointing) override;
     void move(const Pointing& pointing) override;
     [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override;
-    [[nodiscard]] std::string hint() const override { return "Click a vessel to cut it there"; }
+    void release(const Pointing&) override { held_.reset(); }
+    bool escape() override;
+    [[nodiscard]] bool busy() const override { return held_.has_value(); }
+    [[nodiscard]] bool changes_while_held() const override { return held_.has_value(); }
+    [[nodiscard]] std::string hint() const override {
+        return held_ ? "Drag the cut along its branch, let go to keep it, Escape to leave it"
+                     : "Click a vessel to cut it there; drag a cut along its branch";
+    }
 
 private:
+    struct Held {
+        std::size_t cut = 0; // index
+        int branch = 0;
+        double before = 0.0, now = 0.0; // fractions of the branch
+    };
+    void send(double fraction);
+
     render::Pick under_;
+    std::optional<Held> held_;
 };
 
 // LesionTool: places spherical lesions. A press sets the centre on the surface under the pointer, or at the depth of

@@ -29,17 +29,12 @@ public:
     [[nodiscard]] bool picks() const override { return false; }
     void press(const Pointing& pointing) override { points_ = {pointing.at}; }
     void move(const Pointing& pointing) override {
-        if (!pointing.held || points_.empty()) return;
-        if (straight_)
-            points_ = std::vector<glm::dvec2>{points_.front(), pointing.at};
-        else if (glm::distance(points_.back(), pointing.at) >= kStrokeStep * pointing.pixel_ratio)
-            points_.push_back(pointing.at);
+        if (pointing.held) extend(pointing);
     }
     void release(const Pointing& pointing) override {
-        if (points_.empty()) return; // cancelled meanwhile
-        move(pointing);
+        extend(pointing);
         const std::vector<glm::dvec2> drawn = std::exchange(points_, {});
-        double length = 0.0;
+        double length = 0.0; // 0: cancelled meanwhile
         for (std::size_t n = 1; n < drawn.size(); ++n) length += glm::distance(drawn[n - 1], drawn[n]);
         if (length < kLeastStroke * pointing.pixel_ratio) return;
         CommandLine line{"resect", straight_ ? "line" : "stroke"};
@@ -61,6 +56,14 @@ public:
     }
 
 private:
+    void extend(const Pointing& pointing) {
+        if (points_.empty()) return;
+        if (straight_)
+            points_ = std::vector<glm::dvec2>{points_.front(), pointing.at};
+        else if (glm::distance(points_.back(), pointing.at) >= kStrokeStep * pointing.pixel_ratio)
+            points_.push_back(pointing.at);
+    }
+
     bool straight_;
     std::vector<glm::dvec2> points_;
 };

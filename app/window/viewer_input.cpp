@@ -438,6 +438,7 @@ void ViewerInput::use_tool(std::string_view name) {
     state_.interface.tool_kind = kind;
     state_.interface.tool = kind->make != nullptr ? kind->make() : nullptr;
     tool_mouse_.abandon();
+    perform_tool(); // ends the step of what the tool before dragged
     ++tools_taken_;
     pick_wanted_ = true;
     state_.redraw();

@@ -2,6 +2,7 @@
 #include "app/session/usual_sizes.h"
 #include "app/tools/measure_tool.h"
 #include "app/tools/place_tools.h"
+#include "app/tools/tool_kinds.h"
 #include "core/measure/branch_point.h"
 #include "core/tree/build_tree.h"
 
@@ -158,6 +159,65 @@ TEST_CASE("the cut tool cuts where the centerline is nearest") {
     CHECK(tool.drawing(stage.at(400, 300)).lines.size() == 1);
     tool.press(stage.at(400, 300));
     CHECK(tool.take_commands() == std::vector<CommandLine>{{"cut", "0", "0.750"}});
+}
+
+TEST_CASE("a cut is dragged along its branch, and Escape brings it back") {
+    ToolStage stage;
+    Marks marks = stage.document.marks();
+    marks.cuts = {{0, 0.75}}; // at z = 30, in the middle of the picture
+    stage.document.change(marks);
+    CutTool tool;
+    stage.under = pick_of(0, {0, 3, 30});
+    tool.press(stage.at(403, 300));
+    CHECK(tool.take_commands().empty());
+    CHECK(tool.changes_while_held());
+    stage.under = pick_of(0, {0, 3, 20});
+    tool.move(stage.at(400, 350, true));
+    CHECK(tool.take_commands() == std::vector<CommandLine>{{"cut-move", "1", "0.500"}});
+    stage.under = pick_of(1, {10, 3, 50});
+    tool.move(stage.at(450, 200, true)); // another branch
+    CHECK(tool.take_commands().empty());
+    CHECK(tool.escape());
+    CHECK(tool.take_commands() == std::vector<CommandLine>{{"cut-move", "1", "0.750"}});
+    CHECK_FALSE(tool.changes_while_held());
+}
+
+TEST_CASE("lines across the picture are commands of resections, and points of a plane are dragged along its normal") {
+    ToolStage stage;
+    const auto plane = find_tool("resect-plane")->make(), sheet = find_tool("resect-sheet")->make(),
+               handles = find_tool("resection")->make();
+    plane->press(stage.at(100, 100));
+    plane->move(stage.at(200, 150, true));
+    CHECK(plane->drawing(stage.at(200, 150)).lines.size() == 1);
+    plane->release(stage.at(300, 200));
+    CHECK(plane->take_commands() == std::vector<CommandLine>{{"resect", "line", "100.0,100.0", "300.0,200.0"}});
+    sheet->press(stage.at(100, 100));
+    for (int x = 110; x <= 300; x += 10) sheet->move(stage.at(x, 100 + (x % 40), true));
+    sheet->release(stage.at(300, 120, true));
+    const auto stroke = sheet->take_commands();
+    REQUIRE(stroke.size() == 1);
+    CHECK(stroke[0][1] == "stroke");
+    CHECK(stroke[0].size() > 4);
+    sheet->press(stage.at(100, 100));
+    CHECK(sheet->escape());
+    sheet->release(stage.at(300, 120));
+    CHECK(sheet->take_commands().empty());
+
+    Marks marks = stage.document.marks();
+    marks.resections = {{.kind = Resection::Kind::kPlane, .point = {0, 0, 30}, .normal = {1, 0, 0}}};
+    stage.document.change(marks);
+    handles->press(stage.at(400, 300));
+    REQUIRE(handles->changes_while_held());
+    handles->move(stage.at(450, 300, true));
+    const auto moved = handles->take_commands();
+    REQUIRE(moved.size() == 1);
+    CHECK(moved[0][0] == "resection-plane");
+    glm::dvec3 at;
+    REQUIRE(std::sscanf(moved[0][2].c_str(), "%lf,%lf,%lf", &at.x, &at.y, &at.z) == 3);
+    CHECK(std::abs(at.x) == doctest::Approx(10.0)); // 50 pixels of 0.2 mm
+    CHECK(at.z == doctest::Approx(30.0));
+    handles->release(stage.at(450, 300));
+    CHECK_FALSE(handles->changes_while_held());
 }
 
 TEST_CASE("the measuring tools use the clicked places, and preview the value") {
