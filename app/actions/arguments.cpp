@@ -4,8 +4,11 @@
 #include "app/picture/scene_objects.h"
 #include "app/storage/user_folders.h"
 #include "core/base/words.h"
+#include "core/io/length_unit.h"
+#include "core/io/volumes/volume_file.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <numeric>
 
@@ -62,6 +65,28 @@ Result<std::filesystem::path> file_argument(ActionContext& context, Arguments ar
     const std::filesystem::path path =
         arguments.empty() ? suggested_file(context.document, extension) : std::filesystem::path(arguments[0]);
     return path;
+}
+
+Result<OrganSource> mask_argument(std::string_view command, Arguments arguments) {
+    OrganSource source{std::filesystem::absolute(arguments[0]).lexically_normal().string()};
+    for (std::size_t i = 1; i < arguments.size(); i += 2) {
+        const std::string& option = arguments[i];
+        if (i + 1 == arguments.size() || (option != "--label" && option != "--units"))
+            return fail(std::string(command) + " takes a mask, and --label and --units of it", {},
+                        "put quotes around a name with blanks");
+        const std::string& value = arguments[i + 1];
+        if (option == "--units") {
+            if (!io::length_unit(value)) return fail("\"" + value + "\" is no unit of length", {}, "mm, um, cm or m");
+            source.units = value;
+        } else {
+            const auto labels = label_list(value);
+            if (!labels) return fail("\"" + value + "\" is not a list of names and whole numbers other than 0");
+            source.labels = *labels;
+        }
+    }
+    if (!io::is_volume(source.file))
+        return fail("this is no mask", source.file, "a mask is " + io::readable_volume_extensions());
+    return source;
 }
 
 Result<void> ask_for_file(ActionContext& context, FilePurpose purpose, tl::unexpected<Error> without) {

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ramus::app::actions {
@@ -22,6 +23,9 @@ namespace ramus::app::actions {
 // The file argument of a command, or the suggestion of app/storage/user_folders.h.
 [[nodiscard]] Result<std::filesystem::path> file_argument(ActionContext& context, Arguments arguments,
                                                           std::string_view command, std::string_view extension);
+
+// Parses FILE [--label LABEL,...] [--units UNIT] of a command that reads masks.
+[[nodiscard]] Result<OrganSource> mask_argument(std::string_view command, Arguments arguments);
 
 // Shows the window's file dialog; fails with `without` if there is no window.
 [[nodiscard]] Result<void> ask_for_file(ActionContext& context, FilePurpose purpose, tl::unexpected<Error> without);

@@ -24,6 +24,7 @@ struct Synonyms {
 // programs, and of the paper on convolution surfaces (S. Oeltze and B. Preim, 2005).
 constexpr std::array kSynonyms{
     Synonyms{"lesion", "tumour tumor metastasis mass nodule sphere"},
+    Synonyms{"lesion-mask", "tumour tumor metastasis segmentation label nifti dicom load import volume"},
     Synonyms{"lesion-mesh", "tumour tumor metastasis stl mesh load import"},
     Synonyms{"lesion-clear", "delete tumour tumor"},
     Synonyms{"bands", "margin resection safety distance band tumour tumor"},

@@ -113,10 +113,10 @@ Result<Measurement> measurement_in(const Document& document, const LesionShapes&
 // Reads the meshes that arguments name, since a command reports its result only once.
 LesionShapes shapes_for(ActionContext& context, Arguments arguments) {
     const Marks& marks = context.document.marks();
+    Job job;
     if (std::ranges::any_of(arguments, [](const std::string& word) { return word.starts_with(kLesion); }))
-        for (const std::string& file : lesion_files(marks))
-            if (!context.assets.lesion_mesh(file))
-                (void)load_lesion_mesh(context.assets, file, axes_of_lesion(marks, file));
+        for (const Lesion& lesion : lesion_meshes(marks))
+            if (!context.assets.lesion_mesh(lesion)) (void)load_lesion(context.assets, source_of(lesion), job);
     return lesion_shapes(context.assets, marks);
 }
 

@@ -6,11 +6,9 @@
 #include "app/session/systems.h"
 #include "core/base/sort_unique.h"
 #include "core/base/words.h"
-#include "core/io/length_unit.h"
 #include "core/io/volumes/volume_file.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace ramus::app::actions {
 
@@ -23,28 +21,6 @@ bool has_organ(const Document& document) { return document.marks().organ.any(); 
 Result<void> expect_organ(const Document& document) {
     if (!has_organ(document)) return fail("there is no organ", {}, "organ FILE reads its mask");
     return {};
-}
-
-Result<OrganSource> asked_organ(Arguments arguments) {
-    OrganSource source{std::filesystem::absolute(arguments[0]).lexically_normal().string()};
-    for (std::size_t i = 1; i < arguments.size(); i += 2) {
-        const std::string& option = arguments[i];
-        if (i + 1 == arguments.size() || (option != "--label" && option != "--units"))
-            return fail("organ takes a mask, and --label and --units of it", {},
-                        "put quotes around a name with blanks");
-        const std::string& value = arguments[i + 1];
-        if (option == "--units") {
-            if (!io::length_unit(value)) return fail("\"" + value + "\" is no unit of length", {}, "mm, um, cm or m");
-            source.units = value;
-        } else {
-            const auto labels = label_list(value);
-            if (!labels) return fail("\"" + value + "\" is not a list of names and whole numbers other than 0");
-            source.labels = *labels;
-        }
-    }
-    if (!io::is_volume(source.file))
-        return fail("this is no mask", source.file, "organs are masks: " + io::readable_volume_extensions());
-    return source;
 }
 
 Result<void> take_organ(ActionContext& context, const OrganSource& source, const Loaded<OrganMask>& mask) {
@@ -67,7 +43,7 @@ Result<Outcome> organ(ActionContext& context, Arguments arguments) {
     if (arguments.empty())
         return outcome_of(ask_for_file(context, FilePurpose::kOrgan,
                                        fail("organ needs a FILE here", {}, io::readable_volume_extensions())));
-    RAMUS_TRY(wanted, asked_organ(arguments));
+    RAMUS_TRY(wanted, mask_argument("organ", arguments));
     return Pending{"Reading the organ", [source = wanted](Job& job) -> Result<Continuation> {
                        auto mask = read_organ(source, nullptr, job);
                        if (!mask.value) return tl::unexpected(mask.value.error());

@@ -6,6 +6,7 @@
 #include "app/assets/half_turn.h"
 #include "app/session/numbers.h"
 #include "core/io/meshes/mesh_file.h"
+#include "core/io/volumes/volume_file.h"
 
 #include <algorithm>
 
@@ -45,16 +46,16 @@ Result<void> expect_new_lesion(const Document& document, const std::filesystem::
     return {};
 }
 
-Result<void> add_lesion_mesh(ActionContext& context, const std::filesystem::path& path, const LesionMesh& lesion) {
+Result<void> add_lesion_mesh(ActionContext& context, const LesionSource& source, const LesionMesh& lesion) {
+    const std::filesystem::path path = source.file;
     if (auto is_new = expect_new_lesion(context.document, path); !is_new) return is_new;
     std::string apart;
     if (const tree::VesselTree* tree = context.document.tree().get(); tree != nullptr)
-        apart =
-            half_turn_hint({render::bounds_of(lesion.mesh), lesion.axes},
-                           {render::bounds_of(*tree), tree->claims.orientation}, other_axes_option(lesion.asked_axes));
+        apart = half_turn_hint({render::bounds_of(lesion.mesh), lesion.claims.orientation},
+                               {render::bounds_of(*tree), tree->claims.orientation}, other_axes_option(source.axes));
     context.say("Lesion of " + counted(lesion.mesh.triangles.size(), "triangle", "triangles") + ": " +
                 path.filename().string() + (apart.empty() ? "" : "; " + apart));
-    return edit(context, [&](Marks& marks) { add_lesion(marks, {.file = path.string(), .axes = lesion.asked_axes}); });
+    return edit(context, [&](Marks& marks) { add_lesion(marks, {.file = source.file, .axes = source.axes}); });
 }
 
 Result<Outcome> lesion_mesh(ActionContext& context, Arguments arguments) {
@@ -73,12 +74,56 @@ Result<Outcome> lesion_mesh(ActionContext& context, Arguments arguments) {
     const std::filesystem::path path = std::filesystem::absolute(arguments[0]).lexically_normal();
     if (auto is_new = expect_new_lesion(context.document, path); !is_new) return tl::unexpected(is_new.error());
     return Pending{"Reading " + path.filename().string(),
-                   [path, axes, assets = context.assets](Job&) mutable -> Result<Continuation> {
-                       if (auto mesh = load_lesion_mesh(assets, path.string(), axes); !mesh)
-                           return tl::unexpected(mesh.error());
-                       return [path, read = assets.lesion_meshes.at(path.string())](ActionContext& then) {
-                           then.assets.put(path.string(), read);
-                           return add_lesion_mesh(then, path, **read.value);
+                   [source = LesionSource{path.string(), axes},
+                    assets = context.assets](Job& job) mutable -> Result<Continuation> {
+                       if (auto mesh = load_lesion(assets, source, job); !mesh) return tl::unexpected(mesh.error());
+                       return [source, read = assets.lesion_files.at(source)](ActionContext& then) {
+                           then.assets.put(source, read);
+                           return add_lesion_mesh(then, source, *(*read.value)->parts.front());
+                       };
+                   }};
+}
+
+// Adds the parts that the session does not have.
+Result<void> add_lesion_mask(ActionContext& context, const LesionSource& source, const LesionFile& file) {
+    Marks next = context.document.marks();
+    std::vector<double> volumes;
+    for (std::size_t n = 0; n < file.parts.size(); ++n) {
+        const Lesion lesion{.file = source.file,
+                            .labels = source.labels,
+                            .units = source.units,
+                            .part = static_cast<int>(n) + 1,
+                            .name = file.parts[n]->name};
+        if (std::ranges::any_of(next.lesions,
+                                [&](const Lesion& one) { return one.part == lesion.part && source_of(one) == source; }))
+            continue;
+        add_lesion(next, lesion);
+        volumes.push_back(file.parts[n]->volume_mm3.value_or(0.0));
+    }
+    if (volumes.empty()) return fail("these lesions are there already", source.file);
+    if (auto few = check_counts(next); !few) return few;
+    context.document.change(std::move(next));
+    const Lengths lengths(file.parts.front()->claims);
+    std::string said = counted(volumes.size(), "lesion", "lesions") + " of the mask: ";
+    said += volumes.size() == 1 ? lengths.volume(volumes.front())
+                                : lengths.volume(volumes.back()) + " to " + lengths.volume(volumes.front());
+    if (file.more > 0) said += "; " + counted(file.more, "smaller part is", "smaller parts are") + " left out";
+    context.say(said + (file.suspicion.empty() ? "" : "; " + file.suspicion));
+    return {};
+}
+
+Result<Outcome> lesion_mask(ActionContext& context, Arguments arguments) {
+    if (arguments.empty())
+        return outcome_of(ask_for_file(context, FilePurpose::kLesionMask,
+                                       fail("lesion-mask needs a FILE here", {}, io::readable_volume_extensions())));
+    RAMUS_TRY(mask, mask_argument("lesion-mask", arguments));
+    return Pending{"Reading the lesions",
+                   [source = LesionSource{mask.file, {}, true, mask.labels, mask.units},
+                    assets = context.assets](Job& job) mutable -> Result<Continuation> {
+                       if (auto file = load_lesion(assets, source, job); !file) return tl::unexpected(file.error());
+                       return [source, read = assets.lesion_files.at(source)](ActionContext& then) {
+                           then.assets.put(source, read);
+                           return add_lesion_mask(then, source, **read.value);
                        };
                    }};
 }
@@ -90,8 +135,9 @@ Result<void> lesion_axes(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(index, list_index(arguments.first(1), next.lesions.size(), "lesion"));
     Lesion& lesion = next.lesions[index];
     if (!lesion.is_mesh()) return fail("lesion " + arguments[0] + " is a sphere, without axes of its own");
-    const auto mesh = context.assets.lesion_mesh(lesion.file);
-    if (mesh && mesh->axes == tree::SaidBy::kFile)
+    if (lesion.of_mask()) return fail("lesion " + arguments[0] + " is of a mask, which states its axes itself");
+    const auto mesh = context.assets.lesion_mesh(lesion);
+    if (mesh && mesh->claims.orientation == tree::SaidBy::kFile)
         return fail("the file states its axes", lesion.file, "correct the file");
     lesion.axes = arguments[1];
     context.document.change(std::move(next));
@@ -252,6 +298,13 @@ std::vector<Command> surgery_commands() {
                 "Places a lesion with the shape of a closed mesh: " + io::readable_mesh_extensions() +
                     ", in mm; in RAS, unless the file states other axes, or you do where it states none.",
                 lesion_mesh),
+        Command("lesion-mask", "[FILE [--label LABEL,...] [--units UNIT]]",
+                "Places a lesion for each part of a mask, or of labels of it, that does not touch another one of its "
+                "label by a face, the largest first, at most " +
+                    std::to_string(kMostLesionParts) + "; without FILE, asks for one.",
+                lesion_mask)
+            .in_menu("Plan", "Lesions of a mask\xE2\x80\xA6")
+            .when(has_tree),
         Command("lesion-axes", "N LPS|RAS",
                 "Says where the axes of the mesh of lesion N lead, whose file does not state them.", lesion_axes),
         Command("lesion-remove", "N", "Takes lesion N of the list away; meshes are counted after spheres.",

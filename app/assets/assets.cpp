@@ -1,7 +1,11 @@
 #include "app/assets/assets.h"
 
+#include "core/base/sort_unique.h"
+
 #include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace ramus::app {
 
@@ -64,9 +68,12 @@ const Result<Measured>* Assets::measured(int id) const {
     return place == measurements->places.end() ? nullptr : &measurements->found[place->second];
 }
 
-std::shared_ptr<const LesionMesh> Assets::lesion_mesh(const std::string& file) const {
-    const auto* loaded = found(lesion_meshes, file);
-    return loaded != nullptr && loaded->value ? *loaded->value : nullptr;
+std::shared_ptr<const LesionMesh> Assets::lesion_mesh(const Lesion& lesion) const {
+    const auto* loaded = lesion.is_mesh() ? found(lesion_files, source_of(lesion)) : nullptr;
+    if (loaded == nullptr || !loaded->value) return nullptr;
+    const auto& parts = (*loaded->value)->parts;
+    const std::size_t part = lesion.of_mask() ? static_cast<std::size_t>(lesion.part) - 1 : 0;
+    return part < parts.size() ? parts[part] : nullptr;
 }
 
 std::shared_ptr<const ContextShape> Assets::context_shape(const ContextSource& source) const {
@@ -77,6 +84,15 @@ std::shared_ptr<const ContextShape> Assets::context_shape(const ContextSource& s
 std::optional<Error> Assets::trouble(const ContextSource& source) const {
     const auto* loaded = found(context_shapes, source);
     return loaded != nullptr && !loaded->value ? std::optional(loaded->value.error()) : std::nullopt;
+}
+
+std::optional<Error> Assets::trouble(const Lesion& lesion) const {
+    const auto* loaded = lesion.is_mesh() ? found(lesion_files, source_of(lesion)) : nullptr;
+    if (loaded == nullptr || lesion_mesh(lesion)) return {};
+    if (!loaded->value) return loaded->value.error();
+    return Error{"the mask has no part " + std::to_string(lesion.part) + ", but " +
+                     std::to_string((*loaded->value)->parts.size()),
+                 lesion.file, "remove the lesion, and read the mask again"};
 }
 
 tree::Claims Assets::claims_of(const std::vector<ContextItem>& context) const {
@@ -101,8 +117,8 @@ render::Box Assets::box_of(const std::vector<ContextItem>& context) const {
     return box;
 }
 
-void Assets::put(const std::string& lesion_file, Loaded<LesionMesh> loaded) {
-    lesion_meshes.insert_or_assign(lesion_file, std::move(loaded));
+void Assets::put(const LesionSource& source, Loaded<LesionFile> loaded) {
+    lesion_files.insert_or_assign(source, std::move(loaded));
     plan.reset();
 }
 
@@ -144,17 +160,22 @@ const Plan& refresh_plan(Assets& assets, const Document& document) {
 
 namespace {
 
-bool is_other(const Loaded<LesionMesh>* before, const Loaded<LesionMesh>& now) {
+bool is_other(const Loaded<LesionFile>* before, const Loaded<LesionFile>& now) {
     return before == nullptr || before->stamp != now.stamp ||
            (before->value && now.value && *before->value != *now.value);
 }
 
-// Whether all lesions are read, with the axes specified last.
+// Each file once.
+std::vector<LesionSource> lesion_sources(const Marks& marks) {
+    std::vector<LesionSource> sources;
+    for (const Lesion& lesion : lesion_meshes(marks)) sources.push_back(source_of(lesion));
+    sort_unique(sources);
+    return sources;
+}
+
 bool lesions_are_read(const Assets& assets, const Marks& marks) {
-    return std::ranges::all_of(lesion_files(marks), [&](const std::string& file) {
-        const Loaded<LesionMesh>* loaded = found(assets.lesion_meshes, file);
-        return loaded != nullptr && (!loaded->value || (*loaded->value)->asked_axes == axes_of_lesion(marks, file));
-    });
+    return std::ranges::all_of(lesion_meshes(marks),
+                               [&](const Lesion& lesion) { return assets.lesion_files.contains(source_of(lesion)); });
 }
 
 } // namespace
@@ -169,8 +190,8 @@ bool lesions_awaited(const Assets& assets, const Marks& marks, GridIs grid) {
 }
 
 void complete_lesions(Assets& assets, const Marks& marks, GridIs grid) {
-    for (const std::string& file : lesion_files(marks))
-        (void)load_lesion_mesh(assets, file, axes_of_lesion(marks, file));
+    Job job;
+    for (const LesionSource& source : lesion_sources(marks)) (void)load_lesion(assets, source, job);
     measure::Lesions lesions = loaded_lesions(assets, marks);
     if (!assets.tree || lesions.meshes.empty()) return;
     const double reach = widest_margin_mm(marks.planning);
@@ -188,11 +209,10 @@ void complete_lesions(Assets& assets, const Document& document) {
     refresh(assets, document);
 }
 
-Result<std::shared_ptr<const LesionMesh>> load_lesion_mesh(Assets& assets, const std::string& file,
-                                                           const std::string& axes) {
-    const Loaded<LesionMesh>* before = found(assets.lesion_meshes, file);
-    Loaded<LesionMesh> loaded = read_lesion_mesh(file, axes, before);
-    if (is_other(before, loaded)) assets.put(file, loaded);
+Result<std::shared_ptr<const LesionFile>> load_lesion(Assets& assets, const LesionSource& source, Job& job) {
+    const Loaded<LesionFile>* before = found(assets.lesion_files, source);
+    Loaded<LesionFile> loaded = read_lesion_file(source, before, job);
+    if (!job.cancelled() && is_other(before, loaded)) assets.put(source, loaded);
     return loaded.value;
 }
 
@@ -230,8 +250,8 @@ Result<void> complete(Assets& assets, const Document& document, Job& job) {
 }
 
 void merge(Assets& assets, const Assets& from) {
-    for (const auto& [file, loaded] : from.lesion_meshes)
-        if (is_other(found(assets.lesion_meshes, file), loaded)) assets.put(file, loaded);
+    for (const auto& [source, loaded] : from.lesion_files)
+        if (is_other(found(assets.lesion_files, source), loaded)) assets.put(source, loaded);
     for (const auto& [source, loaded] : from.context_shapes)
         if (const auto* mine = found(assets.context_shapes, source); mine == nullptr || mine->stamp != loaded.stamp)
             assets.put(source, loaded);
@@ -242,11 +262,12 @@ void merge(Assets& assets, const Assets& from) {
 
 void keep_loaded(Assets& assets, Assets before, const Marks& marks) {
     std::erase_if(before.context_shapes, [&](const auto& known) {
-        return std::ranges::find(marks.context, known.first, source_of) == marks.context.end();
+        return std::ranges::none_of(marks.context,
+                                    [&](const ContextItem& item) { return source_of(item) == known.first; });
     });
     if (before.organ.source == marks.organ.source)
         assets.organ.source = before.organ.source, assets.organ.mask = before.organ.mask;
-    assets.lesion_meshes.merge(before.lesion_meshes);
+    assets.lesion_files.merge(before.lesion_files);
     assets.context_shapes.merge(before.context_shapes);
 }
 

@@ -7,7 +7,7 @@
 // - A worker takes a copy, which is cheap because everything large is shared and immutable, runs complete_lesions() or
 //   complete() on the copy and returns it to the owner's thread, where merge() takes over new values.
 // - So does a command that needs one file: Assets::lesion_mesh() and context_shape() look it up without disk access;
-//   load_lesion_mesh() and load_context_shape() read it into the copy. Callers that may block can call these functions
+//   load_lesion() and load_context_shape() read it into the copy. Callers that may block can call these functions
 //   on the assets directly.
 #pragma once
 
@@ -35,7 +35,7 @@ struct Assets {
     std::shared_ptr<const TreeFacts> facts;
 
     // Loaded files. A missing entry has not been read yet.
-    std::map<std::string, Loaded<LesionMesh>> lesion_meshes; // by file
+    std::map<LesionSource, Loaded<LesionFile>> lesion_files;
     std::map<ContextSource, Loaded<ContextShape>> context_shapes;
 
     // Derived values. Each has its inputs; missing values are null or empty.
@@ -55,10 +55,11 @@ struct Assets {
     [[nodiscard]] const Result<Measured>* measured(int id) const;
 
     // Null: not read, or reading failed.
-    [[nodiscard]] std::shared_ptr<const LesionMesh> lesion_mesh(const std::string& file) const;
+    [[nodiscard]] std::shared_ptr<const LesionMesh> lesion_mesh(const Lesion& lesion) const; // also for spheres
     [[nodiscard]] std::shared_ptr<const ContextShape> context_shape(const ContextSource& source) const;
     // Why reading failed; none: it did not, or was not tried.
     [[nodiscard]] std::optional<Error> trouble(const ContextSource& source) const;
+    [[nodiscard]] std::optional<Error> trouble(const Lesion& lesion) const;
 
     // The origin of unit and orientation of all visible items of `context`; known only if known for each of them.
     [[nodiscard]] tree::Claims claims_of(const std::vector<ContextItem>& context) const;
@@ -66,7 +67,7 @@ struct Assets {
     // Bounding box of the visible items of `context` that have been read.
     [[nodiscard]] render::Box box_of(const std::vector<ContextItem>& context) const;
 
-    void put(const std::string& lesion_file, Loaded<LesionMesh> loaded);
+    void put(const LesionSource& source, Loaded<LesionFile> loaded);
     void put(const ContextSource& source, Loaded<ContextShape> loaded);
 };
 
@@ -93,10 +94,9 @@ void complete_lesions(Assets& assets, const Marks& marks, GridIs grid);
 // Does this in the calling thread if necessary, and refreshes the rest.
 void complete_lesions(Assets& assets, const Document& document);
 
-// Returns the shape; reads it in the calling thread unless it is loaded and its file unmodified. `axes`: see
-// read_lesion_mesh().
-[[nodiscard]] Result<std::shared_ptr<const LesionMesh>> load_lesion_mesh(Assets& assets, const std::string& file,
-                                                                         const std::string& axes = {});
+// Returns the shape; reads it in the calling thread unless it is loaded and its file unmodified.
+[[nodiscard]] Result<std::shared_ptr<const LesionFile>> load_lesion(Assets& assets, const LesionSource& source,
+                                                                    Job& job);
 [[nodiscard]] Result<std::shared_ptr<const ContextShape>> load_context_shape(Assets& assets,
                                                                              const ContextSource& source, Job& job);
 

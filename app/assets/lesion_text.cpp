@@ -24,4 +24,10 @@ std::string contact_text(const measure::LesionVessels& vessels, const Lengths& l
     return text;
 }
 
+std::string size_text(const LesionMesh& mesh, const Lengths& lengths) {
+    const Lengths own = mesh.volume_mm3 ? Lengths(mesh.claims) : lengths;
+    const std::string diameter = "\xC3\x98 " + own.text(mesh.diameter_mm);
+    return mesh.volume_mm3 ? diameter + ", " + own.volume(*mesh.volume_mm3) : diameter;
+}
+
 } // namespace ramus::app

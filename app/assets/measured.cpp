@@ -244,7 +244,7 @@ int LesionShapes::picked(int lesion) const {
 LesionShapes lesion_shapes(const Assets& assets, const Marks& marks) {
     LesionShapes shapes;
     for (const Lesion& lesion : marks.lesions) {
-        const auto mesh = lesion.is_mesh() ? assets.lesion_mesh(lesion.file) : nullptr;
+        const auto mesh = assets.lesion_mesh(lesion);
         shapes.shapes.push_back({lesion, mesh ? mesh->distance : nullptr});
     }
     return shapes;

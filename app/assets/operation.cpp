@@ -152,7 +152,7 @@ std::vector<PlannedLesion> planned_lesions(const Assets& assets, const Marks& ma
     for (const Lesion& lesion : marks.lesions) {
         ++number;
         PlannedLesion planned{lesion.id, lesion.name.empty() ? "Lesion " + std::to_string(number) : lesion.name,
-                              lesion.sphere, lesion.is_mesh() ? assets.lesion_mesh(lesion.file) : nullptr};
+                              lesion.sphere, assets.lesion_mesh(lesion)};
         if (!lesion.is_mesh() || planned.mesh) lesions.push_back(std::move(planned));
     }
     return lesions;

@@ -61,26 +61,26 @@ LesionDistances measure_lesions(const tree::VesselTree& tree, measure::Lesions l
 
 measure::Lesions loaded_lesions(const Assets& assets, const Marks& marks) {
     measure::Lesions lesions{spheres_of(marks), {}};
-    for (const std::string& file : lesion_files(marks))
-        if (const auto mesh = assets.lesion_mesh(file)) lesions.meshes.push_back(mesh->distance);
+    for (const Lesion& lesion : lesion_meshes(marks))
+        if (const auto mesh = assets.lesion_mesh(lesion)) lesions.meshes.push_back(mesh->distance);
     return lesions;
 }
 
 PlannedMarks planned(const Marks& marks) {
-    return {spheres_of(marks), lesion_files(marks), marks.cuts, marks.planning};
+    return {spheres_of(marks), lesion_meshes(marks), marks.cuts, marks.planning};
 }
 
 Plan make_plan(const Assets& assets, const Marks& marks) {
     Plan plan;
     plan.of = planned(marks);
     plan.lesions = loaded_lesions(assets, marks);
-    for (const std::string& file : plan.of.lesion_meshes) {
-        plan.meshes.push_back(assets.lesion_mesh(file));
-        const auto loaded = assets.lesion_meshes.find(file);
-        if (loaded == assets.lesion_meshes.end())
+    for (const Lesion& lesion : plan.of.lesion_meshes) {
+        plan.meshes.push_back(assets.lesion_mesh(lesion));
+        if (!assets.lesion_files.contains(source_of(lesion)))
             plan.measuring = true;
-        else if (!loaded->second.value)
-            plan.troubles.push_back(loaded->second.value.error().message());
+        else if (const auto trouble = assets.trouble(lesion);
+                 trouble && std::ranges::find(plan.troubles, trouble->message()) == plan.troubles.end())
+            plan.troubles.push_back(trouble->message());
     }
     const double touch_mm = marks.planning.touch_mm;
     const LesionDistances& known = assets.lesion_distances;

@@ -35,7 +35,7 @@ struct LesionDistances {
 // The marks that a plan depends on; see Marks.
 struct PlannedMarks {
     std::vector<std::array<double, 4>> lesions; // spheres
-    std::vector<std::string> lesion_meshes;     // files of the meshes
+    std::vector<Lesion> lesion_meshes;          // lesion_meshes()
     std::vector<std::pair<int, double>> cuts;
     Planning planning;
     bool operator==(const PlannedMarks&) const = default;

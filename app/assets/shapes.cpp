@@ -1,10 +1,13 @@
 #include "app/assets/shapes.h"
 
 #include "app/session/error_context.h"
+#include "core/io/length_unit.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/io/volumes/volume_unit.h"
+#include "core/measure/largest_diameter.h"
 #include "core/mesh/coarse_mesh.h"
+#include "core/organ/mask_lesions.h"
 #include "core/volume/isosurface.h"
 
 #include <filesystem>
@@ -69,18 +72,51 @@ Result<std::shared_ptr<const ContextShape>> read_shape(const ContextSource& sour
     }
 }
 
+LesionMesh lesion_mesh_of(mesh::TriangleMesh mesh, const tree::Claims& claims) {
+    LesionMesh lesion;
+    lesion.claims = claims;
+    lesion.distance = std::make_shared<const measure::MeshDistance>(mesh);
+    lesion.coarse = preview_of(mesh);
+    lesion.diameter_mm = measure::largest_diameter(mesh.positions);
+    lesion.mesh = std::move(mesh);
+    return lesion;
+}
+
+Result<LesionFile> read_lesion_mesh(const LesionSource& source) {
+    RAMUS_TRY(read, io::read_mesh_file(source.file, {io::Holes::kRefused, io::slicer_space(source.axes)}));
+    return LesionFile{
+        {std::make_shared<const LesionMesh>(lesion_mesh_of(std::move(read.mesh), {tree::SaidBy::kNobody, read.axes}))}};
+}
+
+Result<LesionFile> read_lesion_mask(const LesionSource& source, Job& job) {
+    const auto unit = io::length_unit(source.units);
+    RAMUS_TRY(volume, io::read_volume(source.file, {0.0, unit}, job));
+    RAMUS_TRY(found, with_file(organ::mask_lesions(volume, source.labels, kMostLesionParts, JobRange(job, 0.5F, 1.0F)),
+                               source.file));
+    LesionFile file{{}, found.more, volume.suspicions.empty() ? std::string() : volume.suspicions.front()};
+    for (organ::MaskLesion& one : found.lesions) {
+        LesionMesh lesion = lesion_mesh_of(std::move(one.mesh), io::claims_of(volume, unit));
+        lesion.volume_mm3 = one.volume_mm3;
+        lesion.name = std::move(one.name);
+        file.parts.push_back(std::make_shared<const LesionMesh>(std::move(lesion)));
+    }
+    return file;
+}
+
 } // namespace
 
-Loaded<LesionMesh> read_lesion_mesh(const std::filesystem::path& file, const std::string& axes,
-                                    const Loaded<LesionMesh>* before) {
-    if (before != nullptr && before->value && (*before->value)->asked_axes != axes) before = nullptr;
-    return read_if_written(file, before, "the lesion", [&]() -> Result<std::shared_ptr<const LesionMesh>> {
-        RAMUS_TRY(read, io::read_mesh_file(file, {io::Holes::kRefused, io::slicer_space(axes)}));
-        auto distance = std::make_shared<const measure::MeshDistance>(read.mesh);
-        auto coarse = preview_of(read.mesh);
-        return std::make_shared<const LesionMesh>(
-            LesionMesh{std::move(read.mesh), std::move(coarse), axes, read.axes, std::move(distance)});
-    });
+Loaded<LesionFile> read_lesion_file(const LesionSource& source, const Loaded<LesionFile>* before, Job& job) {
+    auto loaded =
+        read_if_written(source.file, before, "the lesion", [&]() -> Result<std::shared_ptr<const LesionFile>> {
+            try {
+                RAMUS_TRY(file, source.mask ? read_lesion_mask(source, job) : read_lesion_mesh(source));
+                return std::make_shared<const LesionFile>(std::move(file));
+            } catch (const std::bad_alloc&) {
+                return fail("there is not enough memory for it", source.file, "give a coarser mask or mesh");
+            }
+        });
+    if (job.cancelled()) loaded.value = fail("cancelled");
+    return loaded;
 }
 
 namespace fs = std::filesystem;

@@ -11,12 +11,14 @@
 #include "render/scene/bounds.h"
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace ramus::app {
 
@@ -50,20 +52,43 @@ template <class T, class Read>
     return {stamp, read()};
 }
 
+// The file of a lesion, and how it is read.
+struct LesionSource {
+    std::string file;
+    std::string axes{}; // of a mesh that does not state them: "LPS"; empty: not specified
+    bool mask = false;
+    std::vector<volume::LabelChoice> labels{};             // of a mask; none: all
+    std::string units{};                                   // of a mask's lengths; empty: as the file says
+    auto operator<=>(const LesionSource&) const = default; // NOLINT(modernize-use-nullptr): the rule mistakes it
+};
+[[nodiscard]] inline LesionSource source_of(const Lesion& lesion) {
+    return {lesion.file, lesion.axes, lesion.of_mask(), lesion.labels, lesion.units};
+}
+
 // A closed mesh that a session uses as a lesion.
 struct LesionMesh {
     mesh::TriangleMesh mesh;                          // positions, normals and triangles
     std::shared_ptr<const mesh::TriangleMesh> coarse; // fewer triangles, for outlines; null: the mesh is small
-    std::string asked_axes;                           // the axes specified when reading
-    tree::SaidBy axes = tree::SaidBy::kNobody;
+    tree::Claims claims;                              // origin of unit (of a mask) and orientation
     std::shared_ptr<const measure::MeshDistance> distance;
+    double diameter_mm = 0.0;           // the greatest distance between two places of its surface
+    std::optional<double> volume_mm3{}; // of the voxels; none: not of a mask
+    std::string name{};                 // in the file; empty: none
 };
 
-// Reads the mesh in this file (formats: core/io/meshes/mesh_file.h), or returns `before` if the file is unmodified
-// (null: not read before). `axes`: "LPS" or "RAS", for a file that does not state them; empty: not specified.
-// Thread-safe.
-[[nodiscard]] Loaded<LesionMesh> read_lesion_mesh(const std::filesystem::path& file, const std::string& axes,
-                                                  const Loaded<LesionMesh>* before);
+// What a file has of lesions: one mesh, or the parts of a mask, the largest first.
+struct LesionFile {
+    std::vector<std::shared_ptr<const LesionMesh>> parts;
+    std::size_t more = 0;    // smaller parts that are left out
+    std::string suspicion{}; // of a mask: why its unit is implausible; empty: it is not
+};
+inline constexpr std::size_t kMostLesionParts = 50; // of a mask; each takes a second to measure in a large tree
+
+// Reads a mesh (formats: core/io/meshes/mesh_file.h), or all parts of a mask (core/organ/mask_lesions.h). Returns
+// `before` if the file is unmodified (null: not read before). If `job` is cancelled, the error's `what` is "cancelled",
+// and the result must not be kept. Thread-safe.
+[[nodiscard]] Loaded<LesionFile> read_lesion_file(const LesionSource& source, const Loaded<LesionFile>* before,
+                                                  Job& job);
 
 // The source of a context surface: a mesh or a mask.
 struct ContextSource {

@@ -280,9 +280,9 @@ void warn_of_half_turns(const Document& document, const Assets& assets) {
     for (const ContextItem& item : marks.context)
         if (const auto shape = assets.context_shape(source_of(item)))
             warn(item.file, {shape->box, shape->claims.orientation}, item.axes);
-    for (const std::string& file : lesion_files(marks))
-        if (const auto lesion = assets.lesion_mesh(file))
-            warn(file, {render::bounds_of(lesion->mesh), lesion->axes}, lesion->asked_axes);
+    for (const Lesion& lesion : lesion_meshes(marks))
+        if (const auto mesh = lesion.of_mask() ? nullptr : assets.lesion_mesh(lesion))
+            warn(lesion.file, {render::bounds_of(mesh->mesh), mesh->claims.orientation}, lesion.axes);
 }
 
 Result<int> run_render(const RenderFlags& flags) {

@@ -115,12 +115,11 @@ void draw_vessels(InterfaceContext& context, std::size_t lesion) {
 }
 
 void draw_lesion_mesh(InterfaceContext& context, std::size_t index, const Lesion& lesion) {
-    const std::string& file = lesion.file;
     plan_rows::object_row(context, plan_rows::row_of(context, lesion, index));
-    ImGui::PushID(file.c_str());
-    const auto mesh = context.workspace.assets().lesion_mesh(file);
-    if (mesh && mesh->axes != tree::SaidBy::kFile)
-        if (const auto axes = widgets::mesh_axes_row(axes_of_lesion(context.workspace.document().marks(), file)))
+    ImGui::PushID(lesion.file.c_str());
+    const auto mesh = lesion.of_mask() ? nullptr : context.workspace.assets().lesion_mesh(lesion);
+    if (mesh && mesh->claims.orientation != tree::SaidBy::kFile)
+        if (const auto axes = widgets::mesh_axes_row(lesion.axes))
             context.perform("lesion-axes", {std::to_string(index + 1), *axes});
     ImGui::PopID();
 }
@@ -212,15 +211,20 @@ void draw_lesions(InterfaceContext& context) {
     const Marks& marks = context.workspace.document().marks();
     draw_title(context, "Lesions",
                {{"Place", "Place a lesion in the picture and size it by dragging", "tool", {"lesion"}},
-                {"Mesh\xE2\x80\xA6", "Read a closed mesh from a file: STL, PLY or OBJ", "lesion-mesh"}});
+                {"Mesh\xE2\x80\xA6", "Read a closed mesh from a file: STL, PLY or OBJ", "lesion-mesh"},
+                {"Mask\xE2\x80\xA6", "Read the parts of a mask from a file, each a lesion", "lesion-mask"}});
     if (marks.lesions.empty()) {
         widgets::quiet_wrapped(
             "What lies near a lesion, and how near, is listed here. A closed mesh (STL, PLY, OBJ) dropped into the "
-            "picture now is a lesion too.");
+            "picture now is a lesion too, and the parts of a mask can be.");
         return;
     }
-    widgets::row_headings({"Lesion", "Click a line to bring the lesion to the middle of the picture"},
-                          {"Diameter", "The diameter of a sphere; a mesh has its own size"}, ImGui::GetFrameHeight());
+    widgets::row_headings(
+        {"Lesion", "Click a line to bring the lesion to the middle of the picture"},
+        {"Diameter",
+         "The diameter of a sphere; of a mesh or a part of a mask, the greatest distance between two places of "
+         "its surface; of a part also the volume of its voxels"},
+        ImGui::GetFrameHeight());
     // Keeps the list alive: actions of rows replace it.
     const auto same = [&, before = marks] { return planned(before) == planned(context.workspace.document().marks()); };
     for (const auto lesions = marks.lesions; const Lesion& lesion : lesions) {

@@ -154,7 +154,7 @@ void outline_lesions(render::Frame& frame, const Assets& assets, const Marks& ma
     }
     if (frame.lesions.meshes.empty()) return;
     for (const Lesion& lesion : marks.lesions) {
-        const auto mesh = lesion.visible && lesion.is_mesh() ? assets.lesion_mesh(lesion.file) : nullptr;
+        const auto mesh = lesion.visible ? assets.lesion_mesh(lesion) : nullptr;
         if (!mesh) continue;
         const auto& box = mesh->distance->bounds();
         for (auto& line : silhouette(mesh->coarse ? *mesh->coarse : mesh->mesh, 0.5 * (box.least + box.most),

@@ -1,6 +1,7 @@
 #include "app/picture/scene_objects.h"
 
 #include "app/assets/assets.h"
+#include "app/assets/lesion_text.h"
 #include "app/assets/territories.h"
 #include "app/picture/colouring.h"
 #include "app/picture/place_marks.h"
@@ -28,7 +29,7 @@ glm::vec3 colour_of(const SceneObject auto& object) {
 void draw_object(const SceneDrawing& drawing, const Lesion& lesion) {
     if (drawing.assets.plan == nullptr) return;
     render::Lesions& lesions = drawing.frame.lesions;
-    const auto mesh = lesion.is_mesh() && lesion.visible ? drawing.assets.lesion_mesh(lesion.file) : nullptr;
+    const auto mesh = lesion.visible ? drawing.assets.lesion_mesh(lesion) : nullptr;
     if (lesion.is_mesh() && !mesh) return;
     if (mesh)
         lesions.meshes.emplace_back(mesh, &mesh->mesh);
@@ -156,7 +157,7 @@ void draw_objects(const SceneDrawing& drawing, const Marks& marks) {
 
 void add_points(std::vector<glm::vec3>& points, const Assets& assets, const Lesion& lesion) {
     if (lesion.is_mesh()) {
-        if (const auto mesh = assets.lesion_mesh(lesion.file))
+        if (const auto mesh = assets.lesion_mesh(lesion))
             points.insert(points.end(), mesh->mesh.positions.begin(), mesh->mesh.positions.end());
         return;
     }
@@ -215,12 +216,15 @@ ObjectWords words_of(const Lesion& lesion, std::size_t index, const Assets& asse
     if (!lesion.is_mesh())
         return {lesion.name.empty() ? numbered("Lesion", index) : lesion.name,
                 "\xC3\x98 " + lengths.text(2.0 * lesion.sphere[3])};
-    const auto loaded = assets.lesion_meshes.find(lesion.file);
-    const bool trouble = loaded != assets.lesion_meshes.end() && !loaded->second.value;
-    return {lesion.name.empty() ? file_name(lesion.file) : lesion.name,
-            {},
-            trouble ? loaded->second.value.error().message() : lesion.file,
-            trouble};
+    ObjectWords words{lesion.name};
+    if (words.title.empty()) words.title = lesion.of_mask() ? numbered("Lesion", index) : file_name(lesion.file);
+    words.details = lesion.file;
+    if (const auto trouble = assets.trouble(lesion)) words.trouble = true, words.details = trouble->message();
+    if (const auto mesh = assets.lesion_mesh(lesion)) {
+        words.value = size_text(*mesh, lengths);
+        words.details += std::string("\n\xC3\x98: ") + kLargestDiameter;
+    }
+    return words;
 }
 
 ObjectWords words_of(const ContextItem& item, std::size_t /*index*/, const Assets& assets, const Lengths& /*lengths*/) {

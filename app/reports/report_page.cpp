@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <numbers>
 #include <utility>
 
 namespace ramus::app {
@@ -67,7 +68,7 @@ Facts option_facts(const Marks& marks) {
     return found;
 }
 
-std::string lesions_html(const Document& document, const Plan& plan) {
+std::string lesions_html(const Document& document, const Assets& assets) {
     const Marks& marks = document.marks();
     if (marks.lesions.empty()) return {};
     Table table{"Lesions",
@@ -76,19 +77,27 @@ std::string lesions_html(const Document& document, const Plan& plan) {
                  {"x", "x, mm"},
                  {"y", "y, mm"},
                  {"z", "z, mm"},
-                 {"diameter", "Diameter, mm"}},
+                 {"diameter", "Diameter, mm"},
+                 {"volume", "Volume, mm\xC2\xB3"}},
                 {}};
     int number = 0;
     for (const Lesion& lesion : marks.lesions) {
         const auto& [x, y, z, r] = lesion.sphere;
-        if (lesion.is_mesh())
-            table.rows.push_back({++number, std::filesystem::path(lesion.file).filename().string(), "", "", "", ""});
-        else
-            table.rows.push_back({++number, "sphere", x, y, z, 2.0 * r});
+        std::vector<Cell> row{++number};
+        if (lesion.is_mesh()) {
+            const std::string file = std::filesystem::path(lesion.file).filename().string();
+            const auto mesh = assets.lesion_mesh(lesion);
+            row.insert(row.end(), {lesion.of_mask() ? file + ", part " + std::to_string(lesion.part) : file, "", "", "",
+                                   mesh ? Cell(mesh->diameter_mm) : Cell(""),
+                                   mesh && mesh->volume_mm3 ? Cell(*mesh->volume_mm3) : Cell("")});
+        } else {
+            row.insert(row.end(), {"sphere", x, y, z, 2.0 * r, 4.0 / 3.0 * std::numbers::pi * r * r * r});
+        }
+        table.rows.push_back(std::move(row));
     }
     add_unit(table, document.lengths());
     std::string note;
-    for (const std::string& trouble : plan.troubles) note += trouble + ". ";
+    for (const std::string& trouble : assets.plan->troubles) note += trouble + ". ";
     return table_html(table, {.note = note});
 }
 
@@ -158,7 +167,7 @@ std::string report_page(const Document& document, const Assets& assets, const st
     if (!document.tree()->systems.empty()) page += table_html(systems_table(document, assets));
     const Marks& marks = document.marks();
     const Plan& plan = *assets.plan;
-    page += lesions_html(document, plan);
+    page += lesions_html(document, assets);
     if (!plan.vessels.empty())
         page += table_html(
             lesions_table(document, assets),

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -115,6 +116,21 @@ MarksEntry spheres_entry() {
             }};
 }
 
+void write_part(json& value, const Lesion& lesion) {
+    value["part"] = lesion.part;
+    for (const volume::LabelChoice& label : lesion.labels) value["labels"].push_back(label_json(label));
+    if (!lesion.units.empty()) value["units"] = lesion.units;
+}
+
+void read_part(const json& value, Lesion& lesion) {
+    lesion.labels = labels_in(value, "labels");
+    if (value.contains("units")) lesion.units = units_in(value["units"]);
+    if (value.contains("part")) lesion.part = integer(value["part"], "part", 1, std::numeric_limits<int>::max());
+    if (!lesion.of_mask() && (value.contains("labels") || value.contains("units")))
+        throw Refusal{"labels and units are of a lesion that is a part of a mask"};
+    if (lesion.of_mask() && !lesion.axes.empty()) throw Refusal{"a mask states its axes itself"};
+}
+
 // A path, or an object with further keys.
 MarksEntry lesion_meshes_entry() {
     return {"lesion_meshes",
@@ -123,8 +139,9 @@ MarksEntry lesion_meshes_entry() {
                 for (const Lesion& lesion : marks.lesions) {
                     if (!lesion.is_mesh()) continue;
                     json mesh = with_object_keys(json(written_path(lesion.file, folder).string()), "path", lesion);
-                    if (!lesion.axes.empty() && mesh.is_string()) mesh = {{"path", mesh}};
+                    if (mesh.is_string() && (!lesion.axes.empty() || lesion.of_mask())) mesh = {{"path", mesh}};
                     if (!lesion.axes.empty()) mesh["axes"] = lesion.axes;
+                    if (lesion.of_mask()) write_part(mesh, lesion);
                     list.push_back(std::move(mesh));
                 }
                 return list;
@@ -133,10 +150,11 @@ MarksEntry lesion_meshes_entry() {
                 if (!value.is_array()) throw Refusal{"lesion_meshes is not a list"};
                 for (const json& element : value) {
                     Lesion lesion;
-                    if (element.is_object()) read_object(element, lesion, {"path", "axes"});
+                    if (element.is_object()) read_object(element, lesion, {"path", "axes", "labels", "units", "part"});
                     const json& path = element.is_object() && element.contains("path") ? element["path"] : element;
                     lesion.file = (folder / text(path, "path of a lesion")).lexically_normal().string();
                     if (element.is_object() && element.contains("axes")) lesion.axes = mesh_axes_in(element["axes"]);
+                    if (element.is_object()) read_part(element, lesion);
                     add_lesion(marks, std::move(lesion));
                 }
                 number_objects(marks);

@@ -25,18 +25,22 @@ inline constexpr int kLostObject = -1; // an object that a session file refers t
 
 using Rgb = std::array<std::uint8_t, 3>; // sRGB
 
-// A sphere, or a closed mesh from a file.
+// A sphere, a closed mesh from a file, or a part of a mask.
 struct Lesion {
     static constexpr std::string_view kNoun = "lesion";
-    std::array<double, 4> sphere{}; // centre and radius, mm, RAS; unused for meshes
-    std::string file{};             // absolute path of a mesh; empty: a sphere
-    std::string axes{};             // of a mesh that does not state them: "LPS"; empty: not specified
+    std::array<double, 4> sphere{};            // centre and radius, mm, RAS; unused for meshes
+    std::string file{};                        // absolute path of a mesh or mask; empty: a sphere
+    std::string axes{};                        // of a mesh that does not state them: "LPS"; empty: not specified
+    std::vector<volume::LabelChoice> labels{}; // of a mask; each is divided on its own; empty: all
+    std::string units{};                       // of a mask's lengths; empty: as the file says
+    int part = 0; // of a mask: which of its parts that do not touch, from 1, the largest first; 0: not of a mask
     int id = kNoObject;
     std::string name{};
     bool visible = true; // margins and distances always use all lesions
     Rgb colour{204, 199, 66};
-    double opacity = 0.6; // where it faces the eye
-    [[nodiscard]] bool is_mesh() const { return !file.empty(); }
+    double opacity = 0.6;                                        // where it faces the eye
+    [[nodiscard]] bool is_mesh() const { return !file.empty(); } // drawn and measured as one, also if of a mask
+    [[nodiscard]] bool of_mask() const { return part > 0; }
     bool operator==(const Lesion&) const = default;
 };
 

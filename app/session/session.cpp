@@ -32,16 +32,23 @@ std::vector<std::array<double, 4>> spheres_of(const Marks& marks) {
     return spheres;
 }
 
+std::vector<Lesion> lesion_meshes(const Marks& marks) {
+    std::vector<Lesion> meshes;
+    for (const Lesion& lesion : marks.lesions)
+        if (lesion.is_mesh())
+            meshes.push_back({.file = lesion.file,
+                              .axes = lesion.axes,
+                              .labels = lesion.labels,
+                              .units = lesion.units,
+                              .part = lesion.part});
+    return meshes;
+}
+
 std::vector<std::string> lesion_files(const Marks& marks) {
     std::vector<std::string> files;
     for (const Lesion& lesion : marks.lesions)
-        if (lesion.is_mesh()) files.push_back(lesion.file);
+        if (lesion.is_mesh() && std::ranges::find(files, lesion.file) == files.end()) files.push_back(lesion.file);
     return files;
-}
-
-std::string axes_of_lesion(const Marks& marks, const std::string& file) {
-    const auto lesion = std::ranges::find(marks.lesions, file, &Lesion::file);
-    return lesion == marks.lesions.end() ? std::string() : lesion->axes;
 }
 
 std::optional<std::size_t> lesion_index(const Marks& marks, int id) {
