@@ -138,6 +138,7 @@ std::optional<OrganTerritories::Of> wanted_territories(const Assets& assets, con
     const bool by_branches = of.kind == TerritoriesOf::kGeneration || of.kind == TerritoriesOf::kNames ||
                              of.kind == TerritoriesOf::kSelection;
     if (by_branches) of.system = dividing_system(of, tree, marks);
+    std::ranges::stable_sort(of.named, {}, &std::pair<int, std::string>::second); // S1 to S8, whatever their branches
     return of;
 }
 

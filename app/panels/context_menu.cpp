@@ -97,10 +97,13 @@ std::vector<std::string> draw_object_entries(const InterfaceContext& context, co
 std::vector<std::string> draw_segment_names(int branch) {
     constexpr int kSegments = 8;
     std::vector<std::string> chosen;
-    if (!ImGui::BeginMenu("Name as segment")) return chosen;
+    const bool open = ImGui::BeginMenu("Name as segment");
+    widgets::note_item("menu: Name as segment");
+    if (!open) return chosen;
     for (int segment = 1; segment <= kSegments; ++segment) {
         const std::string name = "S" + std::to_string(segment);
         if (ImGui::MenuItem(name.c_str())) chosen = {"name", std::to_string(branch), name, "subtree"};
+        widgets::note_item(("menu: " + name).c_str());
     }
     ImGui::EndMenu();
     return chosen;

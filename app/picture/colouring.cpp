@@ -359,13 +359,14 @@ std::string latin1(const std::string& utf8) {
 }
 
 glm::vec3 label_colour(std::size_t index) {
-    constexpr std::array<glm::vec3, 7> kPalette{{{0.902F, 0.624F, 0.000F},
-                                                 {0.337F, 0.706F, 0.914F},
-                                                 {0.000F, 0.620F, 0.451F},
-                                                 {0.941F, 0.894F, 0.259F},
-                                                 {0.000F, 0.447F, 0.698F},
-                                                 {0.835F, 0.369F, 0.000F},
-                                                 {0.800F, 0.475F, 0.655F}}};
+    constexpr std::array<glm::vec3, 8> kPalette{{{0.920F, 0.530F, 0.000F},
+                                                 {0.360F, 0.755F, 0.995F},
+                                                 {0.095F, 0.740F, 0.465F},
+                                                 {0.985F, 0.970F, 0.180F},
+                                                 {0.120F, 0.370F, 0.800F},
+                                                 {0.715F, 0.250F, 0.120F},
+                                                 {0.695F, 0.380F, 0.575F},
+                                                 {0.340F, 0.130F, 0.930F}}};
     return index < kPalette.size() ? kPalette[index] : distinct(index);
 }
 

@@ -25,8 +25,9 @@ struct Colouring {
 [[nodiscard]] Colouring colouring_of(const tree::VesselTree& tree, const TreeFacts& facts, const Marks& marks,
                                      const Plan* plan);
 
-// Distinguishable colours (sRGB) for a few things, also for colour-blind people (M. Okabe and K. Ito, 2008); then
-// arbitrary ones.
+// Colours (sRGB) for up to eight things, then arbitrary ones. The first seven are those of M. Okabe and K. Ito (2008),
+// moved apart with the eighth: any two of the eight differ by 28 in CIELAB for normal sight and for people who lack red
+// or green receptors (simulated by G. Machado et al., 2009).
 [[nodiscard]] glm::vec3 label_colour(std::size_t index);
 
 // A bar from `low` to `high` with ticks at round numbers.

@@ -11,7 +11,8 @@ namespace ramus::app {
 
 namespace {
 
-constexpr glm::vec3 kOrganColour{0.72F, 0.47F, 0.40F}, kRestColour{0.62F, 0.63F, 0.65F};
+// The grey of the rest differs from all label_colour()s as they do from each other.
+constexpr glm::vec3 kOrganColour{0.72F, 0.47F, 0.40F}, kRestColour{0.85F, 0.86F, 0.87F};
 // Of RemnantPart, in its order. Blue and yellow stay apart for people with red-green blindness.
 constexpr std::array<glm::vec3, 5> kRemnantColours{
     {kOrganColour, {0.25F, 0.42F, 0.88F}, {0.96F, 0.85F, 0.30F}, {0.34F, 0.35F, 0.38F}, {0.80F, 0.80F, 0.84F}}};
@@ -37,7 +38,7 @@ void draw_territories(render::Frame& frame, const Assets& assets, const Marks& m
     render::Legend& legend = frame.overlays.legend;
     const Lengths lengths(territories->of.supply->of.mask->claims);
     const double mm3 = 1000.0 * territories->of.supply->of.mask->organ.voxel_ml();
-    if (legend.title.empty()) legend.title = "Territories";
+    legend.title = legend.title.empty() ? "Territories" : legend.title + ", territories";
     for (std::size_t n = 0; n < territories->parts.size(); ++n) {
         const OrganTerritories::Part& part = territories->parts[n];
         if (std::ranges::binary_search(marks.organ.hidden, part.name)) continue;
