@@ -201,7 +201,7 @@ def planning(program, screen, folder):
                    stderr=subprocess.DEVNULL)
     (folder / "organ.nii.gz").symlink_to(ORGAN)
     tree = json.loads(vessels.read_text())
-    window = Window(program, screen, folder, [vessels, "--size", "1200x1000"])
+    window = Window(program, screen, folder, [vessels, "--size", "1100x1560"])
     try:
         window.wait("the surface", lambda s: s["surface_ready"])
         organ(window)
@@ -220,4 +220,4 @@ if __name__ == "__main__":
     if not ORGAN.exists() or not VESSELS.exists():
         print("SKIPPED: there is no shared data")
         sys.exit(0)
-    sys.exit(run_journeys(planning, size=(1250, 1050)))
+    sys.exit(run_journeys(planning, size=(1150, 1600)))
