@@ -30,10 +30,8 @@ glm::dvec3 place_of(const Organ& organ, const glm::dvec3& index) {
 glm::dvec3 vertex_on(const Organ& organ, const Resection& resection, std::uint64_t edge) {
     const glm::ivec3 size = organ.size() + 1;
     const std::uint64_t number = edge / 4, row = static_cast<std::uint64_t>(size.x);
-    const std::uint64_t rows = static_cast<std::uint64_t>(size.y);
-    glm::dvec3 from(static_cast<double>(number % row), static_cast<double>(number / row % rows),
-                    static_cast<double>(number / (row * rows)));
-    from -= 0.5;
+    const std::uint64_t rows = static_cast<std::uint64_t>(size.y), slice = number / (row * rows);
+    const glm::dvec3 from = glm::dvec3(glm::ivec3(number % row, number / row % rows, slice)) - 0.5;
     glm::dvec3 to = from;
     to[static_cast<int>(edge % 4)] += 1.0;
     const glm::dvec3 a = place_of(organ, from), b = place_of(organ, to);
