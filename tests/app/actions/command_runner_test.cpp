@@ -375,7 +375,7 @@ TEST_CASE("the next line of a script sees the files that the previous line read"
     CHECK(stage.document.step_name(0).starts_with("lesion mesh"));
     CHECK(stage.said.starts_with("ball.stl: "));
     CHECK(stage.assets.context_shape({ball, 0, false}) != nullptr); // what was read is there for the picture
-    CHECK(stage.assets.lesion_mesh(other) != nullptr);
+    CHECK(stage.assets.lesion_mesh({.file = other}) != nullptr);
     CHECK(stage.bad("context " + ball).find("shown already") != std::string::npos);
     CHECK(stage.bad("lesion-mesh " + other).find("there already") != std::string::npos);
 }

@@ -18,7 +18,12 @@ Marks full_marks() {
     marks.edits = {{.kind = tree::Edit::Kind::kDelete, .branches = {3}}};
     marks.selection = {1, 4};
     marks.states = {tree::BranchState::kNormal, tree::BranchState::kHidden};
-    marks.lesions = {{.sphere = {1.0, 2.0, 3.0, 4.0}}, {.file = "/data/lesion.stl", .axes = "LPS", .name = "tumour"}};
+    marks.lesions = {{.sphere = {1.0, 2.0, 3.0, 4.0}},
+                     {.file = "/data/lesion.stl", .axes = "LPS", .name = "tumour"},
+                     {.file = "/data/tumours.nii",
+                      .labels = {3, volume::LabelChoice(std::string("cyst"))},
+                      .units = "cm",
+                      .part = 2}};
     marks.context.emplace_back();
     marks.context.front().file = "/data/liver.nii.gz";
     marks.cuts = {{2, 0.25}};

@@ -116,6 +116,11 @@ TEST_CASE("invalid cuts, lesions and measurements are refused") {
     CHECK(message(R"("lesions": [[1, 2, "3", 4]])") == "lesion is not a number");
     CHECK(message(R"("lesion_meshes": "a.stl")") == "lesion_meshes is not a list");
     CHECK(message(R"("lesion_meshes": [7])") == "path of a lesion is not a text");
+    CHECK(message(R"("lesion_meshes": [{"path": "a.nii", "part": 0}])") == "part 0 is out of range");
+    CHECK(message(R"("lesion_meshes": [{"path": "a.nii", "labels": [2]}])") ==
+          "labels and units are of a lesion that is a part of a mask");
+    CHECK(message(R"("lesion_meshes": [{"path": "a.nii", "part": 1, "axes": "LPS"}])") ==
+          "a mask states its axes itself");
     CHECK(message(R"("context": {})") == "context is not a list");
     CHECK(message(R"("context": [{"opacity": 1}])") == "a context mesh has no path");
     CHECK(message(R"("context": [{"path": "a.stl", "opacity": 2}])") == "opacity 2 is out of range");

@@ -185,7 +185,8 @@ TEST_CASE("distances to mesh lesions are measured in the background" * doctest::
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
-    REQUIRE(load_lesion_mesh(workspace.assets(), file.string()));
+    Job job;
+    REQUIRE(load_lesion(workspace.assets(), {file.string()}, job));
 
     Document& document = workspace.document();
     Marks marks = document.marks();
@@ -255,21 +256,22 @@ TEST_CASE("a lesion file that has changed is read again, and distances are updat
     CHECK(assets.plan->measuring);
     complete_lesions(assets, document);
     CHECK_FALSE(assets.plan->measuring);
-    const auto first = assets.lesion_mesh(file.string());
+    const auto first = assets.lesion_mesh(marks.lesions[0]);
     const double distance = assets.plan->lesion_distances_mm[0];
     // A copy is a value: what it learns, the original learns by merging.
     Assets copy = assets;
     write_ball(4.0, 3);
     complete_lesions(copy, marks, GridIs::kMadeAhead);
-    CHECK(copy.lesion_mesh(file.string()) != first);
-    CHECK(assets.lesion_mesh(file.string()) == first);
+    CHECK(copy.lesion_mesh(marks.lesions[0]) != first);
+    CHECK(assets.lesion_mesh(marks.lesions[0]) == first);
     merge(assets, copy);
     refresh(assets, document);
     CHECK_FALSE(assets.plan->measuring);
     CHECK(assets.plan->lesion_distances_mm[0] == doctest::Approx(distance - 1.0).epsilon(0.02));
     // Read with nothing written since, it is the same.
-    const auto second = assets.lesion_mesh(file.string());
-    CHECK(*load_lesion_mesh(assets, file.string()) == second);
+    const auto second = assets.lesion_mesh(marks.lesions[0]);
+    Job job;
+    CHECK(load_lesion(assets, {file.string()}, job).value()->parts.front() == second);
 }
 
 TEST_CASE("centerlines of a large tree are computed by a worker, and the previous ones are kept until then") {
