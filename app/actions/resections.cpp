@@ -18,7 +18,7 @@ namespace ramus::app::actions {
 
 namespace {
 
-using Kind = Resection::Kind;
+using ResectionKind = Resection::Kind;
 
 constexpr const char* kResectUsage = "plane X,Y,Z NX,NY,NZ, sheet and three or more X,Y,Z, line or stroke and X,Y of "
                                      "the picture, surface FILE, cuts MM, "
@@ -34,7 +34,7 @@ Result<Resection> plane_of(Arguments arguments) {
     const auto normal = arguments.size() == 2 ? vector_in(arguments[1]) : std::nullopt;
     if (!point || !normal || glm::length(*normal) == 0.0)
         return fail("a plane is a point X,Y,Z and a normal NX,NY,NZ", {}, "what the normal points to is removed");
-    return Resection{.kind = Kind::kPlane, .point = *point, .normal = glm::normalize(*normal)};
+    return Resection{.kind = ResectionKind::kPlane, .point = *point, .normal = glm::normalize(*normal)};
 }
 
 Result<Resection> sheet_of(Arguments arguments) {
@@ -45,14 +45,14 @@ Result<Resection> sheet_of(Arguments arguments) {
         contour.push_back(*point);
     }
     RAMUS_TRY(sheet, organ::sheet_through(contour));
-    return Resection{.kind = Kind::kSheet, .sheet = std::move(sheet)};
+    return Resection{.kind = ResectionKind::kSheet, .sheet = std::move(sheet)};
 }
 
 Result<Resection> surface_of(Arguments arguments) {
     if (arguments.empty() || (arguments.size() != 1 && (arguments.size() != 3 || arguments[1] != "--mesh-orientation")))
         return fail("resect surface takes a mesh, and --mesh-orientation LPS or RAS", {},
                     io::readable_mesh_extensions());
-    Resection resection{.kind = Kind::kSurface};
+    Resection resection{.kind = ResectionKind::kSurface};
     resection.file = std::filesystem::absolute(arguments[0]).lexically_normal().string();
     if (arguments.size() == 3) {
         if (!io::slicer_space(arguments[2])) return fail("--mesh-orientation takes LPS or RAS");
@@ -61,8 +61,8 @@ Result<Resection> surface_of(Arguments arguments) {
     return resection;
 }
 
-Result<Resection> margin_of(const Marks& marks, Kind kind, Arguments arguments) {
-    const bool of_lesion = kind == Kind::kLesion;
+Result<Resection> margin_of(const Marks& marks, ResectionKind kind, Arguments arguments) {
+    const bool of_lesion = kind == ResectionKind::kLesion;
     Resection resection{.kind = kind};
     if (of_lesion) {
         if (arguments.size() != 2) return fail("resect lesion takes a lesion's number and a margin in mm");
@@ -87,8 +87,8 @@ Result<Resection> asked_resection(const ActionContext& context, Arguments argume
     if (kind == "plane") return plane_of(arguments);
     if (kind == "sheet") return sheet_of(arguments);
     if (kind == "surface") return surface_of(arguments);
-    if (kind == "cuts") return margin_of(marks, Kind::kCuts, arguments);
-    if (kind == "lesion") return margin_of(marks, Kind::kLesion, arguments);
+    if (kind == "cuts") return margin_of(marks, ResectionKind::kCuts, arguments);
+    if (kind == "lesion") return margin_of(marks, ResectionKind::kLesion, arguments);
     if (kind == "line" || kind == "stroke") return resection_drawn(context, kind == "line", arguments);
     return fail("there is no resection by " + kind, {}, kResectUsage);
 }
@@ -102,7 +102,7 @@ Result<void> add_resection(ActionContext& context, const Resection& resection) {
 
 Result<Outcome> resect(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(asked, asked_resection(context, arguments));
-    if (asked.kind != Kind::kSurface) return outcome_of(add_resection(context, asked));
+    if (asked.kind != ResectionKind::kSurface) return outcome_of(add_resection(context, asked));
     const auto& mask = context.assets.organ.mask.value;
     if (context.assets.organ.source != context.document.marks().organ.source || !mask || !*mask)
         return fail("the organ is not read yet", {}, "wait for it, and give the command again");
@@ -132,17 +132,17 @@ template <class Change> CommandAction changing(const char* usage, std::size_t va
 
 Result<void> flip(Resection& resection, Arguments) {
     switch (resection.kind) {
-    case Kind::kPlane:
+    case ResectionKind::kPlane:
         resection.normal = -resection.normal;
         return {};
-    case Kind::kSheet:
+    case ResectionKind::kSheet:
         resection.sheet.removes_below = !resection.sheet.removes_below;
         return {};
-    case Kind::kSurface:
+    case ResectionKind::kSurface:
         resection.other_side = !resection.other_side;
         return {};
-    case Kind::kCuts:
-    case Kind::kLesion:
+    case ResectionKind::kCuts:
+    case ResectionKind::kLesion:
         break;
     }
     return fail("a margin has no other side");
@@ -150,14 +150,14 @@ Result<void> flip(Resection& resection, Arguments) {
 
 Result<void> set_margin(Resection& resection, Arguments arguments) {
     const auto margin = number_in(arguments[0], 0.0, kFarthestMm);
-    if (!margin || (resection.kind != Kind::kCuts && resection.kind != Kind::kLesion))
+    if (!margin || (resection.kind != ResectionKind::kCuts && resection.kind != ResectionKind::kLesion))
         return fail(margin ? "this resection has no margin" : "a margin is a length in mm");
     resection.margin_mm = *margin;
     return {};
 }
 
 Result<void> set_plane(Resection& resection, Arguments arguments) {
-    if (resection.kind != Kind::kPlane) return fail("this resection is no plane");
+    if (resection.kind != ResectionKind::kPlane) return fail("this resection is no plane");
     RAMUS_TRY(plane, plane_of(arguments));
     resection.point = plane.point;
     resection.normal = plane.normal;
@@ -165,7 +165,7 @@ Result<void> set_plane(Resection& resection, Arguments arguments) {
 }
 
 Result<void> set_control(Resection& resection, Arguments arguments) {
-    if (resection.kind != Kind::kSheet) return fail("this resection is no sheet");
+    if (resection.kind != ResectionKind::kSheet) return fail("this resection is no sheet");
     const auto i = parsed<int>(arguments[0]), j = parsed<int>(arguments[1]);
     const auto height = number_in(arguments[2], -kFarthestMm, kFarthestMm);
     organ::Sheet& sheet = resection.sheet;

@@ -17,9 +17,11 @@ namespace ramus::app {
 
 namespace {
 
-using Kind = Resection::Kind;
+using ResectionKind = Resection::Kind;
 
-bool has_margin(const Resection& resection) { return resection.kind == Kind::kCuts || resection.kind == Kind::kLesion; }
+bool has_margin(const Resection& resection) {
+    return resection.kind == ResectionKind::kCuts || resection.kind == ResectionKind::kLesion;
+}
 
 // Its margin or a button for its other side, and its opacity.
 void draw_resection(InterfaceContext& context, const Resection& resection, std::size_t index) {
@@ -162,8 +164,9 @@ void draw_resections(InterfaceContext& context) {
         offer("Around lesion 1", "Remove the first lesion with a margin of 10 mm, which can be changed",
               {"lesion", "1", "10"});
     for (std::size_t i = 0; i < marks.resections.size(); ++i) draw_resection(context, marks.resections[i], i);
-    const bool dragged = std::ranges::any_of(
-        marks.resections, [](const Resection& one) { return one.kind == Kind::kPlane || one.kind == Kind::kSheet; });
+    const bool dragged = std::ranges::any_of(marks.resections, [](const Resection& one) {
+        return one.kind == ResectionKind::kPlane || one.kind == ResectionKind::kSheet;
+    });
     if (dragged && ImGui::Button("Move points")) context.perform("tool", {"resection"});
     if (const auto operation = operation_of(context.workspace.assets(), marks, marks.plans.place, OperationOf::kLast))
         draw_vessels_cut(context, *operation, marks);

@@ -14,13 +14,14 @@ namespace ramus::app::session_json {
 
 namespace {
 
-using Kind = Resection::Kind;
+using ResectionKind = Resection::Kind;
 
-constexpr std::array<std::pair<std::string_view, Kind>, 5> kResectionNames{{{"plane", Kind::kPlane},
-                                                                            {"sheet", Kind::kSheet},
-                                                                            {"surface", Kind::kSurface},
-                                                                            {"cuts", Kind::kCuts},
-                                                                            {"lesion", Kind::kLesion}}};
+constexpr std::array<std::pair<std::string_view, ResectionKind>, 5> kResectionNames{
+    {{"plane", ResectionKind::kPlane},
+     {"sheet", ResectionKind::kSheet},
+     {"surface", ResectionKind::kSurface},
+     {"cuts", ResectionKind::kCuts},
+     {"lesion", ResectionKind::kLesion}}};
 
 json numbers_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
@@ -71,22 +72,22 @@ json resection_json(const Resection& resection, const Marks& marks, const std::f
     for (const auto& [name, kind] : kResectionNames)
         if (kind == resection.kind) value["kind"] = std::string(name);
     switch (resection.kind) {
-    case Kind::kPlane:
+    case ResectionKind::kPlane:
         value["point"] = numbers_json(resection.point);
         value["normal"] = numbers_json(resection.normal);
         break;
-    case Kind::kSheet:
+    case ResectionKind::kSheet:
         value["sheet"] = sheet_json(resection.sheet);
         break;
-    case Kind::kSurface:
+    case ResectionKind::kSurface:
         value["path"] = written_path(resection.file, folder).string();
         if (!resection.axes.empty()) value["axes"] = resection.axes;
         if (resection.other_side) value["other_side"] = true;
         break;
-    case Kind::kLesion:
+    case ResectionKind::kLesion:
         value["lesion"] = lesion_json(resection.lesion, marks);
         [[fallthrough]];
-    case Kind::kCuts:
+    case ResectionKind::kCuts:
         value["margin_mm"] = resection.margin_mm;
         break;
     }
@@ -100,22 +101,22 @@ Resection resection_in(const json& value, const Marks& marks, const std::filesys
                 {"kind", "point", "normal", "sheet", "path", "axes", "other_side", "lesion", "margin_mm"});
     found.kind = word(value.value("kind", json()), "kind of a resection", "resection",
                       [](const std::string& name) { return paired(kResectionNames, std::string_view(name)); });
-    if (found.kind == Kind::kPlane) {
+    if (found.kind == ResectionKind::kPlane) {
         found.point = numbers_in(value.value("point", json()), "point of a plane");
         const glm::dvec3 normal = numbers_in(value.value("normal", json()), "normal of a plane");
         const double length = glm::length(normal);
         if (!(length > 0.0)) throw Refusal{"the normal of a plane has no length"};
         // Written normals are of unit length, and must come back as they are.
         found.normal = std::abs(length - 1.0) < 1e-12 ? normal : normal / length;
-    } else if (found.kind == Kind::kSheet) {
+    } else if (found.kind == ResectionKind::kSheet) {
         found.sheet = sheet_in(value.value("sheet", json()));
-    } else if (found.kind == Kind::kSurface) {
+    } else if (found.kind == ResectionKind::kSurface) {
         const std::string path = text(value.value("path", json()), "path of a resection");
         found.file = (folder / path).lexically_normal().string();
         if (value.contains("axes")) found.axes = mesh_axes_in(value["axes"]);
         if (value.contains("other_side")) found.other_side = truth(value["other_side"], "other_side");
     }
-    if (found.kind == Kind::kLesion) found.lesion = lesion_in(value.value("lesion", json()), marks);
+    if (found.kind == ResectionKind::kLesion) found.lesion = lesion_in(value.value("lesion", json()), marks);
     if (value.contains("margin_mm")) found.margin_mm = session_json::number(value["margin_mm"], "margin_mm", 0.0, 1e6);
     return found;
 }

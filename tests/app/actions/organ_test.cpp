@@ -141,7 +141,7 @@ TEST_CASE("commands of organs refuse what they cannot do, and say what they can"
                              "territories", "territories lobes", "territories generation -1", "territories names 3",
                              "territories names --system 9", "territories-opacity 2", "organ nowhere.nii"})
         stage.bad(line);
-    CHECK(stage.bad("organ \"" + stage.mask + "\" --label 9").find("9") != std::string::npos);
+    CHECK(stage.bad("organ \"" + stage.mask + "\" --label 9").find('9') != std::string::npos);
     CHECK(stage.bad("organ \"" + stage.mask + "\" --units ell").find("unit") != std::string::npos);
     stage.good("organ-clear");
     CHECK(stage.bad("territories organ").find("organ FILE") != std::string::npos);
