@@ -82,7 +82,7 @@ struct LesionFile {
     std::size_t more = 0;    // smaller parts that are left out
     std::string suspicion{}; // of a mask: why its unit is implausible; empty: it is not
 };
-inline constexpr std::size_t kMostLesionParts = 50; // of a mask; each takes a second to measure in a large tree
+inline constexpr std::size_t kMostLesionParts = 50; // of a mask; a person reads the list
 
 // Reads a mesh (formats: core/io/meshes/mesh_file.h), or all parts of a mask (core/organ/mask_lesions.h). Returns
 // `before` if the file is unmodified (null: not read before). If `job` is cancelled, the error's `what` is "cancelled",

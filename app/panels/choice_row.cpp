@@ -25,7 +25,7 @@ std::optional<std::string> choice_row(const char* label, const char* help, const
     for (const auto& [value, text] : entries)
         if (value == now) shown = text;
     std::optional<std::string> chosen;
-    if (ImGui::BeginCombo("##choice", shown.c_str())) {
+    if (ImGui::BeginCombo("##choice", shown.c_str(), ImGuiComboFlags_HeightLarge)) {
         for (const auto& [value, text] : entries) {
             if (ImGui::Selectable(text.c_str(), value == now) && value != now) chosen = value;
             note_item(text.c_str());

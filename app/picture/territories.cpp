@@ -13,9 +13,10 @@ namespace {
 
 // The grey of the rest differs from all label_colour()s as they do from each other.
 constexpr glm::vec3 kOrganColour{0.72F, 0.47F, 0.40F}, kRestColour{0.85F, 0.86F, 0.87F};
-// Of RemnantPart, in its order. Blue and yellow stay apart for people with red-green blindness.
+// Of RemnantPart, in its order. Violet and yellow stay apart for people with red-green blindness, and violet from blue
+// veins.
 constexpr std::array<glm::vec3, 5> kRemnantColours{
-    {kOrganColour, {0.25F, 0.42F, 0.88F}, {0.96F, 0.85F, 0.30F}, {0.34F, 0.35F, 0.38F}, {0.80F, 0.80F, 0.84F}}};
+    {kOrganColour, {0.45F, 0.15F, 0.85F}, {0.96F, 0.85F, 0.30F}, {0.34F, 0.35F, 0.38F}, {0.80F, 0.80F, 0.84F}}};
 constexpr std::size_t kMostSwatches = 12; // a longer legend would cover the picture
 
 } // namespace

@@ -77,7 +77,7 @@ double largest_diameter(std::span<const glm::vec3> points) {
         return true;
     };
     // A spiral of even density over half a sphere.
-    constexpr int kDirections = 2'000;
+    constexpr int kDirections = 4'000;
     for (int i = 0; i < kDirections; ++i) {
         const double z = (i + 0.5) / kDirections, r = std::sqrt(1.0 - z * z);
         const double angle = glm::two_pi<double>() * i / glm::golden_ratio<double>();

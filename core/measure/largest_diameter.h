@@ -1,9 +1,9 @@
 // The largest diameter of points: the greatest distance between two of them. Never too long, and short by less than
 // 0.1 %; as a rule exact.
 //
-// Method: the two outermost points along each of 2,000 directions, which are nowhere more than 0.045 rad apart, so that
-// one is that near to the direction of the longest pair (cos 0.045 > 0.999); then the farthest point of either end of
-// the longest of these pairs, until none is farther.
+// Method: the two outermost points along each of 4,000 directions. No axis is more than 0.035 rad from the nearest of
+// them, so one of these pairs is at least cos 0.035 > 0.999 of the longest. Then the farthest point of either end of
+// the best pair, until none is farther.
 #pragma once
 
 #include <glm/vec3.hpp>

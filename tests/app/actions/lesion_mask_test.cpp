@@ -162,8 +162,8 @@ TEST_CASE("labels of a mask are divided on their own, and a session names the pa
 TEST_CASE("of a mask with many parts the largest are lesions, and the rest are counted") {
     const TemporaryFolder folder;
     std::vector<std::uint8_t> values(static_cast<std::size_t>(kMaskSize.x * kMaskSize.y * kMaskSize.z));
-    for (std::size_t n = 0; n < 60; ++n) values[4 * n] = 1; // specks in five rows
-    values[1] = 1;                                          // the first is larger
+    for (std::size_t n = 0; n < 60; ++n) values[4 * (n % 14) + 2 * 56 * (n / 14)] = 1; // in every second row
+    values[1] = 1;                                                                     // the first is larger
     const std::string file = write_mask(folder, "specks.nii", values);
     test::CommandStage stage(two_branches());
     CHECK(stage.good("lesion-mask \"" + file + "\"").find("10 smaller parts are left out") != std::string::npos);

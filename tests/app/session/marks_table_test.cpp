@@ -21,7 +21,7 @@ Marks full_marks() {
     marks.lesions = {{.sphere = {1.0, 2.0, 3.0, 4.0}},
                      {.file = "/data/lesion.stl", .axes = "LPS", .name = "tumour"},
                      {.file = "/data/tumours.nii",
-                      .labels = {3, volume::LabelChoice(std::string("cyst"))},
+                      .labels = {volume::LabelChoice(std::string("cyst")), 3},
                       .units = "cm",
                       .part = 2}};
     marks.context.emplace_back();
