@@ -60,7 +60,7 @@ TEST_CASE("commands are found by the words of the paper") {
     CHECK(first_for("transparency") == "defocus");
     CHECK(lists("transparency", "glass-opacity"));
     CHECK(lists("transparency", "context-opacity"));
-    CHECK(first_for("territory") == "select-dependents");
+    CHECK(first_for("territory") == "territories selection");
 }
 
 TEST_CASE("an exact name or menu entry is the first result") {
