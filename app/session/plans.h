@@ -16,7 +16,7 @@ struct Marks;
 struct OperationPlan {
     std::string name;
     std::vector<std::pair<int, double>> cuts; // as Marks::cuts
-    std::vector<Resection> resections; // of plans that wait without ids
+    std::vector<Resection> resections;        // of plans that wait without ids
     bool operator==(const OperationPlan&) const = default;
 };
 

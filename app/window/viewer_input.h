@@ -109,7 +109,7 @@ private:
     bool pointer_over_picture_ = false;
     bool pick_wanted_ = false, pick_pending_ = false;
     bool in_step_ = false; // of undo: what a tool drags changes on the way
-    int tools_taken_ = 0; // counts selected tools: events from before a selection are not passed to the new tool
+    int tools_taken_ = 0;  // counts selected tools: events from before a selection are not passed to the new tool
 };
 
 } // namespace ramus::app
