@@ -118,8 +118,8 @@ Result<Outcome> resect(ActionContext& context, Arguments arguments) {
         }};
 }
 
-// Changes resection N by change(Resection&, Arguments after N), which returns a Result<void>.
-template <class Change> CommandAction changing(const char* usage, std::size_t values, const Change& change) {
+// Changes resection N by change(it, the arguments after N).
+CommandAction changing(const char* usage, std::size_t values, Result<void> (*change)(Resection&, Arguments)) {
     return [usage, values, change](ActionContext& context, Arguments arguments) -> Result<void> {
         if (arguments.size() != 1 + values) return fail(usage);
         Marks next = context.document.marks();
@@ -130,7 +130,7 @@ template <class Change> CommandAction changing(const char* usage, std::size_t va
     };
 }
 
-Result<void> flip(Resection& resection, Arguments) {
+Result<void> flip_resection(Resection& resection, Arguments) {
     switch (resection.kind) {
     case ResectionKind::kPlane:
         resection.normal = -resection.normal;
@@ -196,7 +196,7 @@ std::vector<Command> resection_commands() {
             .giving({"cuts", "0"})
             .when(has_an_organ),
         Command("resection-flip", "N", "Removes the other side of a plane, sheet or surface.",
-                changing("resection-flip takes a resection's number", 0, flip))
+                changing("resection-flip takes a resection's number", 0, flip_resection))
             .when(has_resections),
         Command("resection-margin", "N MM", "Sets the margin of a resection around a lesion or beyond cuts.",
                 changing("resection-margin takes a resection's number and a margin in mm", 1, set_margin))
