@@ -200,7 +200,8 @@ std::vector<OperationWork> wanted_operations(const Assets& assets, const Marks& 
         const auto& made = assets.organ.operations;
         if (!of || (plan < made.size() && made[plan] && made[plan]->of == *of)) continue;
         std::vector<int> ids;
-        for (const Resection& resection : all_plans(marks)[plan].resections) ids.push_back(resection.id);
+        const OperationPlan planned = all_plans(marks)[plan];
+        for (const Resection& resection : planned.resections) ids.push_back(resection.id);
         wanted.insert(plan == marks.plans.place ? wanted.begin() : wanted.end(),
                       {plan, std::move(*of), std::move(ids)});
     }
