@@ -1,6 +1,7 @@
 #include "core/organ/label_surfaces.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/mesh/vertex_normals.h"
 #include "core/organ/surfaces/fit_volumes.h"
 #include "core/organ/surfaces/label_net.h"
 #include "core/organ/surfaces/relax_net.h"
@@ -133,19 +134,6 @@ DisjointSets rings_of(const std::vector<glm::uvec3>& triangles) {
     return rings;
 }
 
-void add_normals(mesh::TriangleMesh& mesh) {
-    mesh.normals.assign(mesh.positions.size(), glm::vec3(0.0F));
-    for (const glm::uvec3& t : mesh.triangles) {
-        const glm::vec3& a = mesh.positions[t.x];
-        const glm::vec3 normal = glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a); // weighted by area
-        for (int corner = 0; corner < 3; ++corner) mesh.normals[t[corner]] += normal;
-    }
-    for (glm::vec3& normal : mesh.normals) {
-        const float length = glm::length(normal);
-        normal = length > 0.0F ? normal / length : glm::vec3(0.0F, 0.0F, 1.0F);
-    }
-}
-
 } // namespace
 
 mesh::TriangleMesh surface_of(const LabelSurfaces& surfaces, int label) {
@@ -170,7 +158,7 @@ mesh::TriangleMesh surface_of(const LabelSurfaces& surfaces, int label) {
         }
         mesh.triangles.push_back(triangle);
     }
-    add_normals(mesh);
+    mesh::add_normals(mesh);
     return mesh;
 }
 

@@ -1,5 +1,6 @@
 #include "core/organ/resect/resection_surface.h"
 
+#include "core/mesh/vertex_normals.h"
 #include "core/organ/resect/box_share.h"
 #include "core/volume/cell_table.h"
 
@@ -66,17 +67,8 @@ double area_mm2(const ResectionSurface& surface) {
 mesh::TriangleMesh mesh_of(const ResectionSurface& surface) {
     mesh::TriangleMesh mesh;
     for (const glm::dvec3& place : surface.places) mesh.positions.push_back(glm::vec3(place));
-    std::vector<glm::dvec3> normals(surface.places.size(), glm::dvec3(0.0));
-    for (const glm::uvec3& t : surface.triangles) {
-        const glm::dvec3 normal =
-            glm::cross(surface.places[t.y] - surface.places[t.x], surface.places[t.z] - surface.places[t.x]);
-        for (int n = 0; n < 3; ++n) normals[t[n]] += normal;
-        mesh.triangles.push_back(t);
-    }
-    for (const glm::dvec3& normal : normals) {
-        const double length = glm::length(normal);
-        mesh.normals.push_back(length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0F, 0.0F, 1.0F));
-    }
+    mesh.triangles.assign(surface.triangles.begin(), surface.triangles.end());
+    mesh::add_normals(mesh);
     return mesh;
 }
 
