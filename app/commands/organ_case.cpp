@@ -128,13 +128,9 @@ Result<organ::Supply> supply_by(const OrganCase& read, const OrganFlags& flags,
 }
 
 Result<SystemSupplies> supplies_by_system(const OrganCase& read, const OrganFlags& flags) {
-    const std::vector<std::uint8_t> stems = organ::trunk_of(organ::by_system(read.tree));
     SystemSupplies systems;
     for (std::size_t s = 0; s < read.system_count(); ++s) {
-        std::vector<std::uint8_t> excluded = stems;
-        for (std::size_t id = 0; id < excluded.size(); ++id)
-            if (read.tree.branches[id].system != static_cast<int>(s)) excluded[id] = 1;
-        RAMUS_TRY(supply, supply_by(read, flags, excluded));
+        RAMUS_TRY(supply, supply_by(read, flags, organ::all_but_system(read.tree, s)));
         systems.supplies.push_back(std::move(supply));
     }
     for (std::size_t s = 0; s < systems.supplies.size(); ++s)

@@ -64,10 +64,7 @@ Result<CutAnswer> suggest_cuts(const OrganCase& read, const OrganFlags& flags, c
     answer.targets = read.organ.count() - static_cast<std::size_t>(std::ranges::count(targets, 0));
     if (answer.targets == 0)
         return fail("no lesion is in the organ or near it", flags.lesions, "check that both masks are of one patient");
-    std::vector<std::uint8_t> excluded = organ::trunk_of(organ::by_system(read.tree));
-    for (std::size_t id = 0; id < excluded.size(); ++id)
-        if (read.tree.branches[id].system != system) excluded[id] = 1;
-    RAMUS_TRY(supply, supply_by(read, flags, excluded));
+    RAMUS_TRY(supply, supply_by(read, flags, organ::all_but_system(read.tree, static_cast<std::size_t>(system))));
     answer.suggestions =
         organ::fewest_cuts(tree::Dependency(read.tree), supply, targets, read.functional, wish.most_cuts);
     return answer;

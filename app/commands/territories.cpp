@@ -104,14 +104,6 @@ organ::Grouping grouping_of(const tree::VesselTree& tree, const tree::Dependency
     return organ::by_system(tree);
 }
 
-// Branches of other systems are of no group.
-organ::Grouping restricted(organ::Grouping grouping, const tree::VesselTree& tree,
-                           const std::vector<std::uint8_t>& systems) {
-    for (std::size_t id = 0; id < tree.branches.size(); ++id)
-        if (systems[static_cast<std::size_t>(tree.branches[id].system)] == 0) grouping.branches[id] = {};
-    return grouping;
-}
-
 // What remains of the functional organ after the cuts, by each system on its own.
 Result<organ::Remnant> remnant_after(const OrganCase& read, const TerritoriesFlags& flags) {
     const std::size_t whole = read.functional_voxels;
@@ -225,7 +217,8 @@ Result<int> run_territories(const TerritoriesFlags& flags) {
         if (auto there = check_branch(read.tree, branch, flags.tree); !there) return tl::unexpected(there.error());
     const tree::Dependency dependency(read.tree);
     RAMUS_TRY(systems, dividing_systems(read, flags));
-    const organ::Grouping grouping = restricted(grouping_of(read.tree, dependency, flags.group), read.tree, systems);
+    organ::Grouping grouping = grouping_of(read.tree, dependency, flags.group);
+    organ::restrict_to(grouping, read.tree, systems);
     if (grouping.names.size() > 65534)
         return fail("there are more than 65,534 territories", {}, "group by fewer branches");
     RAMUS_TRY(supply, supply_by(read, flags, organ::trunk_of(grouping)));

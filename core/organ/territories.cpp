@@ -104,6 +104,19 @@ Grouping by_cuts(const tree::VesselTree& tree, const tree::Dependency& dependenc
     return grouping;
 }
 
+void restrict_to(Grouping& grouping, const tree::VesselTree& tree, std::span<const std::uint8_t> systems) {
+    for (std::size_t id = 0; id < tree.branches.size(); ++id)
+        if (systems[static_cast<std::size_t>(tree.branches[id].system)] == 0) grouping.branches[id] = {};
+}
+
+std::vector<std::uint8_t> all_but_system(const tree::VesselTree& tree, std::size_t system) {
+    Grouping grouping = by_system(tree);
+    std::vector<std::uint8_t> systems(grouping.names.size(), 0);
+    systems[system] = 1;
+    restrict_to(grouping, tree, systems);
+    return trunk_of(grouping);
+}
+
 std::vector<std::uint8_t> trunk_of(const Grouping& grouping) {
     std::vector<std::uint8_t> trunk;
     for (const Grouping::Part& part : grouping.branches) trunk.push_back(part.group == kNoGroup ? 1 : 0);

@@ -7,6 +7,7 @@
 #include "core/tree/dependency.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
@@ -49,6 +50,11 @@ struct Grouping {
 // one cut of a branch.
 [[nodiscard]] Grouping by_cuts(const tree::VesselTree& tree, const tree::Dependency& dependency,
                                std::span<const measure::Cut> cuts);
+
+// Branches of the systems whose entry is 0 are of no group from now on.
+void restrict_to(Grouping& grouping, const tree::VesselTree& tree, std::span<const std::uint8_t> systems);
+// `excluded` of supply_of() for one system on its own: the stems and the branches of other systems.
+[[nodiscard]] std::vector<std::uint8_t> all_but_system(const tree::VesselTree& tree, std::size_t system);
 
 // By branch id, not 0: of no group (`excluded` of supply_of()).
 [[nodiscard]] std::vector<std::uint8_t> trunk_of(const Grouping& grouping);
