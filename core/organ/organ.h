@@ -2,6 +2,7 @@
 // arrays by that number, so that they take no memory for the rest of the volume.
 #pragma once
 
+#include "core/base/bounds.h"
 #include "core/base/error.h"
 #include "core/base/job.h"
 #include "core/volume/bit_mask.h"
@@ -10,7 +11,9 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -34,6 +37,8 @@ public:
     }
     // Calls call(voxel, number) for each voxel of the organ whose indices are in [from, to), in ascending order.
     template <class Call> void for_voxels(const glm::ivec3& from, const glm::ivec3& to, const Call& call) const;
+    // Calls it for the voxels whose centres are in a box of places (mm), and for some around that box.
+    template <class Call> void for_voxels_near(const Bounds<glm::dvec3>& box, const Call& call) const;
     template <class Call> void for_voxels(const Call& call) const { for_voxels(glm::ivec3(0), size(), call); }
     [[nodiscard]] glm::dvec3 centre_mm(const glm::ivec3& voxel) const {
         return glm::dvec3(to_patient_ * glm::dvec4(glm::dvec3(voxel), 1.0));
@@ -55,6 +60,19 @@ private:
 [[nodiscard]] std::vector<std::uint32_t> parts_of_voxels(const Organ& organ);
 // The largest of these parts as an organ of its own; of equally large ones the first.
 [[nodiscard]] Organ largest_part(const Organ& organ);
+
+template <class Call> void Organ::for_voxels_near(const Bounds<glm::dvec3>& box, const Call& call) const {
+    const glm::dmat4 to_voxels = glm::inverse(to_patient_);
+    Bounds<glm::dvec3> indices;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 at((corner & 1) != 0 ? box.most.x : box.least.x, (corner & 2) != 0 ? box.most.y : box.least.y,
+                            (corner & 4) != 0 ? box.most.z : box.least.z);
+        indices.hold(glm::dvec3(to_voxels * glm::dvec4(at, 1.0)));
+    }
+    const glm::dvec3 end(size());
+    for_voxels(glm::ivec3(glm::clamp(glm::ceil(indices.least), glm::dvec3(0.0), end)),
+               glm::ivec3(glm::clamp(glm::floor(indices.most) + 1.0, glm::dvec3(0.0), end)), call);
+}
 
 template <class Call> void Organ::for_voxels(const glm::ivec3& from, const glm::ivec3& to, const Call& call) const {
     if (from.x >= to.x) return;

@@ -74,23 +74,13 @@ PartRemnant remnant_of(std::span<const SystemSupply> systems, std::span<const me
 
 std::vector<std::uint8_t> large_vessels(const Organ& organ, const tree::VesselTree& tree, double least_diameter_mm) {
     std::vector<std::uint8_t> inside(organ.count(), 0);
-    const glm::dmat4 to_voxels = glm::inverse(organ.to_patient());
-    // How far a ball of radius 1 mm reaches along each voxel axis.
-    const glm::dmat3 rows = glm::transpose(glm::dmat3(to_voxels));
-    const glm::dvec3 reach(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));
-    const auto voxel_of = [&](const glm::dvec3& at) { return glm::dvec3(to_voxels * glm::dvec4(at, 1.0)); };
     for (const tree::Branch& branch : tree.branches)
         for (std::size_t n = 1; n < branch.points.size(); ++n) {
             const tree::Point &a = tree.points[branch.points[n - 1]], &b = tree.points[branch.points[n]];
             if (a.radius + b.radius < least_diameter_mm) continue;
             Bounds<glm::dvec3> box;
-            for (const tree::Point* point : {&a, &b}) {
-                box.hold(voxel_of(point->position) - reach * point->radius);
-                box.hold(voxel_of(point->position) + reach * point->radius);
-            }
-            const glm::ivec3 from = glm::clamp(glm::ivec3(glm::ceil(box.least)), glm::ivec3(0), organ.size());
-            const glm::ivec3 to = glm::clamp(glm::ivec3(glm::floor(box.most)) + 1, glm::ivec3(0), organ.size());
-            organ.for_voxels(from, to, [&](const glm::ivec3& voxel, std::size_t number) {
+            for (const tree::Point* point : {&a, &b}) box.hold(point->position, point->radius);
+            organ.for_voxels_near(box, [&](const glm::ivec3& voxel, std::size_t number) {
                 const glm::dvec3 ap = organ.centre_mm(voxel) - a.position, ab = b.position - a.position;
                 const double t = share_along(ap, ab);
                 if (glm::length(ap - t * ab) <= glm::mix(a.radius, b.radius, t)) inside[number] = 1;
