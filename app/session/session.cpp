@@ -47,7 +47,7 @@ std::vector<Lesion> lesion_meshes(const Marks& marks) {
 std::vector<std::string> lesion_files(const Marks& marks) {
     std::vector<std::string> files;
     for (const Lesion& lesion : marks.lesions)
-        if (lesion.is_mesh() && std::ranges::find(files, lesion.file) == files.end()) files.push_back(lesion.file);
+        if (lesion.is_mesh()) files.push_back(lesion.file);
     return files;
 }
 

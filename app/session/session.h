@@ -101,7 +101,7 @@ void number_objects(Marks& marks);
 [[nodiscard]] std::vector<std::array<double, 4>> spheres_of(const Marks& marks);
 // The lesions with meshes, without looks, names and ids.
 [[nodiscard]] std::vector<Lesion> lesion_meshes(const Marks& marks);
-[[nodiscard]] std::vector<std::string> lesion_files(const Marks& marks);           // of these, each once
+[[nodiscard]] std::vector<std::string> lesion_files(const Marks& marks);           // one for each of these
 [[nodiscard]] std::optional<std::size_t> lesion_index(const Marks& marks, int id); // none: no such lesion
 // Inserts a lesion after the existing ones of the same shape (spheres, then meshes).
 void add_lesion(Marks& marks, Lesion lesion);
