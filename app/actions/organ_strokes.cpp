@@ -118,24 +118,32 @@ bool is_wrong_side(const Resection& resection, const organ::Organ& organ, const 
 
 } // namespace
 
+Result<const organ::Organ*> organ_read(const ActionContext& context) {
+    const OrganAssets& assets = context.assets.organ;
+    if (assets.source != context.document.marks().organ.source || !assets.mask.value || !*assets.mask.value)
+        return fail("the organ is not read yet", {}, "wait for it, and give the command again");
+    return &(*assets.mask.value)->organ;
+}
+
+Result<void> choose_side(const ActionContext& context, Resection& resection) {
+    RAMUS_TRY(organ, organ_read(context));
+    if (!is_wrong_side(resection, *organ, planned_lesions(context.assets, context.document.marks()))) return {};
+    if (resection.kind == Resection::Kind::kPlane)
+        resection.normal = -resection.normal;
+    else
+        resection.sheet.removes_below = !resection.sheet.removes_below;
+    return {};
+}
+
 Result<Resection> resection_drawn(const ActionContext& context, bool straight, Arguments words) {
     const auto pixels = pixels_in(words);
     if (!pixels || (straight ? pixels->size() != 2 : pixels->size() < 2))
         return fail(straight ? "a line is two pixels X,Y" : "a stroke is two or more pixels X,Y", {},
                     "from the top left of the picture");
-    const OrganAssets& assets = context.assets.organ;
-    if (assets.source != context.document.marks().organ.source || !assets.mask.value || !*assets.mask.value)
-        return fail("the organ is not read yet", {}, "wait for it, and give the command again");
-    const organ::Organ& organ = (*assets.mask.value)->organ;
-    const render::Camera& camera = context.document.session().camera;
-    const Sight sight(camera, context.picture.picture_size(), organ);
+    RAMUS_TRY(organ, organ_read(context));
+    const Sight sight(context.document.session().camera, context.picture.picture_size(), *organ);
     RAMUS_TRY(resection, straight ? plane_along(sight, *pixels) : sheet_along(sight, *pixels));
-    if (is_wrong_side(resection, organ, planned_lesions(context.assets, context.document.marks()))) {
-        if (straight)
-            resection.normal = -resection.normal;
-        else
-            resection.sheet.removes_below = !resection.sheet.removes_below;
-    }
+    if (auto chosen = choose_side(context, resection); !chosen) return tl::unexpected(chosen.error());
     return resection;
 }
 

@@ -48,12 +48,7 @@ Result<void> plan_use(ActionContext& context, Arguments arguments) {
 Result<void> plan_name(ActionContext& context, Arguments arguments) {
     if (arguments.size() != 2 || arguments[1].empty()) return fail("plan-name takes a plan and its name");
     RAMUS_TRY(plan, plan_in(context.document.marks(), arguments[0]));
-    return edit(context, [&, plan = plan](Marks& marks) {
-        std::string& name = plan == marks.plans.place
-                                ? marks.plans.name
-                                : marks.plans.others[plan - (plan > marks.plans.place ? 1 : 0)].name;
-        name = arguments[1];
-    });
+    return edit(context, [&, plan = plan](Marks& marks) { name_of_plan(marks, plan) = arguments[1]; });
 }
 
 Result<void> plan_remove(ActionContext& context, Arguments arguments) {
@@ -99,9 +94,7 @@ Result<FewestCuts> asked_fewest(const ActionContext& context, Arguments argument
 organ::CutSuggestions suggested(const FewestCuts& asked) {
     const organ::Organ& organ = asked.supply->of.mask->organ;
     const std::vector<std::uint8_t> targets = voxels_in(organ, asked.lesions, asked.margin_mm);
-    std::vector<std::uint8_t> functional = voxels_in(organ, asked.lesions);
-    for (std::size_t voxel = 0; voxel < functional.size(); ++voxel)
-        functional[voxel] = (functional[voxel] | asked.supply->large[voxel]) == 0 ? 1 : 0;
+    const std::vector<std::uint8_t> functional = functional_voxels(*asked.supply, asked.lesions);
     return organ::fewest_cuts(tree::Dependency(*asked.supply->of.tree), asked.supply->systems[asked.system], targets,
                               functional, asked.most);
 }

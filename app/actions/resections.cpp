@@ -37,7 +37,7 @@ Result<Resection> plane_of(Arguments arguments) {
     return Resection{.kind = ResectionKind::kPlane, .point = *point, .normal = glm::normalize(*normal)};
 }
 
-Result<Resection> sheet_of(Arguments arguments) {
+Result<Resection> sheet_of(const ActionContext& context, Arguments arguments) {
     std::vector<glm::dvec3> contour;
     for (const std::string& word : arguments) {
         const auto point = vector_in(word);
@@ -45,7 +45,9 @@ Result<Resection> sheet_of(Arguments arguments) {
         contour.push_back(*point);
     }
     RAMUS_TRY(sheet, organ::sheet_through(contour));
-    return Resection{.kind = ResectionKind::kSheet, .sheet = std::move(sheet)};
+    Resection resection{.kind = ResectionKind::kSheet, .sheet = std::move(sheet)};
+    if (auto chosen = choose_side(context, resection); !chosen) return tl::unexpected(chosen.error());
+    return resection;
 }
 
 Result<Resection> surface_of(Arguments arguments) {
@@ -85,7 +87,7 @@ Result<Resection> asked_resection(const ActionContext& context, Arguments argume
     const std::string& kind = arguments[0];
     arguments = arguments.subspan(1);
     if (kind == "plane") return plane_of(arguments);
-    if (kind == "sheet") return sheet_of(arguments);
+    if (kind == "sheet") return sheet_of(context, arguments);
     if (kind == "surface") return surface_of(arguments);
     if (kind == "cuts") return margin_of(marks, ResectionKind::kCuts, arguments);
     if (kind == "lesion") return margin_of(marks, ResectionKind::kLesion, arguments);
@@ -103,19 +105,17 @@ Result<void> add_resection(ActionContext& context, const Resection& resection) {
 Result<Outcome> resect(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(asked, asked_resection(context, arguments));
     if (asked.kind != ResectionKind::kSurface) return outcome_of(add_resection(context, asked));
-    const auto& mask = context.assets.organ.mask.value;
-    if (context.assets.organ.source != context.document.marks().organ.source || !mask || !*mask)
-        return fail("the organ is not read yet", {}, "wait for it, and give the command again");
-    return Pending{
-        "Reading a resection",
-        [resection = asked, of = ResectionMeshOf{asked.file, asked.axes, *mask}](Job& job) -> Result<Continuation> {
-            const ResectionMesh read = read_resection_mesh(of, JobRange(job, 0.0F, 1.0F));
-            if (!read.surface) return tl::unexpected(read.surface.error());
-            return [resection, read](ActionContext& then) {
-                then.assets.organ.meshes.insert_or_assign(resection.file, read);
-                return add_resection(then, resection);
-            };
-        }};
+    if (auto organ = organ_read(context); !organ) return tl::unexpected(organ.error());
+    return Pending{"Reading a resection",
+                   [resection = asked, of = ResectionMeshOf{asked.file, asked.axes, *context.assets.organ.mask.value}](
+                       Job& job) -> Result<Continuation> {
+                       const ResectionMesh read = read_resection_mesh(of, JobRange(job, 0.0F, 1.0F));
+                       if (!read.surface) return tl::unexpected(read.surface.error());
+                       return [resection, read](ActionContext& then) {
+                           then.assets.organ.meshes.insert_or_assign(resection.file, read);
+                           return add_resection(then, resection);
+                       };
+                   }};
 }
 
 // Changes resection N by change(it, the arguments after N).
@@ -186,7 +186,8 @@ std::vector<Command> resection_commands() {
         Command(
             "resect", "plane|sheet|line|stroke|surface|cuts|lesion ...",
             "Removes a part of the organ: plane X,Y,Z NX,NY,NZ what the normal points to; sheet X,Y,Z... the "
-            "smaller side of a smooth sheet through these points; line X,Y X,Y and stroke X,Y... what lies behind a "
+            "lesions' side of a smooth sheet through these points, without lesions the smaller one; line X,Y X,Y and "
+            "stroke X,Y... what lies behind a "
             "line drawn across the picture; surface FILE the inside of a closed mesh or the smaller side of an open "
             "one; cuts MM all that depends on the cuts, with a margin; lesion N MM a lesion with a margin.",
             resect)

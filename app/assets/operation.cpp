@@ -9,9 +9,7 @@
 #include "core/organ/resect/removal.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <utility>
 
 namespace ramus::app {
@@ -27,14 +25,6 @@ Resection shape_of(Resection resection) {
     resection.colour = usual.colour;
     resection.opacity = usual.opacity;
     return resection;
-}
-
-std::vector<organ::SystemSupply> reaching_systems(const Operation::Of& of) {
-    std::vector<organ::SystemSupply> reaching;
-    for (std::size_t system = 0; system < of.supply->systems.size(); ++system)
-        if (of.supply->reaches(system))
-            reaching.push_back({of.roles[system], of.supply->systems[system].branch, of.supply->systems[system].at});
-    return reaching;
 }
 
 std::vector<organ::VoxelLesion> solids_of(const std::vector<PlannedLesion>& lesions) {
@@ -164,18 +154,25 @@ bool Operation::has(organ::Role role) const {
     return false;
 }
 
-std::optional<Operation::Of> wanted_operation(const Assets& assets, const Marks& marks, std::size_t plan) {
+namespace {
+
+// What all plans of a session have in common; none: something that comes first is missing.
+std::optional<Operation::Of> common_part(const Assets& assets, const Marks& marks) {
     const auto supply = wanted_supply(assets.organ, marks, assets.tree);
     if (!supply || !assets.organ.supply || assets.organ.supply->of != *supply) return {};
-    const OperationPlan planned = all_plans(marks)[plan];
-    Operation::Of of{assets.organ.supply,
-                     roles_of(*assets.tree, marks),
-                     planned.cuts,
-                     {},
-                     planned_lesions(assets, marks),
-                     marks.planning.bands_mm,
-                     {}};
-    for (const Resection& resection : planned.resections) {
+    return Operation::Of{assets.organ.supply,
+                         roles_of(*assets.tree, marks),
+                         {},
+                         {},
+                         planned_lesions(assets, marks),
+                         marks.planning.bands_mm,
+                         {}};
+}
+
+// With what is of one plan; none: a mesh of it is not read.
+std::optional<Operation::Of> with_plan(Operation::Of of, const Assets& assets, const OperationPlan& plan) {
+    of.cuts = plan.cuts;
+    for (const Resection& resection : plan.resections) {
         of.resections.push_back(shape_of(resection));
         if (resection.kind != Resection::Kind::kSurface) continue;
         const auto mesh = assets.organ.meshes.find(resection.file);
@@ -185,23 +182,29 @@ std::optional<Operation::Of> wanted_operation(const Assets& assets, const Marks&
     return of;
 }
 
+} // namespace
+
 std::shared_ptr<const Operation> operation_of(const Assets& assets, const Marks& marks, std::size_t plan,
                                               OperationOf which) {
     if (plan >= assets.organ.operations.size()) return {};
     const auto& made = assets.organ.operations[plan];
     if (!made || which == OperationOf::kLast) return made;
-    return wanted_operation(assets, marks, plan) == made->of ? made : nullptr;
+    auto common = common_part(assets, marks);
+    if (!common) return {};
+    return with_plan(std::move(*common), assets, all_plans(marks)[plan]) == made->of ? made : nullptr;
 }
 
 std::vector<OperationWork> wanted_operations(const Assets& assets, const Marks& marks) {
     std::vector<OperationWork> wanted;
-    for (std::size_t plan = 0; plan < marks.plans.count(); ++plan) {
-        auto of = wanted_operation(assets, marks, plan);
-        const auto& made = assets.organ.operations;
+    const auto common = common_part(assets, marks);
+    if (!common) return wanted;
+    const std::vector<OperationPlan> plans = all_plans(marks);
+    const auto& made = assets.organ.operations;
+    for (std::size_t plan = 0; plan < plans.size(); ++plan) {
+        auto of = with_plan(*common, assets, plans[plan]);
         if (!of || (plan < made.size() && made[plan] && made[plan]->of == *of)) continue;
         std::vector<int> ids;
-        const OperationPlan planned = all_plans(marks)[plan];
-        for (const Resection& resection : planned.resections) ids.push_back(resection.id);
+        for (const Resection& resection : plans[plan].resections) ids.push_back(resection.id);
         wanted.insert(plan == marks.plans.place ? wanted.begin() : wanted.end(),
                       {plan, std::move(*of), std::move(ids)});
     }
@@ -241,11 +244,9 @@ Result<Operation> make_operation(const OperationWork& work, const JobRange& job)
     Operation operation;
     operation.of = of;
     operation.ids = work.ids;
-    std::vector<std::uint8_t> functional = voxels_in(organ, of.lesions);
-    for (std::size_t voxel = 0; voxel < functional.size(); ++voxel)
-        functional[voxel] = (functional[voxel] | of.supply->large[voxel]) == 0 ? 1 : 0;
+    const std::vector<std::uint8_t> functional = functional_voxels(*of.supply, of.lesions);
     operation.functional = static_cast<double>(std::ranges::count(functional, 1));
-    const std::vector<organ::SystemSupply> systems = reaching_systems(of);
+    const std::vector<organ::SystemSupply> systems = of.supply->reaching(of.roles);
     const tree::VesselTree& tree = *of.supply->of.tree;
     if (of.resections.empty()) {
         operation.remnant = by_system(of, organ::remnant_of(systems, measure::lost_spans(tree, of.cuts), functional));
@@ -294,34 +295,31 @@ ResectionMesh read_resection_mesh(const ResectionMeshOf& of, const JobRange& job
     return {of.mask, std::move(surface)};
 }
 
+std::vector<std::uint8_t> functional_voxels(const OrganSupply& supply, const std::vector<PlannedLesion>& lesions) {
+    std::vector<std::uint8_t> functional = voxels_in(supply.of.mask->organ, lesions);
+    for (std::size_t voxel = 0; voxel < functional.size(); ++voxel)
+        functional[voxel] = (functional[voxel] | supply.large[voxel]) == 0 ? 1 : 0;
+    return functional;
+}
+
 std::vector<std::uint8_t> voxels_in(const organ::Organ& organ, const std::vector<PlannedLesion>& lesions,
                                     double margin_mm) {
     std::vector<std::uint8_t> inside(organ.count(), 0);
-    const glm::dmat4 to_voxels = glm::inverse(organ.to_patient());
-    const auto fill = [&](const glm::dvec3& least, const glm::dvec3& most, const auto& is_inside) {
-        Bounds<glm::dvec3> box;
-        for (int corner = 0; corner < 8; ++corner) {
-            const glm::dvec3 at((corner & 1) != 0 ? most.x : least.x, (corner & 2) != 0 ? most.y : least.y,
-                                (corner & 4) != 0 ? most.z : least.z);
-            box.hold(glm::dvec3(to_voxels * glm::dvec4(at, 1.0)));
-        }
-        const glm::dvec3 end(organ.size());
-        organ.for_voxels(glm::ivec3(glm::clamp(glm::ceil(box.least), glm::dvec3(0.0), end)),
-                         glm::ivec3(glm::clamp(glm::floor(box.most) + 1.0, glm::dvec3(0.0), end)),
-                         [&](const glm::ivec3& voxel, std::size_t number) {
-                             if (inside[number] == 0 && is_inside(organ.centre_mm(voxel))) inside[number] = 1;
-                         });
+    const auto fill = [&](const Bounds<glm::dvec3>& box, const auto& is_inside) {
+        organ.for_voxels_near(box, [&](const glm::ivec3& voxel, std::size_t number) {
+            if (inside[number] == 0 && is_inside(organ.centre_mm(voxel))) inside[number] = 1;
+        });
     };
     for (const PlannedLesion& lesion : lesions) {
         if (lesion.mesh) {
             const measure::MeshDistance& mesh = *lesion.mesh->distance;
-            fill(mesh.bounds().least - margin_mm, mesh.bounds().most + margin_mm,
+            fill({mesh.bounds().least - margin_mm, mesh.bounds().most + margin_mm},
                  [&mesh, margin_mm](const glm::dvec3& at) { return mesh.distance(at) <= margin_mm; });
             continue;
         }
         const glm::dvec3 centre(lesion.sphere[0], lesion.sphere[1], lesion.sphere[2]);
         const double radius = lesion.sphere[3] + margin_mm;
-        fill(centre - radius, centre + radius,
+        fill({centre - radius, centre + radius},
              [&centre, radius](const glm::dvec3& at) { return glm::distance(at, centre) <= radius; });
     }
     return inside;

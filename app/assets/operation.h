@@ -60,15 +60,13 @@ struct Operation {
     [[nodiscard]] bool has(organ::Role role) const;
 };
 
-// What the plans of a session need; none: something that comes first is missing.
-[[nodiscard]] std::optional<Operation::Of> wanted_operation(const Assets& assets, const Marks& marks, std::size_t plan);
 struct OperationWork {
     std::size_t plan = 0;
     Operation::Of of;
     std::vector<int> ids; // of its resections
     bool operator==(const OperationWork&) const = default;
 };
-// Those that `assets` lack, the current plan's first.
+// Those of the session's plans that `assets` lack and that can be made, the current plan's first.
 [[nodiscard]] std::vector<OperationWork> wanted_operations(const Assets& assets, const Marks& marks);
 // Fails when cancelled (what == "cancelled").
 [[nodiscard]] Result<Operation> make_operation(const OperationWork& work, const JobRange& job);
@@ -91,6 +89,9 @@ struct ResectionMeshOf {
 [[nodiscard]] std::vector<ResectionMeshOf> wanted_meshes(const OrganAssets& assets, const Marks& marks);
 [[nodiscard]] ResectionMesh read_resection_mesh(const ResectionMeshOf& of, const JobRange& job);
 
+// By voxel of the organ, 1: it is functional, 0: inside a lesion or a large vessel.
+[[nodiscard]] std::vector<std::uint8_t> functional_voxels(const OrganSupply& supply,
+                                                          const std::vector<PlannedLesion>& lesions);
 // By voxel of the organ, not 0: its centre is inside a lesion, or at most `margin_mm` from one.
 [[nodiscard]] std::vector<std::uint8_t> voxels_in(const organ::Organ& organ, const std::vector<PlannedLesion>& lesions,
                                                   double margin_mm = 0.0);

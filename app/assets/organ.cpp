@@ -50,15 +50,11 @@ std::vector<organ::Role> roles_of(const tree::VesselTree& tree, const Marks& mar
 Result<OrganSupply> supply_of(const OrganSupply::Of& of, const JobRange& job) {
     const tree::VesselTree& tree = *of.tree;
     OrganSupply supply{of, {}, organ::large_vessels(of.mask->organ, tree, of.large_vessels_mm)};
-    const organ::Grouping systems = organ::by_system(tree);
-    const std::size_t count = systems.names.size();
+    const std::size_t count = std::max<std::size_t>(tree.systems.size(), 1);
     std::optional<Error> none;
     for (std::size_t system = 0; system < count; ++system) {
-        organ::Grouping one = systems;
-        for (auto& part : one.branches)
-            if (part.group != static_cast<int>(system)) part.group = organ::kNoGroup;
         const auto from = static_cast<float>(system) / static_cast<float>(count);
-        auto found = organ::supply_of(of.mask->organ, tree, {.rule = of.rule}, organ::trunk_of(one),
+        auto found = organ::supply_of(of.mask->organ, tree, {.rule = of.rule}, organ::all_but_system(tree, system),
                                       job.part(from, from + 1.0F / static_cast<float>(count)));
         if (!found && found.error().what == "cancelled") return tl::unexpected(found.error());
         if (!found) none = found.error();
@@ -67,6 +63,13 @@ Result<OrganSupply> supply_of(const OrganSupply::Of& of, const JobRange& job) {
     if (none && std::ranges::all_of(supply.systems, &std::vector<std::int32_t>::empty, &organ::Supply::branch))
         return tl::unexpected(*none);
     return supply;
+}
+
+std::vector<organ::SystemSupply> OrganSupply::reaching(const std::vector<organ::Role>& roles) const {
+    std::vector<organ::SystemSupply> found;
+    for (std::size_t system = 0; system < systems.size(); ++system)
+        if (reaches(system)) found.push_back({roles[system], systems[system].branch, systems[system].at});
+    return found;
 }
 
 std::optional<OrganSource> wanted_organ(const Marks& marks) {

@@ -50,6 +50,8 @@ struct OrganSupply {
     std::vector<organ::Supply> systems; // by system; one that does not reach the organ has no voxels
     std::vector<std::uint8_t> large;    // by voxel, not 0: inside a large vessel
     [[nodiscard]] bool reaches(std::size_t system) const { return !systems[system].branch.empty(); }
+    // Those that reach the organ; they refer to this supply. `roles`: by system.
+    [[nodiscard]] std::vector<organ::SystemSupply> reaching(const std::vector<organ::Role>& roles) const;
 };
 // Fails if no system reaches the organ, and when cancelled (what == "cancelled").
 [[nodiscard]] Result<OrganSupply> supply_of(const OrganSupply::Of& of, const JobRange& job);

@@ -1,5 +1,6 @@
 #include "app/assets/organ_text.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace ramus::app {
@@ -111,6 +112,23 @@ std::vector<OrganFact> organ_facts(const Operation& operation, const Marks& mark
     }
     if (mask.claims.has_unit()) add_ratios(facts, operation, marks.organ);
     return facts;
+}
+
+std::vector<PlanFigure> plan_figures(const Assets& assets, const Marks& marks, OperationOf which) {
+    std::vector<PlanFigure> figures;
+    for (std::size_t plan = 0; plan < marks.plans.count(); ++plan) {
+        const auto operation = operation_of(assets, marks, plan, which);
+        if (!operation) continue;
+        const Lengths lengths(operation->of.supply->of.mask->claims);
+        for (const OrganFact& fact : organ_facts(*operation, marks)) {
+            auto figure = std::ranges::find(figures, fact.label, &PlanFigure::label);
+            if (figure == figures.end())
+                figure = figures.insert(figures.end(),
+                                        {fact.label, fact.help, std::vector<std::string>(marks.plans.count())});
+            figure->values[plan] = fact.value(lengths);
+        }
+    }
+    return figures;
 }
 
 } // namespace ramus::app

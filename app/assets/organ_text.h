@@ -26,4 +26,12 @@ struct OrganFact {
 // judged.
 [[nodiscard]] std::vector<OrganFact> organ_facts(const Operation& operation, const Marks& marks);
 
+// A figure of all plans of a session.
+struct PlanFigure {
+    std::string label, help;
+    std::vector<std::string> values; // by plan; empty: the plan has no such figure, or its operation is not made
+};
+// In the order in which the plans have them.
+[[nodiscard]] std::vector<PlanFigure> plan_figures(const Assets& assets, const Marks& marks, OperationOf which);
+
 } // namespace ramus::app

@@ -27,10 +27,11 @@ int dividing_system(const OrganTerritories::Of& of, const tree::VesselTree& tree
     return supplies == roles.end() ? 0 : static_cast<int>(supplies - roles.begin());
 }
 
-// Branches of other systems are of no group.
-void restrict_to(organ::Grouping& grouping, const tree::VesselTree& tree, int system) {
-    for (std::size_t id = 0; id < tree.branches.size(); ++id)
-        if (tree.branches[id].system != system) grouping.branches[id] = {};
+// By system, 1: that whose branches divide the organ.
+std::vector<std::uint8_t> only_system(const OrganTerritories::Of& of) {
+    std::vector<std::uint8_t> systems(std::max<std::size_t>(of.supply->of.tree->systems.size(), 1), 0);
+    systems[static_cast<std::size_t>(of.system)] = 1;
+    return systems;
 }
 
 organ::Grouping grouping_of(const OrganTerritories::Of& of) {
@@ -40,7 +41,7 @@ organ::Grouping grouping_of(const OrganTerritories::Of& of) {
     organ::Grouping grouping = of.kind == TerritoriesOf::kGeneration ? organ::by_generation(tree, of.generation)
                                : of.kind == TerritoriesOf::kCuts     ? organ::by_cuts(tree, dependency, of.cuts)
                                                                      : organ::by_names(tree, dependency, of.named);
-    restrict_to(grouping, tree, of.system);
+    organ::restrict_to(grouping, tree, only_system(of));
     return grouping;
 }
 
@@ -51,10 +52,7 @@ std::vector<int> remnant_labels(const Operation& operation) {
         operation.vessels.empty() ? operation.of.cuts : organ::cuts_of(operation.vessels);
     const std::vector<measure::LostSpan> spans = measure::lost_spans(*supply.of.tree, cuts);
     std::vector<int> labels(supply.of.mask->organ.count(), 0);
-    std::vector<organ::SystemSupply> systems;
-    for (std::size_t system = 0; system < supply.systems.size(); ++system)
-        if (supply.reaches(system))
-            systems.push_back({operation.of.roles[system], supply.systems[system].branch, supply.systems[system].at});
+    const std::vector<organ::SystemSupply> systems = supply.reaching(operation.of.roles);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, labels.size()), [&](const auto& range) {
         for (std::size_t voxel = range.begin(); voxel < range.end(); ++voxel) {
             bool supplied = true, drained = true;
@@ -103,6 +101,14 @@ glm::vec3 pull_of(const organ::Organ& organ, const std::vector<int>& labels, dou
 
 } // namespace
 
+double OrganTerritories::volume_mm3(const Part& part) const {
+    return 1000.0 * of.supply->of.mask->organ.voxel_ml() * static_cast<double>(part.voxels);
+}
+
+double OrganTerritories::percent(const Part& part) const {
+    return 100.0 * static_cast<double>(part.voxels) / static_cast<double>(of.supply->of.mask->organ.count());
+}
+
 std::optional<OrganTerritories::Of> wanted_territories(const Assets& assets, const Marks& marks) {
     const auto supply = wanted_supply(assets.organ, marks, assets.tree);
     const OrganChoice& choice = marks.organ;
@@ -145,18 +151,12 @@ std::optional<OrganTerritories::Of> wanted_territories(const Assets& assets, con
 namespace {
 
 // None where it was not measured.
-std::optional<organ::Certainty> expected_of(const OrganTerritories::Of& of, const Labels& labels) {
+std::optional<organ::Certainty> expected_of(const OrganTerritories::Of& of, std::size_t parts) {
     if (of.supply->of.rule != organ::Rule::kTips || of.kind == TerritoriesOf::kOrgan ||
         of.kind == TerritoriesOf::kSystems || of.kind == TerritoriesOf::kRemnant)
         return {};
-    const tree::VesselTree& tree = *of.supply->of.tree;
-    std::vector<std::uint8_t> systems(std::max<std::size_t>(tree.systems.size(), 1), 0);
-    systems[static_cast<std::size_t>(of.system)] = 1;
-    std::vector<std::uint8_t> filled(labels.names.size(), 0);
-    for (const int label : labels.of_voxels)
-        if (label >= 0) filled[static_cast<std::size_t>(label)] = 1;
-    return organ::expected_certainty(organ::visible_branches(of.supply->of.mask->organ, tree, systems),
-                                     static_cast<std::size_t>(std::ranges::count(filled, 1)));
+    const OrganSupply::Of& supply = of.supply->of;
+    return organ::expected_certainty(organ::visible_branches(supply.mask->organ, *supply.tree, only_system(of)), parts);
 }
 
 } // namespace
@@ -168,7 +168,7 @@ Result<OrganTerritories> make_territories(const OrganTerritories::Of& of, const 
     std::vector<std::size_t> voxels(labels.names.size(), 0);
     for (const int label : labels.of_voxels)
         if (label >= 0) ++voxels[static_cast<std::size_t>(label)];
-    OrganTerritories made{of, {}, expected_of(of, labels)};
+    OrganTerritories made{of, {}, {}};
     const glm::vec3 away = of.apart_mm > 0.0 ? pull_of(organ, labels.of_voxels, of.apart_mm) : glm::vec3(0.0F);
     const bool has_rest =
         of.kind == TerritoriesOf::kNames || of.kind == TerritoriesOf::kSelection || of.kind == TerritoriesOf::kCuts;
@@ -185,6 +185,7 @@ Result<OrganTerritories> make_territories(const OrganTerritories::Of& of, const 
                                     preview_of(*mesh)};
         made.parts.push_back(std::move(part));
     }
+    made.expected = expected_of(of, made.parts.size());
     return made;
 }
 

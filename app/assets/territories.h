@@ -36,6 +36,9 @@ struct OrganTerritories {
     Of of;
     std::vector<Part> parts;                    // those with voxels
     std::optional<organ::Certainty> expected{}; // how sure they are, on average in grown organs; none: not measured
+
+    [[nodiscard]] double volume_mm3(const Part& part) const;
+    [[nodiscard]] double percent(const Part& part) const; // of the organ
 };
 
 // None: no territories are shown, or the organ is not divided yet.

@@ -63,8 +63,7 @@ void draw_patient(InterfaceContext& context, const OrganChoice& choice) {
         plan_rows::field_label(context, label);
         auto words = plan_rows::number_field(context, id, text(now), 56.0F);
         widgets::tooltip(help);
-        if (words.size() > 1) return;
-        if (words.empty()) return;
+        if (words.size() != 1) return;
         const std::string rest = rounded(other);
         context.perform("organ-patient", first ? std::vector{words[0], rest} : std::vector{rest, words[0]});
     };
@@ -145,12 +144,10 @@ void draw_parts(InterfaceContext& context, const Marks& marks) {
         return widgets::trouble(window_words(problem).c_str());
     const auto territories = context.workspace.assets().organ.territories;
     if (!territories) return;
-    const organ::Organ& organ = territories->of.supply->of.mask->organ;
     const Lengths lengths(territories->of.supply->of.mask->claims);
     widgets::clipped(territories->parts.size(), [&](std::size_t n) {
         const OrganTerritories::Part& part = territories->parts[n];
         const glm::vec3 colour = territory_colour(*territories, n, marks);
-        const auto count = static_cast<double>(part.voxels);
         const float size = ImGui::GetTextLineHeight();
         ImGui::PushID(static_cast<int>(n));
         const bool shown = !std::ranges::binary_search(marks.organ.hidden, part.name);
@@ -166,8 +163,8 @@ void draw_parts(InterfaceContext& context, const Marks& marks) {
                                                   widgets::packed(glm::vec4(colour, 1.0F)), 2.0F);
         ImGui::SetCursorScreenPos({at.x + size, at.y - ImGui::GetStyle().FramePadding.y});
         ImGui::AlignTextToFramePadding();
-        const std::string value = lengths.volume(1000.0 * count * organ.voxel_ml()) + ", " +
-                                  digits(100.0 * count / static_cast<double>(organ.count())) + " %";
+        const std::string value =
+            lengths.volume(territories->volume_mm3(part)) + ", " + digits(territories->percent(part)) + " %";
         const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(value.c_str()).x - size;
         widgets::fact(widgets::fitted(part.name, room).c_str(), value);
         widgets::tooltip((part.name + ": " + value + " of the organ").c_str());
@@ -235,7 +232,7 @@ void draw_opacity(InterfaceContext& context, const OrganChoice& choice) {
 } // namespace
 
 void draw_organ(InterfaceContext& context) {
-    const Marks marks = context.workspace.document().marks(); // a choice changes it
+    const Marks& marks = context.workspace.document().marks();
     draw_title(context, "Organ",
                {{"Mask\xE2\x80\xA6", "Choose the mask of the organ: what do the vessels supply, what do cuts cost?",
                  "organ"}});

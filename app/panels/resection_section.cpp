@@ -91,36 +91,20 @@ void draw_vessels_cut(InterfaceContext& context, const Operation& operation, con
 }
 
 // The figures of all plans, a column each.
-void draw_comparison(InterfaceContext& context, const Marks& marks) {
-    const Assets& assets = context.workspace.assets();
-    const std::vector<OperationPlan> plans = all_plans(marks);
-    if (plans.size() < 2 || !marks.organ.any()) return;
-    std::vector<std::string> labels; // in the order of their first occurrence
-    std::vector<std::vector<std::string>> values(plans.size());
-    for (std::size_t plan = 0; plan < plans.size(); ++plan) {
-        const auto operation = operation_of(assets, marks, plan, OperationOf::kLast);
-        if (!operation) continue;
-        const Lengths lengths(operation->of.supply->of.mask->claims);
-        for (const OrganFact& fact : organ_facts(*operation, marks)) {
-            auto at = static_cast<std::size_t>(std::ranges::find(labels, fact.label) - labels.begin());
-            if (at == labels.size()) labels.push_back(fact.label);
-            values[plan].resize(std::max(values[plan].size(), at + 1));
-            values[plan][at] = fact.value(lengths);
-        }
-    }
+void draw_comparison(const InterfaceContext& context, const Marks& marks, const std::vector<OperationPlan>& plans) {
+    if (!marks.organ.any()) return;
     const int columns = static_cast<int>(plans.size()) + 1;
     if (!ImGui::BeginTable("plans", columns, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) return;
     ImGui::TableSetupColumn("");
     for (const OperationPlan& plan : plans) ImGui::TableSetupColumn(plan.name.c_str());
     ImGui::PushFont(theme::small_font());
     ImGui::TableHeadersRow();
-    for (std::size_t row = 0; row < labels.size(); ++row) {
+    for (const PlanFigure& figure : plan_figures(context.workspace.assets(), marks, OperationOf::kLast)) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        widgets::quiet(labels[row].c_str());
-        for (std::size_t plan = 0; plan < plans.size(); ++plan) {
+        widgets::quiet(figure.label.c_str());
+        for (const std::string& value : figure.values) {
             ImGui::TableNextColumn();
-            const std::string value = row < values[plan].size() ? values[plan][row] : std::string();
             ImGui::TextUnformatted(value.empty() ? "\xE2\x80\x93" : value.c_str());
         }
     }
@@ -131,7 +115,7 @@ void draw_comparison(InterfaceContext& context, const Marks& marks) {
 } // namespace
 
 void draw_plans(InterfaceContext& context) {
-    const Marks marks = context.workspace.document().marks(); // a choice changes it
+    const Marks& marks = context.workspace.document().marks();
     if (!marks.organ.any() && marks.plans == Plans{}) return;
     draw_title(context, "Plans", {{"Copy", "Begin another plan as a copy of this one", "plan-copy"}});
     const std::vector<OperationPlan> plans = all_plans(marks);
@@ -143,12 +127,12 @@ void draw_plans(InterfaceContext& context) {
         const auto chosen = widgets::choice_row("Plan", "The plan whose cuts and resections are shown", now, entries);
         if (chosen && *chosen != now) context.perform("plan-use", {*chosen});
         if (ImGui::Button("Remove this plan")) context.perform("plan-remove", {now});
-        draw_comparison(context, marks);
+        if (marks.plans.count() == plans.size()) draw_comparison(context, marks, plans); // none was removed
     }
 }
 
 void draw_resections(InterfaceContext& context) {
-    const Marks marks = context.workspace.document().marks(); // rows change it
+    const Marks& marks = context.workspace.document().marks();
     if (!marks.organ.any()) return;
     draw_title(
         context, "Resections",
@@ -163,8 +147,9 @@ void draw_resections(InterfaceContext& context) {
     if (!marks.lesions.empty())
         offer("Around lesion 1", "Remove the first lesion with a margin of 10 mm, which can be changed",
               {"lesion", "1", "10"});
-    for (std::size_t i = 0; i < marks.resections.size(); ++i) draw_resection(context, marks.resections[i], i);
-    const bool dragged = std::ranges::any_of(marks.resections, [](const Resection& one) {
+    const std::vector<Resection> resections = marks.resections; // rows change it
+    for (std::size_t i = 0; i < resections.size(); ++i) draw_resection(context, resections[i], i);
+    const bool dragged = std::ranges::any_of(resections, [](const Resection& one) {
         return one.kind == ResectionKind::kPlane || one.kind == ResectionKind::kSheet;
     });
     if (dragged && ImGui::Button("Move points")) context.perform("tool", {"resection"});

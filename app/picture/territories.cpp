@@ -38,7 +38,6 @@ void draw_territories(render::Frame& frame, const Assets& assets, const Marks& m
     if (!territories || marks.organ.territories == TerritoriesOf::kNothing) return;
     render::Legend& legend = frame.overlays.legend;
     const Lengths lengths(territories->of.supply->of.mask->claims);
-    const double mm3 = 1000.0 * territories->of.supply->of.mask->organ.voxel_ml();
     legend.title = legend.title.empty() ? "Territories" : legend.title + ", territories";
     for (std::size_t n = 0; n < territories->parts.size(); ++n) {
         const OrganTerritories::Part& part = territories->parts[n];
@@ -47,8 +46,8 @@ void draw_territories(render::Frame& frame, const Assets& assets, const Marks& m
         frame.context.push_back(
             {part.mesh, part.preview, colour, static_cast<float>(opacity.value_or(marks.organ.opacity)), false});
         if (n < kMostSwatches)
-            legend.swatches.push_back({colour, latin1(shortened(part.name, 24) + ", " +
-                                                      lengths.volume(static_cast<double>(part.voxels) * mm3))});
+            legend.swatches.push_back(
+                {colour, latin1(shortened(part.name, 24) + ", " + lengths.volume(territories->volume_mm3(part)))});
     }
 }
 

@@ -5,7 +5,6 @@
 #include "app/assets/territories.h"
 #include "app/session/systems.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace ramus::app {
@@ -38,20 +37,11 @@ Table plans_table(const Document& document, const Assets& assets) {
     Table table{"Organ and operation", {{"figure", "Figure"}}, {}};
     for (const OperationPlan& plan : plans) table.columns.push_back({"plan " + plan.name, "Plan " + plan.name});
     table.columns.push_back({"meaning", "Meaning"});
-    for (std::size_t plan = 0; plan < plans.size(); ++plan) {
-        const auto operation = operation_of(assets, marks, plan);
-        if (!operation) continue;
-        const Lengths lengths(operation->of.supply->of.mask->claims);
-        for (const OrganFact& fact : organ_facts(*operation, marks)) {
-            auto row = std::ranges::find_if(table.rows, [&](const auto& cells) { return cells[0].text == fact.label; });
-            if (row == table.rows.end()) {
-                std::vector<Cell> cells(table.columns.size(), Cell("\xE2\x80\x93"));
-                cells.front() = fact.label;
-                cells.back() = fact.help;
-                row = table.rows.insert(table.rows.end(), std::move(cells));
-            }
-            (*row)[plan + 1] = fact.value(lengths);
-        }
+    for (const PlanFigure& figure : plan_figures(assets, marks, OperationOf::kNow)) {
+        std::vector<Cell> row{figure.label};
+        for (const std::string& value : figure.values) row.emplace_back(value.empty() ? "\xE2\x80\x93" : value);
+        row.emplace_back(figure.help);
+        table.rows.push_back(std::move(row));
     }
     return table;
 }
@@ -87,13 +77,9 @@ Table territories_table(const Document& /*document*/, const Assets& assets) {
     Table table{
         "Territories", {{"name", "Name"}, {"volume", "Volume, mm\xC2\xB3"}, {"percent", "Percent of the organ"}}, {}};
     const OrganTerritories& territories = *assets.organ.territories;
-    const OrganMask& mask = *territories.of.supply->of.mask;
-    for (const OrganTerritories::Part& part : territories.parts) {
-        const auto voxels = static_cast<double>(part.voxels);
-        table.rows.push_back({part.name, 1000.0 * mask.organ.voxel_ml() * voxels,
-                              100.0 * voxels / static_cast<double>(mask.organ.count())});
-    }
-    add_unit(table, Lengths(mask.claims));
+    for (const OrganTerritories::Part& part : territories.parts)
+        table.rows.push_back({part.name, territories.volume_mm3(part), territories.percent(part)});
+    add_unit(table, Lengths(territories.of.supply->of.mask->claims));
     return table;
 }
 

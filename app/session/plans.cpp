@@ -32,6 +32,11 @@ std::vector<OperationPlan> all_plans(const Marks& marks) {
     return all;
 }
 
+std::string& name_of_plan(Marks& marks, std::size_t plan) {
+    Plans& plans = marks.plans;
+    return plan == plans.place ? plans.name : plans.others[plan < plans.place ? plan : plan - 1].name;
+}
+
 void copy_plan(Marks& marks, std::string name) {
     std::vector<OperationPlan> all = all_plans(marks);
     all.push_back({std::move(name), marks.cuts, marks.resections});

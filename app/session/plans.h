@@ -29,6 +29,7 @@ struct Plans {
 };
 
 [[nodiscard]] std::vector<OperationPlan> all_plans(const Marks& marks); // in order, with the current one
+[[nodiscard]] std::string& name_of_plan(Marks& marks, std::size_t plan);
 // Adds a copy of the current plan behind all others, which becomes the current one.
 void copy_plan(Marks& marks, std::string name);
 void use_plan(Marks& marks, std::size_t plan);
