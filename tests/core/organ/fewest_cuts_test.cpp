@@ -117,7 +117,7 @@ TEST_CASE("the fewest cuts lose as little as the best of all sets of cuts") {
             continue;
         }
         const std::vector<std::size_t> least = least_losses(tree, dependency, voxels, found.covered);
-        // Each is as good as any with at most as many cuts; numbers of cuts that do not help are left out.
+        // Each has the least loss of all sets of at most as many cuts. A number of cuts that saves nothing is left out.
         std::vector<std::size_t> by_number(4, std::numeric_limits<std::size_t>::max());
         for (const organ::SuggestedCuts& one : found.by_number) {
             const Loss loss = loss_of(tree, voxels, one.cuts);
