@@ -107,12 +107,12 @@ class TreesBesideVtk(CommandLineTest):
                 with self.subTest(modes=modes, name=name):
                     self.check_read(self.written(writer, data, name))
 
-    def test_other_compressors_are_refused_with_a_message(self):
+    def test_other_compressors(self):
         for compressor in ("LZ4", "LZMA"):
             writer = vtkXMLPolyDataWriter()
             getattr(writer, "SetCompressorTypeTo" + compressor)()
-            self.written(writer, poly_data(), "z.vtp")
-            self.expect_failure("info", "z.vtp", says=(compressor, "zlib"))
+            with self.subTest(compressor=compressor):
+                self.check_read(self.written(writer, poly_data(), "z.vtp"))
 
     def test_axes_of_slicer(self):
         for mode, compressed in itertools.product(("Ascii", "Binary", "Appended"), (False, True)):
