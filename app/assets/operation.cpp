@@ -125,13 +125,11 @@ void put_surfaces(Operation& operation, const organ::ResectionSurface& surface, 
     }
 }
 
-template <class Number> organ::PartRemnant by_system(const Operation::Of& of, const organ::RemnantOf<Number>& found) {
-    organ::PartRemnant remnant{
-        static_cast<double>(found.supplied), static_cast<double>(found.drained), static_cast<double>(found.both), {}};
-    remnant.lost.resize(of.supply->systems.size());
-    for (std::size_t system = 0, n = 0; system < remnant.lost.size(); ++system)
-        if (of.supply->reaches(system)) remnant.lost[system] = static_cast<double>(found.lost[n++]);
-    return remnant;
+organ::PartRemnant in_parts(const organ::Remnant& found) {
+    return {static_cast<double>(found.supplied),
+            static_cast<double>(found.drained),
+            static_cast<double>(found.both),
+            {found.lost.begin(), found.lost.end()}};
 }
 
 } // namespace
@@ -246,10 +244,10 @@ Result<Operation> make_operation(const OperationWork& work, const JobRange& job)
     operation.ids = work.ids;
     const std::vector<std::uint8_t> functional = functional_voxels(*of.supply, of.lesions);
     operation.functional = static_cast<double>(std::ranges::count(functional, 1));
-    const std::vector<organ::SystemSupply> systems = of.supply->reaching(of.roles);
+    const std::vector<organ::SystemSupply> systems = of.supply->with_roles(of.roles);
     const tree::VesselTree& tree = *of.supply->of.tree;
     if (of.resections.empty()) {
-        operation.remnant = by_system(of, organ::remnant_of(systems, measure::lost_spans(tree, of.cuts), functional));
+        operation.remnant = in_parts(organ::remnant_of(systems, measure::lost_spans(tree, of.cuts), functional));
         return operation;
     }
     const std::vector<organ::VoxelLesion> solids = solids_of(of.lesions);
@@ -260,11 +258,13 @@ Result<Operation> make_operation(const OperationWork& work, const JobRange& job)
     operation.area_mm2 = removal.area_mm2;
     operation.vessels = organ::vessels_cut(organ, tree, functions);
     for (organ::CutVessel& vessel : operation.vessels) vessel.resection = numbers[vessel.resection];
-    for (const measure::Cut& cut : of.cuts) operation.vessels.push_back(organ::vessel_at(tree, cut));
+    for (const measure::Cut& cut : of.cuts) {
+        operation.vessels.push_back(organ::vessel_at(tree, cut));
+        operation.vessels.back().resection = of.resections.size();
+    }
     organ::sort_vessels(operation.vessels);
     const std::vector<measure::Cut> cuts = organ::cuts_of(operation.vessels);
-    operation.remnant =
-        by_system(of, organ::remnant_of(systems, measure::lost_spans(tree, cuts), functional, removal.kept));
+    operation.remnant = organ::remnant_of(systems, measure::lost_spans(tree, cuts), functional, removal.kept);
     operation.margins = organ::margins_of(organ, functions, removal.surface, solids);
     put_surfaces(operation, removal.surface, numbers, solids);
     operation.kept = std::move(removal.kept);

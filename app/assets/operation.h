@@ -47,8 +47,9 @@ struct Operation {
     double removed = 0.0;       // of the whole organ, by resections
     organ::PartRemnant remnant; // of the functional organ; `lost` by system, 0 for those that do not reach the organ
     double area_mm2 = 0.0;      // of the surface that resections leave
-    std::vector<organ::CutVessel> vessels; // by resections and the plan's cuts, the thickest first
-    std::vector<organ::Margin> margins;    // by lesion, to the resections
+    // Cut by resections and by the plan's cuts, which have no resection: its index is their number. The thickest first.
+    std::vector<organ::CutVessel> vessels;
+    std::vector<organ::Margin> margins; // by lesion, to the resections
     // By resection: its surface within the organ, divided by the distance from the nearest lesion into the margins
     // (bands_mm) and what is beyond; one part without lesions, none where it does not meet the organ.
     using Parts = std::vector<std::shared_ptr<const mesh::TriangleMesh>>;

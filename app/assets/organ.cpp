@@ -48,27 +48,14 @@ std::vector<organ::Role> roles_of(const tree::VesselTree& tree, const Marks& mar
 }
 
 Result<OrganSupply> supply_of(const OrganSupply::Of& of, const JobRange& job) {
-    const tree::VesselTree& tree = *of.tree;
-    OrganSupply supply{of, {}, organ::large_vessels(of.mask->organ, tree, of.large_vessels_mm)};
-    const std::size_t count = std::max<std::size_t>(tree.systems.size(), 1);
-    std::optional<Error> none;
-    for (std::size_t system = 0; system < count; ++system) {
-        const auto from = static_cast<float>(system) / static_cast<float>(count);
-        auto found = organ::supply_of(of.mask->organ, tree, {.rule = of.rule}, organ::all_but_system(tree, system),
-                                      job.part(from, from + 1.0F / static_cast<float>(count)));
-        if (!found && found.error().what == "cancelled") return tl::unexpected(found.error());
-        if (!found) none = found.error();
-        supply.systems.push_back(found ? std::move(*found) : organ::Supply{});
-    }
-    if (none && std::ranges::all_of(supply.systems, &std::vector<std::int32_t>::empty, &organ::Supply::branch))
-        return tl::unexpected(*none);
-    return supply;
+    RAMUS_TRY(systems, organ::supplies_by_system(of.mask->organ, *of.tree, {.rule = of.rule}, job));
+    return OrganSupply{of, std::move(systems), organ::large_vessels(of.mask->organ, *of.tree, of.large_vessels_mm)};
 }
 
-std::vector<organ::SystemSupply> OrganSupply::reaching(const std::vector<organ::Role>& roles) const {
+std::vector<organ::SystemSupply> OrganSupply::with_roles(const std::vector<organ::Role>& roles) const {
     std::vector<organ::SystemSupply> found;
     for (std::size_t system = 0; system < systems.size(); ++system)
-        if (reaches(system)) found.push_back({roles[system], systems[system].branch, systems[system].at});
+        found.push_back({roles[system], systems[system].branch, systems[system].at});
     return found;
 }
 
@@ -103,9 +90,10 @@ Result<void> complete_organ(Assets& assets, const Marks& marks, Job& job) {
         RAMUS_TRY(operation, make_operation(work, range));
         put_operation(assets, work.plan, std::make_shared<const Operation>(std::move(operation)));
     }
-    if (const auto of = wanted_territories(assets, marks); of && (!organ.territories || organ.territories->of != *of)) {
-        RAMUS_TRY(territories, make_territories(*of, range));
-        organ.territories = std::make_shared<const OrganTerritories>(std::move(territories));
+    tidy_territories(organ, marks);
+    for (const TerritoryWork& work : wanted_territories(assets, marks)) {
+        RAMUS_TRY(territories, make_territories(work.of, range));
+        put_territories(organ, work, std::make_shared<const OrganTerritories>(std::move(territories)));
     }
     return {};
 }

@@ -50,8 +50,8 @@ struct OrganSupply {
     std::vector<organ::Supply> systems; // by system; one that does not reach the organ has no voxels
     std::vector<std::uint8_t> large;    // by voxel, not 0: inside a large vessel
     [[nodiscard]] bool reaches(std::size_t system) const { return !systems[system].branch.empty(); }
-    // Those that reach the organ; they refer to this supply. `roles`: by system.
-    [[nodiscard]] std::vector<organ::SystemSupply> reaching(const std::vector<organ::Role>& roles) const;
+    // By system; they refer to this supply.
+    [[nodiscard]] std::vector<organ::SystemSupply> with_roles(const std::vector<organ::Role>& roles) const;
 };
 // Fails if no system reaches the organ, and when cancelled (what == "cancelled").
 [[nodiscard]] Result<OrganSupply> supply_of(const OrganSupply::Of& of, const JobRange& job);
@@ -76,6 +76,7 @@ struct OrganAssets {
     std::vector<std::shared_ptr<const Operation>> operations{};
     std::size_t plan = 0;                                  // the current one
     std::shared_ptr<const OrganTerritories> territories{}; // may belong to an earlier choice
+    std::shared_ptr<const OrganTerritories> compared{};    // of kRemnant: of the compared plan
 };
 // What the session asks for; none: it has no organ, or something that comes first is missing.
 [[nodiscard]] std::optional<OrganSource> wanted_organ(const Marks& marks);

@@ -52,7 +52,7 @@ std::vector<int> remnant_labels(const Operation& operation) {
         operation.vessels.empty() ? operation.of.cuts : organ::cuts_of(operation.vessels);
     const std::vector<measure::LostSpan> spans = measure::lost_spans(*supply.of.tree, cuts);
     std::vector<int> labels(supply.of.mask->organ.count(), 0);
-    const std::vector<organ::SystemSupply> systems = supply.reaching(operation.of.roles);
+    const std::vector<organ::SystemSupply> systems = supply.with_roles(operation.of.roles);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, labels.size()), [&](const auto& range) {
         for (std::size_t voxel = range.begin(); voxel < range.end(); ++voxel) {
             bool supplied = true, drained = true;
@@ -79,6 +79,7 @@ Result<Labels> labels_of(const OrganTerritories::Of& of, const JobRange& job) {
     if (of.kind == TerritoriesOf::kRemnant)
         return Labels{remnant_labels(*of.operation), {kRemnantParts.begin(), kRemnantParts.end()}};
     const organ::Grouping grouping = grouping_of(of);
+    if (auto few = organ::check_count(grouping); !few) return tl::unexpected(few.error());
     RAMUS_TRY(supply, organ::supply_of(mask.organ, *of.supply->of.tree, {.rule = of.supply->of.rule},
                                        organ::trunk_of(grouping), job));
     return Labels{organ::voxel_groups(supply, grouping), grouping.names};
@@ -109,7 +110,10 @@ double OrganTerritories::percent(const Part& part) const {
     return 100.0 * static_cast<double>(part.voxels) / static_cast<double>(of.supply->of.mask->organ.count());
 }
 
-std::optional<OrganTerritories::Of> wanted_territories(const Assets& assets, const Marks& marks) {
+namespace {
+
+// None: no territories are shown, or the organ is not divided yet. `plan`: of kRemnant.
+std::optional<OrganTerritories::Of> shown_territories(const Assets& assets, const Marks& marks, std::size_t plan) {
     const auto supply = wanted_supply(assets.organ, marks, assets.tree);
     const OrganChoice& choice = marks.organ;
     if (!supply || choice.territories == TerritoriesOf::kNothing || !assets.organ.supply ||
@@ -128,7 +132,7 @@ std::optional<OrganTerritories::Of> wanted_territories(const Assets& assets, con
         for (const int branch : marks.selection) of.named.emplace_back(branch, kSelected);
         break;
     case TerritoriesOf::kRemnant:
-        of.operation = operation_of(assets, marks, marks.plans.place);
+        of.operation = operation_of(assets, marks, plan);
         of.apart_mm = choice.apart_mm;
         if (!of.operation) return {};
         break;
@@ -146,6 +150,32 @@ std::optional<OrganTerritories::Of> wanted_territories(const Assets& assets, con
     if (by_branches) of.system = dividing_system(of, tree, marks);
     std::ranges::stable_sort(of.named, {}, &std::pair<int, std::string>::second); // S1 to S8, whatever their branches
     return of;
+}
+
+bool compares_remnants(const Marks& marks) {
+    return marks.plans.compared && marks.organ.territories == TerritoriesOf::kRemnant;
+}
+
+} // namespace
+
+std::vector<TerritoryWork> wanted_territories(const Assets& assets, const Marks& marks) {
+    std::vector<TerritoryWork> wanted;
+    const auto want = [&](std::size_t plan, const std::shared_ptr<const OrganTerritories>& made, bool compared) {
+        auto of = shown_territories(assets, marks, plan);
+        if (of && (!made || made->of != *of)) wanted.push_back({std::move(*of), compared});
+    };
+    want(marks.plans.place, assets.organ.territories, false);
+    if (compares_remnants(marks)) want(*marks.plans.compared, assets.organ.compared, true);
+    return wanted;
+}
+
+void put_territories(OrganAssets& assets, const TerritoryWork& work, std::shared_ptr<const OrganTerritories> made) {
+    (work.compared ? assets.compared : assets.territories) = std::move(made);
+}
+
+void tidy_territories(OrganAssets& assets, const Marks& marks) {
+    if (marks.organ.territories == TerritoriesOf::kNothing) assets.territories.reset();
+    if (!compares_remnants(marks)) assets.compared.reset();
 }
 
 namespace {
@@ -168,8 +198,9 @@ Result<OrganTerritories> make_territories(const OrganTerritories::Of& of, const 
     std::vector<std::size_t> voxels(labels.names.size(), 0);
     for (const int label : labels.of_voxels)
         if (label >= 0) ++voxels[static_cast<std::size_t>(label)];
-    OrganTerritories made{of, {}, {}};
+    OrganTerritories made{.of = of, .parts = {}};
     const glm::vec3 away = of.apart_mm > 0.0 ? pull_of(organ, labels.of_voxels, of.apart_mm) : glm::vec3(0.0F);
+    std::vector<std::uint16_t> numbers(labels.names.size(), 0); // by label: the index of its part + 1
     const bool has_rest =
         of.kind == TerritoriesOf::kNames || of.kind == TerritoriesOf::kSelection || of.kind == TerritoriesOf::kCuts;
     for (std::size_t label = 0; label < labels.names.size(); ++label) {
@@ -184,7 +215,11 @@ Result<OrganTerritories> make_territories(const OrganTerritories::Of& of, const 
                                     mesh,
                                     preview_of(*mesh)};
         made.parts.push_back(std::move(part));
+        numbers[label] = static_cast<std::uint16_t>(made.parts.size());
     }
+    made.part_of.reserve(labels.of_voxels.size());
+    for (const int label : labels.of_voxels)
+        made.part_of.push_back(label < 0 ? 0 : numbers[static_cast<std::size_t>(label)]);
     made.expected = expected_of(of, made.parts.size());
     return made;
 }

@@ -35,14 +35,23 @@ struct OrganTerritories {
     };
     Of of;
     std::vector<Part> parts;                    // those with voxels
+    std::vector<std::uint16_t> part_of{};       // by voxel of the organ: the index of its part + 1; 0: none
     std::optional<organ::Certainty> expected{}; // how sure they are, on average in grown organs; none: not measured
 
     [[nodiscard]] double volume_mm3(const Part& part) const;
     [[nodiscard]] double percent(const Part& part) const; // of the organ
 };
 
-// None: no territories are shown, or the organ is not divided yet.
-[[nodiscard]] std::optional<OrganTerritories::Of> wanted_territories(const Assets& assets, const Marks& marks);
+struct TerritoryWork {
+    OrganTerritories::Of of;
+    bool compared = false; // of the compared plan
+    bool operator==(const TerritoryWork&) const = default;
+};
+// Those that the session shows and `assets` lack, and that can be made.
+[[nodiscard]] std::vector<TerritoryWork> wanted_territories(const Assets& assets, const Marks& marks);
+void put_territories(OrganAssets& assets, const TerritoryWork& work, std::shared_ptr<const OrganTerritories> made);
+// Removes those that are no longer shown.
+void tidy_territories(OrganAssets& assets, const Marks& marks);
 // Fails if no branch of a group reaches the organ, and when cancelled (what == "cancelled").
 [[nodiscard]] Result<OrganTerritories> make_territories(const OrganTerritories::Of& of, const JobRange& job);
 

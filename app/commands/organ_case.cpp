@@ -4,11 +4,11 @@
 #include "app/commands/inputs.h"
 #include "app/commands/progress.h"
 #include "app/commands/surface_input.h"
-#include "app/picture/colouring.h"
-#include "app/session/colour_by.h"
+#include "app/picture/organ_files.h"
 #include "app/session/comparison.h"
 #include "app/session/numbers.h"
 #include "app/session/systems.h"
+#include "core/base/printable.h"
 #include "core/base/words.h"
 #include "core/io/input_file.h"
 #include "core/io/run_inputs.h"
@@ -129,12 +129,20 @@ Result<organ::Supply> supply_by(const OrganCase& read, const OrganFlags& flags,
 
 Result<SystemSupplies> supplies_by_system(const OrganCase& read, const OrganFlags& flags) {
     SystemSupplies systems;
-    for (std::size_t s = 0; s < read.system_count(); ++s) {
-        RAMUS_TRY(supply, supply_by(read, flags, organ::all_but_system(read.tree, s)));
-        systems.supplies.push_back(std::move(supply));
-    }
-    for (std::size_t s = 0; s < systems.supplies.size(); ++s)
+    RAMUS_TRY(supplies, with_progress(
+                            "territories",
+                            [&](Job& job) {
+                                return organ::supplies_by_system(read.organ, read.tree, flags.supply,
+                                                                 JobRange(job, 0.0F, 1.0F));
+                            },
+                            kNothingWritten));
+    systems.supplies = std::move(supplies);
+    for (std::size_t s = 0; s < systems.supplies.size(); ++s) {
         systems.parts.push_back({read.roles[s], systems.supplies[s].branch, systems.supplies[s].at});
+        if (systems.supplies[s].branch.empty())
+            std::cerr << "ramus: no vessel of " << printable(name_of_system(read.tree, static_cast<int>(s)))
+                      << " lies in the organ\n";
+    }
     return systems;
 }
 
@@ -142,22 +150,14 @@ std::string name_of_system(const tree::VesselTree& tree, int system) {
     return tree.systems.empty() ? std::string() : system_name(tree.systems, system);
 }
 
-Result<void> write_organ_labels(const OrganCase& read, const std::vector<std::string>& names,
-                                const std::function<std::uint16_t(std::size_t)>& label_of, const std::string& output) {
-    io::LabelMap map{read.organ.size(), read.organ.to_patient(), read.claims, {}, {}};
-    for (std::size_t n = 0; n < names.size(); ++n)
-        map.names.push_back({static_cast<std::int32_t>(n + 1), names[n], bytes_of(label_colour(n))});
-    const auto across = static_cast<std::size_t>(read.organ.size().x);
-    map.fill_slice = [&](int k, std::span<std::uint16_t> labels) {
-        read.organ.for_voxels(
-            {0, 0, k}, {read.organ.size().x, read.organ.size().y, k + 1},
-            [&](const glm::ivec3& voxel, std::size_t number) {
-                labels[static_cast<std::size_t>(voxel.y) * across + static_cast<std::size_t>(voxel.x)] =
-                    label_of(number);
-            });
-    };
+Result<void> write_case_labels(const OrganCase& read, const std::vector<std::string>& names,
+                               const std::function<std::uint16_t(std::size_t)>& label_of, const std::string& output) {
     return with_progress(
-        "writing", [&](Job& job) { return io::write_label_map(map, output, JobRange(job, 0.0F, 1.0F)); },
+        "writing",
+        [&](Job& job) {
+            return write_organ_labels(parts_of(read.organ, read.claims, names), label_of, output,
+                                      JobRange(job, 0.0F, 1.0F));
+        },
         kNothingWritten);
 }
 

@@ -4,7 +4,6 @@
 
 #include "app/commands/surface_flags.h"
 #include "core/base/error.h"
-#include "core/io/volumes/label_map_file.h"
 #include "core/measure/cuts.h"
 #include "core/organ/organ.h"
 #include "core/organ/remnant.h"
@@ -80,8 +79,8 @@ struct SystemSupplies {
 [[nodiscard]] std::string name_of_system(const tree::VesselTree& tree, int system); // empty: it has no name
 
 // Writes a label map on the grid of the organ's mask. label_of(number) is the label of a voxel of the organ.
-[[nodiscard]] Result<void> write_organ_labels(const OrganCase& read, const std::vector<std::string>& names,
-                                              const std::function<std::uint16_t(std::size_t)>& label_of,
-                                              const std::string& output);
+[[nodiscard]] Result<void> write_case_labels(const OrganCase& read, const std::vector<std::string>& names,
+                                             const std::function<std::uint16_t(std::size_t)>& label_of,
+                                             const std::string& output);
 
 } // namespace ramus::app

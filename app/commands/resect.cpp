@@ -204,7 +204,7 @@ Result<void> write_resection(const OrganCase& read, ResectPlan& plan, const std:
         const auto label_of = [&](std::size_t number) -> std::uint16_t {
             return plan.removal.kept[number] >= 0.5F ? 1 : 2;
         };
-        return write_organ_labels(read, {"remnant", "removed"}, label_of, output);
+        return write_case_labels(read, {"remnant", "removed"}, label_of, output);
     }
     if (plan.removal.surface.triangles.empty())
         return fail("there is no surface of the resection in the organ", output, "write a label map instead");

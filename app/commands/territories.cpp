@@ -5,9 +5,10 @@
 #include "app/commands/inputs.h"
 #include "app/commands/organ_case.h"
 #include "app/commands/printed_report.h"
+#include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/suggest_cuts.h"
-#include "app/commands/territory_surfaces.h"
+#include "app/picture/organ_files.h"
 #include "app/session/numbers.h"
 #include "app/session/systems.h"
 #include "core/base/printable.h"
@@ -16,6 +17,7 @@
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/label_map_file.h"
 #include "core/organ/certainty.h"
+#include "core/organ/label_surfaces.h"
 #include "core/organ/remnant.h"
 
 #include <algorithm>
@@ -116,7 +118,7 @@ Result<organ::Remnant> remnant_after(const OrganCase& read, const TerritoriesFla
 struct Answer {
     std::vector<organ::Territory> territories;
     organ::Remnant remnant;
-    std::vector<TerritorySurface> surfaces;
+    std::vector<PartSurface> surfaces;
     std::optional<CutAnswer> cuts;
     std::optional<organ::Certainty> expected;
 };
@@ -151,7 +153,7 @@ nlohmann::ordered_json report_of(const OrganCase& read, const Answer& answer, co
                            {"role", read.roles[s] == organ::Role::kDrains ? "drains" : "supplies"},
                            {"lost_ml", volume(answer.remnant.lost[s])}});
     nlohmann::ordered_json surfaces = nlohmann::ordered_json::array();
-    for (const TerritorySurface& one : answer.surfaces)
+    for (const PartSurface& one : answer.surfaces)
         surfaces.push_back({{"name", one.name}, {"file", one.file}, {"triangles", one.triangles}});
     nlohmann::ordered_json report{{"organ_ml", volume(read.organ.count())},
                                   {"functional_ml", volume(read.functional_voxels)},
@@ -199,10 +201,19 @@ Result<void> write_files(const OrganCase& read, const organ::Supply& supply, con
     const std::vector<int> groups = organ::voxel_groups(supply, grouping);
     const auto label_of = [&](std::size_t number) { return static_cast<std::uint16_t>(groups[number] + 1); };
     if (!flags.output.empty())
-        if (auto written = write_organ_labels(read, grouping.names, label_of, flags.output); !written) return written;
+        if (auto written = write_case_labels(read, grouping.names, label_of, flags.output); !written) return written;
     if (flags.surfaces.empty()) return {};
-    RAMUS_TRY(surfaces, write_territory_surfaces(read, grouping.names, groups, flags.surfaces));
-    answer.surfaces = std::move(surfaces);
+    RAMUS_TRY(surfaces,
+              with_progress(
+                  "surfaces",
+                  [&](Job& job) { return organ::label_surfaces(read.organ, groups, JobRange(job, 0.0F, 1.0F)); },
+                  kNothingWritten));
+    std::vector<mesh::TriangleMesh> parts;
+    for (std::size_t n = 0; n < grouping.names.size(); ++n)
+        parts.push_back(organ::surface_of(surfaces, static_cast<int>(n)));
+    RAMUS_TRY(written, write_organ_surfaces(parts_of(read.organ, read.claims, grouping.names), std::move(parts),
+                                            flags.surfaces));
+    answer.surfaces = std::move(written);
     return {};
 }
 
@@ -211,7 +222,7 @@ Result<int> run_territories(const TerritoriesFlags& flags) {
         if (auto possible = io::check_label_map_output(flags.output); !possible)
             return tl::unexpected(possible.error());
     if (!flags.surfaces.empty())
-        if (auto possible = check_surfaces_output(flags.surfaces); !possible) return tl::unexpected(possible.error());
+        if (auto format = io::mesh_format(flags.surfaces); !format) return tl::unexpected(format.error());
     RAMUS_TRY(read, load_case(flags));
     for (const int branch : flags.group.branches)
         if (auto there = check_branch(read.tree, branch, flags.tree); !there) return tl::unexpected(there.error());
@@ -219,8 +230,7 @@ Result<int> run_territories(const TerritoriesFlags& flags) {
     RAMUS_TRY(systems, dividing_systems(read, flags));
     organ::Grouping grouping = grouping_of(read.tree, dependency, flags.group);
     organ::restrict_to(grouping, read.tree, systems);
-    if (grouping.names.size() > 65534)
-        return fail("there are more than 65,534 territories", {}, "group by fewer branches");
+    if (auto few = organ::check_count(grouping); !few) return tl::unexpected(few.error());
     RAMUS_TRY(supply, supply_by(read, flags, organ::trunk_of(grouping)));
     Answer answer{organ::territories_of(read.tree, supply, grouping), {}, {}, {}, {}};
     if (flags.group.kind != GroupWish::Kind::kCuts) // groups of other systems; a cut may lose nothing

@@ -8,8 +8,10 @@ namespace ramus::app {
 
 namespace {
 
-// Makes `plan` of `all` the current one.
+// Makes `plan` of `all` the current one. The compared plan stays, unless it is this one or the last of all.
 void put_plans(Marks& marks, std::vector<OperationPlan> all, std::size_t plan) {
+    auto& compared = marks.plans.compared;
+    if (compared && (*compared == plan || *compared >= all.size())) compared.reset();
     OperationPlan& current = all[plan];
     marks.plans.name = std::move(current.name);
     marks.plans.place = plan;
@@ -44,13 +46,21 @@ void copy_plan(Marks& marks, std::string name) {
     put_plans(marks, std::move(all), last);
 }
 
-void use_plan(Marks& marks, std::size_t plan) { put_plans(marks, all_plans(marks), plan); }
+void use_plan(Marks& marks, std::size_t plan) {
+    if (marks.plans.compared == plan) marks.plans.compared = marks.plans.place; // both stay in the picture
+    put_plans(marks, all_plans(marks), plan);
+}
 
 void remove_plan(Marks& marks, std::size_t plan) {
     std::vector<OperationPlan> all = all_plans(marks);
     const std::size_t current = std::min(marks.plans.place, all.size() - 1);
     all.erase(all.begin() + static_cast<std::ptrdiff_t>(plan));
     const std::size_t next = current > plan || current == all.size() ? current - 1 : current;
+    auto& compared = marks.plans.compared;
+    if (compared == plan)
+        compared.reset();
+    else if (compared && *compared > plan)
+        --*compared;
     put_plans(marks, std::move(all), next);
 }
 

@@ -5,6 +5,7 @@
 #include "app/session/objects.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,9 +22,10 @@ struct OperationPlan {
 };
 
 struct Plans {
-    std::string name = "A";            // of the current plan
-    std::size_t place = 0;             // of the current plan among all, from 0
-    std::vector<OperationPlan> others; // in order, without the current one
+    std::string name = "A";                // of the current plan
+    std::size_t place = 0;                 // of the current plan among all, from 0
+    std::vector<OperationPlan> others;     // in order, without the current one
+    std::optional<std::size_t> compared{}; // the plan that is shown next to the current one
     [[nodiscard]] std::size_t count() const { return others.size() + 1; }
     bool operator==(const Plans&) const = default;
 };

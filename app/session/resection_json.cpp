@@ -128,11 +128,13 @@ json plans_json(const Marks& marks, const std::filesystem::path& folder) {
         for (const Resection& one : plan.resections) resections.push_back(resection_json(one, marks, folder));
         others.push_back({{"name", plan.name}, {"cuts", plan.cuts}, {"resections", resections}});
     }
-    return {{"name", marks.plans.name}, {"place", marks.plans.place}, {"others", others}};
+    json plans{{"name", marks.plans.name}, {"place", marks.plans.place}, {"others", others}};
+    if (marks.plans.compared) plans["compared"] = *marks.plans.compared;
+    return plans;
 }
 
 Plans plans_in(const json& value, const Marks& marks, const std::filesystem::path& folder) {
-    expect_only(value, "plans", {"name", "place", "others"});
+    expect_only(value, "plans", {"name", "place", "others", "compared"});
     Plans plans;
     if (value.contains("name")) plans.name = text(value["name"], "name of a plan");
     for (const json& one : list_in(value, "others")) {
@@ -144,9 +146,12 @@ Plans plans_in(const json& value, const Marks& marks, const std::filesystem::pat
         if (plan.resections.size() > kMostResections) throw Refusal{"a plan has too many resections"};
         plans.others.push_back(std::move(plan));
     }
-    if (value.contains("place"))
-        plans.place = static_cast<std::size_t>(
-            integer(value["place"], "place of the plan", 0, static_cast<int>(plans.others.size())));
+    const auto place = [&](const char* key, const char* what) {
+        return static_cast<std::size_t>(integer(value[key], what, 0, static_cast<int>(plans.others.size())));
+    };
+    if (value.contains("place")) plans.place = place("place", "place of the plan");
+    if (value.contains("compared")) plans.compared = place("compared", "place of the compared plan");
+    if (plans.compared == plans.place) throw Refusal{"a plan is compared with itself"};
     return plans;
 }
 

@@ -166,27 +166,22 @@ std::unique_ptr<BackgroundWork> operation_work(const std::function<void()>& wake
 }
 
 std::unique_ptr<BackgroundWork> territory_work(const std::function<void()>& wake) {
-    using Of = OrganTerritories::Of;
-    return work_of<Of, std::shared_ptr<const OrganTerritories>>(
+    using Made = std::shared_ptr<const OrganTerritories>;
+    return work_of<TerritoryWork, Made>(
         wake,
         {.kind = WorkKind::kTerritories,
-         .title = titled<Of>("Finding territories"),
-         .missing = [](const WorkView& view, const Assets& assets) -> std::vector<Of> {
-             const auto of = wanted_territories(assets, view.document.marks());
-             if (!of || (assets.organ.territories && assets.organ.territories->of == *of)) return {};
-             return {*of};
-         },
-         .make = [](const Of& of, Job& job) -> Result<std::shared_ptr<const OrganTerritories>> {
-             RAMUS_TRY(territories, make_territories(of, JobRange(job, 0.0F, 1.0F)));
+         .title = titled<TerritoryWork>("Finding territories"),
+         .missing = [](const WorkView& view,
+                       const Assets& assets) { return wanted_territories(assets, view.document.marks()); },
+         .make = [](const TerritoryWork& work, Job& job) -> Result<Made> {
+             RAMUS_TRY(territories, make_territories(work.of, JobRange(job, 0.0F, 1.0F)));
              return std::make_shared<const OrganTerritories>(std::move(territories));
          },
-         .put = [](const Of&, const auto& territories, Assets& assets) { assets.organ.territories = territories; },
-         .refused = [](const Of&, const std::string&, Assets& assets) { assets.organ.territories.reset(); },
-         .tidy =
-             [](const WorkView& view, Assets& assets) {
-                 if (view.document.marks().organ.territories == TerritoriesOf::kNothing)
-                     assets.organ.territories.reset();
-             },
+         .put = [](const TerritoryWork& work, const Made& made,
+                   Assets& assets) { put_territories(assets.organ, work, made); },
+         .refused = [](const TerritoryWork& work, const std::string&,
+                       Assets& assets) { put_territories(assets.organ, work, nullptr); },
+         .tidy = [](const WorkView& view, Assets& assets) { tidy_territories(assets.organ, view.document.marks()); },
          .waits = after_surface});
 }
 

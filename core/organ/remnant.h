@@ -18,7 +18,7 @@ enum class Role : std::uint8_t { kSupplies, kDrains };
 // One vessel system and the voxels' branches of it.
 struct SystemSupply {
     Role role = Role::kSupplies;
-    std::span<const std::int32_t> branch; // by voxel, as in Supply
+    std::span<const std::int32_t> branch; // by voxel, as in Supply; empty: it does not reach the organ
     std::span<const float> at;
 };
 
@@ -37,6 +37,7 @@ using PartRemnant = RemnantOf<double>; // of voxels that remain in part
 // Whether a voxel lies on the lost part of its branch. `spans`: by branch id, not empty.
 [[nodiscard]] inline bool is_lost(const SystemSupply& system, std::span<const measure::LostSpan> spans,
                                   std::size_t voxel) {
+    if (system.branch.empty()) return false;
     const measure::LostSpan& span = spans[static_cast<std::size_t>(system.branch[voxel])];
     const auto at = static_cast<double>(system.at[voxel]);
     return span.any() && at >= span.from && at <= span.to;

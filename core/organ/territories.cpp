@@ -5,6 +5,8 @@
 #include <numeric>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <optional>
+#include <utility>
 
 namespace ramus::organ {
 
@@ -104,6 +106,12 @@ Grouping by_cuts(const tree::VesselTree& tree, const tree::Dependency& dependenc
     return grouping;
 }
 
+Result<void> check_count(const Grouping& grouping) {
+    if (grouping.names.size() > 65'534)
+        return fail("there are more than 65,534 territories", {}, "group by fewer branches");
+    return {};
+}
+
 void restrict_to(Grouping& grouping, const tree::VesselTree& tree, std::span<const std::uint8_t> systems) {
     for (std::size_t id = 0; id < tree.branches.size(); ++id)
         if (systems[static_cast<std::size_t>(tree.branches[id].system)] == 0) grouping.branches[id] = {};
@@ -115,6 +123,24 @@ std::vector<std::uint8_t> all_but_system(const tree::VesselTree& tree, std::size
     systems[system] = 1;
     restrict_to(grouping, tree, systems);
     return trunk_of(grouping);
+}
+
+Result<std::vector<Supply>> supplies_by_system(const Organ& organ, const tree::VesselTree& tree,
+                                               const SupplyOptions& options, const JobRange& job) {
+    const std::size_t count = std::max<std::size_t>(tree.systems.size(), 1);
+    std::vector<Supply> supplies;
+    std::optional<Error> none;
+    for (std::size_t system = 0; system < count; ++system) {
+        const auto from = static_cast<float>(system) / static_cast<float>(count);
+        auto found = supply_of(organ, tree, options, all_but_system(tree, system),
+                               job.part(from, from + 1.0F / static_cast<float>(count)));
+        if (!found && found.error().what == "cancelled") return tl::unexpected(found.error());
+        if (!found) none = found.error();
+        supplies.push_back(found ? std::move(*found) : Supply{});
+    }
+    if (none && std::ranges::all_of(supplies, &std::vector<std::int32_t>::empty, &Supply::branch))
+        return tl::unexpected(*none);
+    return supplies;
 }
 
 std::vector<std::uint8_t> trunk_of(const Grouping& grouping) {

@@ -2,6 +2,7 @@
 // groups (the trunk) are no territory of their own.
 #pragma once
 
+#include "core/base/error.h"
 #include "core/measure/cuts.h"
 #include "core/organ/supply.h"
 #include "core/tree/dependency.h"
@@ -51,10 +52,18 @@ struct Grouping {
 [[nodiscard]] Grouping by_cuts(const tree::VesselTree& tree, const tree::Dependency& dependency,
                                std::span<const measure::Cut> cuts);
 
+// Fails for more groups than a label map has labels: 65,534.
+[[nodiscard]] Result<void> check_count(const Grouping& grouping);
+
 // Branches of the systems whose entry is 0 are of no group from now on.
 void restrict_to(Grouping& grouping, const tree::VesselTree& tree, std::span<const std::uint8_t> systems);
 // `excluded` of supply_of() for one system on its own: the stems and the branches of other systems.
 [[nodiscard]] std::vector<std::uint8_t> all_but_system(const tree::VesselTree& tree, std::size_t system);
+
+// The supply by each system on its own, without its stem; one that does not reach the organ has no voxels. Fails if
+// none reaches it, and when cancelled (what == "cancelled").
+[[nodiscard]] Result<std::vector<Supply>> supplies_by_system(const Organ& organ, const tree::VesselTree& tree,
+                                                             const SupplyOptions& options, const JobRange& job);
 
 // By branch id, not 0: of no group (`excluded` of supply_of()).
 [[nodiscard]] std::vector<std::uint8_t> trunk_of(const Grouping& grouping);

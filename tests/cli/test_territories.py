@@ -1,6 +1,7 @@
 """ramus territories: the parts of an organ by the branches that supply or drain it, against a search in Python."""
 
 import gzip
+import json
 import math
 import struct
 import unittest
@@ -192,6 +193,21 @@ class Territories(CommandLineTest):
         self.assertAlmostEqual(remnant["supplied_ml"], functional)
         self.assertGreater(remnant["congested_ml"], 0)
         self.assertAlmostEqual(remnant["congested_ml"] + remnant["drained_ml"], functional)
+
+    def test_a_system_outside_of_the_organ_is_named_and_loses_nothing(self):
+        # The second system lies in a corner of the grid, which the organ leaves free.
+        labels = [1 if (x - 10) ** 2 + (z - 4) ** 2 <= 3 else 2 if x <= 1 and z <= 1 else 0 for x, y, z in
+                  ((n % 22, n // 22 % 24, n // 22 // 24) for n in range(22 * 24 * 11))]
+        self.write("vessels.nii", nifti(SIZE, labels, rows=((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, SPACING[2], 0))))
+        command = ("vessels.nii", "--organ", "organ.nii", "--drains", "2", "--json")
+        branch = self.json("territories", *command, "--group", "generation=0")["territories"][0]["branches"][0]
+        cut = self.expect_done("territories", *command, "--group", f"cuts={branch}@0.5")
+        self.assertIn("no vessel of label 2 lies in the organ", cut.stderr)
+        report = json.loads(cut.stdout)
+        self.assertEqual(report["systems"][1]["lost_ml"], 0)
+        self.assertGreater(report["systems"][0]["lost_ml"], 0)
+        self.assertAlmostEqual(report["remnant"]["drained_ml"], report["functional_ml"])
+        self.expect_done("resect", "--tree", *command, "--plane", "10,12,5,0,1,0")
 
     def test_fewest_cuts_cover_the_lesion_with_the_least_loss(self):
         # Two lesions, one behind each of the two branches.
