@@ -4,13 +4,15 @@
 #include "app/actions/groups.h"
 #include "app/actions/organ_strokes.h"
 #include "app/assets/assets.h"
-#include "app/assets/operation.h"
+#include "app/assets/territories.h"
 #include "app/session/numbers.h"
 #include "core/base/words.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/orientation.h"
+#include "core/organ/resect/border.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <glm/geometric.hpp>
 
@@ -20,9 +22,9 @@ namespace {
 
 using ResectionKind = Resection::Kind;
 
-constexpr const char* kResectUsage = "plane X,Y,Z NX,NY,NZ, sheet and three or more X,Y,Z, line or stroke and X,Y of "
-                                     "the picture, surface FILE, cuts MM, "
-                                     "or lesion N MM";
+constexpr const char* kResectUsage = "plane X,Y,Z NX,NY,NZ, points and three X,Y,Z, sheet and three or more X,Y,Z, "
+                                     "border plane|sheet TERRITORY, line or "
+                                     "stroke and X,Y of the picture, surface FILE, cuts MM, or lesion N MM";
 
 std::optional<glm::dvec3> vector_in(const std::string& word) {
     const auto numbers = numbers_in(word, 3, kFarthestMm);
@@ -35,6 +37,52 @@ Result<Resection> plane_of(Arguments arguments) {
     if (!point || !normal || glm::length(*normal) == 0.0)
         return fail("a plane is a point X,Y,Z and a normal NX,NY,NZ", {}, "what the normal points to is removed");
     return Resection{.kind = ResectionKind::kPlane, .point = *point, .normal = glm::normalize(*normal)};
+}
+
+Result<Resection> plane_through(const ActionContext& context, Arguments arguments) {
+    std::array<glm::dvec3, 3> points{};
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        const auto point = arguments.size() == points.size() ? vector_in(arguments[n]) : std::nullopt;
+        if (!point) return fail("a plane goes through three points X,Y,Z");
+        points[n] = *point;
+    }
+    constexpr double kFlat = 1e-6; // the sine of the angle between two sides of the triangle
+    const glm::dvec3 one = points[1] - points[0], other = points[2] - points[0], across = glm::cross(one, other);
+    if (glm::length(across) <= kFlat * glm::length(one) * glm::length(other))
+        return fail("the three points are on one line", {}, "choose points that make a triangle");
+    Resection resection{.kind = ResectionKind::kPlane,
+                        .point = (points[0] + points[1] + points[2]) / 3.0,
+                        .normal = glm::normalize(across)};
+    if (auto chosen = choose_side(context, resection); !chosen) return tl::unexpected(chosen.error());
+    return resection;
+}
+
+// A border of the territories that are shown.
+struct Border {
+    std::shared_ptr<const OrganTerritories> territories;
+    std::uint16_t part = 0; // as in part_of
+    bool plane = false;
+};
+Result<Border> border_in(const ActionContext& context, Arguments arguments) {
+    const auto& territories = context.assets.organ.territories;
+    if (arguments.size() != 2 || (arguments[0] != "plane" && arguments[0] != "sheet"))
+        return fail("resect border takes plane or sheet, and the name of a territory that is shown");
+    if (!territories || context.document.marks().organ.territories == TerritoriesOf::kNothing)
+        return fail("no territories are shown", {}, "territories names shows those of branches with names");
+    for (std::size_t n = 0; n < territories->parts.size(); ++n)
+        if (territories->parts[n].name == arguments[1])
+            return Border{territories, static_cast<std::uint16_t>(n + 1), arguments[0] == "plane"};
+    return fail("there is no territory " + arguments[1], {}, "the page Plan lists those that are shown");
+}
+Result<Resection> along(const Border& border) {
+    const OrganTerritories& territories = *border.territories;
+    RAMUS_TRY(sheet,
+              organ::sheet_along_border(territories.of.supply->of.mask->organ, territories.part_of, border.part));
+    if (!border.plane) return Resection{.kind = ResectionKind::kSheet, .sheet = std::move(sheet)};
+    const glm::dvec3 middle = sheet.origin + 0.5 * ((sheet.size.x - 1) * sheet.step.x * sheet.u +
+                                                    (sheet.size.y - 1) * sheet.step.y * sheet.v);
+    return Resection{
+        .kind = ResectionKind::kPlane, .point = middle, .normal = (sheet.removes_below ? -1.0 : 1.0) * sheet.normal()};
 }
 
 Result<Resection> sheet_of(const ActionContext& context, Arguments arguments) {
@@ -87,6 +135,7 @@ Result<Resection> asked_resection(const ActionContext& context, Arguments argume
     const std::string& kind = arguments[0];
     arguments = arguments.subspan(1);
     if (kind == "plane") return plane_of(arguments);
+    if (kind == "points") return plane_through(context, arguments);
     if (kind == "sheet") return sheet_of(context, arguments);
     if (kind == "surface") return surface_of(arguments);
     if (kind == "cuts") return margin_of(marks, ResectionKind::kCuts, arguments);
@@ -103,6 +152,13 @@ Result<void> add_resection(ActionContext& context, const Resection& resection) {
 }
 
 Result<Outcome> resect(ActionContext& context, Arguments arguments) {
+    if (!arguments.empty() && arguments[0] == "border") {
+        RAMUS_TRY(wanted, border_in(context, arguments.subspan(1)));
+        return Pending{"Finding a border", [border = wanted](Job&) -> Result<Continuation> {
+                           RAMUS_TRY(found, along(border));
+                           return [resection = found](ActionContext& then) { return add_resection(then, resection); };
+                       }};
+    }
     RAMUS_TRY(asked, asked_resection(context, arguments));
     if (asked.kind != ResectionKind::kSurface) return outcome_of(add_resection(context, asked));
     if (auto organ = organ_read(context); !organ) return tl::unexpected(organ.error());
@@ -184,9 +240,10 @@ bool has_resections(const Document& document) { return !document.marks().resecti
 std::vector<Command> resection_commands() {
     return {
         Command(
-            "resect", "plane|sheet|line|stroke|surface|cuts|lesion ...",
-            "Removes a part of the organ: plane X,Y,Z NX,NY,NZ what the normal points to; sheet X,Y,Z... the "
-            "lesions' side of a smooth sheet through these points, without lesions the smaller one; line X,Y X,Y and "
+            "resect", "plane|points|sheet|border|line|stroke|surface|cuts|lesion ...",
+            "Removes a part of the organ: plane X,Y,Z NX,NY,NZ what the normal points to; points X,Y,Z X,Y,Z X,Y,Z and "
+            "sheet X,Y,Z... the lesions' side of the plane or smooth sheet through these points, without lesions the "
+            "smaller one; border plane|sheet TERRITORY that side of the border of a territory; line X,Y X,Y and "
             "stroke X,Y... what lies behind a "
             "line drawn across the picture; surface FILE the inside of a closed mesh or the smaller side of an open "
             "one; cuts MM all that depends on the cuts, with a margin; lesion N MM a lesion with a margin.",

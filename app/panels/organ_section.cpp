@@ -155,6 +155,7 @@ void draw_parts(InterfaceContext& context, const Marks& marks) {
             context.perform(shown ? "territory-hide" : "territory-show", {part.name});
         ImGui::PopID();
         ImGui::SameLine(0.0F, 2.0F * theme::scale());
+        ImGui::BeginGroup();
         ImGui::AlignTextToFramePadding();
         ImVec2 at = ImGui::GetCursorScreenPos();
         at.y += ImGui::GetStyle().FramePadding.y;
@@ -167,7 +168,14 @@ void draw_parts(InterfaceContext& context, const Marks& marks) {
             lengths.volume(territories->volume_mm3(part)) + ", " + digits(territories->percent(part)) + " %";
         const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(value.c_str()).x - size;
         widgets::fact(widgets::fitted(part.name, room).c_str(), value);
-        widgets::tooltip((part.name + ": " + value + " of the organ").c_str());
+        ImGui::EndGroup();
+        widgets::tooltip((part.name + ": " + value + " of the organ. Right click for its border").c_str());
+        if (ImGui::BeginPopupContextItem(("border " + std::to_string(n)).c_str())) {
+            for (const char* kind : {"plane", "sheet"})
+                if (ImGui::MenuItem(("Divide the organ by a " + std::string(kind) + " along its border").c_str()))
+                    context.perform("resect", {"border", kind, part.name});
+            ImGui::EndPopup();
+        }
     });
 }
 
@@ -229,6 +237,15 @@ void draw_opacity(InterfaceContext& context, const OrganChoice& choice) {
     if (changed) context.perform("territories-opacity", {digits(slider.value, 3)});
 }
 
+// How far what is removed is pulled away from what remains.
+void draw_apart(InterfaceContext& context, const Marks& marks) {
+    if (marks.organ.territories != TerritoriesOf::kRemnant || marks.resections.empty()) return;
+    plan_rows::field_label(context, "Pulled apart (mm)");
+    const auto words = plan_rows::number_field(context, "apart", rounded(marks.organ.apart_mm), 56.0F);
+    widgets::tooltip("How far what is removed is drawn from its place; 0: where it is");
+    if (words.size() == 1) context.perform("territories-apart", words);
+}
+
 } // namespace
 
 void draw_organ(InterfaceContext& context) {
@@ -248,6 +265,7 @@ void draw_organ(InterfaceContext& context) {
     draw_system(context, marks);
     draw_segments(context, marks);
     draw_opacity(context, marks.organ);
+    draw_apart(context, marks);
     draw_parts(context, marks);
     draw_certainty(context);
 }

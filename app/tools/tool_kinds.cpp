@@ -14,6 +14,7 @@ namespace ramus::app {
 std::unique_ptr<Tool> make_pin_tool();
 // Of resection_tools.cpp. NOLINTBEGIN(readability-redundant-declaration)
 std::unique_ptr<Tool> make_plane_tool();
+std::unique_ptr<Tool> make_points_tool();
 std::unique_ptr<Tool> make_sheet_tool();
 std::unique_ptr<Tool> make_handle_tool();
 // NOLINTEND(readability-redundant-declaration)
@@ -95,6 +96,15 @@ const std::vector<ToolKind>& tool_kinds() {
          {},
          {{{0.10F, 0.60F}, {0.62F, 0.82F}, {0.90F, 0.40F}, {0.38F, 0.18F}, {0.10F, 0.60F}}},
          make_plane_tool},
+        {"resect-points",
+         "Resect by three points",
+         "Divides the organ by the plane through three places on vessels.",
+         {},
+         {{{0.16F, 0.70F}, {0.50F, 0.22F}, {0.86F, 0.62F}, {0.16F, 0.70F}},
+          ring({0.16F, 0.70F}, 0.08F),
+          ring({0.50F, 0.22F}, 0.08F),
+          ring({0.86F, 0.62F}, 0.08F)},
+         make_points_tool},
         {"resect-sheet",
          "Resect by a sheet",
          "Divides the organ by a sheet behind a stroke drawn across the picture.",
