@@ -36,6 +36,18 @@ std::vector<ExportFormat> table_formats() {
     return {{"CSV (.csv)", ".csv", "A row for each branch: length, diameters, what depends on it; for spreadsheets."}};
 }
 
+std::vector<ExportFormat> territory_formats() {
+    std::vector<ExportFormat> formats{
+        {"NIfTI labels (.nii.gz)", ".nii.gz", "A mask with a label for each part, on the grid of the organ's mask."},
+        {"3D Slicer segmentation (.seg.nrrd)", ".seg.nrrd",
+         "The same, with the names and colours that 3D Slicer shows."}};
+    for (ExportFormat& format : surface_formats()) {
+        format.has_parts = format.for_printing = false;
+        formats.push_back(std::move(format));
+    }
+    return formats;
+}
+
 std::vector<ExportFormat> picture_formats() { return {{"PNG (.png)", ".png", "Every pixel as it is drawn."}}; }
 
 std::vector<ExportFormat> turntable_formats() {
@@ -61,7 +73,10 @@ const std::array<ExportKind, kExportKinds>& export_kinds() {
          {ExportWhat::kTable, "table", "Table", "The figures of each branch.", true, true, table_formats()},
          {ExportWhat::kSurface, "surface", "Surface", "The smooth surface, as triangles.", true, true,
           surface_formats()},
-         {ExportWhat::kTree, "tree", "Tree", "Centerlines and radii, as they were read.", true, true, tree_formats()}}};
+         {ExportWhat::kTree, "tree", "Tree", "Centerlines and radii, as they were read.", true, true, tree_formats()},
+         {ExportWhat::kTerritories, "territories", "Territories",
+          "The parts of the organ that are shown, as a mask with names and colours, or as closed surfaces.", false,
+          true, territory_formats()}}};
     return kinds;
 }
 

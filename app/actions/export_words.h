@@ -15,7 +15,7 @@
 namespace ramus::app::actions {
 
 inline constexpr const char* kExportUsage =
-    "export surface|tree|table|picture|sheet|turntable|report FILE; of a surface, tree or table [--of "
+    "export surface|tree|table|picture|sheet|turntable|report|territories FILE; of a surface, tree or table [--of "
     "visible|selected|all]; of a surface [--parts branch|system|none] [--for-printing]; of a table [--rows "
     "branches|cuts|bands|selection|measurements|systems|contacts|validation]; of pictures --size, --background and "
     "more; of a report [--case TEXT]";

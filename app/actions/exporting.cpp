@@ -4,13 +4,17 @@
 #include "app/actions/export_words.h"
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
+#include "app/assets/territories.h"
+#include "app/picture/organ_files.h"
 #include "app/picture/surface_names.h"
+#include "app/picture/territories.h"
 #include "app/session/numbers.h"
 #include "app/session/systems.h"
 #include "app/session/thickness_text.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/output_file.h"
 #include "core/io/trees/tree_file.h"
+#include "core/io/volumes/label_map_file.h"
 #include "core/measure/wall_thickness.h"
 #include "core/mesh/close_mesh.h"
 #include "core/mesh/surface.h"
@@ -102,6 +106,38 @@ Result<Outcome> export_tree(ActionContext& context, const Export& wanted) {
         true};
 }
 
+// As a label map, or as surfaces where the file's name is that of a mesh.
+Result<Outcome> export_territories(ActionContext& context, const Export& wanted) {
+    const auto territories = context.assets.organ.territories;
+    const Marks& marks = context.document.marks();
+    if (!territories || marks.organ.territories == TerritoriesOf::kNothing)
+        return fail("no territories are shown", wanted.file.string(), "show some: territories systems");
+    const bool as_surfaces = io::mesh_format(wanted.file).has_value();
+    if (!as_surfaces)
+        if (auto possible = io::check_label_map_output(wanted.file); !possible) return tl::unexpected(possible.error());
+    std::vector<glm::vec3> colours;
+    for (std::size_t n = 0; n < territories->parts.size(); ++n)
+        colours.push_back(territory_colour(*territories, n, marks));
+    return Pending{"Exporting " + wanted.file.filename().string(),
+                   [territories, colours, wanted, as_surfaces](Job& job) -> Result<Continuation> {
+                       const OrganMask& mask = *territories->of.supply->of.mask;
+                       OrganParts parts{mask.organ, mask.claims, {}, colours};
+                       for (const OrganTerritories::Part& part : territories->parts) parts.names.push_back(part.name);
+                       if (!as_surfaces) {
+                           const auto part_of = [&](std::size_t voxel) { return territories->part_of[voxel]; };
+                           const JobRange all(job, 0.0F, 1.0F);
+                           if (auto written = write_organ_labels(parts, part_of, wanted.file, all); !written)
+                               return tl::unexpected(written.error());
+                           return has_written(wanted.file, saved_text("Territories", wanted));
+                       }
+                       std::vector<mesh::TriangleMesh> surfaces;
+                       for (const OrganTerritories::Part& part : territories->parts) surfaces.push_back(*part.mesh);
+                       RAMUS_TRY(written, write_organ_surfaces(parts, std::move(surfaces), wanted.file));
+                       return has_written(written.front().file, saved_text("Territories", wanted));
+                   },
+                   true};
+}
+
 Result<Outcome> export_file(ActionContext& context, Arguments arguments) {
     if (!has_scene(context.document)) return fail("there is nothing to export");
     if (arguments.size() <= 1) { // without a file: opens the dialog at this kind
@@ -130,6 +166,8 @@ Result<Outcome> export_file(ActionContext& context, Arguments arguments) {
         return export_table(context, wanted);
     case ExportWhat::kReport:
         return export_report(context, wanted);
+    case ExportWhat::kTerritories:
+        return export_territories(context, wanted);
     case ExportWhat::kPicture:
     case ExportWhat::kSheet:
     case ExportWhat::kTurntable:
@@ -144,7 +182,7 @@ Command export_command() {
     return Command("export", "[KIND [FILE [OPTIONS]]]",
                    "Writes what leaves the program, in the format of the name: surface, tree or table, of what is "
                    "visible, selected or all; picture, sheet or turntable, of any size, on any ground and with a "
-                   "caption; or report. Without a file, asks where and how.",
+                   "caption; report; or the territories that are shown. Without a file, asks where and how.",
                    export_file)
         .in_menu("File", "Export...", {"Ctrl+E"})
         .when(has_scene);

@@ -21,13 +21,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string lower_extension(const fs::path& path) { return io::lower_case(path.extension().string()); }
-
 std::set<std::string> all_extensions() {
     std::set<std::string> extensions;
     for (const ExportKind& kind : export_kinds())
         for (const ExportFormat& format : kind.formats) extensions.insert(format.extension);
     return extensions;
+}
+
+// The longest that an export has, ".nii.gz"; else what comes after the last full stop.
+std::string lower_extension(const fs::path& path) {
+    const std::string name = io::lower_case(path.filename().string());
+    std::string longest = io::lower_case(path.extension().string());
+    for (const std::string& extension : all_extensions())
+        if (name.ends_with(extension) && extension.size() > longest.size()) longest = extension;
+    return longest;
 }
 
 constexpr std::array<std::pair<io::PartsBy, const char*>, 3> kParts{{{io::PartsBy::kBranch, "One for each branch"},
@@ -40,12 +47,15 @@ const char* key_of(io::PartsBy parts) {
 
 } // namespace
 
-bool draw_export_kinds(ExportChoice& choice, bool has_tree) {
+bool draw_export_kinds(ExportChoice& choice, const Exportable& has) {
     const ExportWhat before = choice.what;
-    if (!has_tree && choice.kind().of_tree) choice.what = ExportWhat::kPicture;
+    const auto there = [&](const ExportKind& kind) {
+        return (has.tree || !kind.of_tree) && (has.territories || kind.what != ExportWhat::kTerritories);
+    };
+    if (!there(choice.kind())) choice.what = ExportWhat::kPicture;
     for (const ExportKind& kind : export_kinds()) {
         if (&kind != export_kinds().data()) ImGui::SameLine(0.0F, 18.0F * theme::scale());
-        ImGui::BeginDisabled(kind.of_tree && !has_tree);
+        ImGui::BeginDisabled(!there(kind));
         if (ImGui::RadioButton(kind.label, kind.what == choice.what)) choice.what = kind.what;
         ImGui::EndDisabled();
         widgets::tooltip(kind.help);

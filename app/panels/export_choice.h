@@ -50,12 +50,12 @@ struct ExportChoice {
 
 // What a document can export.
 struct Exportable {
-    bool tree = true, selection = false, systems = false;
+    bool tree = true, selection = false, systems = false, territories = false;
     std::vector<std::string_view> tables; // names of tables with rows
 };
 
 // Draws the choice of the kind. True if it changed.
-bool draw_export_kinds(ExportChoice& choice, bool has_tree);
+bool draw_export_kinds(ExportChoice& choice, const Exportable& has);
 // Draws scope and options. True if the name's extension changed.
 bool draw_export_choice(ExportChoice& choice, const Exportable& has);
 

@@ -18,9 +18,11 @@ namespace {
 Exportable exportable(const InterfaceContext& context) {
     const Document& document = context.workspace.document();
     Exportable has;
+    has.tree = document.tree() != nullptr;
     has.selection = !document.marks().selection.empty();
     has.systems = document.tree() && !document.tree()->systems.empty();
     const Assets& assets = context.workspace.current_assets();
+    has.territories = assets.organ.territories != nullptr;
     for (const TableKind& kind : table_kinds())
         if (document.tree() && kind.there(document, assets)) has.tables.push_back(kind.name);
     return has;
@@ -59,11 +61,12 @@ void draw_export_page(InterfaceContext& context, OpenDialog& dialog) {
     FigurePreview& preview = context.interface.of<FigurePreview>();
     preview.wanted = dialog.exported.draws();
     preview.request = dialog.exported.request({});
-    const bool other_kind = draw_export_kinds(dialog.exported, context.workspace.document().tree() != nullptr);
+    const Exportable has = exportable(context);
+    const bool other_kind = draw_export_kinds(dialog.exported, has);
     ImGui::Dummy({0.0F, 1.0F});
     const float width = ImGui::GetContentRegionAvail().x - (preview.wanted ? preview_width + 16.0F * scale : 0.0F);
     ImGui::BeginChild("export", {width, height});
-    if (draw_export_choice(dialog.exported, exportable(context)) || other_kind) {
+    if (draw_export_choice(dialog.exported, has) || other_kind) {
         dialog.rename(dialog.exported.named(dialog.name.data()));
         dialog.name_focused = false; // focus the name again
     }
