@@ -14,6 +14,7 @@
 #include <imgui.h>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace ramus::app {
 
@@ -55,6 +56,12 @@ std::vector<std::string> VolumeDialog::tree_words() const {
     if (scan) return {"--isovalue", isovalue_text()};
     if (const std::string words = label_words(); !words.empty()) return {"--labels", words};
     return {};
+}
+
+std::vector<std::string> VolumeDialog::mask_words() const {
+    const std::vector<std::int32_t> some = chosen();
+    if (!facts || some.size() == facts->labels.size()) return {};
+    return {"--label", joined(some, ",", [](std::int32_t label) { return std::to_string(label); })};
 }
 
 std::vector<std::vector<std::string>> VolumeDialog::context_words() const {
@@ -240,37 +247,44 @@ void draw_contents(InterfaceContext& context, VolumeDialog& dialog) {
     ImGui::EndChild();
 }
 
-std::array<Choice, 3> choices_for(const InterfaceContext& context, const VolumeDialog& dialog) {
+// In the order of As. The last two plan in a tree, and are left out for scans and without a tree.
+std::vector<Choice> choices_for(const InterfaceContext& context, const VolumeDialog& dialog) {
     const Document& document = context.workspace.document();
     const bool tree = document.branch_count() > 0;
     const std::string shown = document.session().tree.path.filename().string(), why_not = dialog.why_not();
     const std::string place = tree ? "beside " + shown : std::string("alone in the picture");
-    return {
-        {{As::kTree, "Open as a new tree", "T",
-          "Centerlines and radii are made of it" + (tree ? ", in the place of " + shown : std::string()), why_not},
-         {As::kContext, tree ? "Show beside the tree" : "Show as context", "B",
-          tree ? "Smooth and clear, around " + shown : "Smooth and clear; a tree that is opened comes in among it",
-          why_not},
-         {As::kSurface, "Show as the surface it is", "S",
-          (dialog.scan ? "Solid, where the scan reaches the threshold, " : "Solid, with every step of its voxels, ") +
-              place,
-          why_not}}};
+    std::vector<Choice> choices{
+        {As::kTree, "Open as a new tree", "T",
+         "Centerlines and radii are made of it" + (tree ? ", in the place of " + shown : std::string()), why_not},
+        {As::kContext, tree ? "Show beside the tree" : "Show as context", "B",
+         tree ? "Smooth and clear, around " + shown : "Smooth and clear; a tree that is opened comes in among it",
+         why_not},
+        {As::kSurface, "Show as the surface it is", "S",
+         (dialog.scan ? "Solid, where the scan reaches the threshold, " : "Solid, with every step of its voxels, ") +
+             place,
+         why_not}};
+    if (!tree || dialog.scan) return choices;
+    choices.push_back({As::kOrgan, "Plan in it as the organ", "O",
+                       "What do the vessels supply and drain, what do cuts cost?", why_not});
+    choices.push_back({As::kLesions, "Take its parts as lesions", "L",
+                       "Each with its volume, its margins and the vessels near it", why_not});
+    return choices;
 }
 
-void move_choice(VolumeDialog& dialog, const std::array<Choice, 3>& choices, int step) {
+void move_choice(VolumeDialog& dialog, const std::vector<Choice>& choices, int step) {
+    const auto count = static_cast<int>(choices.size());
     auto at = static_cast<int>(dialog.as);
-    for (std::size_t tries = 0; tries < choices.size(); ++tries) {
-        at = (at + step + 3) % 3;
+    for (int tries = 0; tries < count; ++tries) {
+        at = (at + step + count) % count;
         if (choices[static_cast<std::size_t>(at)].why_not.empty()) break;
     }
     dialog.as = static_cast<As>(at);
 }
 
-std::optional<As> chosen_by_key(const VolumeDialog& dialog) {
-    constexpr int kT = 'T', kB = 'B', kS = 'S'; // as GLFW numbers them
-    if (pressed(kT)) return As::kTree;
-    if (pressed(kB)) return As::kContext;
-    if (pressed(kS)) return As::kSurface;
+std::optional<As> chosen_by_key(const VolumeDialog& dialog, const std::vector<Choice>& choices) {
+    // By their letters, which GLFW numbers as ASCII does.
+    for (const Choice& choice : choices)
+        if (pressed(choice.key[0])) return choice.as;
     if (pressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) || pressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter)))
         return dialog.as;
     return {};
@@ -278,6 +292,11 @@ std::optional<As> chosen_by_key(const VolumeDialog& dialog) {
 
 void carry_out(InterfaceContext& context, const VolumeDialog& dialog, As as) {
     const std::string file = dialog.file.string();
+    if (as == As::kOrgan || as == As::kLesions) {
+        std::vector<std::string> words = dialog.mask_words();
+        words.insert(words.begin(), file);
+        return context.perform(as == As::kOrgan ? "organ" : "lesion-mask", words);
+    }
     context.interface.settings.drop_beside = as != As::kTree;
     if (as == As::kTree) {
         std::vector<std::string> words = dialog.tree_words();
@@ -307,12 +326,13 @@ void draw_volume_dialog(InterfaceContext& context) {
     ImGui::Dummy({0.0F, 2.0F * scale});
     draw_contents(context, dialog);
     const auto choices = choices_for(context, dialog);
-    const std::optional<As> by_key = chosen_by_key(dialog);
+    const std::optional<As> by_key = chosen_by_key(dialog, choices);
     bool decided = by_key.has_value();
     As as = by_key.value_or(dialog.as);
     for (const Choice& choice : choices)
         if (draw_choice(choice, dialog.as == choice.as)) decided = true, as = choice.as;
-    decided = decided && choices[static_cast<std::size_t>(as)].why_not.empty();
+    decided = decided && static_cast<std::size_t>(as) < choices.size() &&
+              choices[static_cast<std::size_t>(as)].why_not.empty();
     ImGui::Dummy({0.0F, 4.0F * scale});
     const float cancel_width = 90.0F * scale;
     widgets::align_right(cancel_width);

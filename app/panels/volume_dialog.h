@@ -12,7 +12,7 @@
 namespace ramus::app {
 
 struct VolumeDialog {
-    enum class As : std::uint8_t { kTree, kContext, kSurface };
+    enum class As : std::uint8_t { kTree, kContext, kSurface, kOrgan, kLesions };
     std::filesystem::path file; // empty: the dialog is closed
     As as = As::kTree;          // the default action
     // Content of the file; null: being read.
@@ -32,6 +32,8 @@ struct VolumeDialog {
     // "200"}; empty: the defaults. `context` runs once per list.
     [[nodiscard]] std::vector<std::string> tree_words() const;
     [[nodiscard]] std::vector<std::vector<std::string>> context_words() const;
+    // The same for `organ` and `lesion-mask`.
+    [[nodiscard]] std::vector<std::string> mask_words() const;
 
 private:
     [[nodiscard]] std::string label_words() const;
