@@ -120,6 +120,28 @@ Result<void> move_camera(ActionContext& context, const render::Camera& camera) {
     return {};
 }
 
+namespace {
+
+bool whole_in_picture(const ActionContext& context, glm::ivec2 size) {
+    const auto& tree = context.document.tree();
+    if (!tree) return false;
+    const render::Projector project(context.document.session().camera, size);
+    return std::ranges::all_of(tree->points, [&](const tree::Point& point) {
+        const auto at = project(point.position);
+        return at && at->x >= 0.0 && at->y >= 0.0 && at->x <= size.x && at->y <= size.y;
+    });
+}
+
+} // namespace
+
+void change_keeping_whole(ActionContext& context, Marks next) {
+    const glm::ivec2 before = context.picture.picture_size();
+    const bool whole = whole_in_picture(context, before);
+    context.document.change(std::move(next));
+    if (whole && context.picture.picture_size() != before)
+        if (const Command* fit = find_command("fit")) (void)fit->action(context, {});
+}
+
 std::function<bool(const ActionContext&, const Command&)> shows_part(std::string part) {
     return [part = std::move(part)](const ActionContext& context, const Command&) {
         return context.window != nullptr && context.window->shows(part);

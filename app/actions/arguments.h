@@ -54,6 +54,8 @@ template <class Change> Result<void> edit(ActionContext& context, const Change& 
     context.document.change(std::move(next));
     return {};
 }
+// Changes the marks. If that makes viewports narrower than the picture was, the whole tree stays visible if it was.
+void change_keeping_whole(ActionContext& context, Marks next);
 // Removes the list element that the argument names; `what` as for list_index().
 template <class Owner, class List>
 Result<void> remove_from(ActionContext& context, Arguments arguments, List Owner::*list, const std::string& what) {

@@ -11,25 +11,6 @@ namespace {
 
 using Mode = Comparison::Mode;
 
-bool whole_in_picture(const ActionContext& context, glm::ivec2 size) {
-    const auto& tree = context.document.tree();
-    if (!tree) return false;
-    const render::Projector project(context.document.session().camera, size);
-    return std::ranges::all_of(tree->points, [&](const tree::Point& point) {
-        const auto at = project(point.position);
-        return at && at->x >= 0.0 && at->y >= 0.0 && at->x <= size.x && at->y <= size.y;
-    });
-}
-
-// Viewports are narrower than the picture: keeps the whole tree visible if it was.
-void change(ActionContext& context, Marks next) {
-    const glm::ivec2 before = context.picture.picture_size();
-    const bool whole = whole_in_picture(context, before);
-    context.document.change(std::move(next));
-    if (whole && context.picture.picture_size() != before)
-        if (const Command* fit = find_command("fit")) (void)fit->action(context, {});
-}
-
 Result<void> compare(ActionContext& context, Arguments arguments) {
     const auto mode = arguments.empty() ? std::nullopt : comparison_mode_named(arguments[0]);
     if (!mode || arguments.size() > 2)
@@ -38,6 +19,7 @@ Result<void> compare(ActionContext& context, Arguments arguments) {
                         compared_names());
     Marks next = context.document.marks();
     next.comparison.mode = *mode;
+    if (*mode != Mode::kOff) next.plans.compared.reset(); // the viewports are for surfaces now
     if (arguments.size() == 2) {
         const auto surfaces = surface_list(arguments[1]);
         if (!surfaces)
@@ -45,7 +27,7 @@ Result<void> compare(ActionContext& context, Arguments arguments) {
                         "two or three of " + compared_names() + " with commas between");
         next.comparison.surfaces = *surfaces;
     }
-    change(context, std::move(next));
+    change_keeping_whole(context, std::move(next));
     return {};
 }
 

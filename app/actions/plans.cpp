@@ -51,6 +51,21 @@ Result<void> plan_name(ActionContext& context, Arguments arguments) {
     return edit(context, [&, plan = plan](Marks& marks) { name_of_plan(marks, plan) = arguments[1]; });
 }
 
+Result<void> plan_compare(ActionContext& context, Arguments arguments) {
+    if (arguments.size() != 1) return fail("plan-compare takes a plan's number or name, or off");
+    Marks next = context.document.marks();
+    next.plans.compared.reset();
+    if (arguments[0] != "off") {
+        RAMUS_TRY(plan, plan_in(next, arguments[0]));
+        if (plan == next.plans.place)
+            return fail("this is the current plan", {}, "name another one to see both side by side");
+        next.plans.compared = plan;
+        next.comparison.mode = Comparison::Mode::kOff; // the viewports are for plans now
+    }
+    change_keeping_whole(context, std::move(next));
+    return {};
+}
+
 Result<void> plan_remove(ActionContext& context, Arguments arguments) {
     if (arguments.size() != 1) return fail("plan-remove takes a plan's number or name");
     const Marks& marks = context.document.marks();
@@ -137,6 +152,9 @@ std::vector<Command> plan_commands() {
         Command("plan-use", "PLAN", "Goes to another plan, by its number or name.", plan_use),
         Command("plan-name", "PLAN NAME", "Names a plan.", plan_name),
         Command("plan-remove", "PLAN", "Removes a plan.", plan_remove),
+        Command("plan-compare", "PLAN|off",
+                "Shows another plan and the current one side by side, with one camera; off: the current one alone.",
+                plan_compare),
         Command(
             "fewest-cuts", "MM [MOST]",
             "Suggests the cuts that take the supply of the lesions and a margin around them away and lose the least "

@@ -38,6 +38,7 @@ struct Layout {
     // Its viewports: their corners in the picture, and the size of each. One, nearly always.
     std::vector<glm::ivec2> viewports_at{glm::ivec2(0)};
     glm::ivec2 viewport_size{1};
+    std::optional<std::size_t> current_plan_in{}; // the viewport of the current plan, where plans are compared
 };
 // How high and wide these want to be; `overview_points` 0: closed.
 [[nodiscard]] Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview_points = 0.0F,

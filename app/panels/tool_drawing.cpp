@@ -79,9 +79,10 @@ void draw_tool_drawing(InterfaceContext& context) {
     const ToolDrawing& drawing = context.interface.tool_drawing;
     const Layout& layout = context.layout;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    // All viewports have the same view, so the drawing appears in each.
-    for (const glm::ivec2& corner : layout.viewports_at) {
-        const glm::ivec2 at = layout.view_at + corner, to = at + layout.viewport_size;
+    // All viewports have the same view, so the drawing appears in each; of plans only in the one that tools act on.
+    for (std::size_t n = 0; n < layout.viewports_at.size(); ++n) {
+        if (layout.current_plan_in.value_or(n) != n) continue;
+        const glm::ivec2 at = layout.view_at + layout.viewports_at[n], to = at + layout.viewport_size;
         list.PushClipRect({static_cast<float>(at.x), static_cast<float>(at.y)},
                           {static_cast<float>(to.x), static_cast<float>(to.y)});
         const Painter painter(list, at, layout.viewport_size, context.workspace.document().lengths());

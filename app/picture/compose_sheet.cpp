@@ -2,6 +2,7 @@
 
 #include "app/assets/assets.h"
 #include "app/picture/colouring.h"
+#include "app/picture/other_session.h"
 
 #include <algorithm>
 #include <cctype>
@@ -54,11 +55,37 @@ std::string wipe_heading(const std::string& first, const std::string& second, do
 // Whether the mode mixes two pictures.
 bool mixes(Comparison::Mode mode) { return mode == Comparison::Mode::kBlend || mode == Comparison::Mode::kWipe; }
 
+// Divides a picture of `size` into viewports of one size.
+void put_side_by_side(std::vector<Viewport>& viewports, glm::ivec2 size, float pixel_ratio) {
+    const int axis = size.x >= size.y ? 0 : 1;
+    const int count = static_cast<int>(viewports.size());
+    const int line = std::max(1, static_cast<int>(std::lround(pixel_ratio)));
+    const int side = std::max(1, (size[axis] - (count - 1) * line) / count);
+    for (int i = 0; i < count; ++i) {
+        Viewport& viewport = viewports[static_cast<std::size_t>(i)];
+        // The remainder of the division goes into the dividing lines: all viewports have equal size.
+        viewport.at[axis] = std::max(0, (size[axis] - side) * i / (count - 1));
+        viewport.size[axis] = side;
+    }
+}
+
+std::vector<Viewport> viewports_of_plans(const Marks& marks, glm::ivec2 size, float pixel_ratio) {
+    const std::vector<OperationPlan> plans = all_plans(marks);
+    std::vector<Viewport> viewports;
+    const auto [first, second] = std::minmax(marks.plans.place, *marks.plans.compared);
+    for (const std::size_t plan : {first, second})
+        viewports.push_back({glm::ivec2(0), size, compared(marks.options.method),
+                             "Plan " + plans[plan].name + (plan == marks.plans.place ? ", current" : ""), true, plan});
+    put_side_by_side(viewports, size, pixel_ratio);
+    return viewports;
+}
+
 } // namespace
 
 std::vector<Viewport> viewports_of(const Marks& marks, glm::ivec2 size, float pixel_ratio) {
     const Comparison& comparison = marks.comparison;
     const std::vector<Compared> kinds = compared_surfaces(comparison);
+    if (kinds.empty() && marks.plans.compared) return viewports_of_plans(marks, size, pixel_ratio);
     if (kinds.empty()) return {{glm::ivec2(0), size, compared(marks.options.method), {}, true}};
     std::vector<Viewport> viewports;
     for (const Compared kind : kinds)
@@ -72,16 +99,7 @@ std::vector<Viewport> viewports_of(const Marks& marks, glm::ivec2 size, float pi
         viewports.resize(1);
     }
     if (comparison.mode != Comparison::Mode::kSideBySide) return viewports;
-    const int axis = size.x >= size.y ? 0 : 1;
-    const int count = static_cast<int>(viewports.size());
-    const int line = std::max(1, static_cast<int>(std::lround(pixel_ratio)));
-    const int side = std::max(1, (size[axis] - (count - 1) * line) / count);
-    for (int i = 0; i < count; ++i) {
-        Viewport& viewport = viewports[static_cast<std::size_t>(i)];
-        // The remainder of the division goes into the dividing lines: all viewports have equal size.
-        viewport.at[axis] = std::max(0, (size[axis] - side) * i / (count - 1));
-        viewport.size[axis] = side;
-    }
+    put_side_by_side(viewports, size, pixel_ratio);
     return viewports;
 }
 
@@ -90,7 +108,7 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
     const Marks& marks = session.marks;
     const Comparison& comparison = marks.comparison;
     const std::vector<Viewport> viewports = viewports_of(marks, viewing.size, viewing.pixel_ratio);
-    const bool beside = comparison.mode == Comparison::Mode::kSideBySide;
+    const bool beside = viewports.size() > 1 && !mixes(comparison.mode);
     render::Sheet sheet;
     sheet.size = viewing.size;
     sheet.divider = kDividerColour;
@@ -104,7 +122,10 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
         Viewing own = viewing;
         own.size = viewports[i].size;
         own.method = row_of(viewports[i].surface).method;
-        render::Frame frame = compose(session, assets, surfaces.of(viewports[i].surface), own);
+        const auto& plan = viewports[i].plan;
+        render::Frame frame = plan && plan != marks.plans.place
+                                  ? compose_plan(session, assets, surfaces.of(viewports[i].surface), own, *plan)
+                                  : compose(session, assets, surfaces.of(viewports[i].surface), own);
         if (!viewports[i].has_branches) take_branches_away(frame);
         // In its own colour it could be mistaken for a system of that colour.
         const bool systems = assets.tree && !assets.tree->systems.empty();

@@ -1,6 +1,6 @@
-// compose_sheet(): the picture of a session including its comparison: the layout of the viewports, their surfaces and
-// frames. Without a comparison there is one viewport with the frame of compose(). Used by the window, its mouse and
-// headless pictures.
+// compose_sheet(): the picture of a session including its comparison of surfaces or plans: the layout of the viewports,
+// their surfaces and frames. Without a comparison there is one viewport with the frame of compose(). Used by the
+// window, its mouse and headless pictures.
 #pragma once
 
 #include "app/picture/compose.h"
@@ -11,18 +11,19 @@
 
 namespace ramus::app {
 
-// A part of the picture that shows one surface.
+// A part of the picture that shows one surface, or one plan.
 struct Viewport {
     glm::ivec2 at{0}, size{1}; // pixels; all viewports of a picture have one size
     Compared surface = Compared::kConvolutionSurface;
-    std::string title;        // UTF-8; empty: no comparison
-    bool has_branches = true; // false for masks
+    std::string title;                 // UTF-8; empty: no comparison
+    bool has_branches = true;          // false for masks
+    std::optional<std::size_t> plan{}; // of the session, where plans are compared
     bool operator==(const Viewport&) const = default;
 };
 
 // Viewports of a picture of `size`: side by side, or below each other if the picture is higher than wide, separated by
-// a thin line. Two viewports at the same place are blended or wiped. Superimposed surfaces share the first one's
-// viewport.
+// a thin line; plans that are compared, in their order. Two viewports at the same place are blended or wiped.
+// Superimposed surfaces share the first one's viewport.
 [[nodiscard]] std::vector<Viewport> viewports_of(const Marks& marks, glm::ivec2 size, float pixel_ratio);
 
 inline constexpr glm::vec3 kDividerColour{0.24F, 0.26F, 0.29F}; // sRGB

@@ -97,7 +97,12 @@ void Viewer::lay_out() {
 void Viewer::lay_out_viewports() {
     Layout& layout = state_.layout;
     layout.viewports_at.clear();
-    for (const Viewport& viewport : state_.viewports()) layout.viewports_at.push_back(viewport.at);
+    layout.current_plan_in.reset();
+    for (const Viewport& viewport : state_.viewports()) {
+        if (viewport.plan == state_.workspace.document().marks().plans.place)
+            layout.current_plan_in = layout.viewports_at.size();
+        layout.viewports_at.push_back(viewport.at);
+    }
     layout.viewport_size = state_.viewport_size();
 }
 

@@ -39,6 +39,14 @@ void ViewerInput::enter_viewport() {
             viewport_ = i;
 }
 
+// Tools and menus act on the current plan: that of the pointer's viewport becomes it.
+void ViewerInput::use_plan_here() {
+    const std::vector<Viewport> all = state_.viewports();
+    const auto& plan = all[std::min(viewport_, all.size() - 1)].plan;
+    if (plan && *plan != state_.workspace.document().marks().plans.place)
+        state_.perform("plan-use", {std::to_string(*plan + 1)});
+}
+
 void ViewerInput::aim() {
     if (over_picture(pointer_))
         picture_.point(in_picture(pointer_), in_viewport(pointer_));
@@ -194,6 +202,7 @@ void ViewerInput::press(MouseButton button, Modifiers modifiers, double now) {
         state_.interface.wipe_held = true;
         point_at(tree::kNoBranch, {});
     } else if (left && state_.interface.tool && over) {
+        use_plan_here();
         tool_mouse_.press(tell(), pointing(modifiers), now);
     } else if (over) {
         mouse_.press(button, modifiers, in_viewport(pointer_), grip());
@@ -309,6 +318,7 @@ Cursor ViewerInput::cursor() const {
 
 void ViewerInput::clicked(const Click& click) {
     if (!state_.workspace.document().tree()) return;
+    if (click.kind == Click::Kind::kSecondary) use_plan_here();
     look_up(from_viewport(click.at), [this, kind = click.kind, here = pointing({})](const render::Pick& under) {
         Pointing known = here;
         known.under = under;

@@ -67,6 +67,7 @@ private:
     [[nodiscard]] glm::dvec2 in_viewport(glm::dvec2 at) const;
     [[nodiscard]] glm::dvec2 from_viewport(glm::dvec2 at) const; // relative to the picture
     void enter_viewport();
+    void use_plan_here();
     // Updates Aim with the pointer, and the pivot of a drag.
     void aim();
     void settle(); // stops an animation, so that a press refers to what is visible
