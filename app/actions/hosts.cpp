@@ -9,7 +9,7 @@ Result<void> PictureHost::write_figure(const FigureRequest& /*request*/, Job& /*
 Result<render::BranchPicture> PictureHost::branch_picture() {
     return fail("what is visible is not known without a picture");
 }
-Result<render::Image> PictureHost::draw_picture(const render::Camera&, glm::ivec2, const FigureOptions&) {
+Result<render::Image> PictureHost::draw_picture(const Session&, glm::ivec2, const FigureOptions&) {
     return fail("there is no picture here");
 }
 

@@ -24,6 +24,7 @@
 
 namespace ramus::app {
 
+struct Session;      // app/session/session.h
 struct ToolSettings; // app/tools/tool.h
 
 // A value that may not be available yet.
@@ -66,9 +67,8 @@ public:
         return known_now(branch_picture());
     }
     [[nodiscard]] virtual std::optional<Deferred<Result<render::Image>>> deferred_picture() { return {}; }
-    // Draws the document from another camera with scale bar and cube and with `options`, for reports.
-    virtual Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size,
-                                               const FigureOptions& options);
+    // Draws the document as this session of its tree shows it, with scale bar and cube and with `options`, for reports.
+    virtual Result<render::Image> draw_picture(const Session& session, glm::ivec2 size, const FigureOptions& options);
     // Called after a command moved the camera at once; windows animate the transition.
     virtual void camera_leapt() {}
     // The point shown in the middle of the picture, or the one nearest to it; none: nothing in view, or no viewer.

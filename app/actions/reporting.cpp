@@ -2,15 +2,14 @@
 #include "app/actions/arguments.h"
 #include "app/actions/export_words.h"
 #include "app/actions/groups.h"
+#include "app/actions/report_pictures.h"
 #include "app/assets/assets.h"
-#include "app/reports/report_page.h"
 #include "app/reports/report_tables.h"
 #include "app/reports/table_kinds.h"
 #include "core/io/output_file.h"
 #include "core/io/text_numbers.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <optional>
 
 namespace ramus::app::actions {
@@ -66,41 +65,6 @@ Result<ReportWords> report_words(Arguments words) {
     return found;
 }
 
-// On white, for paper, with text that stays legible at the page's reduced size.
-Result<ReportPicture> take_picture(ActionContext& context, const char* caption, const render::Camera& camera,
-                                   glm::ivec2 size, double text_size) {
-    FigureOptions look;
-    look.ground = Ground::kWhite;
-    look.text_size = text_size;
-    RAMUS_TRY(image, context.picture.draw_picture(camera, size, look));
-    RAMUS_TRY(png, render::encode_png(image));
-    return ReportPicture{caption, std::move(png)};
-}
-
-// The user's view in its own shape, so that nothing visible is cropped; and everything visible from the front and from
-// the left.
-Result<std::vector<ReportPicture>> take_pictures(ActionContext& context, glm::ivec2 shape) {
-    constexpr int kLongerSide = 1200;
-    constexpr glm::ivec2 kSmall{720, 600};
-    constexpr double kLargeText = 1.5, kSmallText = 1.7; // a page shows the pictures at 0.7 and 0.57 of their size
-    const render::Camera& current = context.document.session().camera;
-    const glm::dvec2 scaled = glm::dvec2(shape) * (double(kLongerSide) / std::max(shape.x, shape.y));
-    const glm::ivec2 large = glm::max(glm::ivec2(glm::round(scaled)), glm::ivec2(1));
-    std::vector<ReportPicture> pictures;
-    // Drawn first: it computes the document's current surface, to which the other cameras are fitted.
-    RAMUS_TRY(seen, take_picture(context, "As it was looked at", current, large, kLargeText));
-    pictures.push_back(std::move(seen));
-    for (const auto& [caption, view] :
-         {std::pair{"Anterior", render::View::kAnterior}, std::pair{"Left", render::View::kLeft}}) {
-        const render::Camera from = render::looking({.orthographic = current.orthographic}, view);
-        const auto visible = visible_positions(context, from, kSmall);
-        if (visible.empty()) continue;
-        RAMUS_TRY(picture, take_picture(context, caption, render::fitted(from, visible, kSmall), kSmall, kSmallText));
-        pictures.push_back(std::move(picture));
-    }
-    return pictures;
-}
-
 // Draws the pictures in another process, so that a window need not wait.
 Result<Outcome> report_page_in_process(const std::function<Result<void>(Job&)>& work, const fs::path& path) {
     return Pending{"Writing " + path.filename().string(),
@@ -112,7 +76,7 @@ Result<Outcome> report_page_in_process(const std::function<Result<void>(Job&)>& 
 }
 
 Result<void> write_page(ActionContext& context, const fs::path& path, const ReportWords& words) {
-    RAMUS_TRY(pictures, take_pictures(context, words.size.value_or(context.picture.picture_size())));
+    RAMUS_TRY(pictures, take_report_pictures(context, words.size.value_or(context.picture.picture_size())));
     const std::string page =
         report_page(context.document, context.assets, pictures, {.made = now_text(), .case_line = words.case_line});
     if (auto written = io::write_file(path, page); !written) return written;

@@ -3,6 +3,7 @@
 #include "app/commands/inputs.h"
 #include "app/commands/progress.h"
 #include "app/picture/figures.h"
+#include "app/picture/other_session.h"
 #include "app/session/numbers.h"
 #include "app/workspace/deviation_maker.h"
 
@@ -117,10 +118,18 @@ Result<void> PictureStage::write_figure(const FigureRequest& request, Job& job) 
     return app::write_figure(*sheet_renderer_, compose_sized, viewing_.size, request, job);
 }
 
-Result<render::Image> PictureStage::draw_picture(const render::Camera& camera, glm::ivec2 size,
+Result<render::Image> PictureStage::draw_picture(const Session& session, glm::ivec2 size,
                                                  const FigureOptions& options) {
     RAMUS_TRY(requested, frame());
-    requested.camera = camera;
+    requested.camera = session.camera;
+    if (session.marks != document_.marks()) {
+        Job job;
+        const CancelOnInterrupt cancel(job);
+        Viewing viewing = viewing_;
+        viewing.size = size;
+        RAMUS_TRY(other, compose_as(session, document_, assets, surface_.mesh, viewing, job));
+        requested = std::move(other);
+    }
     requested.size = size;
     render::Sheet sheet = render::sheet_of(std::move(requested));
     app::dress(sheet, options);

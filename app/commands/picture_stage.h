@@ -49,8 +49,7 @@ public:
     Result<void> write_picture(const std::filesystem::path& path) override;
     Result<void> write_figure(const FigureRequest& request, Job& job) override;
     [[nodiscard]] glm::ivec2 whole_size() const override { return viewing_.size; }
-    Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size,
-                                       const FigureOptions& options) override;
+    Result<render::Image> draw_picture(const Session& session, glm::ivec2 size, const FigureOptions& options) override;
 
 private:
     Document& document_;

@@ -3,6 +3,7 @@
 
 #include "app/panels/slider_row.h"
 #include "app/panels/widgets.h"
+#include "app/picture/flat_map.h"
 #include "app/session/objects.h"
 #include "core/organ/couinaud.h"
 
@@ -47,6 +48,12 @@ struct Editing {
         std::vector<organ::SegmentSuggestion> list;
         std::string trouble; // why there are none
     } segments;
+    // The flat maps of the current plan's resections.
+    struct FlatMaps {
+        std::set<int> open;                                 // by id of the resection
+        std::shared_ptr<const Operation> of;                // of those that are made
+        std::map<std::size_t, std::optional<FlatMap>> made; // by index
+    } maps;
     std::string thin;           // diameter below which vessels are thin, as it was typed; empty: the usual one
     std::string colours_before; // what colours said before they said distances to lesions; empty: the usual
 };

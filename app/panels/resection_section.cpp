@@ -1,6 +1,8 @@
 // The plans and resections of the planning page: what each removes, the vessels it cuts, and the plans compared.
 #include "app/assets/organ_text.h"
 #include "app/panels/choice_row.h"
+#include "app/panels/editing.h"
+#include "app/panels/flat_map_view.h"
 #include "app/panels/plan_rows.h"
 #include "app/panels/sections.h"
 #include "app/panels/theme.h"
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <imgui.h>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,7 +26,18 @@ bool has_margin(const Resection& resection) {
     return resection.kind == ResectionKind::kCuts || resection.kind == ResectionKind::kLesion;
 }
 
-// Its margin or a button for its other side, and its opacity.
+// Of a plane or a sheet that is made.
+const FlatMap* flat_map(InterfaceContext& context, const Marks& marks, std::size_t index) {
+    Editing::FlatMaps& maps = context.interface.of<Editing>().maps;
+    const auto operation = operation_of(context.workspace.assets(), marks, marks.plans.place, OperationOf::kLast);
+    if (!operation) return nullptr;
+    if (maps.of != operation) maps.of = operation, maps.made.clear();
+    auto found = maps.made.find(index);
+    if (found == maps.made.end()) found = maps.made.emplace(index, flat_map_of(*operation, index, marks)).first;
+    return found->second ? &*found->second : nullptr;
+}
+
+// Its margin or a button for its other side, its opacity, and its surface laid flat.
 void draw_resection(InterfaceContext& context, const Resection& resection, std::size_t index) {
     const plan_rows::ObjectRow row = plan_rows::row_of(context, resection, index);
     const std::string number = std::to_string(index + 1);
@@ -39,10 +53,22 @@ void draw_resection(InterfaceContext& context, const Resection& resection, std::
     } else {
         if (ImGui::Button("Other side")) context.perform("resection-flip", {number});
         widgets::tooltip("Removes the other side of it");
-        if (row.visible) {
+        bool open = context.interface.of<Editing>().maps.open.contains(resection.id);
+        if (resection.kind != ResectionKind::kSurface) {
             ImGui::SameLine();
-            plan_rows::object_opacity(context, row);
+            if (ImGui::Checkbox("Map", &open)) {
+                std::set<int>& all = context.interface.of<Editing>().maps.open;
+                if (open)
+                    all.insert(resection.id);
+                else
+                    all.erase(resection.id);
+            }
+            widgets::tooltip("Lays its surface flat: distances to lesions, and the vessels that it cuts");
         }
+        if (row.visible) plan_rows::object_opacity(context, row);
+        const Marks& marks = context.workspace.document().marks();
+        if (const FlatMap* map = open ? flat_map(context, marks, index) : nullptr)
+            draw_flat_map(context, *map, context.workspace.assets().organ.mask.value.value()->claims);
     }
     ImGui::PopID();
     ImGui::PopStyleVar();
@@ -125,7 +151,15 @@ void draw_plans(InterfaceContext& context) {
             entries.emplace_back(std::to_string(plan + 1), plans[plan].name);
         const std::string now = std::to_string(marks.plans.place + 1);
         const auto chosen = widgets::choice_row("Plan", "The plan whose cuts and resections are shown", now, entries);
+        entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(marks.plans.place));
+        entries.insert(entries.begin(), {"off", "None"});
+        const auto& compared = marks.plans.compared;
+        const std::string next = compared ? std::to_string(*compared + 1) : "off";
+        const auto other = widgets::choice_row(
+            "Side by side", "Another plan next to this one, with one camera. Tools act on the one they are used in",
+            next, entries);
         if (chosen && *chosen != now) context.perform("plan-use", {*chosen});
+        if (other && *other != next) context.perform("plan-compare", {*other});
         if (ImGui::Button("Remove this plan")) context.perform("plan-remove", {now});
         if (marks.plans.count() == plans.size()) draw_comparison(context, marks, plans); // none was removed
     }
@@ -137,16 +171,26 @@ void draw_resections(InterfaceContext& context) {
     draw_title(
         context, "Resections",
         {{"Plane", "Draw a line across the picture: a plane behind it divides the organ", "tool", {"resect-plane"}},
+         {"3 points",
+          "Click three places on vessels: the plane through them divides the organ",
+          "tool",
+          {"resect-points"}},
          {"Sheet", "Draw a stroke across the picture: a sheet behind it divides the organ", "tool", {"resect-sheet"}}});
     const auto offer = [&](const char* label, const char* help, const std::vector<std::string>& words) {
         if (ImGui::Button(label)) context.perform("resect", words);
         widgets::tooltip(help);
     };
     if (!marks.cuts.empty()) offer("Beyond the cuts", "Remove all that depends on the cuts", {"cuts", "0"});
-    if (!marks.cuts.empty() && !marks.lesions.empty()) ImGui::SameLine();
-    if (!marks.lesions.empty())
-        offer("Around lesion 1", "Remove the first lesion with a margin of 10 mm, which can be changed",
-              {"lesion", "1", "10"});
+    if (!marks.cuts.empty() && marks.lesions.size() == 1) ImGui::SameLine();
+    constexpr const char* kAround = "Remove a lesion with a margin of 10 mm, which can be changed";
+    if (marks.lesions.size() == 1) offer("Around lesion 1", kAround, {"lesion", "1", "10"});
+    if (marks.lesions.size() > 1) {
+        std::vector<std::pair<std::string, std::string>> lesions{{"", "Choose\xE2\x80\xA6"}};
+        for (std::size_t n = 1; n <= marks.lesions.size(); ++n)
+            lesions.emplace_back(std::to_string(n), "Lesion " + std::to_string(n));
+        const auto chosen = widgets::choice_row("Around a lesion", kAround, "", lesions);
+        if (chosen && !chosen->empty()) context.perform("resect", {"lesion", *chosen, "10"});
+    }
     const std::vector<Resection> resections = marks.resections; // rows change it
     for (std::size_t i = 0; i < resections.size(); ++i) draw_resection(context, resections[i], i);
     const bool dragged = std::ranges::any_of(resections, [](const Resection& one) {

@@ -235,11 +235,9 @@ void colour_by_lesion(Colouring& colouring, const Marks& marks, const Plan* plan
         return;
     }
     colouring.beyond = colouring.branches;
-    for (std::size_t i = 0; i < count; ++i) {
-        const glm::vec3 colour = margin_colour(i, count);
-        colouring.margins.bands.push_back({static_cast<float>(bands[i]), colour});
-        legend.swatches.push_back({colour, (i == 0 ? "up to " : rounded(bands[i - 1]) + " to ") + rounded(bands[i])});
-    }
+    legend.swatches = margin_swatches(std::span(bands).first(count));
+    for (std::size_t i = 0; i < count; ++i)
+        colouring.margins.bands.push_back({static_cast<float>(bands[i]), legend.swatches[i].colour});
     if (count > 0) explain_beyond(legend, tree, marks, "beyond " + rounded(bands[count - 1]));
     for (std::size_t id = 0; id < std::min(branches, plan->lesion_distances_mm.size()); ++id)
         for (std::size_t i = count; i-- > 0;)
@@ -340,6 +338,14 @@ glm::vec3 margin_colour(std::size_t index, std::size_t count) {
     const double at = 4.0 * static_cast<double>(index) / static_cast<double>(count - 1);
     const auto below = std::min<std::size_t>(static_cast<std::size_t>(at), 3);
     return glm::mix(kStations[below], kStations[below + 1], static_cast<float>(at - static_cast<double>(below)));
+}
+
+std::vector<Legend::Swatch> margin_swatches(std::span<const double> bands_mm) {
+    std::vector<Legend::Swatch> swatches;
+    for (std::size_t i = 0; i < bands_mm.size(); ++i)
+        swatches.push_back({margin_colour(i, bands_mm.size()),
+                            (i == 0 ? "up to " : rounded(bands_mm[i - 1]) + " to ") + rounded(bands_mm[i])});
+    return swatches;
 }
 
 std::string latin1(const std::string& utf8) {

@@ -7,6 +7,7 @@
 #include "render/scene/scene.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ void mark_ends(render::Legend& legend, const std::optional<double>& low, const s
 // The colour of the margin with this index, innermost first. kBeyondMargins: beyond all margins; trees with several
 // systems mix in the system's colour by kOwnBeyondMargins.
 [[nodiscard]] glm::vec3 margin_colour(std::size_t index, std::size_t count);
+// A swatch per margin: "up to 5", "5 to 10".
+[[nodiscard]] std::vector<render::Legend::Swatch> margin_swatches(std::span<const double> bands_mm);
 inline constexpr glm::vec3 kBeyondMargins{0.56F, 0.60F, 0.66F};
 // Tuned so that portal and hepatic veins differ from each other and from the margins.
 inline constexpr float kOwnBeyondMargins = 0.55F;

@@ -151,6 +151,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     draw_cuts(frame, marks, plan);
     outline_lesions(frame, assets, marks);
     if (plan != nullptr) draw_shortest_distances(frame, *plan, marks, viewing.lesion, tree.claims);
+    draw_margins(frame, assets, marks);
     if (viewing.notes) mark_notes(frame, tree, viewing.note);
     if (assets.contacts.fits(options))
         mark_contacts(frame, *assets.contacts.list, marks.contact_marks ? ContactMarks::kAll : ContactMarks::kCurrent,

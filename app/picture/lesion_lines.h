@@ -1,4 +1,4 @@
-// Draws the shortest distances from lesions to vessels.
+// Draws the shortest distances from lesions to vessels and to resections.
 #pragma once
 
 #include "app/assets/plan.h"
@@ -17,5 +17,9 @@ struct PointedLesion {
 // at. Hidden branches are omitted unless pointed at. `plan`: of `marks`.
 void draw_shortest_distances(render::Frame& frame, const Plan& plan, const Marks& marks, const PointedLesion& pointed,
                              const tree::Claims& claims);
+
+// Adds a line labelled with its length per margin of a visible lesion that the current plan's resections leave, as they
+// were measured last. Nothing if all resections are hidden.
+void draw_margins(render::Frame& frame, const Assets& assets, const Marks& marks);
 
 } // namespace ramus::app

@@ -42,7 +42,7 @@ tr.flag td { background: #fff1ec; } tr.sum td { font-weight: 600; border-top: 2p
 .sums td:last-child { font-family: monospace; font-size: .84em; }
 @media screen and (max-width: 40em) { body { margin: 1em auto; padding: 0 .8em; } .pictures { grid-template-columns: 1fr; } }
 @media print { body { margin: 0; padding: 0; max-width: none; font-size: 11px; } h2, h3 { break-after: avoid; } tr, figure { break-inside: avoid; } thead { display: table-header-group; }
-  .wide { width: auto; margin-left: 0; transform: none; } .scroll { overflow: visible; } .plots { grid-template-columns: 1fr 1fr; } .data-set { break-before: page; } }
+  .wide { width: auto; margin-left: 0; transform: none; } .scroll { overflow: visible; } .plots { grid-template-columns: 1fr 1fr; } .data-set, .page { break-before: page; } }
 )";
 
 constexpr std::string_view kNoLetter = "\xEF\xBF\xBD"; // U+FFFD

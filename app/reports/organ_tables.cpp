@@ -3,6 +3,7 @@
 #include "app/assets/assets.h"
 #include "app/assets/organ_text.h"
 #include "app/assets/territories.h"
+#include "app/session/numbers.h"
 #include "app/session/systems.h"
 
 #include <utility>
@@ -47,27 +48,33 @@ Table plans_table(const Document& document, const Assets& assets) {
 }
 
 Table cut_vessels_table(const Document& document, const Assets& assets) {
-    Table table{"Vessels that resections cut",
+    return cut_vessels_table(document, *operation_of(assets, document.marks(), document.marks().plans.place));
+}
+
+Table cut_vessels_table(const Document& document, const Operation& operation) {
+    Table table{"Vessels that are cut",
                 {{"resection", "Resection"},
                  {"system", "System"},
                  {"branch", "Branch"},
                  {"name", "Name"},
                  {"fraction", "At"},
                  {"diameter", "Diameter, mm"},
+                 {"over_limit", "Over " + digits(document.marks().planning.reconstruct_mm) + " mm"},
                  {"angle", "Angle, \xC2\xB0"},
                  {"x", "x, mm"},
                  {"y", "y, mm"},
                  {"z", "z, mm"}},
                 {}};
     const Marks& marks = document.marks();
-    const auto operation = operation_of(assets, marks, marks.plans.place);
-    for (const organ::CutVessel& vessel : operation->vessels) {
+    for (const organ::CutVessel& vessel : operation.vessels) {
         if (!vessel.in_organ) continue;
         const auto name = marks.names.find(vessel.place.branch);
-        table.rows.push_back({static_cast<int>(vessel.resection + 1),
+        const bool by_resection = vessel.resection < operation.of.resections.size();
+        table.rows.push_back({by_resection ? Cell(static_cast<int>(vessel.resection + 1)) : Cell("cut"),
                               system_of(*document.tree(), marks, vessel.place.branch), vessel.place.branch,
                               name == marks.names.end() ? std::string() : name->second, vessel.place.fraction,
-                              vessel.diameter_mm, vessel.angle_deg, vessel.at.x, vessel.at.y, vessel.at.z});
+                              vessel.diameter_mm, vessel.diameter_mm > marks.planning.reconstruct_mm ? "yes" : "no",
+                              vessel.angle_deg, vessel.at.x, vessel.at.y, vessel.at.z});
     }
     add_unit(table, document.lengths());
     return table;

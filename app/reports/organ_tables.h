@@ -5,11 +5,14 @@
 
 namespace ramus::app {
 
+struct Operation; // app/assets/operation.h
+
 // One row per figure of each plan whose operation is made.
 [[nodiscard]] Table organ_table(const Document& document, const Assets& assets);
 // One row per figure, one column per plan, with units: for people.
 [[nodiscard]] Table plans_table(const Document& document, const Assets& assets);
-// One row per vessel that the current plan's resections cut, the thickest first.
+// One row per vessel that a plan with resections cuts, the thickest first. Without an operation: of the current plan.
+[[nodiscard]] Table cut_vessels_table(const Document& document, const Operation& operation);
 [[nodiscard]] Table cut_vessels_table(const Document& document, const Assets& assets);
 // One row per territory that is shown.
 [[nodiscard]] Table territories_table(const Document& document, const Assets& assets);

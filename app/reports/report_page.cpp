@@ -1,8 +1,7 @@
 #include "app/reports/report_page.h"
 
 #include "app/assets/assets.h"
-#include "app/assets/operation.h"
-#include "app/reports/organ_tables.h"
+#include "app/reports/plan_pages.h"
 #include "app/reports/report_tables.h"
 #include "app/reports/surface_facts.h"
 #include "app/reports/table_kinds.h"
@@ -159,10 +158,10 @@ std::string cuts_note(const Document& document, const Plan& plan) {
 
 } // namespace
 
-std::string report_page(const Document& document, const Assets& assets, const std::vector<ReportPicture>& pictures,
+std::string report_page(const Document& document, const Assets& assets, const ReportPictures& pictures,
                         const ReportHead& head) {
     std::string page = page_begin(document.session().tree.path.filename().string(), "Vessel tree report", head.made) +
-                       case_html(head.case_line) + pictures_html(pictures);
+                       case_html(head.case_line) + pictures_html(pictures.general);
     page += "<h2>Tree</h2>\n" + facts_html(worded(tree_facts(document), document.lengths()));
     if (!document.tree()->systems.empty()) page += table_html(systems_table(document, assets));
     const Marks& marks = document.marks();
@@ -184,13 +183,7 @@ std::string report_page(const Document& document, const Assets& assets, const st
         page += table_html(bands, {.note = bands.rows.empty() ? "No vessel lies within the margins."
                                                               : "From the lesions to the vessels' walls; the thickest "
                                                                 "first."});
-    if (operation_of(assets, marks, marks.plans.place))
-        page += table_html(
-            plans_table(document, assets),
-            {.note =
-                 "Estimated by distance: a scan shows the thick branches only, and each voxel of the organ is given "
-                 "to the branch whose visible tip or axis is nearest. Volumes are those of the mask's voxels. For "
-                 "planning, with the scan itself; not a measurement of function."});
+    page += plans_html(document, assets, pictures.plans);
     for (const TableKind& kind : table_kinds())
         if (kind.plain_on_page && kind.there(document, assets)) page += table_html(kind.table(document, assets));
     if (!marks.selection.empty()) page += table_html(selection_table(document, assets));

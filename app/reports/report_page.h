@@ -12,13 +12,18 @@ namespace ramus::app {
 
 struct Assets; // app/assets/assets.h
 
+struct ReportPictures {
+    std::vector<ReportPicture> general;              // the first is large
+    std::vector<std::vector<ReportPicture>> plans{}; // by plan of the session: before and after; may be empty
+};
+
 struct ReportHead {
     std::string made;      // time
     std::string case_line; // the user's description of the case; may be empty
 };
 
-// Returns UTF-8. The first picture is large. The document must have a tree, and the assets must be complete.
-[[nodiscard]] std::string report_page(const Document& document, const Assets& assets,
-                                      const std::vector<ReportPicture>& pictures, const ReportHead& head);
+// Returns UTF-8. The document must have a tree, and the assets must be complete.
+[[nodiscard]] std::string report_page(const Document& document, const Assets& assets, const ReportPictures& pictures,
+                                      const ReportHead& head);
 
 } // namespace ramus::app

@@ -8,6 +8,7 @@
 #include "app/picture/deviation_colours.h"
 #include "app/picture/figures.h"
 #include "app/picture/fit.h"
+#include "app/picture/other_session.h"
 #include "app/window/render_process.h"
 #include "render/gl/gl_context.h"
 
@@ -380,9 +381,16 @@ Result<std::function<Result<void>(Job&)>> PictureView::detached_work(const std::
     return render_process_work(document.session(), words, render::is_software_rasteriser());
 }
 
-Result<render::Image> PictureView::draw_picture(const render::Camera& camera, glm::ivec2 size,
-                                                const FigureOptions& options) {
-    render::Sheet sheet = render::sheet_of(frame_for_keeping(camera, size));
+Result<render::Image> PictureView::draw_picture(const Session& session, glm::ivec2 size, const FigureOptions& options) {
+    render::Frame frame = frame_for_keeping(session.camera, size);
+    const Workspace& workspace = state_.workspace;
+    if (session.marks != workspace.document().marks()) {
+        Job job;
+        RAMUS_TRY(other, compose_as(session, workspace.document(), workspace.assets(), picture_mesh(),
+                                    {.size = size, .pixel_ratio = state_.scale}, job));
+        frame = std::move(other);
+    }
+    render::Sheet sheet = render::sheet_of(std::move(frame));
     app::dress(sheet, options);
     return drawer_.with([&](render::Renderer& renderer, render::SheetRenderer&) -> Result<render::Image> {
         render::SheetRenderer alone(renderer); // those of other viewports keep what they have

@@ -69,8 +69,7 @@ public:
     // Runs `ramus render` in a separate process.
     [[nodiscard]] Result<std::function<Result<void>(Job&)>>
     detached_work(const std::vector<std::string>& words) override;
-    Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size,
-                                       const FigureOptions& options) override;
+    Result<render::Image> draw_picture(const Session& session, glm::ivec2 size, const FigureOptions& options) override;
     void camera_leapt() override;
     [[nodiscard]] std::optional<glm::dvec3> looked_at() override {
         return aim_.in_middle(state_.workspace.document().session().camera);

@@ -21,9 +21,10 @@ public:
         pictures.push_back(path);
         return {};
     }
-    Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 drawn,
+    Result<render::Image> draw_picture(const app::Session& session, glm::ivec2 drawn,
                                        const app::FigureOptions& options) override {
-        cameras.push_back(camera);
+        cameras.push_back(session.camera);
+        drawn_marks.push_back(session.marks);
         sizes.push_back(drawn);
         looks.push_back(options);
         return render::Image(drawn.x / 10, drawn.y / 10);
@@ -40,6 +41,7 @@ public:
     std::vector<std::filesystem::path> pictures;
     std::vector<app::FigureRequest> figures;
     std::vector<render::Camera> cameras; // of pictures, with their sizes and looks
+    std::vector<app::Marks> drawn_marks;
     std::vector<glm::ivec2> sizes;
     std::vector<app::FigureOptions> looks;
     int leaps = 0;

@@ -60,6 +60,19 @@ void Svg::rectangle(PlotPoint corner, PlotPoint size, std::string_view fill, con
              (outline != nullptr ? stroke_text(*outline) : "") + "/>\n";
 }
 
+void Svg::circle(PlotPoint middle, double radius, std::string_view fill, const Stroke& outline) {
+    text_ += "<circle" + attribute("cx", middle.x) + attribute("cy", middle.y) + attribute("r", radius) + " fill=\"" +
+             std::string(fill) + "\"" + stroke_text(outline) + "/>\n";
+}
+
+void Svg::triangles(const std::vector<std::array<PlotPoint, 3>>& corners, std::string_view fill) {
+    if (corners.empty()) return;
+    text_ += "<path shape-rendering=\"crispEdges\" fill=\"" + std::string(fill) + "\" d=\"";
+    for (const auto& [a, b, c] : corners)
+        text_.append("M").append(place(a)).append("L").append(place(b)).append("L").append(place(c)).append("Z");
+    text_ += "\"/>\n";
+}
+
 void Svg::diamond(PlotPoint middle, double radius, std::string_view fill) {
     text_.append("<path d=\"M").append(place({middle.x - radius, middle.y}));
     for (const auto& [x, y] : std::array{std::pair{0.0, -radius}, std::pair{radius, 0.0}, std::pair{0.0, radius}})

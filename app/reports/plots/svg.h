@@ -2,6 +2,7 @@
 // Lengths are in units of the drawing, which a page scales to its width.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,9 @@ public:
     void line(PlotPoint from, PlotPoint to, const Stroke& stroke);
     void polyline(const std::vector<PlotPoint>& points, const Stroke& stroke);
     void rectangle(PlotPoint corner, PlotPoint size, std::string_view fill, const Stroke* outline = nullptr);
+    void circle(PlotPoint middle, double radius, std::string_view fill, const Stroke& outline);
+    // All of one colour, without seams where they touch.
+    void triangles(const std::vector<std::array<PlotPoint, 3>>& corners, std::string_view fill);
     void diamond(PlotPoint middle, double radius, std::string_view fill);
     // `at`: on the baseline. `whole`: the full text for a tooltip, if `words` is shortened.
     void text(PlotPoint at, std::string_view words, Anchor anchor = Anchor::kStart, double size = 11.0,

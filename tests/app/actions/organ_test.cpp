@@ -5,6 +5,7 @@
 #include "app/picture/territories.h"
 #include "app/reports/table_kinds.h"
 #include "app/session/session_file.h"
+#include "core/io/volumes/volume_file.h"
 #include "tests/support/organ_stage.h"
 
 #include <doctest/doctest.h>
@@ -145,4 +146,32 @@ TEST_CASE("commands of organs refuse what they cannot do, and say what they can"
     CHECK(stage.bad("organ \"" + stage.mask + "\" --units ell").find("unit") != std::string::npos);
     stage.good("organ-clear");
     CHECK(stage.bad("territories organ").find("organ FILE") != std::string::npos);
+}
+
+TEST_CASE("the territories that are shown are written as labels and as surfaces") {
+    OrganStage stage;
+    const auto file = [&](const char* name) { return (stage.folder.path() / name).string(); };
+    CHECK(stage.bad("export territories \"" + file("a.nii.gz") + "\"").find("no territories") != std::string::npos);
+    stage.good("name 1 S1\nname 2 S2\nterritories names");
+    const auto territories = stage.organ().territories;
+    REQUIRE(territories->parts.size() == 2);
+    for (const char* name : {"a.nii.gz", "a.seg.nrrd"}) {
+        stage.good("export territories \"" + file(name) + "\"");
+        Job job;
+        const auto read = io::read_volume(file(name), {}, job);
+        REQUIRE(read);
+        REQUIRE(read->label_names.size() == 2);
+        CHECK(read->label_names[1].name == "S2");
+        for (std::int32_t label : {1, 2}) {
+            const auto part = organ::organ_of(*read, {{volume::LabelChoice(label)}, {}}, JobRange(job, 0.0F, 1.0F));
+            REQUIRE(part);
+            CHECK(part->count() == territories->parts[static_cast<std::size_t>(label - 1)].voxels);
+        }
+    }
+    stage.good("export territories \"" + file("a.stl") + "\"");
+    CHECK(std::filesystem::exists(file("a-S1.stl")));
+    CHECK(std::filesystem::exists(file("a-S2.stl")));
+    stage.good("export territories \"" + file("a.vtp") + "\"");
+    CHECK(std::filesystem::exists(file("a.vtp")));
+    CHECK(stage.bad("export territories \"" + file("a.png") + "\"").find(".seg.nrrd") != std::string::npos);
 }

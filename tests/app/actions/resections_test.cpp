@@ -1,5 +1,8 @@
-// Resections and plans of a session, in volumes, margins, cut vessels and undo.
+// Resections and plans of a session, in volumes, margins, cut vessels, pictures, reports and undo.
 #include "app/assets/organ_text.h"
+#include "app/assets/territories.h"
+#include "app/picture/compose_sheet.h"
+#include "app/picture/flat_map.h"
 #include "app/reports/table_kinds.h"
 #include "app/session/session_file.h"
 #include "core/io/meshes/mesh_file.h"
@@ -175,4 +178,145 @@ TEST_CASE("commands of resections refuse what they cannot do") {
     stage.bad("resection-plane 1 0,0,0 1,0,0");
     stage.good("organ-clear");
     CHECK(stage.bad("resect lesion 1 5").find("organ FILE") != std::string::npos);
+}
+
+TEST_CASE("a plane goes through three points, or along the border of a territory, as a sheet does") {
+    OrganStage stage;
+    (void)stage.organ();
+    stage.good("resect points 5,0,0 5,3,0 5,0,4");
+    CHECK(stage.operation()->removed == doctest::Approx(12.5 * kSection)); // the smaller side
+    CHECK(stage.bad("resect points 0,0,0 1,1,1 2,2,2").find("one line") != std::string::npos);
+    stage.good("object-remove resection 1\nlesion 2,5,0,1\nresect points 5,0,0 5,3,0 5,0,4");
+    CHECK(stage.operation()->removed == doctest::Approx(13.5 * kSection)); // the lesion's
+    stage.good("object-remove resection 1");
+    CHECK(stage.bad("resect border plane S1").find("no territories") != std::string::npos);
+
+    stage.good("name 1 S1\nname 2 S2\nterritories names");
+    (void)stage.organ();
+    CHECK(stage.bad("resect border plane S7").find("no territory S7") != std::string::npos);
+    CHECK(stage.bad("resect border S1").find("plane or sheet") != std::string::npos);
+    for (const char* kind : {"plane", "sheet"}) {
+        stage.good(std::string("resect border ") + kind + " S1");
+        // The border lies at y = 0.5, between voxels; ties belong to branch 1.
+        CHECK(stage.operation()->removed == doctest::Approx(test::first_voxels()).epsilon(0.02));
+        stage.good("object-remove resection 1");
+    }
+}
+
+TEST_CASE("plans side by side keep their places as one of them is used or removed") {
+    OrganStage stage;
+    stage.good(kPlane);
+    CHECK(stage.bad("plan-compare A").find("current plan") != std::string::npos);
+    stage.good("plan-copy\nresection-flip 1\nplan-compare A\nterritories remnant");
+    const std::vector<Viewport> viewports = viewports_of(stage.marks(), {800, 400}, 1.0F);
+    REQUIRE(viewports.size() == 2);
+    CHECK(viewports[0].title == "Plan A");
+    CHECK(viewports[1].title == "Plan B, current");
+    CHECK(viewports[1].plan == 1);
+    const auto& assets = stage.organ();
+    REQUIRE(assets.territories);
+    REQUIRE(assets.compared);
+    CHECK(assets.territories->of.operation == stage.operation(1));
+    CHECK(assets.compared->of.operation == stage.operation(0));
+
+    // Each viewport shows the surfaces of its own plan.
+    const render::Sheet sheet = compose_sheet(stage.document.session(), stage.assets, {}, {.size = {800, 400}});
+    const auto shows = [&](std::size_t viewport, const std::shared_ptr<const mesh::TriangleMesh>& mesh) {
+        return std::ranges::count(sheet.viewports[viewport].frame.context, mesh, &render::ContextMesh::mesh);
+    };
+    for (std::size_t plan : {0U, 1U}) {
+        CHECK(shows(plan, stage.operation(plan)->surfaces[0][0]) == 1);
+        CHECK(shows(1 - plan, stage.operation(plan)->surfaces[0][0]) == 0);
+        CHECK(shows(plan, (plan == 0 ? assets.compared : assets.territories)->parts[0].mesh) == 1);
+    }
+
+    const auto read = session_from_json(to_json(stage.document.session(), "/data"), "/data", "s.json");
+    REQUIRE(read);
+    CHECK(read->session.marks.plans == stage.marks().plans);
+    stage.good("plan-use A");
+    CHECK(stage.marks().plans.compared == 1); // both stay in the picture
+    stage.good("plan-copy\nplan-use A\nplan-compare C\nplan-remove B");
+    CHECK(stage.marks().plans.compared == 1);
+    stage.good("plan-remove C");
+    CHECK(!stage.marks().plans.compared);
+    CHECK(!stage.organ().compared);
+    stage.good("plan-copy\nplan-compare A\ncompare side-by-side");
+    CHECK(!stage.marks().plans.compared); // the viewports are for surfaces
+    stage.good("plan-compare A");
+    CHECK(stage.marks().comparison.mode == Comparison::Mode::kOff);
+}
+
+TEST_CASE("the flat map of a plane has its area, its bands, its vessels and the place of the margin") {
+    OrganStage stage;
+    stage.good("lesion 12,5,0,3\nbands 5 10");
+    stage.good("resect lesion 1 2");
+    CHECK(!flat_map_of(*stage.operation(), 0, stage.marks())); // no plane
+    stage.good("object-remove resection 1");
+    stage.good(kPlane);
+    const auto operation = stage.operation();
+    const auto map = flat_map_of(*operation, 0, stage.marks());
+    REQUIRE(map);
+    REQUIRE(map->bands.size() == 3);
+    CHECK(map->bands[1].distance == "5 to 10");
+    double area = 0.0, near = 0.0;
+    for (const FlatMap::Band& band : map->bands)
+        for (const auto& [a, b, c] : band.triangles) {
+            const double part = 0.5 * std::abs(double((b - a).x) * (c - a).y - double((b - a).y) * (c - a).x);
+            area += part;
+            if (&band == map->bands.data()) near += part;
+        }
+    CHECK(area == doctest::Approx(operation->area_mm2).epsilon(1e-4));
+    // Within 5 mm of a sphere whose surface is 4 mm away: a disc, which the box does not cut.
+    CHECK(near == doctest::Approx(3.14159265 * (64.0 - 49.0)).epsilon(0.05));
+    // Removed is what lies at larger x, where the eye is: y grows to the right, z upward.
+    CHECK(map->box.size().x == doctest::Approx(20.0));
+    CHECK(map->box.size().y == doctest::Approx(12.0));
+    CHECK(map->sides == std::array<std::size_t, 4>{3, 2, 5, 4});
+    REQUIRE(map->vessels.size() == 3);
+    for (const FlatMap::Vessel& vessel : map->vessels) CHECK(vessel.radius_mm == doctest::Approx(2.0));
+    REQUIRE(map->nearest.size() == 1);
+    CHECK(map->nearest[0].margin_mm == doctest::Approx(4.0).epsilon(0.001));
+    CHECK(map->nearest[0].at.x == doctest::Approx(5.0).epsilon(0.02));
+}
+
+TEST_CASE("margins are drawn as lines, and the colours of their bands are explained") {
+    OrganStage stage;
+    stage.good("lesion 12,5,0,3");
+    stage.good(kPlane);
+    (void)stage.organ();
+    const auto labels = [&] {
+        const render::Frame frame = compose(stage.document.session(), stage.assets, {}, {});
+        return std::pair(std::ranges::count(frame.labels, "margin 4.00 mm", &render::MarkLabel::text),
+                         frame.overlays.legend.title.find("istance to lesion") != std::string::npos);
+    };
+    CHECK(labels() == std::pair{std::ptrdiff_t{1}, true});
+    stage.good("object-hide resection 1");
+    CHECK(labels() == std::pair{std::ptrdiff_t{0}, false});
+}
+
+TEST_CASE("a report has a page for each plan, with pictures before and after, and one that compares them") {
+    OrganStage stage;
+    stage.good("lesion 12,5,0,3");
+    stage.good(kPlane);
+    stage.good("plan-copy\nresection-flip 1");
+    (void)stage.organ();
+    const auto file = stage.folder.path() / "report.html";
+    stage.good("report \"" + file.string() + "\"");
+    const std::string page = stage.folder.text("report.html");
+    for (const char* words : {">Plan A<", ">Plan B<", "alt=\"Before\"", "alt=\"After\"", "Cut surfaces, laid flat",
+                              "Vessels that are cut", "Organ and operation", "Estimated by distance"})
+        CHECK_MESSAGE(page.find(words) != std::string::npos, words);
+    // As many as there are plans, before and after, with one camera.
+    std::vector<std::size_t> plans;
+    std::vector<TerritoriesOf> territories;
+    for (const Marks& marks : stage.host.drawn_marks)
+        if (marks.organ.territories != stage.marks().organ.territories) {
+            plans.push_back(marks.plans.place);
+            territories.push_back(marks.organ.territories);
+        }
+    CHECK(plans == std::vector<std::size_t>{0, 0, 1, 1});
+    CHECK(territories ==
+          std::vector{TerritoriesOf::kOrgan, TerritoriesOf::kRemnant, TerritoriesOf::kOrgan, TerritoriesOf::kRemnant});
+    CHECK(stage.host.cameras.back() == stage.host.cameras[stage.host.cameras.size() - 4]);
+    CHECK(stage.marks().plans.place == 1); // nothing changed
 }

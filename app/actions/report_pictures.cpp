@@ -1,0 +1,93 @@
+#include "app/actions/report_pictures.h"
+
+#include "app/actions/arguments.h"
+#include "app/assets/assets.h"
+#include "app/assets/territories.h"
+
+#include <glm/common.hpp>
+#include <utility>
+
+namespace ramus::app::actions {
+
+namespace {
+
+constexpr glm::ivec2 kSmall{720, 600};
+constexpr double kLargeText = 1.5, kSmallText = 1.7; // a page shows the pictures at 0.7 and 0.57 of their size
+
+Result<ReportPicture> take_picture(ActionContext& context, std::string caption, const Session& session, glm::ivec2 size,
+                                   double text_size) {
+    FigureOptions look;
+    look.ground = Ground::kWhite;
+    look.text_size = text_size;
+    RAMUS_TRY(image, context.picture.draw_picture(session, size, look));
+    RAMUS_TRY(png, render::encode_png(image));
+    return ReportPicture{std::move(caption), std::move(png)};
+}
+
+Result<std::vector<ReportPicture>> take_general(ActionContext& context, glm::ivec2 shape) {
+    constexpr int kLongerSide = 1200;
+    Session session = context.document.session();
+    const render::Camera current = session.camera;
+    const glm::dvec2 scaled = glm::dvec2(shape) * (double(kLongerSide) / std::max(shape.x, shape.y));
+    const glm::ivec2 large = glm::max(glm::ivec2(glm::round(scaled)), glm::ivec2(1));
+    std::vector<ReportPicture> pictures;
+    // Drawn first: it computes the document's current surface, to which the other cameras are fitted.
+    RAMUS_TRY(seen, take_picture(context, "As it was looked at", session, large, kLargeText));
+    pictures.push_back(std::move(seen));
+    for (const auto& [caption, view] :
+         {std::pair{"Anterior", render::View::kAnterior}, std::pair{"Left", render::View::kLeft}}) {
+        const render::Camera from = render::looking({.orthographic = current.orthographic}, view);
+        const auto visible = visible_positions(context, from, kSmall);
+        if (visible.empty()) continue;
+        session.camera = render::fitted(from, visible, kSmall);
+        RAMUS_TRY(picture, take_picture(context, caption, session, kSmall, kSmallText));
+        pictures.push_back(std::move(picture));
+    }
+    return pictures;
+}
+
+// The whole organ and all vessels from the direction of the session's camera.
+render::Camera camera_on_organ(const ActionContext& context, const organ::Organ& organ) {
+    constexpr int kEach = 4; // voxels along each axis: the picture has a margin wider than these
+    const render::Camera& camera = context.document.session().camera;
+    std::vector<glm::vec3> positions = visible_positions(context, camera, kSmall);
+    organ.for_voxels([&](const glm::ivec3& voxel, std::size_t) {
+        if (voxel % kEach == glm::ivec3(0)) positions.emplace_back(organ.centre_mm(voxel));
+    });
+    return positions.empty() ? camera : render::fitted(camera, positions, kSmall);
+}
+
+// Before: the organ as it is, with the surfaces of the resections. After: what remains.
+Result<std::vector<std::vector<ReportPicture>>> take_plans(ActionContext& context) {
+    std::vector<std::vector<ReportPicture>> pictures;
+    const Marks& marks = context.document.marks();
+    if (!marks.organ.any() || !operation_of(context.assets, marks, marks.plans.place)) return pictures;
+    Session session = context.document.session();
+    session.camera = camera_on_organ(context, (*context.assets.organ.mask.value)->organ);
+    session.marks.comparison.mode = Comparison::Mode::kOff;
+    for (std::size_t plan = 0; plan < marks.plans.count(); ++plan) {
+        Session shown = session;
+        use_plan(shown.marks, plan);
+        shown.marks.plans.compared.reset();
+        shown.marks.organ.hidden.clear();
+        shown.marks.organ.apart_mm = 0.0;
+        shown.marks.organ.territories = TerritoriesOf::kOrgan;
+        RAMUS_TRY(before, take_picture(context, "Before", shown, kSmall, kSmallText));
+        shown.marks.organ.territories = TerritoriesOf::kRemnant;
+        if (!shown.marks.resections.empty())
+            shown.marks.organ.hidden = {std::string(kRemnantParts[static_cast<std::size_t>(RemnantPart::kRemoved)])};
+        RAMUS_TRY(after, take_picture(context, "After", shown, kSmall, kSmallText));
+        pictures.push_back({std::move(before), std::move(after)});
+    }
+    return pictures;
+}
+
+} // namespace
+
+Result<ReportPictures> take_report_pictures(ActionContext& context, glm::ivec2 shape) {
+    RAMUS_TRY(general, take_general(context, shape));
+    RAMUS_TRY(plans, take_plans(context));
+    return ReportPictures{std::move(general), std::move(plans)};
+}
+
+} // namespace ramus::app::actions

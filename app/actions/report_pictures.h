@@ -1,0 +1,16 @@
+// The pictures of a report's page.
+#pragma once
+
+#include "app/actions/action.h"
+#include "app/reports/report_page.h"
+
+#include <glm/vec2.hpp>
+
+namespace ramus::app::actions {
+
+// On white, for paper: the view as it is in `shape`, so that nothing visible is cropped; everything visible from the
+// front and from the left; and each plan of an operation before and after it, all from the view's direction and at one
+// scale. Requires a picture host that draws.
+[[nodiscard]] Result<ReportPictures> take_report_pictures(ActionContext& context, glm::ivec2 shape);
+
+} // namespace ramus::app::actions
