@@ -12,9 +12,9 @@ namespace {
 
 // Means over six organs of 30,000 leaves (ramus_bench_territories): by visible branches, then by territories.
 constexpr std::array<double, 3> kVisible{60.0, 300.0, 1000.0}, kParts{2.0, 4.0, 8.0};
-constexpr std::array<std::array<Certainty, 3>, 3> kMeasured{{{{{0.887, 6.6}, {0.808, 9.7}, {0.748, 15.0}}},
-                                                             {{{0.924, 3.3}, {0.872, 5.0}, {0.832, 7.3}}},
-                                                             {{{0.942, 2.1}, {0.900, 3.3}, {0.868, 5.3}}}}};
+constexpr std::array<std::array<Certainty, 3>, 3> kMeasured{{{{{0.924, 3.0}, {0.852, 6.7}, {0.795, 11.0}}},
+                                                             {{{0.947, 0.9}, {0.897, 2.3}, {0.865, 3.8}}},
+                                                             {{{0.958, 0.4}, {0.920, 1.0}, {0.897, 1.7}}}}};
 
 // Where a value lies among the measured ones: the index of the lower one, and the share of the next.
 struct Place {

@@ -188,7 +188,7 @@ TEST_CASE("a plane goes through three points, or along the border of a territory
     CHECK(stage.bad("resect points 0,0,0 1,1,1 2,2,2").find("one line") != std::string::npos);
     stage.good("object-remove resection 1\nlesion 2,5,0,1\nresect points 5,0,0 5,3,0 5,0,4");
     CHECK(stage.operation()->removed == doctest::Approx(13.5 * kSection)); // the lesion's
-    stage.good("object-remove resection 1");
+    stage.good("object-remove resection 1\nterritories off");
     CHECK(stage.bad("resect border plane S1").find("no territories") != std::string::npos);
 
     stage.good("name 1 S1\nname 2 S2\nterritories names");
@@ -298,7 +298,7 @@ TEST_CASE("a report has a page for each plan, with pictures before and after, an
     OrganStage stage;
     stage.good("lesion 12,5,0,3");
     stage.good(kPlane);
-    stage.good("plan-copy\nresection-flip 1");
+    stage.good("plan-copy\nresection-flip 1\nterritories systems");
     (void)stage.organ();
     const auto file = stage.folder.path() / "report.html";
     stage.good("report \"" + file.string() + "\"");
