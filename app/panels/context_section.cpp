@@ -53,10 +53,10 @@ void draw_context(InterfaceContext& context) {
                                    tree ? "Show a mask or a mesh beside the tree: an organ, a bone"
                                         : "Show another mask or mesh: an organ, a bone",
                                    "context"};
-    if (tree || !context.workspace.document().has_scene())
-        draw_title(context, "Context", {add});
-    else
-        draw_title(context, "Context", {{"Unit\xE2\x80\xA6", "What one unit of the files' numbers is", "units"}, add});
+    const widgets::TitleButton unit{"Unit\xE2\x80\xA6", "What one unit of the files' numbers is", "units"};
+    const bool open = tree || !context.workspace.document().has_scene() ? draw_section(context, "Context", {add})
+                                                                        : draw_section(context, "Context", {unit, add});
+    if (!open) return;
     // A copy, since actions of rows change the list.
     const std::vector<ContextItem> items = context.workspace.document().marks().context;
     for (std::size_t i = 0; i < items.size(); ++i) {

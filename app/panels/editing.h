@@ -54,8 +54,9 @@ struct Editing {
         std::shared_ptr<const Operation> of;                // of those that are made
         std::map<std::size_t, std::optional<FlatMap>> made; // by index
     } maps;
-    std::string thin;           // diameter below which vessels are thin, as it was typed; empty: the usual one
-    std::string colours_before; // what colours said before they said distances to lesions; empty: the usual
+    std::set<std::string> closed; // sections of the side panel, by title
+    std::string thin;             // diameter below which vessels are thin, as it was typed; empty: the usual one
+    std::string colours_before;   // what colours said before they said distances to lesions; empty: the usual
 };
 
 } // namespace ramus::app

@@ -3,6 +3,7 @@
 #include "app/panels/contacts_panel.h"
 #include "app/panels/context_menu.h"
 #include "app/panels/doctor_panel.h"
+#include "app/panels/editing.h"
 #include "app/panels/fly_panel.h"
 #include "app/panels/menu_bar.h"
 #include "app/panels/overview.h"
@@ -17,6 +18,8 @@
 #include <cmath>
 #include <imgui.h>
 #include <iterator>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace ramus::app {
@@ -191,6 +194,24 @@ void InterfaceContext::perform(std::string_view name, const std::vector<std::str
 
 void draw_title(InterfaceContext& context, const char* title, std::initializer_list<widgets::TitleButton> buttons) {
     if (const auto pressed = widgets::title_row(title, buttons)) context.perform(pressed->command, pressed->words);
+}
+
+bool draw_section(InterfaceContext& context, const char* title, std::initializer_list<widgets::TitleButton> buttons) {
+    bool closed = is_closed(context, title);
+    std::set<std::string>& all = context.interface.of<Editing>().closed;
+    if (const auto pressed = widgets::title_row(title, buttons, &closed)) {
+        closed = false; // what it does is seen there
+        context.perform(pressed->command, pressed->words);
+    }
+    if (closed)
+        all.insert(title);
+    else
+        all.erase(title);
+    return !closed;
+}
+
+bool is_closed(InterfaceContext& context, const char* title) {
+    return context.interface.of<Editing>().closed.contains(title);
 }
 
 void draw_interface(InterfaceContext& context) {

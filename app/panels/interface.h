@@ -136,6 +136,10 @@ void draw_interface(InterfaceContext& context);
 
 // A title of the panel with buttons that run commands.
 void draw_title(InterfaceContext& context, const char* title, std::initializer_list<widgets::TitleButton> buttons);
+// The same for a section that a click on its title closes. False: it is closed.
+[[nodiscard]] bool draw_section(InterfaceContext& context, const char* title,
+                                std::initializer_list<widgets::TitleButton> buttons);
+[[nodiscard]] bool is_closed(InterfaceContext& context, const char* title);
 
 // Where a card of this size, in pixels, hides neither the pointer's surroundings nor tools, scale bar, cube, panel,
 // status line and `covered` parts of the picture: right below the pointer, or on another side of it.

@@ -209,10 +209,11 @@ void draw_band(InterfaceContext& context, const measure::Band& band) {
 
 void draw_lesions(InterfaceContext& context) {
     const Marks& marks = context.workspace.document().marks();
-    draw_title(context, "Lesions",
-               {{"Place", "Place a lesion in the picture and size it by dragging", "tool", {"lesion"}},
-                {"Mesh\xE2\x80\xA6", "Read a closed mesh from a file: STL, PLY or OBJ", "lesion-mesh"},
-                {"Mask\xE2\x80\xA6", "Read the parts of a mask from a file, each a lesion", "lesion-mask"}});
+    if (!draw_section(context, "Lesions",
+                      {{"Place", "Place a lesion in the picture and size it by dragging", "tool", {"lesion"}},
+                       {"Mesh\xE2\x80\xA6", "Read a closed mesh from a file: STL, PLY or OBJ", "lesion-mesh"},
+                       {"Mask\xE2\x80\xA6", "Read the parts of a mask from a file, each a lesion", "lesion-mask"}}))
+        return;
     if (marks.lesions.empty()) {
         widgets::quiet_wrapped(
             "What lies near a lesion, and how near, is listed here. A closed mesh (STL, PLY, OBJ) dropped into the "
@@ -252,7 +253,7 @@ void draw_lesions(InterfaceContext& context) {
 void draw_margins(InterfaceContext& context) {
     const Document& document = context.workspace.document();
     const Marks& marks = document.marks();
-    if (marks.lesions.empty()) return;
+    if (marks.lesions.empty() || is_closed(context, "Lesions")) return;
     ImGui::Dummy({0.0F, 3.0F * theme::scale()});
     plan_rows::field_label(context, "Margins (mm)");
     if (const auto words =

@@ -250,11 +250,12 @@ void draw_apart(InterfaceContext& context, const Marks& marks) {
 
 void draw_organ(InterfaceContext& context) {
     const Marks& marks = context.workspace.document().marks();
-    draw_title(context, "Organ",
-               {{"Mask\xE2\x80\xA6", "Choose the mask of the organ: what do the vessels supply, what do cuts cost?",
-                 "organ"}});
     context.interface.tried_territories.reset();
-    if (!marks.organ.any()) return;
+    const bool open =
+        draw_section(context, "Organ",
+                     {{"Mask\xE2\x80\xA6",
+                       "Choose the mask of the organ: what do the vessels supply, what do cuts cost?", "organ"}});
+    if (!open || !marks.organ.any()) return;
     draw_mask(context, marks.organ);
     draw_figures(context, marks);
     draw_patient(context, marks.organ);

@@ -18,7 +18,7 @@ namespace ramus::app {
 void draw_cuts(InterfaceContext& context) {
     const Document& document = context.workspace.document();
     const Marks& marks = document.marks();
-    draw_title(context, "Cuts", {{"Cut", "Cut vessels in the picture", "tool", {"cut"}}});
+    if (!draw_section(context, "Cuts", {{"Cut", "Cut vessels in the picture", "tool", {"cut"}}})) return;
     plan_rows::field_label(context, "Mark cuts above \xC3\x98 (mm)");
     if (const auto words =
             plan_rows::number_field(context, "reconstruct", rounded(marks.planning.reconstruct_mm), 56.0F);

@@ -143,7 +143,7 @@ void draw_comparison(const InterfaceContext& context, const Marks& marks, const 
 void draw_plans(InterfaceContext& context) {
     const Marks& marks = context.workspace.document().marks();
     if (!marks.organ.any() && marks.plans == Plans{}) return;
-    draw_title(context, "Plans", {{"Copy", "Begin another plan as a copy of this one", "plan-copy"}});
+    if (!draw_section(context, "Plans", {{"Copy", "Begin another plan as a copy of this one", "plan-copy"}})) return;
     const std::vector<OperationPlan> plans = all_plans(marks);
     if (plans.size() > 1) {
         std::vector<std::pair<std::string, std::string>> entries;
@@ -168,7 +168,7 @@ void draw_plans(InterfaceContext& context) {
 void draw_resections(InterfaceContext& context) {
     const Marks& marks = context.workspace.document().marks();
     if (!marks.organ.any()) return;
-    draw_title(
+    const bool open = draw_section(
         context, "Resections",
         {{"Plane", "Draw a line across the picture: a plane behind it divides the organ", "tool", {"resect-plane"}},
          {"3 points",
@@ -176,6 +176,7 @@ void draw_resections(InterfaceContext& context) {
           "tool",
           {"resect-points"}},
          {"Sheet", "Draw a stroke across the picture: a sheet behind it divides the organ", "tool", {"resect-sheet"}}});
+    if (!open) return;
     const auto offer = [&](const char* label, const char* help, const std::vector<std::string>& words) {
         if (ImGui::Button(label)) context.perform("resect", words);
         widgets::tooltip(help);

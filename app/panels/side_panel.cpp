@@ -248,8 +248,11 @@ void draw_side_panel(InterfaceContext& context) {
     if (context.workspace.document().tree() && context.workspace.facts()) {
         draw_tree(context);
         draw_pages(context);
-        for (const Section& section : kSections)
+        for (const Section& section : kSections) {
+            ImGui::PushID(&section); // controls of different sections may have the same text
             if (section.page == context.interface.page) section.draw(context);
+            ImGui::PopID();
+        }
     } else if (context.workspace.document().has_scene()) {
         draw_alone(context);
     } else {

@@ -99,10 +99,38 @@ bool small_button(const char* text, const char* help) {
     return pressed;
 }
 
-std::optional<TitleButton> title_row(const char* title, std::initializer_list<TitleButton> buttons) {
+namespace {
+
+// The title with a triangle that points down while the section is open.
+void closing_title(const char* title, bool& closed) {
+    const float height = ImGui::GetTextLineHeight(), half = 0.22F * height;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float up = at.y + ImGui::GetStyle().FramePadding.y;
+    if (ImGui::InvisibleButton(title, {ImGui::CalcTextSize(title).x + height, ImGui::GetFrameHeight()}))
+        closed = !closed;
+    tooltip(closed ? ("Opens " + std::string(title)).c_str() : ("Closes " + std::string(title)).c_str());
+    const ImU32 ink = ImGui::GetColorU32(ImGui::IsItemHovered() ? theme::kText : theme::kQuiet);
+    const ImVec2 mark(at.x + half, up + 0.5F * height);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (closed)
+        list.AddTriangleFilled({mark.x - 0.7F * half, mark.y - half}, {mark.x - 0.7F * half, mark.y + half},
+                               {mark.x + half, mark.y}, ink);
+    else
+        list.AddTriangleFilled({mark.x - half, mark.y - 0.7F * half}, {mark.x + half, mark.y - 0.7F * half},
+                               {mark.x, mark.y + half}, ink);
+    list.AddText({at.x + 0.85F * height, up}, ImGui::GetColorU32(theme::kText), title);
+}
+
+} // namespace
+
+std::optional<TitleButton> title_row(const char* title, std::initializer_list<TitleButton> buttons, bool* closed) {
     rule();
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(title);
+    if (closed != nullptr) {
+        closing_title(title, *closed);
+    } else {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(title);
+    }
     float width = 0.0F;
     const float padding = 14.0F * theme::scale(), gap = 4.0F * theme::scale();
     for (const TitleButton& button : buttons) width += ImGui::CalcTextSize(button.text).x + padding + gap;

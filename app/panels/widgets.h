@@ -33,8 +33,10 @@ struct TitleButton {
     const char *text, *help, *command;
     std::vector<std::string> words{}; // arguments of the command
 };
-// Like section(), with buttons at the right end. Returns the button that was pressed.
-std::optional<TitleButton> title_row(const char* title, std::initializer_list<TitleButton> buttons);
+// Like section(), with buttons at the right end. Returns the button that was pressed. `closed`: a click on the title
+// changes it; null: the section is always open.
+std::optional<TitleButton> title_row(const char* title, std::initializer_list<TitleButton> buttons,
+                                     bool* closed = nullptr);
 // A label and a right-aligned value.
 void fact(const char* label, const std::string& value);
 void quiet(const char* text);              // one line in the label colour
