@@ -120,7 +120,17 @@ Result<void> move_camera(ActionContext& context, const render::Camera& camera) {
     return {};
 }
 
-namespace {
+render::Camera fitted_to_organ(const ActionContext& context, const organ::Organ& organ, glm::ivec2 size) {
+    constexpr int kEach = 4; // voxels along each axis: the picture has a margin wider than these
+    const render::Camera& camera = context.document.session().camera;
+    std::vector<glm::vec3> positions = visible_positions(context, camera, size);
+    if (positions.empty() && context.document.tree()) // no surface yet
+        for (const tree::Point& point : context.document.tree()->points) positions.emplace_back(point.position);
+    organ.for_voxels([&](const glm::ivec3& voxel, std::size_t) {
+        if (voxel % kEach == glm::ivec3(0)) positions.emplace_back(organ.centre_mm(voxel));
+    });
+    return positions.empty() ? camera : render::fitted(camera, positions, size);
+}
 
 bool whole_in_picture(const ActionContext& context, glm::ivec2 size) {
     const auto& tree = context.document.tree();
@@ -131,8 +141,6 @@ bool whole_in_picture(const ActionContext& context, glm::ivec2 size) {
         return at && at->x >= 0.0 && at->y >= 0.0 && at->x <= size.x && at->y <= size.y;
     });
 }
-
-} // namespace
 
 void change_keeping_whole(ActionContext& context, Marks next) {
     const glm::ivec2 before = context.picture.picture_size();

@@ -4,6 +4,7 @@
 
 #include "app/actions/command_table.h"
 #include "app/session/session_limits.h"
+#include "core/organ/organ.h"
 
 #include <optional>
 #include <string>
@@ -36,6 +37,10 @@ namespace ramus::app::actions {
 // picture of `size`. Empty without a surface.
 [[nodiscard]] std::vector<glm::vec3> visible_positions(const ActionContext& context, const render::Camera& camera,
                                                        glm::ivec2 size);
+// The camera with the same direction that shows all of that and the organ.
+[[nodiscard]] render::Camera fitted_to_organ(const ActionContext& context, const organ::Organ& organ, glm::ivec2 size);
+// Whether the camera shows all of the tree.
+[[nodiscard]] bool whole_in_picture(const ActionContext& context, glm::ivec2 size);
 // Moves the camera at once. Always succeeds.
 Result<void> move_camera(ActionContext& context, const render::Camera& camera);
 

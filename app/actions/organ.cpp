@@ -33,10 +33,15 @@ Result<void> take_organ(ActionContext& context, const OrganSource& source, const
                 digits(100.0 * static_cast<double>(organ.parts.front()) / static_cast<double>(organ.organ.count())) +
                 " % of it";
     context.say(said + (organ.suspicion.empty() ? "" : "; " + organ.suspicion));
-    return edit(context, [&](Marks& marks) {
+    auto done = edit(context, [&](Marks& marks) {
         marks.organ.source = source;
         if (marks.organ.territories == TerritoriesOf::kNothing) marks.organ.territories = TerritoriesOf::kOrgan;
     });
+    // Who saw the whole tree sees the whole organ.
+    const glm::ivec2 size = context.picture.picture_size();
+    if (done && whole_in_picture(context, size))
+        return move_camera(context, fitted_to_organ(context, organ.organ, size));
+    return done;
 }
 
 Result<Outcome> organ(ActionContext& context, Arguments arguments) {

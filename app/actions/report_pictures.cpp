@@ -46,24 +46,13 @@ Result<std::vector<ReportPicture>> take_general(ActionContext& context, glm::ive
     return pictures;
 }
 
-// The whole organ and all vessels from the direction of the session's camera.
-render::Camera camera_on_organ(const ActionContext& context, const organ::Organ& organ) {
-    constexpr int kEach = 4; // voxels along each axis: the picture has a margin wider than these
-    const render::Camera& camera = context.document.session().camera;
-    std::vector<glm::vec3> positions = visible_positions(context, camera, kSmall);
-    organ.for_voxels([&](const glm::ivec3& voxel, std::size_t) {
-        if (voxel % kEach == glm::ivec3(0)) positions.emplace_back(organ.centre_mm(voxel));
-    });
-    return positions.empty() ? camera : render::fitted(camera, positions, kSmall);
-}
-
 // Before: the organ as it is, with the surfaces of the resections. After: what remains.
 Result<std::vector<std::vector<ReportPicture>>> take_plans(ActionContext& context) {
     std::vector<std::vector<ReportPicture>> pictures;
     const Marks& marks = context.document.marks();
     if (!marks.organ.any() || !operation_of(context.assets, marks, marks.plans.place)) return pictures;
     Session session = context.document.session();
-    session.camera = camera_on_organ(context, (*context.assets.organ.mask.value)->organ);
+    session.camera = fitted_to_organ(context, (*context.assets.organ.mask.value)->organ, kSmall);
     session.marks.comparison.mode = Comparison::Mode::kOff;
     for (std::size_t plan = 0; plan < marks.plans.count(); ++plan) {
         Session shown = session;

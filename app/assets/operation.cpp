@@ -27,14 +27,17 @@ Resection shape_of(Resection resection) {
     return resection;
 }
 
+// A lesion of a mask as the file has it: the boxes of its voxels, from which the command line measures, too.
+std::shared_ptr<const organ::VoxelSolid> solid_of(const PlannedLesion& lesion) {
+    if (lesion.mesh && lesion.mesh->voxels) return lesion.mesh->voxels;
+    const auto& [x, y, z, radius] = lesion.sphere;
+    return std::make_shared<const organ::VoxelSolid>(lesion.mesh ? mesh::TriangleMesh(lesion.mesh->mesh)
+                                                                 : mesh::sphere_mesh({x, y, z}, radius));
+}
+
 std::vector<organ::VoxelLesion> solids_of(const std::vector<PlannedLesion>& lesions) {
     std::vector<organ::VoxelLesion> solids;
-    for (const PlannedLesion& lesion : lesions)
-        solids.push_back(
-            {lesion.name, lesion.mesh
-                              ? std::make_shared<const organ::VoxelSolid>(mesh::TriangleMesh(lesion.mesh->mesh))
-                              : std::make_shared<const organ::VoxelSolid>(mesh::sphere_mesh(
-                                    {lesion.sphere[0], lesion.sphere[1], lesion.sphere[2]}, lesion.sphere[3]))});
+    for (const PlannedLesion& lesion : lesions) solids.push_back({lesion.name, solid_of(lesion)});
     return solids;
 }
 
@@ -311,6 +314,13 @@ std::vector<std::uint8_t> voxels_in(const organ::Organ& organ, const std::vector
         });
     };
     for (const PlannedLesion& lesion : lesions) {
+        if (lesion.mesh && lesion.mesh->voxels) {
+            const organ::VoxelSolid& solid = *lesion.mesh->voxels;
+            const auto& bounds = solid.to_surface().bounds();
+            fill({bounds.least - margin_mm, bounds.most + margin_mm},
+                 [&solid, margin_mm](const glm::dvec3& at) { return solid.distance(at) <= margin_mm; });
+            continue;
+        }
         if (lesion.mesh) {
             const measure::MeshDistance& mesh = *lesion.mesh->distance;
             fill({mesh.bounds().least - margin_mm, mesh.bounds().most + margin_mm},

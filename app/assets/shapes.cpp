@@ -97,6 +97,7 @@ Result<LesionFile> read_lesion_mask(const LesionSource& source, Job& job) {
     for (organ::MaskLesion& one : found.lesions) {
         LesionMesh lesion = lesion_mesh_of(std::move(one.mesh), io::claims_of(volume, unit));
         lesion.volume_mm3 = one.volume_mm3;
+        lesion.voxels = std::move(one.solid);
         lesion.name = std::move(one.name);
         file.parts.push_back(std::make_shared<const LesionMesh>(std::move(lesion)));
     }

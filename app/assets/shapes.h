@@ -6,6 +6,7 @@
 #include "core/base/job.h"
 #include "core/measure/mesh_distance.h"
 #include "core/mesh/triangle_mesh.h"
+#include "core/organ/resect/voxel_solid.h"
 #include "core/tree/vessel_tree.h"
 #include "core/volume/volume.h"
 #include "render/scene/bounds.h"
@@ -71,9 +72,10 @@ struct LesionMesh {
     std::shared_ptr<const mesh::TriangleMesh> coarse; // fewer triangles, for outlines; null: the mesh is small
     tree::Claims claims;                              // origin of unit (of a mask) and orientation
     std::shared_ptr<const measure::MeshDistance> distance;
-    double diameter_mm = 0.0;           // the greatest distance between two places of its surface
-    std::optional<double> volume_mm3{}; // of the voxels; none: not of a mask
-    std::string name{};                 // in the file; empty: none
+    double diameter_mm = 0.0;                          // the greatest distance between two places of its surface
+    std::optional<double> volume_mm3{};                // of the voxels; none: not of a mask
+    std::shared_ptr<const organ::VoxelSolid> voxels{}; // the boxes of its voxels; null: not of a mask
+    std::string name{};                                // in the file; empty: none
 };
 
 // What a file has of lesions: one mesh, or the parts of a mask, the largest first.

@@ -55,10 +55,11 @@ Result<MaskLesions> lesions_of_label(const Organ& whole, const std::string& name
     const std::size_t count = std::min(most, voxels.size());
     const auto [kept, labels] = kept_parts(whole, parts, count);
     RAMUS_TRY(surfaces, label_surfaces(kept, labels, job));
+    const auto solids = solids_of(kept, labels, count);
     MaskLesions found{{}, voxels.size() - count};
     for (std::size_t n = 0; n < count; ++n)
         found.lesions.push_back({name.empty() || voxels.size() == 1 ? name : name + ' ' + std::to_string(n + 1),
-                                 surface_of(surfaces, static_cast<int>(n)), voxels[n],
+                                 surface_of(surfaces, static_cast<int>(n)), solids[n], voxels[n],
                                  1000.0 * whole.voxel_ml() * static_cast<double>(voxels[n])});
     return found;
 }

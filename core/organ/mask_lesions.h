@@ -4,10 +4,12 @@
 #include "core/base/error.h"
 #include "core/base/job.h"
 #include "core/mesh/triangle_mesh.h"
+#include "core/organ/resect/voxel_solid.h"
 #include "core/volume/label_choice.h"
 #include "core/volume/volume.h"
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,7 @@ namespace ramus::organ {
 struct MaskLesion {
     std::string name;        // "tumour"; "tumour 2" if the label has several parts; empty: the label has no name
     mesh::TriangleMesh mesh; // mm, RAS, with normals; the guarantees of surface_of() (label_surfaces.h)
+    std::shared_ptr<const VoxelSolid> solid; // its voxels' boxes
     std::size_t voxels = 0;
     double volume_mm3 = 0.0; // of the voxels
 };

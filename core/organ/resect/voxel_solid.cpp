@@ -134,7 +134,9 @@ std::shared_ptr<const VoxelSolid> solid_of(const Organ& organ, std::span<const s
 }
 
 std::vector<std::uint8_t> lost_voxels(std::span<const SystemSupply> systems, std::span<const measure::LostSpan> spans) {
-    std::vector<std::uint8_t> lost(systems.empty() ? 0 : systems.front().branch.size(), 0);
+    std::size_t voxels = 0;
+    for (const SystemSupply& system : systems) voxels = std::max(voxels, system.branch.size());
+    std::vector<std::uint8_t> lost(voxels, 0);
     if (spans.empty()) return lost;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lost.size()), [&](const auto& range) {
         for (std::size_t voxel = range.begin(); voxel < range.end(); ++voxel)
@@ -144,15 +146,21 @@ std::vector<std::uint8_t> lost_voxels(std::span<const SystemSupply> systems, std
     return lost;
 }
 
+std::vector<std::shared_ptr<const VoxelSolid>> solids_of(const Organ& organ, std::span<const int> parts,
+                                                         std::size_t count) {
+    std::vector<std::shared_ptr<const VoxelSolid>> solids;
+    for (Organ& part : cropped_parts(organ, count, [&](std::size_t number) { return parts[number]; }))
+        solids.push_back(std::make_shared<const VoxelSolid>(std::move(part)));
+    return solids;
+}
+
 std::vector<VoxelLesion> lesions_of(const Organ& mask, const std::string& name) {
     const std::vector<std::uint32_t> numbers = parts_of_voxels(mask);
-    const std::size_t count = numbers.empty() ? 0 : 1 + *std::ranges::max_element(numbers);
-    std::vector<Organ> parts =
-        cropped_parts(mask, count, [&](std::size_t number) { return static_cast<int>(numbers[number]); });
+    const std::vector<int> parts(numbers.begin(), numbers.end());
+    const std::size_t count = parts.empty() ? 0 : 1 + static_cast<std::size_t>(*std::ranges::max_element(parts));
     std::vector<VoxelLesion> lesions;
-    for (std::size_t n = 0; n < count; ++n)
-        lesions.push_back({count == 1 ? name : name + ' ' + std::to_string(n + 1),
-                           std::make_shared<const VoxelSolid>(std::move(parts[n]))});
+    for (std::shared_ptr<const VoxelSolid>& solid : solids_of(mask, parts, count))
+        lesions.push_back({count == 1 ? name : name + ' ' + std::to_string(lesions.size() + 1), std::move(solid)});
     return lesions;
 }
 

@@ -48,6 +48,10 @@ private:
 // The voxels of an organ whose entry is not 0; empty: all. Null: there are none.
 [[nodiscard]] std::shared_ptr<const VoxelSolid> solid_of(const Organ& organ, std::span<const std::uint8_t> chosen);
 
+// The solid of each of `count` parts. `parts`: by voxel of the organ, each part has voxels.
+[[nodiscard]] std::vector<std::shared_ptr<const VoxelSolid>> solids_of(const Organ& organ, std::span<const int> parts,
+                                                                       std::size_t count);
+
 // By voxel of the organ, 1: after the cuts (`spans`, of lost_spans()) some system does not reach it any more.
 [[nodiscard]] std::vector<std::uint8_t> lost_voxels(std::span<const SystemSupply> systems,
                                                     std::span<const measure::LostSpan> spans);

@@ -76,6 +76,25 @@ TEST_CASE("the margin of a lesion is its distance from the cut") {
     CHECK(stage.marks().resections.size() == 1);
 }
 
+TEST_CASE("the margin of a lesion of a mask is measured from its voxels, as the file has them") {
+    OrganStage stage;
+    std::vector<std::uint8_t> voxels(kVoxels, 0);
+    for (int x : {10, 11, 12})
+        for (int y : {-1, 0, 1})
+            for (int z : {0, 1}) voxels[static_cast<std::size_t>((x + 8) + 26 * (y + 10) + 26 * 20 * (z + 5))] = 1;
+    test::NiftiFile file;
+    file.dim = {3, 26, 20, 12, 1, 1, 1, 1};
+    file.rows = {1, 0, 0, -8, 0, 1, 0, -10, 0, 0, 1, -5};
+    file.put(voxels);
+    const std::string mask = test::write_plain(stage.folder.path() / "lesion.nii", file.bytes()).string();
+    stage.good("lesion-mask \"" + mask + "\"");
+    CHECK(stage.operation()->functional == kVoxels - 18);
+    stage.good(kPlane);
+    CHECK(stage.operation()->margins.at(0).distance_mm.value() == doctest::Approx(9.5 - 5.0));
+    stage.good("object-remove resection 1\nresect lesion 1 0");
+    CHECK(stage.operation()->removed == doctest::Approx(18.0));
+}
+
 TEST_CASE("all that depends on cuts is removed, with a margin") {
     OrganStage stage;
     CHECK(stage.bad("resect cuts 0").find("no cuts") != std::string::npos);
