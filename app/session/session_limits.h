@@ -16,7 +16,7 @@ inline constexpr std::size_t kMostShapes = 500;
 inline constexpr std::size_t kMostEdits = 1'000;
 
 inline constexpr std::size_t kMostResections = organ::kMostResections; // of a plan
-inline constexpr std::size_t kMostPlans = 20; // a table of more columns cannot be read
+inline constexpr std::size_t kMostPlans = 20;                          // a table of more columns cannot be read
 
 inline constexpr std::size_t kMostBands = 20; // margins around lesions; more colours cannot be distinguished
 
