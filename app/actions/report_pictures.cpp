@@ -11,8 +11,9 @@ namespace ramus::app::actions {
 
 namespace {
 
-constexpr glm::ivec2 kSmall{720, 600};
-constexpr double kLargeText = 1.5, kSmallText = 1.7; // a page shows the pictures at 0.7 and 0.57 of their size
+constexpr glm::ivec2 kSmall{720, 600}, kOfPlan{720, 480};
+// A page shows the pictures at 0.7 and 0.57 of their size; those of plans have more words.
+constexpr double kLargeText = 1.5, kSmallText = 1.7, kPlanText = 1.3;
 
 Result<ReportPicture> take_picture(ActionContext& context, std::string caption, const Session& session, glm::ivec2 size,
                                    double text_size) {
@@ -52,7 +53,7 @@ Result<std::vector<std::vector<ReportPicture>>> take_plans(ActionContext& contex
     const Marks& marks = context.document.marks();
     if (!marks.organ.any() || !operation_of(context.assets, marks, marks.plans.place)) return pictures;
     Session session = context.document.session();
-    session.camera = fitted_to_organ(context, (*context.assets.organ.mask.value)->organ, kSmall);
+    session.camera = fitted_to_organ(context, (*context.assets.organ.mask.value)->organ, kOfPlan);
     session.marks.comparison.mode = Comparison::Mode::kOff;
     for (std::size_t plan = 0; plan < marks.plans.count(); ++plan) {
         Session shown = session;
@@ -61,11 +62,11 @@ Result<std::vector<std::vector<ReportPicture>>> take_plans(ActionContext& contex
         shown.marks.organ.hidden.clear();
         shown.marks.organ.apart_mm = 0.0;
         shown.marks.organ.territories = TerritoriesOf::kOrgan;
-        RAMUS_TRY(before, take_picture(context, "Before", shown, kSmall, kSmallText));
+        RAMUS_TRY(before, take_picture(context, "Before", shown, kOfPlan, kPlanText));
         shown.marks.organ.territories = TerritoriesOf::kRemnant;
         if (!shown.marks.resections.empty())
             shown.marks.organ.hidden = {std::string(kRemnantParts[static_cast<std::size_t>(RemnantPart::kRemoved)])};
-        RAMUS_TRY(after, take_picture(context, "After", shown, kSmall, kSmallText));
+        RAMUS_TRY(after, take_picture(context, "After", shown, kOfPlan, kPlanText));
         pictures.push_back({std::move(before), std::move(after)});
     }
     return pictures;

@@ -249,6 +249,11 @@ Result<Operation> make_operation(const OperationWork& work, const JobRange& job)
     operation.functional = static_cast<double>(std::ranges::count(functional, 1));
     const std::vector<organ::SystemSupply> systems = of.supply->with_roles(of.roles);
     const tree::VesselTree& tree = *of.supply->of.tree;
+    for (const measure::Cut& cut : of.cuts) {
+        operation.vessels.push_back(organ::vessel_at(tree, cut));
+        operation.vessels.back().resection = of.resections.size();
+    }
+    organ::sort_vessels(operation.vessels);
     if (of.resections.empty()) {
         operation.remnant = in_parts(organ::remnant_of(systems, measure::lost_spans(tree, of.cuts), functional));
         return operation;
@@ -259,11 +264,9 @@ Result<Operation> make_operation(const OperationWork& work, const JobRange& job)
     RAMUS_TRY(removal, organ::remove_from(organ, functions, job));
     operation.removed = removal.removed_voxels;
     operation.area_mm2 = removal.area_mm2;
-    operation.vessels = organ::vessels_cut(organ, tree, functions);
-    for (organ::CutVessel& vessel : operation.vessels) vessel.resection = numbers[vessel.resection];
-    for (const measure::Cut& cut : of.cuts) {
-        operation.vessels.push_back(organ::vessel_at(tree, cut));
-        operation.vessels.back().resection = of.resections.size();
+    for (organ::CutVessel& vessel : organ::vessels_cut(organ, tree, functions)) {
+        vessel.resection = numbers[vessel.resection];
+        operation.vessels.push_back(vessel);
     }
     organ::sort_vessels(operation.vessels);
     const std::vector<measure::Cut> cuts = organ::cuts_of(operation.vessels);

@@ -48,9 +48,8 @@ organ::Grouping grouping_of(const OrganTerritories::Of& of) {
 // By voxel: its RemnantPart.
 std::vector<int> remnant_labels(const Operation& operation) {
     const OrganSupply& supply = *operation.of.supply;
-    const std::vector<measure::Cut> cuts =
-        operation.vessels.empty() ? operation.of.cuts : organ::cuts_of(operation.vessels);
-    const std::vector<measure::LostSpan> spans = measure::lost_spans(*supply.of.tree, cuts);
+    const std::vector<measure::LostSpan> spans =
+        measure::lost_spans(*supply.of.tree, organ::cuts_of(operation.vessels));
     std::vector<int> labels(supply.of.mask->organ.count(), 0);
     const std::vector<organ::SystemSupply> systems = supply.with_roles(operation.of.roles);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, labels.size()), [&](const auto& range) {

@@ -198,6 +198,7 @@ void draw_resections(InterfaceContext& context) {
         return one.kind == ResectionKind::kPlane || one.kind == ResectionKind::kSheet;
     });
     if (dragged && ImGui::Button("Move points")) context.perform("tool", {"resection"});
+    if (resections.empty()) return; // the section of the cuts lists theirs
     if (const auto operation = operation_of(context.workspace.assets(), marks, marks.plans.place, OperationOf::kLast))
         draw_vessels_cut(context, *operation, marks);
 }

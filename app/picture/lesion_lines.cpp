@@ -22,7 +22,7 @@ void draw_distance(render::Frame& frame, const glm::dvec3& from, const glm::dvec
 // The colours of the surfaces of resections.
 void explain_bands(render::Frame& frame, const std::vector<double>& bands_mm, const Lengths& lengths) {
     render::Legend& legend = frame.overlays.legend;
-    legend.title += (legend.title.empty() ? "Distance to lesion (" : ", distance to lesion (") + lengths.unit() + ")";
+    legend.title += (legend.title.empty() ? "To lesion (" : ", to lesion (") + lengths.unit() + ")";
     const auto swatches = margin_swatches(bands_mm);
     legend.swatches.insert(legend.swatches.end(), swatches.begin(), swatches.end());
 }

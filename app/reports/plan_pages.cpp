@@ -44,10 +44,10 @@ std::string maps_html(const Operation& operation, const Marks& marks, const Asse
 // `marks`: with the plan as the current one.
 std::string plan_html(const Document& document, const Operation& operation, const Marks& marks, const Assets& assets,
                       const std::vector<ReportPicture>& pictures) {
-    constexpr std::size_t kMostVessels = 20; // so that the plan fits on a page
+    constexpr std::size_t kMostVessels = 12; // so that the plan fits on a page
     std::string page = "<section class=\"page\">\n<h2>Plan " + html_text(marks.plans.name) + "</h2>\n" +
                        even_pictures_html(pictures) + facts_html(facts_of(operation, marks));
-    if (!operation.of.resections.empty())
+    if (!operation.vessels.empty())
         page += table_html(cut_vessels_table(document, operation),
                            {.note = document.lengths().worded("The thickest first; those over " +
                                                               digits(marks.planning.reconstruct_mm) +

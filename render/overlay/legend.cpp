@@ -9,18 +9,25 @@ namespace ramus::render {
 
 namespace {
 
-// A small dark plate with text and patches of colour. Straight alpha, sRGB.
+struct Inks {
+    glm::vec3 ground, text, quiet;
+};
+constexpr Inks kLightOnDark{{0.051F, 0.059F, 0.071F}, {0.89F, 0.90F, 0.92F}, {0.66F, 0.68F, 0.72F}};
+constexpr Inks kDarkOnLight{{0.98F, 0.98F, 0.985F}, {0.10F, 0.12F, 0.14F}, {0.36F, 0.39F, 0.43F}};
+const Inks& inks_of(PlateInk ink) { return ink == PlateInk::kDark ? kDarkOnLight : kLightOnDark; }
+
+// A small plate with text and patches of colour. Straight alpha, sRGB.
 class Plate {
 public:
     // Round corners of `radius` pixels; `opacity` 0 to 1.
-    Plate(int width, int height, double radius, double opacity) : image_(width, height) {
+    Plate(int width, int height, double radius, double opacity, const glm::vec3& ground) : image_(width, height) {
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
                 const double dx = std::max({radius - (x + 0.5), x + 0.5 - (width - radius), 0.0});
                 const double dy = std::max({radius - (y + 0.5), y + 0.5 - (height - radius), 0.0});
                 const double share = std::clamp(radius - std::hypot(dx, dy) + 0.5, 0.0, 1.0);
                 std::uint8_t* out = image_.pixel(x, y);
-                out[0] = 13, out[1] = 15, out[2] = 18;
+                for (int k = 0; k < 3; ++k) out[k] = static_cast<std::uint8_t>(std::lround(255.0F * ground[k]));
                 out[3] = static_cast<std::uint8_t>(std::lround(255.0 * opacity * share));
             }
     }
@@ -55,9 +62,6 @@ private:
     Image image_;
 };
 
-constexpr glm::vec3 kPlateInk{0.89F, 0.90F, 0.92F};
-constexpr glm::vec3 kQuietInk{0.66F, 0.68F, 0.72F};
-
 glm::vec3 at(const std::vector<glm::vec3>& bar, double t) {
     const double along = std::clamp(t, 0.0, 1.0) * static_cast<double>(bar.size() - 1);
     const auto below = std::min(static_cast<std::size_t>(along), bar.size() > 1 ? bar.size() - 2 : 0);
@@ -76,16 +80,18 @@ void hatch(Plate& plate, int left, int top, int width, int height, double period
 
 } // namespace
 
-Image paint_label(const std::string& text, double pixel_ratio) {
+Image paint_label(const std::string& text, double pixel_ratio, PlateInk ink) {
+    const Inks& inks = inks_of(ink);
     const Coverage letters = draw_text(text, 8.5 * pixel_ratio);
     const int side = static_cast<int>(std::lround(5.0 * pixel_ratio)),
               edge = static_cast<int>(std::lround(1.0 * pixel_ratio));
-    Plate plate(letters.width + 2 * side, letters.height + 2 * edge, 3.0 * pixel_ratio, 0.85);
-    plate.write(letters, side, edge, kPlateInk);
+    Plate plate(letters.width + 2 * side, letters.height + 2 * edge, 3.0 * pixel_ratio, 0.85, inks.ground);
+    plate.write(letters, side, edge, inks.text);
     return std::move(plate).take();
 }
 
-Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most) {
+Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most, PlateInk ink) {
+    const Inks& inks = inks_of(ink);
     const auto pixels = [&](double points) { return std::max(1, static_cast<int>(std::lround(points * pixel_ratio))); };
     const auto text = [&](const std::string& words, double size = 8.0) { return draw_text(words, size * pixel_ratio); };
     const int margin = pixels(8), gap = pixels(6), row = pixels(17), patch = pixels(11), bar_width = pixels(12);
@@ -111,9 +117,9 @@ Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most) {
     for (const Coverage& label : labels) width = std::max(width, patch + gap + label.width);
     height += row * static_cast<int>(labels.size());
 
-    Plate plate(std::min(width + 2 * margin, most.x), height, 4.0 * pixel_ratio, 0.85);
-    plate.write(title, margin, margin - pixels(2), kPlateInk);
-    plate.write(subtitle, margin, below_title - pixels(2), kQuietInk);
+    Plate plate(std::min(width + 2 * margin, most.x), height, 4.0 * pixel_ratio, 0.85, inks.ground);
+    plate.write(title, margin, margin - pixels(2), inks.text);
+    plate.write(subtitle, margin, below_title - pixels(2), inks.quiet);
     int top = head;
     if (!legend.bar.empty()) {
         top += tick_room;
@@ -122,9 +128,9 @@ Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most) {
         for (std::size_t i = 0; i < ticks.size(); ++i) {
             const double y = top + (1.0 - std::clamp(legend.ticks[i].at, 0.0, 1.0)) * bar_height;
             const double line = std::max(1.0, std::round(pixel_ratio));
-            plate.fill(margin + bar_width, std::round(y - 0.5 * line), pixels(3), line, kQuietInk);
+            plate.fill(margin + bar_width, std::round(y - 0.5 * line), pixels(3), line, inks.quiet);
             plate.write(ticks[i], margin + bar_width + gap, static_cast<int>(std::lround(y)) - ticks[i].height / 2,
-                        kPlateInk);
+                        inks.text);
         }
         top += bar_height + tick_room;
     }
@@ -138,7 +144,7 @@ Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most) {
             else
                 plate.fill(margin, patch_top, patch, patch, swatch.colour);
         }
-        plate.write(labels[i], margin + patch + gap, middle - labels[i].height / 2, i < shown ? kPlateInk : kQuietInk);
+        plate.write(labels[i], margin + patch + gap, middle - labels[i].height / 2, i < shown ? inks.text : inks.quiet);
     }
     return std::move(plate).take();
 }

@@ -19,6 +19,8 @@ Image inked(Image words, const SpriteSource& frame) {
     return frame.overlays.dark_ink ? with_dark_ink(std::move(words)) : std::move(words);
 }
 
+PlateInk ink_of(const SpriteSource& frame) { return frame.overlays.dark_ink ? PlateInk::kDark : PlateInk::kLight; }
+
 } // namespace
 
 // The space for sprites: smaller pictures have smaller sprites, nearer to the edge.
@@ -116,10 +118,11 @@ void OverlayPainter::add_letters(const Space& space, const SpriteSource& frame, 
     add(-axes.up, 0.5, 1.0);
 }
 
-void OverlayPainter::add_legend(const Space& space, const Legend& legend, std::vector<Sprite>& sprites) const {
+void OverlayPainter::add_legend(const Space& space, const SpriteSource& frame, const Legend& legend,
+                                std::vector<Sprite>& sprites) const {
     const glm::ivec2 most(space.free.x / 2, space.bottom - space.top - space.margin);
     if (legend.title.empty() || most.x <= 60 || most.y <= 60) return;
-    Image image = paint_legend(legend, space.ratio, most);
+    Image image = paint_legend(legend, space.ratio, most, ink_of(frame));
     const glm::ivec2 corner(space.corner.x + space.margin, space.bottom - image.height);
     sprites.push_back({std::move(image), corner});
 }
@@ -141,7 +144,7 @@ void OverlayPainter::add_label(const Space& space, const SpriteSource& frame, co
     const auto at = project(frame.camera, frame.size, label.at);
     if (!at || label.text.empty()) return;
     if (at->x < 0.0 || at->y < 0.0 || at->x >= frame.size.x || at->y >= frame.size.y) return;
-    Image plate = paint_label(label.text, space.ratio);
+    Image plate = paint_label(label.text, space.ratio, ink_of(frame));
     const double gap = 8.0 * space.ratio;
     const glm::ivec2 most = glm::max(frame.size - glm::ivec2(plate.width, plate.height), glm::ivec2(0));
     const auto place = [&](bool left, bool below, int rows) {
@@ -171,7 +174,7 @@ std::vector<Sprite> OverlayPainter::paint(const SpriteSource& frame) {
     add_scale_bar(space, frame, sprites);
     add_words(space, frame, sprites);
     if (o.orientation_letters) add_letters(space, frame, sprites);
-    add_legend(space, o.legend, sprites);
+    add_legend(space, frame, o.legend, sprites);
     for (const MarkLabel& label : frame.labels) add_label(space, frame, label, sprites);
     return sprites;
 }

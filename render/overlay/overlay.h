@@ -54,7 +54,7 @@ private:
     static void add_scale_bar(Space& space, const SpriteSource& frame, Sprites& sprites);
     void add_words(Space& space, const SpriteSource& frame, Sprites& sprites) const;
     void add_letters(const Space& space, const SpriteSource& frame, Sprites& sprites) const;
-    void add_legend(const Space& space, const Legend& legend, Sprites& sprites) const;
+    void add_legend(const Space& space, const SpriteSource& frame, const Legend& legend, Sprites& sprites) const;
     void add_label(const Space& space, const SpriteSource& frame, const MarkLabel& label, Sprites& sprites) const;
 
     OrientationCube cube_;

@@ -12,9 +12,9 @@ namespace ramus::app {
 
 namespace {
 
-constexpr double kWidth = 460.0, kEdge = 26.0; // of the drawing, and around the map for the patient's sides
-constexpr double kTallest = 360.0;             // of the map
-constexpr double kLine = 16.0;                 // between lines of text
+constexpr double kMapWidth = 460.0, kMapEdge = 26.0; // of the drawing, and around the map for the patient's sides
+constexpr double kMapHeight = 220.0;                 // of the map
+constexpr double kMapLine = 16.0;                    // between lines of text
 constexpr Stroke kThinStroke{kInk, 0.8, ""};
 
 std::string colour_text(const glm::vec3& colour) { return app::colour_text(bytes_of(colour)); }
@@ -26,11 +26,11 @@ struct Drawing {
 
     explicit Drawing(const FlatMap& drawn) : map(drawn) {
         const glm::dvec2 size = glm::max(glm::dvec2(map.box.size()), glm::dvec2(1e-6));
-        scale = std::min((kWidth - 2.0 * kEdge) / size.x, kTallest / size.y);
+        scale = std::min((kMapWidth - 2.0 * kMapEdge) / size.x, kMapHeight / size.y);
     }
     [[nodiscard]] PlotPoint at(const glm::vec2& place) const {
         const glm::dvec2 from_corner(place.x - map.box.least.x, map.box.most.y - place.y);
-        return {kEdge + scale * from_corner.x, kEdge + scale * from_corner.y};
+        return {kMapEdge + scale * from_corner.x, kMapEdge + scale * from_corner.y};
     }
     [[nodiscard]] PlotPoint corner() const { return at({map.box.most.x, map.box.least.y}); } // lower right
 };
@@ -38,18 +38,18 @@ struct Drawing {
 void draw_sides(Svg& svg, const Drawing& drawing, const tree::Claims& claims) {
     const render::AxisNames& names = claims.has_sides() ? render::side_letters() : render::plain_axes();
     const PlotPoint corner = drawing.corner();
-    const double across = 0.5 * (kEdge + corner.x), down = 0.5 * (kEdge + corner.y);
+    const double across = 0.5 * (kMapEdge + corner.x), down = 0.5 * (kMapEdge + corner.y);
     const auto& [left, right, below, above] = drawing.map.sides;
-    svg.text({kEdge - 6.0, down}, names[left], Anchor::kEnd, 12.0, kQuietInk);
+    svg.text({kMapEdge - 6.0, down}, names[left], Anchor::kEnd, 12.0, kQuietInk);
     svg.text({corner.x + 6.0, down}, names[right], Anchor::kStart, 12.0, kQuietInk);
     svg.text({across, corner.y + 15.0}, names[below], Anchor::kMiddle, 12.0, kQuietInk);
-    svg.text({across, kEdge - 7.0}, names[above], Anchor::kMiddle, 12.0, kQuietInk);
+    svg.text({across, kMapEdge - 7.0}, names[above], Anchor::kMiddle, 12.0, kQuietInk);
 }
 
 void draw_scale(Svg& svg, const Drawing& drawing, double y, const Lengths& lengths) {
     const double length = render::scale_bar_length_mm(0.35 * double(drawing.map.box.size().x));
-    svg.rectangle({kEdge, y - 4.0}, {length * drawing.scale, 3.0}, kInk);
-    svg.text({kEdge + length * drawing.scale + 6.0, y}, rounded(length) + " " + lengths.unit());
+    svg.rectangle({kMapEdge, y - 4.0}, {length * drawing.scale, 3.0}, kInk);
+    svg.text({kMapEdge + length * drawing.scale + 6.0, y}, rounded(length) + " " + lengths.unit());
 }
 
 } // namespace
@@ -58,9 +58,9 @@ Svg flat_map_plot(const std::string& title, const FlatMap& map, const tree::Clai
     const Drawing drawing(map);
     const Lengths lengths(claims);
     const bool bands = !map.bands.empty() && !map.bands.front().distance.empty();
-    const double below = drawing.corner().y + kEdge;
+    const double below = drawing.corner().y + kMapEdge;
     const std::size_t lines = map.nearest.size() + (bands ? 1 : 0) + 1;
-    Svg svg(kWidth, below + kLine * static_cast<double>(lines), title);
+    Svg svg(kMapWidth, below + kMapLine * static_cast<double>(lines), title);
     for (const FlatMap::Band& band : map.bands) {
         std::vector<std::array<PlotPoint, 3>> corners;
         for (const auto& [a, b, c] : band.triangles) corners.push_back({drawing.at(a), drawing.at(b), drawing.at(c)});
@@ -77,15 +77,15 @@ Svg flat_map_plot(const std::string& title, const FlatMap& map, const tree::Clai
     double y = below + 10.0;
     draw_scale(svg, drawing, y, lengths);
     for (const FlatMap::Nearest& nearest : map.nearest) {
-        y += kLine;
-        svg.diamond({kEdge + 5.0, y - 4.0}, 4.0, kInk);
-        svg.text({kEdge + 15.0, y}, "margin of " + nearest.lesion + ": " + lengths.text(nearest.margin_mm));
+        y += kMapLine;
+        svg.diamond({kMapEdge + 5.0, y - 4.0}, 4.0, kInk);
+        svg.text({kMapEdge + 15.0, y}, "margin of " + nearest.lesion + ": " + lengths.text(nearest.margin_mm));
     }
     if (!bands) return svg;
-    y += kLine;
+    y += kMapLine;
     const std::string words = "to lesion, " + lengths.unit() + ":";
-    svg.text({kEdge, y}, words);
-    double x = kEdge + width_of(words) + 8.0;
+    svg.text({kMapEdge, y}, words);
+    double x = kMapEdge + width_of(words) + 8.0;
     for (const FlatMap::Band& band : map.bands) {
         svg.rectangle({x, y - 9.0}, {10.0, 10.0}, colour_text(band.colour), &kThinStroke);
         svg.text({x + 14.0, y}, band.distance);

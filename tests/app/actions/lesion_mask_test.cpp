@@ -182,7 +182,7 @@ TEST_CASE("masks that have no lesion are refused") {
     test::CommandStage stage(two_branches());
     CHECK(stage.bad("lesion-mask \"" + empty + "\"").find("empty.nii") != std::string::npos);
     CHECK(stage.bad("lesion-mask missing.nii").find("missing.nii") != std::string::npos);
-    CHECK(stage.bad("lesion-mask \"" + file + "\" --label 9").find("9") != std::string::npos);
+    CHECK(stage.bad("lesion-mask \"" + file + "\" --label 9").find('9') != std::string::npos);
     CHECK(stage.bad("lesion-mask \"" + file + "\" --label").find("--label and --units") != std::string::npos);
     CHECK(stage.bad("lesion-mask \"" + file + "\" --units foot").find("foot") != std::string::npos);
     CHECK(stage.bad("lesion-mask tumour.stl").find("no mask") != std::string::npos);

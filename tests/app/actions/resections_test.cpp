@@ -306,7 +306,7 @@ TEST_CASE("margins are drawn as lines, and the colours of their bands are explai
     const auto labels = [&] {
         const render::Frame frame = compose(stage.document.session(), stage.assets, {}, {});
         return std::pair(std::ranges::count(frame.labels, "margin 4.00 mm", &render::MarkLabel::text),
-                         frame.overlays.legend.title.find("istance to lesion") != std::string::npos);
+                         frame.overlays.legend.title.find("o lesion (mm)") != std::string::npos);
     };
     CHECK(labels() == std::pair{std::ptrdiff_t{1}, true});
     stage.good("object-hide resection 1");
