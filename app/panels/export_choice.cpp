@@ -121,6 +121,16 @@ std::string ExportChoice::named(const std::string& name) const {
     return stem + format().extension;
 }
 
+std::string ExportChoice::suggested(const std::string& name) const {
+    constexpr std::string_view kOfTerritories = "-territories";
+    const std::string whole = named(name), extension = lower_extension(whole);
+    if (whole.empty()) return whole;
+    std::string stem = whole.substr(0, whole.size() - extension.size());
+    if (stem.ends_with(kOfTerritories)) stem.resize(stem.size() - kOfTerritories.size());
+    if (what == ExportWhat::kTerritories) stem += kOfTerritories;
+    return stem + whole.substr(whole.size() - extension.size());
+}
+
 std::vector<std::string> ExportChoice::words(const fs::path& file) const {
     std::vector<std::string> words{std::string(kind().key), file.string()};
     if (draws()) {

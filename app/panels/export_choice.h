@@ -41,6 +41,8 @@ struct ExportChoice {
     void follow(const std::string& name);
     // The name with the format's extension, which replaces one of another format.
     [[nodiscard]] std::string named(const std::string& name) const;
+    // The same, as a suggestion: a mask of territories is not to replace the mask of the vessels.
+    [[nodiscard]] std::string suggested(const std::string& name) const;
     // The words of the command `export` for this file.
     [[nodiscard]] std::vector<std::string> words(const std::filesystem::path& file) const;
 };

@@ -67,7 +67,7 @@ void draw_export_page(InterfaceContext& context, OpenDialog& dialog) {
     const float width = ImGui::GetContentRegionAvail().x - (preview.wanted ? preview_width + 16.0F * scale : 0.0F);
     ImGui::BeginChild("export", {width, height});
     if (draw_export_choice(dialog.exported, has) || other_kind) {
-        dialog.rename(dialog.exported.named(dialog.name.data()));
+        dialog.rename(dialog.exported.suggested(dialog.name.data()));
         dialog.name_focused = false; // focus the name again
     }
     const std::string trouble = dialog.exported.trouble();

@@ -53,7 +53,7 @@ void OpenDialog::show_to_save(const fs::path& suggestion, FilePurpose wanted) {
     show(suggestion.parent_path(), wanted);
     name_focused = false;
     rename(suggestion.filename().string());
-    if (wanted == FilePurpose::kExport) rename(exported.named(name.data()));
+    if (wanted == FilePurpose::kExport) rename(exported.suggested(name.data()));
 }
 
 void OpenDialog::rename(const std::string& text) {

@@ -88,12 +88,14 @@ struct Choice {
     std::string why_not; // empty: it can be done
 };
 
-// A button with an explanation below, or the reason why it is unavailable. `key`: a letter that presses it.
-bool draw_choice(const Choice& choice, bool marked) {
+// A button with an explanation below, or the reason why it is unavailable. `key`: a letter that presses it. `share`: of
+// the dialog's width.
+bool draw_choice(const Choice& choice, bool marked, float share) {
     const float scale = theme::scale();
     const float height = 2.0F * ImGui::GetTextLineHeight() + 18.0F * scale;
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x;
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float width = std::floor(share * (ImGui::GetContentRegionAvail().x + gap) - gap);
     const bool can = choice.why_not.empty();
     const ImVec4 ground = marked && can ? theme::kAccentDim : ImGui::GetStyleColorVec4(ImGuiCol_Button);
     ImGui::BeginDisabled(!can);
@@ -227,7 +229,7 @@ void draw_threshold(VolumeDialog& dialog) {
 // Equally high before and after the file is read, so that nothing moves under the pointer.
 void draw_contents(InterfaceContext& context, VolumeDialog& dialog) {
     const float line = ImGui::GetTextLineHeightWithSpacing(), row = ImGui::GetFrameHeightWithSpacing();
-    const float labels = 5.0F * row;
+    const float labels = 4.0F * row;
     ImGui::BeginChild("contents", {0.0F, 5.0F * line + labels + 2.0F * row + 8.0F * theme::scale()}, false,
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     if (!dialog.facts) {
@@ -264,10 +266,8 @@ std::vector<Choice> choices_for(const InterfaceContext& context, const VolumeDia
              place,
          why_not}};
     if (!tree || dialog.scan) return choices;
-    choices.push_back({As::kOrgan, "Plan in it as the organ", "O",
-                       "What do the vessels supply and drain, what do cuts cost?", why_not});
-    choices.push_back({As::kLesions, "Take its parts as lesions", "L",
-                       "Each with its volume, its margins and the vessels near it", why_not});
+    choices.push_back({As::kOrgan, "Plan in it as the organ", "O", "What vessels supply, what cuts cost", why_not});
+    choices.push_back({As::kLesions, "Take its parts as lesions", "L", "With volumes, margins, vessels near", why_not});
     return choices;
 }
 
@@ -329,8 +329,11 @@ void draw_volume_dialog(InterfaceContext& context) {
     const std::optional<As> by_key = chosen_by_key(dialog, choices);
     bool decided = by_key.has_value();
     As as = by_key.value_or(dialog.as);
-    for (const Choice& choice : choices)
-        if (draw_choice(choice, dialog.as == choice.as)) decided = true, as = choice.as;
+    for (const Choice& choice : choices) {
+        if (choice.as == As::kLesions) ImGui::SameLine(); // next to the organ, which takes half
+        if (draw_choice(choice, dialog.as == choice.as, choice.as == As::kOrgan ? 0.5F : 1.0F))
+            decided = true, as = choice.as;
+    }
     decided = decided && static_cast<std::size_t>(as) < choices.size() &&
               choices[static_cast<std::size_t>(as)].why_not.empty();
     ImGui::Dummy({0.0F, 4.0F * scale});

@@ -24,6 +24,20 @@ TEST_CASE("the name of an export has the ending of its format") {
     CHECK(choice.format().extension == ".glb");
 }
 
+TEST_CASE("territories get a name of their own") {
+    ExportChoice choice;
+    choice.follow("x.stl");
+    choice.what = ExportWhat::kTerritories;
+    CHECK(choice.suggested("liver.nii.gz") == "liver-territories.nii.gz");
+    CHECK(choice.suggested("liver-territories.vtp") == "liver-territories.nii.gz");
+    CHECK(choice.named("parts.nii.gz") == "parts.nii.gz"); // as it was typed
+    choice.what = ExportWhat::kSurface;
+    CHECK(choice.suggested("liver-territories.nii.gz") == "liver.stl");
+    choice.follow("a.seg.nrrd");
+    CHECK(choice.what == ExportWhat::kTerritories);
+    CHECK(choice.format().extension == ".seg.nrrd");
+}
+
 TEST_CASE("a name chooses kind and format, of two kinds the one that is chosen") {
     ExportChoice choice;
     choice.follow("a.swc");
