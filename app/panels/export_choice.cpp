@@ -123,7 +123,8 @@ std::string ExportChoice::named(const std::string& name) const {
 
 std::string ExportChoice::suggested(const std::string& name) const {
     constexpr std::string_view kOfTerritories = "-territories";
-    const std::string whole = named(name), extension = lower_extension(whole);
+    std::string whole = named(name);
+    const std::string extension = lower_extension(whole);
     if (whole.empty()) return whole;
     std::string stem = whole.substr(0, whole.size() - extension.size());
     if (stem.ends_with(kOfTerritories)) stem.resize(stem.size() - kOfTerritories.size());
