@@ -49,6 +49,6 @@ for _ in range(3):
     begin = time.perf_counter()
     interpolator.Update()
     best = min(best, time.perf_counter() - begin)
-found = vtk_to_numpy(interpolator.GetOutput().GetPointData().GetArray("id"))
+found = vtk_to_numpy(interpolator.GetOutput().GetPointData().GetArray("id")).astype(int)
 away = numpy.linalg.norm(points[found] - voxels, axis=1)
 print(f"VTK static point locator, all cores: {best:.3f} s; farther than scipy's at {int((away > distances + 1e-3).sum())} voxels")
