@@ -229,7 +229,8 @@ void draw_threshold(VolumeDialog& dialog) {
 // Equally high before and after the file is read, so that nothing moves under the pointer.
 void draw_contents(InterfaceContext& context, VolumeDialog& dialog) {
     const float line = ImGui::GetTextLineHeightWithSpacing(), row = ImGui::GetFrameHeightWithSpacing();
-    const float labels = 4.0F * row;
+    const bool low = static_cast<float>(context.layout.window.y) < 720.0F * theme::scale();
+    const float labels = (low ? 3.0F : 5.0F) * row;
     ImGui::BeginChild("contents", {0.0F, 5.0F * line + labels + 2.0F * row + 8.0F * theme::scale()}, false,
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     if (!dialog.facts) {
