@@ -4,6 +4,7 @@
 #include "app/session/colour_by.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/label_map_file.h"
+#include "core/mesh/systems.h"
 
 #include <algorithm>
 #include <cctype>
@@ -31,14 +32,6 @@ std::string file_of(const std::filesystem::path& pattern, const std::string& nam
     std::string file = stem;
     for (int n = 2; !taken.insert(file).second; ++n) file = stem + "-" + std::to_string(n);
     return (pattern.parent_path() / (file + pattern.extension().string())).string();
-}
-
-void append(mesh::TriangleMesh& all, const mesh::TriangleMesh& one, std::size_t part) {
-    const auto first = static_cast<std::uint32_t>(all.positions.size());
-    all.positions.insert(all.positions.end(), one.positions.begin(), one.positions.end());
-    all.normals.insert(all.normals.end(), one.normals.begin(), one.normals.end());
-    all.branches.insert(all.branches.end(), one.positions.size(), static_cast<std::int32_t>(part));
-    for (const glm::uvec3& triangle : one.triangles) all.triangles.push_back(triangle + first);
 }
 
 // Parts are written as systems, whose names and colours files can hold, of one branch each.
@@ -93,7 +86,8 @@ Result<std::vector<PartSurface>> write_organ_surfaces(const OrganParts& parts, s
         const std::string& name = parts.names[n];
         written.push_back({name, together ? file.string() : file_of(file, name, taken), one.triangles.size()});
         if (together) {
-            append(all, one, n);
+            one.branches.assign(one.positions.size(), static_cast<std::int32_t>(n));
+            mesh::append(all, std::move(one));
             continue;
         }
         io::MeshNames of_one;
