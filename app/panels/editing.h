@@ -5,6 +5,7 @@
 #include "app/panels/widgets.h"
 #include "app/picture/flat_map.h"
 #include "app/session/objects.h"
+#include "app/session/systems.h"
 #include "core/organ/couinaud.h"
 
 #include <array>
@@ -52,6 +53,7 @@ struct Editing {
     struct FlatMaps {
         std::set<int> open;                                 // by id of the resection
         std::shared_ptr<const Operation> of;                // of those that are made
+        Systems systems;                                    // their colours
         std::map<std::size_t, std::optional<FlatMap>> made; // by index
     } maps;
     std::set<std::string> closed; // sections of the side panel, by title

@@ -94,8 +94,7 @@ void draw_legend(const FlatMap& map, const Lengths& lengths) {
         const float width = size + ImGui::CalcTextSize(band.distance.c_str()).x;
         if (n > 0 && ImGui::GetItemRectMax().x + gap + width < right) ImGui::SameLine(0.0F, gap);
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 0.15F * size},
-                                                  {at.x + 0.7F * size, at.y + 0.85F * size}, opaque(band.colour), 2.0F);
+        widgets::patch(at, band.colour);
         ImGui::SetCursorScreenPos({at.x + size, at.y});
         ImGui::TextUnformatted(band.distance.c_str());
     }

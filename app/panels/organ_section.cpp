@@ -159,9 +159,7 @@ void draw_parts(InterfaceContext& context, const Marks& marks) {
         ImGui::AlignTextToFramePadding();
         ImVec2 at = ImGui::GetCursorScreenPos();
         at.y += ImGui::GetStyle().FramePadding.y;
-        ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 0.15F * size},
-                                                  {at.x + 0.7F * size, at.y + 0.85F * size},
-                                                  widgets::packed(glm::vec4(colour, 1.0F)), 2.0F);
+        widgets::patch(at, colour);
         ImGui::SetCursorScreenPos({at.x + size, at.y - ImGui::GetStyle().FramePadding.y});
         ImGui::AlignTextToFramePadding();
         const std::string value =

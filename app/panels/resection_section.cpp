@@ -26,12 +26,13 @@ bool has_margin(const Resection& resection) {
     return resection.kind == ResectionKind::kCuts || resection.kind == ResectionKind::kLesion;
 }
 
-// Of a plane or a sheet that is made.
+// Of a plane or a sheet that is made, from Editing::FlatMaps::of, which is then not null.
 const FlatMap* flat_map(InterfaceContext& context, const Marks& marks, std::size_t index) {
     Editing::FlatMaps& maps = context.interface.of<Editing>().maps;
     const auto operation = operation_of(context.workspace.assets(), marks, marks.plans.place, OperationOf::kLast);
     if (!operation) return nullptr;
-    if (maps.of != operation) maps.of = operation, maps.made.clear();
+    const Systems& systems = systems_of(*operation->of.supply->of.tree, marks);
+    if (maps.of != operation || maps.systems != systems) maps = {std::move(maps.open), operation, systems, {}};
     auto found = maps.made.find(index);
     if (found == maps.made.end()) found = maps.made.emplace(index, flat_map_of(*operation, index, marks)).first;
     return found->second ? &*found->second : nullptr;
@@ -68,7 +69,7 @@ void draw_resection(InterfaceContext& context, const Resection& resection, std::
         if (row.visible) plan_rows::object_opacity(context, row);
         const Marks& marks = context.workspace.document().marks();
         if (const FlatMap* map = open ? flat_map(context, marks, index) : nullptr)
-            draw_flat_map(context, *map, context.workspace.assets().organ.mask.value.value()->claims);
+            draw_flat_map(context, *map, context.interface.of<Editing>().maps.of->of.supply->of.mask->claims);
     }
     ImGui::PopID();
     ImGui::PopStyleVar();

@@ -231,6 +231,12 @@ void quiet(const char* text) { ImGui::TextColored(theme::kQuiet, "%s", text); }
 void quiet_wrapped(const char* text) { wrapped(text, theme::kQuiet); }
 void trouble(const char* text) { wrapped(text, theme::kTrouble); }
 
+void patch(const ImVec2& at, const glm::vec3& colour) {
+    const float size = ImGui::GetTextLineHeight();
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 0.15F * size}, {at.x + 0.7F * size, at.y + 0.85F * size},
+                                              packed(glm::vec4(colour, 1.0F)), 2.0F);
+}
+
 void quiet_right(const std::string& text) {
     align_right(ImGui::CalcTextSize(text.c_str()).x);
     quiet(text.c_str());

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <imgui.h>
 #include <initializer_list>
@@ -112,6 +113,9 @@ struct ListTable {
 // False: invisible; do not call end_list().
 [[nodiscard]] bool begin_list(const ListTable& table, std::size_t rows);
 void end_list();
+
+// A square patch of colour in a line of text whose upper left corner is `at`, for lists that explain a picture.
+void patch(const ImVec2& at, const glm::vec3& colour);
 
 // Converts to ImGui's packed colours.
 [[nodiscard]] inline ImU32 packed(const glm::vec4& colour) {
