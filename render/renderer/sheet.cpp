@@ -21,17 +21,21 @@ Sheet outline_of(const Sheet& sheet) {
         bare.size = viewport.frame.size;
         bare.background = viewport.frame.background;
         viewport.frame = bare;
+        if (viewport.slice) viewport.slice.emplace();
     }
     return outline;
 }
 
 bool wants_scale(const Sheet::Viewport& viewport) {
-    return viewport.frame.overlays.scale_bar && !viewport.frame.camera.orthographic;
+    return !viewport.slice && viewport.frame.overlays.scale_bar && !viewport.frame.camera.orthographic;
 }
+
+bool is_slice(const Sheet::Viewport& viewport) { return viewport.slice.has_value(); }
 
 std::optional<ScaleBar> scale_bar_in(const Sheet& sheet) {
     for (const Sheet::Viewport& viewport : sheet.viewports)
-        if (auto bar = OverlayPainter::scale_bar(SpriteSource(viewport.frame))) return bar;
+        if (auto bar = is_slice(viewport) ? std::nullopt : OverlayPainter::scale_bar(SpriteSource(viewport.frame)))
+            return bar;
     return {};
 }
 
@@ -44,21 +48,42 @@ Sheet sheet_of(Frame frame) {
     return sheet;
 }
 
+std::size_t SheetRenderer::place_of(const Sheet& sheet, std::size_t viewport) {
+    const bool slice = is_slice(sheet.viewports[viewport]);
+    return static_cast<std::size_t>(std::count_if(sheet.viewports.begin(),
+                                                  sheet.viewports.begin() + static_cast<std::ptrdiff_t>(viewport),
+                                                  [&](const Sheet::Viewport& one) { return is_slice(one) == slice; }));
+}
+
 // Releases renderers before drawing, to free memory. Nothing is shown until drawing has succeeded.
-void SheetRenderer::keep(std::size_t viewports) {
-    if (others_.size() < viewports) return;
-    others_.resize(viewports - 1);
+void SheetRenderer::keep(const Sheet& sheet) {
+    const auto slices = static_cast<std::size_t>(std::ranges::count_if(sheet.viewports, is_slice));
+    if (screens_.size() > slices) screens_.resize(slices);
+    const std::size_t frames = std::max<std::size_t>(sheet.viewports.size() - slices, 1);
+    if (others_.size() < frames) return;
+    others_.resize(frames - 1);
     blend_.reset();
     shown_ = {};
     depths_.clear();
 }
 
+void SheetRenderer::draw_slices(const Sheet& sheet, DrawStatistics& sum) {
+    for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {
+        const Sheet::Viewport& viewport = sheet.viewports[i];
+        if (!is_slice(viewport)) continue;
+        if (const std::size_t place = place_of(sheet, i); place == screens_.size()) screens_.emplace_back();
+        sum.shaded |= screen(sheet, i).draw(viewport.frame, *viewport.slice);
+    }
+}
+
 Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t upload_budget, double seconds) {
     if (auto fits = check_size(sheet.size.x, sheet.size.y); !fits) return tl::unexpected(fits.error());
-    keep(sheet.viewports.size());
+    keep(sheet);
     DrawStatistics sum;
+    const auto frames = static_cast<std::size_t>(
+        std::ranges::count_if(sheet.viewports, [](const auto& viewport) { return !is_slice(viewport); }));
     const bool at_once = seconds == kUntilDone;
-    while (others_.size() + 1 < sheet.viewports.size()) {
+    while (others_.size() + 1 < frames) {
         RAMUS_TRY(made, Renderer::create(kGlassBytes, first_.surface_bytes()));
         if (first_.draws_first_in_parts()) made->draw_first_in_parts();
         others_.push_back(std::move(made));
@@ -67,13 +92,21 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
     }
     // A new viewport has no earlier picture to show meanwhile; draws one such picture per call.
     for (std::size_t i = 1; i < sheet.viewports.size() && !at_once; ++i) {
-        if (renderer(i).has_picture()) continue;
-        auto first = renderer(i).draw(sheet.viewports[i].frame, upload_budget, seconds);
+        if (is_slice(sheet.viewports[i]) || place_of(sheet, i) == 0 || renderer(sheet, i).has_picture()) continue;
+        auto first = renderer(sheet, i).draw(sheet.viewports[i].frame, upload_budget, seconds);
         if (first) first->unfinished = true;
         return first;
     }
+    const auto slices = within_memory(
+        "give a smaller size", [&] { screens_.clear(); },
+        [&]() -> Result<void> {
+            draw_slices(sheet, sum);
+            return {};
+        });
+    if (!slices) return tl::unexpected(slices.error());
     for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {
-        auto done = renderer(i).draw(sheet.viewports[i].frame, upload_budget, seconds);
+        if (is_slice(sheet.viewports[i])) continue;
+        auto done = renderer(sheet, i).draw(sheet.viewports[i].frame, upload_budget, seconds);
         if (!done) return done;
         upload_budget -= upload_budget == kUploadAll ? 0 : std::min<std::size_t>(upload_budget, done->uploaded);
         sum.triangles += done->triangles;
@@ -86,7 +119,7 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
         sum.coarse |= done->coarse;
         sum.of_before |= done->of_before;
         sum.seconds += done->seconds;
-        if (i == 0 || done->quality == Quality::kInteractive) sum.quality = done->quality;
+        if (place_of(sheet, i) == 0 || done->quality == Quality::kInteractive) sum.quality = done->quality;
     }
     scale_bar_ = scale_bar_in(sheet);
     Sheet outline = outline_of(sheet);
@@ -108,7 +141,8 @@ Result<DrawStatistics> SheetRenderer::draw_with_scale(Sheet sheet) {
     if (!done || std::ranges::none_of(sheet.viewports, wants_scale)) return done;
     std::vector<DepthMap> maps;
     for (std::size_t i = 0; i < sheet.viewports.size(); ++i)
-        if (auto map = renderer(i).read_depths()) maps.push_back(std::move(*map));
+        if (auto map = is_slice(sheet.viewports[i]) ? std::nullopt : renderer(sheet, i).read_depths())
+            maps.push_back(std::move(*map));
     const auto visible = visible_in(maps);
     if (!visible) return done;
     for (Sheet::Viewport& viewport : sheet.viewports)
@@ -141,7 +175,8 @@ Result<Refined> SheetRenderer::refine(const Sheet& sheet, double seconds) {
     if (sheet.viewports.size() != shown_.viewports.size()) return sum; // not drawn, or not yet
     const Stopwatch watch;
     for (std::size_t i = 0; i < sheet.viewports.size() && !sum.more; ++i) {
-        RAMUS_TRY(done, renderer(i).refine(seconds - watch.seconds()));
+        if (is_slice(sheet.viewports[i])) continue;
+        RAMUS_TRY(done, renderer(sheet, i).refine(seconds - watch.seconds()));
         sum.more = done.more;
         sum.changed |= done.changed;
     }
@@ -154,13 +189,15 @@ void SheetRenderer::finish() { glFinish(); }
 
 Image SheetRenderer::read_image() {
     if (blend_) return blend_->picture().read();
-    if (shown_.viewports.size() == 1) return first_.read_image();
+    const auto image_of = [&](std::size_t i) {
+        return is_slice(shown_.viewports[i]) ? screen(shown_, i).image() : renderer(shown_, i).read_image();
+    };
+    if (shown_.viewports.size() == 1) return image_of(0);
     Image sheet(shown_.size.x, shown_.size.y);
     const bool clear =
         std::ranges::any_of(shown_.viewports, [](const auto& p) { return p.frame.background.transparent; });
     if (!clear) sheet.fill(shown_.divider);
-    for (std::size_t i = 0; i < shown_.viewports.size(); ++i)
-        sheet.put(renderer(i).read_image(), shown_.viewports[i].at);
+    for (std::size_t i = 0; i < shown_.viewports.size(); ++i) sheet.put(image_of(i), shown_.viewports[i].at);
     return sheet;
 }
 
@@ -168,7 +205,8 @@ std::vector<bool> SheetRenderer::read_covered() {
     const auto width = static_cast<std::size_t>(shown_.size.x);
     std::vector<bool> covered(width * static_cast<std::size_t>(shown_.size.y));
     for (std::size_t i = 0; i < shown_.viewports.size(); ++i) {
-        const BranchPicture picture = renderer(i).read_branches();
+        if (is_slice(shown_.viewports[i])) continue; // has no background that could be cropped
+        const BranchPicture picture = renderer(shown_, i).read_branches();
         const auto left = static_cast<std::size_t>(shown_.viewports[i].at.x);
         const auto top = static_cast<std::size_t>(shown_.viewports[i].at.y);
         const auto across = static_cast<std::size_t>(picture.width);
@@ -190,8 +228,11 @@ void SheetRenderer::present(unsigned framebuffer, int x, int y) {
     }
     for (std::size_t i = 0; i < shown_.viewports.size(); ++i) {
         const Sheet::Viewport& viewport = shown_.viewports[i];
-        renderer(i).present(framebuffer, x + viewport.at.x, y + shown_.size.y - viewport.at.y - viewport.frame.size.y,
-                            viewport.frame.size);
+        const int below = y + shown_.size.y - viewport.at.y - viewport.frame.size.y;
+        if (is_slice(viewport))
+            screen(shown_, i).present(framebuffer, x + viewport.at.x, below, viewport.frame.size);
+        else
+            renderer(shown_, i).present(framebuffer, x + viewport.at.x, below, viewport.frame.size);
     }
 }
 
@@ -221,16 +262,19 @@ Pick SheetRenderer::pick(glm::dvec2 at) {
     if (shown_.viewports.empty()) return {};
     const std::size_t viewport = viewport_at(shown_, at);
     const glm::dvec2 in = at - glm::dvec2(shown_.viewports[viewport].at);
-    return without_branch(shown_, viewport, renderer(viewport).pick(in.x, in.y));
+    if (is_slice(shown_.viewports[viewport])) return screen(shown_, viewport).pick(in);
+    return without_branch(shown_, viewport, renderer(shown_, viewport).pick(in.x, in.y));
 }
 
 std::optional<Pick> SheetRenderer::pick(glm::dvec2 at, const Seen& of) {
     if (of.outline.viewports.empty()) return Pick{};
     const std::size_t viewport = viewport_at(of.outline, at);
-    if (viewport > others_.size() || viewport >= of.numbers.size()) return {};
     const Sheet::Viewport& seen = of.outline.viewports[viewport];
     const glm::dvec2 in = at - glm::dvec2(seen.at);
-    const auto pick = renderer(viewport).pick(in.x, in.y, of.numbers[viewport], seen.frame.size);
+    const std::size_t place = place_of(of.outline, viewport);
+    if (is_slice(seen)) return of.outline == shown_ ? std::optional(screens_[place].pick(in)) : std::nullopt;
+    if (place > others_.size() || place >= of.numbers.size()) return {};
+    const auto pick = renderer(of.outline, viewport).pick(in.x, in.y, of.numbers[place], seen.frame.size);
     if (!pick) return pick;
     return without_branch(of.outline, viewport, *pick);
 }
@@ -245,12 +289,17 @@ void SheetRenderer::request_pick(glm::dvec2 at) {
     if (shown_.viewports.empty()) return;
     asked_ = viewport_at(shown_, at);
     const glm::dvec2 in = at - glm::dvec2(shown_.viewports[asked_].at);
-    renderer(asked_).request_pick(in.x, in.y);
+    slice_pick_.reset();
+    if (is_slice(shown_.viewports[asked_]))
+        slice_pick_ = screen(shown_, asked_).pick(in);
+    else
+        renderer(shown_, asked_).request_pick(in.x, in.y);
 }
 
 std::optional<Pick> SheetRenderer::poll_pick() {
     if (asked_ >= shown_.viewports.size()) return Pick{};
-    const auto pick = renderer(asked_).poll_pick();
+    if (is_slice(shown_.viewports[asked_])) return std::exchange(slice_pick_, std::nullopt);
+    const auto pick = renderer(shown_, asked_).poll_pick();
     if (!pick) return pick;
     return without_branch(shown_, asked_, *pick);
 }
@@ -258,13 +307,15 @@ std::optional<Pick> SheetRenderer::poll_pick() {
 bool SheetRenderer::request_depths() {
     depths_.clear();
     for (std::size_t i = 0; i < shown_.viewports.size(); ++i)
-        if (!renderer(i).request_depths()) return false;
+        if (!is_slice(shown_.viewports[i]) && !renderer(shown_, i).request_depths()) return false;
     return !shown_.viewports.empty();
 }
 
 std::optional<std::vector<DepthMap>> SheetRenderer::poll_depths() {
     while (depths_.size() < shown_.viewports.size()) {
-        auto map = renderer(depths_.size()).poll_depths();
+        // A slice has no depths.
+        auto map = is_slice(shown_.viewports[depths_.size()]) ? std::optional(DepthMap())
+                                                              : renderer(shown_, depths_.size()).poll_depths();
         if (!map) return {};
         depths_.push_back(std::move(*map));
     }

@@ -1,4 +1,5 @@
-// Sheet: a picture of several frames, in adjacent viewports or mixed, as a comparable value. SheetRenderer draws it. A
+// Sheet: a picture of several frames and slices, in adjacent viewports, or of two mixed frames, as a comparable value.
+// SheetRenderer draws it. A
 // sheet with one viewport equals that frame's picture, bit by bit. Each viewport keeps its picture, so a change in one
 // draws nothing in the others, and fading draws no frame again.
 //
@@ -9,6 +10,7 @@
 #include "render/gl/gl_objects.h"
 #include "render/overlay/overlay.h"
 #include "render/renderer/renderer.h"
+#include "render/renderer/slice_screen.h"
 #include "render/renderer/targets.h"
 
 #include <memory>
@@ -50,6 +52,8 @@ struct Sheet {
         glm::ivec2 at{0}; // its upper left corner; its size is the frame's
         Frame frame;
         bool has_branches = true; // false: picks find no branch here
+        // Shows the section of the frame instead; its grid has the frame's size. Not in mixed sheets.
+        std::optional<SliceView> slice{};
         bool operator==(const Viewport&) const = default;
     };
     glm::ivec2 size{1};              // pixels
@@ -110,18 +114,29 @@ public:
     [[nodiscard]] static std::size_t viewport_at(const Sheet& sheet, glm::dvec2 at);
 
 private:
-    [[nodiscard]] Renderer& renderer(std::size_t viewport) { return viewport == 0 ? first_ : *others_[viewport - 1]; }
-    void keep(std::size_t viewports); // releases further renderers
+    // What draws a viewport: a screen for a slice, else a renderer. By the numbers of slices and frames before it.
+    [[nodiscard]] static std::size_t place_of(const Sheet& sheet, std::size_t viewport);
+    [[nodiscard]] Renderer& renderer(const Sheet& sheet, std::size_t viewport) {
+        const std::size_t place = place_of(sheet, viewport);
+        return place == 0 ? first_ : *others_[place - 1];
+    }
+    [[nodiscard]] SliceScreen& screen(const Sheet& sheet, std::size_t viewport) {
+        return screens_[place_of(sheet, viewport)];
+    }
+    void keep(const Sheet& sheet); // releases further renderers and screens
+    void draw_slices(const Sheet& sheet, DrawStatistics& sum);
     [[nodiscard]] Result<void> blend(const Sheet& sheet);
     [[nodiscard]] static Pick without_branch(const Sheet& outline, std::size_t viewport, Pick pick);
 
     Renderer& first_;
     std::vector<std::unique_ptr<Renderer>> others_;
+    std::vector<SliceScreen> screens_;
     std::optional<Blend> blend_;
     std::optional<OverlayPainter> painter_; // for the heading
     Sheet shown_;                           // the last sheet; frames reduced to their layout
     std::size_t asked_ = 0;                 // the viewport of request_pick()
     std::vector<DepthMap> depths_;          // of the viewports that have answered request_depths(), in order
+    std::optional<Pick> slice_pick_;        // the answer to request_pick() in a slice
     std::optional<ScaleBar> scale_bar_;
 };
 

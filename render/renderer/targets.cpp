@@ -88,6 +88,14 @@ void PictureTarget::bind() const {
     glViewport(0, 0, size.x, size.y);
 }
 
+void PictureTarget::put(const Image& opaque) {
+    Image upside_down(size.x, size.y);
+    const std::size_t row = 4 * static_cast<std::size_t>(size.x);
+    for (int y = 0; y < size.y; ++y) std::copy_n(opaque.pixel(0, size.y - 1 - y), row, upside_down.pixel(0, y));
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTextureSubImage2D(colour, 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.rgba.data());
+}
+
 Image PictureTarget::read_premultiplied() const {
     Image image(size.x, size.y);
     if (size.x == 0) return image;

@@ -97,6 +97,7 @@ struct PictureTarget {
 
     void make(glm::ivec2 pixels); // `size` is 0 if this throws
     void bind() const;
+    void put(const Image& opaque); // of this size
     // Straight alpha, rows from the top; an empty image if the size is 0.
     [[nodiscard]] Image read() const;
     [[nodiscard]] Image read_premultiplied() const;

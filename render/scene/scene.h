@@ -80,6 +80,7 @@ struct ContextMesh {
     glm::vec3 colour{0.8F};
     float opacity = 0.3F;   // where it faces the eye, higher towards its outline; 0: invisible, 1: opaque
     bool wireframe = false; // draws the edges of triangles instead of the surface
+    bool filled_on_slices = false; // slices tint its inside, as for territories
     bool operator==(const ContextMesh&) const = default;
     [[nodiscard]] bool shown() const { return mesh != nullptr && opacity > 0.0F; }
     [[nodiscard]] bool clear() const { return shown() && (opacity < 1.0F || wireframe); }

@@ -1,0 +1,228 @@
+#include "render/slice/slice_painter.h"
+
+#include "render/image/canvas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+
+namespace ramus::render {
+
+namespace {
+
+std::uint8_t byte_of(float share) { return static_cast<std::uint8_t>(std::lround(255.0F * share)); }
+
+std::vector<glm::dvec2> pixels_of(const slice::PixelGrid& grid, const std::vector<glm::dvec3>& places) {
+    std::vector<glm::dvec2> pixels;
+    pixels.reserve(places.size());
+    for (const glm::dvec3& place : places) pixels.push_back(grid.pixel(place));
+    return pixels;
+}
+
+// The values of the label at every pixel, 0 outside.
+std::vector<std::int32_t> labels_of(const volume::Volume& mask, const slice::PixelGrid& grid) {
+    const std::vector<float> values = slice::sampled(mask, grid, {.interpolation = slice::Interpolation::kNearest});
+    std::vector<std::int32_t> labels(values.size());
+    for (std::size_t n = 0; n < values.size(); ++n) {
+        if (std::isnan(values[n])) continue;
+        const bool fractions = !volume::holds_whole_numbers(mask);
+        auto label = fractions ? static_cast<std::int32_t>(values[n] >= 0.5F) : static_cast<std::int32_t>(values[n]);
+        const auto overlap = std::ranges::find(mask.overlaps, label, &volume::Overlap::value);
+        if (overlap != mask.overlaps.end()) label = overlap->labels.back();
+        labels[n] = label;
+    }
+    return labels;
+}
+
+void tint(std::uint8_t* pixel, const glm::vec3& colour, float opacity) {
+    for (int k = 0; k < 3; ++k)
+        pixel[k] = static_cast<std::uint8_t>(std::lround((1.0F - opacity) * pixel[k] + 255.0F * opacity * colour[k]));
+}
+
+} // namespace
+
+Frame section_source(const Frame& frame) {
+    Frame source;
+    source.mesh = frame.mesh;
+    source.states = frame.states;
+    source.colours = frame.colours;
+    source.centerlines = frame.centerlines;
+    source.scale = frame.scale;
+    source.lesions = frame.lesions;
+    source.context = frame.context;
+    source.margins = frame.margins;
+    source.lost = frame.lost;
+    source.hovered = frame.hovered;
+    source.selected = frame.selected;
+    source.appearance = frame.appearance;
+    return source;
+}
+
+Camera camera_of(const slice::PixelGrid& grid) {
+    Camera camera;
+    camera.orthographic = true;
+    camera.focal_point = grid.place(0.5 * glm::dvec2(grid.size) - 0.5);
+    camera.position = camera.focal_point + 500.0 * grid.plane().normal;
+    camera.view_up = -glm::normalize(grid.down);
+    camera.scale = 0.5 * grid.size.y * glm::length(grid.down);
+    return camera;
+}
+
+Image scan_picture(const volume::Volume& scan, const slice::PixelGrid& grid, const slice::Sampling& sampling,
+                   const slice::Window& window) {
+    Image image(grid.size.x, grid.size.y);
+    const std::vector<float> values = slice::sampled(scan, grid, sampling);
+    for (std::size_t n = 0; n < values.size(); ++n) {
+        if (std::isnan(values[n])) continue;
+        std::uint8_t* const out = image.rgba.data() + 4 * n;
+        std::fill(out, out + 3, byte_of(window.grey(values[n])));
+        out[3] = 255;
+    }
+    return image;
+}
+
+void SlicePainter::sample(const SliceView& view) {
+    if (sampled_at_ != view.grid || sampled_by_ != view.sampling) sampled_.clear();
+    sampled_at_ = view.grid;
+    sampled_by_ = view.sampling;
+    std::vector<Sampled> layers;
+    for (const ScanLayer& layer : view.scans) {
+        const auto known = std::ranges::find(sampled_, layer.scan, &Sampled::scan);
+        if (known != sampled_.end())
+            layers.push_back(*known);
+        else
+            layers.push_back({layer.scan, slice::sampled(*layer.scan, view.grid, view.sampling)});
+    }
+    sampled_ = std::move(layers);
+}
+
+void SlicePainter::paint_scans(const SliceView& view, Image& image) const {
+    for (std::size_t layer = 0; layer < sampled_.size(); ++layer) {
+        const slice::Window& window = view.scans[layer].window;
+        const float opacity = view.scans[layer].opacity;
+        const std::vector<float>& values = sampled_[layer].values;
+        for (std::size_t n = 0; n < values.size(); ++n) {
+            if (std::isnan(values[n])) continue;
+            std::uint8_t* const out = image.rgba.data() + 4 * n;
+            if (opacity >= 1.0F)
+                std::fill(out, out + 3, byte_of(window.grey(values[n])));
+            else
+                tint(out, glm::vec3(window.grey(values[n])), opacity);
+        }
+    }
+}
+
+void SlicePainter::cut(const Frame& frame, const SliceView& view) {
+    Frame source = section_source(frame);
+    const slice::Plane plane = view.grid.plane();
+    if (cut_drawn_ && plane == cut_at_ && source == cut_of_) return;
+    section_ = cutter_.section(source, plane);
+    cut_of_ = std::move(source);
+    cut_at_ = plane;
+    cut_drawn_ = true;
+}
+
+void SlicePainter::paint_masks(const SliceView& view, Image& image) const {
+    for (const MaskLayer& layer : view.masks) {
+        if (!layer.mask) continue;
+        const std::vector<std::int32_t> labels = labels_of(*layer.mask, view.grid);
+        const int width = image.width;
+        const auto label_at = [&](int x, int y) {
+            const bool inside = x >= 0 && y >= 0 && x < width && y < image.height;
+            return inside ? labels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                   static_cast<std::size_t>(x)]
+                          : -1;
+        };
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const std::int32_t label = label_at(x, y);
+                const auto look = std::ranges::lower_bound(layer.labels, label, {}, &MaskLayer::Label::label);
+                if (look == layer.labels.end() || look->label != label) continue;
+                const bool border = label_at(x - 1, y) != label || label_at(x + 1, y) != label ||
+                                    label_at(x, y - 1) != label || label_at(x, y + 1) != label;
+                tint(image.pixel(x, y), look->colour, border ? layer.border : layer.fill);
+            }
+    }
+}
+
+void SlicePainter::paint_section(const SliceView& view, Image& image) const {
+    Canvas canvas(image);
+    if (view.outlines) {
+        std::map<int, std::vector<std::vector<glm::dvec2>>> filled;
+        std::map<int, const SectionLine*> looks;
+        for (const SectionLine& line : section_.lines)
+            if (line.fill > 0.0F && line.closed) {
+                filled[line.group].push_back(pixels_of(view.grid, line.points));
+                looks[line.group] = &line;
+            }
+        for (const auto& [group, polygons] : filled) canvas.area(polygons, looks[group]->colour, looks[group]->fill);
+        for (const SectionLine& line : section_.lines)
+            canvas.line(pixels_of(view.grid, line.points), line.closed,
+                        {line.colour, line.width * view.pixel_ratio, line.opacity});
+    }
+    if (!view.axes) return;
+    for (const AxisCrossing& crossing : section_.crossings) {
+        const glm::dvec2 at = view.grid.pixel(crossing.at);
+        canvas.dot(at, {glm::vec3(0.0F), 4.2F * view.pixel_ratio, 0.7F});
+        canvas.dot(at, {crossing.colour, 2.4F * view.pixel_ratio, 1.0F});
+    }
+}
+
+namespace {
+
+void paint_crosshair(const SliceView& view, Image& image) {
+    if (!view.crosshair) return;
+    Canvas canvas(image);
+    const glm::dvec2 at = view.grid.pixel(view.crosshair->at);
+    const double gap = 9.0 * static_cast<double>(view.pixel_ratio);
+    const auto draw = [&](const glm::dvec2& from, const glm::dvec2& to, const glm::vec3& colour) {
+        const std::array ends{from, to};
+        canvas.line(ends, false, {colour, 1.1F * view.pixel_ratio, 0.75F});
+    };
+    const double width = image.width;
+    const double height = image.height;
+    // Ends beyond the picture are kept inside it, since the cost of a line is that of its box.
+    if (at.x - gap > 0.0) draw({0.0, at.y}, {std::min(at.x - gap, width), at.y}, view.crosshair->row);
+    if (at.x + gap < width) draw({std::max(at.x + gap, 0.0), at.y}, {width, at.y}, view.crosshair->row);
+    if (at.y - gap > 0.0) draw({at.x, 0.0}, {at.x, std::min(at.y - gap, height)}, view.crosshair->column);
+    if (at.y + gap < height) draw({at.x, std::max(at.y + gap, 0.0)}, {at.x, height}, view.crosshair->column);
+}
+
+void paint_mark(const SliceView& view, Image& image) {
+    if (!view.mark) return;
+    const auto rows = std::min(image.height, static_cast<int>(std::lround(3.0F * view.pixel_ratio)));
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < image.width; ++x) tint(image.pixel(x, y), *view.mark, 1.0F);
+}
+
+} // namespace
+
+void SlicePainter::paint_sprites(const SliceView& view, Image& image) {
+    Frame frame;
+    frame.camera = camera_of(view.grid);
+    frame.size = view.grid.size;
+    frame.pixel_ratio = view.pixel_ratio;
+    frame.overlays = view.overlays;
+    frame.labels = view.labels;
+    Canvas canvas(image);
+    for (const Sprite& sprite : overlays_.paint(SpriteSource(frame))) canvas.picture(sprite.image, sprite.corner);
+}
+
+Image SlicePainter::paint(const Frame& frame, const SliceView& view) {
+    Image image(view.grid.size.x, view.grid.size.y);
+    image.fill(view.background);
+    sample(view);
+    paint_scans(view, image);
+    paint_masks(view, image);
+    if (view.outlines || view.axes) {
+        cut(frame, view);
+        paint_section(view, image);
+    }
+    paint_crosshair(view, image);
+    paint_mark(view, image);
+    paint_sprites(view, image);
+    return image;
+}
+
+} // namespace ramus::render
