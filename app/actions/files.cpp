@@ -172,9 +172,9 @@ Result<void> quit(ActionContext& context, Arguments) {
 
 Result<void> panel(ActionContext& context, Arguments arguments) {
     if (arguments.size() > 1 || (arguments.size() == 1 && arguments[0] != "explore" && arguments[0] != "surface" &&
-                                 arguments[0] != "plan" && arguments[0] != "other"))
+                                 arguments[0] != "slices" && arguments[0] != "plan" && arguments[0] != "other"))
         return fail("panel shows or hides itself, or one of its pages", {},
-                    "panel, panel explore, panel surface or panel plan");
+                    "panel, panel explore, panel surface, panel slices or panel plan");
     return toggle_part(context, arguments.empty() ? "panel" : arguments[0]);
 }
 

@@ -27,6 +27,8 @@ namespace ramus::app::actions {
 [[nodiscard]] Result<Outcome> read_context_in(ActionContext& context, const std::string& units);
 [[nodiscard]] std::vector<Command> measure_commands();
 [[nodiscard]] std::vector<Command> pin_commands();
+[[nodiscard]] std::vector<Command> scan_commands();
+[[nodiscard]] std::vector<Command> slice_commands();
 [[nodiscard]] std::vector<Command> report_commands();
 [[nodiscard]] std::vector<Command> reading_commands();
 [[nodiscard]] std::vector<Command> camera_commands();
@@ -66,6 +68,8 @@ inline constexpr std::array kCommandGroups{
     context_commands,       //
     measure_commands,       //
     pin_commands,           //
+    scan_commands,          //
+    slice_commands,         //
     report_commands,        //
     reading_commands,       //
     contact_commands,       //

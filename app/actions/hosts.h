@@ -78,7 +78,7 @@ public:
     FlyPaths flights;
 };
 
-enum class FilePurpose { kOpen, kSave, kLesionMesh, kLesionMask, kContext, kData, kMask, kDeviation, kOrgan, kExport };
+enum class FilePurpose { kOpen, kSave, kLesionMesh, kLesionMask, kContext, kData, kMask, kDeviation, kOrgan, kScan, kExport };
 
 // Opens files and shows file dialogs.
 class FileHost {

@@ -95,14 +95,30 @@ std::optional<Error> Assets::trouble(const Lesion& lesion) const {
                  lesion.file, "remove the lesion, and read the mask again"};
 }
 
-tree::Claims Assets::claims_of(const std::vector<ContextItem>& context) const {
+std::shared_ptr<const ScanFile> Assets::scan(const Scan& scan) const {
+    const auto* loaded = found(scans, source_of(scan));
+    return loaded != nullptr && loaded->value && !trouble(scan) ? *loaded->value : nullptr;
+}
+
+std::optional<Error> Assets::trouble(const Scan& scan) const {
+    const auto* loaded = found(scans, source_of(scan));
+    if (loaded == nullptr) return {};
+    if (!loaded->value) return loaded->value.error();
+    if (scan.checksum.empty() || scan.checksum == (*loaded->value)->checksum) return {};
+    return Error{"the scan has changed since the session was saved", scan.file,
+                 "remove it from the session, and open it again"};
+}
+
+tree::Claims Assets::claims_of(const SceneObjects& objects) const {
     tree::Claims claims;
-    for (const ContextItem& item : context) {
-        const auto shape = item.visible ? context_shape(source_of(item)) : nullptr;
-        if (!shape) continue;
-        claims.unit = std::max(claims.unit, shape->claims.unit);
-        claims.orientation = std::max(claims.orientation, shape->claims.orientation);
-    }
+    const auto join = [&](const tree::Claims& other) {
+        claims.unit = std::max(claims.unit, other.unit);
+        claims.orientation = std::max(claims.orientation, other.orientation);
+    };
+    for (const ContextItem& item : objects.context)
+        if (const auto shape = item.visible ? context_shape(source_of(item)) : nullptr) join(shape->claims);
+    for (const Scan& scan : objects.scans)
+        if (const auto file = scan.visible ? this->scan(scan) : nullptr) join(file->claims);
     return claims;
 }
 
@@ -124,6 +140,10 @@ void Assets::put(const LesionSource& source, Loaded<LesionFile> loaded) {
 
 void Assets::put(const ContextSource& source, Loaded<ContextShape> loaded) {
     context_shapes.insert_or_assign(source, std::move(loaded));
+}
+
+void Assets::put(const ScanSource& source, Loaded<ScanFile> loaded) {
+    scans.insert_or_assign(source, std::move(loaded));
 }
 
 void refresh(Assets& assets, const Document& document) { refresh(assets, document, document.marks().options); }
@@ -231,6 +251,23 @@ Result<void> load_context(Assets& assets, const Marks& marks, Job& job) {
     return {};
 }
 
+Result<std::shared_ptr<const ScanFile>> load_scan(Assets& assets, const ScanSource& source, std::uint64_t memory_bytes,
+                                                  Job& job) {
+    Loaded<ScanFile> loaded = read_scan(source, found(assets.scans, source), memory_bytes, job);
+    if (!job.cancelled()) assets.put(source, loaded);
+    return loaded.value;
+}
+
+Result<void> load_scans(Assets& assets, const Marks& marks, Job& job) {
+    for (const Scan& scan : marks.scans) {
+        if (!scan.visible) continue;
+        if (const auto file = load_scan(assets, source_of(scan), marks.options.memory_bytes, job); !file)
+            return tl::unexpected(file.error());
+        if (const auto trouble = assets.trouble(scan)) return tl::unexpected(*trouble);
+    }
+    return {};
+}
+
 bool contacts_awaited(const Assets& assets, const mesh::SurfaceOptions& options) {
     return assets.tree && !assets.contacts.fits(options);
 }
@@ -246,7 +283,8 @@ Result<void> complete(Assets& assets, const Document& document, Job& job) {
     if (document.marks().contact_marks) complete_contacts(assets, document);
     const Marks& marks = document.marks();
     if (auto organ = complete_organ(assets, marks, job); !organ) return organ;
-    return load_context(assets, document.marks(), job);
+    if (auto scans = load_scans(assets, marks, job); !scans) return scans;
+    return load_context(assets, marks, job);
 }
 
 void merge(Assets& assets, const Assets& from) {
@@ -254,6 +292,9 @@ void merge(Assets& assets, const Assets& from) {
         if (is_other(found(assets.lesion_files, source), loaded)) assets.put(source, loaded);
     for (const auto& [source, loaded] : from.context_shapes)
         if (const auto* mine = found(assets.context_shapes, source); mine == nullptr || mine->stamp != loaded.stamp)
+            assets.put(source, loaded);
+    for (const auto& [source, loaded] : from.scans)
+        if (const auto* mine = found(assets.scans, source); mine == nullptr || mine->stamp != loaded.stamp)
             assets.put(source, loaded);
     assets.lesion_grid = from.lesion_grid;
     if (assets.tree == from.tree) assets.lesion_distances = from.lesion_distances;
@@ -265,6 +306,10 @@ void keep_loaded(Assets& assets, Assets before, const Marks& marks) {
         return std::ranges::none_of(marks.context,
                                     [&](const ContextItem& item) { return source_of(item) == known.first; });
     });
+    std::erase_if(before.scans, [&](const auto& known) {
+        return std::ranges::none_of(marks.scans, [&](const Scan& scan) { return source_of(scan) == known.first; });
+    });
+    assets.scans.merge(before.scans);
     if (before.organ.source == marks.organ.source)
         assets.organ.source = before.organ.source, assets.organ.mask = before.organ.mask;
     assets.lesion_files.merge(before.lesion_files);

@@ -17,6 +17,7 @@
 #include "app/assets/measured.h"
 #include "app/assets/organ.h"
 #include "app/assets/plan.h"
+#include "app/assets/scans.h"
 #include "app/assets/selection_outline.h"
 #include "app/assets/shapes.h"
 #include "app/assets/validation.h"
@@ -37,6 +38,7 @@ struct Assets {
     // Loaded files. A missing entry has not been read yet.
     std::map<LesionSource, Loaded<LesionFile>> lesion_files;
     std::map<ContextSource, Loaded<ContextShape>> context_shapes;
+    std::map<ScanSource, Loaded<ScanFile>> scans;
 
     // Derived values. Each has its inputs; missing values are null or empty.
     LesionDistances lesion_distances;
@@ -60,15 +62,18 @@ struct Assets {
     // Why reading failed; none: it did not, or was not tried.
     [[nodiscard]] std::optional<Error> trouble(const ContextSource& source) const;
     [[nodiscard]] std::optional<Error> trouble(const Lesion& lesion) const;
+    [[nodiscard]] std::shared_ptr<const ScanFile> scan(const Scan& scan) const;
+    [[nodiscard]] std::optional<Error> trouble(const Scan& scan) const;
 
-    // The origin of unit and orientation of all visible items of `context`; known only if known for each of them.
-    [[nodiscard]] tree::Claims claims_of(const std::vector<ContextItem>& context) const;
+    // The origin of unit and orientation of all visible context and scans; known only if known for each of them.
+    [[nodiscard]] tree::Claims claims_of(const SceneObjects& objects) const;
 
     // Bounding box of the visible items of `context` that have been read.
     [[nodiscard]] render::Box box_of(const std::vector<ContextItem>& context) const;
 
     void put(const LesionSource& source, Loaded<LesionFile> loaded);
     void put(const ContextSource& source, Loaded<ContextShape> loaded);
+    void put(const ScanSource& source, Loaded<ScanFile> loaded);
 };
 
 // Updates derived values to the document, except slow ones: it reads no file, measures no distances to meshes
@@ -97,11 +102,14 @@ void complete_lesions(Assets& assets, const Document& document);
 // Returns the shape; reads it in the calling thread unless it is loaded and its file unmodified.
 [[nodiscard]] Result<std::shared_ptr<const LesionFile>> load_lesion(Assets& assets, const LesionSource& source,
                                                                     Job& job);
+[[nodiscard]] Result<std::shared_ptr<const ScanFile>> load_scan(Assets& assets, const ScanSource& source,
+                                                                std::uint64_t memory_bytes, Job& job);
 [[nodiscard]] Result<std::shared_ptr<const ContextShape>> load_context_shape(Assets& assets,
                                                                              const ContextSource& source, Job& job);
 
-// Reads all visible context. Fails with the first error; `what` is "cancelled" if `job` is cancelled.
+// Reads all visible context, or scans. Fails with the first error; `what` is "cancelled" if `job` is cancelled.
 [[nodiscard]] Result<void> load_context(Assets& assets, const Marks& marks, Job& job);
+[[nodiscard]] Result<void> load_scans(Assets& assets, const Marks& marks, Job& job);
 
 // Whether complete_contacts() has something to do.
 [[nodiscard]] bool contacts_awaited(const Assets& assets, const mesh::SurfaceOptions& options);

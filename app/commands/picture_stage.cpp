@@ -92,7 +92,7 @@ Result<render::Sheet> PictureStage::sheet(glm::ivec2 size) {
     Viewing viewing = viewing_;
     viewing.size = size;
     render::Sheet sheet = compose_sheet(document_.session(), assets, surfaces, viewing);
-    const std::vector<Viewport> viewports = viewports_of(marks, size, viewing.pixel_ratio);
+    const std::vector<Viewport> viewports = viewports_of(document_.session(), size, viewing.pixel_ratio);
     for (std::size_t i = 0; i < viewports.size(); ++i)
         sheet.viewports[i].frame.preview = surfaces.preview_of(viewports[i].surface);
     return sheet;

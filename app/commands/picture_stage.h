@@ -42,7 +42,7 @@ public:
 
     // PictureHost
     [[nodiscard]] glm::ivec2 picture_size() const override {
-        return viewports_of(document_.marks(), viewing_.size, viewing_.pixel_ratio).front().size;
+        return viewports_of(document_.session(), viewing_.size, viewing_.pixel_ratio).front().size;
     }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return surface_.mesh; }
     Result<render::BranchPicture> branch_picture() override;

@@ -109,7 +109,17 @@ Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview
 }
 
 const char* key_of(PanelPage page) {
-    return page == PanelPage::kExplore ? "explore" : page == PanelPage::kSurface ? "surface" : "plan";
+    switch (page) {
+    case PanelPage::kExplore:
+        return "explore";
+    case PanelPage::kSurface:
+        return "surface";
+    case PanelPage::kSlices:
+        return "slices";
+    case PanelPage::kPlan:
+        break;
+    }
+    return "plan";
 }
 
 bool Interface::dismiss() {

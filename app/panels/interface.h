@@ -35,7 +35,7 @@ struct Layout {
     int panel_width = 0;                 // 0 when it is closed
     int overview_height = 0;             // 0 when it is closed; below the picture
     glm::ivec2 view_at{0}, view_size{1}; // the picture
-    // Its viewports: their corners in the picture, and the size of each. One, nearly always.
+    // Its viewports without slices: their corners in the picture, and the size of each. One, nearly always.
     std::vector<glm::ivec2> viewports_at{glm::ivec2(0)};
     glm::ivec2 viewport_size{1};
     std::optional<std::size_t> current_plan_in{}; // the viewport of the current plan, where plans are compared
@@ -56,7 +56,8 @@ struct Notice {
 };
 
 // What the side panel shows: the tree and what is selected of it, how it is shown, or what is planned on it.
-enum class PanelPage : std::uint8_t { kExplore, kSurface, kPlan };
+enum class PanelPage : std::uint8_t { kExplore, kSurface, kSlices, kPlan };
+inline constexpr std::array kPanelPages{PanelPage::kExplore, PanelPage::kSurface, PanelPage::kSlices, PanelPage::kPlan};
 [[nodiscard]] const char* key_of(PanelPage page); // of the command `panel`
 
 // What a person waits for, so long that it is told.
@@ -80,6 +81,7 @@ struct Interface {
     bool tooltip = false;                          // the pointer rests on the picture
     int listed = tree::kNoBranch;                  // under the pointer in the list of branches
     std::optional<ObjectPlace> pointed;            // object of the scene under the pointer in the picture
+    std::optional<glm::dvec3> slice_place;         // under the pointer on a slice, mm
     PointedLesion listed_lesion;                   // under the pointer among the lesions
     std::optional<GlassLook> tried_glass;          // while a slider is held
     std::optional<double> tried_territories;       // their opacity, while its slider is held

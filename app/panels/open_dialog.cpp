@@ -103,7 +103,7 @@ std::string tree_and_mask_extensions() {
     return io::readable_tree_extensions() + "; masks: " + io::readable_volume_extensions();
 }
 
-const std::array<Purpose, 10>& purposes() {
+const std::array<Purpose, 11>& purposes() {
     const Shown trees{"Trees", io::names_tree, io::readable_tree_extensions};
     const Shown volumes{"Masks and scans", can_be_mask, io::readable_volume_extensions};
     const Shown sessions{"Sessions", is_json, json_extension};
@@ -116,7 +116,7 @@ const std::array<Purpose, 10>& purposes() {
                        context_extensions};
     const Shown exports{"What was exported", can_be_export, [] { return std::string("such"); }};
     const Shown tables{"Tables", can_be_table, [] { return std::string(".csv, .tsv or .txt"); }};
-    static const std::array<Purpose, 10> all{
+    static const std::array<Purpose, 11> all{
         {{FilePurpose::kOpen,
           "Open a vessel tree, a mask, a scan or a session",
           {all_opened, trees, volumes, sessions},
@@ -138,6 +138,7 @@ const std::array<Purpose, 10>& purposes() {
           "deviation-from",
           true},
          {FilePurpose::kOrgan, "Choose the mask of the organ", {volumes}, "organ", true},
+         {FilePurpose::kScan, "Open a scan or a segmentation", {volumes}, "scan", true},
          {FilePurpose::kExport, "Export", {exports}, "export"}}};
     return all;
 }

@@ -77,6 +77,7 @@ void draw_alone(InterfaceContext& context) {
     widgets::fact("Unit of length", claims.has_unit() ? "mm" : "not said");
     widgets::fact("Axes lead to", claims.has_sides() ? "RAS" : "not said");
     draw_context(context);
+    draw_slices(context);
 }
 
 std::string as_text(const SurfaceOption& option, float value) {
@@ -168,8 +169,9 @@ struct Page {
     PanelPage page;
     const char *label, *help;
 };
-constexpr std::array<Page, 3> kPages{{{PanelPage::kExplore, "Explore", "Systems, selection and branches"},
+constexpr std::array<Page, 4> kPages{{{PanelPage::kExplore, "Explore", "Systems, selection and branches"},
                                       {PanelPage::kSurface, "Surface", "Surface, glass, context and comparison"},
+                                      {PanelPage::kSlices, "Slices", "Scans, and slices through them"},
                                       {PanelPage::kPlan, "Plan", "Lesions, cuts and measurements"}}};
 
 void draw_pages(InterfaceContext& context) {
@@ -183,7 +185,8 @@ void draw_pages(InterfaceContext& context) {
         const ImVec4 ground = chosen ? theme::kAccentDim : theme::kRaised;
         if (widgets::button(page.label, {width, 0.0F}, ground, chosen ? theme::kText : theme::kQuiet))
             context.perform("panel", {key_of(page.page)});
-        widgets::tooltip(page.help, page.page == PanelPage::kSurface ? nullptr : "B");
+        widgets::tooltip(page.help,
+                         page.page == PanelPage::kSurface || page.page == PanelPage::kSlices ? nullptr : "B");
     }
     ImGui::PopStyleVar();
 }

@@ -3,6 +3,7 @@
 #include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
+#include "app/picture/slices.h"
 #include "app/session/numbers.h"
 
 #include <algorithm>
@@ -28,7 +29,22 @@ void draw_sentence(const std::string& sentence, float width, const ImVec4& colou
     if (shown != sentence) widgets::tooltip(sentence.c_str());
 }
 
+// The place under the pointer on a slice, and the value of the first scan there.
+void draw_slice_place(InterfaceContext& context) {
+    const auto& place = context.interface.slice_place;
+    if (!place) return;
+    const Session& session = context.workspace.document().session();
+    const Assets& assets = context.workspace.assets();
+    ImGui::TextColored(theme::kText, "%s", place_words(*place, slice_claims(session, assets)).c_str());
+    ImGui::SameLine(0.0F, 18.0F * theme::scale());
+    const std::string value = value_words(*place, session, assets);
+    if (value.empty()) return;
+    ImGui::TextColored(theme::kText, "%s", value.c_str());
+    ImGui::SameLine(0.0F, 18.0F * theme::scale());
+}
+
 void draw_path(InterfaceContext& context, float right_edge) {
+    draw_slice_place(context);
     const int branch = branch_at_hand(context);
     const auto& tree = context.workspace.document().tree();
     if (branch == tree::kNoBranch || !tree) {

@@ -28,6 +28,7 @@ std::vector<std::int32_t> VolumeDialog::chosen() const {
 void VolumeDialog::take(VolumeFacts read) {
     labels.assign(read.labels.size(), 1);
     scan = !read.mask;
+    if (scan) as = As::kSlices;
     threshold = read.curve ? read.curve->otsu : 0;
     facts = std::make_shared<const VolumeFacts>(std::move(read));
 }
@@ -265,7 +266,11 @@ std::vector<Choice> choices_for(const InterfaceContext& context, const VolumeDia
         {As::kSurface, "Show as the surface it is", "S",
          (dialog.scan ? "Solid, where the scan reaches the threshold, " : "Solid, with every step of its voxels, ") +
              place,
-         why_not}};
+         why_not},
+        {As::kSlices, "Show in slices", "I",
+         dialog.scan ? "Axial, coronal and sagittal, with the vessels drawn on them"
+                     : "Its labels, as tints over a scan and the vessels",
+         ""}};
     if (!tree || dialog.scan) return choices;
     choices.push_back({As::kOrgan, "Plan in it as the organ", "O", "What vessels supply, what cuts cost", why_not});
     choices.push_back({As::kLesions, "Take its parts as lesions", "L", "With volumes, margins, vessels near", why_not});
@@ -298,6 +303,7 @@ void carry_out(InterfaceContext& context, const VolumeDialog& dialog, As as) {
         words.insert(words.begin(), file);
         return context.perform(as == As::kOrgan ? "organ" : "lesion-mask", words);
     }
+    if (as == As::kSlices) return context.perform("scan", {file, dialog.scan ? "--grey" : "--labels"});
     context.interface.settings.drop_beside = as != As::kTree;
     if (as == As::kTree) {
         std::vector<std::string> words = dialog.tree_words();

@@ -12,7 +12,7 @@
 namespace ramus::app {
 
 struct VolumeDialog {
-    enum class As : std::uint8_t { kTree, kContext, kSurface, kOrgan, kLesions };
+    enum class As : std::uint8_t { kTree, kContext, kSurface, kSlices, kOrgan, kLesions };
     std::filesystem::path file; // empty: the dialog is closed
     As as = As::kTree;          // the default action
     // Content of the file; null: being read.

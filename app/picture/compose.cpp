@@ -74,10 +74,10 @@ namespace {
 
 // Shows objects without a tree. If all are transparent there are no depths to read back, and the scale is that of their
 // middle.
-void show_alone(render::Frame& frame, const Assets& assets, const std::vector<ContextItem>& context) {
-    show_claims(frame, assets.claims_of(context));
+void show_alone(render::Frame& frame, const Assets& assets, const SceneObjects& objects) {
+    show_claims(frame, assets.claims_of(objects));
     if (std::ranges::any_of(frame.context, [](const auto& item) { return item.shown() && !item.clear(); })) return;
-    const render::Box box = assets.box_of(context);
+    const render::Box box = assets.box_of(objects.context);
     const glm::dvec3 half = 0.5 * (box.upper - box.lower), forward = glm::abs(render::axes_of(frame.camera).forward);
     if (!box.empty())
         frame.overlays.scale = render::scale_of(frame.camera, frame.size, {box.centre(), glm::dot(half, forward)});
@@ -111,7 +111,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     frame.overlays.orientation_cube = frame.overlays.scale_bar = frame.mesh || alone; // otherwise nothing to measure
     // In perspective the scale depends on everything in the picture.
     if (viewing.context_awaited && !frame.camera.orthographic) frame.overlays.scale_bar = false;
-    if (alone) show_alone(frame, assets, viewing.objects ? viewing.objects->context : session.marks.context);
+    if (alone) show_alone(frame, assets, viewing.objects ? *viewing.objects : session.marks);
     if (!assets.tree) return frame;
     const tree::VesselTree& tree = *assets.tree;
     show_claims(frame, tree.claims);

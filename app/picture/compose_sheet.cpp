@@ -3,8 +3,10 @@
 #include "app/assets/assets.h"
 #include "app/picture/colouring.h"
 #include "app/picture/other_session.h"
+#include "app/picture/slices.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 
@@ -80,12 +82,62 @@ std::vector<Viewport> viewports_of_plans(const Marks& marks, glm::ivec2 size, fl
     return viewports;
 }
 
+// The tree and three slices in 2 x 2 parts, or the tree large with the slices in a column; or one slice.
+std::vector<Viewport> viewports_of_slices(const Session& session, glm::ivec2 size, float pixel_ratio) {
+    const int line = std::max(1, static_cast<int>(std::lround(pixel_ratio)));
+    const SliceLayout layout = session.slices.layout;
+    const std::vector<slice::Direction> slices = slices_of(layout);
+    const auto viewport_of = [&](glm::ivec2 at, glm::ivec2 end) {
+        return Viewport{at, glm::max(end - at, glm::ivec2(1)), compared(session.marks.options.method), {}, true};
+    };
+    std::vector<Viewport> viewports;
+    if (!has_tree(layout)) {
+        viewports.push_back(viewport_of({0, 0}, size));
+        viewports.back().slice = slices.front();
+        return viewports;
+    }
+    if (layout == SliceLayout::kSlices) {
+        // The axial slice is at the upper left, as in other viewers; the tree next to it.
+        const glm::ivec2 first = (size - line) / 2;
+        const glm::ivec2 second = first + line;
+        viewports.push_back(viewport_of({second.x, 0}, {size.x, first.y}));
+        const std::array<std::pair<glm::ivec2, glm::ivec2>, 3> parts{
+            {{{0, 0}, first}, {{0, second.y}, {first.x, size.y}}, {second, size}}};
+        for (std::size_t n = 0; n < slices.size(); ++n) {
+            viewports.push_back(viewport_of(parts[n].first, parts[n].second));
+            viewports.back().slice = slices[n];
+        }
+        return viewports;
+    }
+    // Slices at the right of a wide picture, below a high one.
+    const int along = size.x >= size.y ? 0 : 1;
+    const int across = 1 - along;
+    const int large = size[along] * 2 / 3;
+    glm::ivec2 end = size;
+    end[along] = large;
+    viewports.push_back(viewport_of({0, 0}, end));
+    const int count = static_cast<int>(slices.size());
+    for (int n = 0; n < count; ++n) {
+        glm::ivec2 at(0);
+        at[along] = large + line;
+        at[across] = size[across] * n / count + (n > 0 ? line : 0);
+        glm::ivec2 to = size;
+        to[across] = size[across] * (n + 1) / count;
+        viewports.push_back(viewport_of(at, to));
+        viewports.back().slice = slices[static_cast<std::size_t>(n)];
+    }
+    return viewports;
+}
+
 } // namespace
 
-std::vector<Viewport> viewports_of(const Marks& marks, glm::ivec2 size, float pixel_ratio) {
+std::vector<Viewport> viewports_of(const Session& session, glm::ivec2 size, float pixel_ratio) {
+    const Marks& marks = session.marks;
     const Comparison& comparison = marks.comparison;
     const std::vector<Compared> kinds = compared_surfaces(comparison);
     if (kinds.empty() && marks.plans.compared) return viewports_of_plans(marks, size, pixel_ratio);
+    if (kinds.empty() && session.slices.layout != SliceLayout::kPicture)
+        return viewports_of_slices(session, size, pixel_ratio);
     if (kinds.empty()) return {{glm::ivec2(0), size, compared(marks.options.method), {}, true}};
     std::vector<Viewport> viewports;
     for (const Compared kind : kinds)
@@ -107,8 +159,9 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
                             const Viewing& viewing, const SheetViewing& sheet_viewing) {
     const Marks& marks = session.marks;
     const Comparison& comparison = marks.comparison;
-    const std::vector<Viewport> viewports = viewports_of(marks, viewing.size, viewing.pixel_ratio);
-    const bool beside = viewports.size() > 1 && !mixes(comparison.mode);
+    const std::vector<Viewport> viewports = viewports_of(session, viewing.size, viewing.pixel_ratio);
+    const bool slices = std::ranges::any_of(viewports, [](const Viewport& one) { return one.slice.has_value(); });
+    const bool beside = viewports.size() > 1 && !mixes(comparison.mode) && !slices;
     render::Sheet sheet;
     sheet.size = viewing.size;
     sheet.divider = kDividerColour;
@@ -117,7 +170,8 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
     const bool of_surface = marks.colour_by == ColourBy::kDeviation && std::ranges::any_of(viewports, is_own_surface);
     std::size_t with_legend = 0;
     for (std::size_t i = 0; i < viewports.size(); ++i)
-        if (of_surface ? is_own_surface(viewports[i]) : viewports[i].has_branches) with_legend = i;
+        if (!viewports[i].slice && (of_surface ? is_own_surface(viewports[i]) : viewports[i].has_branches))
+            with_legend = i;
     for (std::size_t i = 0; i < viewports.size(); ++i) {
         Viewing own = viewing;
         own.size = viewports[i].size;
@@ -143,7 +197,14 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
         if (i != with_legend) frame.overlays.legend = {};
         if (!mixes(comparison.mode)) frame.overlays.heading = latin1(viewports[i].title);
         if (!viewports[i].title.empty()) frame.overlays.inset_top = sheet_viewing.heading_top;
-        sheet.viewports.push_back({viewports[i].at, std::move(frame), viewports[i].has_branches});
+        std::optional<render::SliceView> slice;
+        if (viewports[i].slice) {
+            slice = compose_slice(session, assets, *viewports[i].slice, own);
+            slice->mark = colour_of(*viewports[i].slice);
+            // Overlays of the window at the top belong to the whole picture.
+            if (viewports[i].at.y == 0) slice->overlays.inset_top = sheet_viewing.heading_top;
+        }
+        sheet.viewports.push_back({viewports[i].at, std::move(frame), viewports[i].has_branches, std::move(slice)});
     }
     if (mixes(comparison.mode) && assets.tree) {
         const std::string &first_title = viewports[0].title, &second_title = viewports[1].title;

@@ -15,16 +15,18 @@ namespace ramus::app {
 struct Viewport {
     glm::ivec2 at{0}, size{1}; // pixels; all viewports of a picture have one size
     Compared surface = Compared::kConvolutionSurface;
-    std::string title;                 // UTF-8; empty: no comparison
-    bool has_branches = true;          // false for masks
-    std::optional<std::size_t> plan{}; // of the session, where plans are compared
+    std::string title;                       // UTF-8; empty: no comparison
+    bool has_branches = true;                // false for masks
+    std::optional<std::size_t> plan{};       // of the session, where plans are compared
+    std::optional<slice::Direction> slice{}; // shows this slice instead of the tree
     bool operator==(const Viewport&) const = default;
 };
 
-// Viewports of a picture of `size`: side by side, or below each other if the picture is higher than wide, separated by
-// a thin line; plans that are compared, in their order. Two viewports at the same place are blended or wiped.
-// Superimposed surfaces share the first one's viewport.
-[[nodiscard]] std::vector<Viewport> viewports_of(const Marks& marks, glm::ivec2 size, float pixel_ratio);
+// Viewports of a picture of `size`: those of the layout of slices, unless surfaces or plans are compared. Then: side by
+// side, or below each other if the picture is higher than wide, separated by a thin line; plans that are compared, in
+// their order. Two viewports at the same place are blended or wiped. Superimposed surfaces share the first one's
+// viewport.
+[[nodiscard]] std::vector<Viewport> viewports_of(const Session& session, glm::ivec2 size, float pixel_ratio);
 
 inline constexpr glm::vec3 kDividerColour{0.24F, 0.26F, 0.29F}; // sRGB
 

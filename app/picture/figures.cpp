@@ -103,7 +103,8 @@ render::Box visible_box(const render::Sheet& sheet) {
     constexpr std::array kAlongAxes{glm::dvec3(1, 0, 0),  glm::dvec3(0, 1, 0),  glm::dvec3(0, 0, 1),
                                     glm::dvec3(-1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, -1)};
     render::Box visible, all;
-    for (const auto& [at, frame, has_branches] : sheet.viewports) {
+    for (const auto& [at, frame, has_branches, slice] : sheet.viewports) {
+        if (slice) continue;
         if (!frame.mesh) {
             include_context(all, frame);
             continue;

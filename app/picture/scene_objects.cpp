@@ -5,6 +5,7 @@
 #include "app/assets/territories.h"
 #include "app/picture/colouring.h"
 #include "app/picture/place_marks.h"
+#include "app/picture/slices.h"
 #include "core/base/lines.h"
 #include "core/base/words.h"
 
@@ -82,6 +83,9 @@ void draw_object(const SceneDrawing& drawing, const Resection& resection) {
     }
 }
 
+// Slices draw it (app/picture/slices.h).
+void draw_object(const SceneDrawing& /*drawing*/, const Scan& /*scan*/) {}
+
 std::optional<glm::dvec3> under(const PointerInPicture& pointer, const std::vector<glm::dvec3>& line) {
     const double reach = kMarkReach * static_cast<double>(pointer.pixel_ratio);
     double nearest = reach;
@@ -130,6 +134,11 @@ std::optional<glm::dvec3> under(const PointerInPicture& pointer, const Assets& /
 
 std::optional<glm::dvec3> under(const PointerInPicture& /*pointer*/, const Assets& /*assets*/, const Marks& /*marks*/,
                                 const Resection& /*resection*/) {
+    return {};
+}
+
+std::optional<glm::dvec3> under(const PointerInPicture& /*pointer*/, const Assets& /*assets*/, const Marks& /*marks*/,
+                                const Scan& /*scan*/) {
     return {};
 }
 
@@ -188,6 +197,9 @@ void add_points(std::vector<glm::vec3>& points, const Assets& assets, const Rese
     if (const Operation::Parts* parts = surface_of(assets, resection))
         for (const auto& part : *parts) points.insert(points.end(), part->positions.begin(), part->positions.end());
 }
+
+// The vessels fill the picture, whatever the scan covers.
+void add_points(std::vector<glm::vec3>& /*points*/, const Assets& /*assets*/, const Scan& /*scan*/) {}
 
 std::vector<glm::vec3> visible_points(const Marks& marks, const Assets& assets) {
     std::vector<glm::vec3> points;
@@ -284,6 +296,27 @@ ObjectWords words_of(const Resection& resection, std::size_t index, const Assets
     if (words.title.empty()) words.title = numbered(kTitles[static_cast<std::size_t>(resection.kind)], index);
     const Operation::Parts* parts = surface_of(assets, resection);
     if (!words.trouble && parts != nullptr && parts->empty()) words.details += "\nIt does not meet the organ";
+    return words;
+}
+
+ObjectWords words_of(const Scan& scan, std::size_t /*index*/, const Assets& assets, const Lengths& lengths) {
+    ObjectWords words{scan.name.empty() ? file_name(scan.file) : scan.name};
+    words.details = scan.file;
+    if (const auto trouble = assets.trouble(scan)) {
+        words.trouble = true;
+        words.details = trouble->what == "cancelled" ? scan.file + "\nNot read: cancelled" : trouble->message();
+        return words;
+    }
+    const auto file = assets.scan(scan);
+    if (!file) {
+        words.details += "\nBeing read";
+        return words;
+    }
+    words.details += "\n" + words_of_scan(*file, lengths);
+    if (!scan.labels) {
+        const slice::Window window = window_of(scan, *file);
+        words.value = rounded(window.width) + " / " + rounded(window.level);
+    }
     return words;
 }
 

@@ -37,6 +37,7 @@ void add_points(std::vector<glm::vec3>& points, const Assets& assets, const Cont
 void add_points(std::vector<glm::vec3>& points, const Assets& assets, const Measurement& measurement);
 void add_points(std::vector<glm::vec3>& points, const Assets& assets, const Pin& pin);
 void add_points(std::vector<glm::vec3>& points, const Assets& assets, const Resection& resection);
+void add_points(std::vector<glm::vec3>& points, const Assets& assets, const Scan& scan);
 // Of all visible objects.
 [[nodiscard]] std::vector<glm::vec3> visible_points(const Marks& marks, const Assets& assets);
 
@@ -74,6 +75,7 @@ struct ObjectWords {
                                    const Lengths& lengths);
 [[nodiscard]] ObjectWords words_of(const Resection& resection, std::size_t index, const Assets& assets,
                                    const Lengths& lengths);
+[[nodiscard]] ObjectWords words_of(const Scan& scan, std::size_t index, const Assets& assets, const Lengths& lengths);
 [[nodiscard]] ObjectWords words_of(const Pin& pin, std::size_t index, const Assets& assets, const Lengths& lengths);
 // Of the object at that place.
 [[nodiscard]] ObjectWords words_of(const ObjectPlace& place, const Marks& marks, const Assets& assets,

@@ -44,7 +44,7 @@ void draw_territories(render::Frame& frame, const Assets& assets, const Marks& m
         if (std::ranges::binary_search(marks.organ.hidden, part.name)) continue;
         const glm::vec3 colour = territory_colour(*territories, n, marks);
         frame.context.push_back(
-            {part.mesh, part.preview, colour, static_cast<float>(opacity.value_or(marks.organ.opacity)), false});
+            {part.mesh, part.preview, colour, static_cast<float>(opacity.value_or(marks.organ.opacity)), false, true});
         if (n < kMostSwatches)
             legend.swatches.push_back(
                 {colour, latin1(shortened(part.name, 24) + ", " + lengths.volume(territories->volume_mm3(part)))});

@@ -174,6 +174,12 @@ void Document::set_camera(const render::Camera& camera) {
     ++revision_;
 }
 
+void Document::set_slices(const SliceViews& slices) {
+    if (slices == session_.slices) return;
+    session_.slices = slices;
+    ++revision_;
+}
+
 void Document::begin_step() {
     if (depth_++ == 0) step_camera_ = session_.camera;
 }

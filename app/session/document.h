@@ -43,7 +43,7 @@ public:
     [[nodiscard]] const std::shared_ptr<const TreeFacts>& facts() const { return facts_; } // null without a tree
     [[nodiscard]] const tree::Dependency& dependency() const;                              // empty without a tree
     // Whether there is anything to show: a tree, or masks, scans or meshes without one.
-    [[nodiscard]] bool has_scene() const { return branch_count() > 0 || !session_.marks.context.empty(); }
+    [[nodiscard]] bool has_scene() const { return branch_count() > 0 || has_objects_alone(session_.marks); }
     [[nodiscard]] std::filesystem::path subject() const { return subject_of(session_); }
     // The origin of unit and orientation of what is shown. Without a tree, set_claims() provides it.
     [[nodiscard]] const tree::Claims& claims() const { return tree_ ? tree_->claims : claims_; }
@@ -64,6 +64,7 @@ public:
     // the old tree. If another unit or other axes move the tree, the camera follows, and returns on undo.
     void change_tree(std::shared_ptr<const tree::VesselTree> tree, Marks next);
     void set_camera(const render::Camera& camera);
+    void set_slices(const SliceViews& slices);
 
     // Groups all changes between begin_step() and the matching end_step() into one named undo step; nested steps are
     // part of the outermost. If the step moves the camera, undo and redo move it, too, unless it was moved otherwise

@@ -254,6 +254,45 @@ MarksRow pins_row() {
         {.entries = {list_entry<&Marks::pins>("pins", pin_json, pin_in)}, .most = kMostMarks, .noun = "pins"});
 }
 
+json scan_json(const Scan& scan, const fs::path& folder) {
+    json value{{"path", written_path(scan.file, folder).string()}};
+    if (!scan.checksum.empty()) value["checksum"] = scan.checksum;
+    if (!scan.units.empty()) value["units"] = scan.units;
+    if (scan.labels) value["labels"] = true;
+    if (scan.window) value["window"] = {scan.window->width, scan.window->level};
+    write_object(value, scan);
+    return value;
+}
+
+Scan scan_in(const json& value, const fs::path& folder) {
+    Scan scan;
+    read_object(value, scan, {"path", "checksum", "units", "labels", "window"});
+    if (!value.contains("path")) throw Refusal{"a scan has no path"};
+    scan.file = (folder / text(value["path"], "path of a scan")).lexically_normal().string();
+    if (value.contains("checksum")) scan.checksum = text(value["checksum"], "checksum of a scan");
+    if (value.contains("units")) scan.units = units_in(value["units"]);
+    if (value.contains("labels")) scan.labels = truth(value["labels"], "labels");
+    const json window = list_in(value, "window");
+    if (!window.empty() && window.size() != 2) throw Refusal{"the window of a scan is not [width, level]"};
+    if (!window.empty())
+        scan.window = slice::Window{session_json::number(window[1], "level", -1e12, 1e12),
+                                    session_json::number(window[0], "width", 1e-12, 1e12)};
+    return scan;
+}
+
+MarksRow scans_row() {
+    MarksEntry scans = list_entry<&Marks::scans>("scans", scan_json, scan_in);
+    scans.write = [write = scans.write](const Marks& marks, const fs::path& folder) {
+        return marks.scans.empty() ? json() : write(marks, folder);
+    };
+    return row<&Marks::scans>({.entries = {std::move(scans)},
+                               .most = kMostScans,
+                               .noun = "scans",
+                               .add_files = [](const Marks& marks, std::vector<fs::path>& files) {
+                                   for (const Scan& scan : marks.scans) files.emplace_back(scan.file);
+                               }});
+}
+
 MarksRow resections_row() {
     return row<&Marks::resections>({.entries = {{"resections",
                                                  [](const Marks& marks, const fs::path& folder) {
@@ -311,6 +350,7 @@ std::vector<MarksRow> rows_of_plan() {
             pins_row(),
             resections_row(),
             plans_row(),
+            scans_row(),
             row<&Marks::names>(
                 {.entries = {names_entry()},
                  .largest_branch =

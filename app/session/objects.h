@@ -7,6 +7,7 @@
 
 #include "core/measure/branch_point.h"
 #include "core/organ/resect/sheet.h"
+#include "core/slice/window.h"
 #include "core/volume/label_choice.h"
 
 #include <array>
@@ -120,6 +121,22 @@ struct Resection {
     bool operator==(const Resection&) const = default;
 };
 
+// A volume that slices show: a scan in grey, or a segmentation as tinted labels over it.
+struct Scan {
+    static constexpr std::string_view kNoun = "scan";
+    std::string file;                      // absolute path of a volume, or of a folder of DICOM files
+    std::string checksum;                  // of the file; empty: unknown
+    std::string units{};                   // of the file's lengths; empty: as the file says
+    bool labels = false;                   // a segmentation
+    std::optional<slice::Window> window{}; // none: what the file proposes, or from its values
+    int id = kNoObject;
+    std::string name{};
+    bool visible = true;
+    Rgb colour{235, 190, 90}; // of labels to which the file gives no colour, if there is one label
+    double opacity = 1.0;     // over the scans before it in the list
+    bool operator==(const Scan&) const = default;
+};
+
 template <class T>
 concept SceneObject = std::equality_comparable<T> && requires(T object) {
     {std::string_view(T::kNoun)}; // the kind in messages, "lesion"
@@ -141,6 +158,7 @@ struct SceneObjects {
     std::vector<Measurement> measurements;
     std::vector<Pin> pins;
     std::vector<Resection> resections; // of the current plan
+    std::vector<Scan> scans;           // painted in this order
     bool operator==(const SceneObjects&) const = default;
 };
 void for_each_object_list(auto& objects, const auto& call) {
@@ -149,6 +167,7 @@ void for_each_object_list(auto& objects, const auto& call) {
     call(objects.measurements);
     call(objects.pins);
     call(objects.resections);
+    call(objects.scans);
 }
 void for_each_object(auto& objects, const auto& call) {
     for_each_object_list(objects, [&](auto& list) {

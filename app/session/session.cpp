@@ -13,8 +13,9 @@ namespace ramus::app {
 using tree::BranchState;
 
 std::filesystem::path subject_of(const Session& session) {
-    if (!session.tree.path.empty() || session.marks.context.empty()) return session.tree.path;
-    return session.marks.context.front().file;
+    const Marks& marks = session.marks;
+    if (!session.tree.path.empty() || !has_objects_alone(marks)) return session.tree.path;
+    return marks.context.empty() ? marks.scans.front().file : marks.context.front().file;
 }
 
 void number_objects(Marks& marks) {

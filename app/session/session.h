@@ -13,6 +13,7 @@
 #include "app/session/objects.h"
 #include "app/session/organ.h"
 #include "app/session/plans.h"
+#include "app/session/slices.h"
 #include "core/io/trees/imported_tree.h"
 #include "core/mesh/surface_options.h"
 #include "core/tree/edit_tree.h"
@@ -90,8 +91,14 @@ struct Session {
     TreeFile tree;
     Marks marks;
     render::Camera camera;
+    SliceViews slices;
     bool operator==(const Session&) const = default;
 };
+
+// Whether there are objects that can be shown without a tree.
+[[nodiscard]] inline bool has_objects_alone(const Marks& marks) {
+    return !marks.context.empty() || !marks.scans.empty();
+}
 
 // The file that the session is about: the tree's, otherwise the first object's; empty: none.
 [[nodiscard]] std::filesystem::path subject_of(const Session& session);

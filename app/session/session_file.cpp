@@ -6,6 +6,7 @@
 #include "app/session/marks_json.h"
 #include "app/session/marks_table.h"
 #include "app/session/session_limits.h"
+#include "app/session/slices_json.h"
 #include "core/io/input_file.h"
 #include "core/io/json_text.h"
 #include "core/io/output_file.h"
@@ -28,9 +29,10 @@ using namespace session_json;
 
 json to_json(const Session& session, const fs::path& folder) {
     json tree; // null: objects are shown without a tree
-    if (!session.tree.path.empty() || session.marks.context.empty())
+    if (!session.tree.path.empty() || !has_objects_alone(session.marks))
         tree = {{"path", written_path(session.tree.path, folder).string()}, {"checksum", session.tree.checksum}};
     json value{{"version", kSessionVersion}, {"tree", tree}, {"camera", render::to_json(session.camera)}};
+    if (json slices = slices_json(session.slices); !slices.is_null()) value["slices"] = std::move(slices);
     value["options"] = json::object();
     for (const MarksRow& row : marks_table())
         for (const MarksEntry& entry : row.entries)
@@ -88,7 +90,8 @@ void check_named_files(const Session& session) {
 
 Result<SavedSession> session_from_json(const json& value, const fs::path& folder, const std::string& where) {
     try {
-        expect_only(value, "the session", keys_of(MarksPlace::kSession, {"version", "tree", "camera", "options"}));
+        expect_only(value, "the session",
+                    keys_of(MarksPlace::kSession, {"version", "tree", "camera", "slices", "options"}));
         if (!value.contains("version")) throw Refusal{"no version: this is not a session file"};
         if (integer(value["version"], "version", 0, 1'000'000) != kSessionVersion)
             throw Refusal{"version " + value["version"].dump() + " is not known to this ramus"};
@@ -103,8 +106,9 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
         }
         number_objects(session.marks);
         if (const auto few = check_counts(session.marks); !few) throw Refusal{few.error().what};
-        if (value["tree"].is_null() && session.marks.context.empty()) throw Refusal{"it shows nothing"};
+        if (value["tree"].is_null() && !has_objects_alone(session.marks)) throw Refusal{"it shows nothing"};
         check_named_files(session);
+        if (value.contains("slices")) session.slices = slices_in(value["slices"]);
         if (value.contains("camera")) {
             RAMUS_TRY(camera, render::camera_from_json(value["camera"], where));
             session.camera = camera;

@@ -18,6 +18,8 @@ inline constexpr std::size_t kMostEdits = 1'000;
 inline constexpr std::size_t kMostResections = organ::kMostResections; // of a plan
 inline constexpr std::size_t kMostPlans = 20;                          // a table of more columns cannot be read
 
+inline constexpr std::size_t kMostScans = 20; // each takes up to gigabytes
+
 inline constexpr std::size_t kMostBands = 20; // margins around lesions; more colours cannot be distinguished
 
 // Fails if a list of `marks` is longer than its row allows (app/session/marks_table.h), and names the list.

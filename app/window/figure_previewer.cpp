@@ -36,7 +36,7 @@ render::Sheet FigurePreviewer::small_sheet(glm::ivec2 size) const {
     const ShownSurfaces surfaces = workspace.surfaces();
     render::Sheet sheet =
         compose_sheet(workspace.document().session(), workspace.current_assets(), surfaces, {.size = size});
-    const auto viewports = viewports_of(workspace.document().marks(), size, 1.0F);
+    const auto viewports = viewports_of(workspace.document().session(), size, 1.0F);
     for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {
         if (auto preview = surfaces.preview_of(viewports[i].surface))
             sheet.viewports[i].frame.mesh = std::move(preview);

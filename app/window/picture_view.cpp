@@ -170,8 +170,8 @@ void PictureView::ask_depths(bool drawn) {
 // Transparent context is visible but cannot be picked.
 void PictureView::tell_nothing_in_view() {
     const render::Frame& frame = sheet_.viewports.front().frame;
-    const bool nothing =
-        resting() && frame.mesh && frame.mesh->triangle_count() > 0 && aim_.sees_nothing() && !context_in_view(frame);
+    const bool nothing = resting() && !sheet_.viewports.front().slice && frame.mesh &&
+                         frame.mesh->triangle_count() > 0 && aim_.sees_nothing() && !context_in_view(frame);
     if (nothing != state_.interface.nothing_in_view) state_.redraw();
     state_.interface.nothing_in_view = nothing;
 }
@@ -192,7 +192,8 @@ void PictureView::compose_window(const std::vector<Viewport>& viewports, const S
     Workspace& workspace = state_.workspace;
     const bool compares = !viewports.front().title.empty();
     SheetViewing sheet_viewing{.blend = state_.interface.tried_blend, .wipe = state_.interface.tried_wipe};
-    if (compares) sheet_viewing.heading_top = static_cast<int>(std::round(kToolBarHeight * state_.scale));
+    const bool slices = workspace.document().session().slices.layout != SliceLayout::kPicture;
+    if (compares || slices) sheet_viewing.heading_top = static_cast<int>(std::round(kToolBarHeight * state_.scale));
     sheet_ =
         compose_sheet(workspace.document().session(), workspace.current_assets(), surfaces, viewing(), sheet_viewing);
     shown_camera_ = camera_on_its_way();

@@ -99,10 +99,12 @@ void Viewer::lay_out_viewports() {
     layout.viewports_at.clear();
     layout.current_plan_in.reset();
     for (const Viewport& viewport : state_.viewports()) {
+        if (viewport.slice) continue;
         if (viewport.plan == state_.workspace.document().marks().plans.place)
             layout.current_plan_in = layout.viewports_at.size();
         layout.viewports_at.push_back(viewport.at);
     }
+    if (layout.viewports_at.empty()) layout.viewports_at.emplace_back(0);
     layout.viewport_size = state_.viewport_size();
 }
 

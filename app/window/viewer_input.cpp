@@ -5,7 +5,9 @@
 #include "app/panels/context_menu.h"
 #include "app/panels/help_overlay.h"
 #include "app/panels/menu_bar.h"
+#include "app/picture/slices.h"
 #include "app/session/numbers.h"
+#include "core/measure/branch_point.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,6 +104,7 @@ void ViewerInput::take_pick() {
 }
 
 std::optional<ObjectPlace> ViewerInput::object_at(glm::dvec2 in_viewport, const render::Pick& pick) const {
+    if (slice_grip()) return {};
     const Document& document = state_.workspace.document();
     return object_under({document.session().camera, picture_.picture_size(), state_.scale, in_viewport, pick},
                         state_.workspace.assets(), document.marks());
@@ -151,12 +154,15 @@ void ViewerInput::mouse_moved(glm::dvec2 at) {
 
 void ViewerInput::move_to(glm::dvec2 at) {
     pointer_ = at;
-    if (!mouse_.held() && !tool_mouse_.held()) enter_viewport();
-    if (state_.interface.wipe_held) {
+    if (!mouse_.held() && !tool_mouse_.held() && !slice_mouse_.held()) enter_viewport();
+    point_at_slice();
+    if (slice_mouse_.held()) {
+        take(slice_mouse_.move(in_viewport(at)));
+    } else if (state_.interface.wipe_held) {
         drag_wipe_line();
     } else if (mouse_.held()) {
         drag_view(in_viewport(at));
-    } else if (state_.interface.tool && (tool_mouse_.held() || over_picture(at))) {
+    } else if (state_.interface.tool && (tool_mouse_.held() || (over_picture(at) && !slice_grip()))) {
         tool_mouse_.move(tell(), pointing({}));
     }
     if (!mouse_.held()) aim();
@@ -194,7 +200,9 @@ void ViewerInput::press(MouseButton button, Modifiers modifiers, double now) {
         settle();
         state_.interface.of<ContextMenu>().wanted = false; // from an earlier click
     }
-    if (state_.interface.wipe_held || tool_mouse_.held()) return;
+    if (state_.interface.wipe_held || tool_mouse_.held() || slice_mouse_.held()) return;
+    if (const auto slice = over && !mouse_.held() ? slice_grip() : std::nullopt)
+        return press_slice(button, modifiers, *slice);
     const bool left = button == MouseButton::kLeft && !mouse_.held();
     if (left && on_wipe_line()) {
         const double width = state_.layout.view_size.x;
@@ -210,7 +218,9 @@ void ViewerInput::press(MouseButton button, Modifiers modifiers, double now) {
 }
 
 void ViewerInput::release(MouseButton button, Modifiers modifiers, double now) {
-    if (state_.interface.wipe_held) {
+    if (slice_mouse_.held()) {
+        release_slice(button);
+    } else if (state_.interface.wipe_held) {
         if (button == MouseButton::kLeft) drop_wipe_line();
     } else if (tool_mouse_.held()) {
         if (button != MouseButton::kLeft || !state_.interface.tool) return;
@@ -228,7 +238,10 @@ void ViewerInput::mouse_wheel(glm::dvec2 notches) {
 }
 
 void ViewerInput::turn_wheel(glm::dvec2 notches) {
-    if (over_picture(pointer_) && notches.y != 0.0) {
+    const bool over = over_picture(pointer_) && notches.y != 0.0;
+    if (const auto slice = over ? slice_grip() : std::nullopt) {
+        turn_wheel_over_slice(*slice, notches.y);
+    } else if (over) {
         settle();
         // In empty space zooming in is ignored, zooming out is not.
         if (notches.y < 0.0 || !picture_.aim().sees_nothing()) {
@@ -240,6 +253,60 @@ void ViewerInput::turn_wheel(glm::dvec2 notches) {
     } else
         input_.wheel(static_cast<float>(notches.x), static_cast<float>(notches.y));
     pick_wanted_ = true;
+}
+
+std::optional<SliceGrip> ViewerInput::slice_grip() const {
+    const std::vector<Viewport> all = state_.viewports();
+    const Viewport& here = all[std::min(viewport_, all.size() - 1)];
+    if (!here.slice) return {};
+    const Session& session = state_.workspace.document().session();
+    const Assets& assets = state_.workspace.assets();
+    SliceGrip grip{*here.slice, grid_of(session, assets, *here.slice, here.size),
+                   session.slices.zooms[index_of(*here.slice)]};
+    for (const Scan& scan : session.marks.scans) {
+        const auto file = scan.visible && !scan.labels ? assets.scan(scan) : nullptr;
+        if (!file) continue;
+        grip.window = window_of(scan, *file);
+        break;
+    }
+    return grip;
+}
+
+void ViewerInput::take(const SliceChange& change) {
+    Document& document = state_.workspace.document();
+    SliceViews views = document.session().slices;
+    if (change.crosshair) views.crosshair = change.crosshair;
+    if (change.zoom) views.zooms[index_of(slice_mouse_.grip().direction)] = *change.zoom;
+    document.set_slices(views);
+    if (!change.window) return;
+    // A drag of the window is one step of undo.
+    if (!std::exchange(windows_, true)) document.begin_step();
+    state_.perform("window", {exact_text(change.window->width) + "," + exact_text(change.window->level)});
+}
+
+void ViewerInput::press_slice(MouseButton button, Modifiers modifiers, const SliceGrip& grip) {
+    take(slice_mouse_.press(button, modifiers, in_viewport(pointer_), grip));
+}
+
+void ViewerInput::release_slice(MouseButton button) {
+    const auto click = slice_mouse_.release(button, in_viewport(pointer_));
+    if (!slice_mouse_.held() && std::exchange(windows_, false)) state_.workspace.document().end_step("window");
+    if (click) clicked(*click);
+    pick_wanted_ = true;
+}
+
+void ViewerInput::turn_wheel_over_slice(const SliceGrip& grip, double notches) {
+    if (!ImGui::GetIO().KeyCtrl)
+        return state_.perform("slice-step", {std::string(slice::name_of(grip.direction)), exact_text(notches)});
+    SliceViews views = state_.workspace.document().session().slices;
+    views.zooms[index_of(grip.direction)] = SliceMouse::zoomed(grip, in_viewport(pointer_), notches);
+    state_.workspace.document().set_slices(views);
+}
+
+// The place under the pointer, for the status bar.
+void ViewerInput::point_at_slice() {
+    const auto grip = over_picture(pointer_) ? slice_grip() : std::nullopt;
+    state_.interface.slice_place = grip ? std::optional(grip->grid.place(in_viewport(pointer_) - 0.5)) : std::nullopt;
 }
 
 bool ViewerInput::on_wipe_line() const {
@@ -333,15 +400,26 @@ void ViewerInput::click_on(Click::Kind kind, const Pointing& pointing) {
     if (kind == Click::Kind::kCentre && object) return look_at(object->at);
     const bool hit = pick.branch >= 0 && pick.branch < state_.workspace.document().branch_count();
     if (!hit) {
-        if (kind == Click::Kind::kSelect) state_.perform("select-none", {});
+        // A click on a slice moves the crosshair, whatever is selected.
+        if (kind == Click::Kind::kSelect && !slice_grip()) state_.perform("select-none", {});
         return;
     }
     if (kind == Click::Kind::kCentre) return look_at(pick.position);
+    if (!slice_grip() && !state_.workspace.document().marks().scans.empty()) show_slices_at(pick);
     state_.perform(kind == Click::Kind::kSelect                 ? "select"
                    : kind == Click::Kind::kSelectWithDependents ? "select-subtree"
                    : kind == Click::Kind::kAdd                  ? "select-add"
                                                                 : "select-toggle",
                    {std::to_string(pick.branch)});
+}
+
+// Slices go through the middle of the vessel that was clicked on.
+void ViewerInput::show_slices_at(const render::Pick& pick) {
+    const auto& tree = state_.workspace.document().tree();
+    SliceViews views = state_.workspace.document().session().slices;
+    views.crosshair =
+        measure::point_on(*tree, pick.branch, measure::nearest_fraction(*tree, pick.branch, pick.position)).position;
+    state_.workspace.document().set_slices(views);
 }
 
 void ViewerInput::look_at(const glm::dvec3& at) {

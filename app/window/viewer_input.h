@@ -7,6 +7,7 @@
 #pragma once
 
 #include "app/actions/keys.h"
+#include "app/tools/slice_mouse.h"
 #include "app/tools/tool_mouse.h"
 #include "app/tools/viewport_mouse.h"
 #include "app/window/imgui_input.h"
@@ -23,7 +24,10 @@ class ViewerInput final : public ToolHost {
 public:
     ViewerInput(ViewerState& state, PictureView& picture) : state_(state), picture_(picture) {}
 
-    void set_pixel_ratio(double ratio) { mouse_.set_pixel_ratio(ratio); }
+    void set_pixel_ratio(double ratio) {
+        mouse_.set_pixel_ratio(ratio);
+        slice_mouse_.set_pixel_ratio(ratio);
+    }
     void mouse_moved(glm::dvec2 at);
     void mouse_left();
     void mouse_button(MouseButton button, bool down, Modifiers modifiers, double now);
@@ -74,6 +78,13 @@ private:
     [[nodiscard]] Grip grip();
     void drag_view(glm::dvec2 at);
     [[nodiscard]] bool points_at_branches() const;
+    // The slice under the pointer, or under it when a button was pressed; none: the pointer is over the tree.
+    [[nodiscard]] std::optional<SliceGrip> slice_grip() const;
+    void take(const SliceChange& change);
+    void press_slice(MouseButton button, Modifiers modifiers, const SliceGrip& grip);
+    void release_slice(MouseButton button);
+    void turn_wheel_over_slice(const SliceGrip& grip, double notches);
+    void point_at_slice();
     // The line of a wipe: whether it is under the pointer; dragging it; releasing it.
     [[nodiscard]] bool on_wipe_line() const;
     void drag_wipe_line();
@@ -93,6 +104,7 @@ private:
     void right_click_on(const Pointing& pointing);
     void open_context_menu(const Pointing& pointing);
     void look_at(const glm::dvec3& at);
+    void show_slices_at(const render::Pick& pick);
     [[nodiscard]] std::optional<ObjectPlace> object_at(glm::dvec2 in_viewport, const render::Pick& pick) const;
     // Sets what is under the pointer; kNoBranch and no object: nothing.
     void point_at(int branch, const std::optional<ObjectPlace>& object);
@@ -103,6 +115,8 @@ private:
     ImguiInput input_;
     ViewportMouse mouse_;
     ToolMouse tool_mouse_;
+    SliceMouse slice_mouse_;
+    bool windows_ = false;                         // a step of undo of the window in which a scan is shown
     std::weak_ptr<std::vector<glm::dvec2>> moves_; // waiting moves that are still last in the queue
     std::size_t viewport_ = 0;                     // see in_viewport()
     glm::dvec2 pointer_{-1.0};

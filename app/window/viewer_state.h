@@ -84,7 +84,7 @@ struct ViewerState {
     }
 
     [[nodiscard]] std::vector<Viewport> viewports() const {
-        return viewports_of(workspace.document().marks(), layout.view_size, scale);
+        return viewports_of(workspace.document().session(), layout.view_size, scale);
     }
     [[nodiscard]] glm::ivec2 viewport_size() const { return viewports().front().size; }
 };

@@ -54,7 +54,7 @@ void WindowParts::open_page(std::string_view name) {
     interface.panel_open = true;
     const bool plans = interface.page == PanelPage::kPlan;
     if (name == "other") interface.page = plans ? PanelPage::kExplore : PanelPage::kPlan;
-    for (const PanelPage page : {PanelPage::kExplore, PanelPage::kSurface, PanelPage::kPlan})
+    for (const PanelPage page : kPanelPages)
         if (name == key_of(page)) interface.page = page;
 }
 

@@ -28,6 +28,7 @@ namespace ramus::app {
 enum class WorkKind : std::uint8_t {
     kLesions,
     kContext,
+    kScans,
     kOrgan,
     kSupply,
     kResectionMeshes,

@@ -81,6 +81,50 @@ std::unique_ptr<BackgroundWork> context_work(const std::function<void()>& wake) 
          .finishes = true});
 }
 
+struct ScanWork {
+    ScanSource source;
+    std::uint64_t memory_bytes;
+    bool operator==(const ScanWork& other) const { return source == other.source; }
+};
+
+std::unique_ptr<BackgroundWork> scan_work(const std::function<void()>& wake) {
+    using File = Loaded<ScanFile>;
+    return work_of<ScanWork, File>(
+        wake,
+        {.kind = WorkKind::kScans,
+         .title =
+             [](const ScanWork& work) {
+                 return "Reading " + std::filesystem::path(work.source.file).filename().string();
+             },
+         .missing =
+             [](const WorkView& view, const Assets& assets) {
+                 const Marks& marks = view.document.marks();
+                 std::vector<ScanWork> missing;
+                 for (const Scan& scan : marks.scans)
+                     if (scan.visible && !assets.scans.contains(source_of(scan)))
+                         missing.push_back({source_of(scan), marks.options.memory_bytes});
+                 return missing;
+             },
+         .make = [](const ScanWork& work, Job& job) -> Result<File> {
+             return read_scan(work.source, nullptr, work.memory_bytes, job);
+         },
+         .put = [](const ScanWork& work, const File& file, Assets& assets) { assets.put(work.source, file); },
+         .refused =
+             [](const ScanWork& work, const std::string& problem, Assets& assets) {
+                 assets.put(work.source, {{}, fail(problem, work.source.file)});
+             },
+         .trouble = [](const File& file) { return file.value ? std::nullopt : std::optional(file.value.error()); },
+         // A scan takes up to gigabytes, and undo reads it again.
+         .tidy =
+             [](const WorkView& view, Assets& assets) {
+                 std::erase_if(assets.scans, [&](const auto& known) {
+                     return std::ranges::none_of(view.document.marks().scans,
+                                                 [&](const Scan& scan) { return source_of(scan) == known.first; });
+                 });
+             },
+         .finishes = true});
+}
+
 std::unique_ptr<BackgroundWork> organ_work(const std::function<void()>& wake) {
     using Mask = Loaded<OrganMask>;
     const auto put = [](const OrganSource& source, const Mask& mask, Assets& assets) { assets.organ = {source, mask}; };
@@ -372,6 +416,7 @@ std::vector<std::unique_ptr<BackgroundWork>> background_works(const std::functio
     std::vector<std::unique_ptr<BackgroundWork>> works;
     works.push_back(lesion_work(wake));
     works.push_back(context_work(wake));
+    works.push_back(scan_work(wake));
     works.push_back(organ_work(wake));
     works.push_back(supply_work(wake));
     works.push_back(resection_mesh_work(wake));

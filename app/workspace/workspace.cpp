@@ -198,7 +198,7 @@ bool Workspace::update() {
     if (!surface_.take_just_shown()) follow_surface();
     const WorkView now = view();
     for (const auto& work : works_) changed_ |= work->follow(now, assets_, errors_);
-    if (!document_.tree()) document_.set_claims(assets_.claims_of(document_.marks().context));
+    if (!document_.tree()) document_.set_claims(assets_.claims_of(document_.marks()));
     changed_ |= surface_.take_changed();
     return std::exchange(changed_, false) || was_busy != busy();
 }

@@ -227,7 +227,7 @@ TEST_CASE("plans side by side keep their places as one of them is used or remove
     stage.good(kPlane);
     CHECK(stage.bad("plan-compare A").find("current plan") != std::string::npos);
     stage.good("plan-copy\nresection-flip 1\nplan-compare A\nterritories remnant");
-    const std::vector<Viewport> viewports = viewports_of(stage.marks(), {800, 400}, 1.0F);
+    const std::vector<Viewport> viewports = viewports_of(Session{{}, stage.marks(), {}, {}}, {800, 400}, 1.0F);
     REQUIRE(viewports.size() == 2);
     CHECK(viewports[0].title == "Plan A");
     CHECK(viewports[1].title == "Plan B, current");

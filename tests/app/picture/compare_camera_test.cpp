@@ -29,7 +29,7 @@ tree::VesselTree flat_tree(int first, int second) {
 struct ViewportPicture final : test::TestPicture {
     explicit ViewportPicture(const Document& of) : document(of) {}
     [[nodiscard]] glm::ivec2 picture_size() const override {
-        return viewports_of(document.marks(), {800, 400}, 1.0F).front().size;
+        return viewports_of(document.session(), {800, 400}, 1.0F).front().size;
     }
     const Document& document;
 };

@@ -117,7 +117,7 @@ TEST_CASE("commands of comparisons can be undone, and refuse invalid arguments")
     Marks hides = stage.marks();
     hides.states = {tree::BranchState::kHidden};
     stage.document.change(hides);
-    CHECK(viewports_of(stage.marks(), {800, 400}, 1.0F).front().title ==
+    CHECK(viewports_of(Session{{}, stage.marks(), {}, {}}, {800, 400}, 1.0F).front().title ==
           "Isosurface of mask of it.nii, labels 1, 3, with what is hidden");
     stage.good("skeleton");
     CHECK(stage.marks().skeleton);
@@ -142,10 +142,10 @@ TEST_CASE("commands of comparisons can be undone, and refuse invalid arguments")
 
 TEST_CASE("viewports have one size, lie inside the picture in their order, and do not touch") {
     Marks marks;
-    CHECK(viewports_of(marks, {800, 600}, 1.0F) ==
+    CHECK(viewports_of(Session{{}, marks, {}, {}}, {800, 600}, 1.0F) ==
           std::vector<Viewport>{{{0, 0}, {800, 600}, Compared::kConvolutionSurface, "", true}});
     marks.options.method = mesh::Method::kTruncatedCones;
-    CHECK(viewports_of(marks, {800, 600}, 1.0F)[0].surface == Compared::kTruncatedCones);
+    CHECK(viewports_of(Session{{}, marks, {}, {}}, {800, 600}, 1.0F)[0].surface == Compared::kTruncatedCones);
     marks.comparison.mode = Mode::kSideBySide;
     for (const std::size_t count : {2U, 3U}) {
         marks.comparison.surfaces = {Compared::kIsosurface, Compared::kTruncatedCones, Compared::kConvolutionSurface};
@@ -155,7 +155,7 @@ TEST_CASE("viewports have one size, lie inside the picture in their order, and d
                 CAPTURE(count);
                 CAPTURE(size.x);
                 CAPTURE(ratio);
-                const auto viewports = viewports_of(marks, size, ratio);
+                const auto viewports = viewports_of(Session{{}, marks, {}, {}}, size, ratio);
                 REQUIRE(viewports.size() == count);
                 const int along = size.x >= size.y ? 0 : 1, line = ratio > 1.4F ? 2 : 1;
                 CHECK(viewports.front().at == glm::ivec2(0));
@@ -175,7 +175,7 @@ TEST_CASE("viewports have one size, lie inside the picture in their order, and d
     }
     for (const Mode mode : {Mode::kBlend, Mode::kSuperimposed, Mode::kWipe}) {
         marks.comparison.mode = mode;
-        const auto viewports = viewports_of(marks, {800, 600}, 1.0F);
+        const auto viewports = viewports_of(Session{{}, marks, {}, {}}, {800, 600}, 1.0F);
         CHECK(viewports.size() == (mode == Mode::kSuperimposed ? 1U : 2U));
         for (const Viewport& viewport : viewports) {
             CHECK(viewport.at == glm::ivec2(0));

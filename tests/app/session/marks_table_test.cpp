@@ -35,6 +35,8 @@ Marks full_marks() {
     marks.colour_map = ColourMap::kGrey;
     marks.colour_look = {.range = {{1.0, 2.0}}, .logarithmic = true, .legend = false};
     marks.pins = {{.at = {1.0, 2.0, 3.0}, .name = "here"}};
+    marks.scans = {{.file = "/data/ct.nii.gz", .checksum = "0123", .window = slice::Window{40.0, 400.0}},
+                   {.file = "/data/labels.nii.gz", .checksum = "4567", .units = "cm", .labels = true, .name = "lumen"}};
     organ::Sheet sheet;
     sheet.size = {2, 2};
     sheet.heights = {0.5, 1.5, 2.5, 3.5};
