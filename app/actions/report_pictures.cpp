@@ -1,6 +1,7 @@
 #include "app/actions/report_pictures.h"
 
 #include "app/actions/arguments.h"
+#include "app/actions/slice_pictures.h"
 #include "app/assets/assets.h"
 #include "app/assets/territories.h"
 
@@ -77,7 +78,8 @@ Result<std::vector<std::vector<ReportPicture>>> take_plans(ActionContext& contex
 Result<ReportPictures> take_report_pictures(ActionContext& context, glm::ivec2 shape) {
     RAMUS_TRY(general, take_general(context, shape));
     RAMUS_TRY(plans, take_plans(context));
-    return ReportPictures{std::move(general), std::move(plans)};
+    RAMUS_TRY(slices, take_slices(context));
+    return ReportPictures{std::move(general), std::move(plans), std::move(slices)};
 }
 
 } // namespace ramus::app::actions

@@ -10,7 +10,7 @@ namespace ramus::app::actions {
 
 // On white, for paper: the view as it is in `shape`, so that nothing visible is cropped; everything visible from the
 // front and from the left; and each plan of an operation before and after it, all from the view's direction and at one
-// scale. Requires a picture host that draws.
+// scale; and slices (slice_pictures.h). Requires a picture host that draws.
 [[nodiscard]] Result<ReportPictures> take_report_pictures(ActionContext& context, glm::ivec2 shape);
 
 } // namespace ramus::app::actions

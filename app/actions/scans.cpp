@@ -51,7 +51,7 @@ Result<AskedScan> asked_scan(const Document& document, Arguments arguments) {
     return asked;
 }
 
-// Requires the scan to be loaded. The first scan shows slices.
+// Requires the scan to be loaded.
 Result<void> add_scan(ActionContext& context, const AskedScan& asked) {
     Scan scan = asked.scan;
     const auto file = context.assets.scan(scan);
@@ -69,7 +69,9 @@ Result<void> add_scan(ActionContext& context, const AskedScan& asked) {
     context.say(std::filesystem::path(scan.file).filename().string() + ": " +
                 words_of_scan(*file, context.document.lengths()));
     SliceViews views = context.document.session().slices;
-    if (first && views.layout == SliceLayout::kPicture) views.layout = SliceLayout::kSlices;
+    // A person who opens a scan wants to see it; a script says which picture it wants.
+    if (first && context.window != nullptr && views.layout == SliceLayout::kPicture)
+        views.layout = SliceLayout::kSlices;
     context.document.set_slices(views);
     return {};
 }

@@ -3,6 +3,7 @@
 #include "app/commands/command.h"
 #include "app/commands/surface_flags.h"
 #include "app/picture/figure_options.h"
+#include "app/picture/slices.h"
 #include "app/session/numbers.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/volume_file.h"
@@ -167,6 +168,53 @@ void apply(const ComparisonFlags& flags, Marks& marks) {
     if (flags.skeleton) marks.skeleton = true;
     if (flags.contacts) marks.contact_marks = true;
     if (flags.shortest_distances) marks.shortest_distances = true;
+}
+
+void add_scan_flags(CLI::App& command, ScanFlags& flags) {
+    CLI::Option* scan = add_input(command, "--scan", "VOLUME", flags.scans,
+                                  "Slices of this scan, or tints of the labels of a segmentation; may be repeated");
+    scan->allow_extra_args(false);
+    add_option(command, "--slice", "NAME[=PLACE]", flags.slices,
+               "Show the axial, coronal or sagittal slice among the vessels, at a place in mm: axial=12.5; or the "
+               "oblique one across a branch: oblique=12@0.5; may be repeated")
+        ->allow_extra_args(false)
+        ->check(expecting(" is not the name of a slice, or NAME=PLACE", [](const std::string& word) {
+            return slice::direction_named(word.substr(0, word.find('='))).has_value();
+        }));
+    add_option(command, "--cut-away", "NAME", flags.cut_away, "Leave out what lies before this slice")
+        ->check(expecting(" is not the name of a slice",
+                          [](const std::string& word) { return slice::direction_named(word).has_value(); }));
+    add_option(command, "--layout", "NAME", flags.layout,
+               "Divide the picture: slices (the vessels and three slices), large, or one slice alone: axial, coronal, "
+               "sagittal, oblique")
+        ->check(expecting(" is not a layout", [](const std::string& word) { return layout_named(word).has_value(); }));
+    add_option(command, "--window", "WIDTH,LEVEL|NAME", flags.window,
+               "Values of the scan from black to white, or abdomen, liver, lung, bone, angiography")
+        ->needs(scan)
+        ->check(expecting(" is neither a window's name nor WIDTH,LEVEL",
+                          [](const std::string& word) { return word == "auto" || window_in(word).has_value(); }));
+}
+
+void apply(const ScanFlags& flags, SliceViews& views) {
+    if (!flags.layout.empty()) views.layout = *layout_named(flags.layout);
+}
+
+std::vector<std::vector<std::string>> command_lines(const ScanFlags& flags) {
+    std::vector<std::vector<std::string>> lines;
+    for (const std::string& file : flags.scans) lines.push_back({"scan", file});
+    if (!flags.window.empty()) lines.push_back({"window", flags.window});
+    for (const std::string& word : flags.slices) {
+        const auto equals = word.find('=');
+        const std::string name = word.substr(0, equals);
+        const bool oblique = slice::direction_named(name) == slice::Direction::kOblique;
+        if (equals != std::string::npos && oblique)
+            lines.push_back({"slice-across", word.substr(equals + 1)});
+        else if (equals != std::string::npos)
+            lines.push_back({"slice", name, word.substr(equals + 1)});
+        lines.push_back({"slice-plane", name, "on"});
+    }
+    if (!flags.cut_away.empty()) lines.push_back({"cut-away", flags.cut_away});
+    return lines;
 }
 
 } // namespace ramus::app

@@ -52,6 +52,17 @@ void add_deviation_flags(CLI::App& command, DeviationFlags& flags);
 [[nodiscard]] std::vector<std::vector<std::string>>
 command_lines(const DeviationFlags& flags, const std::string& mask_units, const std::string& mesh_axes);
 
+// The options about scans and slices.
+struct ScanFlags {
+    std::vector<std::string> scans, slices; // files; "axial", "axial=12.5", "oblique=12@0.5"
+    std::string window, cut_away, layout;
+};
+void add_scan_flags(CLI::App& command, ScanFlags& flags);
+// Sets the layout, which determines the size of the part for the tree.
+void apply(const ScanFlags& flags, SliceViews& views);
+// The commands of app/actions that do the rest.
+[[nodiscard]] std::vector<std::vector<std::string>> command_lines(const ScanFlags& flags);
+
 // Throws CLI::ValidationError if an option is given without the option that it needs.
 void check_comparison_flags(const CLI::App& command, const ComparisonFlags& flags);
 // Sets the given options in `marks`, and leaves all others unchanged.

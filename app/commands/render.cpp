@@ -65,6 +65,7 @@ struct RenderFlags {
     FigureOptions figure;
     ComparisonFlags comparison;
     DeviationFlags deviation;
+    ScanFlags scans;
 };
 
 Result<render::Camera> read_camera(const std::string& text) {
@@ -117,6 +118,7 @@ Result<int> judge(const render::Image& image, const RenderFlags& flags, nlohmann
 Result<bool> open_document(const RenderFlags& flags, Document& document) {
     RAMUS_TRY(opened, open_session(flags.file.string(), flags.session, flags.common, Alone::kAllowed));
     apply(flags.comparison, opened.session.marks);
+    apply(flags.scans, opened.session.slices);
     if (auto good = apply(flags.colours, opened.tree ? *opened.tree : tree::VesselTree(), opened.session.marks); !good)
         return tl::unexpected(good.error());
     document.open(std::move(opened.tree), std::move(opened.session), nullptr, {}, std::move(opened.base));
@@ -184,7 +186,8 @@ Result<Inputs> read_inputs(const RenderFlags& flags) {
     for (const auto& file : {flags.file, flags.reference}) io::note_input(file);
     io::note_input(flags.session, io::InputKind::kSession);
     io::note_input(flags.comparison.mask);
-    for (const auto& file : flags.context) io::note_input(file);
+    for (const auto* files : {&flags.context, &flags.scans.scans})
+        for (const auto& file : *files) io::note_input(file);
     if (!flags.camera.empty()) {
         RAMUS_TRY(read, read_camera(flags.camera));
         inputs.camera = read;
@@ -260,6 +263,8 @@ Result<void> run_commands(ActionContext& here, const RenderFlags& flags,
     }
     for (const std::vector<std::string>& words :
          command_lines(flags.deviation, flags.comparison.mask_units, flags.mesh_axes))
+        if (auto set = run_command(here, words); !set) return set;
+    for (const std::vector<std::string>& words : command_lines(flags.scans))
         if (auto set = run_command(here, words); !set) return set;
     if (flags.comparison.contact > 0) {
         const std::vector<std::string> words{"contact", std::to_string(flags.comparison.contact)};
@@ -413,6 +418,7 @@ void register_render(CLI::App& app, Action& chosen) {
               "Show the surface of this mask or mesh next to the tree (" + context_extensions() + "); may be repeated")
         ->allow_extra_args(false);
     add_mesh_orientation_flag(*command, flags->mesh_axes, "meshes of --context and --deviation-from");
+    add_scan_flags(*command, flags->scans);
     add_colour_flags(*command, flags->colours);
     command->add_flag("--ui", flags->interface, "Draw the whole window, with the panels around the picture");
     command->add_flag("--notes", flags->notes,

@@ -1,20 +1,24 @@
 // `ramus slice VOLUME -o PNG`: one slice of a scan, with vessels and a segmentation drawn on it.
+#include "app/assets/assets.h"
 #include "app/commands/command.h"
 #include "app/commands/inputs.h"
 #include "app/commands/output_target.h"
 #include "app/commands/picture_flags.h"
-#include "app/commands/picture_stage.h"
 #include "app/commands/printed_report.h"
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
+#include "app/picture/compose.h"
 #include "app/picture/figure_options.h"
 #include "app/picture/slices.h"
+#include "app/workspace/surface_maker.h"
 #include "core/base/words.h"
 #include "core/io/output_file.h"
 #include "core/io/run_inputs.h"
+#include "core/mesh/surface.h"
 #include "core/slice/sample.h"
 #include "render/image/image.h"
+#include "render/renderer/drawn.h"
 #include "render/slice/slice_painter.h"
 
 #include <array>
@@ -123,6 +127,16 @@ Result<void> check_inside(const Session& session, const Assets& assets, const st
     return {};
 }
 
+// The surface that `ramus mesh` writes: its outlines are exact also where vessels press on each other. Null: no tree.
+Result<std::shared_ptr<const render::PagedMesh>> surface_of(const Document& document, const SliceFlags& flags) {
+    if (!document.tree()) return nullptr;
+    mesh::SurfaceOptions options = document.marks().options;
+    options.threads = flags.common.surface.threads;
+    const auto make = [&](Job& job) { return mesh::make_untangled_surface(*document.tree(), options, job); };
+    RAMUS_TRY(surface, with_progress("surface", make, kNothingWritten));
+    return paged(surface.mesh, *document.tree());
+}
+
 Result<int> run_slice(const SliceFlags& flags) {
     for (const std::string& file : {flags.file, flags.tree, flags.mask}) io::note_input(file);
     if (!flags.output.empty()) {
@@ -132,19 +146,21 @@ Result<int> run_slice(const SliceFlags& flags) {
     RAMUS_TRY(opened, open_slice(flags));
     Document document;
     document.open(std::move(opened.tree), std::move(opened.session), nullptr, {}, std::move(opened.base));
-    PictureStage stage(document, flags.common, {});
-    const auto read = [&](Job& job) -> Result<void> { return load_scans(stage.assets, document.marks(), job); };
+    Assets assets;
+    const auto read = [&](Job& job) { return load_scans(assets, document.marks(), job); };
     if (auto scans = with_progress("scan", read, kNothingWritten); !scans) return tl::unexpected(scans.error());
+    refresh(assets, document);
     const Session& session = document.session();
-    if (auto inside = check_inside(session, stage.assets, flags.file); !inside) return tl::unexpected(inside.error());
-    RAMUS_TRY(frame, stage.frame());
+    if (auto inside = check_inside(session, assets, flags.file); !inside) return tl::unexpected(inside.error());
+    RAMUS_TRY(surface, surface_of(document, flags));
     Viewing viewing;
     viewing.size = flags.size.value_or(glm::ivec2(1));
-    render::SliceView view = compose_slice(session, stage.assets, flags.plane, viewing);
+    const render::Frame frame = compose(session, assets, std::move(surface), viewing);
+    render::SliceView view = compose_slice(session, assets, flags.plane, viewing);
     const volume::Volume& volume = *view.scans.front().scan;
     if (!flags.size)
-        view.grid = slice::grid_covering(volume, axes_of(session.slices, flags.plane),
-                                         crosshair_of(session, stage.assets), slice::smallest_spacing_mm(volume));
+        view.grid = slice::grid_covering(volume, axes_of(session.slices, flags.plane), crosshair_of(session, assets),
+                                         slice::smallest_spacing_mm(volume));
     if (auto fits = render::check_size(view.grid.size.x, view.grid.size.y); !fits) {
         fits.error().hint = "give a --size";
         return tl::unexpected(fits.error());
@@ -157,8 +173,7 @@ Result<int> run_slice(const SliceFlags& flags) {
     const render::Image image = painter.paint(frame, view);
     if (!flags.output.empty())
         if (auto written = render::write_png(image, flags.output); !written) return tl::unexpected(written.error());
-    if (flags.json)
-        std::cout << printed_report(slice_report(flags, session, stage.assets, view, painter.section())) << '\n';
+    if (flags.json) std::cout << printed_report(slice_report(flags, session, assets, view, painter.section())) << '\n';
     return kDone;
 }
 

@@ -24,7 +24,7 @@ p { margin: .3em 0; }
 .swatch { display: inline-block; width: .8em; height: .8em; margin-right: .4em; border: 1px solid #5b6570; print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 .quiet, figcaption, dt, th { color: #5b6570; }
 .pictures { display: grid; grid-template-columns: 1fr 1fr; gap: .7em; margin-top: 1.3em; }
-.pictures figure:first-child { grid-column: 1 / -1; } .pictures.even figure:first-child { grid-column: auto; }
+.pictures figure:first-child { grid-column: 1 / -1; } .pictures.even figure:first-child { grid-column: auto; } .three .pictures { grid-template-columns: 1fr 1fr 1fr; break-inside: avoid; }
 .wide { width: min(94vw, 90em); margin-left: 50%; transform: translateX(-50%); }
 .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(26em, 100%), 1fr)); gap: .8em 1.2em; margin: .8em 0; }
 figure { margin: 0; } .pictures img { border: 1px solid #d5d9de; box-sizing: border-box; } img, svg { display: block; width: 100%; height: auto; } img { border-radius: 4px; }

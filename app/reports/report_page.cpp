@@ -156,6 +156,15 @@ std::string cuts_note(const Document& document, const Plan& plan) {
     return document.lengths().worded(note) + " The last line counts nothing twice.";
 }
 
+std::string slices_html(const std::vector<SliceRow>& rows) {
+    if (rows.empty()) return {};
+    std::string text = "<h2>Slices</h2>\n";
+    for (const SliceRow& row : rows)
+        text += "<h3>" + html_text(row.title) + "</h3>\n<div class=\"three\">" + even_pictures_html(row.pictures) +
+                "</div>\n";
+    return text;
+}
+
 } // namespace
 
 std::string report_page(const Document& document, const Assets& assets, const ReportPictures& pictures,
@@ -184,6 +193,7 @@ std::string report_page(const Document& document, const Assets& assets, const Re
                                                               : "From the lesions to the vessels' walls; the thickest "
                                                                 "first."});
     page += plans_html(document, assets, pictures.plans);
+    page += slices_html(pictures.slices);
     for (const TableKind& kind : table_kinds())
         if (kind.plain_on_page && kind.there(document, assets)) page += table_html(kind.table(document, assets));
     if (!marks.selection.empty()) page += table_html(selection_table(document, assets));

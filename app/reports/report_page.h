@@ -12,9 +12,16 @@ namespace ramus::app {
 
 struct Assets; // app/assets/assets.h
 
+// Slices of the scan through one place.
+struct SliceRow {
+    std::string title;
+    std::vector<ReportPicture> pictures;
+};
+
 struct ReportPictures {
     std::vector<ReportPicture> general;              // the first is large
     std::vector<std::vector<ReportPicture>> plans{}; // by plan of the session: before and after; may be empty
+    std::vector<SliceRow> slices{};
 };
 
 struct ReportHead {

@@ -45,14 +45,14 @@ struct SliceStage : test::CommandStage {
 
 } // namespace
 
-TEST_CASE("the first scan shows slices, and every scan is a step of undo") {
+TEST_CASE("scans are opened in grey or as labels, each as a step of undo") {
     SliceStage stage;
     CHECK(stage.good("scan " + stage.file.string()).find("40 x 30 x 25 voxels") != std::string::npos);
     REQUIRE(stage.marks().scans.size() == 1);
     CHECK_FALSE(stage.marks().scans[0].labels);
     CHECK_FALSE(stage.marks().scans[0].checksum.empty());
-    CHECK(stage.views().layout == SliceLayout::kSlices);
-    stage.good("layout picture\nscan " + stage.labels_file.string());
+    CHECK(stage.views().layout == SliceLayout::kPicture); // without a window
+    stage.good("scan " + stage.labels_file.string());
     CHECK(stage.marks().scans[1].labels);
     CHECK(stage.views().layout == SliceLayout::kPicture);
     CHECK(stage.bad("scan " + stage.file.string()).find("shown already") != std::string::npos);

@@ -1,0 +1,81 @@
+#include "app/actions/slice_pictures.h"
+
+#include "app/assets/assets.h"
+#include "app/picture/scene_objects.h"
+#include "app/picture/slices.h"
+#include "core/measure/branch_point.h"
+#include "render/slice/slice_painter.h"
+
+#include <array>
+
+namespace ramus::app::actions {
+
+namespace {
+
+struct SlicePlace {
+    std::string title;
+    glm::dvec3 at;
+};
+
+// The middle of the box around the points that determine an object's extent.
+template <SceneObject T> std::optional<glm::dvec3> middle_of_object(const Assets& assets, const T& object) {
+    std::vector<glm::vec3> points;
+    add_points(points, assets, object);
+    if (points.empty()) return {};
+    const Bounds<glm::vec3> box = box_of_points(points);
+    return glm::dvec3(0.5F * (box.least + box.most));
+}
+
+std::vector<SlicePlace> places_of(const Session& session, const Assets& assets, const Lengths& lengths) {
+    const Marks& marks = session.marks;
+    std::vector<SlicePlace> places;
+    const auto add_objects = [&](const auto& list) {
+        for (std::size_t n = 0; n < list.size(); ++n)
+            if (const auto at = list[n].visible ? middle_of_object(assets, list[n]) : std::nullopt)
+                places.push_back({words_of(list[n], n, assets, lengths).title, *at});
+    };
+    add_objects(marks.lesions);
+    for (std::size_t n = 0; n < marks.cuts.size() && assets.tree; ++n)
+        places.push_back({"Cut " + std::to_string(n + 1) + ", branch " + std::to_string(marks.cuts[n].first),
+                          measure::point_on(*assets.tree, marks.cuts[n].first, marks.cuts[n].second).position});
+    add_objects(marks.resections);
+    add_objects(marks.pins);
+    if (session.slices.crosshair) places.push_back({"Crosshair", *session.slices.crosshair});
+    if (places.size() > kMostSliceRows) places.resize(kMostSliceRows);
+    return places;
+}
+
+} // namespace
+
+Result<std::vector<SliceRow>> take_slices(ActionContext& context) {
+    std::vector<SliceRow> rows;
+    Session session = context.document.session();
+    constexpr glm::ivec2 kSize{440, 360};
+    constexpr double kAcrossMm = 150.0;
+    Viewing viewing;
+    viewing.size = kSize;
+    viewing.pixel_ratio = 1.3F; // the page shows them smaller
+    {
+        render::SliceView shown;
+        add_scans(shown, session, context.assets);
+        if (shown.scans.empty()) return rows;
+    }
+    const render::Frame frame = compose(session, context.assets, context.picture.picture_mesh(), viewing);
+    const Lengths lengths = context.document.lengths();
+    constexpr std::array kShown{slice::Direction::kAxial, slice::Direction::kCoronal, slice::Direction::kSagittal};
+    std::array<render::SlicePainter, kShown.size()> painters; // each keeps the indices of the meshes
+    for (const SlicePlace& place : places_of(session, context.assets, lengths)) {
+        session.slices.crosshair = place.at;
+        SliceRow row{place.title + ", " + place_words(place.at, slice_claims(session, context.assets)), {}};
+        for (std::size_t n = 0; n < kShown.size(); ++n) {
+            render::SliceView view = compose_slice(session, context.assets, kShown[n], viewing);
+            view.grid = slice::grid_around(slice::axes_of(kShown[n]), place.at, kAcrossMm / kSize.x, kSize);
+            RAMUS_TRY(png, render::encode_png(painters[n].paint(frame, view)));
+            row.pictures.push_back({view.overlays.caption, std::move(png)});
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+} // namespace ramus::app::actions
