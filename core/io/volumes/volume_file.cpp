@@ -93,6 +93,8 @@ Result<volume::Volume> read_volume(const std::filesystem::path& path, const Read
         RAMUS_TRY(volume, read_any(path, options, job));
         take_described_names(path, volume);
         for (volume::LabelName& each : volume.label_names) each.name = printable(each.name);
+        volume.value_unit = printable(volume.value_unit);
+        volume.modality = printable(volume.modality);
         if (auto applied = apply_unit(volume, options.unit, input_name(path)); !applied)
             return tl::unexpected(applied.error());
         return volume;
