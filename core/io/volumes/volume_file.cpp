@@ -97,7 +97,7 @@ Result<volume::Volume> read_volume(const std::filesystem::path& path, const Read
         volume.modality = printable(volume.modality);
         if (auto applied = apply_unit(volume, options.unit, input_name(path)); !applied)
             return tl::unexpected(applied.error());
-        return volume;
+        return std::move(volume); // a reference: would be copied
     } catch (const std::bad_alloc&) {
         return fail("not enough memory for this volume", input_name(path), "crop it, or free some memory");
     }
