@@ -70,6 +70,16 @@ SparseMask::SparseMask(const BitMask& mask) : SparseMask(glm::ivec3(0)) {
     *this = std::move(builder).finish();
 }
 
+BitMask bit_mask_of(const SparseMask& mask) {
+    BitMask bits(mask.size());
+    const auto rows = static_cast<std::size_t>(mask.size().y);
+    mask.for_words([&](std::size_t word, std::uint64_t filled) {
+        const std::size_t row = word / mask.row_words();
+        bits.row(static_cast<int>(row % rows), static_cast<int>(row / rows))[word % mask.row_words()] = filled;
+    });
+    return bits;
+}
+
 bool SparseMask::test(const glm::ivec3& voxel) const {
     for (int axis = 0; axis < 3; ++axis)
         if (voxel[axis] < 0 || voxel[axis] >= size_[axis]) return false;

@@ -101,6 +101,8 @@ template <class Call> void SparseMask::for_words(const Call& call) const {
             if (words_[place] != 0) call(g * kGroup + static_cast<std::size_t>(std::countr_zero(left)), words_[place]);
 }
 
+[[nodiscard]] BitMask bit_mask_of(const SparseMask& mask); // the same voxels
+
 // inside() (bit_mask.h) with another result type.
 [[nodiscard]] Result<SparseMask> inside_sparsely(const Volume& volume, const Selection& selection, const JobRange& job);
 
