@@ -265,7 +265,7 @@ private:
                 for (std::size_t w = PagedMask::word_of(first.x); w <= PagedMask::word_of(last.x); ++w)
                     builder.add(row + w, taken_.word(row + w));
             }
-        region_.mask = std::move(builder).finish();
+        region_.mask = std::move(builder).finish(SparseMask::Words::kFilled);
         region_.touches_border =
             glm::any(glm::equal(first, glm::ivec3(0))) || glm::any(glm::equal(last, volume_.size - 1));
     }

@@ -1,11 +1,9 @@
 // Region growing: from seed voxels, all voxels that are connected by faces and whose values lie in a range. Barriers
 // stop the growth where a person sees that two structures touch.
-// Guarantees: exactly the connected voxels, whatever the order of the seeds. Values are read in place, without a copy of
-// the volume. The work takes memory for the region, not for the volume; so does the mask, except that a SparseMask of a
-// small volume stores all words (up to 32 MB).
-// Not guaranteed: that the region is the structure that was meant. A range of values is no segmentation: a region leaks
-// wherever neighbouring tissue has similar values, and ends where noise or an artefact exceeds the range. The result
-// must be looked at.
+// Guarantees: exactly the connected voxels, whatever the order of the seeds. Values are read in place, without a copy
+// of the volume. Work and result take memory for the region, not for the volume. Not guaranteed: that the region is the
+// structure that was meant. A range of values is no segmentation: a region leaks wherever neighbouring tissue has
+// similar values, and ends where noise or an artefact exceeds the range. The result must be looked at.
 //
 //     RAMUS_TRY(range, suggested_range(scan, seed));
 //     RAMUS_TRY(grown, grow_region(scan, {.seeds = {seed}, .low = range.low, .high = range.high}, job));

@@ -28,12 +28,13 @@ void SparseMask::Builder::begin(std::size_t word) {
     last_ = word;
 }
 
-SparseMask SparseMask::Builder::finish() && {
+SparseMask SparseMask::Builder::finish(Words stored) && {
     SparseMask mask(glm::ivec3(0));
     mask.size_ = size_;
     mask.row_words_ = words_per_row(size_);
     const std::size_t all = words_of(size_);
-    if (all <= std::max(kFewWords, kMostPerFilled * words_.size())) {
+    const std::size_t few = stored == Words::kAllIfFew ? kFewWords : 0;
+    if (all <= std::max(few, kMostPerFilled * words_.size())) {
         mask.words_.assign(all, 0);
         std::size_t place = 0;
         for (std::size_t g = 0; g < filled_.size(); ++g)

@@ -21,6 +21,10 @@ class SparseMask {
 public:
     static constexpr std::size_t kNone = ~std::size_t{0};
 
+    // kAllIfFew: all words of a small volume, for fast lookups. kFilled: only words that hold voxels, unless a fourth
+    // of them do.
+    enum class Words { kAllIfFew, kFilled };
+
     // Collects words in ascending order; the last one may be added several times.
     class Builder {
     public:
@@ -30,7 +34,7 @@ public:
             if (words_.empty() || word != last_) begin(word);
             words_.back() |= bits;
         }
-        [[nodiscard]] SparseMask finish() &&;
+        [[nodiscard]] SparseMask finish(Words stored = Words::kAllIfFew) &&;
 
     private:
         void begin(std::size_t word);

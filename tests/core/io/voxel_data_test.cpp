@@ -39,7 +39,7 @@ struct Outcome {
     float progress = 0.0F;
 };
 
-Outcome read(std::function<Result<void>(std::size_t, float&)> at_byte, Job& job) {
+Outcome read_numbers(std::function<Result<void>(std::size_t, float&)> at_byte, Job& job) {
     std::size_t given = 0;
     auto source = io::ByteSource::of_stage(std::make_unique<Numbers>(given, std::move(at_byte)), "numbers", 1e12);
     REQUIRE(source);
@@ -52,7 +52,7 @@ Outcome read(std::function<Result<void>(std::size_t, float&)> at_byte, Job& job)
 
 TEST_CASE("numbers are stored in their order, and progress reaches the end") {
     Job job;
-    const Outcome whole = read([](std::size_t, float&) { return Result<void>{}; }, job);
+    const Outcome whole = read_numbers([](std::size_t, float&) { return Result<void>{}; }, job);
     REQUIRE(whole.volume);
     for (int n = 0; n < 1024 * 1024 * 25; n += 1013)
         if (volume::value_at(*whole.volume, {n % 1024, n / 1024 % 1024, n / 1024 / 1024}) != n % 5000)
@@ -63,7 +63,7 @@ TEST_CASE("numbers are stored in their order, and progress reaches the end") {
 TEST_CASE("reading stops soon after it is cancelled, and after an error of either side") {
     constexpr std::size_t kThere = 20 * kMib, kSoon = 4 * kMib;
     Job cancelled;
-    Outcome outcome = read(
+    Outcome outcome = read_numbers(
         [&](std::size_t byte, float&) {
             if (byte == kThere) cancelled.cancel();
             return Result<void>{};
@@ -73,7 +73,7 @@ TEST_CASE("reading stops soon after it is cancelled, and after an error of eithe
     CHECK(outcome.volume.error().what == "cancelled");
     CHECK(outcome.given <= kThere + kSoon);
     Job job;
-    outcome = read(
+    outcome = read_numbers(
         [](std::size_t byte, float&) -> Result<void> {
             if (byte == kThere) return fail("the medium failed");
             return {};
@@ -81,7 +81,7 @@ TEST_CASE("reading stops soon after it is cancelled, and after an error of eithe
         job);
     REQUIRE_FALSE(outcome.volume);
     CHECK(outcome.volume.error().what == "the medium failed");
-    outcome = read(
+    outcome = read_numbers(
         [](std::size_t byte, float& number) {
             if (byte == kThere) number = std::numeric_limits<float>::infinity();
             return Result<void>{};

@@ -21,7 +21,7 @@ struct Stored {
 };
 
 // Stores slices of the values that `value(k, n)` gives, and checks some of them.
-Stored store(double memory_bytes, const std::function<float(int k, std::uint32_t n)>& value) {
+Stored stored_values(double memory_bytes, const std::function<float(int k, std::uint32_t n)>& value) {
     const test::PeakMemory peak;
     volume::VoxelStore store({256, 256, kSlices}, memory_bytes, "scan");
     std::vector<float> slice(kSlice);
@@ -51,21 +51,23 @@ TEST_CASE("a scan is in memory once, also where its type changes late" * doctest
     // The limit lets an array of the final type fit, and no second one.
     const auto limit = [&](double bytes_each) { return (bytes_each * kOnce + kMore) * kMib; };
     SUBCASE("from 8 to 16 bits") {
-        const Stored stored = store(limit(2.0), [](int k, std::uint32_t n) { return noise(k, n) - (k > 450 ? 9 : 0); });
+        const Stored stored =
+            stored_values(limit(2.0), [](int k, std::uint32_t n) { return noise(k, n) - (k > 450 ? 9 : 0); });
         CHECK(std::holds_alternative<SparseArray<std::int16_t>>(stored.volume.voxels));
         CHECK(stored.peak_mib < 2.0 * kOnce + kMore);
     }
     SUBCASE("from 16 to 32 bits") {
-        const Stored stored = store(limit(4.0), [](int k, std::uint32_t n) {
+        const Stored stored = stored_values(limit(4.0), [](int k, std::uint32_t n) {
             return noise(k, n) - (k > 250 ? 9.0F : 0.0F) + (k > 480 ? 0.5F : 0.0F);
         });
         CHECK(std::holds_alternative<SparseArray<float>>(stored.volume.voxels));
         CHECK(stored.peak_mib < 4.0 * kOnce + kMore);
     }
     SUBCASE("from runs to single values") {
-        const Stored stored = store(limit(2.0), [](int k, std::uint32_t n) { // runs take almost half of the array
-            return k > 450 ? noise(k, n) : 300.0F + noise(k, n / 5);
-        });
+        const Stored stored =
+            stored_values(limit(2.0), [](int k, std::uint32_t n) { // runs take almost half of the array
+                return k > 450 ? noise(k, n) : 300.0F + noise(k, n / 5);
+            });
         CHECK(std::holds_alternative<SparseArray<std::uint16_t>>(stored.volume.voxels));
         CHECK(stored.peak_mib < 2.0 * kOnce + kMore);
     }
