@@ -139,7 +139,7 @@ public:
         for (const glm::ivec3& seed : growing_.seeds) start_at(seed);
         if (region_.count == 0)
             return fail("no seed has a value in the range", {}, "choose a wider range, or another seed");
-        constexpr std::size_t kBetweenReports = 4096;
+        constexpr std::size_t kBetweenReports = 512; // few, because the values of long runs are slow to find
         const double most = std::min(static_cast<double>(growing_.most_voxels), voxels_within());
         for (std::size_t n = 0; !spans_.empty() && !region_.stopped_at_limit; ++n) {
             if (n % kBetweenReports == 0) {
