@@ -1,6 +1,7 @@
 #include "app/commands/info_volume.h"
 
 #include "app/commands/info_parts.h"
+#include "app/session/colour_by.h"
 #include "app/session/numbers.h"
 #include "core/volume/label_counts.h"
 
@@ -78,6 +79,9 @@ ordered_json volume_json(const volume::Volume& volume) {
                            {"type", volume.type},
                            {"values", {{"min", volume.minimum}, {"max", volume.maximum}}},
                            {"labels", labels}};
+    if (!volume.value_unit.empty()) report["values"]["unit"] = volume.value_unit;
+    if (!volume.modality.empty()) report["modality"] = volume.modality;
+    if (volume.window) report["window"] = {{"centre", volume.window->centre}, {"width", volume.window->width}};
     if (volume.segmentation) report["overlaps"] = ordered_json::array();
     for (const auto& [both, voxels] : figures.shared)
         report["overlaps"].push_back({{"labels", both}, {"voxels", voxels}});
@@ -106,7 +110,11 @@ void print_volume(const std::string& file, const volume::Volume& volume) {
     print_fact("origin", rounded(origin.x) + ", " + rounded(origin.y) + ", " + rounded(origin.z) + " mm (RAS)");
     print_fact("orientation", volume::orientation(volume.to_patient) + " (where its axes lead)");
     print_fact("type", volume.type);
-    print_fact("values", rounded(volume.minimum) + " to " + rounded(volume.maximum));
+    if (!volume.modality.empty()) print_fact("modality", volume.modality);
+    const std::string unit = volume.value_unit.empty() ? "" : " " + volume.value_unit;
+    print_fact("values", rounded(volume.minimum) + " to " + rounded(volume.maximum) + unit);
+    if (volume.window)
+        print_fact("window", rounded(volume.window->centre) + ", " + rounded(volume.window->width) + " wide");
     if (figures.inside) print_fact("from 0.5", amount(*figures.inside));
     if (are_greys(volume, figures))
         print_fact("labels", "none: " + grouped(figures.labels.size()) + " different values");

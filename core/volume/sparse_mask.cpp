@@ -28,12 +28,13 @@ void SparseMask::Builder::begin(std::size_t word) {
     last_ = word;
 }
 
-SparseMask SparseMask::Builder::finish() && {
+SparseMask SparseMask::Builder::finish(Words stored) && {
     SparseMask mask(glm::ivec3(0));
     mask.size_ = size_;
     mask.row_words_ = words_per_row(size_);
     const std::size_t all = words_of(size_);
-    if (all <= std::max(kFewWords, kMostPerFilled * words_.size())) {
+    const std::size_t few = stored == Words::kAllIfFew ? kFewWords : 0;
+    if (all <= std::max(few, kMostPerFilled * words_.size())) {
         mask.words_.assign(all, 0);
         std::size_t place = 0;
         for (std::size_t g = 0; g < filled_.size(); ++g)
@@ -68,6 +69,16 @@ SparseMask::SparseMask(const BitMask& mask) : SparseMask(glm::ivec3(0)) {
         for (std::size_t w = 0; w < slice.size(); ++w) builder.add(first + w, slice[w]);
     }
     *this = std::move(builder).finish();
+}
+
+BitMask bit_mask_of(const SparseMask& mask) {
+    BitMask bits(mask.size());
+    const auto rows = static_cast<std::size_t>(mask.size().y);
+    mask.for_words([&](std::size_t word, std::uint64_t filled) {
+        const std::size_t row = word / mask.row_words();
+        bits.row(static_cast<int>(row % rows), static_cast<int>(row / rows))[word % mask.row_words()] = filled;
+    });
+    return bits;
 }
 
 bool SparseMask::test(const glm::ivec3& voxel) const {

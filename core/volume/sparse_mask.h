@@ -21,6 +21,10 @@ class SparseMask {
 public:
     static constexpr std::size_t kNone = ~std::size_t{0};
 
+    // kAllIfFew: all words of a small volume, for fast lookups. kFilled: only words that hold voxels, unless a fourth
+    // of them do.
+    enum class Words { kAllIfFew, kFilled };
+
     // Collects words in ascending order; the last one may be added several times.
     class Builder {
     public:
@@ -30,7 +34,7 @@ public:
             if (words_.empty() || word != last_) begin(word);
             words_.back() |= bits;
         }
-        [[nodiscard]] SparseMask finish() &&;
+        [[nodiscard]] SparseMask finish(Words stored = Words::kAllIfFew) &&;
 
     private:
         void begin(std::size_t word);
@@ -100,6 +104,8 @@ template <class Call> void SparseMask::for_words(const Call& call) const {
         for (std::uint32_t left = (*groups_)[g].filled; left != 0; left &= left - 1, ++place)
             if (words_[place] != 0) call(g * kGroup + static_cast<std::size_t>(std::countr_zero(left)), words_[place]);
 }
+
+[[nodiscard]] BitMask bit_mask_of(const SparseMask& mask); // the same voxels
 
 // inside() (bit_mask.h) with another result type.
 [[nodiscard]] Result<SparseMask> inside_sparsely(const Volume& volume, const Selection& selection, const JobRange& job);

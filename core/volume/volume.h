@@ -37,6 +37,12 @@ struct Overlap {
     bool operator==(const Overlap&) const = default;
 };
 
+// The values that a viewer should show first: `width` values around `centre`, in the unit of the values.
+struct DisplayWindow {
+    double centre = 0.0, width = 1.0; // width > 0
+    bool operator==(const DisplayWindow&) const = default;
+};
+
 // The beginning of the note of a volume whose file does not state the patient's sides.
 inline constexpr std::string_view kLeavesSidesOpen = "the file does not say how the patient lies";
 
@@ -53,6 +59,9 @@ struct Volume {
     std::vector<LabelName> label_names;  // ascending; empty: the file has no names
     std::vector<Overlap> overlaps;       // ascending by value; empty: no voxel has two labels
     bool segmentation = false;           // label_names lists all segments, also those without voxels
+    std::string value_unit;              // that the file states: "HU"; empty: not stated
+    std::string modality;                // of DICOM: "CT", "MR"; empty: not stated
+    std::optional<DisplayWindow> window; // that the file proposes; none: not stated
 };
 
 // Whether the file states the patient's sides. If not, the axes are a guess, and a note says so.

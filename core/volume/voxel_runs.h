@@ -2,6 +2,8 @@
 // of several labels takes less memory than one bit for each voxel.
 #pragma once
 
+#include "core/base/mapped_pages.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +21,9 @@ public:
     [[nodiscard]] std::size_t size() const { return size_; } // values
     [[nodiscard]] double bytes() const { return static_cast<double>(sizeof(Run)) * static_cast<double>(runs_.size()); }
     [[nodiscard]] Value operator[](std::size_t n) const { return runs_[run_at(n)].value; }
+
+    // Returns the memory of the runs that end before value `n` to the system. These values must not be read again.
+    void release_before(std::size_t n) { empty_pages(runs_.data(), run_at(n) * sizeof(Run)); }
 
     // Calls `call(begin, end, value)` for all runs within [first, end), in order. A long run may be divided.
     template <class Call> void for_runs(std::size_t first, std::size_t end, const Call& call) const {

@@ -34,13 +34,15 @@ constexpr bool kMayBeLarge = std::is_integral_v<Raw> && (sizeof(Raw) > 4 || std:
 template <class Kept> constexpr bool kIsRuns = false;
 template <class T> constexpr bool kIsRuns<RunsOf<T>> = true;
 
-template <class T, class To> void copy_values(const RunsOf<T>& from, std::size_t count, To* to) {
-    from.for_runs(0, count, [&](std::size_t begin, std::size_t end, T value) {
-        if (value != T(0)) std::fill(to + begin, to + end, static_cast<To>(value));
+template <class T, class To> void move_values(RunsOf<T>& from, std::size_t first, std::size_t end, To* to) {
+    from.for_runs(first, end, [&](std::size_t begin, std::size_t stop, T value) {
+        if (value != T(0)) std::fill(to + begin, to + stop, static_cast<To>(value));
     });
+    if (end < from.size()) from.release_before(end);
 }
-template <class From, class To> void copy_values(const SparseArray<From>& from, std::size_t count, To* to) {
-    copy_sparsely(from.data(), count, to);
+template <class From, class To> void move_values(SparseArray<From>& from, std::size_t first, std::size_t end, To* to) {
+    copy_sparsely(from.data() + first, end - first, to + first);
+    empty_pages(from.data() + first, (end - first) * sizeof(From));
 }
 
 std::string text_of(double whole) {
@@ -81,7 +83,11 @@ template <class Value> VoxelStore::Range VoxelStore::range_of(const Value* value
 template <class To> void VoxelStore::move_to_array() {
     SparseArray<To> larger;
     larger.resize(total_);
-    std::visit([&](const auto& from) { copy_values(from, used_, larger.data()); }, voxels_);
+    // Releases the old memory step by step, so that a scan is never in memory twice.
+    constexpr std::size_t kAtOnce = std::size_t{1} << 21;
+    for (std::size_t first = 0; first < used_; first += kAtOnce)
+        std::visit([&](auto& from) { move_values(from, first, std::min(first + kAtOnce, used_), larger.data()); },
+                   voxels_);
     voxels_ = std::move(larger);
 }
 
@@ -103,12 +109,11 @@ VoxelStore::Kind VoxelStore::smallest_kind() const {
     return Kind::kFloat;
 }
 
-// Peak memory if all values are stored in an array of this kind. During a conversion, the values exist twice.
+// Peak memory if all values are stored in an array of this kind. A conversion never holds more than the larger of its
+// two arrays, because it releases memory as fast as it fills other memory.
 double VoxelStore::bytes_to_be(Kind kind) const {
     const double bytes = kBytesOfKind[static_cast<std::size_t>(kind)] * static_cast<double>(total_);
-    if (static_cast<std::size_t>(kind) == voxels_.index()) return bytes;
-    if (const auto runs = bytes_of_runs()) return bytes + *runs;
-    return bytes + kBytesOfKind[voxels_.index()] * static_cast<double>(used_);
+    return std::max(bytes, bytes_of_runs().value_or(0.0));
 }
 
 std::optional<double> VoxelStore::bytes_of_runs() const {

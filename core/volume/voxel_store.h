@@ -1,6 +1,7 @@
 // VoxelStore: collects the values of a volume while a reader reads them, in pieces of any type. It stores runs of equal
 // values while these take less memory than single values, then an array of the smallest type that holds all values so
-// far. A value that does not fit converts the array to a larger type.
+// far. A value that does not fit converts the array to a larger type. The conversion releases the old array step by
+// step, so that the values are in memory once.
 //
 //     VoxelStore store(size, memory_bytes, name);
 //     store.append(values, count, scaling);   // for all values, in order

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import struct
 import subprocess
 import sys
 import unittest
@@ -21,6 +22,20 @@ class InfoFiles(CommandLineTest):
         self.write("bad.swc", GOOD.replace("0.9 2", "oops 2"))
         size = (4, 4, 4)
         self.write("mask.nii", nifti(size, [1 for _ in voxels(size)]))
+
+    def test_facts_of_a_scan(self):
+        self.write("ct.nrrd", b"NRRD0004\ntype: int16\ndimension: 3\nsizes: 2 1 1\nendian: little\nencoding: raw\n"
+                              b"sample units: HU\n\n" + struct.pack("<2h", -1000, 400))
+        window = bytearray(nifti((4, 4, 4), [1] * 64))
+        window[124:132] = struct.pack("<2f", 240, -160)  # cal_max and cal_min of nifti1.h
+        self.write("window.nii", bytes(window))
+        self.assertIn("-1000 to 400 HU\n", self.expect_done("info", "ct.nrrd").stdout)
+        self.assertIn("40, 400 wide\n", self.expect_done("info", "window.nii").stdout)
+        self.assertEqual(self.json("info", "ct.nrrd", "--json")["values"], {"min": -1000, "max": 400, "unit": "HU"})
+        self.assertEqual(self.json("info", "window.nii", "--json")["window"], {"centre": 40, "width": 400})
+        plain = self.json("info", "mask.nii", "--json")
+        self.assertEqual(plain["values"], {"min": 1, "max": 1})
+        self.assertFalse({"window", "modality"} & set(plain))
 
     def test_blocks_of_text(self):
         result = self.run_ramus("info", "a.swc", "bad.swc", "mask.nii")

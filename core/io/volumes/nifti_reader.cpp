@@ -23,6 +23,7 @@ struct Header {
     std::array<double, 4> pixdim{}; // [0]: the sign of qfac
     std::int64_t offset = 0;        // of the first voxel
     double slope = 0.0, intercept = 0.0;
+    double darkest = 0.0, brightest = 0.0; // values to display; equal: not stated
     int type = 0, qform = 0, sform = 0, units = 0;
     std::array<double, 3> quaternion{}, origin{};
     std::array<std::array<double, 4>, 3> rows{};
@@ -46,6 +47,8 @@ template <class Raw> Result<Header> header_of(Raw raw, int version, const std::s
     header.offset = std::max(static_cast<std::int64_t>(offset), static_cast<std::int64_t>(sizeof(Raw)));
     header.slope = raw.scl_slope;
     header.intercept = raw.scl_inter;
+    header.darkest = raw.cal_min;
+    header.brightest = raw.cal_max;
     header.type = raw.datatype;
     header.qform = raw.qform_code;
     header.sform = raw.sform_code;
@@ -182,6 +185,12 @@ Result<volume::Scaling> scaling_of(const Header& header, const std::string& name
     return volume::Scaling{header.slope, header.intercept};
 }
 
+std::optional<volume::DisplayWindow> window_of(const Header& header) {
+    const double width = header.brightest - header.darkest;
+    if (!(width > 0.0) || !std::isfinite(width)) return std::nullopt;
+    return volume::DisplayWindow{header.darkest + 0.5 * width, width};
+}
+
 struct NiftiNumber {
     int code;
     VoxelType number;
@@ -265,6 +274,7 @@ Result<volume::Volume> read_nifti(ByteSource& source, const ReadVolumeOptions& o
     volume->to_patient = affine;
     volume->type = "NIfTI-" + std::to_string(header.version) + ", " + std::string(name_of(type));
     volume->unit_mm = unit_of(header);
+    volume->window = window_of(header);
     if (header.sform <= 0 && header.qform <= 0)
         volume->notes.push_back(std::string(volume::kLeavesSidesOpen) + ": axes taken as right, anterior, superior");
     if (auto note = forms_differ(header, size, name)) volume->notes.push_back(std::move(*note));

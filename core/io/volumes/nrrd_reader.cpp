@@ -162,6 +162,7 @@ Result<volume::Volume> read_nrrd(ByteSource& source, const ReadVolumeOptions& op
     volume->to_patient = space.to_patient;
     volume->type = "NRRD, " + std::string(name_of(type));
     volume->unit_mm = space.unit_mm;
+    if (const std::string* unit = header.find({"sampleunits"})) volume->value_unit = *unit;
     volume->notes.insert(volume->notes.begin(), notes.begin(), notes.end());
     if (!segments.empty()) volume->label_names = layers ? layers->names() : names_of(segments);
     volume->segmentation = !segments.empty();

@@ -93,9 +93,11 @@ Result<volume::Volume> read_volume(const std::filesystem::path& path, const Read
         RAMUS_TRY(volume, read_any(path, options, job));
         take_described_names(path, volume);
         for (volume::LabelName& each : volume.label_names) each.name = printable(each.name);
+        volume.value_unit = printable(volume.value_unit);
+        volume.modality = printable(volume.modality);
         if (auto applied = apply_unit(volume, options.unit, input_name(path)); !applied)
             return tl::unexpected(applied.error());
-        return volume;
+        return std::move(volume); // a reference: would be copied
     } catch (const std::bad_alloc&) {
         return fail("not enough memory for this volume", input_name(path), "crop it, or free some memory");
     }

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <oneapi/tbb/parallel_pipeline.h>
 
 namespace ramus::io {
 
@@ -40,18 +42,46 @@ template <class Raw> void swap_bytes(std::vector<Raw>& raw, std::size_t count) {
 // Reads a megabyte at a time, because even the declared size of one slice may be too large.
 constexpr std::size_t kAtOnce = std::size_t{1} << 20;
 
+// Reads (and decompresses) on one thread while another stores what was read before.
 template <class Raw> Result<void> read_binary(const Reading& reading, volume::VoxelStore& store) {
-    std::vector<Raw> raw(std::min(kAtOnce / sizeof(Raw), reading.voxels));
-    for (std::size_t done = 0; done < reading.voxels;) {
-        if (reading.job.cancelled()) return fail("cancelled");
-        const std::size_t count = std::min(raw.size(), reading.voxels - done);
-        if (auto got = reading.source.read(raw.data(), count * sizeof(Raw)); !got) return got;
-        if (reading.layout.encoding == Encoding::kSwapped && sizeof(Raw) > 1) swap_bytes(raw, count);
-        if (auto kept = keep(reading, raw.data(), count, store); !kept) return kept;
-        done += count;
+    struct Piece {
+        std::vector<Raw> raw;
+        std::size_t count = 0;
+    };
+    constexpr std::size_t kPieces = 3;
+    std::array<Piece, kPieces> pieces;
+    const std::size_t most = std::min(kAtOnce / sizeof(Raw), reading.voxels);
+    std::size_t begun = 0, next = 0, done = 0;
+    Result<void> read, kept;
+    std::atomic<bool> failed = false; // to store; ends reading
+    const auto read_piece = [&](tbb::flow_control& flow) -> Piece* {
+        if (begun == reading.voxels || failed || reading.job.cancelled()) {
+            flow.stop();
+            return nullptr;
+        }
+        Piece& piece = pieces[next++ % kPieces];
+        piece.raw.resize(most);
+        piece.count = std::min(most, reading.voxels - begun);
+        begun += piece.count;
+        read = reading.source.read(piece.raw.data(), piece.count * sizeof(Raw));
+        if (read && reading.layout.encoding == Encoding::kSwapped && sizeof(Raw) > 1)
+            swap_bytes(piece.raw, piece.count);
+        if (!read) flow.stop();
+        return &piece;
+    };
+    const auto keep_piece = [&](Piece* piece) {
+        if (failed) return;
+        kept = keep(reading, piece->raw.data(), piece->count, store);
+        failed = !kept;
+        done += piece->count;
         reading.report(done);
-    }
-    return {};
+    };
+    constexpr auto kInOrder = tbb::filter_mode::serial_in_order;
+    tbb::parallel_pipeline(kPieces, tbb::make_filter<void, Piece*>(kInOrder, read_piece) &
+                                        tbb::make_filter<Piece*, void>(kInOrder, keep_piece));
+    if (!kept) return kept;
+    if (!read) return read;
+    return done < reading.voxels ? fail("cancelled") : Result<void>{};
 }
 
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ','; }

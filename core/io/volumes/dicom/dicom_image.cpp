@@ -39,8 +39,17 @@ void take_measures(const DicomSet& set, DicomFrame& frame) {
 void take_scaling(const DicomSet& set, DicomFrame& frame) {
     const auto slope = set.decimals(0x00281053);
     const auto intercept = set.decimals(0x00281052);
+    frame.scaled = frame.scaled || !slope.empty() || !intercept.empty();
+    if (const std::string type = set.text(0x00281054); !type.empty()) frame.value_type = type;
     if (slope.size() == 1 && slope[0] != 0.0 && std::isfinite(slope[0])) frame.scaling.slope = slope[0];
     if (intercept.size() == 1 && std::isfinite(intercept[0])) frame.scaling.intercept = intercept[0];
+}
+// The first of several windows.
+void take_window(const DicomSet& set, DicomFrame& frame) {
+    const auto centre = set.decimals(0x00281050);
+    const auto width = set.decimals(0x00281051);
+    if (centre.empty() || width.empty() || !std::isfinite(centre[0])) return;
+    if (width[0] > 0.0 && std::isfinite(width[0])) frame.window = {centre[0], width[0]};
 }
 void take_segment(const DicomSet& set, DicomFrame& frame) {
     if (const auto segment = set.number(0x0062000b)) frame.segment = *segment;
@@ -48,11 +57,9 @@ void take_segment(const DicomSet& set, DicomFrame& frame) {
 
 void take_groups(const DicomSet& groups, DicomFrame& frame) {
     using Take = void (*)(const DicomSet&, DicomFrame&);
-    constexpr std::pair<std::uint32_t, Take> kGroups[] = {{0x00209113, take_position},
-                                                          {0x00209116, take_orientation},
-                                                          {0x00289110, take_measures},
-                                                          {0x00289145, take_scaling},
-                                                          {0x0062000a, take_segment}};
+    constexpr std::pair<std::uint32_t, Take> kGroups[] = {{0x00209113, take_position}, {0x00209116, take_orientation},
+                                                          {0x00289110, take_measures}, {0x00289132, take_window},
+                                                          {0x00289145, take_scaling},  {0x0062000a, take_segment}};
     for (const auto& [tag, take] : kGroups)
         if (const auto& items = groups.items(tag); !items.empty()) take(items[0], frame);
 }
@@ -63,6 +70,7 @@ Result<void> take_frames(const DicomSet& set, DicomImage& image) {
     take_orientation(set, frame);
     take_measures(set, frame);
     take_scaling(set, frame);
+    take_window(set, frame);
     const auto claimed = set.decimals(0x00280008);
     const double count = claimed.size() == 1 ? claimed[0] : 1.0;
     const auto& shared = set.items(0x52009229);
@@ -116,7 +124,11 @@ void take_identity(const DicomSet& set, DicomImage& image) {
     image.series_number = set.text(0x00200011);
     image.description = set.text(0x0008103e);
     image.modality = set.text(0x00080060);
-    image.localizer = set.text(0x00080008).find("LOCALIZER") != std::string::npos;
+    const std::string type = set.text(0x00080008);
+    image.localizer = type.find("LOCALIZER") != std::string::npos;
+    // PS3.3, C.8.2.1: the output of the scaling is HU in original images that are neither localizers nor multi-energy.
+    image.implies_hounsfield =
+        image.modality == "CT" && type.starts_with("ORIGINAL\\") && !image.localizer && set.text(0x00189361) != "YES";
 }
 
 Result<void> take_pixel_format(const DicomSet& set, DicomImage& image) {
@@ -148,6 +160,12 @@ std::string series_name(const DicomImage& image) {
     std::string name = image.series_number.empty() ? "without a number" : "number " + image.series_number;
     if (!image.description.empty()) name += ", \"" + image.description + '"';
     return image.modality.empty() ? name : name + ", " + image.modality;
+}
+
+std::string value_unit(const DicomImage& image, const DicomFrame& frame) {
+    // PS3.3, C.11.1.1.2: US means unspecified.
+    if (!frame.value_type.empty()) return frame.value_type == "US" ? "" : frame.value_type;
+    return frame.scaled && image.implies_hounsfield ? "HU" : "";
 }
 
 Result<std::optional<DicomImage>> read_dicom_image(const DicomBytes& file) {

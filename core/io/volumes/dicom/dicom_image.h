@@ -22,6 +22,9 @@ struct DicomFrame {
     std::optional<glm::dvec2> spacing;                  // between columns, and between rows
     double between_slices = 0.0, thickness = 0.0;       // 0: not stated
     volume::Scaling scaling;
+    bool scaled = false;    // the file states a scaling
+    std::string value_type; // Rescale Type; empty: not stated
+    std::optional<volume::DisplayWindow> window;
     int segment = 0; // its number, for segmentations
 };
 
@@ -32,6 +35,7 @@ struct DicomImage {
     DicomLayout layout;
     std::string sop_class, series_uid, series_number, description, modality, photometric;
     bool localizer = false;
+    bool implies_hounsfield = false; // its scaled values are in HU unless they state another type
     int rows = 0, columns = 0, samples = 1;
     int bits_allocated = 0, bits_stored = 0, high_bit = 0;
     bool is_signed = false;
@@ -44,6 +48,9 @@ struct DicomImage {
 
 // The series of the image for people: number 4, "Thorax 1.0", CT.
 [[nodiscard]] std::string series_name(const DicomImage& image);
+
+// The unit of a frame's values: "HU". Empty: the file leaves it open.
+[[nodiscard]] std::string value_unit(const DicomImage& image, const DicomFrame& frame);
 
 // None: a DICOM file without an image (a report, a plan, a list of files). Fails on damaged files, and on images that
 // make no volume: colours, frames without a position.

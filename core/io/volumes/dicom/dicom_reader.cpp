@@ -63,6 +63,16 @@ private:
     const JobRange& job_;
 };
 
+// The unit that all slices state; empty if they differ.
+std::string common_unit(const std::vector<DicomImage>& images, const DicomStack& stack) {
+    const auto unit_of = [&](const DicomSlice& slice) {
+        return value_unit(images[slice.image], images[slice.image].frames[slice.frame]);
+    };
+    const std::string unit = unit_of(stack.slices[0]);
+    return std::ranges::all_of(stack.slices, [&](const DicomSlice& slice) { return unit_of(slice) == unit; }) ? unit
+                                                                                                              : "";
+}
+
 Result<volume::Volume> read_series(const std::vector<DicomImage>& images, const std::string& name,
                                    const ReadVolumeOptions& options, Job& job) {
     RAMUS_TRY(stack, stack_images(images, name));
@@ -81,6 +91,10 @@ Result<volume::Volume> read_series(const std::vector<DicomImage>& images, const 
     volume.to_patient = stack.to_patient;
     volume.type = "DICOM" + (first.modality.empty() ? "" : " " + first.modality) + ", " + number_type_name(first);
     volume.unit_mm = 1.0; // PS3.3, C.7.6.2
+    volume.value_unit = common_unit(images, stack);
+    volume.modality = first.modality;
+    const DicomSlice& middle = stack.slices[stack.slices.size() / 2];
+    volume.window = images[middle.image].frames[middle.frame].window;
     volume.notes = std::move(stack.notes);
     return volume;
 }
