@@ -81,11 +81,11 @@ std::vector<int> OtherBranches::through(const Lumen& lumen, const Plane& plane) 
     return found;
 }
 
-std::vector<std::optional<Lumen>> lumens_along(const VesselPath& path, const LoopsOfPlane& loops,
+std::vector<std::optional<Lumen>> lumens_along(std::span<const PathSample> samples, const LoopsOfPlane& loops,
                                                const OtherBranches& others) {
-    std::vector<std::optional<Lumen>> lumens(path.samples.size());
+    std::vector<std::optional<Lumen>> lumens(samples.size());
     tbb::parallel_for(std::size_t{0}, lumens.size(), [&](std::size_t n) {
-        const PathSample& sample = path.samples[n];
+        const PathSample& sample = samples[n];
         lumens[n] = lumen_around(loops(sample.plane()), sample.plane(), sample.at);
         if (lumens[n]) lumens[n]->shared_with = others.through(*lumens[n], sample.plane());
     });

@@ -8,7 +8,7 @@
 //
 //     const MeshBlocks blocks(mesh);
 //     const auto loops = [&](const Plane& plane) { return section(blocks, plane); };
-//     const std::vector<std::optional<Lumen>> lumens = lumens_along(path, loops, OtherBranches(tree, path));
+//     const std::vector<std::optional<Lumen>> lumens = lumens_along(path.samples, loops, OtherBranches(tree, path));
 #pragma once
 
 #include "core/base/bounds.h"
@@ -18,6 +18,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -51,8 +52,8 @@ private:
 using LoopsOfPlane = std::function<std::vector<Loop>(const Plane&)>;
 
 // The lumen at each sample. The result does not depend on threads.
-[[nodiscard]] std::vector<std::optional<Lumen>> lumens_along(const VesselPath& path, const LoopsOfPlane& loops,
-                                                             const OtherBranches& others);
+[[nodiscard]] std::vector<std::optional<Lumen>> lumens_along(std::span<const PathSample> samples,
+                                                             const LoopsOfPlane& loops, const OtherBranches& others);
 
 // The pixels of a square picture across a path, about the axis. Its axes are those of the sample, so that pictures of
 // neighbouring samples do not turn against each other.

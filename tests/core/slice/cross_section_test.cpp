@@ -83,7 +83,7 @@ TEST_CASE("sections along a bent vessel are discs, and other parts of the surfac
     REQUIRE(path);
     const slice::MeshBlocks blocks(torus);
     const auto lumens = slice::lumens_along(
-        *path, [&](const slice::Plane& plane) { return slice::section(blocks, plane); },
+        path->samples, [&](const slice::Plane& plane) { return slice::section(blocks, plane); },
         slice::OtherBranches(tree, *path));
     REQUIRE(lumens.size() == path->samples.size());
     for (std::size_t n = 0; n < lumens.size(); ++n) {
@@ -134,7 +134,7 @@ TEST_CASE("at a fork the section says which branches share it") {
     const auto mesh =
         test::straight_tube({0, 0, -40}, {0, 0, 40}, glm::dvec2(4.5)); // wide enough for both near the fork
     const auto lumens = slice::lumens_along(
-        *path, [&](const slice::Plane& plane) { return slice::section(mesh, plane); },
+        path->samples, [&](const slice::Plane& plane) { return slice::section(mesh, plane); },
         slice::OtherBranches(tree, *path));
     const auto shared_at = [&](double arc) { return lumens[path->nearest(arc)]->shared_with; };
     CHECK(shared_at(20.0).empty());

@@ -87,7 +87,8 @@ TEST_CASE("walls of a tube are at its radius at every angle") {
     const mesh::TriangleMesh tube = spiral_tube();
     const slice::MeshBlocks blocks(tube);
     const auto path = spiral_path(0.5);
-    const auto lumens = slice::lumens_along(path, loops_of(blocks), slice::OtherBranches({}, path));
+    const tree::VesselTree nothing;
+    const auto lumens = slice::lumens_along(path.samples, loops_of(blocks), slice::OtherBranches(nothing, path));
     for (const double angle : {0.0, 33.0, 90.0, 215.0}) {
         const Reformation picture = slice::reformation_along(path, ReformationKind::kStraightened, angle, 20.0);
         const auto walls = slice::walls_of(picture, lumens);

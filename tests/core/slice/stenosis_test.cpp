@@ -21,7 +21,7 @@ TEST_CASE("a waist of half the diameter is a narrowing by 50 percent of the diam
     REQUIRE(path);
     const slice::MeshBlocks blocks(mesh);
     const auto lumens = slice::lumens_along(
-        *path, [&](const slice::Plane& plane) { return slice::section(blocks, plane); },
+        path->samples, [&](const slice::Plane& plane) { return slice::section(blocks, plane); },
         slice::OtherBranches(tree, *path));
     std::vector<slice::SectionFigures> figures;
     for (const auto& lumen : lumens)
