@@ -316,7 +316,8 @@ void register_reformat(CLI::App& app, Action& chosen) {
                "Picture (.png) or table of cross-sections (.csv) to write; - is standard output");
     add_format_flag(*command, flags->format, {".png", ".csv"});
     command->add_flag("--json", flags->json, "Print the figures as one JSON object");
-    add_surface_flags(*command, flags->surface);
+    flags->surface.command = command;
+    add_source_flags(*command, flags->surface);
     command->callback([command, flags, &chosen] {
         check_output_flags(*command, flags->output, flags->format);
         const bool is_picture = flags->is_picture() || flags->format == "png" || flags->format == ".png";

@@ -22,8 +22,7 @@ Result<void> check_size(double width, double height) {
 }
 
 // Walls of a part of the rows.
-std::vector<std::optional<slice::RowWalls>> within(std::vector<std::optional<slice::RowWalls>> walls,
-                                                   const slice::Reformation& picture, const slice::PathPart& part) {
+slice::Walls within(slice::Walls walls, const slice::Reformation& picture, const slice::PathPart& part) {
     const double slack = picture.mm_per_pixel; // parts share a row, so that lines touch
     for (std::size_t row = 0; row < walls.size(); ++row)
         if (picture.rows[row].arc_mm < part.begin_mm - slack || picture.rows[row].arc_mm > part.end_mm)

@@ -5,6 +5,7 @@
 #include "app/session/numbers.h"
 #include "core/slice/cross_section.h"
 #include "core/slice/reformation.h"
+#include "core/slice/walls.h"
 #include "core/slice/window.h"
 #include "core/volume/volume.h"
 #include "render/image/image.h"

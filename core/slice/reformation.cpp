@@ -82,24 +82,6 @@ Reformation stretched(const VesselPath& path, double angle_deg, double width_mm)
     return picture;
 }
 
-// Where a line through `at` along a unit vector crosses loops in its plane, next to `at` on either side, mm.
-RowWalls crossings(const Lumen& lumen, const glm::dvec3& at, const glm::dvec3& along, const glm::dvec3& normal) {
-    const glm::dvec3 aside = glm::cross(normal, along);
-    RowWalls walls{-kInfinity, kInfinity};
-    for (const Loop& loop : lumen.loops)
-        for (std::size_t k = 0, before = loop.points.size() - 1; k < loop.points.size(); before = k++) {
-            const glm::dvec3 a = loop.points[before].at - at, b = loop.points[k].at - at;
-            const double from = glm::dot(a, aside), to = glm::dot(b, aside);
-            if ((from >= 0.0) == (to >= 0.0)) continue;
-            const double x = glm::dot(a + from / (from - to) * (b - a), along);
-            if (x < 0.0)
-                walls.left = std::max(walls.left, x);
-            else
-                walls.right = std::min(walls.right, x);
-        }
-    return walls;
-}
-
 } // namespace
 
 std::string_view name_of(ReformationKind kind) { return kReformations[static_cast<std::size_t>(kind)].second; }
@@ -134,38 +116,6 @@ std::vector<std::optional<Lumen>> lumens_of_rows(const Reformation& picture, con
         lumens[n] = lumen_around(loops(plane), plane, plane.point);
     });
     return lumens;
-}
-
-std::vector<std::optional<RowWalls>> walls_of(const Reformation& picture,
-                                              const std::vector<std::optional<Lumen>>& lumens) {
-    std::vector<std::optional<RowWalls>> walls(picture.rows.size());
-    tbb::parallel_for(std::size_t{0}, walls.size(), [&](std::size_t n) {
-        if (!lumens[n]) return;
-        const ReformationRow& row = picture.rows[n];
-        const RowWalls mm = crossings(*lumens[n], row.axis(), glm::normalize(row.right), row.normal);
-        if (std::isfinite(mm.left) && std::isfinite(mm.right))
-            walls[n] = {row.axis_column + mm.left / picture.mm_per_pixel,
-                        row.axis_column + mm.right / picture.mm_per_pixel};
-    });
-    return walls;
-}
-
-std::vector<Outline> wall_lines(const std::vector<std::optional<RowWalls>>& walls, double most_jump) {
-    std::vector<Outline> lines;
-    for (double RowWalls::*side : {&RowWalls::left, &RowWalls::right}) {
-        bool continues = false;
-        for (std::size_t row = 0; row < walls.size(); ++row) {
-            if (!walls[row]) {
-                continues = false;
-                continue;
-            }
-            const double column = (*walls[row]).*side;
-            if (!continues || std::abs(column - lines.back().back().x) > most_jump) lines.emplace_back();
-            lines.back().emplace_back(column, row);
-            continues = true;
-        }
-    }
-    return lines;
 }
 
 std::optional<PicturePlace> place_of(const Reformation& picture, const glm::dvec2& pixel) {

@@ -65,20 +65,9 @@ struct Reformation {
 [[nodiscard]] std::vector<float> sampled(const volume::Volume& volume, const Reformation& picture,
                                          const Sampling& sampling = {});
 
-// The lumen in the plane of each row. For straightened pictures those of lumens_along(), whatever the angle, so that a
-// caller can keep them.
+// The lumen in the plane of each row, for walls (walls.h). For straightened pictures those of lumens_along(), whatever
+// the angle, so that a caller can keep them.
 [[nodiscard]] std::vector<std::optional<Lumen>> lumens_of_rows(const Reformation& picture, const LoopsOfPlane& loops);
-
-// The columns where a row's line leaves the lumen on either side of the axis.
-struct RowWalls {
-    double left = 0.0, right = 0.0;
-};
-// `lumens`: one for each row. None where a row has no lumen.
-[[nodiscard]] std::vector<std::optional<RowWalls>> walls_of(const Reformation& picture,
-                                                            const std::vector<std::optional<Lumen>>& lumens);
-// The walls as polylines in columns and rows, interrupted where a row has none and where a wall jumps by more than
-// `most_jump` columns from a row to the next, as at forks.
-[[nodiscard]] std::vector<Outline> wall_lines(const std::vector<std::optional<RowWalls>>& walls, double most_jump);
 
 // The place that a pixel shows, and that of the axis in its row. Rows between whole numbers are interpolated.
 struct PicturePlace {

@@ -111,7 +111,9 @@ void set_frames(VesselPath& path, double voxel_mm) {
     const CurveFilter filter(points);
     tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t n) {
         PathSample& sample = path.samples[n];
-        const double wanted = std::max({0.5 * sample.radius_mm, 1.5 * voxel_mm, 2.0 * path.step_mm});
+        const double least = std::max({0.25 * sample.radius_mm, 1.5 * voxel_mm, 2.0 * path.step_mm});
+        const double from_end = std::min(sample.arc_mm, path.length_mm() - sample.arc_mm);
+        const double wanted = std::max(least, std::min(sample.radius_mm, from_end / 3.0));
         const double sigma = std::max(1.0, std::min(wanted, path.length_mm() / 3.0) / path.step_mm);
         const glm::dvec3 direction = filter.direction(static_cast<double>(n), sigma);
         const double length = glm::length(direction);

@@ -5,15 +5,16 @@
 // point reflection, so that the ends stay.
 // - Positions: standard deviation of half a radius, but at most two voxels. No position moves by more than half of the
 //   smallest voxel spacing. Without known voxels positions are not smoothed.
-// - Tangents: the direction of the positions, smoothed with a standard deviation of half a radius, so that a window of
-//   one radius to either side matters; but at least one and a half voxels, and two steps.
+// - Tangents: the direction of the positions, smoothed with a standard deviation of one radius, but of no more than a
+//   third of the distance from the nearer end; and of at least a quarter of a radius, one and a half voxels and two
+//   steps.
 // - Frames: rotation minimising, by double reflection (W. Wang, B. Juettler, D. Zheng, Y. Liu, "Computation of rotation
 //   minimizing frames", ACM TOG 27 (1), 2008). At the first sample `right` and `down` are those of axes_across().
 //
 // Guarantees: samples are equally spaced in arc length, the last one is the end of the way. Tangents, `right` and
 // `down` are of unit length and at right angles; `to_viewer()` has the same sign along the tangent at all samples. On
-// an arc of a circle tangents are exact, but within one and a half radii of the ends they lean towards the chord. Radii
-// are those of the file. Not guaranteed: that planes across the tangents of neighbouring samples do not intersect
+// an arc of a circle tangents are exact, but within three quarters of a radius of the ends they lean towards the chord.
+// Radii are those of the file. Not guaranteed: that planes across the tangents of neighbouring samples do not intersect
 // within a wide picture. Units: mm.
 #pragma once
 

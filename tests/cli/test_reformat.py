@@ -12,11 +12,11 @@ from ramus import CommandLineTest
 SIZE = (40, 40, 60)
 AXIS = (20.0, 19.0)
 RADIUS = 4.0
-TREE = f"# mm, RAS\n1 3 {AXIS[0]} {AXIS[1]} 4 {RADIUS} -1\n2 3 {AXIS[0]} {AXIS[1]} 54 {RADIUS} 1\n"
-WAIST = "# mm, RAS\n" + "".join(
+TREE = f"1 3 {AXIS[0]} {AXIS[1]} 4 {RADIUS} -1\n2 3 {AXIS[0]} {AXIS[1]} 54 {RADIUS} 1\n"
+WAIST = "" + "".join(
     f"{n} 3 20 19 {z} {r} {n - 1 if n > 1 else -1}\n"
     for n, (z, r) in enumerate(((4, 4), (24, 4), (29, 2), (34, 4), (54, 4)), 1))
-FORK = ("# mm, RAS\n1 3 20 19 4 3 -1\n2 3 20 19 30 3 1\n3 3 30 19 54 2 2\n4 3 10 19 54 2 2\n")
+FORK = ("1 3 20 19 4 3 -1\n2 3 20 19 30 3 1\n3 3 30 19 54 2 2\n4 3 10 19 54 2 2\n")
 
 
 def value(x, y, z):
@@ -35,7 +35,7 @@ class Reformat(CommandLineTest):
         self.write("scan.nii", nifti(SIZE, [value(*v) for v in voxels(SIZE)], kind="f"))
 
     def reformat(self, *words, tree="tree.swc"):
-        return self.json("reformat", tree, "--json", *words)
+        return self.json("reformat", tree, "--units", "mm", "--json", *words)
 
     def picture(self, name):
         return Picture((self.folder / name).read_bytes())
@@ -112,7 +112,8 @@ class Reformat(CommandLineTest):
     def test_tables_have_the_cross_sections(self):
         self.write("mask.nii", nifti(SIZE, [int(math.dist((x, y), AXIS) < RADIUS and 2 < z < 57)
                                             for x, y, z in voxels(SIZE)]))
-        self.expect_done("reformat", "tree.swc", "--path", "0", "-o", "out.csv", "--step", 0.5, "--mask", "mask.nii")
+        self.expect_done("reformat", "tree.swc", "--units", "mm", "--path", "0", "-o", "out.csv", "--step", 0.5, "--mask",
+                         "mask.nii")
         rows = self.rows((self.folder / "out.csv").read_text())
         self.assertEqual(len(rows), 101)
         self.assertEqual(list(rows[0])[:9],
@@ -126,9 +127,10 @@ class Reformat(CommandLineTest):
             self.assertAlmostEqual(float(row["file_radius"]), RADIUS)
             if 10 <= n <= 90:
                 self.assertEqual((row["closed"], row["shared_with"]), ("yes", ""))
-                self.assertAlmostEqual(float(row["area"]) / (math.pi * RADIUS ** 2), 1, delta=0.03)
+                # The surface of usual detail is up to 3 % thinner.
+                self.assertAlmostEqual(float(row["area"]) / (math.pi * RADIUS ** 2), 1, delta=0.06)
                 for name in ("equivalent_diameter", "least_diameter", "largest_diameter"):
-                    self.assertAlmostEqual(float(row[name]) / (2 * RADIUS), 1, delta=0.02)
+                    self.assertAlmostEqual(float(row[name]) / (2 * RADIUS), 1, delta=0.03)
                 # 49 voxels of the mask, their corners cut.
                 self.assertAlmostEqual(float(row["mask_area"]) / (math.pi * RADIUS ** 2), 1, delta=0.08)
                 self.assertAlmostEqual(float(row["mask_equivalent_diameter"]),
@@ -164,21 +166,20 @@ class Reformat(CommandLineTest):
         self.write("waist.swc", WAIST)
         for reference in ("8", "0@0.2", "0@0.15..0@0.3"):
             with self.subTest(reference=reference):
-                found = self.reformat("--path", "0", "--step", "0.25", "--reference", reference, "--method", "cones",
-                                      tree="waist.swc")["narrowest"]["surface"]
-                self.assertAlmostEqual(found["reference"]["least_mm"], 8, delta=0.15)
+                found = self.reformat("--path", "0", "--step", "0.25", "--reference", reference, tree="waist.swc")["narrowest"]["surface"]
+                self.assertAlmostEqual(found["reference"]["least_mm"], 8, delta=0.24)
                 for measure, percent in (("least_diameter", 50), ("equivalent_diameter", 50), ("area", 75)):
-                    self.assertAlmostEqual(found[measure]["percent"], percent, delta=2)
+                    # The surface rounds the waist, which has corners in the file.
+                    self.assertAlmostEqual(found[measure]["percent"], percent, delta=3)
                     self.assertAlmostEqual(found[measure]["at"][2], 29, delta=0.6)
         away = self.reformat("--path", "0", "--step", "0.5", "--reference", "8", "--between", "0@0.1..0@0.3", tree="waist.swc")
         self.assertLess(abs(away["narrowest"]["surface"]["area"]["percent"]), 4)
-        text = self.expect_done("reformat", "waist.swc", "--path", "0", "--reference", "8").stdout
+        text = self.expect_done("reformat", "waist.swc", "--units", "mm", "--path", "0", "--reference", "8").stdout
         self.assertRegex(text, r"surface +least diameter [\d.]+ % less at 25.* mm \(0@0\.5")
 
     def test_lengths_have_no_unit_that_nobody_states(self):
-        self.write("plain.swc", TREE.split("\n", 1)[1])
-        text = self.expect_done("reformat", "plain.swc", "--path", "0", "-o", "out.csv").stdout
-        self.assertIn("path          50.00 units" if "50.00" in text else "path          50.0 units", text)
+        text = self.expect_done("reformat", "tree.swc", "--path", "0", "-o", "out.csv").stdout
+        self.assertIn("path          50.00 units", text)
         self.assertNotIn("mm", text)
         self.assertEqual({row["unit"] for row in self.rows((self.folder / "out.csv").read_text())}, {"unknown"})
 
@@ -199,7 +200,7 @@ class Reformat(CommandLineTest):
                 for word in says:
                     self.assertIn(word, result.stderr)
                 self.assertEqual(self.names(), ["scan.nii", "tree.swc"])
-        self.write("far.swc", "# mm, RAS\n1 3 900 0 0 2 -1\n2 3 900 0 50 2 1\n")
+        self.write("far.swc", "1 3 900 0 0 2 -1\n2 3 900 0 50 2 1\n")
         result = self.run_ramus("reformat", "far.swc", "--path", "0", "--scan", "scan.nii", "-o", "out.png")
         self.assertEqual(result.returncode, 1)
         self.assertIn("outside of the scan", result.stderr)

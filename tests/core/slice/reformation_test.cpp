@@ -1,5 +1,6 @@
 // Pictures along vessels against phantoms with analytic values: a straight picture of a helix, true lengths, walls.
 #include "core/slice/reformation.h"
+#include "core/slice/walls.h"
 #include "tests/core/slice/swept_tube.h"
 
 #include <algorithm>
@@ -53,6 +54,12 @@ slice::LoopsOfPlane loops_of(const slice::MeshBlocks& blocks) {
     return [&blocks](const slice::Plane& plane) { return slice::section(blocks, plane); };
 }
 
+slice::PiecesOnLine pieces_of(const slice::MeshLines& lines) {
+    return [&lines](const slice::RowLine& line, std::vector<slice::CutTriangle>& pieces) {
+        lines.add_pieces(line, pieces);
+    };
+}
+
 } // namespace
 
 TEST_CASE("a rod along a helix is straight in the straightened picture, with the phantom's values") {
@@ -86,6 +93,7 @@ TEST_CASE("a rod along a helix is straight in the straightened picture, with the
 TEST_CASE("walls of a tube are at its radius at every angle") {
     const mesh::TriangleMesh tube = spiral_tube();
     const slice::MeshBlocks blocks(tube);
+    const slice::MeshLines lines(tube);
     const auto path = spiral_path(0.5);
     const tree::VesselTree nothing;
     const auto lumens = slice::lumens_along(path.samples, loops_of(blocks), slice::OtherBranches(nothing, path));
@@ -93,6 +101,7 @@ TEST_CASE("walls of a tube are at its radius at every angle") {
         const Reformation picture = slice::reformation_along(path, ReformationKind::kStraightened, angle, 20.0);
         const auto walls = slice::walls_of(picture, lumens);
         const auto again = slice::walls_of(picture, slice::lumens_of_rows(picture, loops_of(blocks)));
+        const auto direct = slice::walls_of(picture, pieces_of(lines));
         for (std::size_t row = 12; row + 12 < walls.size(); ++row) {
             REQUIRE(walls[row]);
             CHECK((picture.rows[row].axis_column - walls[row]->left) * picture.mm_per_pixel ==
@@ -100,9 +109,12 @@ TEST_CASE("walls of a tube are at its radius at every angle") {
             CHECK((walls[row]->right - picture.rows[row].axis_column) * picture.mm_per_pixel ==
                   doctest::Approx(3.0).epsilon(0.01));
             CHECK(again[row]->left == doctest::Approx(walls[row]->left));
+            REQUIRE(direct[row]);
+            CHECK(direct[row]->left == doctest::Approx(walls[row]->left));
+            CHECK(direct[row]->right == doctest::Approx(walls[row]->right));
         }
-        const auto lines = slice::wall_lines({walls.begin() + 12, walls.end() - 12}, 4.0);
-        CHECK(lines.size() == 2);
+        const auto polylines = slice::wall_lines({walls.begin() + 12, walls.end() - 12}, 4.0);
+        CHECK(polylines.size() == 2);
     }
 }
 
@@ -154,6 +166,27 @@ TEST_CASE("walls of a stretched picture lie on the tube") {
     CHECK(found + 24 == walls.size());
 }
 
+TEST_CASE("there are no walls where the axis is outside of the surface, by loops and without") {
+    auto mesh = test::straight_tube({0, 0, -20}, {0, 0, 20}, glm::dvec2(4.0));
+    auto hole = test::straight_tube({1, 0, -19}, {1, 0, 19}, glm::dvec2(2.0));
+    for (auto& triangle : hole.triangles) std::swap(triangle.x, triangle.y);
+    test::join(mesh, hole);
+    const slice::MeshBlocks blocks(mesh);
+    const slice::MeshLines lines(mesh);
+    for (const double x : {1.0, 6.0, -2.5}) {
+        const auto tree = test::vessel_of([&](double t) { return glm::dvec3(x, 0.0, 30.0 * t - 15.0); }, 31, 2.0);
+        const auto path = slice::path_of_branch(tree, 0, 0.5);
+        REQUIRE(path);
+        const Reformation picture = slice::reformation_along(*path, ReformationKind::kStraightened, 10.0, 20.0);
+        const auto by_loops = slice::walls_of(picture, slice::lumens_of_rows(picture, loops_of(blocks)));
+        const auto direct = slice::walls_of(picture, pieces_of(lines));
+        for (std::size_t row = 0; row < direct.size(); ++row) {
+            CHECK(by_loops[row].has_value() == (x == -2.5));
+            CHECK(direct[row].has_value() == (x == -2.5));
+        }
+    }
+}
+
 TEST_CASE("pixels lead to places and back") {
     const auto path = spiral_path(0.5);
     for (const auto& [kind, name] : slice::kReformations) {
@@ -179,7 +212,7 @@ TEST_CASE("pixels lead to places and back") {
 }
 
 TEST_CASE("walls end where there is no lumen, and where they jump") {
-    std::vector<std::optional<slice::RowWalls>> walls(10, slice::RowWalls{4.0, 6.0});
+    slice::Walls walls(10, slice::RowWalls{4.0, 6.0});
     walls[3].reset();
     for (std::size_t row = 7; row < 10; ++row) walls[row]->right = 12.0;
     const auto lines = slice::wall_lines(walls, 3.0);
