@@ -24,6 +24,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace ramus::app {
 
@@ -54,7 +56,7 @@ struct ReformatFlags {
 std::optional<std::optional<slice::Window>> window_in(const std::string& text) {
     if (text == "auto") return std::optional<slice::Window>();
     if (const auto window = slice::window_named(text)) return window;
-    const auto words = parts_of(text);
+    const std::vector<std::string_view> words = ramus::parts_of(text);
     if (words.size() != 2) return {};
     const auto width = parsed<double>(words[0]), level = parsed<double>(words[1]);
     if (!width || !level || !(*width > 0.0) || !std::isfinite(*width) || !std::isfinite(*level)) return {};
@@ -131,7 +133,7 @@ Result<ReformatCase> read_case(const ReformatFlags& flags) {
 Result<std::optional<NarrowPlaces>> narrow_places(const ReformatFlags& flags, const ReformatCase& read,
                                                   const slice::VesselPath& path, const Lumens& lumens) {
     if (!flags.reference) return std::optional<NarrowPlaces>();
-    const std::vector<slice::SectionFigures> figures = figures_of(lumens);
+    const std::vector<slice::SectionFigures> figures = section_figures(lumens);
     NarrowPlaces places;
     if (flags.reference->diameter_mm) {
         places.reference = slice::figures_of_disc(*flags.reference->diameter_mm);

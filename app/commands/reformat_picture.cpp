@@ -30,6 +30,13 @@ slice::Walls within(slice::Walls walls, const slice::Reformation& picture, const
     return walls;
 }
 
+// Paints an outline of the vessel. Those of masks get a dark edge: vessels may be as white as the line.
+void put_outline(SliceCanvas& canvas, const slice::Outline& line, const glm::vec3& colour, glm::ivec2 low,
+                 glm::ivec2 high) {
+    if (colour == kMaskColour) canvas.put_line(line, glm::vec3(0.0F), 2.5 * kLineWidth, low, high);
+    canvas.put_line(line, colour, kLineWidth, low, high);
+}
+
 class ReformationPainter {
 public:
     ReformationPainter(const slice::VesselPath& path, const slice::Reformation& picture)
@@ -67,7 +74,7 @@ public:
 private:
     void put_line(slice::Outline line, const glm::vec3& colour) {
         for (glm::dvec2& point : line) point += glm::dvec2(corner_);
-        canvas_.put_line(line, colour, kLineWidth, corner_, corner_ + size_);
+        put_outline(canvas_, line, colour, corner_, corner_ + size_);
     }
 
     const slice::VesselPath& path_;
@@ -125,7 +132,7 @@ Result<PaintedSlices> painted_sections(const volume::Volume& scan, std::span<con
                 for (const slice::EdgePoint& point : loop.points)
                     line.push_back(grid.pixel(point.at) + glm::dvec2(corner));
                 if (loop.closed) line.push_back(line.front());
-                canvas.put_line(line, colour, kLineWidth, corner, corner + side);
+                put_outline(canvas, line, colour, corner, corner + side);
             }
         };
         put_loops(outlines.mask, kMaskColour);

@@ -18,9 +18,9 @@ std::optional<WayEnd> way_end_in(std::string_view word) {
     return WayEnd{place->first, has_fraction ? std::optional(place->second) : std::nullopt};
 }
 
-measure::BranchPlace place_of(const WayEnd& end, double usual) { return {end.branch, end.fraction.value_or(usual)}; }
+measure::BranchPlace place_at(const WayEnd& end, double usual) { return {end.branch, end.fraction.value_or(usual)}; }
 
-std::string text_of(const measure::BranchPlace& place) {
+std::string place_text(const measure::BranchPlace& place) {
     return std::to_string(place.branch) + "@" + in_digits(place.fraction);
 }
 
@@ -40,7 +40,7 @@ std::optional<Way> way_in(std::string_view text) {
 Result<slice::VesselPath> path_along(const tree::VesselTree& tree, const Way& way, double step_mm) {
     if (!way.to) return slice::path_of_branch(tree, way.from.branch, step_mm);
     if (way.from.branch < 0) return slice::path_from_root(tree, way.to->branch, step_mm);
-    return slice::path_between(tree, place_of(way.from, 0.0), place_of(*way.to, 1.0), step_mm);
+    return slice::path_between(tree, place_at(way.from, 0.0), place_at(*way.to, 1.0), step_mm);
 }
 
 std::optional<Reference> reference_in(std::string_view text) {
@@ -55,11 +55,11 @@ std::optional<Reference> reference_in(std::string_view text) {
 Result<slice::SampleRange> samples_of(const slice::VesselPath& path, const Way& way) {
     const auto sample_at = [&](const measure::BranchPlace& place) -> Result<std::size_t> {
         if (const auto arc = path.arc_of(place)) return path.nearest(*arc);
-        return fail("the place " + text_of(place) + " is not on the path", "--path", "choose a place between its ends");
+        return fail("the place " + place_text(place) + " is not on the path", "--path", "choose a place between its ends");
     };
-    RAMUS_TRY(first, sample_at(place_of(way.from, 0.0)));
+    RAMUS_TRY(first, sample_at(place_at(way.from, 0.0)));
     if (!way.to) return slice::SampleRange{first, first};
-    RAMUS_TRY(last, sample_at(place_of(*way.to, 1.0)));
+    RAMUS_TRY(last, sample_at(place_at(*way.to, 1.0)));
     return slice::SampleRange{std::min(first, last), std::max(first, last)};
 }
 
@@ -80,7 +80,7 @@ slice::SampleRange inner_samples(const tree::VesselTree& tree, const slice::Vess
     return {path.nearest(from), path.nearest(to)};
 }
 
-std::vector<slice::SectionFigures> figures_of(const std::vector<std::optional<slice::Lumen>>& lumens) {
+std::vector<slice::SectionFigures> section_figures(const std::vector<std::optional<slice::Lumen>>& lumens) {
     std::vector<slice::SectionFigures> figures;
     for (const auto& lumen : lumens)
         figures.push_back(lumen && lumen->closed ? slice::SectionFigures(lumen->figures) : std::nullopt);

@@ -46,7 +46,8 @@ struct Reference {
 [[nodiscard]] slice::SampleRange inner_samples(const tree::VesselTree& tree, const slice::VesselPath& path);
 
 // The figures of closed sections.
-[[nodiscard]] std::vector<slice::SectionFigures> figures_of(const std::vector<std::optional<slice::Lumen>>& lumens);
+[[nodiscard]] std::vector<slice::SectionFigures>
+section_figures(const std::vector<std::optional<slice::Lumen>>& lumens);
 
 // Loops of a mask. `voxels` must outlive them. `half_mm`: about the extent of the vessel.
 [[nodiscard]] slice::LoopsOfPlane loops_of(const MaskVoxels& voxels, double half_mm);
