@@ -55,7 +55,8 @@ std::optional<Reference> reference_in(std::string_view text) {
 Result<slice::SampleRange> samples_of(const slice::VesselPath& path, const Way& way) {
     const auto sample_at = [&](const measure::BranchPlace& place) -> Result<std::size_t> {
         if (const auto arc = path.arc_of(place)) return path.nearest(*arc);
-        return fail("the place " + place_text(place) + " is not on the path", "--path", "choose a place between its ends");
+        return fail("the place " + place_text(place) + " is not on the path", "--path",
+                    "choose a place between its ends");
     };
     RAMUS_TRY(first, sample_at(place_at(way.from, 0.0)));
     if (!way.to) return slice::SampleRange{first, first};
