@@ -20,7 +20,7 @@ Result<std::shared_ptr<const ScanFile>> read_volume_of(const ScanSource& source,
         RAMUS_TRY(checksum, checksum_of(source.file));
         ScanFile scan;
         scan.claims = io::claims_of(volume, unit);
-        scan.window = slice::automatic_window(volume);
+        scan.window = slice::usual_window(volume);
         if (volume::looks_like_a_mask(volume))
             for (const volume::LabelCount& count : volume::label_counts(volume)) scan.labels.push_back(count.label);
         scan.checksum = std::move(checksum);

@@ -109,6 +109,7 @@ nlohmann::ordered_json slice_report(const SliceFlags& flags, const Session& sess
                                   {"outlines", outlines_json(section.vessels)},
                                   {"axes", nlohmann::ordered_json::array()}};
     if (!std::isnan(value)) report["value"] = value;
+    if (!volume.value_unit.empty()) report["value_unit"] = volume.value_unit;
     for (const render::AxisCrossing& crossing : section.crossings)
         report["axes"].push_back({{"branch", crossing.branch}, {"at", vector_json(crossing.at)}});
     return report;

@@ -187,7 +187,7 @@ std::string value_words(const glm::dvec3& place, const Session& session, const A
         if (scan.labels)
             words += name != nullptr && !name->name.empty() ? name->name : "label " + rounded(double{value});
         else
-            words += rounded(double{value});
+            words += rounded(double{value}) + (volume.value_unit.empty() ? "" : " " + volume.value_unit);
     }
     return words;
 }

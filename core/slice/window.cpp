@@ -11,6 +11,11 @@ std::optional<Window> window_named(std::string_view preset) {
     return {};
 }
 
+Window usual_window(const volume::Volume& volume) {
+    if (volume.window) return {volume.window->centre, volume.window->width};
+    return automatic_window(volume);
+}
+
 Window automatic_window(const volume::Volume& volume) {
     constexpr std::size_t kVoxels = 200'000;
     const std::size_t count = volume::voxel_count(volume.size);

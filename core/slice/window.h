@@ -33,6 +33,9 @@ inline constexpr std::array<WindowPreset, 5> kWindowPresets{{{"abdomen", {40.0, 
                                                              {"angiography", {200.0, 600.0}}}};
 [[nodiscard]] std::optional<Window> window_named(std::string_view preset);
 
+// The window that the file proposes, otherwise automatic_window().
+[[nodiscard]] Window usual_window(const volume::Volume& volume);
+
 // From the value that 1 % of the voxels are below to the value that 1 % are above, without voxels of the least value,
 // which are mostly outside of the patient. Of every nth voxel, so that it takes a few milliseconds.
 [[nodiscard]] Window automatic_window(const volume::Volume& volume);

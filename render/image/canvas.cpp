@@ -35,6 +35,9 @@ double distance(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
 
 } // namespace
 
+Canvas::Canvas(Image& image, glm::ivec2 low, glm::ivec2 high)
+    : image_(image), low_(glm::max(low, glm::ivec2(0))), high_(glm::min(high, glm::ivec2(image.width, image.height))) {}
+
 void Canvas::blend(int x, int y, const glm::vec3& colour, float opacity) {
     std::uint8_t* const out = image_.pixel(x, y);
     for (int k = 0; k < 3; ++k)
@@ -43,7 +46,7 @@ void Canvas::blend(int x, int y, const glm::vec3& colour, float opacity) {
 
 void Canvas::line(std::span<const glm::dvec2> points, bool closed, const Stroke& stroke) {
     if (points.empty()) return;
-    const PixelBox all{0, 0, image_.width - 1, image_.height - 1};
+    const PixelBox all{low_.x, low_.y, high_.x - 1, high_.y - 1};
     glm::dvec2 least = points.front();
     glm::dvec2 most = least;
     for (const glm::dvec2& point : points) least = glm::min(least, point), most = glm::max(most, point);
@@ -72,35 +75,34 @@ void Canvas::line(std::span<const glm::dvec2> points, bool closed, const Stroke&
 }
 
 void Canvas::area(std::span<const std::vector<glm::dvec2>> polygons, const glm::vec3& colour, float opacity) {
+    if (low_.x >= high_.x || low_.y >= high_.y) return;
     // For every row, where the polygons cross the middle of its pixels.
-    std::vector<std::vector<double>> crossings(static_cast<std::size_t>(image_.height));
+    std::vector<std::vector<double>> crossings(static_cast<std::size_t>(high_.y - low_.y));
     for (const std::vector<glm::dvec2>& polygon : polygons)
         for (std::size_t n = 0; n < polygon.size(); ++n) {
             const glm::dvec2& a = polygon[n];
             const glm::dvec2& b = polygon[(n + 1) % polygon.size()];
-            const double first = std::max(0.0, std::ceil(std::min(a.y, b.y)));
-            const double end = std::min<double>(image_.height, std::ceil(std::max(a.y, b.y)));
+            const double first = std::max<double>(low_.y, std::ceil(std::min(a.y, b.y)));
+            const double end = std::min<double>(high_.y, std::ceil(std::max(a.y, b.y)));
             for (double y = first; y < end; ++y)
-                crossings[static_cast<std::size_t>(y)].push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+                crossings[static_cast<std::size_t>(y - low_.y)].push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
         }
-    for (int y = 0; y < image_.height; ++y) {
-        std::vector<double>& row = crossings[static_cast<std::size_t>(y)];
+    for (int y = low_.y; y < high_.y; ++y) {
+        std::vector<double>& row = crossings[static_cast<std::size_t>(y - low_.y)];
         std::ranges::sort(row);
         for (std::size_t n = 0; n + 1 < row.size(); n += 2) {
-            const double first = std::max(0.0, std::ceil(row[n]));
-            const double end = std::min<double>(image_.width, std::ceil(row[n + 1]));
+            const double first = std::max<double>(low_.x, std::ceil(row[n]));
+            const double end = std::min<double>(high_.x, std::ceil(row[n + 1]));
             for (double x = first; x < end; ++x) blend(static_cast<int>(x), y, colour, opacity);
         }
     }
 }
 
 void Canvas::picture(const Image& picture, glm::ivec2 corner) {
-    const int top = std::max(0, -corner.y);
-    const int left = std::max(0, -corner.x);
-    const int bottom = std::min(picture.height, image_.height - corner.y);
-    const int right = std::min(picture.width, image_.width - corner.x);
-    for (int y = top; y < bottom; ++y)
-        for (int x = left; x < right; ++x) {
+    const glm::ivec2 first = glm::max(low_ - corner, glm::ivec2(0));
+    const glm::ivec2 end = glm::min(high_ - corner, glm::ivec2(picture.width, picture.height));
+    for (int y = first.y; y < end.y; ++y)
+        for (int x = first.x; x < end.x; ++x) {
             const std::uint8_t* const in = picture.pixel(x, y);
             if (in[3] == 0) continue;
             blend(corner.x + x, corner.y + y, glm::vec3(in[0], in[1], in[2]) / 255.0F,

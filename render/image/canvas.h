@@ -20,7 +20,9 @@ struct Stroke {
 
 class Canvas {
 public:
-    explicit Canvas(Image& image) : image_(image) {}
+    explicit Canvas(Image& image) : Canvas(image, glm::ivec2(0), {image.width, image.height}) {}
+    // Draws only into the pixels from `low` to `high`, the latter not included.
+    Canvas(Image& image, glm::ivec2 low, glm::ivec2 high);
 
     // A polyline with round ends and joints; one point is a dot.
     void line(std::span<const glm::dvec2> points, bool closed, const Stroke& stroke);
@@ -34,6 +36,7 @@ private:
     void blend(int x, int y, const glm::vec3& colour, float opacity);
 
     Image& image_;
+    glm::ivec2 low_, high_;       // within the picture
     std::vector<float> coverage_; // of a line, by pixel of its box
 };
 
