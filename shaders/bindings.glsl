@@ -29,12 +29,14 @@ const int kUnitOtherImage = 22;     // second input, to mix with
 const int kUnitRings = 23;          // of the skeleton: centre, radius, axis
 const int kUnitSeenRings = 24;      // which of them
 const int kUnitValues = 25;         // multisampled: of the nearest opaque surface, where it has any
-const int kUnits = 26;
+const int kUnitPlanes = 26;         // pictures of slices, a layer each: premultiplied sRGB
+const int kUnits = 27;
 
 // Uniform blocks.
 const int kBlockView = 0;
 const int kBlockLook = 1;
 const int kBlockScene = 2;
+const int kBlockPlanes = 3;
 
 // Storage blocks: the lists of glass.
 const int kStorageHeads = 0;
@@ -85,6 +87,10 @@ const int kAttributeColour = 2;
 // Targets of geometry.frag.
 const int kTargetSurface = 0;
 const int kTargetValue = 1;
+
+// Targets of slice_pixel.glsl.
+const int kTargetColour = 0;
+const int kTargetSeenDepth = 1;
 
 // Targets of resolve.frag.
 const int kTargetIdNormal = 0;

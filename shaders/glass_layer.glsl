@@ -12,6 +12,9 @@ void main() {
     uvec2 fragments[kMostSamples];
     bool hit[kMostSamples];
     uint covered = 0u, before = 0u;
+#ifdef PLANES
+    Slices slices = slices_at(gl_FragCoord.xy, samples);
+#endif
     for (int s = 0; s < kMostSamples; ++s) {
         hit[s] = s < samples && texelFetch(depth_samples, pixel, s).x == nearest;
         fragments[s] = hit[s] ? texelFetch(surface_samples, pixel, s).xy : uvec2(0u);
@@ -25,6 +28,9 @@ void main() {
     vec4 veil = vec4(0.0);
     for (int s = 0; s < kMostSamples; ++s) {
         hit[s] = hit[s] && ((fragments[s].x >> (kGlassShift + s)) & 1u) != 0u && nearest > texelFetch(opaque_samples, pixel, s < samples ? s : 0).x;
+#ifdef PLANES
+        hit[s] = hit[s] && nearest > slices.value[s];
+#endif
         if (hit[s] && fragments[s] != last) {
             last = fragments[s];
             veil = veil_of(last.x, last.y, position);

@@ -97,7 +97,7 @@ InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& t
 
 void Passes::draw_overlays(const Subject& subject, const ViewTargets& targets, const PictureTarget& to,
                            const Region& region, GLuint ids) {
-    const GLuint depth = targets.resolved.opaque_depth;
+    const GLuint depth = targets.seen_depth();
     begin_blending(Blending::kOver);
     skeleton.draw(subject, targets.view, depth);
     marks.draw(subject, targets, ids, shade.records().table());

@@ -39,6 +39,16 @@ bool differs_in_overlays_only(const Frame& before, const Frame& after) {
     return same == after;
 }
 
+bool differs_in_planes_only(const Frame& before, const Frame& after) {
+    if (before.planes.empty() || after.planes.empty()) return false;
+    Frame same = before;
+    same.overlays = after.overlays;
+    same.planes = after.planes;
+    same.lines = after.lines;
+    same.labels = after.labels;
+    return same == after;
+}
+
 bool differs_in_hover_and_overlays_only(const Frame& before, const Frame& after) {
     Frame same = before;
     same.overlays = after.overlays;

@@ -50,6 +50,8 @@ void ViewTargets::make(int samples_a_pixel) {
     if (gl_has_lists()) lists.framebuffer = make_framebuffer({}, samples.depth);
     layers.fragments = {}; // the others are recreated when needed
     samples.values = {};   // likewise
+    sliced.depth = {};
+    has_planes = false;
     samples.positions = sample_positions(samples.framebuffer, samples_a_pixel);
     view.samples = samples_a_pixel;
     made_for_ = view.size;
@@ -60,6 +62,16 @@ void ViewTargets::make_values() {
     Texture values = make_texture(GL_R32F, view.size.x, view.size.y, view.samples);
     samples.valued_framebuffer = make_framebuffer({samples.id_normal, values}, samples.depth);
     samples.values = std::move(values); // the last: all is there
+}
+
+void ViewTargets::make_sliced() {
+    if (sliced.depth != 0) return;
+    sliced.lit.colour = make_texture(GL_RGBA8, view.size.x, view.size.y);
+    glTextureParameteri(sliced.lit.colour, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    sliced.lit.framebuffer = make_framebuffer({sliced.lit.colour});
+    Texture depth = make_texture(GL_R32F, view.size.x, view.size.y);
+    sliced.framebuffer = make_framebuffer({sliced.lit.colour, depth});
+    sliced.depth = std::move(depth); // the last: all is there
 }
 
 void ViewTargets::keep_resolved(KeptTarget& kept) {

@@ -47,6 +47,12 @@ struct LitTarget {  // ShadePass and MeanPass
     Framebuffer framebuffer;
 };
 
+struct SlicedTarget { // ShadePass: `lit` with the planes of a scan; created on first use
+    LitTarget lit;       // 4 bytes: the same, with the planes
+    Texture depth;       // R32F, 4 bytes: mm along the line of sight, nearest plane or opaque surface
+    Framebuffer framebuffer;
+};
+
 struct Band { // rows, in GL's sense of y
     int first = 0, count = 0;
 };
@@ -75,6 +81,8 @@ struct ViewTargets {
     ResolvedTarget resolved;
     OcclusionTarget occlusion;
     LitTarget lit;
+    SlicedTarget sliced;
+    bool has_planes = false; // the picture is in `sliced`, and `lit` is the view without planes
     FragmentLists lists;
     GlassLayers layers;
 
@@ -82,6 +90,10 @@ struct ViewTargets {
     // Allocates targets for `view.size` pixels. Throws OutOfGraphicsMemory.
     void make(int samples_a_pixel);
     void make_values(); // unless they exist
+    void make_sliced(); // likewise
+    [[nodiscard]] const LitTarget& picture() const { return has_planes ? sliced.lit : lit; }
+    // Of the nearest plane or opaque surface, mm.
+    [[nodiscard]] GLuint seen_depth() const { return has_planes ? sliced.depth : resolved.opaque_depth; }
     // Swaps `resolved` with `kept`, so that picks in the last view stay possible. Throws OutOfGraphicsMemory.
     void keep_resolved(KeptTarget& kept);
 

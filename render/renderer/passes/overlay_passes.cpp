@@ -168,7 +168,7 @@ void MarkPass::draw(const Subject& subject, const ViewTargets& targets, GLuint i
     glUseProgram(program_);
     glUniform2f(kUniformSize, float(view.picture.x), float(view.picture.y));
     glUniform2f(kUniformToInner, to_inner.x, to_inner.y);
-    glBindTextureUnit(kUnitOpaqueDepth, targets.resolved.opaque_depth);
+    glBindTextureUnit(kUnitOpaqueDepth, targets.seen_depth());
     glBindTextureUnit(kUnitIdNormal, ids);
     glBindTextureUnit(kUnitBranches, branches);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));

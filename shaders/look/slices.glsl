@@ -1,0 +1,95 @@
+// Slices of a scan: what the samples of a pixel see of the planes. C++ compiles this file for one pixel at a time. The
+// includer has plane_texel(plane, at), the filtered picture at `at` (0 to 1, premultiplied sRGB), and sample_offset(s),
+// the position of a sample from the pixel's middle.
+
+struct Slices {
+    float value[kMostSamples]; // in the depth buffer, larger is nearer; kNoSlice: no slice
+    vec3 colour[kMostSamples]; // sRGB
+};
+
+vec4 plane_row(int plane, int row) { return plane_rows[kPlaneRows * plane + row]; }
+float at_pixel(vec4 row, vec2 pixel) { return row.x * pixel.x + row.y * pixel.y + row.z; }
+
+bool in_box(int plane, vec2 pixel) {
+    vec4 box = plane_row(plane, 5);
+    return pixel.x > box.x && pixel.y > box.y && pixel.x < box.z && pixel.y < box.w;
+}
+
+bool in_plane(int plane, vec2 pixel) {
+    float weight = at_pixel(plane_row(plane, 2), pixel);
+    float across = at_pixel(plane_row(plane, 0), pixel), down = at_pixel(plane_row(plane, 1), pixel);
+    return weight > 0.0F && min(across, down) >= 0.0F && max(across, down) <= weight;
+}
+
+// The picture under a pixel: straight colour, and alpha sharpened so that its edge is a pixel wide. Where the picture
+// is reduced, it is the mean of several places in the pixel.
+vec4 slice_colour(int plane, vec2 pixel) {
+    vec4 across = plane_row(plane, 0), down = plane_row(plane, 1), weights = plane_row(plane, 2);
+    float per_weight = 1.0F / max(at_pixel(weights, pixel), 1e-30F);
+    vec2 at = per_weight * vec2(at_pixel(across, pixel), at_pixel(down, pixel));
+    // Change per pixel to the right and upward; its larger length in pixels of the picture.
+    vec2 right = per_weight * vec2(across.x - at.x * weights.x, down.x - at.y * weights.x);
+    vec2 up = per_weight * vec2(across.y - at.x * weights.y, down.y - at.y * weights.y);
+    vec2 size = vec2(across.w, down.w);
+    float reach = max(length(right * size), length(up * size));
+    int taps = reach > 1.05F ? int(clamp(ceil(reach), 2.0F, 4.0F)) : 1;
+    float step = 1.0F / float(taps), first = 0.5F * step - 0.5F;
+    vec4 sum = vec4(0.0F);
+    for (int k = 0; k < taps * taps; ++k)
+        sum += plane_texel(plane, at + (first + step * float(k % taps)) * right + (first + step * float(k / taps)) * up);
+    sum *= step * step;
+    float alpha = clamp((sum.w - 0.5F) / clamp(reach, 1e-3F, 1.0F) + 0.5F, 0.0F, 1.0F);
+    return vec4(vec3(sum) / max(sum.w, 1e-3F), alpha);
+}
+
+Slices slices_at(vec2 pixel, int samples) {
+    Slices found;
+    for (int s = 0; s < kMostSamples; ++s) {
+        found.value[s] = kNoSlice;
+        found.colour[s] = vec3(0.0F);
+    }
+    int planes = int(plane_counts.x);
+    for (int i = 0; i < planes; ++i) {
+        vec4 values = plane_row(i, 3);
+        bool near = in_box(i, pixel), inside[kMostSamples];
+        int covered = 0;
+        for (int s = 0; s < kMostSamples; ++s) {
+            inside[s] = near && s < samples && in_plane(i, pixel + sample_offset(s));
+            covered += inside[s] ? 1 : 0;
+        }
+        // Loops of no steps instead of branches: a software rasteriser leaves loops early.
+        int pictures = covered > 0 && plane_row(i, 0).w > 0.0F ? 1 : 0;
+        vec4 colour = vec4(0.0F);
+        for (int k = 0; k < pictures; ++k) colour = slice_colour(i, pixel - vec2(plane_counts.y, plane_counts.z));
+        for (int s = 0; s < kMostSamples; ++s) {
+            float value = at_pixel(values, pixel + sample_offset(s));
+            bool seen = inside[s] && colour.w * float(samples) > float(s) + 0.5F && value > found.value[s];
+            found.value[s] = seen ? value : found.value[s];
+            found.colour[s] = seen ? vec3(colour) : found.colour[s];
+        }
+        // The nearest edge whose outline reaches the pixel.
+        int edges = near && covered < samples && values.w > 0.0F ? 4 : 0;
+        vec4 from_values = plane_row(i, 6), to_values = plane_row(i, 7);
+        float edge_value = kNoSlice;
+        vec2 edge_point = vec2(0.0F), outward = vec2(0.0F);
+        for (int k = 0; k < edges; ++k) {
+            vec4 edge = plane_row(i, 8 + k);
+            vec2 from = vec2(edge.x, edge.y), way = vec2(edge.z, edge.w) - from;
+            float along = clamp(dot(pixel - from, way) / max(dot(way, way), 1e-12F), 0.0F, 1.0F);
+            vec2 point = from + along * way, away = pixel - point;
+            float apart = length(away), value = mix(from_values[k], to_values[k], along);
+            bool nearer = apart < values.w + 0.75F && value > edge_value;
+            edge_value = nearer ? value : edge_value;
+            edge_point = nearer ? point : edge_point;
+            outward = nearer ? away / max(apart, 1e-6F) : outward;
+        }
+        vec3 ink = vec3(plane_row(i, 4));
+        for (int s = 0; s < kMostSamples; ++s) {
+            bool seen = edges > 0 && s < samples && !inside[s] && edge_value > found.value[s] &&
+                        dot(pixel + sample_offset(s) - edge_point, outward) <= values.w;
+            found.value[s] = seen ? edge_value : found.value[s];
+            found.colour[s] = seen ? ink : found.colour[s];
+        }
+    }
+    return found;
+}
