@@ -30,7 +30,8 @@ const int kUnitRings = 23;          // of the skeleton: centre, radius, axis
 const int kUnitSeenRings = 24;      // which of them
 const int kUnitValues = 25;         // multisampled: of the nearest opaque surface, where it has any
 const int kUnitPlanes = 26;         // pictures of slices, a layer each: premultiplied sRGB
-const int kUnits = 27;
+const int kUnitSliceGuide = 27;     // a pixel: output of slice_guide.frag
+const int kUnits = 28;
 
 // Uniform blocks.
 const int kBlockView = 0;
@@ -88,7 +89,7 @@ const int kAttributeColour = 2;
 const int kTargetSurface = 0;
 const int kTargetValue = 1;
 
-// Targets of slice_pixel.glsl.
+// Targets of slices.frag and slice_pixel.glsl.
 const int kTargetColour = 0;
 const int kTargetSeenDepth = 1;
 

@@ -4,7 +4,7 @@
 // branch is cut or lost, CHANGED to shade only marked branches and keep the rest of the last picture, HALOS, CONTOURS
 // and CHROMADEPTH for depth cues, CONTEXT if there are context meshes or lesions. LAYER composes one layer of glass
 // with the previous ones, without lists (FALLBACK). PLANES puts slices of a scan among what was shaded before
-// (slice_pixel.glsl).
+// (slice_pixel.glsl); with GUIDE it says where that is simple (slice_guide.glsl).
 #include "view.glsl"
 #include "look.glsl"
 #include "look/point.glsl"
@@ -31,7 +31,7 @@ layout(binding = kUnitFronts) uniform sampler2DArray fronts_of_samples; // from 
 #ifdef PLANES
 #include "slices.glsl"
 #endif
-#ifndef LAYER
+#if !defined(LAYER) && !defined(GUIDE)
 layout(location = kTargetColour) out vec4 colour;
 #endif
 
@@ -149,6 +149,8 @@ bool has_changed(uint id) {
 
 #ifdef LAYER
 #include "glass_layer.glsl"
+#elif defined(GUIDE)
+#include "slice_guide.glsl"
 #elif defined(PLANES)
 #include "slice_pixel.glsl"
 #else

@@ -1,6 +1,5 @@
-// Puts slices among what was shaded without them. Pixels without a slice keep their colour. Where all samples show a
-// slice, nothing is shaded: its bytes are those of the picture. Where slices and surfaces meet, surfaces are shaded
-// again, sample by sample. Glass is cut where the slice is.
+// Puts slices among what was shaded without them, in the pixels that slices.frag leaves to this program. Where slices
+// and surfaces meet, surfaces are shaded again, sample by sample. Glass is cut where the slice is.
 layout(binding = kUnitImage) uniform sampler2D lit_without;
 
 layout(location = kTargetSeenDepth) out float seen_depth;

@@ -7,8 +7,7 @@ layout(location = kUniformSamplePositions) uniform vec2 positions_in_pixel[kMost
 
 vec2 sample_offset(int s) { return positions_in_pixel[s]; }
 
-vec4 plane_texel(int plane, vec2 at) {
-    vec2 size = vec2(plane_rows[kPlaneRows * plane].w, plane_rows[kPlaneRows * plane + 1].w);
+vec4 plane_texel(int plane, vec2 at, vec2 size) {
     vec2 texel = clamp(at * size, vec2(0.5), size - 0.5);
     return textureLod(plane_pictures, vec3(texel / vec2(textureSize(plane_pictures, 0).xy), float(plane)), 0.0);
 }

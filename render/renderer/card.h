@@ -8,7 +8,7 @@
 // | SceneOnCard (the rest) | centerlines, skeleton, context and lesions   | 24 per point and vertex, 12 per triangle
 // | ShadePass              | branches, cuts, lesions, ramp, distances     | 8 per branch; 4 per sample of the grid
 // | ViewTargets            | samples, resolved, occlusion, lit: targets.h | 12 s + 30 per pixel
-// | ViewTargets.sliced     | the same with planes of a scan                | 8 per pixel
+// | ViewTargets.sliced     | the same with planes of a scan                | 20 per pixel
 // | PlaneTables            | pictures of the planes                       | 4 per pixel of the largest, each
 // | ViewTargets.lists      | glass from OpenGL 4.3 on                     | 4 per pixel, 16 per fragment: kGlassBytes
 // | ViewTargets.layers     | glass before that                            | 16 s + 64 per pixel

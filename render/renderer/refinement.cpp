@@ -11,7 +11,7 @@ Refinement::Refinement(Card& card, const Frame& frame, const std::vector<Layer>&
     : card_(card), frame_(frame), layers_(layers) {
     targets_.view = card.targets.view;
     mean_.make(targets_.view.size);
-    card.passes.mean.add(targets_.view, card.targets.lit, mean_);
+    card.passes.mean.add(targets_.view, card.targets.picture(), mean_);
 }
 
 Result<bool> Refinement::add_view(double seconds) {

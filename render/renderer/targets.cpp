@@ -69,8 +69,12 @@ void ViewTargets::make_sliced() {
     sliced.lit.colour = make_texture(GL_RGBA8, view.size.x, view.size.y);
     glTextureParameteri(sliced.lit.colour, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     sliced.lit.framebuffer = make_framebuffer({sliced.lit.colour});
+    sliced.guide = make_texture(GL_RG32F, view.size.x, view.size.y);
+    sliced.guide_framebuffer = make_framebuffer({sliced.guide});
+    sliced.mixed = make_texture(GL_DEPTH_COMPONENT32F, view.size.x, view.size.y);
     Texture depth = make_texture(GL_R32F, view.size.x, view.size.y);
-    sliced.framebuffer = make_framebuffer({sliced.lit.colour, depth});
+    sliced.framebuffer = make_framebuffer({sliced.lit.colour, depth}, sliced.mixed);
+    sliced.guided = false;
     sliced.depth = std::move(depth); // the last: all is there
 }
 

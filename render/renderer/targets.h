@@ -50,7 +50,10 @@ struct LitTarget {  // ShadePass and MeanPass
 struct SlicedTarget { // ShadePass: `lit` with the planes of a scan; created on first use
     LitTarget lit;       // 4 bytes: the same, with the planes
     Texture depth;       // R32F, 4 bytes: mm along the line of sight, nearest plane or opaque surface
-    Framebuffer framebuffer;
+    Texture guide;       // RG32F, 8 bytes: depth values of the nearest and the farthest sample, see slice_guide.glsl
+    Texture mixed;       // DEPTH32F, 4 bytes: not 0 where slices and surfaces meet
+    Framebuffer framebuffer, guide_framebuffer;
+    bool guided = false; // `guide` belongs to what is shaded
 };
 
 struct Band { // rows, in GL's sense of y

@@ -180,6 +180,12 @@ PlanesBlock planes_block(const std::vector<ScanPlane>& planes, const glm::dmat4&
             rows[7][k] = there ? static_cast<float>(value_of(edges.to_mm.at(edge))) : kNoSlice;
             rows[8 + k] = glm::vec4(edges.from.at(edge), edges.to.at(edge));
         }
+        const glm::dvec3 lines[] = {seen.across, seen.down, seen.inverse - seen.across, seen.inverse - seen.down};
+        const double change = 0.5 * (std::abs(values.x) + std::abs(values.y));
+        for (int k = 0; k < 4; ++k) {
+            const double slope = std::max(glm::length(glm::dvec2(lines[k])), 1e-300);
+            rows[12 + k] = as_row(lines[k] / slope, change);
+        }
     }
     return block;
 }

@@ -1,5 +1,5 @@
 // Slices of a scan: what the samples of a pixel see of the planes. C++ compiles this file for one pixel at a time. The
-// includer has plane_texel(plane, at), the filtered picture at `at` (0 to 1, premultiplied sRGB), and sample_offset(s),
+// includer has plane_texel(plane, at, size), the filtered picture at `at` (0 to 1, premultiplied sRGB), and sample_offset(s),
 // the position of a sample from the pixel's middle.
 
 struct Slices {
@@ -21,22 +21,34 @@ bool in_plane(int plane, vec2 pixel) {
     return weight > 0.0F && min(across, down) >= 0.0F && max(across, down) <= weight;
 }
 
-// The picture under a pixel: straight colour, and alpha sharpened so that its edge is a pixel wide. Where the picture
-// is reduced, it is the mean of several places in the pixel.
-vec4 slice_colour(int plane, vec2 pixel) {
+// A place in the picture of a plane, and how it changes per pixel to the right and upward.
+struct SlicePlace {
+    vec2 at, right, up; // 0 to 1
+    vec2 size;          // of the picture, its pixels
+};
+
+SlicePlace slice_place(int plane, vec2 pixel) {
     vec4 across = plane_row(plane, 0), down = plane_row(plane, 1), weights = plane_row(plane, 2);
     float per_weight = 1.0F / max(at_pixel(weights, pixel), 1e-30F);
-    vec2 at = per_weight * vec2(at_pixel(across, pixel), at_pixel(down, pixel));
-    // Change per pixel to the right and upward; its larger length in pixels of the picture.
-    vec2 right = per_weight * vec2(across.x - at.x * weights.x, down.x - at.y * weights.x);
-    vec2 up = per_weight * vec2(across.y - at.x * weights.y, down.y - at.y * weights.y);
-    vec2 size = vec2(across.w, down.w);
-    float reach = max(length(right * size), length(up * size));
+    SlicePlace place;
+    place.at = per_weight * vec2(at_pixel(across, pixel), at_pixel(down, pixel));
+    place.right = per_weight * vec2(across.x - place.at.x * weights.x, down.x - place.at.y * weights.x);
+    place.up = per_weight * vec2(across.y - place.at.x * weights.y, down.y - place.at.y * weights.y);
+    place.size = vec2(across.w, down.w);
+    return place;
+}
+
+// The picture under a pixel: straight colour, and alpha sharpened so that its edge is a pixel wide. Where the picture
+// is reduced, it is the mean of several places in the pixel.
+vec4 slice_colour(int plane, SlicePlace place, bool any) {
+    float reach = max(length(place.right * place.size), length(place.up * place.size));
     int taps = reach > 1.05F ? int(clamp(ceil(reach), 2.0F, 4.0F)) : 1;
     float step = 1.0F / float(taps), first = 0.5F * step - 0.5F;
     vec4 sum = vec4(0.0F);
-    for (int k = 0; k < taps * taps; ++k)
-        sum += plane_texel(plane, at + (first + step * float(k % taps)) * right + (first + step * float(k / taps)) * up);
+    for (int k = 0; k < (any ? taps * taps : 0); ++k) {
+        float x = first + step * float(k % taps), y = first + step * float(k / taps);
+        sum += plane_texel(plane, place.at + x * place.right + y * place.up, place.size);
+    }
     sum *= step * step;
     float alpha = clamp((sum.w - 0.5F) / clamp(reach, 1e-3F, 1.0F) + 0.5F, 0.0F, 1.0F);
     return vec4(vec3(sum) / max(sum.w, 1e-3F), alpha);
@@ -57,17 +69,16 @@ Slices slices_at(vec2 pixel, int samples) {
             inside[s] = near && s < samples && in_plane(i, pixel + sample_offset(s));
             covered += inside[s] ? 1 : 0;
         }
-        // Loops of no steps instead of branches: a software rasteriser leaves loops early.
-        int pictures = covered > 0 && plane_row(i, 0).w > 0.0F ? 1 : 0;
-        vec4 colour = vec4(0.0F);
-        for (int k = 0; k < pictures; ++k) colour = slice_colour(i, pixel - vec2(plane_counts.y, plane_counts.z));
+        SlicePlace place = slice_place(i, pixel - vec2(plane_counts.y, plane_counts.z));
+        vec4 colour = slice_colour(i, place, covered > 0 && place.size.x > 0.0F);
         for (int s = 0; s < kMostSamples; ++s) {
             float value = at_pixel(values, pixel + sample_offset(s));
             bool seen = inside[s] && colour.w * float(samples) > float(s) + 0.5F && value > found.value[s];
             found.value[s] = seen ? value : found.value[s];
             found.colour[s] = seen ? vec3(colour) : found.colour[s];
         }
-        // The nearest edge whose outline reaches the pixel.
+        // The nearest edge whose outline reaches the pixel. Loops of no steps instead of branches: a software
+        // rasteriser leaves loops early.
         int edges = near && covered < samples && values.w > 0.0F ? 4 : 0;
         vec4 from_values = plane_row(i, 6), to_values = plane_row(i, 7);
         float edge_value = kNoSlice;

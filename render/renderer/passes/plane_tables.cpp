@@ -39,6 +39,7 @@ void PlaneTables::release() {
 
 Result<void> PlaneTables::send(const Frame& frame, const ViewSetup& view) {
     const std::size_t count = std::min(frame.planes.size(), shown_.size());
+    count_ = count;
     glm::ivec3 size(1, 1, int(count));
     for (std::size_t i = 0; i < count; ++i)
         if (const auto& image = frame.planes[i].picture)

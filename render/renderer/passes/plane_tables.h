@@ -17,10 +17,12 @@ public:
     void release(); // releases everything but the block
     // Sends and binds everything. Fails if a picture is larger than the driver's textures. Throws OutOfGraphicsMemory.
     [[nodiscard]] Result<void> send(const Frame& frame, const ViewSetup& view);
+    [[nodiscard]] std::size_t count() const { return count_; } // of the planes last sent, at most kMostPlanes
 
 private:
     Buffer block_;
     Texture pictures_;           // RGBA8, 4 bytes per pixel: premultiplied; a layer per plane
+    std::size_t count_ = 0;
     glm::ivec3 size_{0};         // of pictures_
     std::array<std::shared_ptr<const Image>, kMostPlanes> shown_; // in its layers
 };

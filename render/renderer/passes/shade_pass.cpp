@@ -28,13 +28,14 @@ enum Variant : unsigned {
     kContext = 2048,
     kValues = 4096,
     kPlanes = 8192,
+    kGuide = 16384,
 };
 constexpr std::pair<Variant, const char*> kVariants[] = {
     {kGlass, "GLASS"},     {kOutline, "OUTLINE"},   {kMargins, "MARGINS"},
     {kScale, "SCALE"},     {kCuts, "CUTS"},         {kOnlyChanged, "CHANGED"},
     {kHalos, "HALOS"},     {kContours, "CONTOURS"}, {kChromadepth, "CHROMADEPTH"},
     {kShadows, "SHADOWS"}, {kLayer, "LAYER"},       {kContext, "CONTEXT"},
-    {kValues, "VALUES"},   {kPlanes, "PLANES"}};
+    {kValues, "VALUES"},   {kPlanes, "PLANES"},   {kGuide, "GUIDE"}};
 
 // For slices, which samples see at their own positions.
 void set_samples(GLuint program, const ViewTargets& targets) {
@@ -155,6 +156,7 @@ void ShadePass::for_bands(const Subject& subject, ViewTargets& targets, const Fu
 Result<Region> ShadePass::draw(const Subject& subject, ViewTargets& targets, Extent extent) {
     const bool part = extent == Extent::kChanged;
     targets.has_planes = false;
+    if (!part) targets.sliced.guided = false;
     RAMUS_TRY(made, prepare(subject, targets, part, 0));
     if (auto layers = draw_layers(subject, targets, made.of_layers); !layers) return tl::unexpected(layers.error());
     glBindFramebuffer(GL_FRAMEBUFFER, targets.lit.framebuffer);
@@ -172,17 +174,44 @@ Result<Region> ShadePass::draw(const Subject& subject, ViewTargets& targets, Ext
     return region;
 }
 
+// Says where it is simple to put slices among the surfaces; valid until something is shaded otherwise.
+Result<void> ShadePass::guide_planes(const Subject& subject, ViewTargets& targets, bool outlined) {
+    if (targets.sliced.guided) return {};
+    const unsigned glass = targets.has_glass ? kGlass : 0U;
+    RAMUS_TRY(guide, program(kGuide | glass | (outlined ? kOutline : 0U)));
+    const Region all{glm::ivec2(0), targets.view.size};
+    for_bands(subject, targets, *guide, all, [&](const Region& rows) {
+        glBindFramebuffer(GL_FRAMEBUFFER, targets.sliced.guide_framebuffer);
+        bind(targets);
+        guide->draw_in(rows.at, rows.size);
+    });
+    targets.sliced.guided = true;
+    return {};
+}
+
 Result<void> ShadePass::draw_planes(const Subject& subject, ViewTargets& targets, const Region& region) {
     targets.make_sliced();
     RAMUS_TRY(made, prepare(subject, targets, false, kPlanes));
     if (auto sent = planes_.send(subject.frame, targets.view); !sent) return sent;
-    if (auto layers = draw_layers(subject, targets, made.of_layers); !layers) return layers;
-    set_samples(*made.light, targets);
-    for_bands(subject, targets, *made.light, region, [&](const Region& rows) {
+    if (auto guided = guide_planes(subject, targets, made.records.any_selected); !guided) return guided;
+    Fullscreen& simple = simple_slices_.at(planes_.count() - 1);
+    if (!simple.made()) {
+        const std::string planes = "#define PLANES " + std::to_string(planes_.count()) + "\n";
+        if (auto built = simple.make("slices.frag", planes); !built) return built;
+    }
+    const auto bind_all = [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, targets.sliced.framebuffer);
         bind(targets);
         glBindTextureUnit(kUnitImage, targets.lit.colour);
-        made.light->draw_in(rows.at, rows.size);
+        glBindTextureUnit(kUnitSliceGuide, targets.sliced.guide);
+    };
+    bind_all();
+    simple.draw_in(region.at, region.size, Fullscreen::Pixels::kAllDepths);
+    if (auto layers = draw_layers(subject, targets, made.of_layers); !layers) return layers;
+    set_samples(*made.light, targets);
+    for_bands(subject, targets, *made.light, region, [&](const Region& rows) {
+        bind_all();
+        made.light->draw_in(rows.at, rows.size, Fullscreen::Pixels::kCovered);
     });
     targets.has_planes = true;
     return {};

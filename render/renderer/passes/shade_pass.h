@@ -6,6 +6,7 @@
 #include "render/renderer/passes/plane_tables.h"
 #include "render/renderer/passes/scene_tables.h"
 
+#include <array>
 #include <functional>
 #include <map>
 
@@ -49,6 +50,7 @@ private:
     // Calls `draw` for the rows of `region`, band by band where glass is listed in bands.
     void for_bands(const Subject& subject, ViewTargets& targets, const Fullscreen& program, const Region& region,
                    const std::function<void(const Region&)>& draw) const;
+    [[nodiscard]] Result<void> guide_planes(const Subject& subject, ViewTargets& targets, bool outlined);
     [[nodiscard]] Result<const Fullscreen*> program(unsigned variant);
     void bind(const ViewTargets& targets) const;
 
@@ -56,6 +58,7 @@ private:
     const LayerPass& layers_;
     Fullscreen background_;
     std::map<unsigned, Fullscreen> programs_; // by variant
+    std::array<Fullscreen, kMostPlanes> simple_slices_; // by the number of planes
     BranchRecords records_;
     SceneTables tables_;
     PlaneTables planes_;
