@@ -10,4 +10,4 @@
 //   12 to 15* distance from the lines through the edges, pixels, positive inside; w of 12: how much the value in the
 //             depth buffer changes at most from a pixel's middle to a sample
 vec4 plane_rows[kMostPlanes * kPlaneRows];
-vec4 plane_counts; // number of planes; shift of the view from the first one, pixels
+vec4 plane_counts; // number of planes; shift of the view from the first one, pixels: pictures are read without it

@@ -38,6 +38,20 @@ struct SliceCode : PlanesBlock {
                    mix(texel_of(image, x, below), texel_of(image, right, below), across), down);
     }
 #include "shaders/look/slices.glsl"
+
+    // As the shaders do, first where it is simple.
+    [[nodiscard]] Slices slices_in(vec2 middle) {
+        const SimpleSlice simple = simple_slice_at(middle, static_cast<int>(plane_counts.x), kNoSlice);
+        const bool any = simple.plane >= 0 && !simple.mixed;
+        const vec4 own = any ? slice_colour(simple.plane, simple.place, true) : vec4(0.0F);
+        if (simple.mixed || (any && own.w < 1.0F)) return slices_at(middle, kSamples);
+        Slices found;
+        for (int s = 0; s < kSamples; ++s) {
+            found.value[s] = any ? at_pixel(plane_row(simple.plane, 3), middle + sample_offset(s)) : kNoSlice;
+            found.colour[s] = vec3(own);
+        }
+        return found;
+    }
 };
 
 std::uint32_t bytes_of(const vec3& srgb) {
@@ -101,7 +115,7 @@ void Slicer::lay(const TileTask& tile, Samples& samples, const PictureArrays& pi
     for (int y = 0; y < std::min(kTile, view.height - tile.y); ++y)
         for (int x = 0; x < std::min(kTile, view.width - tile.x); ++x) {
             const vec2 middle(float(tile.x + x) + 0.5F, float(tile.y + y) + 0.5F);
-            const SliceCode::Slices slices = code.slices_at(middle, kSamples);
+            const SliceCode::Slices slices = code.slices_in(middle);
             const int block = y / kBlock * kBlocks + x / kBlock, lane = y % kBlock * kBlock + x % kBlock;
             SlicePixel pixel{static_cast<std::uint16_t>(y * kTile + x), 0, {}};
             float nearest = kNothing;

@@ -16,11 +16,11 @@ struct ScanPlane {
     // The picture's outer edges in mm (RAS): its corners are at `corner`, corner + right, corner + down and corner +
     // right + down.
     glm::dvec3 corner{0.0}, right{1.0, 0.0, 0.0}, down{0.0, 0.0, -1.0};
-    // Rows from `corner` along `right`, then along `down`. Alpha 0: outside the scan, not drawn. Null: only the outline.
-    // Frames compare the pointer: a changed slice is another image.
+    // Rows from `corner` along `right`, then along `down`. Alpha 0: outside the scan, not drawn. Null: only the
+    // outline. Frames compare the pointer: a changed slice is another image.
     std::shared_ptr<const Image> picture;
-    glm::vec3 outline{0.9F};     // sRGB
-    float outline_width = 0.0F;  // points, around the rectangle; 0: none
+    glm::vec3 outline{0.9F};    // sRGB
+    float outline_width = 0.0F; // points, around the rectangle; 0: none
     bool operator==(const ScanPlane&) const = default;
 };
 

@@ -54,6 +54,48 @@ vec4 slice_colour(int plane, SlicePlace place, bool any) {
     return vec4(vec3(sum) / max(sum.w, 1e-3F), alpha);
 }
 
+// What a pixel shows where that is simple: one slice over all samples, or none.
+struct SimpleSlice {
+    int plane;           // -1: none
+    float value, change; // in the depth buffer, at the pixel's middle; the most that samples differ from it
+    SlicePlace place;
+    bool mixed;          // edges, outlines or several slices: see slices_at()
+};
+
+// Slices behind `farthest`, a value in the depth buffer, do not count. `planes` is their number.
+SimpleSlice simple_slice_at(vec2 middle, int planes, float farthest) {
+    vec2 in_first_view = middle + vec2(plane_counts.y, plane_counts.z);
+    SimpleSlice found;
+    found.plane = -1;
+    found.value = kNoSlice;
+    found.change = 0.0F;
+    found.place.at = found.place.right = found.place.up = found.place.size = vec2(0.0F);
+    found.mixed = false;
+    for (int i = 0; i < planes; ++i) {
+        vec4 values = plane_row(i, 3), first = plane_row(i, 12);
+        float inside = min(min(at_pixel(first, middle), at_pixel(plane_row(i, 13), middle)),
+                           min(at_pixel(plane_row(i, 14), middle), at_pixel(plane_row(i, 15), middle)));
+        float value = at_pixel(values, middle), weight = at_pixel(plane_row(i, 2), middle);
+        bool near = in_box(i, middle), before = value + first.w >= farthest;
+        // Samples are less than 0.75 pixels from the middle.
+        bool covers = near && inside > 0.75F && weight > 0.0F && plane_row(i, 0).w > 0.0F;
+        // An outline has the depth of its edge, which may be nearer.
+        bool at_edge = near && !covers && inside > -(values.w + 1.0F) && (before || values.w > 0.0F);
+        bool close = covers && before && found.plane >= 0 && abs(value - found.value) <= found.change + first.w;
+        found.mixed = found.mixed || at_edge || close;
+        bool nearer = covers && value > found.value;
+        SlicePlace here = slice_place(i, in_first_view);
+        found.plane = nearer ? i : found.plane;
+        found.value = nearer ? value : found.value;
+        found.change = nearer ? first.w : found.change;
+        found.place.at = nearer ? here.at : found.place.at;
+        found.place.right = nearer ? here.right : found.place.right;
+        found.place.up = nearer ? here.up : found.place.up;
+        found.place.size = nearer ? here.size : found.place.size;
+    }
+    return found;
+}
+
 Slices slices_at(vec2 pixel, int samples) {
     Slices found;
     for (int s = 0; s < kMostSamples; ++s) {
@@ -69,7 +111,7 @@ Slices slices_at(vec2 pixel, int samples) {
             inside[s] = near && s < samples && in_plane(i, pixel + sample_offset(s));
             covered += inside[s] ? 1 : 0;
         }
-        SlicePlace place = slice_place(i, pixel - vec2(plane_counts.y, plane_counts.z));
+        SlicePlace place = slice_place(i, pixel + vec2(plane_counts.y, plane_counts.z));
         vec4 colour = slice_colour(i, place, covered > 0 && place.size.x > 0.0F);
         for (int s = 0; s < kMostSamples; ++s) {
             float value = at_pixel(values, pixel + sample_offset(s));

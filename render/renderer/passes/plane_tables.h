@@ -2,9 +2,8 @@
 // of one texture. A picture is sent once, as long as its plane keeps it.
 #pragma once
 
-#include "render/renderer/view_setup.h"
-
 #include "render/gl/gl_objects.h"
+#include "render/renderer/view_setup.h"
 
 #include <array>
 #include <memory>
@@ -21,9 +20,9 @@ public:
 
 private:
     Buffer block_;
-    Texture pictures_;           // RGBA8, 4 bytes per pixel: premultiplied; a layer per plane
+    Texture pictures_; // RGBA8, 4 bytes per pixel: premultiplied; a layer per plane
     std::size_t count_ = 0;
-    glm::ivec3 size_{0};         // of pictures_
+    glm::ivec3 size_{0};                                          // of pictures_
     std::array<std::shared_ptr<const Image>, kMostPlanes> shown_; // in its layers
 };
 
