@@ -71,7 +71,10 @@ const int kUniformOrigin = 25;         // ivec2: lower left corner, pixels
 const int kUniformWindow = 26;         // vec4: of the interface: x, y, width, height
 const int kUniformLine = 27;           // vec3: pixels from the left, half width, height; negative position: no line
 const int kUniformInside = 28;         // int: 1 where the eye is inside a vessel
-const int kUniforms = 29;
+const int kUniformCut = 29;            // vec4: plane that cuts off what is below 0, in the positions' space
+const int kUniformCap = 30;            // vec4: its normal towards the eye, in eye space; 1 where caps are seen
+const int kUniformCapValues = 31;      // vec4: value in the depth buffer, of (x, y, 1) of a pixel; added for its samples
+const int kUniforms = 32;
 
 // Vertex attributes: of meshes, of marks, of the interface.
 const int kAttributePosition = 0;

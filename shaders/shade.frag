@@ -4,7 +4,7 @@
 // branch is cut or lost, CHANGED to shade only marked branches and keep the rest of the last picture, HALOS, CONTOURS
 // and CHROMADEPTH for depth cues, CONTEXT if there are context meshes or lesions. LAYER composes one layer of glass
 // with the previous ones, without lists (FALLBACK). PLANES puts slices of a scan among what was shaded before
-// (slice_pixel.glsl); with GUIDE it says where that is simple (slice_guide.glsl).
+// (slice_pixel.glsl); with GUIDE it says where that is simple (slice_guide.glsl). CAPS if surfaces are cut open.
 #include "view.glsl"
 #include "look.glsl"
 #include "look/point.glsl"
@@ -12,6 +12,7 @@
 
 layout(binding = kUnitSurface) uniform usampler2DMS surface_samples;
 layout(binding = kUnitDepth) uniform sampler2DMS depth_samples;
+#include "caps.glsl"
 layout(binding = kUnitOpaqueDepth) uniform sampler2D opaque_depth;
 layout(binding = kUnitIdNormal) uniform usampler2D id_normal;
 layout(binding = kUnitOcclusion) uniform sampler2D occlusion;
@@ -143,7 +144,7 @@ vec4[kMostSamples] veils_before(float values[kMostSamples], bool any) {
 
 #ifdef CHANGED
 bool has_changed(uint id) {
-    return id != 0u && (id & kSolid) == 0u && (texelFetch(branches, int(id & ~kLine) - 1).a & kChanged) != 0u;
+    return id != 0u && (id & kSolid) == 0u && (texelFetch(branches, int(id & ~(kLine | kCap)) - 1).a & kChanged) != 0u;
 }
 #endif
 
@@ -176,13 +177,13 @@ void main() {
     uvec2 first = texelFetch(surface_samples, pixel, 0).xy;
     bool whole = first.x != 0u;
     vec3 first_normal = unpack_normal(first.y), mean_normal = first_normal;
-    float first_depth = texelFetch(depth_samples, pixel, 0).x, mean_depth = first_depth;
+    float first_depth = sample_value(pixel, 0), mean_depth = first_depth;
     for (int s = 1; s < samples; ++s) {
         uvec2 found = texelFetch(surface_samples, pixel, s).xy;
         vec3 normal = unpack_normal(found.y);
         whole = whole && found.x == first.x && dot(normal, first_normal) > 0.7;
         mean_normal += normal;
-        mean_depth += texelFetch(depth_samples, pixel, s).x;
+        mean_depth += sample_value(pixel, s);
     }
     mean_depth /= float(samples);
     float mean_of_values = 0.0; // mixes known and unknown values as interpolation does
@@ -194,7 +195,7 @@ void main() {
     float opaque_values[kMostSamples];
     bool empty = true;
     for (int s = 0; s < kMostSamples; ++s) {
-        opaque_values[s] = s < samples ? texelFetch(depth_samples, pixel, s).x : 0.0;
+        opaque_values[s] = s < samples ? sample_value(pixel, s) : 0.0;
         empty = empty && opaque_values[s] == 0.0;
     }
     vec4 front[kMostSamples] = veils_before(opaque_values, true);
@@ -209,9 +210,10 @@ void main() {
     int rounds = samples == 0 ? 0 : whole ? 1 : samples;
     for (int s = 0; s < rounds; ++s) {
         uvec2 found = texelFetch(surface_samples, pixel, s).xy;
-        float value = whole ? mean_depth : texelFetch(depth_samples, pixel, s).x;
+        float value = whole ? mean_depth : sample_value(pixel, s);
         vec3 normal = whole ? normalize(mean_normal) : unpack_normal(found.y);
         vec3 position = eye_position(gl_FragCoord.xy, eye_depth(value));
+        found.x &= ~kCap;
 #ifdef GLASS
         bool is_line = (found.x & kLine) != 0u;
         found.x &= ~kLine;

@@ -8,7 +8,7 @@ void main() {
     int samples = int(picture.z);
     float nearest = -1e20, farthest = 1e20;
     for (int s = 0; s < samples; ++s) {
-        float value = texelFetch(depth_samples, pixel, s).x;
+        float value = sample_value(pixel, s);
         value = value > 0.0 ? value : -1e20; // planes beyond the far plane have values below 0
         nearest = max(nearest, value);
         farthest = min(farthest, value);

@@ -27,7 +27,7 @@ void main() {
     int sliced = 0;
     for (int s = 0; s < kMostSamples; ++s) {
         bool there = s < samples && texelFetch(surface_samples, pixel, s).x != 0u;
-        opaque_values[s] = there ? texelFetch(depth_samples, pixel, s).x : 0.0;
+        opaque_values[s] = there ? sample_value(pixel, s) : 0.0;
         if (there && opaque_values[s] >= slices.value[s]) slices.value[s] = kNoSlice;
         nearest = max(nearest, slices.value[s]);
         sliced += slices.value[s] > kNoSlice ? 1 : 0;
@@ -61,9 +61,9 @@ void main() {
     for (int s = 0; s < rounds; ++s) {
         uvec2 found = texelFetch(surface_samples, pixel, s).xy;
         vec3 normal = unpack_normal(found.y);
-        vec3 position = eye_position(gl_FragCoord.xy, eye_depth(texelFetch(depth_samples, pixel, s).x));
+        vec3 position = eye_position(gl_FragCoord.xy, eye_depth(sample_value(pixel, s)));
         bool is_line = (found.x & kLine) != 0u;
-        found.x &= ~kLine;
+        found.x &= ~(kLine | kCap);
         float own_value = 0.0;
 #ifdef VALUES
         own_value = texelFetch(value_samples, pixel, s).x;

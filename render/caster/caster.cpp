@@ -73,7 +73,7 @@ Records Caster::KeptRecords::view() {
 }
 
 bool Caster::draws(const Frame& frame) {
-    if (frame.only_mesh) return false;
+    if (frame.only_mesh || frame.cut_away) return false;
     // A cone has one value per point: diameters and positions of cuts exclude each other.
     const bool whole = std::ranges::all_of(frame.lost, &LostPart::whole);
     // Cones have no values of vertices, and of centerlines only the data of their shape.

@@ -20,6 +20,9 @@ struct SampleTarget {  // SurfacePass, CenterlinePass, ContextPass: opaque surfa
     // For surfaces with values, created on first use. Only vessels write here.
     Texture values; // R32F, 4 s bytes
     Framebuffer valued_framebuffer;
+    // For caps of what is cut away, created on first use: how often a ray is inside, and the depth of back faces.
+    Texture caps; // DEPTH32F_STENCIL8, 8 s bytes
+    Framebuffer caps_framebuffer, valued_caps_framebuffer;
     std::array<glm::vec2, kMostSamples> positions{}; // sample positions relative to the pixel's middle
 };
 
@@ -48,10 +51,10 @@ struct LitTarget {  // ShadePass and MeanPass
 };
 
 struct SlicedTarget { // ShadePass: `lit` with the planes of a scan; created on first use
-    LitTarget lit;       // 4 bytes: the same, with the planes
-    Texture depth;       // R32F, 4 bytes: mm along the line of sight, nearest plane or opaque surface
-    Texture guide;       // RG32F, 8 bytes: depth values of the nearest and the farthest sample, see slice_guide.glsl
-    Texture mixed;       // DEPTH32F, 4 bytes: not 0 where slices and surfaces meet
+    LitTarget lit;    // 4 bytes: the same, with the planes
+    Texture depth;    // R32F, 4 bytes: mm along the line of sight, nearest plane or opaque surface
+    Texture guide;    // RG32F, 8 bytes: depth values of the nearest and the farthest sample, see slice_guide.glsl
+    Texture mixed;    // DEPTH32F, 4 bytes: not 0 where slices and surfaces meet
     Framebuffer framebuffer, guide_framebuffer;
     bool guided = false; // `guide` belongs to what is shaded
 };
@@ -94,6 +97,7 @@ struct ViewTargets {
     void make(int samples_a_pixel);
     void make_values(); // unless they exist
     void make_sliced(); // likewise
+    void make_caps();   // likewise
     [[nodiscard]] const LitTarget& picture() const { return has_planes ? sliced.lit : lit; }
     // Of the nearest plane or opaque surface, mm.
     [[nodiscard]] GLuint seen_depth() const { return has_planes ? sliced.depth : resolved.opaque_depth; }

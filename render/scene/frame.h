@@ -114,9 +114,10 @@ struct Frame {
     ColourScale scale;           // replaces `colours`
     Lesions lesions;
     std::vector<ContextMesh> context;
-    std::vector<ScanPlane> planes; // at most kMostPlanes (shaders/limits.glsl) are drawn
-    Margins margins;            // replaces `colours` and `scale` within its bands
-    std::vector<LostPart> lost; // at most one per branch; replaces every other colour
+    std::vector<ScanPlane> planes;   // at most kMostPlanes (shaders/limits.glsl) are drawn
+    std::optional<CutAway> cut_away; // then neither cones nor the caster stand for the surface
+    Margins margins;                 // replaces `colours` and `scale` within its bands
+    std::vector<LostPart> lost;      // at most one per branch; replaces every other colour
     std::vector<MarkLine> lines;
     std::vector<MarkLabel> labels;
     int hovered = kNoBranch;

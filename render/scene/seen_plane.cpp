@@ -20,12 +20,32 @@ constexpr double kLeastDepth = 1e-4; // where edges that reach behind the eye en
 
 double applied(const glm::dvec3& row, const glm::dvec2& pixel) { return row.x * pixel.x + row.y * pixel.y + row.z; }
 
+Sight sight_of(const ViewBlock& view) {
+    const glm::vec4& pixel = view.pixel_to_eye;
+    return {{pixel.x, pixel.y}, pixel.z, view.picture.w > 0.5F};
+}
+
+// Values in the depth buffer, of (x, y, 1) of a pixel: the inverse of eye_depth() in view.glsl. `behind`: pixels by
+// which the plane is moved away from the eye.
+glm::dvec3 values_of(const SeenPlane& seen, const ViewBlock& view, double behind) {
+    const double y = view.clip_to_eye.y, z = view.clip_to_eye.z, away = behind * double(view.pixel_to_eye.z);
+    return seen.flat ? seen.depth / y + glm::dvec3(0.0, 0.0, away / y + z)
+                     : z * (1.0 - away) * seen.inverse - glm::dvec3(0.0, 0.0, y);
+}
+
+// The most by which they differ between a pixel's middle and a sample.
+double change_of(const glm::dvec3& values) { return 0.5 * (std::abs(values.x) + std::abs(values.y)); }
+
+glm::dmat4 eye_of(const Camera& camera) { // depth is +z
+    return glm::scale(glm::dmat4(1.0), {1.0, 1.0, -1.0}) * view_matrix(camera);
+}
+
 glm::vec4 as_row(const glm::dvec3& row, double last) { return {glm::vec3(row), static_cast<float>(last)}; }
 
 // The edges of a plane in the picture.
 struct SeenEdges {
-    std::array<glm::dvec2, 4> from, to;    // pixels
-    std::array<double, 4> from_mm, to_mm;  // depths; negative: the edge is behind the eye
+    std::array<glm::dvec2, 4> from, to;   // pixels
+    std::array<double, 4> from_mm, to_mm; // depths; negative: the edge is behind the eye
     glm::dvec2 least{1e30}, most{-1e30};
 };
 
@@ -115,7 +135,7 @@ std::optional<double> SeenPlane::depth_at(glm::dvec2 pixel, const Image& picture
 }
 
 SeenPlanes::SeenPlanes(const std::vector<ScanPlane>& planes, const Camera& camera, glm::ivec2 size) {
-    const glm::dmat4 to_eye = glm::scale(glm::dmat4(1.0), {1.0, 1.0, -1.0}) * view_matrix(camera); // depth is +z
+    const glm::dmat4 to_eye = eye_of(camera);
     const Sight sight = sight_of(camera, size);
     for (std::size_t i = 0; i < std::min(planes.size(), std::size_t{kMostPlanes}); ++i) {
         seen_.push_back(SeenPlane::of(planes[i], to_eye, sight));
@@ -144,10 +164,25 @@ void add_planes(const std::vector<ScanPlane>& planes, DepthMap& map) {
                 *depth = std::min(*depth, static_cast<float>(hit.depth_mm));
 }
 
+std::optional<glm::vec4> cap_values_of(const CutAway& cut, const Camera& camera, const ViewBlock& view) {
+    const glm::dvec3 to_viewer =
+        camera.orthographic ? -axes_of(camera).forward : glm::normalize(camera.position - cut.point);
+    if (!(glm::dot(cut.normal, to_viewer) > 1e-9)) return {};
+    const glm::dvec3 aside = std::abs(cut.normal.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
+    ScanPlane plane;
+    plane.corner = cut.point;
+    plane.right = glm::normalize(glm::cross(cut.normal, aside));
+    plane.down = glm::cross(cut.normal, plane.right);
+    const SeenPlane seen = SeenPlane::of(plane, eye_of(camera), sight_of(view));
+    if (seen.inverse == glm::dvec3(0.0)) return {};
+    const glm::dvec3 values = values_of(seen, view, 0.0);
+    return as_row(values, change_of(values));
+}
+
 PlanesBlock planes_block(const std::vector<ScanPlane>& planes, const glm::dmat4& to_eye, const ViewBlock& view,
                          float pixels_a_point) {
-    const glm::vec4 &pixel = view.pixel_to_eye, &to_depth = view.clip_to_eye;
-    const Sight sight{{pixel.x, pixel.y}, pixel.z, view.picture.w > 0.5F};
+    const Sight sight = sight_of(view);
+    const glm::vec4& to_depth = view.clip_to_eye;
     const glm::dvec2 shift = sight.centre - 0.5 * glm::dvec2(view.picture);
     PlanesBlock block{};
     const std::size_t count = std::min(planes.size(), std::size_t{kMostPlanes});
@@ -156,16 +191,14 @@ PlanesBlock planes_block(const std::vector<ScanPlane>& planes, const glm::dmat4&
         const ScanPlane& plane = planes[i];
         const SeenPlane seen = SeenPlane::of(plane, to_eye, sight);
         const SeenEdges edges = edges_of(plane, to_eye, sight);
-        const double behind = (kBehind + kLaterBehind * double(i)) * sight.mm_a_pixel;
-        // view.glsl: eye_depth()
-        const glm::dvec3 values =
-            sight.flat ? seen.depth / double(to_depth.y) + glm::dvec3(0.0, 0.0, behind / double(to_depth.y) + double(to_depth.z))
-                       : double(to_depth.z) * (1.0 - behind) * seen.inverse - glm::dvec3(0.0, 0.0, to_depth.y);
+        const glm::dvec3 values = values_of(seen, view, kBehind + kLaterBehind * static_cast<double>(i));
         const auto value_of = [&](double mm) {
-            return sight.flat ? mm / double(to_depth.y) + double(to_depth.z) : double(to_depth.z) / mm - double(to_depth.y);
+            return sight.flat ? mm / double(to_depth.y) + double(to_depth.z)
+                              : double(to_depth.z) / mm - double(to_depth.y);
         };
         const float width = plane.outline_width > 0.0F ? std::max(1.0F, plane.outline_width * pixels_a_point) : 0.0F;
-        const glm::dvec2 size = plane.picture ? glm::dvec2(plane.picture->width, plane.picture->height) : glm::dvec2(0.0);
+        const glm::dvec2 size =
+            plane.picture ? glm::dvec2(plane.picture->width, plane.picture->height) : glm::dvec2(0.0);
         glm::vec4* rows = block.plane_rows + kPlaneRows * i;
         rows[0] = as_row(seen.across, size.x);
         rows[1] = as_row(seen.down, size.y);
@@ -181,10 +214,9 @@ PlanesBlock planes_block(const std::vector<ScanPlane>& planes, const glm::dmat4&
             rows[8 + k] = glm::vec4(edges.from.at(edge), edges.to.at(edge));
         }
         const glm::dvec3 lines[] = {seen.across, seen.down, seen.inverse - seen.across, seen.inverse - seen.down};
-        const double change = 0.5 * (std::abs(values.x) + std::abs(values.y));
         for (int k = 0; k < 4; ++k) {
             const double slope = std::max(glm::length(glm::dvec2(lines[k])), 1e-300);
-            rows[12 + k] = as_row(lines[k] / slope, change);
+            rows[12 + k] = as_row(lines[k] / slope, change_of(values));
         }
     }
     return block;

@@ -32,7 +32,8 @@ struct SeenPlane {
     glm::dvec3 depth{0.0};             // mm along the line of sight; for orthographic views only
     bool flat = false;
 
-    // `to_eye`: from mm to eye space, depth as +z. A plane that is seen exactly from its edge is nowhere: all rows are 0.
+    // `to_eye`: from mm to eye space, depth as +z. A plane that is seen exactly from its edge is nowhere: all rows are
+    // 0.
     [[nodiscard]] static SeenPlane of(const ScanPlane& plane, const glm::dmat4& to_eye, const Sight& sight);
     // The depth at a pixel, if the rectangle covers it and its picture is not transparent there.
     [[nodiscard]] std::optional<double> depth_at(glm::dvec2 pixel, const Image& picture) const;
@@ -56,6 +57,9 @@ private:
 
 // Puts the planes among the depths of the map, whose camera and size they are seen with.
 void add_planes(const std::vector<ScanPlane>& planes, DepthMap& map);
+
+// What shaders/caps.glsl needs, if the eye is on the side that is removed.
+[[nodiscard]] std::optional<glm::vec4> cap_values_of(const CutAway& cut, const Camera& camera, const ViewBlock& view);
 
 // The block of shaders/look/slices.glsl. `pixels_a_point`: for outlines.
 [[nodiscard]] PlanesBlock planes_block(const std::vector<ScanPlane>& planes, const glm::dmat4& to_eye,

@@ -29,18 +29,22 @@ enum Variant : unsigned {
     kValues = 4096,
     kPlanes = 8192,
     kGuide = 16384,
+    kCaps = 32768,
 };
 constexpr std::pair<Variant, const char*> kVariants[] = {
     {kGlass, "GLASS"},     {kOutline, "OUTLINE"},   {kMargins, "MARGINS"},
     {kScale, "SCALE"},     {kCuts, "CUTS"},         {kOnlyChanged, "CHANGED"},
     {kHalos, "HALOS"},     {kContours, "CONTOURS"}, {kChromadepth, "CHROMADEPTH"},
     {kShadows, "SHADOWS"}, {kLayer, "LAYER"},       {kContext, "CONTEXT"},
-    {kValues, "VALUES"},   {kPlanes, "PLANES"},   {kGuide, "GUIDE"}};
+    {kValues, "VALUES"},   {kPlanes, "PLANES"},     {kGuide, "GUIDE"},
+    {kCaps, "CAPS"}};
 
 // For slices, which samples see at their own positions.
 void set_samples(GLuint program, const ViewTargets& targets) {
     glProgramUniform2fv(program, kUniformSamplePositions, kMostSamples, &targets.samples.positions[0].x);
 }
+
+unsigned caps_in(const ViewSetup& view) { return view.cap_values ? unsigned{kCaps} : 0U; }
 
 unsigned if_any(float strength, Variant variant) { return strength > 0.0F ? unsigned{variant} : 0U; }
 
@@ -121,12 +125,13 @@ Result<ShadePass::Prepared> ShadePass::prepare(const Subject& subject, const Vie
                              (needs.values ? kValues : 0U) | (made.records.any_selected ? kOutline : 0U) |
                              (glass ? kGlass : 0U) | (mark_changed ? kOnlyChanged : 0U) | if_any(look.halos, kHalos) |
                              if_any(look.contours, kContours) | if_any(look.chromadepth, kChromadepth) |
-                             if_any(look.shadows, kShadows) | more;
+                             if_any(look.shadows, kShadows) | caps_in(targets.view) | more;
     made.of_layers = kGlass | kLayer | seen_through | more;
     const LookBlock block = look_of(subject.frame, targets.view, glass, made.records.any_selected);
     glNamedBufferSubData(look_block_, 0, sizeof block, &block);
     RAMUS_TRY(light, program(variant));
     made.light = light;
+    set_caps(*light, targets.view);
     glBindBufferBase(GL_UNIFORM_BUFFER, kBlockLook, look_block_);
     return made;
 }
@@ -178,7 +183,8 @@ Result<Region> ShadePass::draw(const Subject& subject, ViewTargets& targets, Ext
 Result<void> ShadePass::guide_planes(const Subject& subject, ViewTargets& targets, bool outlined) {
     if (targets.sliced.guided) return {};
     const unsigned glass = targets.has_glass ? kGlass : 0U;
-    RAMUS_TRY(guide, program(kGuide | glass | (outlined ? kOutline : 0U)));
+    RAMUS_TRY(guide, program(kGuide | glass | caps_in(targets.view) | (outlined ? kOutline : 0U)));
+    set_caps(*guide, targets.view);
     const Region all{glm::ivec2(0), targets.view.size};
     for_bands(subject, targets, *guide, all, [&](const Region& rows) {
         glBindFramebuffer(GL_FRAMEBUFFER, targets.sliced.guide_framebuffer);

@@ -57,7 +57,7 @@ private:
     const FragmentListPass& lists_;
     const LayerPass& layers_;
     Fullscreen background_;
-    std::map<unsigned, Fullscreen> programs_; // by variant
+    std::map<unsigned, Fullscreen> programs_;           // by variant
     std::array<Fullscreen, kMostPlanes> simple_slices_; // by the number of planes
     BranchRecords records_;
     SceneTables tables_;
