@@ -1,6 +1,10 @@
 // Composes one layer of glass with the previous ones, sample by sample: what shade.frag does with a list, one fragment
 // at a time. The pixel's fragments come in the order of their depths, so a sample waits while an earlier fragment
 // belongs to another sample.
+#ifdef CAPS
+layout(binding = kUnitFirstFragments) uniform usampler2DMS opaque_ids; // their depths are those of the caps' insides
+#endif
+
 layout(location = 0) out vec4 fronts[kMostSamples]; // premultiplied; blended behind the existing colour
 
 void main() {
@@ -28,6 +32,10 @@ void main() {
     vec4 veil = vec4(0.0);
     for (int s = 0; s < kMostSamples; ++s) {
         hit[s] = hit[s] && ((fragments[s].x >> (kGlassShift + s)) & 1u) != 0u && nearest > texelFetch(opaque_samples, pixel, s < samples ? s : 0).x;
+#ifdef CAPS
+        bool cap = (texelFetch(opaque_ids, pixel, s < samples ? s : 0).x & kCap) != 0u;
+        hit[s] = hit[s] && (!cap || nearest > dot(cap_values.xyz, vec3(gl_FragCoord.xy, 1.0)) + cap_values.w);
+#endif
 #ifdef PLANES
         hit[s] = hit[s] && nearest > slices.value[s];
 #endif

@@ -108,6 +108,10 @@ void main() {
         if (lesion == 0u && (id & kLesion) == kLesion) lesion = id, lesion_depth = depth;
     }
 #endif
+#ifdef CAPS
+    // Fragments were tested against the depths of what is behind caps.
+    if (id_normal.x != 0u && vessel_depth <= nearest) vessel = 0u;
+#endif
     if (lesion_depth > nearest) {
         id_normal.x = kSolid | (lesion & kNumberBits);
         picked_depth = eye_depth(lesion_depth);

@@ -2,6 +2,7 @@
 
 #include "render/image/image.h"
 #include "render/scene/colour.h"
+#include "render/scene/seen_plane.h"
 
 #include <algorithm>
 #include <array>
@@ -93,7 +94,7 @@ void drop_hidden(const std::array<std::uint8_t, kTilePixels>& hidden, Records& r
 
 Slicer::Slicer(const PlanesBlock& block, const std::vector<ScanPlane>& planes) : block_(block) {
     for (std::size_t i = 0; i < std::min(planes.size(), std::size_t{kMostPlanes}); ++i)
-        pictures_[i] = planes[i].picture.get();
+        pictures_[i] = picture_of(planes[i]);
 }
 
 bool Slicer::reaches(const TileTask& tile) const {

@@ -87,6 +87,7 @@ void ViewTargets::make_sliced() {
     sliced.mixed = make_texture(GL_DEPTH_COMPONENT32F, view.size.x, view.size.y);
     Texture depth = make_texture(GL_R32F, view.size.x, view.size.y);
     sliced.framebuffer = make_framebuffer({sliced.lit.colour, depth}, sliced.mixed);
+    sliced.colour_framebuffer = make_framebuffer({sliced.lit.colour}, sliced.mixed);
     sliced.guided = false;
     sliced.depth = std::move(depth); // the last: all is there
 }

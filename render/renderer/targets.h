@@ -52,10 +52,10 @@ struct LitTarget {  // ShadePass and MeanPass
 
 struct SlicedTarget { // ShadePass: `lit` with the planes of a scan; created on first use
     LitTarget lit;    // 4 bytes: the same, with the planes
-    Texture depth;    // R32F, 4 bytes: mm along the line of sight, nearest plane or opaque surface
-    Texture guide;    // RG32F, 8 bytes: depth values of the nearest and the farthest sample, see slice_guide.glsl
-    Texture mixed;    // DEPTH32F, 4 bytes: not 0 where slices and surfaces meet
-    Framebuffer framebuffer, guide_framebuffer;
+    Texture depth; // R32F, 4 bytes: mm along the line of sight, nearest plane or opaque surface; only if lines need it
+    Texture guide; // RG32F, 8 bytes: depth values of the nearest and the farthest sample, see slice_guide.glsl
+    Texture mixed; // DEPTH32F, 4 bytes: not 0 where slices and surfaces meet
+    Framebuffer framebuffer, colour_framebuffer, guide_framebuffer;
     bool guided = false; // `guide` belongs to what is shaded
 };
 

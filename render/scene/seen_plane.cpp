@@ -84,6 +84,13 @@ SeenEdges edges_of(const ScanPlane& plane, const glm::dmat4& to_eye, const Sight
 
 } // namespace
 
+const Image* picture_of(const ScanPlane& plane) {
+    const Image* image = plane.picture.get();
+    const bool whole = image != nullptr && image->width > 0 && image->height > 0 &&
+                       image->rgba.size() == 4 * std::size_t(image->width) * std::size_t(image->height);
+    return whole ? image : nullptr;
+}
+
 Sight sight_of(const Camera& camera, glm::ivec2 size) {
     return {0.5 * glm::dvec2(size),
             camera.orthographic ? mm_per_pixel(camera, size)
@@ -125,7 +132,7 @@ SeenPlane SeenPlane::of(const ScanPlane& plane, const glm::dmat4& to_eye, const 
 
 std::optional<double> SeenPlane::depth_at(glm::dvec2 pixel, const Image& picture) const {
     const double weight = applied(inverse, pixel);
-    if (!(weight > 0.0) || picture.width == 0 || picture.height == 0) return {};
+    if (!(weight > 0.0)) return {};
     const glm::dvec2 at = glm::dvec2(applied(across, pixel), applied(down, pixel)) / weight;
     if (!(at.x >= 0.0 && at.y >= 0.0 && at.x <= 1.0 && at.y <= 1.0)) return {};
     const int x = std::min(static_cast<int>(at.x * picture.width), picture.width - 1);
@@ -139,7 +146,7 @@ SeenPlanes::SeenPlanes(const std::vector<ScanPlane>& planes, const Camera& camer
     const Sight sight = sight_of(camera, size);
     for (std::size_t i = 0; i < std::min(planes.size(), std::size_t{kMostPlanes}); ++i) {
         seen_.push_back(SeenPlane::of(planes[i], to_eye, sight));
-        pictures_.push_back(planes[i].picture);
+        pictures_.push_back(picture_of(planes[i]));
     }
 }
 
@@ -197,8 +204,8 @@ PlanesBlock planes_block(const std::vector<ScanPlane>& planes, const glm::dmat4&
                               : double(to_depth.z) / mm - double(to_depth.y);
         };
         const float width = plane.outline_width > 0.0F ? std::max(1.0F, plane.outline_width * pixels_a_point) : 0.0F;
-        const glm::dvec2 size =
-            plane.picture ? glm::dvec2(plane.picture->width, plane.picture->height) : glm::dvec2(0.0);
+        const Image* picture = picture_of(plane);
+        const glm::dvec2 size = picture != nullptr ? glm::dvec2(picture->width, picture->height) : glm::dvec2(0.0);
         glm::vec4* rows = block.plane_rows + kPlaneRows * i;
         rows[0] = as_row(seen.across, size.x);
         rows[1] = as_row(seen.down, size.y);

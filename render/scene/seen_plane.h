@@ -17,6 +17,9 @@
 
 namespace ramus::render {
 
+// Null if the plane has no picture, or one without or with too few pixels, of which nothing is drawn.
+[[nodiscard]] const Image* picture_of(const ScanPlane& plane);
+
 // How pixels look at the scene. Pixels count from the lower left, as in GL.
 struct Sight {
     glm::dvec2 centre{0.0};  // the pixel on the view axis
@@ -46,13 +49,14 @@ struct PlaneHit {
 };
 class SeenPlanes {
 public:
+    // The planes' pictures must outlive the object.
     SeenPlanes(const std::vector<ScanPlane>& planes, const Camera& camera, glm::ivec2 size);
     [[nodiscard]] PlaneHit at(glm::dvec2 pixel) const; // from the lower left
     [[nodiscard]] bool empty() const { return seen_.empty(); }
 
 private:
     std::vector<SeenPlane> seen_;
-    std::vector<std::shared_ptr<const Image>> pictures_; // null: nothing is drawn inside the outline
+    std::vector<const Image*> pictures_; // null: nothing is drawn inside the outline
 };
 
 // Puts the planes among the depths of the map, whose camera and size they are seen with.

@@ -246,6 +246,7 @@ void LayerPass::draw_all(const Subject& subject, ViewTargets& targets, const Ful
         glBindTextureUnit(kUnitSurface, layers.fragments);
         glBindTextureUnit(kUnitDepth, layers.depths.at(std::size_t(layer % 2)));
         glBindTextureUnit(kUnitOpaqueSamples, targets.samples.depth);
+        glBindTextureUnit(kUnitFirstFragments, targets.samples.id_normal);
         begin_blending(Blending::kUnder);
         light.draw_in(glm::ivec2(0), targets.view.size, Fullscreen::Pixels::kCovered);
         glDisable(GL_BLEND);

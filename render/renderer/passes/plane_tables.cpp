@@ -42,7 +42,7 @@ Result<void> PlaneTables::send(const Frame& frame, const ViewSetup& view) {
     count_ = count;
     glm::ivec3 size(1, 1, int(count));
     for (std::size_t i = 0; i < count; ++i)
-        if (const auto& image = frame.planes[i].picture)
+        if (const Image* image = picture_of(frame.planes[i]))
             size = glm::max(size, glm::ivec3(image->width, image->height, 1));
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
@@ -59,7 +59,7 @@ Result<void> PlaneTables::send(const Frame& frame, const ViewSetup& view) {
     }
     for (std::size_t i = 0; i < count; ++i) {
         const auto& image = frame.planes[i].picture;
-        if (image == nullptr || image == shown_[i]) continue;
+        if (picture_of(frame.planes[i]) == nullptr || image == shown_[i]) continue;
         send_layer(pictures_, static_cast<int>(i), *image);
         shown_[i] = image;
     }

@@ -2,6 +2,7 @@
 
 #include "core/base/bounds.h"
 #include "render/gl/gl_context.h"
+#include "render/renderer/frame_changes.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
@@ -126,7 +127,7 @@ Result<ShadePass::Prepared> ShadePass::prepare(const Subject& subject, const Vie
                              (glass ? kGlass : 0U) | (mark_changed ? kOnlyChanged : 0U) | if_any(look.halos, kHalos) |
                              if_any(look.contours, kContours) | if_any(look.chromadepth, kChromadepth) |
                              if_any(look.shadows, kShadows) | caps_in(targets.view) | more;
-    made.of_layers = kGlass | kLayer | seen_through | more;
+    made.of_layers = kGlass | kLayer | seen_through | caps_in(targets.view) | more;
     const LookBlock block = look_of(subject.frame, targets.view, glass, made.records.any_selected);
     glNamedBufferSubData(look_block_, 0, sizeof block, &block);
     RAMUS_TRY(light, program(variant));
@@ -141,6 +142,7 @@ Result<void> ShadePass::draw_layers(const Subject& subject, ViewTargets& targets
     if (!targets.has_glass || gl_has_lists()) return {};
     RAMUS_TRY(of_layer, program(variant));
     set_samples(*of_layer, targets);
+    set_caps(*of_layer, targets.view);
     bind(targets);
     layers_.draw_all(subject, targets, *of_layer);
     return {};
@@ -200,13 +202,15 @@ Result<void> ShadePass::draw_planes(const Subject& subject, ViewTargets& targets
     RAMUS_TRY(made, prepare(subject, targets, false, kPlanes));
     if (auto sent = planes_.send(subject.frame, targets.view); !sent) return sent;
     if (auto guided = guide_planes(subject, targets, made.records.any_selected); !guided) return guided;
-    Fullscreen& simple = simple_slices_.at(planes_.count() - 1);
+    const bool depths = lies_over_depths(subject.frame); // for overlays
+    Fullscreen& simple = simple_slices_.at(2 * (planes_.count() - 1) + (depths ? 1 : 0));
     if (!simple.made()) {
-        const std::string planes = "#define PLANES " + std::to_string(planes_.count()) + "\n";
+        const std::string planes =
+            "#define PLANES " + std::to_string(planes_.count()) + (depths ? "\n#define DEPTHS\n" : "\n");
         if (auto built = simple.make("slices.frag", planes); !built) return built;
     }
     const auto bind_all = [&] {
-        glBindFramebuffer(GL_FRAMEBUFFER, targets.sliced.framebuffer);
+        glBindFramebuffer(GL_FRAMEBUFFER, depths ? targets.sliced.framebuffer : targets.sliced.colour_framebuffer);
         bind(targets);
         glBindTextureUnit(kUnitImage, targets.lit.colour);
         glBindTextureUnit(kUnitSliceGuide, targets.sliced.guide);

@@ -57,8 +57,8 @@ private:
     const FragmentListPass& lists_;
     const LayerPass& layers_;
     Fullscreen background_;
-    std::map<unsigned, Fullscreen> programs_;           // by variant
-    std::array<Fullscreen, kMostPlanes> simple_slices_; // by the number of planes
+    std::map<unsigned, Fullscreen> programs_;               // by variant
+    std::array<Fullscreen, 2 * kMostPlanes> simple_slices_; // by the number of planes; without and with depths
     BranchRecords records_;
     SceneTables tables_;
     PlaneTables planes_;

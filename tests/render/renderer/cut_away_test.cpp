@@ -174,6 +174,9 @@ TEST_CASE("a cut through glass and solid context opens the one and caps the othe
         // Where the rest of the ball reaches beyond the cap it is rounded, and lit otherwise.
         CHECK(apart(scene.colour(solid, 11.85, 0), first) > 20);
         CHECK(scene.empty(solid, 12.3, 0));
+        scene.add_sphere(0.5F, {0, -4, 0}, 4.0); // glass within the ball
+        CHECK(apart(scene.colour(scene.picture(), 0.05, 0), scene.colour(solid, 0.05, 0)) == 0);
+        scene.frame.context.pop_back();
         // Glass: the front is gone, the back is seen.
         scene.frame.context[0].opacity = 0.5F;
         scene.frame.cut_away = CutAway{{0, 0, 0}, {0, 1, 0}};

@@ -290,6 +290,14 @@ TEST_CASE("a plane seen from its edge, behind the eye or around it draws no wron
     CHECK(largest_difference(scene.picture(), without) == 0);
     scene.frame.planes[0].right = {0, 0, 0}; // no area
     CHECK(largest_difference(scene.picture(), without) == 0);
+    scene.frame.planes = {facing(20, nullptr), facing(20, std::make_shared<Image>())}; // no pixels
+    auto broken = std::make_shared<Image>();
+    broken->width = broken->height = 20;
+    broken->rgba.assign(100, 200);
+    scene.frame.planes.push_back(facing(20, broken));
+    scene.frame.planes.push_back(facing(std::nan(""), grey(90)));
+    CHECK(largest_difference(scene.picture(), without) == 0);
+    CHECK(scene.pick(0, 0).branch == 0);
     scene.frame.camera.orthographic = false;
     scene.frame.planes.clear();
     const Image perspective = scene.picture();
