@@ -29,12 +29,15 @@ const int kUnitOtherImage = 22;     // second input, to mix with
 const int kUnitRings = 23;          // of the skeleton: centre, radius, axis
 const int kUnitSeenRings = 24;      // which of them
 const int kUnitValues = 25;         // multisampled: of the nearest opaque surface, where it has any
-const int kUnits = 26;
+const int kUnitPlanes = 26;         // pictures of slices, a layer each: premultiplied sRGB
+const int kUnitSliceGuide = 27;     // a pixel: output of slice_guide.frag
+const int kUnits = 28;
 
 // Uniform blocks.
 const int kBlockView = 0;
 const int kBlockLook = 1;
 const int kBlockScene = 2;
+const int kBlockPlanes = 3;
 
 // Storage blocks: the lists of glass.
 const int kStorageHeads = 0;
@@ -68,7 +71,10 @@ const int kUniformOrigin = 25;         // ivec2: lower left corner, pixels
 const int kUniformWindow = 26;         // vec4: of the interface: x, y, width, height
 const int kUniformLine = 27;           // vec3: pixels from the left, half width, height; negative position: no line
 const int kUniformInside = 28;         // int: 1 where the eye is inside a vessel
-const int kUniforms = 29;
+const int kUniformCut = 29;            // vec4: plane that cuts off what is below 0, in the positions' space
+const int kUniformCap = 30;            // vec4: its normal towards the eye, in eye space; 1 where caps are seen
+const int kUniformCapValues = 31;      // vec4: value in the depth buffer, of (x, y, 1) of a pixel; added for its samples
+const int kUniforms = 32;
 
 // Vertex attributes: of meshes, of marks, of the interface.
 const int kAttributePosition = 0;
@@ -85,6 +91,10 @@ const int kAttributeColour = 2;
 // Targets of geometry.frag.
 const int kTargetSurface = 0;
 const int kTargetValue = 1;
+
+// Targets of slices.frag and slice_pixel.glsl.
+const int kTargetColour = 0;
+const int kTargetSeenDepth = 1;
 
 // Targets of resolve.frag.
 const int kTargetIdNormal = 0;

@@ -36,6 +36,7 @@ float share(int a, int b) {
 void main() {
     for (int corner = 0; corner < 3; ++corner) {
         gl_Position = gl_in[corner].gl_Position;
+        gl_ClipDistance[0] = gl_in[corner].gl_ClipDistance[0];
         normal_eye = corner_normal[corner];
         shares = vec3(share(corner, 0), share(corner, 1), share(corner, 2));
         branch_ids = ivec3(corner_branch[0], corner_branch[1], corner_branch[2]);

@@ -5,6 +5,8 @@
 layout(location = kUniformToClip) uniform mat4 to_clip;
 layout(location = kUniformHalfPicture) uniform vec3 half_picture; // half the size in pixels, half the width of a line
 
+layout(location = kUniformCut) uniform vec4 cut; // if clip distances are on
+
 out vec3 normal_eye;
 flat out int branch_id;
 
@@ -25,4 +27,5 @@ void main() {
     gl_Position.xy += offset / half_picture.xy * gl_Position.w;
     if (branch_id != line_branch(segment + 1) || (before_a < 0.0 && before_b < 0.0)) gl_Position = kOutside;
     normal_eye = vec3(0.0, 0.0, 1.0);
+    gl_ClipDistance[0] = dot(cut, vec4(line_point(at_end ? segment + 1 : segment), 1.0));
 }

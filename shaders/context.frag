@@ -8,6 +8,8 @@ layout(location = kUniformNumber) uniform uint number; // of the mesh, from 1; w
 #ifdef TRANSPARENT
 #include "glass_output.glsl"
 #else
+layout(location = kUniformCap) uniform vec4 cap;
+
 layout(location = 0) out uvec2 surface;
 #endif
 
@@ -37,6 +39,8 @@ void main() {
 #elif defined(TRANSPARENT)
     add_fragment(kContextFragment | number, normal, covered_samples());
 #else
-    surface = uvec2(kSolid | kContext | number, normal);
+    bool capped = !gl_FrontFacing && cap.w > 0.5; // see caps.glsl
+    if (capped) normal = packSnorm2x16(octahedral(cap.xyz));
+    surface = uvec2(kSolid | kContext | number | (capped ? kCap : 0u), normal);
 #endif
 }

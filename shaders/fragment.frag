@@ -11,7 +11,8 @@ flat in int branch_id;
 
 void main() {
     // The normal is that at the pixel's centre: beyond the triangle's edge it continues like the next triangle's.
-    uint normal = packSnorm2x16(octahedral(normalize(normal_eye)));
+    // Back faces are drawn where glass is cut open.
+    uint normal = packSnorm2x16(octahedral(normalize(gl_FrontFacing ? normal_eye : -normal_eye)));
 #ifndef BORDER
     add_fragment(uint(branch_id + 1), normal, covered_samples());
 #elif defined(FALLBACK)

@@ -5,6 +5,7 @@
 in vec3 normal_eye;
 #ifndef LINE
 layout(location = kUniformInside) uniform int inside;
+layout(location = kUniformCap) uniform vec4 cap;
 #endif
 #ifdef BORDER
 #include "border.glsl"
@@ -39,8 +40,12 @@ void main() {
 #ifdef LINE
     id |= kLine;
 #else
-    // From inside a vessel its wall is visible; where glass begins, back faces look like a lid.
-    if (!gl_FrontFacing) normal = inside != 0 ? -normal : vec3(0.0, 0.0, 1.0);
+    // From inside a vessel its wall is visible; where glass begins, back faces look like a lid; where the vessel is cut,
+    // they stand for the cap (caps.glsl).
+    if (!gl_FrontFacing) {
+        normal = cap.w > 0.5 ? cap.xyz : inside != 0 ? -normal : vec3(0.0, 0.0, 1.0);
+        id |= cap.w > 0.5 ? kCap : 0u;
+    }
 #endif
     surface = uvec2(id, packSnorm2x16(octahedral(normal)));
 #ifdef VALUE

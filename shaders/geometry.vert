@@ -17,6 +17,7 @@ layout(location = kAttributeValue) in float value;
 
 layout(location = kUniformToClip) uniform mat4 to_clip;
 layout(location = kUniformToEye) uniform mat3 to_eye; // rotation only
+layout(location = kUniformCut) uniform vec4 cut; // if clip distances are on
 
 #ifdef BORDER
 out vec3 corner_normal;
@@ -45,6 +46,7 @@ out vec4 from_edges; // barycentric coordinates and 1, times w: see clip_depth
 
 void main() {
     gl_Position = to_clip * vec4(position, 1.0);
+    gl_ClipDistance[0] = dot(cut, vec4(position, 1.0));
 #ifdef BORDER
     corner_normal = to_eye * normal;
     corner_dominance = dominance;

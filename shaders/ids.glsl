@@ -4,6 +4,7 @@
 const uint kLine = 0x80000000u;    // the centerline of that branch
 const uint kSolid = 0x40000000u;   // a lesion, by its number + 1: only in ids for picks
 const uint kContext = 0x20000000u; // with kSolid: a context mesh instead of a lesion
+const uint kCap = 0x10000000u;     // in samples: seen into a cut, see caps.glsl
 
 // In ids of glass fragments, which have fewer bits (glass_fragments.glsl): a lesion instead of a context mesh.
 const uint kLesionFragment = 0x00400000u;

@@ -1,7 +1,7 @@
 // Reduces samples to one value per pixel: the nearest opaque surface, otherwise the nearest glass, for picking,
 // outlines and occlusion. Also sorts the lists of glass. Vessels are picked through transparent context; glass in front
 // of opaque context is picked. Lesions are picked as if opaque, also through glass. Variants: GLASS if anything is
-// defocused or there is transparent context or lesions; with LESIONS the input layers are those of lesions, which go
+// defocused or there is transparent context or lesions; CAPS if surfaces are cut open; with LESIONS the input layers are those of lesions, which go
 // over the existing result (FALLBACK).
 #include "view.glsl"
 #ifdef GLASS
@@ -15,6 +15,7 @@ layout(binding = kUnitContextDepths) uniform sampler2DMS context_depths; // of t
 
 layout(binding = kUnitSurface) uniform usampler2DMS surface_samples;
 layout(binding = kUnitDepth) uniform sampler2DMS depth_samples;
+#include "caps.glsl"
 
 layout(location = kTargetIdNormal) out uvec2 id_normal; // the normal is that of the opaque surface
 layout(location = kTargetOpaqueDepth) out float opaque_depth; // for the occlusion: opaque surfaces only
@@ -58,7 +59,7 @@ void main() {
     int samples = int(picture.z), seen = 0;
     float nearest = 0.0, solid = 0.0; // reversed depth: larger is nearer; of all, and of all but lines
     for (int s = 0; s < samples; ++s) {
-        float depth = texelFetch(depth_samples, pixel, s).x;
+        float depth = sample_value(pixel, s);
         seen = depth > nearest ? s : seen;
         nearest = max(nearest, depth);
 #ifdef GLASS
@@ -68,6 +69,7 @@ void main() {
 #endif
     }
     id_normal = texelFetch(surface_samples, pixel, seen).xy;
+    id_normal.x &= ~kCap;
     opaque_depth = id_normal.x == 0u ? kNothing : eye_depth(nearest);
     picked_depth = opaque_depth;
 #ifdef GLASS
@@ -105,6 +107,10 @@ void main() {
         if (vessel == 0u && (id & kContextFragment) == 0u) vessel = id, vessel_depth = depth;
         if (lesion == 0u && (id & kLesion) == kLesion) lesion = id, lesion_depth = depth;
     }
+#endif
+#ifdef CAPS
+    // Fragments were tested against the depths of what is behind caps.
+    if (id_normal.x != 0u && vessel_depth <= nearest) vessel = 0u;
 #endif
     if (lesion_depth > nearest) {
         id_normal.x = kSolid | (lesion & kNumberBits);

@@ -3,7 +3,8 @@
 // the distance from lesions, SCALE to colour by a value along branches or, with VALUES, of the surface, CUTS if any
 // branch is cut or lost, CHANGED to shade only marked branches and keep the rest of the last picture, HALOS, CONTOURS
 // and CHROMADEPTH for depth cues, CONTEXT if there are context meshes or lesions. LAYER composes one layer of glass
-// with the previous ones, without lists (FALLBACK).
+// with the previous ones, without lists (FALLBACK). PLANES puts slices of a scan among what was shaded before
+// (slice_pixel.glsl); with GUIDE it says where that is simple (slice_guide.glsl). CAPS if surfaces are cut open.
 #include "view.glsl"
 #include "look.glsl"
 #include "look/point.glsl"
@@ -11,6 +12,7 @@
 
 layout(binding = kUnitSurface) uniform usampler2DMS surface_samples;
 layout(binding = kUnitDepth) uniform sampler2DMS depth_samples;
+#include "caps.glsl"
 layout(binding = kUnitOpaqueDepth) uniform sampler2D opaque_depth;
 layout(binding = kUnitIdNormal) uniform usampler2D id_normal;
 layout(binding = kUnitOcclusion) uniform sampler2D occlusion;
@@ -27,12 +29,15 @@ layout(binding = kUnitFronts) uniform sampler2DArray fronts_of_samples; // from 
 #endif
 #endif
 
-#ifndef LAYER
-layout(location = 0) out vec4 colour;
+#ifdef PLANES
+#include "slices.glsl"
+#endif
+#if !defined(LAYER) && !defined(GUIDE)
+layout(location = kTargetColour) out vec4 colour;
 #endif
 
 // Inputs of the formulas.
-#if defined(HALOS) || defined(SHADOWS)
+#if defined(HALOS) || defined(SHADOWS) || defined(PLANES)
 float opaque_depth_at(vec2 at) {
     return texelFetch(opaque_depth, clamp(ivec2(at), ivec2(0), ivec2(picture.xy) - 1), 0).x;
 }
@@ -109,14 +114,46 @@ vec4 veil_of(uint id, uint normal, vec3 position) {
 }
 #endif
 
+#if defined(GLASS) && !defined(LAYER)
+// The glass in front of these depths of the samples: premultiplied. Front to back, per sample: a fragment veils what is
+// behind it. Its light is computed once for all samples.
+vec4[kMostSamples] veils_before(float values[kMostSamples], bool any) {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 front[kMostSamples];
+#ifdef FALLBACK
+    for (int s = 0; s < kMostSamples; ++s) front[s] = texelFetch(fronts_of_samples, ivec3(pixel, s), 0);
+#else
+    for (int s = 0; s < kMostSamples; ++s) front[s] = vec4(0.0);
+    float clear = 1.0;
+    for (uint number = any ? heads[list_of(pixel)] : 0u; number != 0u && clear > 1e-3;) {
+        GlassFragment fragment = fragments[number];
+        float value = uintBitsToFloat(fragment.depth);
+        vec4 veil = veil_of(fragment.id_and_samples, fragment.normal, eye_position(gl_FragCoord.xy, eye_depth(value)));
+        clear = 0.0;
+        for (int s = 0; s < kMostSamples; ++s) {
+            bool hit = ((fragment.id_and_samples >> (kSampleShift + s)) & 1u) != 0u && value > values[s];
+            front[s] += hit ? (1.0 - front[s].a) * veil : vec4(0.0);
+            clear = max(clear, 1.0 - front[s].a);
+        }
+        number = fragment.next;
+    }
+#endif
+    return front;
+}
+#endif
+
 #ifdef CHANGED
 bool has_changed(uint id) {
-    return id != 0u && (id & kSolid) == 0u && (texelFetch(branches, int(id & ~kLine) - 1).a & kChanged) != 0u;
+    return id != 0u && (id & kSolid) == 0u && (texelFetch(branches, int(id & ~(kLine | kCap)) - 1).a & kChanged) != 0u;
 }
 #endif
 
 #ifdef LAYER
 #include "glass_layer.glsl"
+#elif defined(GUIDE)
+#include "slice_guide.glsl"
+#elif defined(PLANES)
+#include "slice_pixel.glsl"
 #else
 // Software rasterisers execute both sides of a branch, but leave loops early: pixels inside one surface need one
 // iteration, pixels on an edge one per sample.
@@ -140,13 +177,13 @@ void main() {
     uvec2 first = texelFetch(surface_samples, pixel, 0).xy;
     bool whole = first.x != 0u;
     vec3 first_normal = unpack_normal(first.y), mean_normal = first_normal;
-    float first_depth = texelFetch(depth_samples, pixel, 0).x, mean_depth = first_depth;
+    float first_depth = sample_value(pixel, 0), mean_depth = first_depth;
     for (int s = 1; s < samples; ++s) {
         uvec2 found = texelFetch(surface_samples, pixel, s).xy;
         vec3 normal = unpack_normal(found.y);
         whole = whole && found.x == first.x && dot(normal, first_normal) > 0.7;
         mean_normal += normal;
-        mean_depth += texelFetch(depth_samples, pixel, s).x;
+        mean_depth += sample_value(pixel, s);
     }
     mean_depth /= float(samples);
     float mean_of_values = 0.0; // mixes known and unknown values as interpolation does
@@ -155,32 +192,13 @@ void main() {
 #endif
 
 #ifdef GLASS
-    // Front to back, per sample: a fragment veils what is behind it. Its light is computed once for all samples.
     float opaque_values[kMostSamples];
-    vec4 front[kMostSamples]; // premultiplied
     bool empty = true;
     for (int s = 0; s < kMostSamples; ++s) {
-        opaque_values[s] = s < samples ? texelFetch(depth_samples, pixel, s).x : 0.0;
-        front[s] = vec4(0.0);
+        opaque_values[s] = s < samples ? sample_value(pixel, s) : 0.0;
         empty = empty && opaque_values[s] == 0.0;
     }
-#ifdef FALLBACK
-    for (int s = 0; s < kMostSamples; ++s) front[s] = texelFetch(fronts_of_samples, ivec3(pixel, s), 0);
-#else
-    float clear = 1.0;
-    for (uint number = heads[list_of(pixel)]; number != 0u && clear > 1e-3;) {
-        GlassFragment fragment = fragments[number];
-        float value = uintBitsToFloat(fragment.depth);
-        vec4 veil = veil_of(fragment.id_and_samples, fragment.normal, eye_position(gl_FragCoord.xy, eye_depth(value)));
-        clear = 0.0;
-        for (int s = 0; s < kMostSamples; ++s) {
-            bool hit = ((fragment.id_and_samples >> (kSampleShift + s)) & 1u) != 0u && value > opaque_values[s];
-            front[s] += hit ? (1.0 - front[s].a) * veil : vec4(0.0);
-            clear = max(clear, 1.0 - front[s].a);
-        }
-        number = fragment.next;
-    }
-#endif
+    vec4 front[kMostSamples] = veils_before(opaque_values, true);
     vec4 mean_front = vec4(0.0);
     for (int s = 0; s < kMostSamples; ++s) mean_front += s < samples ? front[s] : vec4(0.0);
     mean_front /= float(max(samples, 1));
@@ -192,9 +210,10 @@ void main() {
     int rounds = samples == 0 ? 0 : whole ? 1 : samples;
     for (int s = 0; s < rounds; ++s) {
         uvec2 found = texelFetch(surface_samples, pixel, s).xy;
-        float value = whole ? mean_depth : texelFetch(depth_samples, pixel, s).x;
+        float value = whole ? mean_depth : sample_value(pixel, s);
         vec3 normal = whole ? normalize(mean_normal) : unpack_normal(found.y);
         vec3 position = eye_position(gl_FragCoord.xy, eye_depth(value));
+        found.x &= ~kCap;
 #ifdef GLASS
         bool is_line = (found.x & kLine) != 0u;
         found.x &= ~kLine;

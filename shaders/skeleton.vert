@@ -12,6 +12,7 @@ layout(location = kUniformRingSteps) uniform vec2 ring_steps;     // corners of 
 layout(location = kUniformToClip) uniform mat4 to_clip;
 layout(location = kUniformHalfPicture) uniform vec3 half_picture; // half the size in pixels, half the width of a line
 layout(location = kUniformToDepth) uniform vec4 to_depth;     // from mm to mm along the line of sight
+layout(location = kUniformCut) uniform vec4 cut; // if clip distances are on
 
 out vec2 at;    // pixels across from the middle, mm along the line of sight
 out vec2 behind; // mm behind a surface: limit for lying on it, and for lying inside its own vessel
@@ -80,6 +81,7 @@ void main() {
     behind = vec2(0.0, 0.7 * line_diameter(at_end ? segment + 1 : segment));
     ink = 1.0;
 #endif
+    gl_ClipDistance[0] = dot(cut, vec4(position, 1.0));
     at = vec2(side * (half_picture.z + 2.0), dot(to_depth, vec4(position, 1.0)));
     gl_Position = own;
     gl_Position.xy += at.x * across(pixel_of(before), pixel_of(own), pixel_of(after)) / half_picture.xy * own.w;

@@ -146,6 +146,13 @@ struct Records {
     std::size_t count;
 };
 
+// A pixel of a tile that shows slices of a scan.
+struct SlicePixel {
+    std::uint16_t at;               // y * kTile + x
+    std::uint8_t samples;           // a bit for each that shows a slice
+    std::uint32_t colour[kSamples]; // sRGB bytes, red lowest, of these samples
+};
+
 // Arrays of the whole picture, rows `stride` apart.
 struct PictureArrays {
     float* depth;          // nearest opaque surface; kNothing: none
@@ -184,8 +191,9 @@ struct Shading {
     int ramp_steps;
     const vec4* lesions; // spheres: centre in eye space, radius
     LesionGrid grid;
-    const float* shapes; // LookData::shapes
-    const vec4* cuts;    // five per part of a branch that a cut loses, see behind_cut()
+    const float* shapes;      // LookData::shapes
+    const float* slice_light; // light_of_bytes()
+    const vec4* cuts;         // five per part of a branch that a cut loses, see behind_cut()
 };
 
 // A cross-section of a vessel: the circle that fits the surface best at this place.

@@ -73,7 +73,7 @@ Records Caster::KeptRecords::view() {
 }
 
 bool Caster::draws(const Frame& frame) {
-    if (frame.only_mesh) return false;
+    if (frame.only_mesh || frame.cut_away) return false;
     // A cone has one value per point: diameters and positions of cuts exclude each other.
     const bool whole = std::ranges::all_of(frame.lost, &LostPart::whole);
     // Cones have no values of vertices, and of centerlines only the data of their shape.
@@ -117,7 +117,7 @@ template <class Call> void Caster::for_tiles(const Call& call) const {
     });
 }
 
-void Caster::cast(int index, const Binned& binned, bool with_values) {
+void Caster::cast(int index, const Binned& binned, const Slicer& slicer, bool with_values) {
     Scratches::Scratch& scratch = *scratches_->all.local();
     Tile& tile = tiles_[std::size_t(index)];
     const TileTask task{view_, vessels_.field(), with_values, left(index), low(index)};
@@ -139,6 +139,8 @@ void Caster::cast(int index, const Binned& binned, bool with_values) {
     Records opaque = scratch.records(with_values);
     resolve_tile(task, scratch.samples, picture_, opaque);
     if (view_.taps > 0 || view_.shadows) split_depths(task.x, task.y, view_, picture_);
+    tile.slices.clear();
+    if (slicer.reaches(task)) slicer.lay(task, scratch.samples, picture_, opaque, tile.slices);
     tile.opaque.keep(opaque);
     tile.glass.count = 0;
     const TileCones glass_cones = sorted(binned.glass);
@@ -195,6 +197,7 @@ Shading Caster::shading_of(const Frame& frame, const Content& content) const {
         shading.outline_ring[i] = ring.outline_step(i);
         shading.halo_ring[i] = ring.halo_step(i);
     }
+    shading.slice_light = light_of_bytes();
     shading.lesions = content.data.lesions.data();
     shading.cuts = content.data.cuts.data();
     shading.shapes = content.data.shapes.empty() ? nullptr : &content.data.shapes.front().x;
@@ -239,7 +242,8 @@ void Caster::shade(const Shading& shading, const std::vector<std::uint8_t>& outl
         Shading here = shading;
         here.outlined = outlined[std::size_t(index)] != 0;
         shade_tile(here, tile.opaque.view(), tile.glass.view(), picture_,
-                   {left(index), low(index), scratches_->all.local()->colours, rgba_.data()});
+                   {left(index), low(index), scratches_->all.local()->colours, rgba_.data(), tile.slices.data(),
+                    tile.slices.size()});
     });
 }
 
@@ -259,7 +263,8 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
     for (const Body& body : content.bodies)
         project_triangles(body, view_, to_eye, body.clear ? clear_triangles_ : solid_triangles_);
     const Binned binned = bin();
-    for_tiles([&](int tile) { cast(tile, binned, with_values); });
+    const Slicer slicer(content.planes, frame.planes);
+    for_tiles([&](int tile) { cast(tile, binned, slicer, with_values); });
     occlude();
     shade(shading_of(frame, content), tiles_with_outline(content));
     return drawn;

@@ -13,6 +13,7 @@
 
 #include "render/caster/bins.h"
 #include "render/caster/cast_types.h"
+#include "render/caster/slices.h"
 #include "render/caster/thick_vessels.h"
 #include "render/caster/triangles.h"
 #include "render/caster/vessel_cones.h"
@@ -39,6 +40,7 @@ struct Content {
     const std::vector<Body>& bodies; // lesions with meshes, and context
     const PagedMesh* surface;        // the vessels' surface at rest; null: not available
     glm::dmat4 surface_to_clip;      // from positions relative to its origin
+    const PlanesBlock& planes;       // of the frame's planes
 };
 
 class Caster {
@@ -72,6 +74,7 @@ private:
     };
     struct Tile {
         KeptRecords opaque, glass;
+        std::vector<SlicePixel> slices;
     };
     struct Binned {
         Bins opaque, glass, solid_triangles, clear_triangles;
@@ -81,7 +84,7 @@ private:
     // The steps of a picture.
     void resize(const View& view);
     [[nodiscard]] Binned bin() const;
-    void cast(int tile, const Binned& binned, bool with_values);
+    void cast(int tile, const Binned& binned, const Slicer& slicer, bool with_values);
     void occlude();
     [[nodiscard]] Shading shading_of(const Frame& frame, const Content& content) const;
     [[nodiscard]] std::vector<std::uint8_t> tiles_with_outline(const Content& content) const;

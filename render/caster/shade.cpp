@@ -132,6 +132,35 @@ void shade_opaque(LookOfPixels& look, const Shading& shading, const Records& rec
     }
 }
 
+// As displayed: their light is what tone mapping turns into their bytes.
+void add_slices(const Shading& shading, bool glass, const ShadedTile& tile) {
+    for (std::size_t i = 0; i < tile.slice_count; ++i) {
+        const SlicePixel& slice = tile.slices[i];
+        float* sum = tile.colours.sum[slice.at];
+        for (std::size_t s = 0; s < kSamples; ++s) {
+            if ((slice.samples >> s & 1U) == 0) continue;
+            const float share = 0.25F * (glass ? 1.0F - tile.colours.front[s][slice.at][3] : 1.0F);
+            for (std::size_t c = 0; c < 3; ++c)
+                sum[c] += share * shading.slice_light[slice.colour[s] >> (8 * c) & 255U];
+            sum[3] += share;
+        }
+    }
+}
+
+// Pixels that show nothing else get the bytes of the slice.
+void put_plain_slices(const Shading& shading, bool glass, const ShadedTile& tile) {
+    for (std::size_t i = 0; i < tile.slice_count && !shading.outlined; ++i) {
+        const SlicePixel& slice = tile.slices[i];
+        bool plain = slice.samples == (1U << kSamples) - 1U;
+        for (std::size_t s = 0; s < kSamples; ++s) {
+            plain = plain && slice.colour[s] == slice.colour[0];
+            plain = plain && (!glass || tile.colours.front[s][slice.at][3] == 0.0F);
+        }
+        const int x = tile.x + slice.at % kTile, y = tile.y + slice.at / kTile;
+        if (plain) tile.rgba[std::size_t(y) * std::size_t(shading.width) + std::size_t(x)] = slice.colour[0];
+    }
+}
+
 // Bytes of a colour, red lowest.
 HWY_INLINE VU packed_bytes(Vec4 colour) {
     const auto byte = [](Float c) { return rounded((clamp(c, 0.0F, 1.0F) * 255.0F).v); };
@@ -184,18 +213,20 @@ void shade_lanes(const Shading& shading, const Records& records, const Records& 
                  const ShadedTile& tile) {
     LookOfPixels look(shading, picture);
     Colours& colours = tile.colours;
-    const bool any_glass = glass.count > 0, lit = any_glass || records.count > 0;
+    const bool any_glass = glass.count > 0, lit = any_glass || records.count > 0 || tile.slice_count > 0;
     if (lit) __builtin_memset(colours.sum, 0, sizeof colours.sum);
     if (any_glass) {
         __builtin_memset(colours.front, 0, sizeof colours.front);
         shade_glass(look, shading, glass, tile);
     }
     shade_opaque(look, shading, records, any_glass, tile, picture);
+    add_slices(shading, any_glass, tile);
     for (int pixel = 0; any_glass && pixel < kTilePixels; ++pixel)
         for (int c = 0; c < 4; ++c)
             colours.sum[pixel][c] += 0.25F * (colours.front[0][pixel][c] + colours.front[1][pixel][c] +
                                               colours.front[2][pixel][c] + colours.front[3][pixel][c]);
     encode(look, shading, lit, tile);
+    put_plain_slices(shading, any_glass, tile);
 }
 
 } // namespace ramus::render::caster::HWY_NAMESPACE

@@ -1,7 +1,7 @@
 // The stages of the ray caster. Each processes one tile, or two adjacent ones, and may run for several tiles in
 // parallel. Order:
 //
-//   all tiles: cast_tile(), raster_tile(), resolve_tile(), list_fragments(), split_depths()
+//   all tiles: cast_tile(), raster_tile(), resolve_tile(), split_depths(), Slicer::lay(), list_fragments()
 //   all tiles: occlude_tiles(), shadow_tiles(); then smooth_tile(); then shade_tile()
 #pragma once
 
@@ -72,7 +72,9 @@ struct alignas(64) Colours {
 struct ShadedTile {
     int x, y; // lower left pixel
     Colours& colours;
-    std::uint32_t* rgba; // the whole picture: bytes in this order, sRGB, premultiplied, rows without padding
+    std::uint32_t* rgba;      // the whole picture: bytes in this order, sRGB, premultiplied, rows without padding
+    const SlicePixel* slices; // slices of a scan, behind the glass
+    std::size_t slice_count;
 };
 
 // `glass`: transparent surfaces, without values, nearest first in each sample.

@@ -80,6 +80,8 @@ void install_uniform_fallback(int version, const void* context) {
     put_in_terms_of_use<glad_glUniform2i>(glad_glProgramUniform2i);
     put_in_terms_of_use<glad_glUniform2f>(glad_glProgramUniform2f);
     put_in_terms_of_use<glad_glUniform3f>(glad_glProgramUniform3f);
+    put_in_terms_of_use<glad_glUniform4f>(glad_glProgramUniform4f);
+    put_in_terms_of_use<glad_glUniform2fv>(glad_glProgramUniform2fv);
     // For a context that is limited to an older version: functions that must not be used are null.
     glad_glMemoryBarrier = nullptr;
     glad_glClearNamedBufferSubData = nullptr;

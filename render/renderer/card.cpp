@@ -39,13 +39,15 @@ void Passes::begin(const ViewSetup& view) const {
     send(view);
 }
 
-InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& targets, bool moving) const {
+InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& targets, bool moving) {
     const Frame& frame = subject.frame;
     SceneOnCard& scene = subject.scene;
     ViewSetup& view = targets.view;
     view.look(frame, subject.has_mesh() ? subject.mesh.shown()->bounds() : scene.shapes().bounds(frame.context),
               scene.beside_tree(frame));
     send(view);
+    if (view.cap_values)
+        if (auto made = resolve.make_capped(); !made) co_return tl::unexpected(made.error());
     scene.divide_near_surface(frame, view);
     co_await kPartEnds;
     targets.has_glass = subject.has_glass();
@@ -57,7 +59,7 @@ InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& t
     clear_samples();
     const bool has_lines = scene.lines().shown() != nullptr;
     const bool as_cones = moving && subject.has_mesh() && has_lines && !subject.has_glass_vessels() &&
-                          !subject.has_values() && !frame.only_mesh &&
+                          !subject.has_values() && !frame.only_mesh && !frame.cut_away &&
                           subject.mesh.triangles_in_picture(subject.mesh_to_clip(view)) > kMostMovingTriangles;
     if (as_cones) {
         triangles += centerlines.draw_cones(subject);
@@ -74,6 +76,18 @@ InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& t
     if (targets.has_glass && has_lines) {
         InParts<std::uint64_t> lines = centerlines.draw_lines(subject, view, targets.samples);
         while (lines.resume()) co_await kPartEnds;
+    }
+
+    if (view.cap_values) {
+        targets.make_caps();
+        InParts<std::uint64_t> context_caps = context.draw_caps(subject, view, targets.samples);
+        while (context_caps.resume()) co_await kPartEnds;
+        triangles += context_caps.result();
+        if (subject.has_mesh()) {
+            InParts<std::uint64_t> caps = surface.draw_caps(subject, view, targets.samples);
+            while (caps.resume()) co_await kPartEnds;
+            triangles += caps.result();
+        }
     }
 
     if (!targets.has_glass) {
@@ -97,7 +111,7 @@ InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& t
 
 void Passes::draw_overlays(const Subject& subject, const ViewTargets& targets, const PictureTarget& to,
                            const Region& region, GLuint ids) {
-    const GLuint depth = targets.resolved.opaque_depth;
+    const GLuint depth = targets.seen_depth();
     begin_blending(Blending::kOver);
     skeleton.draw(subject, targets.view, depth);
     marks.draw(subject, targets, ids, shade.records().table());

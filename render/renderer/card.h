@@ -8,6 +8,9 @@
 // | SceneOnCard (the rest) | centerlines, skeleton, context and lesions   | 24 per point and vertex, 12 per triangle
 // | ShadePass              | branches, cuts, lesions, ramp, distances     | 8 per branch; 4 per sample of the grid
 // | ViewTargets            | samples, resolved, occlusion, lit: targets.h | 12 s + 30 per pixel
+// | SampleTarget.caps      | of what is cut away                          | 8 s per pixel
+// | ViewTargets.sliced     | the same with planes of a scan                | 20 per pixel
+// | PlaneTables            | pictures of the planes                       | 4 per pixel of the largest, each
 // | ViewTargets.lists      | glass from OpenGL 4.3 on                     | 4 per pixel, 16 per fragment: kGlassBytes
 // | ViewTargets.layers     | glass before that                            | 16 s + 64 per pixel
 // | PictureTarget          | the picture                                  | 4 per pixel; window 8 more, ShownPicture
@@ -36,7 +39,7 @@ struct Passes {
     // Sets up the state for the passes of a view, whatever state OpenGL is in.
     void begin(const ViewSetup& view) const;
     // Draws a view up to its occlusion. `moving`: cones may replace the surface. Returns the number of triangles.
-    [[nodiscard]] InParts<Result<std::uint64_t>> draw_view(Subject subject, ViewTargets& targets, bool moving) const;
+    [[nodiscard]] InParts<Result<std::uint64_t>> draw_view(Subject subject, ViewTargets& targets, bool moving);
     // Draws the overlays within `region`. `ids`: texture with the id at each pixel.
     void draw_overlays(const Subject& subject, const ViewTargets& targets, const PictureTarget& to,
                        const Region& region, GLuint ids);

@@ -1,5 +1,7 @@
 #include "render/renderer/depth_request.h"
 
+#include "render/scene/seen_plane.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -26,6 +28,7 @@ DepthMap depth_map_of(const Frame& frame, const float* depths, glm::ivec2 size, 
         const float* row = depths + stride * ((2 * y + 1) * size.y / (2 * map.size.y));
         for (int x = 0; x < map.size.x; ++x) *to++ = row[(2 * x + 1) * size.x / (2 * map.size.x)];
     }
+    add_planes(frame.planes, map);
     return map;
 }
 
@@ -56,6 +59,7 @@ void DepthRequest::ask(const Frame& frame, const ViewSetup& view, const Resolved
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     fence_.emplace().put();
     wanted_ = std::move(map);
+    planes_ = frame.planes;
 }
 
 void DepthRequest::answer(DepthMap map) {
@@ -72,6 +76,7 @@ std::optional<DepthMap> DepthRequest::poll(double seconds) {
     if (data == nullptr) return map; // an empty one
     std::copy_n(data, map->depths.size(), map->depths.begin());
     glUnmapNamedBuffer(buffer_);
+    add_planes(planes_, *map);
     return map;
 }
 

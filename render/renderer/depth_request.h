@@ -7,6 +7,7 @@
 #include "render/scene/depth_map.h"
 
 #include <optional>
+#include <vector>
 
 namespace ramus::render {
 
@@ -30,6 +31,7 @@ private:
     Buffer buffer_;
     std::optional<Fence> fence_;     // none: the answer has arrived
     std::optional<DepthMap> wanted_; // the request; none: no request
+    std::vector<ScanPlane> planes_;  // to be added to the answer
 };
 
 } // namespace ramus::render

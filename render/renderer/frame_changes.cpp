@@ -39,6 +39,16 @@ bool differs_in_overlays_only(const Frame& before, const Frame& after) {
     return same == after;
 }
 
+bool differs_in_planes_only(const Frame& before, const Frame& after) {
+    if (before.planes.empty() || after.planes.empty()) return false;
+    Frame same = before;
+    same.overlays = after.overlays;
+    same.planes = after.planes;
+    same.lines = after.lines;
+    same.labels = after.labels;
+    return same == after;
+}
+
 bool differs_in_hover_and_overlays_only(const Frame& before, const Frame& after) {
     Frame same = before;
     same.overlays = after.overlays;
@@ -50,7 +60,8 @@ bool differs_in_hover_and_overlays_only(const Frame& before, const Frame& after)
 bool same_geometry(const Frame& a, const Frame& b, bool has_glass) {
     return a.mesh == b.mesh && a.bends == b.bends && a.camera == b.camera && a.size == b.size &&
            a.quality == b.quality && a.lesions == b.lesions && same_shapes(a.context, b.context) &&
-           a.pixel_ratio == b.pixel_ratio && (!has_glass || a.centerlines == b.centerlines) &&
+           a.cut_away == b.cut_away && a.pixel_ratio == b.pixel_ratio &&
+           (!has_glass || a.centerlines == b.centerlines) &&
            (a.appearance.shadows > 0.0F || !(b.appearance.shadows > 0.0F)) &&
            (a.appearance.occlusion > 0.0F || !(b.appearance.occlusion > 0.0F));
 }

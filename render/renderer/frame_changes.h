@@ -18,6 +18,8 @@ namespace ramus::render {
 
 // True if only overlays differ.
 [[nodiscard]] bool differs_in_overlays_only(const Frame& before, const Frame& after);
+// True if only planes, lines, labels and overlays differ, and both frames have planes: surfaces are shaded the same.
+[[nodiscard]] bool differs_in_planes_only(const Frame& before, const Frame& after);
 [[nodiscard]] bool differs_in_hover_and_overlays_only(const Frame& before, const Frame& after);
 // Whether the passes up to the occlusion produce the same for both frames.
 [[nodiscard]] bool same_geometry(const Frame& a, const Frame& b, bool has_glass);

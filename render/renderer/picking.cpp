@@ -1,6 +1,7 @@
 #include "render/renderer/picking.h"
 
 #include "render/scene/record_flags.h"
+#include "render/scene/seen_plane.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,12 @@ PickWindow pick_window(float pixel_ratio, const ViewSetup& view, double x, doubl
 }
 
 Pick nearest_in(const PickWindow& window, const std::uint32_t* ids, const float* depths, const Camera& camera,
-                const ViewSetup& view) {
+                const ViewSetup& view, const std::vector<ScanPlane>& planes) {
+    const SeenPlanes seen(planes, camera, view.picture);
+    const glm::dvec2 to_picture = glm::dvec2(view.picture) / glm::dvec2(view.size);
+    const auto before = [&](const PlaneHit& plane, std::size_t i) { // a vessel that ends at the plane is before it
+        return plane.plane != kNoPlane && (ids[i] == 0 || plane.depth_mm * (1.0 + 1e-5) < double(depths[i]));
+    };
     Pick result;
     double nearest = window.reach * window.reach;
     for (int y = 0; y < window.height; ++y) {
@@ -42,14 +48,24 @@ Pick nearest_in(const PickWindow& window, const std::uint32_t* ids, const float*
             const glm::dvec2 pixel(window.x + x + 0.5, window.y + y + 0.5), away = pixel - window.at;
             const double squared = std::max(std::abs(away.x), std::abs(away.y)) <= 0.5 ? 0.0 : glm::dot(away, away);
             if (squared >= nearest) continue;
+            const glm::dvec2 in_picture = pixel * to_picture;
+            if (before(seen.at(in_picture), i)) continue;
             nearest = squared;
-            const glm::dvec2 in_picture = pixel * glm::dvec2(view.picture) / glm::dvec2(view.size);
             const int id = static_cast<int>(ids[i]) - 1;
             result.branch = branch_of(ids[i]);
             result.lesion = id < kFirstLesion || id >= kFirstContext ? kNoLesion : id - kFirstLesion;
             result.position = unproject(camera, view.picture, {in_picture.x, view.picture.y - in_picture.y}, depths[i]);
         }
     }
+    if (seen.empty() || result.branch != kNoBranch || result.lesion != kNoLesion) return result;
+    const int x = static_cast<int>(std::floor(window.at.x)) - window.x;
+    const int y = static_cast<int>(std::floor(window.at.y)) - window.y;
+    if (x < 0 || y < 0 || x >= window.width || y >= window.height) return result;
+    const glm::dvec2 at = window.at * to_picture;
+    const PlaneHit plane = seen.at(at);
+    if (!before(plane, static_cast<std::size_t>(y * window.width + x))) return result;
+    result.plane = plane.plane;
+    result.position = unproject(camera, view.picture, {at.x, view.picture.y - at.y}, plane.depth_mm);
     return result;
 }
 
@@ -77,10 +93,12 @@ void PickRequest::answer(const Pick& pick) {
     answer_ = pick;
 }
 
-void PickRequest::ask(const PickWindow& window, const Camera& camera, const ResolvedTarget& from) {
+void PickRequest::ask(const PickWindow& window, const Camera& camera, const std::vector<ScanPlane>& planes,
+                      const ResolvedTarget& from) {
     drop();
     window_ = window;
     camera_ = camera;
+    planes_ = planes;
     const std::size_t bytes = 4 * window.pixels();
     if (bytes > 0) {
         if (2 * bytes > capacity_) {
@@ -108,7 +126,7 @@ std::optional<Pick> PickRequest::poll(const ViewSetup& view) {
         glMapNamedBufferRange(buffer_, 0, static_cast<GLsizeiptr>(2 * bytes), GL_MAP_READ_BIT));
     if (data == nullptr) return Pick{};
     const Pick result = nearest_in(window_, reinterpret_cast<const std::uint32_t*>(data),
-                                   reinterpret_cast<const float*>(data + bytes), camera_, view);
+                                   reinterpret_cast<const float*>(data + bytes), camera_, view, planes_);
     glUnmapNamedBuffer(buffer_);
     return result;
 }

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace ramus::render {
 
@@ -22,9 +23,10 @@ struct PickWindow {
 };
 [[nodiscard]] PickWindow pick_window(float pixel_ratio, const ViewSetup& view, double x, double y);
 
-// The id nearest to `window.at`, within its reach. `ids` and `depths` (mm): the window's pixels, row by row.
+// The id nearest to `window.at`, within its reach, that no plane hides; if there is no vessel or lesion, the plane at
+// `window.at`. `ids` and `depths` (mm): the window's pixels without planes, row by row.
 [[nodiscard]] Pick nearest_in(const PickWindow& window, const std::uint32_t* ids, const float* depths,
-                              const Camera& camera, const ViewSetup& view);
+                              const Camera& camera, const ViewSetup& view, const std::vector<ScanPlane>& planes);
 
 // Copies ids (kTargetIdNormal) or depths (kTargetPickedDepth) of the window to memory, or into the bound pixel pack
 // buffer.
@@ -37,7 +39,8 @@ void read_pixels(const PickWindow& window, const ResolvedTarget& from, int targe
 class PickRequest {
 public:
     // Requests a pick; replaces an older request. Throws OutOfGraphicsMemory.
-    void ask(const PickWindow& window, const Camera& camera, const ResolvedTarget& from);
+    void ask(const PickWindow& window, const Camera& camera, const std::vector<ScanPlane>& planes,
+             const ResolvedTarget& from);
     void answer(const Pick& pick); // answers the request without reading back
     void drop();
     // Returns the answer once, when it has arrived. `view`: the current one; after a change of size there is no answer.
@@ -49,6 +52,7 @@ private:
     std::optional<Fence> fence_;
     PickWindow window_;
     Camera camera_;
+    std::vector<ScanPlane> planes_;
     std::optional<Pick> answer_;
 };
 

@@ -11,7 +11,7 @@ Refinement::Refinement(Card& card, const Frame& frame, const std::vector<Layer>&
     : card_(card), frame_(frame), layers_(layers) {
     targets_.view = card.targets.view;
     mean_.make(targets_.view.size);
-    card.passes.mean.add(targets_.view, card.targets.lit, mean_);
+    card.passes.mean.add(targets_.view, card.targets.picture(), mean_);
 }
 
 Result<bool> Refinement::add_view(double seconds) {
@@ -23,9 +23,9 @@ Result<bool> Refinement::add_view(double seconds) {
     }
     if (!next_->draw_on(seconds)) return false;
     if (const auto& drawn = next_->triangles(); !drawn) return tl::unexpected(drawn.error());
-    if (auto shaded = card_.passes.shade.draw(next_->subject(), targets_, ShadePass::Extent::kAll); !shaded)
+    if (auto shaded = card_.passes.shade.draw_all(next_->subject(), targets_); !shaded)
         return tl::unexpected(shaded.error());
-    card_.passes.mean.add(targets_.view, targets_.lit, mean_);
+    card_.passes.mean.add(targets_.view, targets_.picture(), mean_);
     next_.reset();
     return true;
 }

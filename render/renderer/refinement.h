@@ -14,7 +14,7 @@ namespace ramus::render {
 class PartialView {
 public:
     // Draws into `targets`. References must outlive the object. `moving`: see Passes::draw_view().
-    PartialView(const Passes& passes, SceneOnCard& scene, ViewTargets& targets, Frame frame, std::vector<Layer> layers,
+    PartialView(Passes& passes, SceneOnCard& scene, ViewTargets& targets, Frame frame, std::vector<Layer> layers,
                 bool moving)
         : frame_(std::move(frame)), layers_(std::move(layers)), subject_{frame_, layers_, scene.mesh(), scene},
           drawing_(passes.draw_view(subject_, targets, moving)) {}

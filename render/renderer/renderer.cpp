@@ -37,7 +37,7 @@ std::unique_ptr<Renderer> Renderer::create_later(std::size_t glass_bytes, std::s
 Pick Renderer::pick(double x, double y) {
     if (!state_.answers()) finish();
     if (!last_ || !state_.answers()) return {};
-    const PickSource shown{number_, shown_view_, last_->camera, last_->pixel_ratio};
+    const PickSource shown{number_, shown_view_, last_->camera, last_->pixel_ratio, last_->planes};
     return state_.by_caster() ? pick_in_cast(shown, x, y) : pick_in(shown, card_.targets.resolved, x, y);
 }
 
@@ -56,7 +56,7 @@ Pick Renderer::pick_in(const PickSource& source, const ResolvedTarget& from, dou
     std::vector<float> depths(window.pixels());
     read_pixels(window, from, kTargetIdNormal, ids.data());
     read_pixels(window, from, kTargetPickedDepth, depths.data());
-    return nearest_in(window, ids.data(), depths.data(), source.camera, source.view);
+    return nearest_in(window, ids.data(), depths.data(), source.camera, source.view, source.planes);
 }
 
 Pick Renderer::pick_in_cast(const PickSource& source, double x, double y) const {
@@ -71,11 +71,11 @@ Pick Renderer::pick_in_cast(const PickSource& source, double x, double y) const 
         std::copy_n(caster.ids() + from, window.width, ids.data() + to);
         std::copy_n(caster.depths() + from, window.width, depths.data() + to);
     }
-    return nearest_in(window, ids.data(), depths.data(), source.camera, source.view);
+    return nearest_in(window, ids.data(), depths.data(), source.camera, source.view, source.planes);
 }
 
 Renderer::PickSource Renderer::next_pick_source(const Frame& frame, const ViewSetup& view) {
-    return {++number_, view, frame.camera, frame.pixel_ratio};
+    return {++number_, view, frame.camera, frame.pixel_ratio, frame.planes};
 }
 
 // Call before drawing another picture into the targets. Contents of an interrupted picture are not kept.
@@ -117,7 +117,8 @@ void Renderer::request_pick(double x, double y) {
     if (!state_.answers()) return request_.answer({});
     if (state_.by_caster()) return request_.answer(pick(x, y));
     try {
-        request_.ask(pick_window(last_->pixel_ratio, shown_view_, x, y), last_->camera, card_.targets.resolved);
+        request_.ask(pick_window(last_->pixel_ratio, shown_view_, x, y), last_->camera, last_->planes,
+                     card_.targets.resolved);
     } catch (const OutOfGraphicsMemory&) {
         request_.answer({}); // nothing there
     }

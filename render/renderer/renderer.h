@@ -1,6 +1,7 @@
 // Renderer: draws a Frame into its own framebuffer, identically with and without a window, and answers what lies under
 // a pixel. It keeps meshes on the graphics card and sends only pages that changed. A change of states, colours, hover
-// or selection draws no triangle again; a frame equal to the last one draws nothing.
+// or selection draws no triangle again, and planes of a scan move without shading again; a frame equal to the last one
+// draws nothing.
 //
 // All calls, including the destructor, need the same current GL context: that of create(), or after create_later() that
 // of the first draw(). Pixels count from the top left. For the call order see draw(), refine() and request_pick().
@@ -98,6 +99,7 @@ private:
         kGoOn,    // continue the picture in progress
         kCast,    // let the caster draw it
         kShow,    // draw only the overlays again
+        kSlice,   // put other planes among what was shaded
         kShade,   // run the passes from the shading on
         kDraw,    // run all passes
     };
@@ -141,6 +143,7 @@ private:
         ViewSetup view;
         Camera camera;
         float pixel_ratio = 1.0F;
+        std::vector<ScanPlane> planes;
     };
     [[nodiscard]] static Pick pick_in(const PickSource& source, const ResolvedTarget& from, double x, double y);
     [[nodiscard]] Pick pick_in_cast(const PickSource& source, double x, double y) const;

@@ -72,7 +72,7 @@ Renderer::Plan Renderer::plan_for(const Frame& wanted, const Frame& frame, const
                           (moves(wanted, frame) || (state_.by_caster() && last_));
     if (frame.surface_awaited || (may_cast && card_.scene.casts(frame))) return Plan::kCast;
     if (state_.held() && last_layers_ == layers && same_geometry(*last_, frame, card_.targets.has_glass))
-        return Plan::kShade;
+        return card_.targets.has_planes && differs_in_planes_only(*last_, frame) ? Plan::kSlice : Plan::kShade;
     return Plan::kDraw;
 }
 
@@ -197,6 +197,8 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
         const auto shaded = shade(subject, plan);
         if (!shaded) return failed(shaded.error());
         if (last_ && last_->overlays == frame.overlays) region = *shaded;
+        // Picks must answer for the planes that are shown.
+        if (last_ && last_->planes != frame.planes) in_targets_ = next_pick_source(frame, card_.targets.view);
     }
     if (auto fits = fit_picture(frame.size); !fits) return failed(fits.error());
     show(subject, region);
@@ -222,7 +224,12 @@ Result<Region> Renderer::shade(const Subject& subject, Plan plan) {
     const bool can_change_parts = plan == Plan::kShade && (!card_.targets.has_glass || gl_has_lists());
     const bool part = can_change_parts && differs_in_hover_and_overlays_only(*last_, subject.frame);
     const auto extent = part ? ShadePass::Extent::kChanged : ShadePass::Extent::kAll;
-    auto shaded = card_.passes.shade.draw(subject, card_.targets, extent);
+    ShadePass& pass = card_.passes.shade;
+    Result<Region> shaded = plan == Plan::kSlice ? Region{glm::ivec2(0), card_.targets.view.size}
+                                                 : pass.draw(subject, card_.targets, extent);
+    if (shaded && !subject.frame.planes.empty())
+        if (auto sliced = pass.draw_planes(subject, card_.targets, *shaded); !sliced)
+            shaded = tl::unexpected(sliced.error());
     note_gl_errors("shading");
     if (!shaded) return shaded;
     if (state_.partial())
@@ -244,7 +251,7 @@ void Renderer::show(const Subject& subject, const Region& region) {
         if (lies_over_depths(subject.frame)) card_.passes.cast.send_depths(picture, targets.resolved);
         if (outlines_selection(subject.frame)) card_.passes.cast.send_ids(picture);
     } else {
-        card_.passes.copy.draw(targets.view, targets.lit, picture, region);
+        card_.passes.copy.draw(targets.view, targets.picture(), picture, region);
     }
     const GLuint ids = state_.by_caster() ? card_.passes.cast.ids() : targets.resolved.id_normal;
     card_.passes.draw_overlays(subject, targets, picture, region, ids);
@@ -283,9 +290,7 @@ Result<void> Renderer::begin_refinement() {
     card_.passes.begin(card_.targets.view);
     if (state_.stage() == PictureState::Stage::kFineInParts) {
         const Subject subject = subject_of(*last_, last_layers_);
-        if (auto shaded = card_.passes.shade.draw(subject, card_.targets, ShadePass::Extent::kAll); !shaded) {
-            return tl::unexpected(shaded.error());
-        }
+        if (auto shaded = card_.passes.shade.draw_all(subject, card_.targets); !shaded) return shaded;
     }
     refinement_ = std::make_unique<Refinement>(card_, *last_, last_layers_);
     state_.begin_refining();
@@ -301,7 +306,7 @@ Result<bool> Renderer::add_views(double seconds) {
 Result<void> Renderer::show_mean() {
     const ViewSetup& view = card_.targets.view;
     card_.passes.begin(view);
-    card_.passes.mean.show(view, refinement_->mean(), card_.targets.lit);
+    card_.passes.mean.show(view, refinement_->mean(), card_.targets.picture());
     state_.show_mean();
     show(subject_of(*last_, last_layers_), {glm::ivec2(0), view.size});
     return {};

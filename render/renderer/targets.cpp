@@ -50,6 +50,9 @@ void ViewTargets::make(int samples_a_pixel) {
     if (gl_has_lists()) lists.framebuffer = make_framebuffer({}, samples.depth);
     layers.fragments = {}; // the others are recreated when needed
     samples.values = {};   // likewise
+    samples.caps = {};
+    sliced.depth = {};
+    has_planes = false;
     samples.positions = sample_positions(samples.framebuffer, samples_a_pixel);
     view.samples = samples_a_pixel;
     made_for_ = view.size;
@@ -60,6 +63,33 @@ void ViewTargets::make_values() {
     Texture values = make_texture(GL_R32F, view.size.x, view.size.y, view.samples);
     samples.valued_framebuffer = make_framebuffer({samples.id_normal, values}, samples.depth);
     samples.values = std::move(values); // the last: all is there
+}
+
+void ViewTargets::make_caps() {
+    if (samples.caps == 0) {
+        Texture caps = make_texture(GL_DEPTH32F_STENCIL8, view.size.x, view.size.y, view.samples);
+        samples.caps_framebuffer = make_framebuffer({samples.id_normal}, caps);
+        glNamedFramebufferTexture(samples.caps_framebuffer, GL_STENCIL_ATTACHMENT, caps, 0);
+        samples.caps = std::move(caps); // the last: all is there
+    }
+    if (samples.values == 0) return;
+    samples.valued_caps_framebuffer = make_framebuffer({samples.id_normal, samples.values}, samples.caps);
+    glNamedFramebufferTexture(samples.valued_caps_framebuffer, GL_STENCIL_ATTACHMENT, samples.caps, 0);
+}
+
+void ViewTargets::make_sliced() {
+    if (sliced.depth != 0) return;
+    sliced.lit.colour = make_texture(GL_RGBA8, view.size.x, view.size.y);
+    glTextureParameteri(sliced.lit.colour, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    sliced.lit.framebuffer = make_framebuffer({sliced.lit.colour});
+    sliced.guide = make_texture(GL_RG32F, view.size.x, view.size.y);
+    sliced.guide_framebuffer = make_framebuffer({sliced.guide});
+    sliced.mixed = make_texture(GL_DEPTH_COMPONENT32F, view.size.x, view.size.y);
+    Texture depth = make_texture(GL_R32F, view.size.x, view.size.y);
+    sliced.framebuffer = make_framebuffer({sliced.lit.colour, depth}, sliced.mixed);
+    sliced.colour_framebuffer = make_framebuffer({sliced.lit.colour}, sliced.mixed);
+    sliced.guided = false;
+    sliced.depth = std::move(depth); // the last: all is there
 }
 
 void ViewTargets::keep_resolved(KeptTarget& kept) {

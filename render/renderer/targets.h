@@ -20,6 +20,9 @@ struct SampleTarget {  // SurfacePass, CenterlinePass, ContextPass: opaque surfa
     // For surfaces with values, created on first use. Only vessels write here.
     Texture values; // R32F, 4 s bytes
     Framebuffer valued_framebuffer;
+    // For caps of what is cut away, created on first use: how often a ray is inside, and the depth of back faces.
+    Texture caps; // DEPTH32F_STENCIL8, 8 s bytes
+    Framebuffer caps_framebuffer, valued_caps_framebuffer;
     std::array<glm::vec2, kMostSamples> positions{}; // sample positions relative to the pixel's middle
 };
 
@@ -45,6 +48,15 @@ struct OcclusionTarget {                // OcclusionPass, 6 bytes
 struct LitTarget {  // ShadePass and MeanPass
     Texture colour; // RGBA8, 4 bytes: sRGB, premultiplied
     Framebuffer framebuffer;
+};
+
+struct SlicedTarget { // ShadePass: `lit` with the planes of a scan; created on first use
+    LitTarget lit;    // 4 bytes: the same, with the planes
+    Texture depth; // R32F, 4 bytes: mm along the line of sight, nearest plane or opaque surface; only if lines need it
+    Texture guide; // RG32F, 8 bytes: depth values of the nearest and the farthest sample, see slice_guide.glsl
+    Texture mixed; // DEPTH32F, 4 bytes: not 0 where slices and surfaces meet
+    Framebuffer framebuffer, colour_framebuffer, guide_framebuffer;
+    bool guided = false; // `guide` belongs to what is shaded
 };
 
 struct Band { // rows, in GL's sense of y
@@ -75,6 +87,8 @@ struct ViewTargets {
     ResolvedTarget resolved;
     OcclusionTarget occlusion;
     LitTarget lit;
+    SlicedTarget sliced;
+    bool has_planes = false; // the picture is in `sliced`, and `lit` is the view without planes
     FragmentLists lists;
     GlassLayers layers;
 
@@ -82,6 +96,11 @@ struct ViewTargets {
     // Allocates targets for `view.size` pixels. Throws OutOfGraphicsMemory.
     void make(int samples_a_pixel);
     void make_values(); // unless they exist
+    void make_sliced(); // likewise
+    void make_caps();   // likewise
+    [[nodiscard]] const LitTarget& picture() const { return has_planes ? sliced.lit : lit; }
+    // Of the nearest plane or opaque surface, mm.
+    [[nodiscard]] GLuint seen_depth() const { return has_planes ? sliced.depth : resolved.opaque_depth; }
     // Swaps `resolved` with `kept`, so that picks in the last view stay possible. Throws OutOfGraphicsMemory.
     void keep_resolved(KeptTarget& kept);
 

@@ -1,6 +1,7 @@
 #include "render/renderer/view_setup.h"
 
 #include "render/scene/colour.h"
+#include "render/scene/seen_plane.h"
 
 #include <algorithm>
 #include <array>
@@ -66,6 +67,7 @@ void ViewSetup::look(const Frame& frame, const Box& box, const std::vector<Ball>
     block.pixel_to_eye = {0.5F * pixels.x + off.x, 0.5F * pixels.y + off.y, mm_at_unit_depth, 0.0F};
     block.depth_range = {middle - depth, middle + depth, reach, reach * mm_at_unit_depth};
     block.picture = {pixels.x, pixels.y, samples, flat ? 1.0F : 0.0F};
+    cap_values = frame.cut_away ? cap_values_of(*frame.cut_away, camera, block) : std::nullopt;
 }
 
 LookBlock look_of(const Frame& frame, const ViewSetup& view, bool has_glass, bool outlined) {

@@ -21,9 +21,10 @@ struct ViewSetup {
     int samples = 1;       // samples per pixel that passes draw
     int shift = 0;         // index of the view, less than kFineViews
     ViewBlock block{};
-    glm::dmat4 projection{1.0}; // eye space to clip space
-    glm::dmat4 to_clip{1.0};    // mm to clip space
-    glm::mat3 to_eye{1.0F};     // rotation only
+    glm::dmat4 projection{1.0};          // eye space to clip space
+    glm::dmat4 to_clip{1.0};             // mm to clip space
+    glm::mat3 to_eye{1.0F};              // rotation only
+    std::optional<glm::vec4> cap_values; // kUniformCapValues, if the eye looks into a cut; see shaders/caps.glsl
 
     [[nodiscard]] bool enlarged() const { return size != picture; }
     // Drawn pixels per pixel of the picture, horizontally and vertically.

@@ -8,6 +8,7 @@
 #include "render/scene/camera.h"
 #include "render/scene/centerlines.h"
 #include "render/scene/paged_mesh.h"
+#include "render/scene/scan_plane.h"
 #include "render/scene/scene.h"
 
 #include <cstdint>
@@ -113,8 +114,10 @@ struct Frame {
     ColourScale scale;           // replaces `colours`
     Lesions lesions;
     std::vector<ContextMesh> context;
-    Margins margins;            // replaces `colours` and `scale` within its bands
-    std::vector<LostPart> lost; // at most one per branch; replaces every other colour
+    std::vector<ScanPlane> planes;   // at most kMostPlanes (shaders/limits.glsl) are drawn
+    std::optional<CutAway> cut_away; // then neither cones nor the caster stand for the surface
+    Margins margins;                 // replaces `colours` and `scale` within its bands
+    std::vector<LostPart> lost;      // at most one per branch; replaces every other colour
     std::vector<MarkLine> lines;
     std::vector<MarkLabel> labels;
     int hovered = kNoBranch;

@@ -87,6 +87,14 @@ struct ContextMesh {
     [[nodiscard]] bool solid() const { return shown() && !clear(); }
 };
 
+// Removes everything on one side of a plane: vessels, glass, lesions, context, and lines of skeletons; not planes of a
+// scan, marks and labels. Closed opaque surfaces get flat caps in their own colours. Glass is left open.
+struct CutAway {
+    glm::dvec3 point{0.0};            // mm, on the plane
+    glm::dvec3 normal{0.0, 0.0, 1.0}; // of unit length; what it points to is removed
+    bool operator==(const CutAway&) const = default;
+};
+
 inline constexpr float kContextLineWidth = 1.15F;  // points
 inline constexpr double kContextLinesNearer = 1.5; // pixels by which lines are moved towards the eye, off their surface
 

@@ -20,5 +20,8 @@ struct LookBlock {
 struct SceneBlock {
 #include "shaders/scene_block.glsl"
 };
+struct PlanesBlock {
+#include "shaders/planes_block.glsl"
+};
 
 } // namespace ramus::render

@@ -10,12 +10,14 @@ INLINE Float half_step(Vec2 pixel) {
     return (noise(Vec2(pixel.y + 17.0F, pixel.x + 17.0F)) - 0.5F) * (1.0F / 255.0F);
 }
 
-// Tone mapping with a soft shoulder, so that highlights do not clip; then sRGB.
-INLINE Float encoded_channel(Float c, Float dither) {
+// Tone mapping with a soft shoulder, so that highlights do not clip.
+INLINE Float toned(Float c) {
     Mask bright = c >= 0.72F;
     if (ANY(bright)) c = select(bright, mad(-0.28F, exp((0.72F - c) * (1.0F / 0.28F)), 1.0F), c);
-    return clamp(to_srgb(clamp(c, 0.0F, 1.0F)) + dither, 0.0F, 1.0F);
+    return clamp(c, 0.0F, 1.0F);
 }
+
+INLINE Float encoded_channel(Float c, Float dither) { return clamp(to_srgb(toned(c)) + dither, 0.0F, 1.0F); }
 
 // From premultiplied linear light to premultiplied sRGB.
 INLINE Vec4 encoded(Vec4 radiance, Float dither) {

@@ -4,6 +4,7 @@
 #include "render/renderer/passes/gl_state.h"
 #include "render/scene/look_data.h"
 #include "render/scene/record_flags.h"
+#include "render/scene/seen_plane.h"
 
 #include <algorithm>
 #include <chrono>
@@ -62,6 +63,7 @@ struct CastPass::Work {
     glm::dmat4 eye{1.0}, surface_to_clip{1.0};
     LookData data;
     caster::Uniforms uniforms{};
+    PlanesBlock planes{};
     std::vector<BranchRecord> records;
     std::vector<caster::Body> bodies;
     std::vector<std::shared_ptr<const ShapeTriangles>> shapes; // keeps the bodies' shapes alive
@@ -81,6 +83,7 @@ std::shared_ptr<CastPass::Work> CastPass::prepare(const Subject& subject, const 
     const bool glass = std::ranges::find(subject.layers, Layer::kGlass) != subject.layers.end();
     work->data = look_data_of(frame, frame.centerlines.get(), work->eye);
     work->uniforms = {view.block, look_of(frame, view, glass, work->outlined), work->data.block};
+    work->planes = planes_block(frame.planes, work->eye, view.block, view.pixels_a_point(frame));
     work->records = records.records();
     find_bodies(frame, subject.scene.shapes(), work->bodies, work->shapes);
     work->surface = subject.scene.whole_surface();
@@ -93,7 +96,7 @@ void CastPass::make(Work& work, caster::Caster& caster, const std::shared_ptr<co
     caster.follow(frame, known);
     work.made.cones = caster.draw(frame, view_of(frame, work.made.view), work.eye,
                                   {work.uniforms, work.outlined, work.made.layers, work.records, work.data, work.bodies,
-                                   work.surface.get(), work.surface_to_clip});
+                                   work.surface.get(), work.surface_to_clip, work.planes});
     work.made.seconds = work.watch.seconds();
 }
 

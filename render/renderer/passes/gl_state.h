@@ -14,6 +14,19 @@ void end_passes();
 void draw_front_faces(bool write_depth);
 // The same into the samples of opaque surfaces; `values`: also into those of their values, which must exist.
 void draw_opaque_into(const SampleTarget& target, bool values = false);
+// Cuts away what the frame cuts away, until end_cut(), for the program in use. Positions p of the program are at
+// `origin` + `scale` p, mm.
+void begin_cut(const Frame& frame, const glm::dvec3& origin, double scale = 1.0);
+void end_cut();
+// Caps of one closed surface, in two steps. kCount counts in the stencil how often a ray through the cut is inside.
+// kMark, where that is not 0, marks the samples as the cap of the nearest back face. clear_caps() comes before.
+enum class CapStep { kCount, kMark };
+void clear_caps(const SampleTarget& target);
+void begin_caps(const SampleTarget& target, CapStep step, bool values = false);
+void end_caps();
+// For programs of opaque surfaces, with or without caps.
+void use_cap_normal(const Frame& frame, const ViewSetup& view);
+void use_no_caps();
 // Clears ids and depths of the bound framebuffer to "nothing".
 void clear_samples();
 

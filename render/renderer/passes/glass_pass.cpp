@@ -110,6 +110,7 @@ InParts<FragmentListPass::Listed> FragmentListPass::list(const Subject& subject,
             begin_band(targets, band);
             use_for_vessels(program, subject, view);
             prepare(program);
+            if (subject.frame.cut_away) glDisable(GL_CULL_FACE); // the cut shows the inside
             if (borders) glUniform1i(kUniformSamples, view.samples);
             subject.mesh.draw_part(ranges, part);
             end_borders();
@@ -181,6 +182,7 @@ bool LayerPass::draw_layer(const Subject& subject, const ViewTargets& targets, i
     draw_front_faces(true);
     clear_samples();
     glBeginQuery(GL_ANY_SAMPLES_PASSED, any_left_);
+    if (subject.frame.cut_away) glDisable(GL_CULL_FACE); // the cut shows the inside
     use_for_vessels(vessels_, subject, view);
     bind_layer_before(targets, layer);
     triangles += mesh.draw(mesh.choose(subject.layers, Layer::kGlass, to_clip));
@@ -244,6 +246,7 @@ void LayerPass::draw_all(const Subject& subject, ViewTargets& targets, const Ful
         glBindTextureUnit(kUnitSurface, layers.fragments);
         glBindTextureUnit(kUnitDepth, layers.depths.at(std::size_t(layer % 2)));
         glBindTextureUnit(kUnitOpaqueSamples, targets.samples.depth);
+        glBindTextureUnit(kUnitFirstFragments, targets.samples.id_normal);
         begin_blending(Blending::kUnder);
         light.draw_in(glm::ivec2(0), targets.view.size, Fullscreen::Pixels::kCovered);
         glDisable(GL_BLEND);

@@ -1,5 +1,7 @@
 #include "render/renderer/passes/overlay_passes.h"
 
+#include "render/renderer/passes/gl_state.h"
+
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
@@ -114,6 +116,7 @@ void SkeletonPass::use(const Program& program, const Subject& subject, const Vie
     glUniformMatrix4fv(kUniformToClip, 1, GL_FALSE, glm::value_ptr(glm::mat4(view.clip_from(origin))));
     glUniform4f(kUniformToDepth, to_depth.x, to_depth.y, to_depth.z, to_depth.w);
     glUniform2f(kUniformToInner, to_inner.x, to_inner.y);
+    begin_cut(subject.frame, origin);
 }
 
 void SkeletonPass::draw_rings(const Subject& subject) const {
@@ -146,6 +149,7 @@ void SkeletonPass::draw(const Subject& subject, const ViewSetup& view, GLuint op
     const GpuLines::Stretches seen =
         lines.stretches(subject.frame.camera, subject.frame.size, subject.layers, {Layer::kOpaque, Layer::kGlass});
     for (std::size_t part = 0; part < seen.parts(); ++part) lines.draw_part(seen, part);
+    end_cut();
 }
 
 Result<void> MarkPass::make() { return make_programs({{&program_, "mark.vert", "mark.frag"}}); }
@@ -168,7 +172,7 @@ void MarkPass::draw(const Subject& subject, const ViewTargets& targets, GLuint i
     glUseProgram(program_);
     glUniform2f(kUniformSize, float(view.picture.x), float(view.picture.y));
     glUniform2f(kUniformToInner, to_inner.x, to_inner.y);
-    glBindTextureUnit(kUnitOpaqueDepth, targets.resolved.opaque_depth);
+    glBindTextureUnit(kUnitOpaqueDepth, targets.seen_depth());
     glBindTextureUnit(kUnitIdNormal, ids);
     glBindTextureUnit(kUnitBranches, branches);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));

@@ -17,15 +17,31 @@ void bind_lists(GLuint program, const ViewTargets& targets, Band band) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kStorageCount, targets.lists.count);
 }
 
-Result<void> ResolvePass::make() {
-    if (auto made = opaque_.make("resolve.frag"); !made) return made;
-    if (auto made = glass_.make("resolve.frag", "#define GLASS\n"); !made) return made;
+void set_caps(GLuint program, const ViewSetup& view) {
+    if (!view.cap_values) return;
+    const glm::vec4& values = *view.cap_values;
+    glProgramUniform4f(program, kUniformCapValues, values.x, values.y, values.z, values.w);
+}
+
+Result<void> ResolvePass::Programs::make(const std::string& defines) {
+    if (auto made = opaque.make("resolve.frag", defines); !made) return made;
+    if (auto made = glass.make("resolve.frag", defines + "#define GLASS\n"); !made) return made;
     if (gl_has_lists()) return {};
-    return lesions_.make("resolve.frag", "#define GLASS\n#define LESIONS\n");
+    return lesions.make("resolve.frag", defines + "#define GLASS\n#define LESIONS\n");
+}
+
+Result<void> ResolvePass::make() { return plain_.make({}); }
+
+Result<void> ResolvePass::make_capped() {
+    return capped_.opaque.made() ? Result<void>() : capped_.make("#define CAPS\n");
 }
 
 void ResolvePass::draw(What what, ViewTargets& targets, Band band) const {
-    const Fullscreen& program = what == What::kOpaque ? opaque_ : what == What::kGlass ? glass_ : lesions_;
+    const Programs& programs = targets.view.cap_values ? capped_ : plain_;
+    const Fullscreen& program = what == What::kOpaque  ? programs.opaque
+                                : what == What::kGlass ? programs.glass
+                                                       : programs.lesions;
+    set_caps(program, targets.view);
     const bool lists = what != What::kOpaque && gl_has_lists();
     glBindFramebuffer(GL_FRAMEBUFFER, targets.resolved.framebuffer);
     glBindTextureUnit(kUnitSurface, targets.samples.id_normal);

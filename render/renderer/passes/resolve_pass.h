@@ -5,18 +5,25 @@
 #include "render/gl/gl_objects.h"
 #include "render/renderer/targets.h"
 
+#include <string>
+
 namespace ramus::render {
 
 class ResolvePass {
 public:
     [[nodiscard]] Result<void> make();
+    [[nodiscard]] Result<void> make_capped(); // call before drawing a view with caps; builds the programs once
     // kOpaque: opaque surfaces. kGlass: also glass, from the lists or the first layers. kLesions: only the first layer
     // of lesions, over the existing result (before OpenGL 4.3).
     enum class What { kOpaque, kGlass, kLesions };
     void draw(What what, ViewTargets& targets, Band band) const;
 
 private:
-    Fullscreen opaque_, glass_, lesions_;
+    struct Programs {
+        Fullscreen opaque, glass, lesions;
+        [[nodiscard]] Result<void> make(const std::string& defines);
+    };
+    Programs plain_, capped_;
 };
 
 // Also computes shadows if the frame has any.
@@ -29,6 +36,9 @@ public:
 private:
     Fullscreen taps_, with_shadows_, blur_;
 };
+
+// For a program with CAPS.
+void set_caps(GLuint program, const ViewSetup& view);
 
 // Binds the lists of glass for a program that writes or reads one band.
 void bind_lists(GLuint program, const ViewTargets& targets, Band band);

@@ -47,9 +47,13 @@ void use_for_vessels(const Program& program, const Subject& subject, const ViewS
     glUniformMatrix4fv(kUniformToClip, 1, GL_FALSE, glm::value_ptr(glm::mat4(subject.mesh_to_clip(view))));
     glUniformMatrix3fv(kUniformToEye, 1, GL_FALSE, glm::value_ptr(view.to_eye));
     glBindTextureUnit(kUnitLayers, subject.scene.branch_layers().table);
+    if (subject.has_mesh()) begin_cut(subject.frame, subject.mesh.shown()->origin());
 }
 
-void end_borders() { glUseProgram(0); }
+void end_borders() {
+    glUseProgram(0);
+    end_cut();
+}
 
 Result<void> SurfacePass::make() {
     constexpr const char *kValue = "#define VALUE\n", *kBorder = "#define BORDER\n",
@@ -92,6 +96,7 @@ InParts<std::uint64_t> SurfacePass::draw(const Subject& subject, const ViewSetup
         for (std::size_t part = 0; part < ranges.parts(); ++part) {
             draw_opaque_into(to, subject.has_values());
             use_for_vessels(borders ? programs.borders : programs.triangles, subject, view);
+            use_no_caps();
             const bool inside = subject.frame.camera.inside;
             glUniform1i(kUniformInside, inside ? 1 : 0);
             if (inside || (any_glass && !closed)) glDisable(GL_CULL_FACE);
@@ -102,6 +107,33 @@ InParts<std::uint64_t> SurfacePass::draw(const Subject& subject, const ViewSetup
         }
         triangles += ranges.triangles();
     }
+    co_return triangles;
+}
+
+InParts<std::uint64_t> SurfacePass::draw_caps(const Subject& subject, const ViewSetup& view,
+                                              const SampleTarget& to) const {
+    const GpuMesh& mesh = subject.mesh;
+    const glm::dmat4 to_clip = subject.mesh_to_clip(view);
+    const Programs& programs = subject.has_values() ? valued_ : plain_;
+    const std::array<GpuMesh::Ranges, 2> chosen{mesh.choose(subject.layers, Layer::kOpaque, to_clip),
+                                                mesh.choose_borders(subject.layers, Layer::kOpaque, to_clip)};
+    clear_caps(to);
+    std::uint64_t triangles = 0;
+    for (const CapStep step : {CapStep::kCount, CapStep::kMark})
+        for (const GpuMesh::Ranges& ranges : chosen) {
+            const bool borders = &ranges == &chosen.back();
+            for (std::size_t part = 0; part < ranges.parts(); ++part) {
+                begin_caps(to, step, subject.has_values());
+                use_for_vessels(borders ? programs.borders : programs.triangles, subject, view);
+                use_cap_normal(subject.frame, view);
+                const auto draw_part = [&] { mesh.draw_part(ranges, part); };
+                borders ? draw_by_sample(programs.borders, view, to, draw_part) : draw_part();
+                end_borders();
+                end_caps();
+                co_await kPartEnds;
+            }
+            triangles += ranges.triangles();
+        }
     co_return triangles;
 }
 
@@ -141,7 +173,9 @@ InParts<std::uint64_t> CenterlinePass::draw_lines(const Subject& subject, const 
         glUniformMatrix4fv(kUniformToClip, 1, GL_FALSE, glm::value_ptr(to_clip));
         glUniform3f(kUniformHalfPicture, 0.5F * float(view.size.x), 0.5F * float(view.size.y),
                     0.5F * std::max(pixels, 1.0F));
+        begin_cut(subject.frame, lines.shown()->origin);
         lines.draw_part(seen, part);
+        end_cut();
         if (part + 1 < seen.parts()) co_await kPartEnds;
     }
     co_return seen.segments();
@@ -164,10 +198,39 @@ InParts<std::uint64_t> ContextPass::draw_opaque(const Subject& subject, const Vi
         for (std::size_t part = 0; part < shape->parts(); ++part) {
             draw_opaque_into(to);
             glUseProgram(opaque_);
-            use_for_shape(*shape, number_of(i), view.clip_from(shape->bounds().centre()), view);
+            const glm::dvec3 centre = shape->bounds().centre();
+            use_for_shape(*shape, number_of(i), view.clip_from(centre), view);
+            begin_cut(subject.frame, centre);
+            use_no_caps();
             triangles += shape->draw_part(part);
+            end_cut();
             co_await kPartEnds;
         }
+    }
+    co_return triangles;
+}
+
+InParts<std::uint64_t> ContextPass::draw_caps(const Subject& subject, const ViewSetup& view,
+                                              const SampleTarget& to) const {
+    std::uint64_t triangles = 0;
+    for (std::size_t i = 0; i < subject.frame.context.size(); ++i) {
+        const ContextMesh& mesh = subject.frame.context[i];
+        const Shape* shape = subject.scene.shapes().of(mesh, subject.quick());
+        if (shape == nullptr || !mesh.solid() || !shape->closed()) continue;
+        const glm::dvec3 centre = shape->bounds().centre();
+        clear_caps(to);
+        for (const CapStep step : {CapStep::kCount, CapStep::kMark})
+            for (std::size_t part = 0; part < shape->parts(); ++part) {
+                begin_caps(to, step);
+                glUseProgram(opaque_);
+                use_for_shape(*shape, number_of(i), view.clip_from(centre), view);
+                begin_cut(subject.frame, centre);
+                use_cap_normal(subject.frame, view);
+                triangles += shape->draw_part(part);
+                end_cut();
+                end_caps();
+                co_await kPartEnds;
+            }
     }
     co_return triangles;
 }
@@ -187,7 +250,10 @@ InParts<std::uint64_t> ContextPass::draw_clear(const Subject& subject, const Vie
             if (draw.shape->lines())
                 glUniform1f(kUniformHalfWidth, 0.5F * kContextLineWidth * view.pixels_a_point(subject.frame));
             use_for_shape(*draw.shape, draw.number, draw.to_clip, view);
+            begin_cut(subject.frame, draw.origin, draw.scale);
+            if (subject.frame.cut_away) glDisable(GL_CULL_FACE); // the cut shows the inside
             triangles += draw.shape->draw_part(part);
+            end_cut();
             glEnable(GL_CULL_FACE);
             co_await kPartEnds;
         }
@@ -205,7 +271,8 @@ void ContextPass::add_context(const Subject& subject, const ViewSetup& view, std
         const Shape* shape = subject.scene.shapes().of(frame.context[i], subject.quick());
         if (shape == nullptr || !frame.context[i].clear()) continue;
         const glm::dmat4& to_clip = shape->lines() ? lines_to_clip : view.to_clip;
-        to.push_back({shape, number_of(i), glm::translate(to_clip, shape->bounds().centre())});
+        const glm::dvec3 centre = shape->bounds().centre();
+        to.push_back({shape, number_of(i), glm::translate(to_clip, centre), centre});
     }
 }
 
@@ -216,7 +283,7 @@ void ContextPass::add_lesions(const Subject& subject, const ViewSetup& view, std
     const auto add = [&](const Shape* shape, const glm::dvec3& centre, double scale) {
         const bool drawn = shape != nullptr && lesions.look(index).opacity > 0.0F;
         const GLuint number = record::kLesionFragment | number_of(index++);
-        if (drawn) to.push_back({shape, number, glm::scale(view.clip_from(centre), glm::dvec3(scale))});
+        if (drawn) to.push_back({shape, number, glm::scale(view.clip_from(centre), glm::dvec3(scale)), centre, scale});
     };
     for (const glm::dvec4& sphere : lesions.spheres) add(subject.scene.shapes().ball(), glm::dvec3(sphere), sphere.w);
     for (const auto& lesion : lesions.meshes) {

@@ -23,6 +23,10 @@ public:
     // Returns the number of triangles.
     [[nodiscard]] InParts<std::uint64_t> draw(const Subject& subject, const ViewSetup& view,
                                               const SampleTarget& to) const;
+    // Caps the vessels where the frame cuts them away and the eye sees it, see shaders/caps.glsl. In parts, too; after
+    // everything else that is opaque.
+    [[nodiscard]] InParts<std::uint64_t> draw_caps(const Subject& subject, const ViewSetup& view,
+                                                   const SampleTarget& to) const;
 
 private:
     // `triangles`: for triangles of one branch; `borders`: for those where branches meet.
@@ -58,6 +62,10 @@ public:
     [[nodiscard]] InParts<std::uint64_t> draw_opaque(const Subject& subject, const ViewSetup& view,
                                                      const SampleTarget& to) const;
 
+    // As of SurfacePass, for closed opaque meshes; before it, so that vessels within them are seen.
+    [[nodiscard]] InParts<std::uint64_t> draw_caps(const Subject& subject, const ViewSetup& view,
+                                                   const SampleTarget& to) const;
+
     enum class Clear { kAll, kLesions };
     // Binds the target at the beginning of each part.
     using Begin = std::function<void()>;
@@ -70,7 +78,9 @@ private:
     struct ShapeDraw {
         const Shape* shape = nullptr;
         GLuint number = 0;
-        glm::dmat4 to_clip{1.0}; // from mm about the middle of the shape's bounds
+        glm::dmat4 to_clip{1.0}; // from the shape's positions, which are at `origin` + `scale` times them, mm
+        glm::dvec3 origin{0.0};
+        double scale = 1.0;
     };
     void add_context(const Subject& subject, const ViewSetup& view, std::vector<ShapeDraw>& to) const;
     void add_lesions(const Subject& subject, const ViewSetup& view, std::vector<ShapeDraw>& to) const;
