@@ -42,12 +42,14 @@ SlicePlace slice_place(int plane, vec2 pixel) {
 // is reduced, it is the mean of several places in the pixel.
 vec4 slice_colour(int plane, SlicePlace place, bool any) {
     float reach = max(length(place.right * place.size), length(place.up * place.size));
-    int taps = reach > 1.05F ? int(clamp(ceil(reach), 2.0F, 4.0F)) : 1;
-    float step = 1.0F / float(taps), first = 0.5F * step - 0.5F;
+    float taps = reach > 1.05F ? clamp(ceil(reach), 2.0F, 4.0F) : 1.0F;
+    float step = 1.0F / taps, first = 0.5F * step - 0.5F, x = first, y = first;
     vec4 sum = vec4(0.0F);
-    for (int k = 0; k < (any ? taps * taps : 0); ++k) {
-        float x = first + step * float(k % taps), y = first + step * float(k / taps);
+    for (int k = any ? int(taps * taps) : 0; k > 0; --k) { // row by row; whole numbers are slow to divide
         sum += plane_texel(plane, place.at + x * place.right + y * place.up, place.size);
+        x += step;
+        y += x > 0.5F ? step : 0.0F;
+        x = x > 0.5F ? first : x;
     }
     sum *= step * step;
     float alpha = clamp((sum.w - 0.5F) / clamp(reach, 1e-3F, 1.0F) + 0.5F, 0.0F, 1.0F);
