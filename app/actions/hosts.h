@@ -78,7 +78,19 @@ public:
     FlyPaths flights;
 };
 
-enum class FilePurpose { kOpen, kSave, kLesionMesh, kLesionMask, kContext, kData, kMask, kDeviation, kOrgan, kScan, kExport };
+enum class FilePurpose {
+    kOpen,
+    kSave,
+    kLesionMesh,
+    kLesionMask,
+    kContext,
+    kData,
+    kMask,
+    kDeviation,
+    kOrgan,
+    kScan,
+    kExport
+};
 
 // Opens files and shows file dialogs.
 class FileHost {

@@ -5,6 +5,7 @@
 #include "app/picture/figure_options.h"
 #include "app/picture/slices.h"
 #include "app/session/numbers.h"
+#include "core/io/input_file.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/volume_file.h"
 #include "render/renderer/drawn.h"
@@ -15,6 +16,12 @@
 #include <string>
 
 namespace ramus::app {
+
+Result<render::Camera> camera_in(const std::string& text) {
+    if (text.find('{') != std::string::npos) return render::parse_camera(text, "--camera");
+    RAMUS_TRY(content, io::read_file(text, 1 << 20));
+    return render::parse_camera(content, text);
+}
 
 void add_size_flag(CLI::App& command, glm::ivec2& size) {
     const std::string usual = std::to_string(size.x) + "x" + std::to_string(size.y);

@@ -13,6 +13,9 @@
 
 namespace ramus::app {
 
+// Parses the value of --camera: JSON, or the name of a file with it.
+[[nodiscard]] Result<render::Camera> camera_in(const std::string& text);
+
 // Adds --size WxH, pixels. The value of `size` is the default, which the help names. Sizes that cannot be drawn are
 // wrong usage.
 void add_size_flag(CLI::App& command, glm::ivec2& size);

@@ -32,9 +32,14 @@ Result<render::Frame> PictureStage::frame() {
     if (auto made = make_surface(); !made) return tl::unexpected(made.error());
     if (auto read = complete_assets(); !read) return tl::unexpected(read.error());
     if (auto measured = measure_deviation(); !measured) return tl::unexpected(measured.error());
+    return compose(document_.session(), assets, surface_.mesh, viewing_of(picture_size()));
+}
+
+Viewing PictureStage::viewing_of(glm::ivec2 size) {
     Viewing viewing = viewing_;
-    viewing.size = picture_size();
-    return compose(document_.session(), assets, surface_.mesh, viewing);
+    viewing.size = size;
+    viewing.planes = planes_.planes(document_.session(), assets);
+    return viewing;
 }
 
 Result<void> PictureStage::complete_assets() {
@@ -89,8 +94,7 @@ Result<render::Sheet> PictureStage::sheet(glm::ivec2 size) {
         if (auto made = make_compared_surface(request); !made) return tl::unexpected(made.error());
     for (const ComparedSurface& one : compared_) show(surfaces, one);
     surfaces.set_own(marks.options, surface_.mesh, nullptr);
-    Viewing viewing = viewing_;
-    viewing.size = size;
+    const Viewing viewing = viewing_of(size);
     render::Sheet sheet = compose_sheet(document_.session(), assets, surfaces, viewing);
     const std::vector<Viewport> viewports = viewports_of(document_.session(), size, viewing.pixel_ratio);
     for (std::size_t i = 0; i < viewports.size(); ++i)

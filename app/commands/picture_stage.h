@@ -6,6 +6,7 @@
 #include "app/assets/assets.h"
 #include "app/commands/surface_flags.h"
 #include "app/picture/compose_sheet.h"
+#include "app/picture/plane_pictures.h"
 #include "app/workspace/compared_surfaces.h"
 #include "render/renderer/sheet.h"
 
@@ -37,6 +38,8 @@ public:
     [[nodiscard]] Result<render::Sheet> sheet() { return sheet(viewing_.size); }
     [[nodiscard]] Result<render::Sheet> sheet(glm::ivec2 size);
     [[nodiscard]] render::SheetRenderer& sheet_renderer() { return *sheet_renderer_; }
+    // The slices among the vessels are of the document's current state.
+    [[nodiscard]] Viewing viewing_of(glm::ivec2 size);
     [[nodiscard]] const ReadySurface& surface() const { return surface_; }
     Assets assets; // of the document; complete whenever a picture is drawn
 
@@ -58,6 +61,7 @@ private:
     render::Renderer* renderer_ = nullptr;
     std::unique_ptr<render::SheetRenderer> sheet_renderer_;
     ReadySurface surface_;
+    PlanePictures planes_;
     std::shared_ptr<const tree::VesselTree> tree_; // the tree of the surfaces; the document's may have been edited
     std::vector<ComparedSurface> compared_;        // one per kind
     Result<void> measure_deviation();              // if colours show the deviation

@@ -68,12 +68,6 @@ struct RenderFlags {
     ScanFlags scans;
 };
 
-Result<render::Camera> read_camera(const std::string& text) {
-    if (text.find('{') != std::string::npos) return render::parse_camera(text, "--camera");
-    RAMUS_TRY(content, io::read_file(text, 1 << 20));
-    return render::parse_camera(content, text);
-}
-
 // Compares the picture with the reference. If they differ too much, writes a picture of the difference next to it.
 Result<int> judge(const render::Image& image, const RenderFlags& flags, nlohmann::json& report) {
     RAMUS_TRY(reference, render::read_png(flags.reference));
@@ -183,13 +177,14 @@ struct Inputs {
 // Reads the inputs other than the tree. Also fails if the picture cannot be written or the reference cannot be read.
 Result<Inputs> read_inputs(const RenderFlags& flags) {
     Inputs inputs;
-    for (const auto& file : {flags.file, flags.reference}) io::note_input(file);
+    for (const std::filesystem::path& file :
+         {flags.file, flags.reference, std::filesystem::path(flags.comparison.mask)})
+        io::note_input(file);
     io::note_input(flags.session, io::InputKind::kSession);
-    io::note_input(flags.comparison.mask);
     for (const auto* files : {&flags.context, &flags.scans.scans})
         for (const auto& file : *files) io::note_input(file);
     if (!flags.camera.empty()) {
-        RAMUS_TRY(read, read_camera(flags.camera));
+        RAMUS_TRY(read, camera_in(flags.camera));
         inputs.camera = read;
     }
     if (!flags.commands.empty()) {
@@ -261,11 +256,10 @@ Result<void> run_commands(ActionContext& here, const RenderFlags& flags,
             words.insert(words.end(), {"--mesh-orientation", flags.mesh_axes});
         if (auto added = run_command(here, words); !added) return added;
     }
-    for (const std::vector<std::string>& words :
-         command_lines(flags.deviation, flags.comparison.mask_units, flags.mesh_axes))
-        if (auto set = run_command(here, words); !set) return set;
-    for (const std::vector<std::string>& words : command_lines(flags.scans))
-        if (auto set = run_command(here, words); !set) return set;
+    for (const auto& lines :
+         {command_lines(flags.deviation, flags.comparison.mask_units, flags.mesh_axes), command_lines(flags.scans)})
+        for (const std::vector<std::string>& words : lines)
+            if (auto set = run_command(here, words); !set) return set;
     if (flags.comparison.contact > 0) {
         const std::vector<std::string> words{"contact", std::to_string(flags.comparison.contact)};
         if (auto there = run_command(here, words); !there) return there;

@@ -1,4 +1,4 @@
-// `ramus slice VOLUME -o PNG`: one slice of a scan, with vessels and a segmentation drawn on it.
+// `ramus slice VOLUME -o PNG`: one slice of a scan, with vessels and a segmentation drawn on it; or its values.
 #include "app/assets/assets.h"
 #include "app/commands/command.h"
 #include "app/commands/inputs.h"
@@ -15,6 +15,7 @@
 #include "core/base/words.h"
 #include "core/io/output_file.h"
 #include "core/io/run_inputs.h"
+#include "core/io/volumes/value_map_file.h"
 #include "core/mesh/surface.h"
 #include "core/slice/sample.h"
 #include "render/image/image.h"
@@ -138,12 +139,34 @@ Result<std::shared_ptr<const render::PagedMesh>> surface_of(const Document& docu
     return paged(surface.mesh, *document.tree());
 }
 
+// The values of the slice as a volume of one slice that lies where the slice is; NaN outside of the scan.
+Result<void> write_values(const SliceFlags& flags, const render::SliceView& view, const tree::Claims& claims) {
+    const volume::Volume& scan = *view.scans.front().scan;
+    const std::vector<float> values = slice::sampled(scan, view.grid, view.sampling);
+    const slice::PixelGrid& grid = view.grid;
+    const double thickness = view.sampling.slab_mm > 0.0 ? view.sampling.slab_mm : glm::length(grid.right);
+    io::ValueMap map;
+    map.size = {grid.size.x, grid.size.y, 1};
+    map.to_patient = {glm::dvec4(grid.right, 0.0), glm::dvec4(grid.down, 0.0),
+                      glm::dvec4(thickness * grid.plane().normal, 0.0), glm::dvec4(grid.corner, 1.0)};
+    map.claims = claims;
+    map.fill_slice =
+        io::FillSlice<float>([&](int /*k*/, std::span<float> into) { std::ranges::copy(values, into.begin()); });
+    map.value_unit = scan.value_unit;
+    const auto write = [&](Job& job) { return io::write_value_map(map, flags.output, JobRange(job, 0.0F, 1.0F)); };
+    return write_with_progress("slice", write);
+}
+
+Result<void> check_slice_output(const std::string& output) {
+    if (output.empty()) return {};
+    if (io::names_value_map(output)) return io::check_value_map_output(output);
+    if (auto can = io::check_output(output); !can) return can;
+    return render::check_png_name(output);
+}
+
 Result<int> run_slice(const SliceFlags& flags) {
     for (const std::string& file : {flags.file, flags.tree, flags.mask}) io::note_input(file);
-    if (!flags.output.empty()) {
-        if (auto can = io::check_output(flags.output); !can) return tl::unexpected(can.error());
-        if (auto is_png = render::check_png_name(flags.output); !is_png) return tl::unexpected(is_png.error());
-    }
+    if (auto can = check_slice_output(flags.output); !can) return tl::unexpected(can.error());
     RAMUS_TRY(opened, open_slice(flags));
     Document document;
     document.open(std::move(opened.tree), std::move(opened.session), nullptr, {}, std::move(opened.base));
@@ -172,8 +195,12 @@ Result<int> run_slice(const SliceFlags& flags) {
     }
     render::SlicePainter painter;
     const render::Image image = painter.paint(frame, view);
-    if (!flags.output.empty())
+    if (io::names_value_map(flags.output)) {
+        if (auto written = write_values(flags, view, slice_claims(session, assets)); !written)
+            return tl::unexpected(written.error());
+    } else if (!flags.output.empty()) {
         if (auto written = render::write_png(image, flags.output); !written) return tl::unexpected(written.error());
+    }
     if (flags.json) std::cout << printed_report(slice_report(flags, session, assets, view, painter.section())) << '\n';
     return kDone;
 }
@@ -207,7 +234,8 @@ void register_slice(CLI::App& app, Action& chosen) {
     auto flags = std::make_shared<SliceFlags>();
     CLI::App* command = add_command(app, "slice", "Draw a slice of a scan, with vessels on it");
     add_input(*command, "VOLUME", "", flags->file, "Scan: a volume, or a folder of DICOM files")->required();
-    add_option(*command, "-o,--output", "PNG", flags->output, "PNG to write");
+    add_option(*command, "-o,--output", "FILE", flags->output,
+               "PNG to write; or the values in their place: " + io::value_map_extensions());
     std::map<std::string, slice::Direction> planes;
     for (const auto& [direction, name] : slice::kDirections) planes.emplace(name, direction);
     add_option(*command, "--plane", "NAME", flags->plane,

@@ -8,6 +8,7 @@
 #include "app/picture/lesion_outlines.h"
 #include "app/picture/note_marks.h"
 #include "app/picture/scene_objects.h"
+#include "app/picture/slices.h"
 #include "app/picture/territories.h"
 #include "app/session/session.h"
 #include "render/overlay/scale_bar.h"
@@ -83,6 +84,13 @@ void show_alone(render::Frame& frame, const Assets& assets, const SceneObjects& 
         frame.overlays.scale = render::scale_of(frame.camera, frame.size, {box.centre(), glm::dot(half, forward)});
 }
 
+// What lies before a slice, on the viewer's side of its picture, or behind it.
+void cut_away(render::Frame& frame, const Session& session, const Assets& assets) {
+    if (!session.slices.cut_away) return;
+    const slice::Plane plane = plane_of(session, assets, *session.slices.cut_away);
+    frame.cut_away = render::CutAway{plane.point, session.slices.cut_behind ? -plane.normal : plane.normal};
+}
+
 // A frame with everything that needs no assets: camera, size, states, looks.
 render::Frame bare_frame(const Session& session, const Viewing& viewing) {
     render::Frame frame;
@@ -107,6 +115,8 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     render::Frame frame = bare_frame(session, viewing);
     frame.mesh = std::move(mesh);
     draw_objects({frame, assets, viewing}, session.marks);
+    frame.planes = viewing.planes;
+    cut_away(frame, session, assets);
     const bool alone = !assets.tree && std::ranges::any_of(frame.context, &render::ContextMesh::shown);
     frame.overlays.orientation_cube = frame.overlays.scale_bar = frame.mesh || alone; // otherwise nothing to measure
     // In perspective the scale depends on everything in the picture.

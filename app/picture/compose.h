@@ -6,6 +6,7 @@
 #include "app/picture/lesion_lines.h"
 #include "app/session/session.h"
 #include "render/scene/frame.h"
+#include "render/scene/scan_plane.h"
 
 #include <memory>
 #include <optional>
@@ -29,10 +30,11 @@ struct Viewing {
     std::optional<render::AxisNames> axes{};       // trial value that replaces the known names
     bool notes = false;                            // marks the places that reading the tree repaired or suspects
     int note = -1;                                 // index of the emphasised note; -1: none
-    int measurement = kNoObject;  // id of a measurement to omit, because a tool draws it; kNoObject: none
-    PointedLesion lesion{};       // draws its shortest distances, emphasised if others are drawn
-    bool context_awaited = false; // some visible context is still being read
-    int contact = -1;             // index of a contact to mark, emphasised if others are marked; -1: none
+    int measurement = kNoObject;             // id of a measurement to omit, because a tool draws it; kNoObject: none
+    PointedLesion lesion{};                  // draws its shortest distances, emphasised if others are drawn
+    std::vector<render::ScanPlane> planes{}; // slices among the vessels (app/picture/plane_pictures.h)
+    bool context_awaited = false;            // some visible context is still being read
+    int contact = -1;                        // index of a contact to mark, emphasised if others are marked; -1: none
 };
 
 // Shows the patient's sides and a unit if the tree claims them.

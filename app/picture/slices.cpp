@@ -113,12 +113,17 @@ slice::PixelGrid grid_of(const Session& session, const Assets& assets, slice::Di
 double step_mm(const Session& session, const Assets& assets, slice::Direction direction) {
     const auto scan = first_scan(session.marks, assets);
     if (!scan) return 1.0;
-    if (direction == slice::Direction::kOblique) return slice::smallest_spacing_mm(*scan->volume);
+    if (direction == slice::Direction::kOblique) return step_mm_of_pixels(session, assets);
     const glm::dvec3 normal = axes_of(session.slices, direction).to_viewer();
     double most = 0.0;
     for (int axis = 0; axis < 3; ++axis)
         most = std::max(most, std::abs(glm::dot(glm::dvec3(scan->volume->to_patient[axis]), normal)));
     return most;
+}
+
+double step_mm_of_pixels(const Session& session, const Assets& assets) {
+    const auto scan = first_scan(session.marks, assets);
+    return scan ? slice::smallest_spacing_mm(*scan->volume) : 1.0;
 }
 
 slice::Window window_of(const Scan& scan, const ScanFile& file) { return scan.window.value_or(file.window); }

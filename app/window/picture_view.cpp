@@ -24,7 +24,7 @@ PictureView::PictureView(ViewerState& state, render::Renderer& renderer, Drawing
     state.workspace.want_cones(render::is_software_rasteriser());
 }
 
-Viewing PictureView::viewing() const {
+Viewing PictureView::viewing() {
     const Interface& interface = state_.interface;
     Viewing viewing{.size = state_.layout.view_size, .pixel_ratio = state_.scale, .hovered = interface.hovered};
     viewing.ground = interface.settings.ground;
@@ -40,6 +40,7 @@ Viewing PictureView::viewing() const {
     if (interface.tool)
         if (const auto moved = interface.tool->moved_measurement())
             viewing.measurement = state_.workspace.document().marks().measurements[*moved].id;
+    viewing.planes = planes_.planes(state_.workspace.document().session(), state_.workspace.current_assets());
     viewing.context_awaited = state_.workspace.awaited(WorkKind::kContext);
     viewing.lesion = interface.listed_lesion;
     viewing.contact = interface.left_is<ContactList>() ? interface.of<ContactList>().current : -1;
@@ -329,8 +330,8 @@ render::Frame PictureView::frame_for_keeping(const render::Camera& camera, glm::
     Job job;
     (void)load_context(workspace.assets(), workspace.document().marks(),
                        job); // waits for what a window leaves to a worker
-    render::Frame frame = compose(workspace.document().session(), workspace.current_assets(), picture_mesh(),
-                                  {.size = size, .pixel_ratio = state_.scale});
+    render::Frame frame =
+        compose(workspace.document().session(), workspace.current_assets(), picture_mesh(), viewing_for_keeping(size));
     frame.camera = camera;
     state_.present_again();
     return frame;
@@ -344,7 +345,13 @@ render::Sheet PictureView::sheet_for_keeping(glm::ivec2 size) {
     (void)load_context(workspace.assets(), workspace.document().marks(), job); // as above
     state_.present_again();
     return compose_sheet(workspace.document().session(), workspace.current_assets(), workspace.surfaces(),
-                         {.size = size, .pixel_ratio = state_.scale});
+                         viewing_for_keeping(size));
+}
+
+Viewing PictureView::viewing_for_keeping(glm::ivec2 size) {
+    return {.size = size,
+            .pixel_ratio = state_.scale,
+            .planes = planes_.planes(state_.workspace.document().session(), state_.workspace.current_assets())};
 }
 
 Deferred<Result<render::Image>> PictureView::picture_for_keeping() {
@@ -388,7 +395,7 @@ Result<render::Image> PictureView::draw_picture(const Session& session, glm::ive
     if (session.marks != workspace.document().marks()) {
         Job job;
         RAMUS_TRY(other, compose_as(session, workspace.document(), workspace.assets(), picture_mesh(),
-                                    {.size = size, .pixel_ratio = state_.scale}, job));
+                                    viewing_for_keeping(size), job));
         frame = std::move(other);
     }
     render::Sheet sheet = render::sheet_of(std::move(frame));

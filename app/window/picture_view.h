@@ -2,6 +2,7 @@
 // in full quality once it rests, and refines it while nothing happens. It answers what is at a pixel. Times in seconds.
 #pragma once
 
+#include "app/picture/plane_pictures.h"
 #include "app/tools/aim.h"
 #include "app/window/pace.h"
 #include "app/window/picture_drawer.h"
@@ -90,7 +91,7 @@ private:
 
     // Time for refining a saved picture while the window waits; pictures of large surfaces stay coarser.
     [[nodiscard]] double keeping_seconds() const { return state_.watched() ? 1.0 : render::kUntilDone; }
-    [[nodiscard]] Viewing viewing() const;
+    [[nodiscard]] Viewing viewing();
     [[nodiscard]] bool shows_own(const Viewport& viewport) const {
         return is_own(viewport.surface, state_.workspace.document().marks().options);
     }
@@ -114,10 +115,12 @@ private:
     [[nodiscard]] std::optional<render::Scale> scale_now() const;
     [[nodiscard]] render::Sheet sheet_for_keeping(glm::ivec2 size);
     [[nodiscard]] Deferred<Result<render::Image>> picture_for_keeping();
+    [[nodiscard]] Viewing viewing_for_keeping(glm::ivec2 size);
     [[nodiscard]] render::Frame frame_for_keeping(const render::Camera& camera, glm::ivec2 size);
 
     ViewerState& state_;
     PictureDrawer drawer_;
+    PlanePictures planes_;
     render::Sheet sheet_;                                             // of the last picture, or of the one in progress
     double begun_at_ = 0.0;                                           // start of that picture
     bool finer_ = false;                                              // the shown picture has been refined

@@ -5,9 +5,7 @@
 #include "app/panels/context_menu.h"
 #include "app/panels/help_overlay.h"
 #include "app/panels/menu_bar.h"
-#include "app/picture/slices.h"
 #include "app/session/numbers.h"
-#include "core/measure/branch_point.h"
 
 #include <algorithm>
 #include <cmath>
@@ -255,81 +253,6 @@ void ViewerInput::turn_wheel(glm::dvec2 notches) {
     pick_wanted_ = true;
 }
 
-std::optional<SliceGrip> ViewerInput::slice_grip() const {
-    const std::vector<Viewport> all = state_.viewports();
-    const Viewport& here = all[std::min(viewport_, all.size() - 1)];
-    if (!here.slice) return {};
-    const Session& session = state_.workspace.document().session();
-    const Assets& assets = state_.workspace.assets();
-    SliceGrip grip{*here.slice, grid_of(session, assets, *here.slice, here.size),
-                   session.slices.zooms[index_of(*here.slice)]};
-    for (const Scan& scan : session.marks.scans) {
-        const auto file = scan.visible && !scan.labels ? assets.scan(scan) : nullptr;
-        if (!file) continue;
-        grip.window = window_of(scan, *file);
-        break;
-    }
-    return grip;
-}
-
-void ViewerInput::take(const SliceChange& change) {
-    Document& document = state_.workspace.document();
-    SliceViews views = document.session().slices;
-    if (change.crosshair) views.crosshair = change.crosshair;
-    if (change.zoom) views.zooms[index_of(slice_mouse_.grip().direction)] = *change.zoom;
-    document.set_slices(views);
-    if (!change.window) return;
-    // A drag of the window is one step of undo.
-    if (!std::exchange(windows_, true)) document.begin_step();
-    state_.perform("window", {exact_text(change.window->width) + "," + exact_text(change.window->level)});
-}
-
-void ViewerInput::press_slice(MouseButton button, Modifiers modifiers, const SliceGrip& grip) {
-    take(slice_mouse_.press(button, modifiers, in_viewport(pointer_), grip));
-}
-
-void ViewerInput::release_slice(MouseButton button) {
-    const auto click = slice_mouse_.release(button, in_viewport(pointer_));
-    if (!slice_mouse_.held() && std::exchange(windows_, false)) state_.workspace.document().end_step("window");
-    if (click) clicked(*click);
-    pick_wanted_ = true;
-}
-
-void ViewerInput::turn_wheel_over_slice(const SliceGrip& grip, double notches) {
-    if (!ImGui::GetIO().KeyCtrl)
-        return state_.perform("slice-step", {std::string(slice::name_of(grip.direction)), exact_text(notches)});
-    SliceViews views = state_.workspace.document().session().slices;
-    views.zooms[index_of(grip.direction)] = SliceMouse::zoomed(grip, in_viewport(pointer_), notches);
-    state_.workspace.document().set_slices(views);
-}
-
-// The place under the pointer, for the status bar.
-void ViewerInput::point_at_slice() {
-    const auto grip = over_picture(pointer_) ? slice_grip() : std::nullopt;
-    state_.interface.slice_place = grip ? std::optional(grip->grid.place(in_viewport(pointer_) - 0.5)) : std::nullopt;
-}
-
-bool ViewerInput::on_wipe_line() const {
-    const Comparison& comparison = state_.workspace.document().marks().comparison;
-    if (comparison.mode != Comparison::Mode::kWipe || !state_.workspace.document().tree() || !over_picture(pointer_))
-        return false;
-    constexpr double kGrip = 6.0; // pixels to either side, at a pixel ratio of 1
-    return std::abs(in_picture(pointer_).x - comparison.wipe * state_.layout.view_size.x) <=
-           kGrip * static_cast<double>(state_.scale);
-}
-
-void ViewerInput::drag_wipe_line() {
-    const double width = std::max(1, state_.layout.view_size.x);
-    state_.interface.tried_wipe = std::clamp((in_picture(pointer_).x - wipe_grip_) / width, 0.0, 1.0);
-}
-
-void ViewerInput::drop_wipe_line() {
-    state_.interface.wipe_held = false;
-    if (const auto there = std::exchange(state_.interface.tried_wipe, std::nullopt))
-        state_.perform("compare-wipe", {digits(*there, 4)});
-    pick_wanted_ = true;
-}
-
 Pointing ViewerInput::pointing(Modifiers modifiers) {
     return {.at = in_viewport(pointer_),
             .modifiers = modifiers,
@@ -411,15 +334,6 @@ void ViewerInput::click_on(Click::Kind kind, const Pointing& pointing) {
                    : kind == Click::Kind::kAdd                  ? "select-add"
                                                                 : "select-toggle",
                    {std::to_string(pick.branch)});
-}
-
-// Slices go through the middle of the vessel that was clicked on.
-void ViewerInput::show_slices_at(const render::Pick& pick) {
-    const auto& tree = state_.workspace.document().tree();
-    SliceViews views = state_.workspace.document().session().slices;
-    views.crosshair =
-        measure::point_on(*tree, pick.branch, measure::nearest_fraction(*tree, pick.branch, pick.position)).position;
-    state_.workspace.document().set_slices(views);
 }
 
 void ViewerInput::look_at(const glm::dvec3& at) {

@@ -16,8 +16,8 @@ inline constexpr int kNoLesion = -1;
 struct Pick {
     int branch = kNoBranch;   // kNoBranch: no vessel there
     int lesion = kNoLesion;   // index into the frame's spheres, then meshes; kNoLesion: none there
-    int plane = kNoPlane;     // index into the frame's planes; kNoPlane: none, or a vessel or a lesion is before it
     glm::dvec3 position{0.0}; // mm, on the surface; meaningless without a branch, a lesion or a plane
+    int plane = kNoPlane;     // index into the frame's planes; kNoPlane: none, or a vessel or a lesion is before it
     bool operator==(const Pick&) const = default;
 };
 

@@ -69,19 +69,6 @@ Camera camera_of(const slice::PixelGrid& grid) {
     return camera;
 }
 
-Image scan_picture(const volume::Volume& scan, const slice::PixelGrid& grid, const slice::Sampling& sampling,
-                   const slice::Window& window) {
-    Image image(grid.size.x, grid.size.y);
-    const std::vector<float> values = slice::sampled(scan, grid, sampling);
-    for (std::size_t n = 0; n < values.size(); ++n) {
-        if (std::isnan(values[n])) continue;
-        std::uint8_t* const out = image.rgba.data() + 4 * n;
-        std::fill(out, out + 3, byte_of(window.grey(values[n])));
-        out[3] = 255;
-    }
-    return image;
-}
-
 void SlicePainter::sample(const SliceView& view) {
     if (sampled_at_ != view.grid || sampled_by_ != view.sampling) sampled_.clear();
     sampled_at_ = view.grid;
@@ -207,6 +194,20 @@ void SlicePainter::paint_sprites(const SliceView& view, Image& image) {
     frame.labels = view.labels;
     Canvas canvas(image);
     for (const Sprite& sprite : overlays_.paint(SpriteSource(frame))) canvas.picture(sprite.image, sprite.corner);
+}
+
+Image SlicePainter::paint_alone(const SliceView& view) {
+    Image image(view.grid.size.x, view.grid.size.y);
+    sample(view);
+    paint_scans(view, image);
+    paint_masks(view, image);
+    for (const Sampled& layer : sampled_)
+        for (std::size_t n = 0; n < layer.values.size(); ++n)
+            if (!std::isnan(layer.values[n])) image.rgba[4 * n + 3] = 255;
+    if (sampled_.empty()) // labels alone
+        for (std::size_t n = 0; n < image.rgba.size(); n += 4)
+            if (image.rgba[n] != 0 || image.rgba[n + 1] != 0 || image.rgba[n + 2] != 0) image.rgba[n + 3] = 255;
+    return image;
 }
 
 Image SlicePainter::paint(const Frame& frame, const SliceView& view) {

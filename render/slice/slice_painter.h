@@ -22,6 +22,9 @@ public:
     // An opaque picture of `view.grid.size` pixels. The frame's camera, size and overlays have no effect.
     [[nodiscard]] Image paint(const Frame& frame, const SliceView& view);
 
+    // The scans and segmentations alone; alpha 0 where there are none.
+    [[nodiscard]] Image paint_alone(const SliceView& view);
+
     // Of the last picture.
     [[nodiscard]] const FrameSection& section() const { return section_; }
 
@@ -47,9 +50,5 @@ private:
     FrameSection section_;
     OverlayPainter overlays_;
 };
-
-// The picture of the scan alone in a window, as sRGB with alpha 0 outside of the scan.
-[[nodiscard]] Image scan_picture(const volume::Volume& scan, const slice::PixelGrid& grid,
-                                 const slice::Sampling& sampling, const slice::Window& window);
 
 } // namespace ramus::render
