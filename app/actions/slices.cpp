@@ -107,9 +107,9 @@ Result<void> slice_step(ActionContext& context, Arguments arguments) {
 
 Result<void> slice_plane(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(which, direction_argument(arguments, "slice-plane"));
-    const auto on = switched(arguments.subspan(1), context.document.session().slices.in_picture[index_of(which)]);
+    const auto on = switched(arguments.subspan(1), context.document.session().slices.in_picture[slice_index(which)]);
     if (!on) return fail("slice-plane takes a name, and on or off", {}, direction_names());
-    return edit_views(context, [&, which = which](SliceViews& views) { views.in_picture[index_of(which)] = *on; });
+    return edit_views(context, [&, which = which](SliceViews& views) { views.in_picture[slice_index(which)] = *on; });
 }
 
 // The oblique slice across a vessel.
@@ -121,7 +121,7 @@ Result<void> slice_across(ActionContext& context, Arguments arguments) {
     return edit_views(context, [&](SliceViews& views) {
         views.crosshair = point.position;
         views.oblique_normal = point.direction;
-        views.in_picture[index_of(Direction::kOblique)] = true;
+        views.in_picture[slice_index(Direction::kOblique)] = true;
     });
 }
 
@@ -138,7 +138,7 @@ Result<void> slice_through(ActionContext& context, Arguments arguments) {
     return edit_views(context, [&](SliceViews& views) {
         views.crosshair = (places[0] + places[1] + places[2]) / 3.0;
         views.oblique_normal = glm::normalize(normal);
-        views.in_picture[index_of(Direction::kOblique)] = true;
+        views.in_picture[slice_index(Direction::kOblique)] = true;
     });
 }
 
@@ -151,7 +151,7 @@ Result<void> cut_away(ActionContext& context, Arguments arguments) {
     return edit_views(context, [&](SliceViews& views) {
         views.cut_away = direction;
         views.cut_behind = behind;
-        if (direction) views.in_picture[index_of(*direction)] = true;
+        if (direction) views.in_picture[slice_index(*direction)] = true;
     });
 }
 
@@ -180,7 +180,7 @@ Result<void> slice_zoom(ActionContext& context, Arguments arguments) {
     if (!fit) zoom.factor = *factor;
     if (shift) zoom.shift = {(*shift)[0], (*shift)[1]};
     return edit_views(context,
-                      [&, direction = direction](SliceViews& views) { views.zooms[index_of(direction)] = zoom; });
+                      [&, direction = direction](SliceViews& views) { views.zooms[slice_index(direction)] = zoom; });
 }
 
 // A switch of what slices show.
@@ -189,7 +189,7 @@ struct SliceSwitch {
     bool (*get)(const SliceViews&);
     void (*set)(SliceViews&, bool);
 };
-constexpr std::array<SliceSwitch, 4> kSwitches{
+constexpr std::array<SliceSwitch, 4> kSliceSwitches{
     {{"outlines", "Outlines of vessels", "Draws the section of vessels, lesions and context on slices.",
       [](const SliceViews& views) { return views.outlines; }, [](SliceViews& views, bool on) { views.outlines = on; }},
      {"axes", "Dots at axes of vessels", "Marks where the axes of vessels cross a slice.",
@@ -204,16 +204,16 @@ constexpr std::array<SliceSwitch, 4> kSwitches{
       }}}};
 
 Result<void> slice_show(ActionContext& context, Arguments arguments) {
-    const auto found =
-        arguments.empty()
-            ? kSwitches.end()
-            : std::ranges::find(kSwitches, arguments[0], [](const SliceSwitch& one) { return std::string(one.name); });
-    const auto on = found == kSwitches.end()
+    const auto found = arguments.empty() ? kSliceSwitches.end()
+                                         : std::ranges::find(kSliceSwitches, arguments[0], [](const SliceSwitch& one) {
+                                               return std::string(one.name);
+                                           });
+    const auto on = found == kSliceSwitches.end()
                         ? std::nullopt
                         : switched(arguments.subspan(1), found->get(context.document.session().slices));
     if (!on)
         return fail("slice-show takes a name, and on or off", {},
-                    joined(kSwitches, ", ", [](const SliceSwitch& one) { return std::string(one.name); }));
+                    joined(kSliceSwitches, ", ", [](const SliceSwitch& one) { return std::string(one.name); }));
     return edit_views(context, [&](SliceViews& views) { found->set(views, *on); });
 }
 
@@ -254,7 +254,7 @@ std::vector<Command> plane_entries() {
                                .giving({std::string(name)})
                                .when(has_scene)
                                .checked_when([which = direction](const Document& document) {
-                                   return document.session().slices.in_picture[index_of(which)];
+                                   return document.session().slices.in_picture[slice_index(which)];
                                }));
     }
     return commands;
@@ -282,7 +282,7 @@ std::vector<Command> cut_entries() {
 
 std::vector<Command> switch_entries() {
     std::vector<Command> commands;
-    for (const SliceSwitch& one : kSwitches)
+    for (const SliceSwitch& one : kSliceSwitches)
         commands.push_back(
             Command("slice-show", "NAME [on|off]", one.help, slice_show)
                 .in_menu("Slices", one.label)

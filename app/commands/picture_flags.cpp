@@ -177,6 +177,18 @@ void apply(const ComparisonFlags& flags, Marks& marks) {
     if (flags.shortest_distances) marks.shortest_distances = true;
 }
 
+CLI::Option* add_window_flag(CLI::App& command, std::optional<slice::Window>& window) {
+    const auto take = [&window](const std::string& word) {
+        if (word != "auto") window = window_in(word);
+    };
+    return add_option_taking<std::string>(command, "--window", "WIDTH,LEVEL|NAME", take,
+                                          "Values from black to white: abdomen, liver, lung, bone, angiography, or "
+                                          "their width and level (default: "
+                                          "what the file proposes, or auto: from the values)")
+        ->check(expecting(" is neither a window's name nor WIDTH,LEVEL",
+                          [](const std::string& word) { return word == "auto" || window_in(word).has_value(); }));
+}
+
 void add_scan_flags(CLI::App& command, ScanFlags& flags) {
     CLI::Option* scan = add_input(command, "--scan", "VOLUME", flags.scans,
                                   "Slices of this scan, or tints of the labels of a segmentation; may be repeated");
@@ -195,11 +207,7 @@ void add_scan_flags(CLI::App& command, ScanFlags& flags) {
                "Divide the picture: slices (the vessels and three slices), large, or one slice alone: axial, coronal, "
                "sagittal, oblique")
         ->check(expecting(" is not a layout", [](const std::string& word) { return layout_named(word).has_value(); }));
-    add_option(command, "--window", "WIDTH,LEVEL|NAME", flags.window,
-               "Values of the scan from black to white, or abdomen, liver, lung, bone, angiography")
-        ->needs(scan)
-        ->check(expecting(" is neither a window's name nor WIDTH,LEVEL",
-                          [](const std::string& word) { return word == "auto" || window_in(word).has_value(); }));
+    add_window_flag(command, flags.window)->needs(scan);
 }
 
 void apply(const ScanFlags& flags, SliceViews& views) {
@@ -209,7 +217,8 @@ void apply(const ScanFlags& flags, SliceViews& views) {
 std::vector<std::vector<std::string>> command_lines(const ScanFlags& flags) {
     std::vector<std::vector<std::string>> lines;
     for (const std::string& file : flags.scans) lines.push_back({"scan", file});
-    if (!flags.window.empty()) lines.push_back({"window", flags.window});
+    if (flags.window)
+        lines.push_back({"window", exact_text(flags.window->width) + "," + exact_text(flags.window->level)});
     for (const std::string& word : flags.slices) {
         const auto equals = word.find('=');
         const std::string name = word.substr(0, equals);

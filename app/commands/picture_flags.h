@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/session/session.h"
+#include "core/slice/window.h"
 #include "render/scene/camera.h"
 
 #include <CLI/CLI.hpp>
@@ -55,10 +56,14 @@ void add_deviation_flags(CLI::App& command, DeviationFlags& flags);
 [[nodiscard]] std::vector<std::vector<std::string>>
 command_lines(const DeviationFlags& flags, const std::string& mask_units, const std::string& mesh_axes);
 
+// Adds --window WIDTH,LEVEL|NAME. None: what the file proposes, otherwise from the values (core/slice/window.h).
+CLI::Option* add_window_flag(CLI::App& command, std::optional<slice::Window>& window);
+
 // The options about scans and slices.
 struct ScanFlags {
     std::vector<std::string> scans, slices; // files; "axial", "axial=12.5", "oblique=12@0.5"
-    std::string window, cut_away, layout;
+    std::optional<slice::Window> window;
+    std::string cut_away, layout;
 };
 void add_scan_flags(CLI::App& command, ScanFlags& flags);
 // Sets the layout, which determines the size of the part for the tree.

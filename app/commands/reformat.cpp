@@ -52,17 +52,6 @@ struct ReformatFlags {
     [[nodiscard]] bool is_picture() const { return extension() == ".png"; }
 };
 
-// Parses "600,200", "angiography" or "auto"; the value is none for the latter.
-std::optional<std::optional<slice::Window>> window_in(const std::string& text) {
-    if (text == "auto") return std::optional<slice::Window>();
-    if (const auto window = slice::window_named(text)) return window;
-    const std::vector<std::string_view> words = ramus::parts_of(text);
-    if (words.size() != 2) return {};
-    const auto width = parsed<double>(words[0]), level = parsed<double>(words[1]);
-    if (!width || !level || !(*width > 0.0) || !std::isfinite(*width) || !std::isfinite(*level)) return {};
-    return slice::Window{*level, *width};
-}
-
 bool is_kind(const std::string& word) { return word == kSections || slice::reformation_named(word); }
 
 Result<MaskVoxels> mask_voxels(const ReformatFlags& flags) {
@@ -289,11 +278,7 @@ void add_view_options(CLI::App& command, const std::shared_ptr<ReformatFlags>& f
                "From row to row along the vessel (default: half a voxel of the scan), and the size of a pixel; of "
                "sections, from one to the next (default: 24 sections)")
         ->check(positive());
-    add_option_taking<std::string>(
-        command, "--window", "WIDTH,LEVEL|NAME", [flags](const std::string& text) { flags->window = *window_in(text); },
-        "Values from black to white: width and level, abdomen, liver, lung, bone, angiography or auto (default: from "
-        "the picture's values)")
-        ->check(expecting(" is not WIDTH,LEVEL, abdomen, liver, lung, bone, angiography or auto", window_in));
+    add_window_flag(command, flags->window);
 }
 
 } // namespace

@@ -37,7 +37,7 @@ struct SliceFlags {
     std::string file, output, tree, mask, mask_units, scan_units, session;
     slice::Direction plane = slice::Direction::kAxial;
     std::optional<std::array<double, 3>> at, normal;
-    std::string window; // empty: what the file proposes
+    std::optional<slice::Window> window; // none: the usual one of the scan
     slice::Sampling sampling;
     std::optional<glm::ivec2> size; // none: all voxels, at their spacing
     bool nearest = false, plain = false, json = false;
@@ -61,7 +61,7 @@ Result<OpenedSession> open_slice(const SliceFlags& flags) {
     Marks& marks = opened.session.marks;
     marks.options.memory_bytes = flags.common.surface.memory_bytes;
     marks.scans.push_back(scan_of(flags.file, flags.scan_units, false));
-    if (!flags.window.empty() && flags.window != "auto") marks.scans.back().window = window_in(flags.window);
+    marks.scans.back().window = flags.window;
     if (!flags.mask.empty()) marks.scans.push_back(scan_of(flags.mask, flags.mask_units, true));
     number_objects(marks);
     SliceViews& views = opened.session.slices;
@@ -244,11 +244,7 @@ void register_slice(CLI::App& app, Action& chosen) {
     add_vector_option(*command, "--at", flags->at,
                       "Place that the slice goes through, mm RAS (default: the middle of the scan)");
     add_vector_option(*command, "--normal", flags->normal, "Direction across an oblique slice");
-    add_option(*command, "--window", "WIDTH,LEVEL|NAME", flags->window,
-               "Values from black to white, or abdomen, liver, lung, bone, angiography; auto: from the values "
-               "(default: what the file proposes, or auto)")
-        ->check(expecting(" is neither a window's name nor WIDTH,LEVEL",
-                          [](const std::string& word) { return word == "auto" || window_in(word).has_value(); }));
+    add_window_flag(*command, flags->window);
     add_slab_option(*command, flags->sampling);
     command->add_flag("--nearest", flags->nearest, "Show the value of the nearest voxel, without interpolation");
     add_input(*command, "--tree", "TREE", flags->tree, "Draw the section of this tree's surface and its centerlines");

@@ -18,7 +18,7 @@ namespace {
 
 using SliceChoices = std::vector<std::pair<std::string, std::string>>; // values and their labels
 
-SliceChoices capitalised(const auto& names) {
+SliceChoices choices_of(const auto& names) {
     SliceChoices choices;
     for (const auto& [value, name] : names) {
         std::string label(name);
@@ -71,7 +71,7 @@ void draw_place(InterfaceContext& context) {
 void draw_slab(InterfaceContext& context, const slice::Sampling& sampling) {
     const bool on = sampling.slab_mm > 0.0;
     SliceChoices choices{{"off", "Off"}};
-    for (auto& choice : capitalised(slice::kSlabs)) choices.push_back(std::move(choice));
+    for (auto& choice : choices_of(slice::kSlabs)) choices.push_back(std::move(choice));
     constexpr double kUsual = 10.0;
     const std::string mm = exact_text(on ? sampling.slab_mm : kUsual);
     if (const auto chosen = widgets::choice_row("Slab", "Makes slices thick: the largest, mean or least value across",
@@ -87,11 +87,11 @@ void draw_planes(InterfaceContext& context, const SliceViews& views) {
     widgets::quiet("Among the vessels");
     constexpr int kInRow = 2;
     int n = 0;
-    for (const auto& [name, label] : capitalised(slice::kDirections)) {
+    for (const auto& [name, label] : choices_of(slice::kDirections)) {
         const slice::Direction direction = *slice::direction_named(name);
-        const glm::vec3 colour = colour_of(direction);
+        const glm::vec3 colour = slice_colour(direction);
         if (n++ % kInRow != 0) ImGui::SameLine(0.5F * ImGui::GetContentRegionAvail().x);
-        bool shown = views.in_picture[index_of(direction)];
+        bool shown = views.in_picture[slice_index(direction)];
         ImGui::PushStyleColor(ImGuiCol_CheckMark, {colour.x, colour.y, colour.z, 1.0F});
         const bool changed = ImGui::Checkbox(label.c_str(), &shown);
         ImGui::PopStyleColor();
@@ -99,7 +99,7 @@ void draw_planes(InterfaceContext& context, const SliceViews& views) {
         if (changed) context.perform("slice-plane", {name, shown ? "on" : "off"});
     }
     SliceChoices choices{{"off", "Nothing"}};
-    for (auto& [name, label] : capitalised(slice::kDirections)) choices.emplace_back(name, "Before the " + name);
+    for (auto& [name, label] : choices_of(slice::kDirections)) choices.emplace_back(name, "Before the " + name);
     const std::string now = views.cut_away ? std::string(slice::name_of(*views.cut_away)) : "off";
     if (const auto chosen = widgets::choice_row("Cut away", "Leaves out what lies before a slice", now, choices))
         context.perform("cut-away", {*chosen});

@@ -200,7 +200,7 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
         std::optional<render::SliceView> slice;
         if (viewports[i].slice) {
             slice = compose_slice(session, assets, *viewports[i].slice, own);
-            slice->mark = colour_of(*viewports[i].slice);
+            slice->mark = slice_colour(*viewports[i].slice);
             // Overlays of the window at the top belong to the whole picture.
             if (viewports[i].at.y == 0) slice->overlays.inset_top = sheet_viewing.heading_top;
         }

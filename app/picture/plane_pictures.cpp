@@ -12,16 +12,17 @@ namespace {
 // Pixels across the longer side: a plane among vessels is looked at from aslant, and each takes milliseconds.
 constexpr double kMostPixels = 480.0;
 
-// Covers the bounds of the scan with pixels of its smallest spacing, or larger ones.
+// Covers the first scan, or what there is without one, by pixels of the smallest spacing of voxels, or larger ones.
 slice::PixelGrid plane_grid(const Session& session, const Assets& assets, slice::Direction direction) {
+    const slice::Axes axes = axes_of(session.slices, direction);
+    const glm::dvec3 at = crosshair_of(session, assets);
     Session whole = session;
-    whole.slices.zooms[index_of(direction)] = {};
-    constexpr glm::ivec2 kShape(1000);
-    const slice::PixelGrid fitted = grid_of(whole, assets, direction, kShape);
-    const double extent = kShape.x * glm::length(fitted.right);
-    const double mm = std::max(step_mm_of_pixels(session, assets), extent / kMostPixels);
-    const auto side = static_cast<int>(std::ceil(extent / mm));
-    return slice::grid_around(axes_of(session.slices, direction), fitted.middle(), mm, glm::ivec2(std::max(side, 1)));
+    whole.slices.zooms[slice_index(direction)] = {};
+    const slice::PixelGrid fitted = grid_of(whole, assets, direction, glm::ivec2(static_cast<int>(kMostPixels)));
+    const auto volume = first_volume(session, assets);
+    if (!volume) return fitted;
+    return slice::grid_covering(*volume, axes, at,
+                                std::max(slice::smallest_spacing_mm(*volume), glm::length(fitted.right)));
 }
 
 } // namespace
@@ -29,8 +30,8 @@ slice::PixelGrid plane_grid(const Session& session, const Assets& assets, slice:
 std::vector<render::ScanPlane> PlanePictures::planes(const Session& session, const Assets& assets) {
     std::vector<render::ScanPlane> planes;
     for (const auto& [direction, name] : slice::kDirections) {
-        std::optional<Kept>& kept = kept_[index_of(direction)];
-        if (!session.slices.in_picture[index_of(direction)]) {
+        std::optional<Kept>& kept = kept_[slice_index(direction)];
+        if (!session.slices.in_picture[slice_index(direction)]) {
             kept.reset();
             continue;
         }
@@ -47,7 +48,7 @@ std::vector<render::ScanPlane> PlanePictures::planes(const Session& session, con
         const bool any = !view.scans.empty() || !view.masks.empty();
         planes.push_back({grid.place(glm::dvec2(-0.5)), static_cast<double>(grid.size.x) * grid.right,
                           static_cast<double>(grid.size.y) * grid.down, any ? kept->picture : nullptr,
-                          colour_of(direction), 2.0F});
+                          slice_colour(direction), 2.0F});
     }
     return planes;
 }

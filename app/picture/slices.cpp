@@ -101,7 +101,7 @@ slice::PixelGrid grid_of(const Session& session, const Assets& assets, slice::Di
     const glm::dvec3 half = 0.5 * bounds.size();
     const double across = 2.0 * glm::dot(glm::abs(axes.right), half);
     const double high = 2.0 * glm::dot(glm::abs(axes.down), half);
-    const SliceZoom& zoom = session.slices.zooms[index_of(direction)];
+    const SliceZoom& zoom = session.slices.zooms[slice_index(direction)];
     const double mm_per_pixel = std::max(across / size.x, high / size.y) / zoom.factor;
     const glm::dvec3 normal = axes.to_viewer();
     const glm::dvec3 at = crosshair_of(session, assets);
@@ -113,7 +113,7 @@ slice::PixelGrid grid_of(const Session& session, const Assets& assets, slice::Di
 double step_mm(const Session& session, const Assets& assets, slice::Direction direction) {
     const auto scan = first_scan(session.marks, assets);
     if (!scan) return 1.0;
-    if (direction == slice::Direction::kOblique) return step_mm_of_pixels(session, assets);
+    if (direction == slice::Direction::kOblique) return slice::smallest_spacing_mm(*scan->volume);
     const glm::dvec3 normal = axes_of(session.slices, direction).to_viewer();
     double most = 0.0;
     for (int axis = 0; axis < 3; ++axis)
@@ -121,9 +121,9 @@ double step_mm(const Session& session, const Assets& assets, slice::Direction di
     return most;
 }
 
-double step_mm_of_pixels(const Session& session, const Assets& assets) {
+std::shared_ptr<const volume::Volume> first_volume(const Session& session, const Assets& assets) {
     const auto scan = first_scan(session.marks, assets);
-    return scan ? slice::smallest_spacing_mm(*scan->volume) : 1.0;
+    return scan ? scan->volume : nullptr;
 }
 
 slice::Window window_of(const Scan& scan, const ScanFile& file) { return scan.window.value_or(file.window); }
@@ -245,7 +245,7 @@ render::SliceView compose_slice(const Session& session, const Assets& assets, sl
     const glm::dvec3 at = crosshair_of(session, assets);
     if (session.slices.crosshair_lines) {
         const auto [row, column] = crossing(direction);
-        view.crosshair = render::Crosshair{at, colour_of(row), colour_of(column)};
+        view.crosshair = render::Crosshair{at, slice_colour(row), slice_colour(column)};
     }
     const tree::Claims claims = slice_claims(session, assets);
     render::Overlays& overlays = view.overlays;

@@ -28,8 +28,8 @@ struct ScanFile; // app/assets/scans.h
 // The step from slice to slice: the smallest spacing of the first scan's voxels along the normal; 1 mm without a scan.
 [[nodiscard]] double step_mm(const Session& session, const Assets& assets, slice::Direction direction);
 
-// The smallest spacing of the first scan's voxels; 1 mm without a scan.
-[[nodiscard]] double step_mm_of_pixels(const Session& session, const Assets& assets);
+// The first scan that is shown; null: there is none.
+[[nodiscard]] std::shared_ptr<const volume::Volume> first_volume(const Session& session, const Assets& assets);
 
 // The window that a scan is shown in.
 [[nodiscard]] slice::Window window_of(const Scan& scan, const ScanFile& file);

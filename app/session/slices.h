@@ -67,12 +67,12 @@ struct SliceViews {
     bool operator==(const SliceViews&) const = default;
 };
 
-[[nodiscard]] inline std::size_t index_of(slice::Direction direction) { return static_cast<std::size_t>(direction); }
+[[nodiscard]] inline std::size_t slice_index(slice::Direction direction) { return static_cast<std::size_t>(direction); }
 
 // The axes of a slice.
 [[nodiscard]] slice::Axes axes_of(const SliceViews& views, slice::Direction direction);
 
 // sRGB. The customary colours of slices: axial red, coronal green, sagittal yellow; oblique violet.
-[[nodiscard]] glm::vec3 colour_of(slice::Direction direction);
+[[nodiscard]] glm::vec3 slice_colour(slice::Direction direction);
 
 } // namespace ramus::app

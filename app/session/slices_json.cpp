@@ -46,9 +46,9 @@ json slices_json(const SliceViews& views) {
     if (views.crosshair) value["crosshair"] = place_json(*views.crosshair);
     if (views.oblique_normal != usual.oblique_normal) value["normal"] = place_json(views.oblique_normal);
     for (const auto& [direction, name] : slice::kDirections) {
-        if (views.zooms[index_of(direction)] != SliceZoom{})
-            value["zooms"][name] = zoom_json(views.zooms[index_of(direction)]);
-        if (views.in_picture[index_of(direction)]) value["in_picture"].push_back(name);
+        if (views.zooms[slice_index(direction)] != SliceZoom{})
+            value["zooms"][name] = zoom_json(views.zooms[slice_index(direction)]);
+        if (views.in_picture[slice_index(direction)]) value["in_picture"].push_back(name);
     }
     if (views.cut_away) value["cut_away"] = slice::name_of(*views.cut_away);
     if (views.cut_behind) value["cut_behind"] = true;
@@ -76,9 +76,9 @@ SliceViews slices_in(const json& value) {
     if (value.contains("zooms")) {
         if (!value["zooms"].is_object()) throw Refusal{"zooms is not an object"};
         for (const auto& [name, zoom] : value["zooms"].items())
-            views.zooms[index_of(direction_in(name))] = zoom_in(zoom);
+            views.zooms[slice_index(direction_in(name))] = zoom_in(zoom);
     }
-    for (const json& name : list_in(value, "in_picture")) views.in_picture[index_of(direction_in(name))] = true;
+    for (const json& name : list_in(value, "in_picture")) views.in_picture[slice_index(direction_in(name))] = true;
     if (value.contains("cut_away")) views.cut_away = direction_in(value["cut_away"]);
     if (value.contains("cut_behind")) views.cut_behind = truth(value["cut_behind"], "cut_behind");
     if (value.contains("nearest") && truth(value["nearest"], "nearest"))

@@ -17,7 +17,7 @@ std::optional<SliceGrip> ViewerInput::slice_grip() const {
     const Session& session = state_.workspace.document().session();
     const Assets& assets = state_.workspace.assets();
     SliceGrip grip{*here.slice, grid_of(session, assets, *here.slice, here.size),
-                   session.slices.zooms[index_of(*here.slice)]};
+                   session.slices.zooms[slice_index(*here.slice)]};
     for (const Scan& scan : session.marks.scans) {
         const auto file = scan.visible && !scan.labels ? assets.scan(scan) : nullptr;
         if (!file) continue;
@@ -31,7 +31,7 @@ void ViewerInput::take(const SliceChange& change) {
     Document& document = state_.workspace.document();
     SliceViews views = document.session().slices;
     if (change.crosshair) views.crosshair = change.crosshair;
-    if (change.zoom) views.zooms[index_of(slice_mouse_.grip().direction)] = *change.zoom;
+    if (change.zoom) views.zooms[slice_index(slice_mouse_.grip().direction)] = *change.zoom;
     document.set_slices(views);
     if (!change.window) return;
     // A drag of the window is one step of undo.
@@ -54,7 +54,7 @@ void ViewerInput::turn_wheel_over_slice(const SliceGrip& grip, double notches) {
     if (!ImGui::GetIO().KeyCtrl)
         return state_.perform("slice-step", {std::string(slice::name_of(grip.direction)), exact_text(notches)});
     SliceViews views = state_.workspace.document().session().slices;
-    views.zooms[index_of(grip.direction)] = SliceMouse::zoomed(grip, in_viewport(pointer_), notches);
+    views.zooms[slice_index(grip.direction)] = SliceMouse::zoomed(grip, in_viewport(pointer_), notches);
     state_.workspace.document().set_slices(views);
 }
 

@@ -67,7 +67,7 @@ TEST_CASE("windows are steps of undo; layout, crosshair and planes are not") {
     stage.good("crosshair 10,11,12.5\nlayout large\nslice axial 20\nslab 6 mean\ncut-away coronal --behind");
     CHECK(stage.document.step_count() == steps);
     CHECK(stage.views().crosshair == glm::dvec3(10, 11, 20));
-    CHECK(stage.views().in_picture[index_of(slice::Direction::kCoronal)]);
+    CHECK(stage.views().in_picture[slice_index(slice::Direction::kCoronal)]);
     stage.good("window 400,40");
     CHECK(stage.marks().scans[0].window == slice::Window{40.0, 400.0});
     stage.good("window liver 1\nwindow auto");
