@@ -129,6 +129,25 @@ std::vector<Viewport> viewports_of_slices(const Session& session, glm::ivec2 siz
     return viewports;
 }
 
+// Mixes the two viewports of a sheet. `with_legend`: the one that has the legend.
+void mix(render::Sheet& sheet, const std::vector<Viewport>& viewports, std::size_t with_legend,
+         const Comparison& comparison, const Viewing& viewing, const SheetViewing& sheet_viewing) {
+    const std::string &first_title = viewports[0].title, &second_title = viewports[1].title;
+    if (comparison.mode == Comparison::Mode::kBlend) {
+        sheet.blend = sheet_viewing.blend.value_or(comparison.blend);
+        sheet.heading = latin1(blend_heading(first_title, second_title, *sheet.blend));
+    } else {
+        sheet.wipe = sheet_viewing.wipe.value_or(comparison.wipe);
+        sheet.line_width = std::max(1.0F, std::round(1.5F * viewing.pixel_ratio));
+        sheet.heading = latin1(wipe_heading(first_title, second_title, *sheet.wipe));
+    }
+    sheet.heading_top = sheet_viewing.heading_top + static_cast<int>(std::lround(8.0F * viewing.pixel_ratio));
+    // Overlays of a mixed picture belong to both.
+    render::Overlays& first = sheet.viewports[0].frame.overlays;
+    render::Overlays& second = sheet.viewports[1].frame.overlays;
+    (with_legend == 0 ? second : first).legend = sheet.viewports[with_legend].frame.overlays.legend;
+}
+
 } // namespace
 
 std::vector<Viewport> viewports_of(const Session& session, glm::ivec2 size, float pixel_ratio) {
@@ -206,22 +225,8 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
         }
         sheet.viewports.push_back({viewports[i].at, std::move(frame), viewports[i].has_branches, std::move(slice)});
     }
-    if (mixes(comparison.mode) && assets.tree) {
-        const std::string &first_title = viewports[0].title, &second_title = viewports[1].title;
-        if (comparison.mode == Comparison::Mode::kBlend) {
-            sheet.blend = sheet_viewing.blend.value_or(comparison.blend);
-            sheet.heading = latin1(blend_heading(first_title, second_title, *sheet.blend));
-        } else {
-            sheet.wipe = sheet_viewing.wipe.value_or(comparison.wipe);
-            sheet.line_width = std::max(1.0F, std::round(1.5F * viewing.pixel_ratio));
-            sheet.heading = latin1(wipe_heading(first_title, second_title, *sheet.wipe));
-        }
-        sheet.heading_top = sheet_viewing.heading_top + static_cast<int>(std::lround(8.0F * viewing.pixel_ratio));
-        // Overlays of a mixed picture belong to both.
-        render::Overlays& first = sheet.viewports[0].frame.overlays;
-        render::Overlays& second = sheet.viewports[1].frame.overlays;
-        (with_legend == 0 ? second : first).legend = sheet.viewports[with_legend].frame.overlays.legend;
-    }
+    if (mixes(comparison.mode) && assets.tree)
+        mix(sheet, viewports, with_legend, marks.comparison, viewing, sheet_viewing);
     return sheet;
 }
 

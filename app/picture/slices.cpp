@@ -24,7 +24,7 @@ std::shared_ptr<const ScanFile> first_scan(const Marks& marks, const Assets& ass
     std::shared_ptr<const ScanFile> found;
     for (const Scan& scan : marks.scans) {
         if (!scan.visible || (found && scan.labels)) continue;
-        const auto file = assets.scan(scan);
+        auto file = assets.scan(scan);
         if (!file) continue;
         if (!scan.labels) return file;
         found = file;

@@ -50,8 +50,7 @@ bool encloses(const Outline& outline, const glm::dvec2& at) {
 Outline convex_hull(Outline points) {
     // Andrew's monotone chain.
     std::ranges::sort(points, {}, [](const glm::dvec2& p) { return std::pair(p.x, p.y); });
-    const auto repeated = std::ranges::unique(points);
-    points.erase(repeated.begin(), repeated.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
     if (points.size() < 3) return points;
     Outline hull;
     const auto take = [&](const glm::dvec2& point, std::size_t least) {

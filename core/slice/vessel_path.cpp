@@ -187,7 +187,7 @@ std::vector<PathPart> parts_of(const tree::VesselTree& tree, const measure::Path
 bool VesselPath::uses(int branch) const { return std::ranges::find(parts, branch, &PathPart::branch) != parts.end(); }
 
 std::size_t VesselPath::nearest(double arc_mm) const {
-    return std::min(static_cast<std::size_t>(std::max(arc_mm / step_mm, 0.0) + 0.5), samples.size() - 1);
+    return std::min(static_cast<std::size_t>(std::lround(std::max(arc_mm / step_mm, 0.0))), samples.size() - 1);
 }
 
 PathSample VesselPath::at(double arc_mm) const {

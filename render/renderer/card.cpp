@@ -39,6 +39,19 @@ void Passes::begin(const ViewSetup& view) const {
     send(view);
 }
 
+InParts<std::uint64_t> Passes::draw_caps(const Subject& subject, ViewTargets& targets) {
+    targets.make_caps();
+    InParts<std::uint64_t> context_caps = context.draw_caps(subject, targets.view, targets.samples);
+    while (context_caps.resume()) co_await kPartEnds;
+    std::uint64_t triangles = context_caps.result();
+    if (subject.has_mesh()) {
+        InParts<std::uint64_t> caps = surface.draw_caps(subject, targets.view, targets.samples);
+        while (caps.resume()) co_await kPartEnds;
+        triangles += caps.result();
+    }
+    co_return triangles;
+}
+
 InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& targets, bool moving) {
     const Frame& frame = subject.frame;
     SceneOnCard& scene = subject.scene;
@@ -79,17 +92,10 @@ InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& t
     }
 
     if (view.cap_values) {
-        targets.make_caps();
-        InParts<std::uint64_t> context_caps = context.draw_caps(subject, view, targets.samples);
-        while (context_caps.resume()) co_await kPartEnds;
-        triangles += context_caps.result();
-        if (subject.has_mesh()) {
-            InParts<std::uint64_t> caps = surface.draw_caps(subject, view, targets.samples);
-            while (caps.resume()) co_await kPartEnds;
-            triangles += caps.result();
-        }
+        InParts<std::uint64_t> caps = draw_caps(subject, targets);
+        while (caps.resume()) co_await kPartEnds;
+        triangles += caps.result();
     }
-
     if (!targets.has_glass) {
         co_await kPartEnds;
         resolve.draw(ResolvePass::What::kOpaque, targets, {0, view.size.y});

@@ -182,8 +182,7 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
         return done;
     }
     if (plan == Plan::kCast) {
-        done.cones = cast(subject);
-        done.geometry = true;
+        done.cones = cast(subject), done.geometry = true;
         state_.cast();
         in_cast_ = next_pick_source(frame, card_.targets.view);
     } else if (plan != Plan::kShow) {

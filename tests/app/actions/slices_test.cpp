@@ -132,8 +132,9 @@ TEST_CASE("the parts of a layout fill the picture, and a slice shows all of its 
     SliceStage stage;
     stage.good("scan " + stage.file.string());
     Session session = stage.document.session();
-    for (const auto& [layout, name] : kSliceLayouts)
+    for (const auto& [layout, known] : kSliceLayouts)
         for (const glm::ivec2 size : {glm::ivec2(801, 600), glm::ivec2(500, 900), glm::ivec2(3, 3)}) {
+            const std::string_view name = known;
             CAPTURE(name);
             session.slices.layout = layout;
             const std::vector<Viewport> parts = viewports_of(session, size, 1.0F);

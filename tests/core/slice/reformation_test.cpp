@@ -189,7 +189,8 @@ TEST_CASE("there are no walls where the axis is outside of the surface, by loops
 
 TEST_CASE("pixels lead to places and back") {
     const auto path = spiral_path(0.5);
-    for (const auto& [kind, name] : slice::kReformations) {
+    for (const auto& [kind, known] : slice::kReformations) {
+        const std::string_view name = known;
         CAPTURE(name);
         CHECK(slice::reformation_named(name) == kind);
         const Reformation picture = slice::reformation_along(path, kind, 20.0, 15.0);
