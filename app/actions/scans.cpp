@@ -133,18 +133,16 @@ std::vector<Command> scan_commands() {
                 "Sets the values of scan N (the first in grey) from black to white: by width and level, or by name.",
                 window)
             .when(has_scans)};
-    constexpr std::array<std::array<const char*, 2>, 6> kMenu{{{"auto", "Automatic"},
-                                                               {"abdomen", "CT abdomen"},
-                                                               {"liver", "CT liver"},
-                                                               {"lung", "CT lung"},
-                                                               {"bone", "CT bone"},
-                                                               {"angiography", "CT angiography"}}};
-    for (const auto& [name, label] : kMenu)
+    const auto add_entry = [&](const std::string& name, const std::string& label) {
         commands.push_back(Command("window", "WIDTH,LEVEL|NAME [N]", "Window and level of the scan.", window)
                                .in_menu("Slices", label)
                                .in_submenu("Window")
                                .giving({name})
                                .when(has_scans));
+    };
+    add_entry("auto", "Automatic");
+    for (const slice::WindowPreset& preset : slice::kWindowPresets)
+        add_entry(std::string(preset.name), "CT " + std::string(preset.name));
     return commands;
 }
 

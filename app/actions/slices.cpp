@@ -20,13 +20,9 @@ using slice::Direction;
 
 constexpr double kFarthest = 1e6; // mm
 
-// Changes the views by change(views), which may fail.
 template <class Change> Result<void> edit_views(ActionContext& context, const Change& change) {
     SliceViews views = context.document.session().slices;
-    if constexpr (std::is_void_v<decltype(change(views))>)
-        change(views);
-    else if (auto changed = change(views); !changed)
-        return changed;
+    change(views);
     context.document.set_slices(views);
     return {};
 }

@@ -111,14 +111,11 @@ std::optional<Error> Assets::trouble(const Scan& scan) const {
 
 tree::Claims Assets::claims_of(const SceneObjects& objects) const {
     tree::Claims claims;
-    const auto join = [&](const tree::Claims& other) {
-        claims.unit = std::max(claims.unit, other.unit);
-        claims.orientation = std::max(claims.orientation, other.orientation);
-    };
     for (const ContextItem& item : objects.context)
-        if (const auto shape = item.visible ? context_shape(source_of(item)) : nullptr) join(shape->claims);
+        if (const auto shape = item.visible ? context_shape(source_of(item)) : nullptr)
+            claims = claims.with(shape->claims);
     for (const Scan& scan : objects.scans)
-        if (const auto file = scan.visible ? this->scan(scan) : nullptr) join(file->claims);
+        if (const auto file = scan.visible ? this->scan(scan) : nullptr) claims = claims.with(file->claims);
     return claims;
 }
 

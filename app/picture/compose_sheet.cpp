@@ -196,9 +196,15 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
         own.size = viewports[i].size;
         own.method = row_of(viewports[i].surface).method;
         const auto& plan = viewports[i].plan;
-        render::Frame frame = plan && plan != marks.plans.place
-                                  ? compose_plan(session, assets, surfaces.of(viewports[i].surface), own, *plan)
-                                  : compose(session, assets, surfaces.of(viewports[i].surface), own);
+        const auto composed = [&] {
+            // All slices cut the frame of the tree, which comes first.
+            if (viewports[i].slice && i > 0) return sheet.viewports.front().frame;
+            return plan && plan != marks.plans.place
+                       ? compose_plan(session, assets, surfaces.of(viewports[i].surface), own, *plan)
+                       : compose(session, assets, surfaces.of(viewports[i].surface), own);
+        };
+        render::Frame frame = composed();
+        frame.size = own.size;
         if (!viewports[i].has_branches) take_branches_away(frame);
         // In its own colour it could be mistaken for a system of that colour.
         const bool systems = assets.tree && !assets.tree->systems.empty();

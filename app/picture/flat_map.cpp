@@ -76,7 +76,7 @@ std::optional<FlatMap> flat_map_of(const Operation& operation, std::size_t resec
     const Axes axes = axes_of(shape);
     FlatMap map;
     const Rgb beyond = Resection{}.colour;
-    add_bands(map, operation.surfaces[resection], of, axes, glm::vec3(beyond[0], beyond[1], beyond[2]) / 255.0F);
+    add_bands(map, operation.surfaces[resection], of, axes, srgb_of(beyond));
     map.sides = {side_of(-axes.right), side_of(axes.right), side_of(-axes.up), side_of(axes.up)};
     const tree::VesselTree& tree = *of.supply->of.tree;
     const Systems& systems = systems_of(tree, marks);

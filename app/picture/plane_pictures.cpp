@@ -16,9 +16,8 @@ constexpr double kMostPixels = 480.0;
 slice::PixelGrid plane_grid(const Session& session, const Assets& assets, slice::Direction direction) {
     const slice::Axes axes = axes_of(session.slices, direction);
     const glm::dvec3 at = crosshair_of(session, assets);
-    Session whole = session;
-    whole.slices.zooms[slice_index(direction)] = {};
-    const slice::PixelGrid fitted = grid_of(whole, assets, direction, glm::ivec2(static_cast<int>(kMostPixels)));
+    const slice::PixelGrid fitted =
+        zoomed_grid(session, assets, direction, glm::ivec2(static_cast<int>(kMostPixels)), {});
     const auto volume = first_volume(session, assets);
     if (!volume) return fitted;
     return slice::grid_covering(*volume, axes, at,

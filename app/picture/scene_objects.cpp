@@ -22,10 +22,6 @@ namespace {
 
 constexpr double kMarkReach = 7.0; // points by which the pointer may miss a pin or a line
 
-glm::vec3 colour_of(const SceneObject auto& object) {
-    return glm::vec3(object.colour[0], object.colour[1], object.colour[2]) / 255.0F;
-}
-
 // A hidden sphere stays in the frame, since margins are measured from it; its opacity is 0.
 void draw_object(const SceneDrawing& drawing, const Lesion& lesion) {
     if (drawing.assets.plan == nullptr) return;
@@ -36,14 +32,14 @@ void draw_object(const SceneDrawing& drawing, const Lesion& lesion) {
         lesions.meshes.emplace_back(mesh, &mesh->mesh);
     else
         lesions.spheres.emplace_back(lesion.sphere[0], lesion.sphere[1], lesion.sphere[2], lesion.sphere[3]);
-    lesions.looks.push_back({colour_of(lesion), lesion.visible ? static_cast<float>(lesion.opacity) : 0.0F});
+    lesions.looks.push_back({srgb_of(lesion.colour), lesion.visible ? static_cast<float>(lesion.opacity) : 0.0F});
 }
 
 void draw_object(const SceneDrawing& drawing, const ContextItem& item) {
     const auto shape = drawing.assets.context_shape(source_of(item));
     if (!shape) return;
     drawing.frame.context.push_back(
-        {shape->mesh, shape->preview, colour_of(item), static_cast<float>(item.opacity), item.wireframe});
+        {shape->mesh, shape->preview, srgb_of(item.colour), static_cast<float>(item.opacity), item.wireframe});
 }
 
 // Draws lines, end marks and the label; nothing if the measurement failed.
@@ -54,7 +50,7 @@ void draw_object(const SceneDrawing& drawing, const Measurement& measurement) {
     // The distance from an axis to the wall in front of it is rarely larger.
     constexpr double kRadii = 2.0;
     const Measured& measured = **found;
-    const glm::vec3 colour = colour_of(measurement);
+    const glm::vec3 colour = srgb_of(measurement.colour);
     for (const auto& line : measured.lines)
         frame.lines.push_back({.points = line, .colour = colour, .inside_mm = kRadii * measured.inside_mm});
     for (const glm::dvec3& end : measured.ends) {
@@ -66,7 +62,7 @@ void draw_object(const SceneDrawing& drawing, const Measurement& measurement) {
 
 // Draws a ring around the place and the first words of the text.
 void draw_object(const SceneDrawing& drawing, const Pin& pin) {
-    const glm::vec3 colour = colour_of(pin);
+    const glm::vec3 colour = srgb_of(pin.colour);
     drawing.frame.lines.push_back(ring_facing_eye(drawing.frame, pin.at, 0.0, colour, false));
     drawing.frame.lines.push_back(dot_at(drawing.frame, pin.at, colour));
     if (!pin.name.empty()) drawing.frame.labels.push_back({pin.at, latin1(shortened(pin.name))});
@@ -76,7 +72,8 @@ void draw_object(const SceneDrawing& drawing, const Pin& pin) {
 void draw_object(const SceneDrawing& drawing, const Resection& resection) {
     const Operation::Parts* parts = surface_of(drawing.assets, resection);
     for (std::size_t n = 0; parts != nullptr && n < parts->size(); ++n) {
-        const glm::vec3 colour = n + 1 < parts->size() ? margin_colour(n, parts->size() - 1) : colour_of(resection);
+        const glm::vec3 colour =
+            n + 1 < parts->size() ? margin_colour(n, parts->size() - 1) : srgb_of(resection.colour);
         if (!(*parts)[n]->triangles.empty())
             drawing.frame.context.push_back(
                 {(*parts)[n], nullptr, colour, static_cast<float>(resection.opacity), false});

@@ -48,9 +48,8 @@ Bounds<glm::dvec3> bounds_of(const Session& session, const Assets& assets) {
 glm::vec3 colour_of_label(const volume::Volume& mask, const Scan& scan, std::size_t index, std::int32_t label,
                           std::size_t count) {
     const volume::LabelName* name = volume::name_of_label(mask, label);
-    if (name != nullptr && name->colour)
-        return glm::vec3((*name->colour)[0], (*name->colour)[1], (*name->colour)[2]) / 255.0F;
-    if (count == 1) return glm::vec3(scan.colour[0], scan.colour[1], scan.colour[2]) / 255.0F;
+    if (name != nullptr && name->colour) return srgb_of(*name->colour);
+    if (count == 1) return srgb_of(scan.colour);
     return label_colour(index);
 }
 
@@ -95,13 +94,17 @@ slice::Plane plane_of(const Session& session, const Assets& assets, slice::Direc
 }
 
 slice::PixelGrid grid_of(const Session& session, const Assets& assets, slice::Direction direction, glm::ivec2 size) {
+    return zoomed_grid(session, assets, direction, size, session.slices.zooms[slice_index(direction)]);
+}
+
+slice::PixelGrid zoomed_grid(const Session& session, const Assets& assets, slice::Direction direction, glm::ivec2 size,
+                             const SliceZoom& zoom) {
     const slice::Axes axes = axes_of(session.slices, direction);
     const Bounds<glm::dvec3> bounds = bounds_of(session, assets);
     const glm::dvec3 middle = 0.5 * (bounds.least + bounds.most);
     const glm::dvec3 half = 0.5 * bounds.size();
     const double across = 2.0 * glm::dot(glm::abs(axes.right), half);
     const double high = 2.0 * glm::dot(glm::abs(axes.down), half);
-    const SliceZoom& zoom = session.slices.zooms[slice_index(direction)];
     const double mm_per_pixel = std::max(across / size.x, high / size.y) / zoom.factor;
     const glm::dvec3 normal = axes.to_viewer();
     const glm::dvec3 at = crosshair_of(session, assets);
@@ -148,12 +151,8 @@ std::string words_of_scan(const ScanFile& file, const Lengths& lengths) {
 }
 
 tree::Claims slice_claims(const Session& session, const Assets& assets) {
-    tree::Claims claims = assets.claims_of(session.marks);
-    if (assets.tree) {
-        claims.unit = std::max(claims.unit, assets.tree->claims.unit);
-        claims.orientation = std::max(claims.orientation, assets.tree->claims.orientation);
-    }
-    return claims;
+    const tree::Claims claims = assets.claims_of(session.marks);
+    return assets.tree ? claims.with(assets.tree->claims) : claims;
 }
 
 namespace {

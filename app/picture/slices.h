@@ -25,6 +25,9 @@ struct ScanFile; // app/assets/scans.h
 [[nodiscard]] slice::PixelGrid grid_of(const Session& session, const Assets& assets, slice::Direction direction,
                                        glm::ivec2 size);
 
+[[nodiscard]] slice::PixelGrid zoomed_grid(const Session& session, const Assets& assets, slice::Direction direction,
+                                           glm::ivec2 size, const SliceZoom& zoom);
+
 // The step from slice to slice: the smallest spacing of the first scan's voxels along the normal; 1 mm without a scan.
 [[nodiscard]] double step_mm(const Session& session, const Assets& assets, slice::Direction direction);
 

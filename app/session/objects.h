@@ -25,6 +25,10 @@ inline constexpr int kNoObject = 0;    // no object
 inline constexpr int kLostObject = -1; // an object that a session file refers to but does not contain
 
 using Rgb = std::array<std::uint8_t, 3>; // sRGB
+// The same from 0 to 1.
+[[nodiscard]] inline glm::vec3 srgb_of(const Rgb& colour) {
+    return glm::vec3(colour[0], colour[1], colour[2]) / 255.0F;
+}
 
 // A sphere, a closed mesh from a file, or a part of a mask.
 struct Lesion {

@@ -9,10 +9,7 @@ namespace ramus::app {
 
 std::string_view name_of(TerritoriesOf of) { return *paired(kTerritoriesOf, of); }
 
-std::optional<TerritoriesOf> territories_named(std::string_view name) {
-    const auto found = std::ranges::find(kTerritoriesOf, name, [](const auto& row) { return row.second; });
-    return found == kTerritoriesOf.end() ? std::nullopt : std::optional(found->first);
-}
+std::optional<TerritoriesOf> territories_named(std::string_view name) { return paired_with(kTerritoriesOf, name); }
 
 std::optional<double> standard_liver_ml(double weight_kg, double height_cm) {
     if (weight_kg <= 0.0 || height_cm <= 0.0) return {};

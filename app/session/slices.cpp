@@ -1,16 +1,14 @@
 #include "app/session/slices.h"
 
+#include "core/base/words.h"
+
 #include <algorithm>
 
 namespace ramus::app {
 
 std::string_view name_of(SliceLayout layout) { return kSliceLayouts[static_cast<std::size_t>(layout)].second; }
 
-std::optional<SliceLayout> layout_named(std::string_view name) {
-    for (const auto& [layout, known] : kSliceLayouts)
-        if (known == name) return layout;
-    return {};
-}
+std::optional<SliceLayout> layout_named(std::string_view name) { return paired_with(kSliceLayouts, name); }
 
 std::vector<slice::Direction> slices_of(SliceLayout layout) {
     switch (layout) {

@@ -47,7 +47,7 @@ glm::vec3 shown_colour(const Systems& systems, int system) {
     const auto index = static_cast<std::size_t>(system);
     const auto& colour = systems[index].colour;
     if (colour == std::array<std::uint8_t, 3>{}) return kOthers[index % kOthers.size()];
-    return glm::vec3(colour[0], colour[1], colour[2]) / 255.0F;
+    return srgb_of(colour);
 }
 
 Result<int> find_system(const Systems& systems, std::string_view word) {

@@ -41,6 +41,12 @@ template <class Table, class First> [[nodiscard]] auto paired(const Table& table
     return found == std::end(table) ? std::nullopt : std::optional(found->second);
 }
 
+// The first member of the pair in `table` whose second member is `second`. None: there is no such pair.
+template <class Table, class Second> [[nodiscard]] auto paired_with(const Table& table, const Second& second) {
+    const auto found = std::ranges::find_if(table, [&](const auto& pair) { return pair.second == second; });
+    return found == std::end(table) ? std::nullopt : std::optional(found->first);
+}
+
 // Splits at commas. At least one part; parts may be empty.
 [[nodiscard]] inline std::vector<std::string_view> parts_of(std::string_view text) {
     std::vector<std::string_view> parts;

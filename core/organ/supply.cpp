@@ -1,6 +1,7 @@
 #include "core/organ/supply.h"
 
 #include "core/base/bounds.h"
+#include "core/base/words.h"
 #include "core/measure/amount.h"
 
 #include <algorithm>
@@ -209,10 +210,7 @@ std::string_view name_of(Rule rule) {
     return std::ranges::find(kRules, rule, &std::pair<Rule, std::string_view>::first)->second;
 }
 
-std::optional<Rule> rule_named(std::string_view name) {
-    const auto* found = std::ranges::find(kRules, name, &std::pair<Rule, std::string_view>::second);
-    return found == kRules.end() ? std::nullopt : std::optional(found->first);
-}
+std::optional<Rule> rule_named(std::string_view name) { return paired_with(kRules, name); }
 
 Result<Supply> supply_of(const Organ& organ, const tree::VesselTree& tree, const SupplyOptions& options,
                          std::span<const std::uint8_t> excluded, const JobRange& job) {

@@ -1,5 +1,7 @@
 #include "core/slice/pixel_grid.h"
 
+#include "core/base/words.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/mat4x4.hpp>
@@ -24,11 +26,7 @@ void for_corners(const volume::Volume& volume, const glm::dvec3& first, const gl
 
 std::string_view name_of(Direction direction) { return kDirections[static_cast<std::size_t>(direction)].second; }
 
-std::optional<Direction> direction_named(std::string_view name) {
-    for (const auto& [direction, known] : kDirections)
-        if (known == name) return direction;
-    return {};
-}
+std::optional<Direction> direction_named(std::string_view name) { return paired_with(kDirections, name); }
 
 Axes axes_of(Direction direction) {
     switch (direction) {

@@ -1,6 +1,7 @@
 #include "core/slice/reformation.h"
 
 #include "core/base/infinity.h"
+#include "core/base/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,11 +87,7 @@ Reformation stretched(const VesselPath& path, double angle_deg, double width_mm)
 
 std::string_view name_of(ReformationKind kind) { return kReformations[static_cast<std::size_t>(kind)].second; }
 
-std::optional<ReformationKind> reformation_named(std::string_view name) {
-    for (const auto& [kind, known] : kReformations)
-        if (known == name) return kind;
-    return {};
-}
+std::optional<ReformationKind> reformation_named(std::string_view name) { return paired_with(kReformations, name); }
 
 Reformation reformation_along(const VesselPath& path, ReformationKind kind, double angle_deg, double width_mm) {
     return kind == ReformationKind::kStretched ? stretched(path, angle_deg, width_mm)

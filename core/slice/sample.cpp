@@ -1,5 +1,7 @@
 #include "core/slice/sample.h"
 
+#include "core/base/words.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -54,8 +56,6 @@ public:
     Sampler(const Values& values, const glm::ivec3& size)
         : values_(values), size_(size), most_(glm::dvec3(size - 1)), row_(size.x),
           slice_(static_cast<std::ptrdiff_t>(size.x) * size.y) {}
-
-    [[nodiscard]] const glm::ivec3& size() const { return size_; }
 
     [[nodiscard]] float nearest(const glm::dvec3& index) const {
         const glm::dvec3 on = glm::clamp(index, glm::dvec3(0.0), most_) + 0.5; // not negative: truncation rounds down
@@ -169,29 +169,25 @@ SlabPlanes planes_of(const volume::Volume& volume, const PixelGrid& grid, double
 
 std::string_view name_of(Slab slab) { return kSlabs[static_cast<std::size_t>(slab)].second; }
 
-std::optional<Slab> slab_named(std::string_view name) {
-    for (const auto& [slab, known] : kSlabs)
-        if (known == name) return slab;
-    return {};
-}
+std::optional<Slab> slab_named(std::string_view name) { return paired_with(kSlabs, name); }
 
 std::vector<float> sampled(const volume::Volume& volume, const PixelGrid& grid, const Sampling& sampling) {
     const IndexGrid indices = in_indices(volume, grid);
     std::vector<float> values(static_cast<std::size_t>(grid.size.x) * static_cast<std::size_t>(grid.size.y), kOutside);
     const SlabPlanes planes = planes_of(volume, grid, sampling.slab_mm);
-    const auto fill = [&](const glm::ivec3& size, const auto& read) {
+    const auto fill = [&](const auto& read) {
         if (planes.aside > 0)
-            sample_slab(indices, planes, sampling.slab, size, read, values.data());
+            sample_slab(indices, planes, sampling.slab, volume.size, read, values.data());
         else
-            sample_plane(indices, size, read, values.data());
+            sample_plane(indices, volume.size, read, values.data());
     };
     std::visit(
         [&](const auto& voxels) {
             const Sampler sampler(voxels, volume.size);
             if (sampling.interpolation == Interpolation::kNearest)
-                fill(volume.size, [&](const glm::dvec3& index) { return sampler.nearest(index); });
+                fill([&](const glm::dvec3& index) { return sampler.nearest(index); });
             else
-                fill(volume.size, [&](const glm::dvec3& index) { return sampler.linear(index); });
+                fill([&](const glm::dvec3& index) { return sampler.linear(index); });
         },
         volume.voxels);
     return values;

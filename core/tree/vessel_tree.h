@@ -10,6 +10,7 @@
 
 #include "core/tree/data_array.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/mat3x3.hpp>
@@ -73,6 +74,10 @@ struct Claims {
     [[nodiscard]] bool has_unit() const { return unit != SaidBy::kNobody; }
     [[nodiscard]] bool has_sides() const { return orientation != SaidBy::kNobody; }
     [[nodiscard]] bool complete() const { return has_unit() && has_sides(); }
+    // What both state together: each claim of the weaker source.
+    [[nodiscard]] Claims with(const Claims& other) const {
+        return {std::max(unit, other.unit), std::max(orientation, other.orientation)};
+    }
     // The words in files: "mm" and "RAS", or kNotSaid.
     [[nodiscard]] std::string_view unit_word() const;
     [[nodiscard]] std::string_view axes_word() const;

@@ -1,17 +1,15 @@
 #include "render/renderer/slice_screen.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace ramus::render {
 
 bool SliceScreen::draw(const Frame& frame, const SliceView& view) {
-    Source source{section_source(frame), view};
-    if (drawn_ && *drawn_ == source) return false;
+    if (drawn_ && drawn_->view == view && same_section(drawn_->frame, frame)) return false;
     image_ = painter_.paint(frame, view);
     if (picture_.size != view.grid.size) picture_.make(view.grid.size);
     picture_.put(image_);
-    drawn_ = std::move(source);
+    drawn_ = Drawn{section_source(frame), view};
     return true;
 }
 

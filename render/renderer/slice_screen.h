@@ -25,12 +25,11 @@ public:
 
 private:
     // What determines the picture: the parts of the frame that a section shows.
-    struct Source {
+    struct Drawn {
         Frame frame;
         SliceView view;
-        bool operator==(const Source&) const = default;
     };
-    std::optional<Source> drawn_;
+    std::optional<Drawn> drawn_;
     SlicePainter painter_;
     Image image_;
     PictureTarget picture_;

@@ -96,8 +96,8 @@ struct ViewTargets {
     // Allocates targets for `view.size` pixels. Throws OutOfGraphicsMemory.
     void make(int samples_a_pixel);
     void make_values(); // unless they exist
-    void make_sliced(); // likewise
-    void make_caps();   // likewise
+    void make_sliced(); // unless they exist
+    void make_caps();   // unless they exist
     [[nodiscard]] const LitTarget& picture() const { return has_planes ? sliced.lit : lit; }
     // Of the nearest plane or opaque surface, mm.
     [[nodiscard]] GLuint seen_depth() const { return has_planes ? sliced.depth : resolved.opaque_depth; }

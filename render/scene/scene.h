@@ -78,8 +78,8 @@ struct ContextMesh {
     std::shared_ptr<const mesh::TriangleMesh> mesh;    // with or without normals, closed or open; null: nothing
     std::shared_ptr<const mesh::TriangleMesh> preview; // the same with fewer triangles, for kInteractive; may be null
     glm::vec3 colour{0.8F};
-    float opacity = 0.3F;   // where it faces the eye, higher towards its outline; 0: invisible, 1: opaque
-    bool wireframe = false; // draws the edges of triangles instead of the surface
+    float opacity = 0.3F;          // where it faces the eye, higher towards its outline; 0: invisible, 1: opaque
+    bool wireframe = false;        // draws the edges of triangles instead of the surface
     bool filled_on_slices = false; // slices tint its inside, as for territories
     bool operator==(const ContextMesh&) const = default;
     [[nodiscard]] bool shown() const { return mesh != nullptr && opacity > 0.0F; }

@@ -1,5 +1,6 @@
 #include "render/scene/seen_plane.h"
 
+#include "core/base/across.h"
 #include "render/image/image.h"
 
 #include <algorithm>
@@ -175,11 +176,11 @@ std::optional<glm::vec4> cap_values_of(const CutAway& cut, const Camera& camera,
     const glm::dvec3 to_viewer =
         camera.orthographic ? -axes_of(camera).forward : glm::normalize(camera.position - cut.point);
     if (!(glm::dot(cut.normal, to_viewer) > 1e-9)) return {};
-    const glm::dvec3 aside = std::abs(cut.normal.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
     ScanPlane plane;
     plane.corner = cut.point;
-    plane.right = glm::normalize(glm::cross(cut.normal, aside));
-    plane.down = glm::cross(cut.normal, plane.right);
+    const auto [right, down] = axes_across(cut.normal);
+    plane.right = right;
+    plane.down = down;
     const SeenPlane seen = SeenPlane::of(plane, eye_of(camera), sight_of(view));
     if (seen.inverse == glm::dvec3(0.0)) return {};
     const glm::dvec3 values = values_of(seen, view, 0.0);

@@ -1,6 +1,7 @@
 #include "render/slice/frame_section.h"
 
 #include "core/base/lines.h"
+#include "core/slice/plane_shape.h"
 #include "render/slice/branch_ink.h"
 
 #include <algorithm>
@@ -118,20 +119,17 @@ int branch_at(const FrameSection& section, const slice::PixelGrid& grid, const g
     for (const VesselLoop& loop : section.vessels) {
         double own_nearest = HUGE_VAL;
         int own = kNoBranch;
-        bool is_inside = false;
-        const std::size_t count = loop.points.size();
+        slice::Outline outline;
+        outline.reserve(loop.points.size());
+        for (const glm::dvec3& point : loop.points) outline.push_back(grid.pixel(point));
+        const std::size_t count = outline.size();
         for (std::size_t n = 0; n + (loop.closed ? 0 : 1) < count; ++n) {
-            const glm::dvec2 a = grid.pixel(loop.points[n]);
-            const glm::dvec2 b = grid.pixel(loop.points[(n + 1) % count]);
-            if (const double away = distance_to_line(pixel, a, b); away < own_nearest)
-                own_nearest = away, own = loop.branches[n];
-            // Counts the edges to the right of the pixel.
-            if ((a.y > pixel.y) != (b.y > pixel.y) && a.x + (pixel.y - a.y) / (b.y - a.y) * (b.x - a.x) > pixel.x)
-                is_inside = !is_inside;
+            const double away = distance_to_line(pixel, outline[n], outline[(n + 1) % count]);
+            if (away < own_nearest) own_nearest = away, own = loop.branches[n];
         }
         if (own == kNoBranch) continue;
         if (own_nearest <= nearest) nearest = own_nearest, found = own;
-        if (loop.closed && is_inside && own_nearest < around) around = own_nearest, inside = own;
+        if (loop.closed && own_nearest < around && slice::encloses(outline, pixel)) around = own_nearest, inside = own;
     }
     return found != kNoBranch ? found : inside;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
+#include <tuple>
 
 namespace ramus::render {
 
@@ -42,22 +43,22 @@ void tint(std::uint8_t* pixel, const glm::vec3& colour, float opacity) {
 
 } // namespace
 
+namespace {
+
+template <class AnyFrame> auto section_parts(AnyFrame& frame) {
+    return std::tie(frame.mesh, frame.states, frame.colours, frame.centerlines, frame.scale, frame.lesions,
+                    frame.context, frame.margins, frame.lost, frame.hovered, frame.selected, frame.appearance);
+}
+
+} // namespace
+
 Frame section_source(const Frame& frame) {
     Frame source;
-    source.mesh = frame.mesh;
-    source.states = frame.states;
-    source.colours = frame.colours;
-    source.centerlines = frame.centerlines;
-    source.scale = frame.scale;
-    source.lesions = frame.lesions;
-    source.context = frame.context;
-    source.margins = frame.margins;
-    source.lost = frame.lost;
-    source.hovered = frame.hovered;
-    source.selected = frame.selected;
-    source.appearance = frame.appearance;
+    section_parts(source) = section_parts(frame);
     return source;
 }
+
+bool same_section(const Frame& a, const Frame& b) { return section_parts(a) == section_parts(b); }
 
 Camera camera_of(const slice::PixelGrid& grid) {
     Camera camera;
@@ -101,11 +102,10 @@ void SlicePainter::paint_scans(const SliceView& view, Image& image) const {
 }
 
 void SlicePainter::cut(const Frame& frame, const SliceView& view) {
-    Frame source = section_source(frame);
     const slice::Plane plane = view.grid.plane();
-    if (cut_drawn_ && plane == cut_at_ && source == cut_of_) return;
-    section_ = cutter_.section(source, plane);
-    cut_of_ = std::move(source);
+    if (cut_drawn_ && plane == cut_at_ && same_section(frame, cut_of_)) return;
+    section_ = cutter_.section(frame, plane);
+    cut_of_ = section_source(frame);
     cut_at_ = plane;
     cut_drawn_ = true;
 }

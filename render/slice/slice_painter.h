@@ -16,6 +16,8 @@ namespace ramus::render {
 
 // The parts of a frame that determine its section; the rest is the default.
 [[nodiscard]] Frame section_source(const Frame& frame);
+// Whether two frames are equal in these parts.
+[[nodiscard]] bool same_section(const Frame& a, const Frame& b);
 
 class SlicePainter {
 public:

@@ -44,7 +44,8 @@ TEST_CASE("invalid pins and unknown objects are refused") {
     CHECK(stage.bad("object-hide lesion 1").find("no lesion") != std::string::npos);
     stage.good("pin 1,2,3 here");
     CHECK(stage.bad("object-hide pin 2").find("from 1 to 1") != std::string::npos);
-    CHECK(stage.bad("object-hide thing 1").find("lesion|context|measurement|pin|resection|scan N") != std::string::npos);
+    CHECK(stage.bad("object-hide thing 1").find("lesion|context|measurement|pin|resection|scan N") !=
+          std::string::npos);
     CHECK(stage.bad("object-name pin 1").find("name") != std::string::npos);
 }
 
