@@ -97,9 +97,13 @@ void Viewer::lay_out() {
 void Viewer::lay_out_viewports() {
     Layout& layout = state_.layout;
     layout.viewports_at.clear();
+    layout.slices_at.clear();
     layout.current_plan_in.reset();
     for (const Viewport& viewport : state_.viewports()) {
-        if (viewport.slice) continue;
+        if (viewport.slice) {
+            layout.slices_at.push_back({*viewport.slice, viewport.at, viewport.size});
+            continue;
+        }
         if (viewport.plan == state_.workspace.document().marks().plans.place)
             layout.current_plan_in = layout.viewports_at.size();
         layout.viewports_at.push_back(viewport.at);

@@ -90,6 +90,33 @@ void add_circle(const glm::dvec4& sphere, const slice::Plane& plane, const Secti
 
 } // namespace
 
+namespace {
+
+// Finds triangles that are certainly on one side of a plane, in single precision: nearly all of those in a page.
+class PlaneSieve {
+public:
+    PlaneSieve(const PagedMesh& mesh, const TrianglePage& page, const slice::Plane& plane)
+        : normal_(plane.normal), level_(static_cast<float>(-plane.height(mesh.origin()))) {
+        const glm::vec3 reach = glm::max(glm::abs(page.lower), glm::abs(page.upper));
+        constexpr float kRounding = 1e-6F; // of a sum of three products, with room to spare
+        slack_ = kRounding * (reach.x + reach.y + reach.z + std::abs(level_));
+    }
+    [[nodiscard]] bool may_cross(const PagedMesh& mesh, const glm::uvec3& triangle) const {
+        const float a = height(mesh, triangle.x), b = height(mesh, triangle.y), c = height(mesh, triangle.z);
+        return std::min({a, b, c}) <= slack_ && std::max({a, b, c}) >= -slack_;
+    }
+
+private:
+    [[nodiscard]] float height(const PagedMesh& mesh, std::uint32_t vertex) const {
+        return glm::dot(normal_, mesh.vertex(vertex).position) - level_;
+    }
+    glm::vec3 normal_;
+    float level_;
+    float slack_;
+};
+
+} // namespace
+
 std::vector<slice::Loop> section_of(const PagedMesh& mesh, const slice::Plane& plane) {
     std::vector<std::size_t> crossed;
     const auto& pages = mesh.triangle_pages();
@@ -102,13 +129,17 @@ std::vector<slice::Loop> section_of(const PagedMesh& mesh, const slice::Plane& p
     std::vector<std::vector<slice::CutTriangle>> found(crossed.size());
     tbb::parallel_for(std::size_t{0}, crossed.size(), [&](std::size_t n) {
         const TrianglePage& page = *pages[crossed[n]];
+        const PlaneSieve sieve(mesh, page, plane);
+        std::vector<glm::uvec3> near;
+        for (const glm::uvec3& triangle : page.triangles.first(page.count))
+            if (sieve.may_cross(mesh, triangle)) near.push_back(triangle);
         slice::cut_triangles(
-            page.triangles.first(page.count), plane,
+            std::span<const glm::uvec3>(near), plane,
             [&](std::uint32_t vertex) { return mesh.origin() + glm::dvec3(mesh.vertex(vertex).position); }, found[n]);
     });
     std::vector<slice::CutTriangle> pieces;
     for (const auto& some : found) pieces.insert(pieces.end(), some.begin(), some.end());
-    return slice::joined_loops(std::move(pieces));
+    return slice::joined_loops(pieces);
 }
 
 int branch_at(const FrameSection& section, const slice::PixelGrid& grid, const glm::dvec2& pixel, double reach) {

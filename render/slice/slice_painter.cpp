@@ -12,7 +12,7 @@ namespace ramus::render {
 
 namespace {
 
-std::uint8_t byte_of(float share) { return static_cast<std::uint8_t>(std::lround(255.0F * share)); }
+std::uint8_t byte_of(float share) { return static_cast<std::uint8_t>(255.0F * share + 0.5F); }
 
 std::vector<glm::dvec2> pixels_of(const slice::PixelGrid& grid, const std::vector<glm::dvec3>& places) {
     std::vector<glm::dvec2> pixels;
@@ -38,7 +38,7 @@ std::vector<std::int32_t> labels_of(const volume::Volume& mask, const slice::Pix
 
 void tint(std::uint8_t* pixel, const glm::vec3& colour, float opacity) {
     for (int k = 0; k < 3; ++k)
-        pixel[k] = static_cast<std::uint8_t>(std::lround((1.0F - opacity) * pixel[k] + 255.0F * opacity * colour[k]));
+        pixel[k] = static_cast<std::uint8_t>((1.0F - opacity) * pixel[k] + 255.0F * opacity * colour[k] + 0.5F);
 }
 
 } // namespace

@@ -17,6 +17,7 @@ try:
 except ImportError as problem:
     MISSING = problem
 
+from dicom import write_series
 from ramus import CommandLineTest
 
 SHARED = os.environ.get("RAMUS_SHARED_DATA", "")
@@ -140,40 +141,14 @@ class SliceValues(CommandLineTest):
 
 
 class DicomSlices(CommandLineTest):
-    def series(self, right, down, slices, step):
-        """Images of known values; `right`, `down` and the step from image to image are LPS."""
-        import pydicom
-        from pydicom.dataset import FileDataset, FileMetaDataset
-        from pydicom.uid import CTImageStorage, ExplicitVRLittleEndian, generate_uid
-        study, series = generate_uid(), generate_uid()
-        (self.folder / "series").mkdir()
-        dice = np.random.default_rng(2)
-        values = dice.integers(0, 4000, (14, 18, slices)).astype(np.uint16)  # column, row, image
-        for k in range(slices):
-            meta = FileMetaDataset()
-            meta.MediaStorageSOPClassUID, meta.MediaStorageSOPInstanceUID = CTImageStorage, generate_uid()
-            meta.TransferSyntaxUID = ExplicitVRLittleEndian
-            image = FileDataset("", {}, file_meta=meta, preamble=b"\0" * 128)
-            image.SOPClassUID, image.SOPInstanceUID = CTImageStorage, meta.MediaStorageSOPInstanceUID
-            image.StudyInstanceUID, image.SeriesInstanceUID, image.Modality = study, series, "CT"
-            image.InstanceNumber = k + 1
-            image.ImageType = ["ORIGINAL", "PRIMARY", "AXIAL"]
-            image.ImageOrientationPatient = [float(n) for n in (*right, *down)]
-            image.ImagePositionPatient = [float(n) for n in np.array([5.0, -7.0, 11.0]) + k * step]
-            image.PixelSpacing, image.SliceThickness = [0.9, 0.7], 2.5
-            image.Rows, image.Columns, image.SamplesPerPixel = 18, 14, 1
-            image.PhotometricInterpretation, image.PixelRepresentation = "MONOCHROME2", 0
-            image.BitsAllocated, image.BitsStored, image.HighBit = 16, 12, 11
-            image.RescaleSlope, image.RescaleIntercept, image.RescaleType = 1, -1024, "HU"
-            image.PixelData = np.ascontiguousarray(values[:, :, k].T).tobytes()
-            image.save_as(self.folder / "series" / f"{k:03}.dcm", write_like_original=False)
-        return values.astype(float) - 1024
-
     def check_series(self, right, down, slices=9, order=1.0, tilt=0.0):
         """`tilt`: of the gantry, in mm along `down` from image to image."""
         right, down = np.array(right, float), np.array(down, float)
         step = order * 2.5 * np.cross(right, down) + tilt * down
-        values = self.series(right, down, slices, step)
+        values = np.random.default_rng(2).integers(0, 4000, (14, 18, slices)).astype(np.uint16)  # column, row, image
+        (self.folder / "series").mkdir()
+        write_series(self.folder / "series", values, right, down, step)
+        values = values.astype(float) - 1024
         affine = np.eye(4)
         affine[:3, 0], affine[:3, 1], affine[:3, 2] = 0.7 * right, 0.9 * down, step
         affine[:3, 3] = (5, -7, 11)
