@@ -12,9 +12,17 @@ import subprocess
 import sys
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
 import drop
 from screen import (Failure, Window, check, choose, click, differing, middle_of, page, project, run_journeys, saved_picture,
                     saved_session)
+
+try:
+    import numpy as np
+    import pydicom  # noqa: F401
+    from dicom import write_series
+except ImportError:
+    np = None
 
 VOLUMES = Path(os.environ.get("RAMUS_SHARED_DATA", "")) / "volumes"
 SCAN, LUMENS = VOLUMES / "aorta_dissection_ct.nii.gz", VOLUMES / "aorta_dissection_lumens.nii.gz"
@@ -100,6 +108,24 @@ def layouts(window):
     check(True, "keys divide the picture otherwise")
 
 
+def dropped(window, folder):
+    """A DICOM folder is dropped on the picture, and the dialog shows it in slices, over the first scan."""
+    if drop.MISSING or np is None:
+        print(f"SKIPPED: nothing is dropped without python3-xlib and python3-pydicom ({drop.MISSING})")
+        return
+    series = folder / "series"
+    series.mkdir()
+    values = np.indices((40, 30, 20)).sum(axis=0).astype(np.uint16) * 20
+    write_series(series, values, (1, 0, 0), (0, 1, 0), (0, 0, 2.5), corner=(10, -170, 600))
+    check(drop.drop(window, [series]), "the window takes a folder that is dropped on it")
+    window.wait("the question what it is for", lambda s: s["volume_dialog"]["open"] and s["volume_dialog"]["read"])
+    window.shot("slices dropped")
+    window.xdotool("key", "i")
+    status = window.wait("the second scan", lambda s: len(s.get("scans", [])) == 2)
+    check(status["scans"][1]["path"].endswith("series"), "and the dialog shows it in slices")
+    window.shot("slices two scans")
+
+
 def written(window):
     """A picture and a report."""
     picture = saved_picture(window)
@@ -122,6 +148,7 @@ def slices(program, screen, folder):
         window_and_level(window)
         cut_away(window)
         layouts(window)
+        dropped(window, folder)
         written(window)
         check(window.quit() == 0, "Ctrl+Q closes the window")
     finally:
