@@ -26,6 +26,15 @@ SliceChange SliceMouse::press(MouseButton button, Modifiers modifiers, glm::dvec
     return {.crosshair = place_at(grip.grid, at)};
 }
 
+bool SliceMouse::twice(MouseButton button, Modifiers modifiers, glm::dvec2 at, double seconds) {
+    const bool plain = button == MouseButton::kLeft && !modifiers.ctrl && !modifiers.shift && !modifiers.alt;
+    const bool second = plain && !held_ && seconds - last_press_seconds_ < ViewportMouse::kDoubleClickSeconds &&
+                        glm::distance(at, last_press_at_) < ViewportMouse::kDragThreshold * pixel_ratio_;
+    last_press_seconds_ = plain && !second ? seconds : -1e9; // a third click starts a new sequence
+    last_press_at_ = at;
+    return second;
+}
+
 SliceChange SliceMouse::move(glm::dvec2 at) {
     if (!held_) return {};
     const glm::dvec2 by = (at - pressed_at_) / pixel_ratio_;

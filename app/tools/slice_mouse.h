@@ -38,6 +38,10 @@ public:
     // Magnifies about the pointer.
     [[nodiscard]] static SliceZoom zoomed(const SliceGrip& grip, glm::dvec2 at, double notches);
 
+    // Whether a press is the second one of a double click with the left button; to be asked before press(). `at`:
+    // pixels of the whole picture, `seconds` of any clock.
+    [[nodiscard]] bool twice(MouseButton button, Modifiers modifiers, glm::dvec2 at, double seconds);
+
     [[nodiscard]] bool held() const { return held_.has_value(); }
     [[nodiscard]] bool windowing() const { return held_ == MouseButton::kRight && dragging_; }
     [[nodiscard]] const SliceGrip& grip() const { return grip_; } // of the last press
@@ -49,6 +53,8 @@ private:
     glm::dvec2 pressed_at_{0.0};
     bool dragging_ = false;
     double pixel_ratio_ = 1.0;
+    glm::dvec2 last_press_at_{0.0};
+    double last_press_seconds_ = -1e9;
 };
 
 } // namespace ramus::app

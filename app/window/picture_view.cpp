@@ -47,6 +47,11 @@ Viewing PictureView::viewing() {
     return viewing;
 }
 
+std::vector<render::ScanPlane> PictureView::scan_planes() const {
+    if (sheet_.viewports.empty() || sheet_.viewports.front().slice) return {};
+    return sheet_.viewports.front().frame.planes;
+}
+
 void PictureView::move_camera(const render::Camera& camera) {
     glide_.reset();
     state_.workspace.document().set_camera(camera);

@@ -41,6 +41,8 @@ public:
     void point(glm::dvec2 at, glm::dvec2 in_viewport);
     // The point that the current drag turns about or zooms to; none: no such drag.
     void hold_pivot(const std::optional<glm::dvec3>& pivot) { pivot_ = pivot; }
+    // Slices among the vessels, as in the last picture.
+    [[nodiscard]] std::vector<render::ScanPlane> scan_planes() const;
     [[nodiscard]] const std::optional<render::ScaleBar>& scale_bar() const { return scale_bar_; } // of the last picture
 
     [[nodiscard]] int waits() const {

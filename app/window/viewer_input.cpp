@@ -96,6 +96,7 @@ void ViewerInput::take_pick() {
     if (!pick) return;
     pick_pending_ = false;
     if (!picture_.shows_tree() || pick->branch >= state_.workspace.document().branch_count()) return;
+    plane_under_ = pointer_over_picture_ ? pick->plane : render::kNoPlane;
     if (!pointer_over_picture_ || mouse_.dragging() || !points_at_branches()) return point_at(tree::kNoBranch, {});
     const auto object = object_at(in_viewport(pointer_), *pick);
     point_at(object ? tree::kNoBranch : pick->branch, object);
@@ -152,9 +153,12 @@ void ViewerInput::mouse_moved(glm::dvec2 at) {
 
 void ViewerInput::move_to(glm::dvec2 at) {
     pointer_ = at;
-    if (!mouse_.held() && !tool_mouse_.held() && !slice_mouse_.held()) enter_viewport();
+    if (!mouse_.held() && !tool_mouse_.held() && !slice_mouse_.held() && !plane_mouse_.held()) enter_viewport();
     point_at_slice();
-    if (slice_mouse_.held()) {
+    point_at_plane();
+    if (plane_mouse_.held()) {
+        drag_plane();
+    } else if (slice_mouse_.held()) {
         take(slice_mouse_.move(in_viewport(at)));
     } else if (state_.interface.wipe_held) {
         drag_wipe_line();
@@ -173,6 +177,7 @@ void ViewerInput::mouse_left() {
     in_order([this] {
         pointer_ = {-1.0, -1.0};
         picture_.aim().point_nowhere();
+        point_at_plane();
         pick_wanted_ = true;
     });
 }
@@ -198,14 +203,16 @@ void ViewerInput::press(MouseButton button, Modifiers modifiers, double now) {
         settle();
         state_.interface.of<ContextMenu>().wanted = false; // from an earlier click
     }
-    if (state_.interface.wipe_held || tool_mouse_.held() || slice_mouse_.held()) return;
+    if (state_.interface.wipe_held || tool_mouse_.held() || slice_mouse_.held() || plane_mouse_.held()) return;
     if (const auto slice = over && !mouse_.held() ? slice_grip() : std::nullopt)
-        return press_slice(button, modifiers, *slice);
+        return press_slice(button, modifiers, *slice, now);
     const bool left = button == MouseButton::kLeft && !mouse_.held();
     if (left && on_wipe_line()) {
         const double width = state_.layout.view_size.x;
         wipe_grip_ = in_picture(pointer_).x - state_.workspace.document().marks().comparison.wipe * width;
         state_.interface.wipe_held = true;
+        point_at(tree::kNoBranch, {});
+    } else if (left && over && grab_plane()) {
         point_at(tree::kNoBranch, {});
     } else if (left && state_.interface.tool && over) {
         use_plan_here();
@@ -216,7 +223,9 @@ void ViewerInput::press(MouseButton button, Modifiers modifiers, double now) {
 }
 
 void ViewerInput::release(MouseButton button, Modifiers modifiers, double now) {
-    if (slice_mouse_.held()) {
+    if (plane_mouse_.held()) {
+        if (button == MouseButton::kLeft) release_plane();
+    } else if (slice_mouse_.held()) {
         release_slice(button);
     } else if (state_.interface.wipe_held) {
         if (button == MouseButton::kLeft) drop_wipe_line();
@@ -239,6 +248,8 @@ void ViewerInput::turn_wheel(glm::dvec2 notches) {
     const bool over = over_picture(pointer_) && notches.y != 0.0;
     if (const auto slice = over ? slice_grip() : std::nullopt) {
         turn_wheel_over_slice(*slice, notches.y);
+    } else if (over && turn_wheel_over_plane(notches.y)) {
+        point_at(tree::kNoBranch, {});
     } else if (over) {
         settle();
         // In empty space zooming in is ignored, zooming out is not.
@@ -303,11 +314,12 @@ void ViewerInput::run_commands_of(Tool& tool) {
 Cursor ViewerInput::cursor() const {
     if (state_.interface.wipe_held || (!mouse_.held() && !tool_mouse_.held() && on_wipe_line()))
         return Cursor::kSideways;
+    if (plane_mouse_.held() || plane_edge_) return Cursor::kHand;
     return state_.interface.tool && over_picture(pointer_) ? state_.interface.tool->cursor() : Cursor::kArrow;
 }
 
 void ViewerInput::clicked(const Click& click) {
-    if (!state_.workspace.document().tree()) return;
+    if (!state_.workspace.document().has_scene()) return;
     if (click.kind == Click::Kind::kSecondary) use_plan_here();
     look_up(from_viewport(click.at), [this, kind = click.kind, here = pointing({})](const render::Pick& under) {
         Pointing known = here;
@@ -322,6 +334,7 @@ void ViewerInput::click_on(Click::Kind kind, const Pointing& pointing) {
     const auto object = object_at(pointing.at, pick);
     if (kind == Click::Kind::kCentre && object) return look_at(object->at);
     const bool hit = pick.branch >= 0 && pick.branch < state_.workspace.document().branch_count();
+    if (!hit && pick.plane != render::kNoPlane && kind != Click::Kind::kCentre) return show_slices_at(pick.position);
     if (!hit) {
         // A click on a slice moves the crosshair, whatever is selected.
         if (kind == Click::Kind::kSelect && !slice_grip()) state_.perform("select-none", {});
@@ -350,7 +363,7 @@ void ViewerInput::right_click_on(const Pointing& pointing) {
 // Opens the menu for the object or the branch, and selects the branch first if necessary.
 void ViewerInput::open_context_menu(const Pointing& pointing) {
     ContextMenu& menu = state_.interface.of<ContextMenu>();
-    menu = {.wanted = true, .object = object_at(pointing.at, pointing.under)};
+    menu = {.wanted = true, .object = object_at(pointing.at, pointing.under), .slice = slice_spot(pointing.at)};
     state_.redraw();
     if (menu.object) return;
     const int branch = pointing.under.branch;
@@ -394,7 +407,8 @@ void ViewerInput::press_key(int number, bool down, const std::optional<KeyPress>
                    (press->ctrl && (press->key == "C" || press->key == "V"))))
         return;
     // Arrows belong to the focused field, list or menu.
-    const bool arrow = press->key == "Left" || press->key == "Right" || press->key == "Up" || press->key == "Down";
+    const bool arrow = press->key == "Left" || press->key == "Right" || press->key == "Up" || press->key == "Down" ||
+                       press->key.starts_with("Page");
     if (arrow && (typing || state_.interface.of<BranchList>().focused || state_.interface.of<BarMenus>().have_keys()))
         return;
     if (typing && press->key == "Escape" && !state_.interface.dialog_open()) return; // only leaves the field
@@ -432,7 +446,9 @@ bool ViewerInput::points_at_branches() const {
 
 ToolDrawing ViewerInput::tool_drawing() {
     const auto& tool = state_.interface.tool;
-    return tool ? tool->drawing(pointing(tool_mouse_.modifiers())) : ToolDrawing{};
+    ToolDrawing drawing = tool ? tool->drawing(pointing(tool_mouse_.modifiers())) : ToolDrawing{};
+    add_plane_outline(drawing);
+    return drawing;
 }
 
 void ViewerInput::use_tool(std::string_view name) {

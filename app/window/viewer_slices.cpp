@@ -39,8 +39,20 @@ void ViewerInput::take(const SliceChange& change) {
     state_.perform("window", {exact_text(change.window->width) + "," + exact_text(change.window->level)});
 }
 
-void ViewerInput::press_slice(MouseButton button, Modifiers modifiers, const SliceGrip& grip) {
-    take(slice_mouse_.press(button, modifiers, in_viewport(pointer_), grip));
+std::optional<SliceSpot> ViewerInput::slice_spot(glm::dvec2 in_viewport) const {
+    const auto grip = slice_grip();
+    if (!grip) return {};
+    return SliceSpot{grip->direction, grip->grid.place(in_viewport - 0.5)};
+}
+
+// The second press of a double click makes the slice large, or brings the earlier layout back.
+void ViewerInput::press_slice(MouseButton button, Modifiers modifiers, const SliceGrip& grip, double now) {
+    if (!slice_mouse_.twice(button, modifiers, in_picture(pointer_), now))
+        return take(slice_mouse_.press(button, modifiers, in_viewport(pointer_), grip));
+    const SliceLayout layout = state_.workspace.document().session().slices.layout;
+    const bool alone = slices_of(layout).size() == 1;
+    state_.perform("layout", {std::string(alone ? name_of(layout_before_) : slice::name_of(grip.direction))});
+    layout_before_ = alone ? SliceLayout::kSlices : layout;
 }
 
 void ViewerInput::release_slice(MouseButton button) {
@@ -67,9 +79,13 @@ void ViewerInput::point_at_slice() {
 // Slices go through the middle of the vessel that was clicked on.
 void ViewerInput::show_slices_at(const render::Pick& pick) {
     const auto& tree = state_.workspace.document().tree();
+    show_slices_at(
+        measure::point_on(*tree, pick.branch, measure::nearest_fraction(*tree, pick.branch, pick.position)).position);
+}
+
+void ViewerInput::show_slices_at(const glm::dvec3& place) {
     SliceViews views = state_.workspace.document().session().slices;
-    views.crosshair =
-        measure::point_on(*tree, pick.branch, measure::nearest_fraction(*tree, pick.branch, pick.position)).position;
+    views.crosshair = place;
     state_.workspace.document().set_slices(views);
 }
 
