@@ -4,6 +4,8 @@
 #include "app/assets/assets.h"
 #include "app/assets/operation.h"
 #include "core/organ/resect/resection.h"
+#include "core/slice/pixel_grid.h"
+#include "render/slice/slice_view.h"
 
 #include <algorithm>
 #include <atomic>
@@ -143,6 +145,21 @@ Result<Resection> resection_drawn(const ActionContext& context, bool straight, A
     RAMUS_TRY(organ, organ_read(context));
     const Sight sight(context.document.session().camera, context.picture.picture_size(), *organ);
     RAMUS_TRY(resection, straight ? plane_along(sight, *pixels) : sheet_along(sight, *pixels));
+    if (auto chosen = choose_side(context, resection); !chosen) return tl::unexpected(chosen.error());
+    return resection;
+}
+
+Result<Resection> resection_drawn_on_slice(const ActionContext& context, const glm::dvec3& normal,
+                                           const std::vector<glm::dvec3>& places) {
+    RAMUS_TRY(organ, organ_read(context));
+    // A pixel for each mm; any size and middle serve.
+    constexpr int kSide = 1000;
+    const slice::PixelGrid grid =
+        slice::grid_around(slice::axes_across(normal), places.front(), 1.0, glm::ivec2(kSide));
+    const Sight sight(render::camera_of(grid), grid.size, *organ);
+    std::vector<glm::dvec2> pixels;
+    for (const glm::dvec3& place : places) pixels.push_back(grid.pixel(place) + 0.5);
+    RAMUS_TRY(resection, sheet_along(sight, pixels));
     if (auto chosen = choose_side(context, resection); !chosen) return tl::unexpected(chosen.error());
     return resection;
 }

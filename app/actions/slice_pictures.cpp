@@ -2,6 +2,7 @@
 
 #include "app/assets/assets.h"
 #include "app/picture/scene_objects.h"
+#include "app/picture/slice_marks.h"
 #include "app/picture/slices.h"
 #include "core/measure/branch_point.h"
 #include "render/slice/slice_painter.h"
@@ -70,6 +71,7 @@ Result<std::vector<SliceRow>> take_slices(ActionContext& context) {
         for (std::size_t n = 0; n < kShown.size(); ++n) {
             render::SliceView view = compose_slice(session, context.assets, kShown[n], viewing);
             view.grid = slice::grid_around(slice::axes_of(kShown[n]), place.at, kAcrossMm / kSize.x, kSize);
+            draw_marks(view, session, context.assets, kShown[n], viewing);
             RAMUS_TRY(png, render::encode_png(painters[n].paint(frame, view)));
             row.pictures.push_back({view.overlays.caption, std::move(png)});
         }

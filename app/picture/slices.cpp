@@ -2,6 +2,7 @@
 
 #include "app/assets/assets.h"
 #include "app/picture/colouring.h"
+#include "app/picture/slice_marks.h"
 #include "app/session/numbers.h"
 #include "core/base/words.h"
 #include "core/slice/sample.h"
@@ -253,6 +254,7 @@ render::SliceView compose_slice(const Session& session, const Assets& assets, sl
     overlays.axes = claims.has_sides() ? render::side_letters() : render::plain_axes();
     overlays.unit_known = claims.has_unit();
     overlays.caption = latin1(caption_of(direction, {at, {}}, view.sampling, claims));
+    draw_marks(view, session, assets, direction, viewing);
     return view;
 }
 

@@ -81,7 +81,7 @@ std::optional<MeasureTool::Handle> MeasureTool::handle_under(const Pointing& poi
         const std::vector<glm::dvec3> ends = ends_of(*pointing.document.tree(), measurements[m]);
         for (std::size_t e = 0; e < ends.size(); ++e) {
             const auto at = render::project(pointing.camera(), pointing.size, ends[e]);
-            if (!at) continue;
+            if (!at || !pointing.shows(ends[e])) continue;
             if (const double away = glm::distance(glm::dvec2(*at), pointing.at); away < nearest)
                 nearest = away, found = Handle{m, e};
         }
@@ -122,8 +122,8 @@ Measurement MeasureTool::measurement_of(const Pointing& pointing, const std::vec
 }
 
 bool MeasureTool::takes(const Pointing& pointing, const render::Pick& pick) const {
-    return on_vessel(pointing, pick) ||
-           (kind_ == Measurement::Kind::kDistance && pointing.lesions.at(lesion_of(pointing, pick)));
+    return on_vessel(pointing, pick) || (kind_ == Measurement::Kind::kDistance &&
+                                         (pointing.on_scan(pick) || pointing.lesions.at(lesion_of(pointing, pick))));
 }
 
 void MeasureTool::press(const Pointing& pointing) {
@@ -167,7 +167,8 @@ void MeasureTool::move(const Pointing& pointing) {
     held_->moved = true;
     const render::Pick pick = pointing.pick();
     const bool distance = held_->now.kind == Measurement::Kind::kDistance;
-    if (!on_vessel(pointing, pick) && !(distance && lesion_of(pointing, pick) != kNoObject)) return;
+    if (!on_vessel(pointing, pick) && !(distance && (pointing.on_scan(pick) || lesion_of(pointing, pick) != kNoObject)))
+        return;
     if (distance)
         put_end(held_->now, held_->handle.end, pointing, pick);
     else
@@ -234,11 +235,12 @@ ToolDrawing MeasureTool::drawing(const Pointing& pointing) const {
     for (std::size_t m = 0; m < measurements.size(); ++m)
         if (m != moved)
             for (const glm::dvec3& end : ends_of(*pointing.document.tree(), measurements[m]))
-                dot(end, kHandlePoints, true);
+                if (pointing.shows(end)) dot(end, kHandlePoints, true);
     if (const auto handle = held != nullptr ? held->handle : handle_under(pointing); handle && begun_.empty() && !moved)
         dot(ends_of(*pointing.document.tree(), measurements[handle->measurement])[handle->end], 1.6 * kHandlePoints,
             false);
-    for (const render::Pick& pick : begun_) dot(pick.position, kHandlePoints, true);
+    // On a slice through another place, the feet of the clicks are hollow.
+    for (const render::Pick& pick : begun_) dot(pick.position, kHandlePoints, pointing.shows(pick.position));
     if (held_ && held == nullptr) return drawing;
     const bool known = live_ && *live_;
     if (!begun_.empty() && !known)
@@ -285,7 +287,7 @@ std::string MeasureTool::hint() const {
     const std::string handles = "; drag an end of a measurement to move it";
     switch (kind_) {
     case Measurement::Kind::kDistance:
-        return "Click a place on a vessel or a lesion, then another, or drag from one to the other" + handles;
+        return "Click a place on a vessel, a lesion or a slice, then another, or drag from one to the other" + handles;
     case Measurement::Kind::kPath:
         return "Click two places: the path along the vessels between them" + handles;
     case Measurement::Kind::kDiameter:

@@ -7,8 +7,10 @@
 #include "app/assets/measured.h"
 #include "app/session/document.h"
 #include "app/tools/viewport_mouse.h"
+#include "core/slice/pixel_grid.h"
 #include "render/renderer/drawn.h"
 
+#include <cmath>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -28,6 +30,13 @@ struct ToolSettings {
     bool lasso_visible = false;  // only visible parts; false: the whole tree
 };
 
+// A slice under the pointer.
+struct SlicePointing {
+    slice::PixelGrid grid;
+    render::Camera camera; // looks at it: its pixels are those of the grid
+    double reach_mm = 0.0; // what is farther from the plane is not on the slice
+};
+
 // The pointer over the picture, and data that a tool may query.
 struct Pointing {
     glm::dvec2 at{0.0};
@@ -39,10 +48,17 @@ struct Pointing {
     const ToolSettings& settings;
     // The branch and surface point under the pointer; set for tools that pick(), in press, move and release events.
     render::Pick under{};
-    LesionShapes lesions{}; // of the document's marks
+    LesionShapes lesions{};               // of the document's marks
+    std::optional<SlicePointing> slice{}; // `at` and `size` are its pixels; none: the tree is under the pointer
 
     [[nodiscard]] const render::Pick& pick() const { return under; }
-    [[nodiscard]] const render::Camera& camera() const { return document.session().camera; }
+    [[nodiscard]] const render::Camera& camera() const { return slice ? slice->camera : document.session().camera; }
+    // Whether a pick shows a place of the scan: on a slice, or on a slice among the vessels.
+    [[nodiscard]] bool on_scan(const render::Pick& pick) const { return slice || pick.plane != render::kNoPlane; }
+    // Whether a place can be seen and grabbed here: on a slice, only what is near its plane.
+    [[nodiscard]] bool shows(const glm::dvec3& place) const {
+        return !slice || std::abs(slice->grid.plane().height(place)) <= slice->reach_mm;
+    }
 };
 
 // What to draw over the picture. Positions and radii are pixels of the picture, widths are points; colours are sRGB
@@ -70,7 +86,11 @@ struct ToolDrawing {
         std::string text;
         glm::vec4 colour{1.0F};
     };
-    std::vector<Area> areas; // drawn first, then lines, circles and texts
+    struct Part {
+        glm::ivec2 at{0}, size{1};
+    };
+    std::optional<Part> part; // of the picture that it is over; none: each viewport that shows the tree
+    std::vector<Area> areas;  // drawn first, then lines, circles and texts
     std::vector<Line> lines;
     std::vector<Circle> circles;
     std::vector<Text> texts;
@@ -107,6 +127,8 @@ public:
     [[nodiscard]] virtual ToolDrawing drawing(const Pointing&) const { return {}; }
     [[nodiscard]] virtual Cursor cursor() const { return Cursor::kCross; }
     [[nodiscard]] virtual std::string hint() const = 0; // one line: what to do next
+    // Whether the tool has the left button over slices, too.
+    [[nodiscard]] virtual bool works_on_slices() const { return false; }
     // Whether the branch under the pointer is highlighted as without a tool.
     [[nodiscard]] virtual bool points_at_branches() const { return false; }
 

@@ -164,7 +164,7 @@ void ViewerInput::move_to(glm::dvec2 at) {
         drag_wipe_line();
     } else if (mouse_.held()) {
         drag_view(in_viewport(at));
-    } else if (state_.interface.tool && (tool_mouse_.held() || (over_picture(at) && !slice_grip()))) {
+    } else if (state_.interface.tool && (tool_mouse_.held() || (over_picture(at) && tool_acts_here()))) {
         tool_mouse_.move(tell(), pointing({}));
     }
     if (!mouse_.held()) aim();
@@ -204,9 +204,9 @@ void ViewerInput::press(MouseButton button, Modifiers modifiers, double now) {
         state_.interface.of<ContextMenu>().wanted = false; // from an earlier click
     }
     if (state_.interface.wipe_held || tool_mouse_.held() || slice_mouse_.held() || plane_mouse_.held()) return;
-    if (const auto slice = over && !mouse_.held() ? slice_grip() : std::nullopt)
-        return press_slice(button, modifiers, *slice, now);
     const bool left = button == MouseButton::kLeft && !mouse_.held();
+    if (const auto slice = over && !mouse_.held() ? slice_grip() : std::nullopt; slice && !(left && tool_acts_here()))
+        return press_slice(button, modifiers, *slice, now);
     if (left && on_wipe_line()) {
         const double width = state_.layout.view_size.x;
         wipe_grip_ = in_picture(pointer_).x - state_.workspace.document().marks().comparison.wipe * width;
@@ -265,14 +265,17 @@ void ViewerInput::turn_wheel(glm::dvec2 notches) {
 }
 
 Pointing ViewerInput::pointing(Modifiers modifiers) {
+    std::optional<SlicePointing> slice = slice_pointing();
+    const glm::ivec2 size = slice ? slice->grid.size : picture_.picture_size();
     return {.at = in_viewport(pointer_),
             .modifiers = modifiers,
             .held = tool_mouse_.held(),
-            .size = picture_.picture_size(),
+            .size = size,
             .pixel_ratio = state_.scale,
             .document = state_.workspace.document(),
             .settings = state_.interface.tool_settings,
-            .lesions = lesion_shapes(state_.workspace.assets(), state_.workspace.document().marks())};
+            .lesions = lesion_shapes(state_.workspace.assets(), state_.workspace.document().marks()),
+            .slice = std::move(slice)};
 }
 
 void ViewerInput::look_up(glm::dvec2 in_picture, const std::function<void(const render::Pick&)>& then) {
@@ -293,6 +296,13 @@ void ViewerInput::tell_tool(Tool::Event event, const Pointing& pointing) {
         if (tool != tools_taken_ || !state_.interface.tool) return;
         Pointing known = pointing;
         known.under = under;
+        if (pointing.slice) {
+            // A drag may leave the slice.
+            const glm::dvec2 at = pointing.at;
+            const glm::dvec2 size(pointing.size);
+            if (!(at.x >= 0.0 && at.y >= 0.0 && at.x < size.x && at.y < size.y)) known.under = {};
+            known.under.position = pointing.slice->grid.place(at - 0.5);
+        }
         (state_.interface.tool.get()->*event)(known);
         perform_tool();
     };
@@ -315,7 +325,7 @@ Cursor ViewerInput::cursor() const {
     if (state_.interface.wipe_held || (!mouse_.held() && !tool_mouse_.held() && on_wipe_line()))
         return Cursor::kSideways;
     if (plane_mouse_.held() || plane_edge_) return Cursor::kHand;
-    return state_.interface.tool && over_picture(pointer_) ? state_.interface.tool->cursor() : Cursor::kArrow;
+    return over_picture(pointer_) && tool_acts_here() ? state_.interface.tool->cursor() : Cursor::kArrow;
 }
 
 void ViewerInput::clicked(const Click& click) {
@@ -445,8 +455,12 @@ bool ViewerInput::points_at_branches() const {
 }
 
 ToolDrawing ViewerInput::tool_drawing() {
-    const auto& tool = state_.interface.tool;
-    ToolDrawing drawing = tool ? tool->drawing(pointing(tool_mouse_.modifiers())) : ToolDrawing{};
+    ToolDrawing drawing;
+    if (tool_acts_here()) {
+        const Pointing here = pointing(tool_mouse_.modifiers());
+        drawing = state_.interface.tool->drawing(here);
+        if (here.slice) drawing.part = ToolDrawing::Part{glm::ivec2(from_viewport(glm::dvec2(0.0))), here.size};
+    }
     add_plane_outline(drawing);
     return drawing;
 }

@@ -80,9 +80,12 @@ private:
     [[nodiscard]] Grip grip();
     void drag_view(glm::dvec2 at);
     [[nodiscard]] bool points_at_branches() const;
+    // Whether the tool has the left button here: some tools leave it to the crosshair on slices.
+    [[nodiscard]] bool tool_acts_here() const;
     // The slice under the pointer, or under it when a button was pressed; none: the pointer is over the tree.
     [[nodiscard]] std::optional<SliceGrip> slice_grip() const;
     [[nodiscard]] std::optional<SliceSpot> slice_spot(glm::dvec2 in_viewport) const;
+    [[nodiscard]] std::optional<SlicePointing> slice_pointing() const; // the same for tools
     void take(const SliceChange& change);
     void press_slice(MouseButton button, Modifiers modifiers, const SliceGrip& grip, double now);
     void release_slice(MouseButton button);

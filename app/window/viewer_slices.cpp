@@ -1,4 +1,5 @@
 // The part of ViewerInput that is about slices.
+#include "app/picture/slice_marks.h"
 #include "app/picture/slices.h"
 #include "app/session/numbers.h"
 #include "app/window/viewer_input.h"
@@ -25,6 +26,19 @@ std::optional<SliceGrip> ViewerInput::slice_grip() const {
         break;
     }
     return grip;
+}
+
+std::optional<SlicePointing> ViewerInput::slice_pointing() const {
+    const auto grip = slice_grip();
+    if (!grip) return {};
+    const double reach =
+        slice_reach_mm(state_.workspace.document().session(), state_.workspace.assets(), grip->direction);
+    return SlicePointing{grip->grid, render::camera_of(grip->grid), reach};
+}
+
+bool ViewerInput::tool_acts_here() const {
+    const auto& tool = state_.interface.tool;
+    return tool && (tool->works_on_slices() || !slice_grip());
 }
 
 void ViewerInput::take(const SliceChange& change) {

@@ -185,6 +185,16 @@ void paint_mark(const SliceView& view, Image& image) {
 
 } // namespace
 
+void SlicePainter::paint_marks(const SliceView& view, Image& image) {
+    Canvas canvas(image);
+    for (const SliceMark& mark : view.marks) {
+        const std::vector<glm::dvec2> pixels = pixels_of(view.grid, mark.points);
+        // A dark rim, for bright scans.
+        canvas.line(pixels, false, {glm::vec3(0.0F), (mark.width + 1.6F) * view.pixel_ratio, 0.5F * mark.opacity});
+        canvas.line(pixels, false, {mark.colour, mark.width * view.pixel_ratio, mark.opacity});
+    }
+}
+
 void SlicePainter::paint_sprites(const SliceView& view, Image& image) {
     Frame frame;
     frame.camera = camera_of(view.grid);
@@ -221,6 +231,7 @@ Image SlicePainter::paint(const Frame& frame, const SliceView& view) {
         paint_section(view, image);
     }
     paint_crosshair(view, image);
+    paint_marks(view, image);
     paint_mark(view, image);
     paint_sprites(view, image);
     return image;

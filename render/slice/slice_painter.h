@@ -36,6 +36,7 @@ private:
     void paint_scans(const SliceView& view, Image& image) const;
     void paint_masks(const SliceView& view, Image& image) const;
     void paint_section(const SliceView& view, Image& image) const;
+    static void paint_marks(const SliceView& view, Image& image);
     void paint_sprites(const SliceView& view, Image& image);
 
     struct Sampled {

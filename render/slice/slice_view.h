@@ -44,6 +44,15 @@ struct Crosshair {
     bool operator==(const Crosshair&) const = default;
 };
 
+// A line over the slice, such as that of a measurement: its foot on the plane.
+struct SliceMark {
+    std::vector<glm::dvec3> points; // mm
+    glm::vec3 colour{1.0F};         // sRGB
+    float width = 1.6F;             // points
+    float opacity = 1.0F;
+    bool operator==(const SliceMark&) const = default;
+};
+
 struct SliceView {
     slice::PixelGrid grid; // the pixels of the picture
     std::vector<ScanLayer> scans;
@@ -54,6 +63,7 @@ struct SliceView {
     std::optional<Crosshair> crosshair;
     glm::vec3 background{0.0F};
     std::optional<glm::vec3> mark; // a bar of this colour at the upper edge names the slice
+    std::vector<SliceMark> marks;
     std::vector<MarkLabel> labels;
     Overlays overlays;
     float pixel_ratio = 1.0F;
