@@ -1,6 +1,7 @@
 // `ramus region VOLUME --seed X,Y,Z`: grows a region of similar values in a scan, and writes it as a mask.
 #include "app/assets/region.h"
 
+#include "app/actions/arguments.h"
 #include "app/commands/command.h"
 #include "app/commands/inputs.h"
 #include "app/commands/output_target.h"
@@ -10,7 +11,6 @@
 #include "app/commands/surface_flags.h"
 #include "app/session/error_context.h"
 #include "app/session/numbers.h"
-#include "core/base/words.h"
 #include "core/io/run_inputs.h"
 #include "core/io/standard_input.h"
 #include "core/io/volumes/label_map_file.h"
@@ -18,14 +18,12 @@
 #include "core/volume/label_counts.h"
 
 #include <array>
-#include <cmath>
 #include <iostream>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -144,30 +142,14 @@ Result<int> run_region(const RegionFlags& flags) {
     return kDone;
 }
 
-// Numbers separated by commas; none: these are not so many.
-std::optional<std::vector<double>> numbers_of(std::string_view text, std::size_t count) {
-    std::vector<double> numbers;
-    for (std::string_view rest = text; numbers.size() < count;) {
-        const auto comma = rest.find(',');
-        const auto number = parsed<double>(rest.substr(0, comma));
-        if (!number || !std::isfinite(*number)) return {};
-        numbers.push_back(*number);
-        if (comma == std::string_view::npos) break;
-        rest.remove_prefix(comma + 1);
-        if (numbers.size() == count) return {};
-    }
-    if (numbers.size() != count) return {};
-    return numbers;
-}
-
-std::optional<RegionCut> ball_in(std::string_view text) {
-    const auto numbers = numbers_of(text, 4);
+std::optional<RegionCut> ball_in(const std::string& text) {
+    const auto numbers = actions::numbers_in(text, 4, actions::kFarthestMm);
     if (!numbers || !(numbers->back() > 0.0)) return {};
     return RegionCut{{numbers->at(0), numbers->at(1), numbers->at(2)}, {}, numbers->back()};
 }
 
-std::optional<RegionCut> disc_in(std::string_view text) {
-    const auto numbers = numbers_of(text, 7);
+std::optional<RegionCut> disc_in(const std::string& text) {
+    const auto numbers = actions::numbers_in(text, 7, actions::kFarthestMm);
     if (!numbers || !(numbers->back() > 0.0)) return {};
     const glm::dvec3 normal(numbers->at(3), numbers->at(4), numbers->at(5));
     if (normal == glm::dvec3(0.0)) return {};
@@ -190,12 +172,14 @@ CLI::Option* add_repeated(CLI::App& command, const char* name, const char* type,
 
 void add_region_options(CLI::App& command, const std::shared_ptr<RegionFlags>& flags) {
     add_repeated(
-        command, "--seed", "X,Y,Z", [](const std::string& word) { return numbers_of(word, 3); },
+        command, "--seed", "X,Y,Z",
+        [](const std::string& word) { return actions::numbers_in(word, 3, actions::kFarthestMm); },
         [flags](const std::vector<double>& at) { flags->seeds.emplace_back(at[0], at[1], at[2]); },
         "a place in mm, as 12,-40,310", "A place in the vessel, mm RAS")
         ->required();
     const auto range_in = [](const std::string& word) {
-        auto range = numbers_of(word, 2);
+        constexpr double kMost = 1e12;
+        auto range = actions::numbers_in(word, 2, kMost);
         return range && range->front() <= range->back() ? range : std::nullopt;
     };
     add_option_taking<std::string>(

@@ -7,6 +7,7 @@
 #include "app/assets/measured.h"
 #include "app/session/document.h"
 #include "app/tools/viewport_mouse.h"
+#include "core/slice/pixel_grid.h"
 #include "render/renderer/drawn.h"
 
 #include <functional>
@@ -26,6 +27,7 @@ using CommandLine = std::vector<std::string>; // the command's name, then its ar
 struct ToolSettings {
     bool lasso_any_part = false; // any part of a branch suffices; false: at least half its length
     bool lasso_visible = false;  // only visible parts; false: the whole tree
+    double cut_radius_mm = 3.0;  // of balls that cut a region of a scan
 };
 
 // The pointer over the picture, and data that a tool may query.
@@ -39,7 +41,8 @@ struct Pointing {
     const ToolSettings& settings;
     // The branch and surface point under the pointer; set for tools that pick(), in press, move and release events.
     render::Pick under{};
-    LesionShapes lesions{}; // of the document's marks
+    LesionShapes lesions{};                  // of the document's marks
+    std::optional<slice::PixelGrid> slice{}; // under the pointer, or where the button was pressed; none: the tree
 
     [[nodiscard]] const render::Pick& pick() const { return under; }
     [[nodiscard]] const render::Camera& camera() const { return document.session().camera; }
@@ -70,7 +73,11 @@ struct ToolDrawing {
         std::string text;
         glm::vec4 colour{1.0F};
     };
-    std::vector<Area> areas; // drawn first, then lines, circles and texts
+    struct Part { // pixels of the picture
+        glm::ivec2 at{0}, size{1};
+    };
+    std::optional<Part> part{}; // positions count from its corner; none: from that of each view of the tree
+    std::vector<Area> areas;    // drawn first, then lines, circles and texts
     std::vector<Line> lines;
     std::vector<Circle> circles;
     std::vector<Text> texts;
@@ -97,6 +104,13 @@ public:
     virtual bool right_click(const Pointing&) { return false; }
     // Escape. True: something in progress was cancelled. False: nothing was; the owner leaves the tool.
     virtual bool escape() { return false; }
+
+    // Whether the tool works on slices of a scan instead of the tree: the left button then turns the tree as without
+    // a tool.
+    [[nodiscard]] virtual bool works_on_slices() const { return false; }
+    // Ctrl and the wheel over a slice, and the keys + and -; a notch away from the person is 1. False: not used, and
+    // the picture is magnified.
+    virtual bool step(double /*notches*/, const ToolSettings& /*settings*/) { return false; }
 
     // Whether events need Pointing::under; they then arrive after the pick.
     [[nodiscard]] virtual bool picks() const { return true; }

@@ -160,7 +160,7 @@ void ViewerInput::move_to(glm::dvec2 at) {
         drag_wipe_line();
     } else if (mouse_.held()) {
         drag_view(in_viewport(at));
-    } else if (state_.interface.tool && (tool_mouse_.held() || (over_picture(at) && !slice_grip()))) {
+    } else if (state_.interface.tool && (tool_mouse_.held() || (over_picture(at) && tool_works_here()))) {
         tool_mouse_.move(tell(), pointing({}));
     }
     if (!mouse_.held()) aim();
@@ -199,15 +199,16 @@ void ViewerInput::press(MouseButton button, Modifiers modifiers, double now) {
         state_.interface.of<ContextMenu>().wanted = false; // from an earlier click
     }
     if (state_.interface.wipe_held || tool_mouse_.held() || slice_mouse_.held()) return;
-    if (const auto slice = over && !mouse_.held() ? slice_grip() : std::nullopt)
-        return press_slice(button, modifiers, *slice);
     const bool left = button == MouseButton::kLeft && !mouse_.held();
+    const bool of_tool = left && over && tool_works_here();
+    if (const auto slice = over && !mouse_.held() && !of_tool ? slice_grip() : std::nullopt)
+        return press_slice(button, modifiers, *slice);
     if (left && on_wipe_line()) {
         const double width = state_.layout.view_size.x;
         wipe_grip_ = in_picture(pointer_).x - state_.workspace.document().marks().comparison.wipe * width;
         state_.interface.wipe_held = true;
         point_at(tree::kNoBranch, {});
-    } else if (left && state_.interface.tool && over) {
+    } else if (of_tool) {
         use_plan_here();
         tool_mouse_.press(tell(), pointing(modifiers), now);
     } else if (over) {
@@ -261,7 +262,8 @@ Pointing ViewerInput::pointing(Modifiers modifiers) {
             .pixel_ratio = state_.scale,
             .document = state_.workspace.document(),
             .settings = state_.interface.tool_settings,
-            .lesions = lesion_shapes(state_.workspace.assets(), state_.workspace.document().marks())};
+            .lesions = lesion_shapes(state_.workspace.assets(), state_.workspace.document().marks()),
+            .slice = slice_pixels()};
 }
 
 void ViewerInput::look_up(glm::dvec2 in_picture, const std::function<void(const render::Pick&)>& then) {
@@ -303,7 +305,8 @@ void ViewerInput::run_commands_of(Tool& tool) {
 Cursor ViewerInput::cursor() const {
     if (state_.interface.wipe_held || (!mouse_.held() && !tool_mouse_.held() && on_wipe_line()))
         return Cursor::kSideways;
-    return state_.interface.tool && over_picture(pointer_) ? state_.interface.tool->cursor() : Cursor::kArrow;
+    return state_.interface.tool && over_picture(pointer_) && tool_works_here() ? state_.interface.tool->cursor()
+                                                                                : Cursor::kArrow;
 }
 
 void ViewerInput::clicked(const Click& click) {
@@ -360,7 +363,11 @@ void ViewerInput::open_context_menu(const Pointing& pointing) {
     if (hit) menu.branch = branch;
 }
 
-void ViewerInput::run(const Command& command) { state_.context().perform(command); }
+void ViewerInput::run(const Command& command) {
+    const bool magnifies = command.name == "zoom" && !command.scripted();
+    if (magnifies && step_tool(command.preset.front() == "in" ? 1.0 : -1.0)) return;
+    state_.context().perform(command);
+}
 
 void ViewerInput::key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers, double now) {
     state_.now = now;
@@ -432,7 +439,13 @@ bool ViewerInput::points_at_branches() const {
 
 ToolDrawing ViewerInput::tool_drawing() {
     const auto& tool = state_.interface.tool;
-    return tool ? tool->drawing(pointing(tool_mouse_.modifiers())) : ToolDrawing{};
+    if (!tool) return {};
+    ToolDrawing drawing = tool->drawing(pointing(tool_mouse_.modifiers()));
+    if (!tool->works_on_slices()) return drawing;
+    const std::vector<Viewport> all = state_.viewports();
+    const Viewport& here = all[std::min(viewport_, all.size() - 1)];
+    drawing.part = {here.at, here.size};
+    return drawing;
 }
 
 void ViewerInput::use_tool(std::string_view name) {

@@ -85,6 +85,11 @@ private:
     void release_slice(MouseButton button);
     void turn_wheel_over_slice(const SliceGrip& grip, double notches);
     void point_at_slice();
+    [[nodiscard]] std::optional<slice::PixelGrid> slice_pixels() const; // of the slice under the pointer
+    // Whether the tool in hand works on what is under the pointer, a slice or the tree.
+    [[nodiscard]] bool tool_works_here() const;
+    // Passes a notch to the tool in hand. False: not used.
+    bool step_tool(double notches);
     // The line of a wipe: whether it is under the pointer; dragging it; releasing it.
     [[nodiscard]] bool on_wipe_line() const;
     void drag_wipe_line();

@@ -53,9 +53,27 @@ void ViewerInput::release_slice(MouseButton button) {
 void ViewerInput::turn_wheel_over_slice(const SliceGrip& grip, double notches) {
     if (!ImGui::GetIO().KeyCtrl)
         return state_.perform("slice-step", {std::string(slice::name_of(grip.direction)), exact_text(notches)});
+    if (step_tool(notches)) return;
     SliceViews views = state_.workspace.document().session().slices;
     views.zooms[slice_index(grip.direction)] = SliceMouse::zoomed(grip, in_viewport(pointer_), notches);
     state_.workspace.document().set_slices(views);
+}
+
+std::optional<slice::PixelGrid> ViewerInput::slice_pixels() const {
+    const auto grip = slice_grip();
+    return grip ? std::optional(grip->grid) : std::nullopt;
+}
+
+bool ViewerInput::tool_works_here() const {
+    const auto& tool = state_.interface.tool;
+    return tool && tool->works_on_slices() == slice_grip().has_value();
+}
+
+bool ViewerInput::step_tool(double notches) {
+    const auto& tool = state_.interface.tool;
+    if (!tool || !tool->step(notches, state_.interface.tool_settings)) return false;
+    perform_tool();
+    return true;
 }
 
 // The place under the pointer, for the status bar.
