@@ -89,6 +89,8 @@ enum class FilePurpose {
     kDeviation,
     kOrgan,
     kScan,
+    kRegion,     // saves the region of a scan
+    kRegionTree, // the same, and opens it as a tree
     kExport
 };
 

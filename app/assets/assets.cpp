@@ -275,12 +275,21 @@ void complete_contacts(Assets& assets, const Document& document) {
     if (contacts_awaited(assets, options)) assets.contacts = contacts_of(*assets.tree, options);
 }
 
+void complete_region(Assets& assets, Job& job) {
+    ScanRegion& region = assets.region;
+    const auto* const loaded = region.is_current() ? nullptr : found(assets.scans, region.now().scan);
+    if (loaded == nullptr || !loaded->value) return;
+    auto grown = grown_mask(region.now(), *(*loaded->value)->volume, JobRange(job, 0.0F, 1.0F));
+    if (grown) region.grown = std::move(*grown);
+}
+
 Result<void> complete(Assets& assets, const Document& document, Job& job) {
     complete_lesions(assets, document);
     if (document.marks().contact_marks) complete_contacts(assets, document);
     const Marks& marks = document.marks();
     if (auto organ = complete_organ(assets, marks, job); !organ) return organ;
     if (auto scans = load_scans(assets, marks, job); !scans) return scans;
+    complete_region(assets, job);
     return load_context(assets, marks, job);
 }
 

@@ -17,6 +17,7 @@
 #include "app/assets/measured.h"
 #include "app/assets/organ.h"
 #include "app/assets/plan.h"
+#include "app/assets/region.h"
 #include "app/assets/scans.h"
 #include "app/assets/selection_outline.h"
 #include "app/assets/shapes.h"
@@ -52,6 +53,7 @@ struct Assets {
     TreeValidation validation;  // may belong to an earlier tree or options
     TreeContacts contacts;      // of the tree; may belong to earlier options of the surface
     OrganAssets organ;
+    ScanRegion region; // that a person grows; no part of the session
 
     // The result of the measurement with this id, or why it failed. Null: not measured yet.
     [[nodiscard]] const Result<Measured>* measured(int id) const;
@@ -110,6 +112,9 @@ void complete_lesions(Assets& assets, const Document& document);
 // Reads all visible context, or scans. Fails with the first error; `what` is "cancelled" if `job` is cancelled.
 [[nodiscard]] Result<void> load_context(Assets& assets, const Marks& marks, Job& job);
 [[nodiscard]] Result<void> load_scans(Assets& assets, const Marks& marks, Job& job);
+
+// Grows the region of the scan that it is of, in the calling thread, unless it is current or the scan is not loaded.
+void complete_region(Assets& assets, Job& job);
 
 // Whether complete_contacts() has something to do.
 [[nodiscard]] bool contacts_awaited(const Assets& assets, const mesh::SurfaceOptions& options);

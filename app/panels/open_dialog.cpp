@@ -64,6 +64,7 @@ void OpenDialog::rename(const std::string& text) {
 fs::path OpenDialog::named() const {
     if (purpose == FilePurpose::kExport) return folder / exported.named(name.data());
     fs::path target = folder / name.data();
+    if (saves_region()) return io::names_volume(target) ? target : fs::path(target.string() + ".nii.gz");
     if (target.extension() == ".json") return target;
     return fs::path(target.string() + (target.extension() == ".ramus" ? ".json" : ".ramus.json"));
 }
@@ -103,7 +104,7 @@ std::string tree_and_mask_extensions() {
     return io::readable_tree_extensions() + "; masks: " + io::readable_volume_extensions();
 }
 
-const std::array<Purpose, 11>& purposes() {
+const std::array<Purpose, 13>& purposes() {
     const Shown trees{"Trees", io::names_tree, io::readable_tree_extensions};
     const Shown volumes{"Masks and scans", can_be_mask, io::readable_volume_extensions};
     const Shown sessions{"Sessions", is_json, json_extension};
@@ -116,7 +117,7 @@ const std::array<Purpose, 11>& purposes() {
                        context_extensions};
     const Shown exports{"What was exported", can_be_export, [] { return std::string("such"); }};
     const Shown tables{"Tables", can_be_table, [] { return std::string(".csv, .tsv or .txt"); }};
-    static const std::array<Purpose, 11> all{
+    static const std::array<Purpose, 13> all{
         {{FilePurpose::kOpen,
           "Open a vessel tree, a mask, a scan or a session",
           {all_opened, trees, volumes, sessions},
@@ -139,6 +140,11 @@ const std::array<Purpose, 11>& purposes() {
           true},
          {FilePurpose::kOrgan, "Choose the mask of the organ", {volumes}, "organ", true},
          {FilePurpose::kScan, "Open a scan or a segmentation", {volumes}, "scan", true},
+         {FilePurpose::kRegion, "Save the region as a mask: .nii.gz, .nii or .nrrd", {volumes}, "region-save"},
+         {FilePurpose::kRegionTree,
+          "Save the region as a mask, and open it as a tree: .nii.gz, .nii or .nrrd",
+          {volumes},
+          "region-tree"},
          {FilePurpose::kExport, "Export", {exports}, "export"}}};
     return all;
 }

@@ -35,7 +35,12 @@ struct OpenDialog {
 
     void show(const std::filesystem::path& start, FilePurpose wanted);
     void show_to_save(const std::filesystem::path& suggestion, FilePurpose wanted = FilePurpose::kSave); // a file
-    [[nodiscard]] bool saves() const { return purpose == FilePurpose::kSave || purpose == FilePurpose::kExport; }
+    [[nodiscard]] bool saves_region() const {
+        return purpose == FilePurpose::kRegion || purpose == FilePurpose::kRegionTree;
+    }
+    [[nodiscard]] bool saves() const {
+        return purpose == FilePurpose::kSave || purpose == FilePurpose::kExport || saves_region();
+    }
     void rename(const std::string& text);              // sets the text of the name field
     [[nodiscard]] std::filesystem::path named() const; // the file to save, with its extension
     void enter(const std::filesystem::path& where);    // lists another folder

@@ -73,28 +73,29 @@ private:
     Lengths lengths_;
 };
 
+void draw_in_part(InterfaceContext& context, const ToolDrawing& drawing, const ToolDrawing::Part& part) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const glm::ivec2 at = context.layout.view_at + part.at, to = at + part.size;
+    list.PushClipRect({static_cast<float>(at.x), static_cast<float>(at.y)},
+                      {static_cast<float>(to.x), static_cast<float>(to.y)});
+    const Painter painter(list, at, part.size, context.workspace.document().lengths());
+    for (const auto& area : drawing.areas) painter.area(area);
+    for (const auto& line : drawing.lines) painter.line(line);
+    for (const auto& circle : drawing.circles) painter.circle(circle);
+    for (const auto& text : drawing.texts) painter.text(text);
+    list.PopClipRect();
+}
+
 } // namespace
 
 void draw_tool_drawing(InterfaceContext& context) {
     const ToolDrawing& drawing = context.interface.tool_drawing;
     const Layout& layout = context.layout;
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const auto draw = [&](const ToolDrawing::Part& part) {
-        const glm::ivec2 at = layout.view_at + part.at;
-        const glm::ivec2 to = at + part.size;
-        list.PushClipRect({static_cast<float>(at.x), static_cast<float>(at.y)},
-                          {static_cast<float>(to.x), static_cast<float>(to.y)});
-        const Painter painter(list, at, part.size, context.workspace.document().lengths());
-        for (const auto& area : drawing.areas) painter.area(area);
-        for (const auto& line : drawing.lines) painter.line(line);
-        for (const auto& circle : drawing.circles) painter.circle(circle);
-        for (const auto& text : drawing.texts) painter.text(text);
-        list.PopClipRect();
-    };
-    if (drawing.part) return draw(*drawing.part);
+    if (drawing.part) return draw_in_part(context, drawing, *drawing.part);
     // All viewports have the same view, so the drawing appears in each; of plans only in the one that tools act on.
     for (std::size_t n = 0; n < layout.viewports_at.size(); ++n)
-        if (layout.current_plan_in.value_or(n) == n) draw({layout.viewports_at[n], layout.viewport_size});
+        if (layout.current_plan_in.value_or(n) == n)
+            draw_in_part(context, drawing, {layout.viewports_at[n], layout.viewport_size});
 }
 
 } // namespace ramus::app

@@ -66,6 +66,15 @@ render::MaskLayer mask_layer(const Scan& scan, const ScanFile& file) {
     return layer;
 }
 
+// The region that is grown, as it was grown last.
+void add_region(render::SliceView& view, const Marks& marks, const ScanRegion& region) {
+    if (!region.exists() || !region.grown.shown || region.grown.of.scan != region.now().scan) return;
+    const auto is_shown = [&](const Scan& scan) { return scan.visible && source_of(scan) == region.now().scan; };
+    if (std::ranges::none_of(marks.scans, is_shown)) return;
+    constexpr float kFill = 0.3F; // the scan must be seen through it
+    view.masks.push_back({region.grown.shown, {{1, srgb_of(kRegionColour)}}, kFill, 0.95F});
+}
+
 // The colours of the slices that cross a slice along its rows and along its columns.
 std::pair<slice::Direction, slice::Direction> crossing(slice::Direction direction) {
     using enum slice::Direction;
@@ -231,6 +240,7 @@ void add_scans(render::SliceView& view, const Session& session, const Assets& as
         else
             view.scans.push_back({file->volume, window_of(scan, *file), static_cast<float>(scan.opacity)});
     }
+    add_region(view, session.marks, assets.region);
 }
 
 render::SliceView compose_slice(const Session& session, const Assets& assets, slice::Direction direction,

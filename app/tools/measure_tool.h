@@ -25,7 +25,7 @@ public:
     [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override;
     [[nodiscard]] Cursor cursor() const override { return over_handle_ ? Cursor::kHand : Cursor::kCross; }
     [[nodiscard]] std::string hint() const override;
-    [[nodiscard]] bool works_on_slices() const override { return true; }
+    [[nodiscard]] WorksOn works_on() const override { return WorksOn::kBoth; }
     [[nodiscard]] bool points_at_branches() const override;
     [[nodiscard]] std::optional<std::size_t> moved_measurement() const override;
 

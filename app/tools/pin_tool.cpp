@@ -60,7 +60,7 @@ public:
         return drawing;
     }
 
-    [[nodiscard]] bool works_on_slices() const override { return true; }
+    [[nodiscard]] WorksOn works_on() const override { return WorksOn::kBoth; }
     [[nodiscard]] std::string hint() const override {
         return held_ ? "Drag to move the pin, let go to set it there, Escape to leave it"
                      : "Click a vessel or a slice to pin a text there; drag a pin to move it, click it to write";

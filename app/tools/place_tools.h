@@ -20,7 +20,7 @@ public:
     bool escape() override;
     [[nodiscard]] bool busy() const override { return held_.has_value(); }
     [[nodiscard]] bool changes_while_held() const override { return held_.has_value(); }
-    [[nodiscard]] bool works_on_slices() const override { return true; }
+    [[nodiscard]] WorksOn works_on() const override { return WorksOn::kBoth; }
     [[nodiscard]] std::string hint() const override {
         return held_ ? "Drag the cut along its branch, let go to keep it, Escape to leave it"
                      : "Click a vessel to cut it there; drag a cut along its branch";
@@ -51,7 +51,7 @@ public:
     void release(const Pointing& pointing) override;
     bool escape() override { return std::exchange(held_, std::nullopt).has_value(); }
     [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override;
-    [[nodiscard]] bool works_on_slices() const override { return true; }
+    [[nodiscard]] WorksOn works_on() const override { return WorksOn::kBoth; }
     [[nodiscard]] std::string hint() const override;
 
 private:

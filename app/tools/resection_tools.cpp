@@ -36,7 +36,7 @@ class StrokeTool final : public Tool {
 public:
     explicit StrokeTool(bool straight) : straight_(straight) {}
     [[nodiscard]] bool picks() const override { return false; }
-    [[nodiscard]] bool works_on_slices() const override { return true; }
+    [[nodiscard]] WorksOn works_on() const override { return WorksOn::kBoth; }
     void press(const Pointing& pointing) override {
         points_ = {pointing.at};
         corrected_ = sheet_under(pointing);
@@ -151,7 +151,7 @@ public:
                                      ", Escape to begin again";
     }
 
-    [[nodiscard]] bool works_on_slices() const override { return true; }
+    [[nodiscard]] WorksOn works_on() const override { return WorksOn::kBoth; }
 
 private:
     static bool takes_corner(const Pointing& pointing, const render::Pick& pick) {
@@ -168,7 +168,7 @@ private:
 class HandleTool final : public Tool {
 public:
     [[nodiscard]] bool picks() const override { return false; }
-    [[nodiscard]] bool works_on_slices() const override { return true; }
+    [[nodiscard]] WorksOn works_on() const override { return WorksOn::kBoth; }
     void press(const Pointing& pointing) override {
         held_.reset();
         line_.reset();

@@ -11,6 +11,7 @@
 #include "render/renderer/drawn.h"
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -28,6 +29,7 @@ using CommandLine = std::vector<std::string>; // the command's name, then its ar
 struct ToolSettings {
     bool lasso_any_part = false; // any part of a branch suffices; false: at least half its length
     bool lasso_visible = false;  // only visible parts; false: the whole tree
+    double cut_radius_mm = 3.0;  // of balls that cut a region of a scan
 };
 
 // A slice under the pointer.
@@ -96,6 +98,7 @@ struct ToolDrawing {
     std::vector<Text> texts;
 };
 
+enum class WorksOn : std::uint8_t { kTree, kSlices, kBoth };
 enum class Cursor { kArrow, kCross, kHand, kSideways, kLasso, kLassoPolygon };
 
 class Tool {
@@ -118,6 +121,10 @@ public:
     // Escape. True: something in progress was cancelled. False: nothing was; the owner leaves the tool.
     virtual bool escape() { return false; }
 
+    // Ctrl and the wheel over a slice, and the keys + and -; a notch away from the person is 1. False: not used, and
+    // the picture is magnified.
+    virtual bool step(double /*notches*/, const ToolSettings& /*settings*/) { return false; }
+
     // Whether events need Pointing::under; they then arrive after the pick.
     [[nodiscard]] virtual bool picks() const { return true; }
 
@@ -127,8 +134,9 @@ public:
     [[nodiscard]] virtual ToolDrawing drawing(const Pointing&) const { return {}; }
     [[nodiscard]] virtual Cursor cursor() const { return Cursor::kCross; }
     [[nodiscard]] virtual std::string hint() const = 0; // one line: what to do next
-    // Whether the tool has the left button over slices, too.
-    [[nodiscard]] virtual bool works_on_slices() const { return false; }
+    // Where the tool has the left button; elsewhere it turns the tree, or moves the crosshair of slices, as without a
+    // tool.
+    [[nodiscard]] virtual WorksOn works_on() const { return WorksOn::kTree; }
     // Whether the branch under the pointer is highlighted as without a tool.
     [[nodiscard]] virtual bool points_at_branches() const { return false; }
 

@@ -17,6 +17,9 @@ std::unique_ptr<Tool> make_plane_tool();
 std::unique_ptr<Tool> make_points_tool();
 std::unique_ptr<Tool> make_sheet_tool();
 std::unique_ptr<Tool> make_handle_tool();
+// Of region_tools.cpp
+std::unique_ptr<Tool> make_region_tool();
+std::unique_ptr<Tool> make_region_cut_tool();
 // NOLINTEND(readability-redundant-declaration)
 
 namespace {
@@ -154,6 +157,30 @@ const std::vector<ToolKind>& tool_kinds() {
          {"Shift+I"},
          {ring({0.5F, 0.34F}, 0.22F), {{0.5F, 0.56F}, {0.5F, 0.94F}}},
          make_pin_tool},
+        {"region",
+         "Grow region",
+         "Grows a region of similar values in the scan, from a click on a slice; no segmentation.",
+         {},
+         {ring({0.5F, 0.5F}, 0.08F),
+          {{0.50F, 0.12F},
+           {0.72F, 0.20F},
+           {0.84F, 0.44F},
+           {0.70F, 0.66F},
+           {0.74F, 0.86F},
+           {0.44F, 0.88F},
+           {0.20F, 0.72F},
+           {0.24F, 0.50F},
+           {0.14F, 0.30F},
+           {0.50F, 0.12F}}},
+         make_region_tool},
+        {"region-cut",
+         "Cut region",
+         "Cuts the region of the scan where it leaves the vessel: a drag by a disc, a click by a ball.",
+         {},
+         {{{0.14F, 0.60F}, {0.16F, 0.30F}, {0.50F, 0.14F}, {0.66F, 0.22F}},
+          {{0.84F, 0.44F}, {0.74F, 0.84F}, {0.44F, 0.88F}, {0.34F, 0.80F}},
+          {{0.24F, 0.84F}, {0.86F, 0.20F}}},
+         make_region_cut_tool},
         {"join",
          "Join ends",
          "Joins a free end of a vessel with another vessel.",

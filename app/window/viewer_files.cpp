@@ -89,6 +89,8 @@ void ViewerFiles::ask_for_file(FilePurpose purpose) {
         const std::string extension = interface.of<OpenDialog>().exported.format().extension;
         interface.of<OpenDialog>().show_to_save(
             in_remembered(suggested_file(state_.workspace.document(), extension), purpose), purpose);
+    } else if (purpose == FilePurpose::kRegion || purpose == FilePurpose::kRegionTree) {
+        interface.of<OpenDialog>().show_to_save(suggested_file(state_.workspace.document(), "-region.nii.gz"), purpose);
     } else {
         const std::filesystem::path beside = state_.workspace.document().subject().parent_path();
         const std::filesystem::path opened = interface.settings.folder_of(key_of(FilePurpose::kOpen));

@@ -214,7 +214,7 @@ void ViewerInput::press(MouseButton button, Modifiers modifiers, double now) {
         point_at(tree::kNoBranch, {});
     } else if (left && over && grab_plane()) {
         point_at(tree::kNoBranch, {});
-    } else if (left && state_.interface.tool && over) {
+    } else if (left && over && tool_acts_here()) {
         use_plan_here();
         tool_mouse_.press(tell(), pointing(modifiers), now);
     } else if (over) {
@@ -383,7 +383,11 @@ void ViewerInput::open_context_menu(const Pointing& pointing) {
     if (hit) menu.branch = branch;
 }
 
-void ViewerInput::run(const Command& command) { state_.context().perform(command); }
+void ViewerInput::run(const Command& command) {
+    const bool magnifies = command.name == "zoom" && !command.scripted();
+    if (magnifies && step_tool(command.preset.front() == "in" ? 1.0 : -1.0)) return;
+    state_.context().perform(command);
+}
 
 void ViewerInput::key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers, double now) {
     state_.now = now;

@@ -101,6 +101,8 @@ private:
     [[nodiscard]] bool turn_wheel_over_plane(double notches);
     void show_slices_at(const glm::dvec3& place);
     void add_plane_outline(ToolDrawing& drawing) const;
+    // Passes a notch to the tool in hand. False: not used.
+    bool step_tool(double notches);
     // The line of a wipe: whether it is under the pointer; dragging it; releasing it.
     [[nodiscard]] bool on_wipe_line() const;
     void drag_wipe_line();

@@ -38,7 +38,7 @@ std::optional<SlicePointing> ViewerInput::slice_pointing() const {
 
 bool ViewerInput::tool_acts_here() const {
     const auto& tool = state_.interface.tool;
-    return tool && (tool->works_on_slices() || !slice_grip());
+    return tool && tool->works_on() != (slice_grip() ? WorksOn::kTree : WorksOn::kSlices);
 }
 
 void ViewerInput::take(const SliceChange& change) {
@@ -79,9 +79,17 @@ void ViewerInput::release_slice(MouseButton button) {
 void ViewerInput::turn_wheel_over_slice(const SliceGrip& grip, double notches) {
     if (!ImGui::GetIO().KeyCtrl)
         return state_.perform("slice-step", {std::string(slice::name_of(grip.direction)), exact_text(notches)});
+    if (step_tool(notches)) return;
     SliceViews views = state_.workspace.document().session().slices;
     views.zooms[slice_index(grip.direction)] = SliceMouse::zoomed(grip, in_viewport(pointer_), notches);
     state_.workspace.document().set_slices(views);
+}
+
+bool ViewerInput::step_tool(double notches) {
+    const auto& tool = state_.interface.tool;
+    if (!tool || !tool->step(notches, state_.interface.tool_settings)) return false;
+    perform_tool();
+    return true;
 }
 
 // The place under the pointer, for the status bar.

@@ -29,6 +29,7 @@ enum class WorkKind : std::uint8_t {
     kLesions,
     kContext,
     kScans,
+    kRegion,
     kOrgan,
     kSupply,
     kResectionMeshes,

@@ -125,6 +125,42 @@ std::unique_ptr<BackgroundWork> scan_work(const std::function<void()>& wake) {
          .finishes = true});
 }
 
+struct RegionWork {
+    RegionOf of;
+    std::shared_ptr<const ScanFile> scan;
+    bool operator==(const RegionWork&) const = default;
+};
+
+// Starts again whenever the region changes; until then slices show the previous one.
+std::unique_ptr<BackgroundWork> region_work(const std::function<void()>& wake) {
+    return work_of<RegionWork, GrownMask>(
+        wake, {.kind = WorkKind::kRegion,
+               .title = titled<RegionWork>("Growing a region"),
+               .missing = [](const WorkView&, const Assets& assets) -> std::vector<RegionWork> {
+                   const ScanRegion& region = assets.region;
+                   const auto known = assets.scans.find(region.now().scan);
+                   if (!region.exists() || region.is_current() || known == assets.scans.end() || !known->second.value)
+                       return {};
+                   return {{region.now(), *known->second.value}};
+               },
+               .make = [](const RegionWork& work, Job& job) -> Result<GrownMask> {
+                   return grown_mask(work.of, *work.scan->volume, JobRange(job, 0.0F, 1.0F));
+               },
+               .put = [](const RegionWork&, const GrownMask& made, Assets& assets) { assets.region.grown = made; },
+               .refused =
+                   [](const RegionWork& work, const std::string& problem, Assets& assets) {
+                       assets.region.grown = {work.of, {}, {}, problem};
+                   },
+               .tidy =
+                   [](const WorkView& view, Assets& assets) {
+                       const auto is_its_scan = [&](const Scan& one) {
+                           return source_of(one) == assets.region.now().scan;
+                       };
+                       if (assets.region.exists() && std::ranges::none_of(view.document.marks().scans, is_its_scan))
+                           assets.region.forget();
+                   }});
+}
+
 std::unique_ptr<BackgroundWork> organ_work(const std::function<void()>& wake) {
     using Mask = Loaded<OrganMask>;
     const auto put = [](const OrganSource& source, const Mask& mask, Assets& assets) { assets.organ = {source, mask}; };
@@ -417,6 +453,7 @@ std::vector<std::unique_ptr<BackgroundWork>> background_works(const std::functio
     works.push_back(lesion_work(wake));
     works.push_back(context_work(wake));
     works.push_back(scan_work(wake));
+    works.push_back(region_work(wake));
     works.push_back(organ_work(wake));
     works.push_back(supply_work(wake));
     works.push_back(resection_mesh_work(wake));

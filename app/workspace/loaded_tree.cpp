@@ -89,6 +89,7 @@ Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, co
     fresh.marks.options = like.options;
     fresh.marks.colour_map = like.colour_map;
     fresh.marks.context = like.context;
+    fresh.marks.scans = like.scans;
     std::erase_if(fresh.marks.context, [&](const ContextItem& item) { return item.file == fresh.tree.path; });
     // The mask's own surface beside that of the tree made of it. A scan is no mask to compare with.
     if (io::is_volume(path) && !reading.mask.isovalue) {

@@ -32,9 +32,9 @@ struct LoadedTree {
     double seconds = 0.0; // reading
 };
 
-// A tree file, or a session (.json with a version) and its tree. For a tree, options, colours and context of `like`
-// stay, but for context of the same file. `reading` is what somebody says of the file, and wins over what the session
-// says.
+// A tree file, or a session (.json with a version) and its tree. For a tree, options, colours, context and scans of
+// `like` stay, but for context of the same file. `reading` is what somebody says of the file, and wins over what the
+// session says.
 [[nodiscard]] Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like,
                                       const io::ReadOptions& reading, Job& job);
 

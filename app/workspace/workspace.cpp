@@ -14,9 +14,10 @@ Workspace::Workspace(const std::function<void()>& wake)
 void Workspace::open(const std::filesystem::path& path) {
     io::note_input(path, io::InputKind::kSession); // until its tree is read
     asked_for_ = std::filesystem::absolute(path).lexically_normal();
-    // Context that is shown without a tree is kept for the next tree; context next to a tree belongs to that tree.
+    // Context and scans that are shown without a tree are kept for the next tree; those next to a tree belong to that
+    // tree.
     Marks like = document_.marks();
-    if (document_.tree()) like.context.clear();
+    if (document_.tree()) like.context.clear(), like.scans.clear();
     load_with(path, [path, like = std::move(like), how = reading_](Job& job) { return load(path, like, how, job); });
 }
 

@@ -77,7 +77,7 @@ TEST_CASE("a distance is measured between two places of a slice, and its ends ar
     OrganStage stage;
     const SliceHand hand(stage.document);
     MeasureTool tool(Measurement::Kind::kDistance);
-    CHECK(tool.works_on_slices());
+    CHECK(tool.works_on() == WorksOn::kBoth);
     hand.click(tool, {2.0, 1.0, 0.0});
     CHECK(tool.busy());
     tool.move(hand.at({6.0, 4.0, 0.0}));
