@@ -11,14 +11,14 @@ namespace ramus::app {
 
 namespace {
 
-double shape_of(glm::ivec2 size) { return static_cast<double>(size.x) / std::max(1, size.y); }
+double aspect_of(glm::ivec2 size) { return static_cast<double>(size.x) / std::max(1, size.y); }
 
 } // namespace
 
 render::Camera reframed(const render::Camera& camera, glm::ivec2 from, glm::ivec2 to,
                         std::span<const glm::vec3> points) {
-    const double before = shape_of(from);
-    const double after = shape_of(to);
+    const double before = aspect_of(from);
+    const double after = aspect_of(to);
     if (camera.inside || !(after < before)) return camera;
     constexpr double kNearSide = 0.95; // of the way from the middle to a side: points may come as near as that
     const double most = before / after;
