@@ -27,16 +27,19 @@ void refresh_centerlines(Assets& assets, const mesh::SurfaceOptions& options) {
         assets.centerlines = centerlines_of(*assets.tree, options);
 }
 
-void refresh_measurements(Assets& assets, const Marks& marks) {
+void refresh_measurements(Assets& assets, const Document& document) {
+    const Marks& marks = document.marks();
+    const std::string unit = document.lengths().unit();
     LesionShapes lesions = lesion_shapes(assets, marks);
-    if (assets.measurements && assets.measurements->of == marks.measurements && assets.measurements->lesions == lesions)
+    if (assets.measurements && assets.measurements->of == marks.measurements &&
+        assets.measurements->lesions == lesions && assets.measurements->unit == unit)
         return;
-    Measurements measurements{marks.measurements, std::move(lesions), {}, {}};
-    if (assets.tree)
-        for (const Measurement& measurement : marks.measurements) {
-            measurements.places.emplace(measurement.id, measurements.found.size());
-            measurements.found.push_back(measured(*assets.tree, measurement, measurements.lesions));
-        }
+    Measurements measurements{marks.measurements, unit, std::move(lesions), {}, {}};
+    const auto tree = measured_tree(document);
+    for (const Measurement& measurement : marks.measurements) {
+        measurements.places.emplace(measurement.id, measurements.found.size());
+        measurements.found.push_back(measured(*tree, measurement, measurements.lesions));
+    }
     assets.measurements = std::make_shared<const Measurements>(std::move(measurements));
 }
 
@@ -148,7 +151,7 @@ void refresh(Assets& assets, const Document& document) { refresh(assets, documen
 void refresh(Assets& assets, const Document& document, const mesh::SurfaceOptions& options) {
     refresh_tree(assets, document);
     if (assets.tree) (void)refresh_plan(assets, document);
-    refresh_measurements(assets, document.marks());
+    refresh_measurements(assets, document);
     refresh_centerlines(assets, options);
     refresh_outline(assets, document.session());
 }

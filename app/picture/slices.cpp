@@ -231,6 +231,13 @@ std::string caption_of(slice::Direction direction, const slice::Plane& plane, co
     return caption;
 }
 
+render::Camera camera_of_planes(std::span<const glm::vec3> points, glm::ivec2 size) {
+    constexpr double kAzimuth = 35.0;
+    constexpr double kElevation = 25.0; // degrees
+    const render::Camera front = render::camera_for(points, render::View::kAnterior, size);
+    return render::fitted(render::turned(front, kAzimuth, kElevation), points, size);
+}
+
 void add_scans(render::SliceView& view, const Session& session, const Assets& assets) {
     for (const Scan& scan : session.marks.scans) {
         const auto file = scan.visible && scan.opacity > 0.0 ? assets.scan(scan) : nullptr;

@@ -150,6 +150,39 @@ class Slices(CommandLineTest):
         self.assertEqual(masked.pixel(15, 10), (10,) * 3)  # left
         self.assertNotEqual(masked.pixel(5, 5), (10,) * 3)  # right: label 2
 
+    def test_figures_with_slices(self):
+        self.write("v.nii", stored((0, 1, 2), (False, False, False)))
+        self.write("tree.swc", "# mm, RAS\n1 3 5 4 -15 3 -1\n2 3 5 4 15 3 1\n")
+        shown = ("--scan", "v.nii", "--size", "241x201", "--view", "anterior")
+
+        def picture(*words):
+            self.expect_done("render", "-o", "p.png", *shown, *words)
+            return Picture((self.folder / "p.png").read_bytes())
+
+        plain = picture("tree.swc", "--layout", "slices")
+        finer = picture("tree.swc", "--layout", "slices", "--supersample", "2")
+        # The blocks of the phantom at the right and the anterior side of the axial slice, at the upper left.
+        for at in ((60 - 33, 46), (64, 50 - 33)):
+            self.assertAlmostEqual(finer.pixel(*at)[0], plain.pixel(*at)[0], delta=4)
+            self.assertGreater(plain.pixel(*at)[0], 100)
+        turn = self.json("render", "tree.swc", "-o", "t.png", *shown, "--layout", "slices", "--turntable", "2", "--json")
+        first, second = (Picture((self.folder / name).read_bytes()) for name in ("t_001.png", "t_002.png"))
+        self.assertEqual(len(turn["pictures"]), 2)
+        self.assertEqual(first.pixel(60 - 33, 46), second.pixel(60 - 33, 46))  # slices stay
+        self.expect_failure("render", "tree.swc", "-o", "t.png", *shown, "--layout", "axial", "--turntable", "2",
+                            says=("does not turn", "layout"))
+        # A sheet shows the tree alone, as without slices.
+        self.expect_done("render", "tree.swc", "-o", "a.png", *shown, "--layout", "slices", "--sheet")
+        self.expect_done("render", "tree.swc", "-o", "b.png", *shown, "--sheet")
+        a, b = (Picture((self.folder / name).read_bytes()) for name in ("a.png", "b.png"))
+        self.assertTrue(all(a.pixel(x, y) == b.pixel(x, y) for x in range(0, 241, 5) for y in range(0, 201, 5)))
+        # Without a tree: the slices, and a distance in the scan.
+        self.write("c.txt", "crosshair 0,0,0\nmeasure distance -10,0,0 10,0,0\n")
+        alone = picture("--commands", "c.txt")
+        self.assertGreater(alone.pixel(64, 50 - 33)[0], 100)
+        without = picture()
+        self.assertNotEqual(alone.pixel(60 + 15, 50), without.pixel(60 + 15, 50))
+
     def test_what_nobody_states_is_not_claimed(self):
         self.write("v.nii", nifti((9, 9, 9), [n % 251 for n in range(729)], units=0))
         report = self.json("slice", "v.nii", "--json")
