@@ -29,6 +29,7 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> pin_commands();
 [[nodiscard]] std::vector<Command> scan_commands();
 [[nodiscard]] std::vector<Command> slice_commands();
+[[nodiscard]] std::vector<Command> along_commands();
 [[nodiscard]] std::vector<Command> report_commands();
 [[nodiscard]] std::vector<Command> reading_commands();
 [[nodiscard]] std::vector<Command> camera_commands();
@@ -70,6 +71,7 @@ inline constexpr std::array kCommandGroups{
     pin_commands,           //
     scan_commands,          //
     slice_commands,         //
+    along_commands,         //
     report_commands,        //
     reading_commands,       //
     contact_commands,       //

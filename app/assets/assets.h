@@ -21,6 +21,7 @@
 #include "app/assets/selection_outline.h"
 #include "app/assets/shapes.h"
 #include "app/assets/validation.h"
+#include "app/assets/vessel_sections.h"
 #include "app/session/branch_facts.h"
 #include "app/session/document.h"
 
@@ -52,6 +53,8 @@ struct Assets {
     TreeValidation validation;  // may belong to an earlier tree or options
     TreeContacts contacts;      // of the tree; may belong to earlier options of the surface
     OrganAssets organ;
+    FollowedPath followed;                          // of the session's AlongVessel
+    std::shared_ptr<const VesselSections> sections; // measured by the owner of the surface; may be of an earlier path
 
     // The result of the measurement with this id, or why it failed. Null: not measured yet.
     [[nodiscard]] const Result<Measured>* measured(int id) const;

@@ -1,4 +1,5 @@
 // The part of ViewerInput that is about slices.
+#include "app/picture/along_picture.h"
 #include "app/picture/slices.h"
 #include "app/session/numbers.h"
 #include "app/window/viewer_input.h"
@@ -24,6 +25,11 @@ std::optional<SliceGrip> ViewerInput::slice_grip() const {
         grip.window = window_of(scan, *file);
         break;
     }
+    const std::vector<render::Sheet::Viewport>& shown = picture_.sheet().viewports;
+    if (here.along)
+        grip.along = viewport_ < shown.size() && shown[viewport_].slice ? shown[viewport_].slice->along
+                                                                        : std::optional(render::AlongView{});
+    if (grip.along && session.slices.along) grip.along->angle_deg = session.slices.along->angle_deg;
     return grip;
 }
 
@@ -32,6 +38,9 @@ void ViewerInput::take(const SliceChange& change) {
     SliceViews views = document.session().slices;
     if (change.crosshair) views.crosshair = change.crosshair;
     if (change.zoom) views.zooms[slice_index(slice_mouse_.grip().direction)] = *change.zoom;
+    if (change.angle_deg && views.along) views.along->angle_deg = *change.angle_deg;
+    if (const auto& path = state_.workspace.assets().followed.path; change.along_mm && path)
+        views = views_at(std::move(views), *path, *change.along_mm);
     document.set_slices(views);
     if (!change.window) return;
     // A drag of the window is one step of undo.
@@ -51,6 +60,9 @@ void ViewerInput::release_slice(MouseButton button) {
 }
 
 void ViewerInput::turn_wheel_over_slice(const SliceGrip& grip, double notches) {
+    if (grip.along) // the start of the way is at the top
+        return state_.workspace.document().session().slices.along ? state_.perform("along-step", {exact_text(-notches)})
+                                                                  : void();
     if (!ImGui::GetIO().KeyCtrl)
         return state_.perform("slice-step", {std::string(slice::name_of(grip.direction)), exact_text(notches)});
     SliceViews views = state_.workspace.document().session().slices;
@@ -61,6 +73,11 @@ void ViewerInput::turn_wheel_over_slice(const SliceGrip& grip, double notches) {
 // The place under the pointer, for the status bar.
 void ViewerInput::point_at_slice() {
     const auto grip = over_picture(pointer_) ? slice_grip() : std::nullopt;
+    if (grip && grip->along) {
+        const auto place = grip->along->place_at(in_viewport(pointer_) - 0.5);
+        state_.interface.slice_place = place ? std::optional(place->at) : std::nullopt;
+        return;
+    }
     state_.interface.slice_place = grip ? std::optional(grip->grid.place(in_viewport(pointer_) - 0.5)) : std::nullopt;
 }
 
@@ -68,8 +85,12 @@ void ViewerInput::point_at_slice() {
 void ViewerInput::show_slices_at(const render::Pick& pick) {
     const auto& tree = state_.workspace.document().tree();
     SliceViews views = state_.workspace.document().session().slices;
-    views.crosshair =
-        measure::point_on(*tree, pick.branch, measure::nearest_fraction(*tree, pick.branch, pick.position)).position;
+    const double fraction = measure::nearest_fraction(*tree, pick.branch, pick.position);
+    const auto& path = state_.workspace.assets().followed.path;
+    if (const auto arc = path ? path->arc_of({pick.branch, fraction}) : std::nullopt)
+        views = views_at(std::move(views), *path, *arc);
+    else
+        views.crosshair = measure::point_on(*tree, pick.branch, fraction).position;
     state_.workspace.document().set_slices(views);
 }
 
