@@ -2,6 +2,7 @@
 // is looked at, like the camera, and are no steps of undo.
 #include "app/picture/slices.h"
 
+#include "app/actions/along.h"
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
@@ -111,6 +112,7 @@ Result<void> slice_step(ActionContext& context, Arguments arguments) {
     const auto steps = arguments.size() == 2 ? number_in(arguments[1], -1e4, 1e4) : std::nullopt;
     if (!steps)
         return fail("slice-step takes the name of a slice and a number of steps", {}, "slice-step axial -1, say");
+    if (direction == Direction::kOblique && oblique_follows(context)) return step_along_vessel(context, *steps);
     const Session& session = context.document.session();
     const slice::Plane plane = plane_of(session, context.assets, direction);
     // Forward is up, forward and to the right of the patient, whatever side a slice is seen from.
@@ -248,7 +250,7 @@ std::vector<Command> layout_entries() {
         SliceLayout layout;
         const char *label, *key, *help;
     };
-    constexpr std::array<Entry, 7> kEntries{
+    constexpr std::array<Entry, 8> kEntries{
         {{SliceLayout::kPicture, "Vessels alone", "1", "Shows the vessels without slices."},
          {SliceLayout::kSlices, "Vessels and three slices", "2",
           "Divides the picture into the vessels and three slices."},
@@ -256,7 +258,9 @@ std::vector<Command> layout_entries() {
          {SliceLayout::kAxial, "Axial slice alone", "4", "Shows the axial slice alone."},
          {SliceLayout::kCoronal, "Coronal slice alone", "5", "Shows the coronal slice alone."},
          {SliceLayout::kSagittal, "Sagittal slice alone", "6", "Shows the sagittal slice alone."},
-         {SliceLayout::kOblique, "Oblique slice alone", "7", "Shows the oblique slice alone."}}};
+         {SliceLayout::kOblique, "Oblique slice alone", "7", "Shows the oblique slice alone."},
+         {SliceLayout::kAlong, "Along a vessel", "8",
+          "Shows the vessels, the slice across a vessel, and the picture along it."}}};
     std::vector<Command> commands;
     for (const Entry& entry : kEntries)
         commands.push_back(Command("layout", "NAME", entry.help, layout)

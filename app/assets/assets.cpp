@@ -63,6 +63,30 @@ void refresh_outline(Assets& assets, const Session& session) {
         assets.outline = std::make_shared<const SelectionOutline>(selection_outline(std::move(of)));
 }
 
+// The step of the first scan that is shown.
+double step_along(const Assets& assets, const Marks& marks) {
+    for (const Scan& scan : marks.scans)
+        if (const auto file = scan.visible && !scan.labels ? assets.scan(scan) : nullptr)
+            return fine_step_mm(*file->volume);
+    return 0.0;
+}
+
+void refresh_followed(Assets& assets, const Session& session) {
+    const auto& along = session.slices.along;
+    if (!assets.tree || !along) {
+        assets.followed = {};
+        return;
+    }
+    FollowedPath::Of of{assets.tree, along->way, step_along(assets, session.marks)};
+    if (assets.followed.of == of) return;
+    auto path = path_along(*of.tree, of.way, of.step_mm);
+    assets.followed = {std::move(of), nullptr, {}};
+    if (path)
+        assets.followed.path = std::make_shared<const slice::VesselPath>(std::move(*path));
+    else
+        assets.followed.problem = path.error().message();
+}
+
 } // namespace
 
 const Result<Measured>* Assets::measured(int id) const {
@@ -154,6 +178,7 @@ void refresh(Assets& assets, const Document& document, const mesh::SurfaceOption
     refresh_measurements(assets, document);
     refresh_centerlines(assets, options);
     refresh_outline(assets, document.session());
+    refresh_followed(assets, document.session());
 }
 
 bool centerlines_awaited(const Assets& assets, const mesh::SurfaceOptions& options) {

@@ -24,7 +24,7 @@ using Group = std::array<const char*, 5>;
 constexpr std::array kForBranch{
     Group{"select-dependents", "select-upstream"},
     Group{"highlight", "defocus", "defocus-others", "hide", "show"},
-    Group{"cut", "rename", "fly-along"},
+    Group{"cut", "rename", "fly-along", "along"},
     Group{"show-all", "fit"},
 };
 constexpr std::array kForBackground{

@@ -327,6 +327,11 @@ bool PictureView::resting() const {
 
 std::shared_ptr<const render::PagedMesh> PictureView::picture_mesh() const { return state_.workspace.shown().mesh; }
 
+Result<std::shared_ptr<const render::PagedMesh>> PictureView::current_mesh() {
+    if (state_.workspace.surface_ready()) return picture_mesh();
+    return fail("the surface is being computed", {}, "try again when it is there");
+}
+
 // As `ramus render` draws the session: without hovering.
 render::Frame PictureView::frame_for_keeping(const render::Camera& camera, glm::ivec2 size) {
     state_.follow_tree();

@@ -63,6 +63,9 @@ public:
     // PictureHost
     [[nodiscard]] glm::ivec2 picture_size() const override { return state_.viewport_size(); }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override;
+    [[nodiscard]] Result<std::shared_ptr<const render::PagedMesh>> current_mesh() override;
+    // What was composed last: shown, or on its way.
+    [[nodiscard]] const render::Sheet& sheet() const { return sheet_; }
     Result<render::BranchPicture> branch_picture() override { return deferred_branch_picture().take(); }
     [[nodiscard]] Deferred<Result<render::BranchPicture>> deferred_branch_picture() override;
     [[nodiscard]] std::optional<Deferred<Result<render::Image>>> deferred_picture() override;

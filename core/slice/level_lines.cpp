@@ -44,7 +44,7 @@ public:
             return glm::dvec3(n % width, n / width, values_[n]);
         };
         cut_triangles(cells, {{0.0, 0.0, level}, {0.0, 0.0, 1.0}}, position, pieces);
-        std::vector<Loop> loops = joined_loops(std::move(pieces));
+        std::vector<Loop> loops = joined_loops(pieces);
         for (Loop& loop : loops)
             for (EdgePoint& point : loop.points) point.at = grid_.place(glm::dvec2(point.at));
         return loops;

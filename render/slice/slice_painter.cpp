@@ -223,6 +223,12 @@ Image SlicePainter::paint_alone(const SliceView& view) {
 Image SlicePainter::paint(const Frame& frame, const SliceView& view) {
     Image image(view.grid.size.x, view.grid.size.y);
     image.fill(view.background);
+    if (view.along) {
+        along_.paint(frame, view, image);
+        paint_mark(view, image);
+        paint_sprites(view, image);
+        return image;
+    }
     sample(view);
     paint_scans(view, image);
     paint_masks(view, image);

@@ -7,6 +7,7 @@
 #include "core/slice/window.h"
 #include "core/volume/volume.h"
 #include "render/scene/frame.h"
+#include "render/slice/along_view.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -64,6 +65,8 @@ struct SliceView {
     glm::vec3 background{0.0F};
     std::optional<glm::vec3> mark; // a bar of this colour at the upper edge names the slice
     std::vector<SliceMark> marks;
+    std::optional<AlongView>
+        along; // shows a vessel along its axis instead of the grid, which is used for the scale bar
     std::vector<MarkLabel> labels;
     Overlays overlays;
     float pixel_ratio = 1.0F;
