@@ -245,7 +245,8 @@ Result<void> step_along_vessel(ActionContext& context, double steps) {
 bool oblique_follows(const ActionContext& context) {
     const SliceViews& views = context.document.session().slices;
     const auto& path = context.assets.followed.path;
-    return views.along && path && views.crosshair && *views.crosshair == path->at(views.along->at_mm).at;
+    return views.along && path && views.crosshair &&
+           glm::distance(*views.crosshair, path->at(views.along->at_mm).at) < path->step_mm;
 }
 
 std::vector<Command> along_commands() {

@@ -9,9 +9,12 @@
 #include "app/session/numbers.h"
 #include "core/base/words.h"
 
+#include <cctype>
+#include <cmath>
 #include <imgui.h>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ramus::app {

@@ -2,6 +2,7 @@
 
 #include "app/session/json_values.h"
 
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace ramus::app::session_json {
@@ -33,6 +34,15 @@ SliceZoom zoom_in(const json& value) {
         zoom.shift = {number(shift[0], "shift", -kFarthest, kFarthest),
                       number(shift[1], "shift", -kFarthest, kFarthest)};
     return zoom;
+}
+
+// A direction of any length but 0. One of unit length is kept to the last digit.
+glm::dvec3 direction_of(const json& value, const std::string& name) {
+    const glm::dvec3 direction = place_in(value, name);
+    const double length = glm::length(direction);
+    if (!(length > 0.0)) throw Refusal{name + " is 0"};
+    constexpr double kRounding = 1e-12;
+    return std::abs(length - 1.0) < kRounding ? direction : direction / length;
 }
 
 json stretch_json(const Stretch& stretch) { return {stretch.from_mm, stretch.to_mm}; }
@@ -111,16 +121,9 @@ SliceViews slices_in(const json& value) {
     SliceViews views;
     if (value.contains("layout")) views.layout = word(value["layout"], "layout", "layout", layout_named);
     if (value.contains("crosshair")) views.crosshair = place_in(value["crosshair"], "crosshair");
-    if (value.contains("normal")) {
-        const glm::dvec3 normal = place_in(value["normal"], "normal of the oblique slice");
-        if (!(glm::length(normal) > 0.0)) throw Refusal{"the normal of the oblique slice is 0"};
-        views.oblique_normal = glm::normalize(normal);
-    }
-    if (value.contains("right")) {
-        const glm::dvec3 right = place_in(value["right"], "right of the oblique slice");
-        if (!(glm::length(right) > 0.0)) throw Refusal{"the right of the oblique slice is 0"};
-        views.oblique_right = glm::normalize(right);
-    }
+    if (value.contains("normal"))
+        views.oblique_normal = direction_of(value["normal"], "the normal of the oblique slice");
+    if (value.contains("right")) views.oblique_right = direction_of(value["right"], "the right of the oblique slice");
     if (value.contains("along")) views.along = along_in(value["along"]);
     if (value.contains("zooms")) {
         if (!value["zooms"].is_object()) throw Refusal{"zooms is not an object"};

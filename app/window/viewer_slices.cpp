@@ -88,9 +88,10 @@ void ViewerInput::release_slice(MouseButton button) {
 }
 
 void ViewerInput::turn_wheel_over_slice(const SliceGrip& grip, double notches) {
-    if (grip.along) // the start of the way is at the top
-        return state_.workspace.document().session().slices.along ? state_.perform("along-step", {exact_text(-notches)})
-                                                                  : void();
+    if (grip.along) { // the start of the way is at the top
+        if (grip.along->path) state_.perform("along-step", {exact_text(-notches)});
+        return;
+    }
     if (!ImGui::GetIO().KeyCtrl)
         return state_.perform("slice-step", {std::string(slice::name_of(grip.direction)), exact_text(notches)});
     if (step_tool(notches)) return;
