@@ -1,6 +1,7 @@
 // The part of ViewerInput that is about slices.
 #include "app/picture/slices.h"
 #include "app/session/numbers.h"
+#include "app/tools/slice_points_tool.h"
 #include "app/window/viewer_input.h"
 #include "core/measure/branch_point.h"
 
@@ -47,6 +48,15 @@ std::optional<SliceSpot> ViewerInput::slice_spot(glm::dvec2 in_viewport) const {
 
 // The second press of a double click makes the slice large, or brings the earlier layout back.
 void ViewerInput::press_slice(MouseButton button, Modifiers modifiers, const SliceGrip& grip, double now) {
+    if (button == MouseButton::kLeft && state_.interface.tool_kind->name == kSlicePoints) {
+        // The place on the slice, as if the slice were one among the vessels.
+        Pointing here = pointing(modifiers);
+        here.under = {.position = grip.grid.place(in_viewport(pointer_) - 0.5), .plane = 0};
+        state_.interface.tool->press(here);
+        state_.interface.tool->release(here);
+        show_slices_at(here.under.position);
+        return perform_tool();
+    }
     if (!slice_mouse_.twice(button, modifiers, in_picture(pointer_), now))
         return take(slice_mouse_.press(button, modifiers, in_viewport(pointer_), grip));
     const SliceLayout layout = state_.workspace.document().session().slices.layout;
