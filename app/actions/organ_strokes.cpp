@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -86,9 +87,18 @@ Result<Resection> plane_along(const Sight& sight, const std::vector<glm::dvec2>&
     return Resection{.kind = Resection::Kind::kPlane, .point = 0.5 * (a + behind), .normal = glm::normalize(normal)};
 }
 
+// Also between the pixels: a straight stroke across the organ has its corners outside.
 Result<Resection> sheet_along(const Sight& sight, const std::vector<glm::dvec2>& pixels) {
+    constexpr double kSteps = 64.0; // along the stroke
+    double length = 0.0;
+    for (std::size_t n = 1; n < pixels.size(); ++n) length += glm::distance(pixels[n - 1], pixels[n]);
     std::vector<glm::dvec3> contour;
-    for (const glm::dvec2& pixel : pixels) sight.add_ends(pixel, contour);
+    sight.add_ends(pixels.front(), contour);
+    for (std::size_t n = 1; n < pixels.size() && length > 0.0; ++n) {
+        const double steps = std::ceil(kSteps * glm::distance(pixels[n - 1], pixels[n]) / length);
+        for (double k = 1.0; k <= steps; k += 1.0)
+            sight.add_ends(glm::mix(pixels[n - 1], pixels[n], k / steps), contour);
+    }
     if (contour.size() < 4) return fail("the line does not cross the organ", {}, "draw it across the organ");
     RAMUS_TRY(sheet, organ::sheet_through(contour));
     return Resection{.kind = Resection::Kind::kSheet, .sheet = std::move(sheet)};

@@ -94,7 +94,7 @@ private:
     }
 
     void send_on_slice(const slice::PixelGrid& grid, const std::vector<glm::dvec2>& pixels) {
-        const glm::dvec3 normal = grid.plane().normal;
+        const glm::dvec3 normal = grid.plane().normal + 0.0; // no -0
         const auto words = [&](CommandLine line) {
             for (const glm::dvec2& pixel : pixels) line.push_back(finely_spelled(grid.place(pixel - 0.5)));
             return line;
@@ -174,7 +174,8 @@ public:
         line_.reset();
         if (pointing.slice) {
             if (const auto hold = hold_under(pointing))
-                line_ = HeldLine{hold->resection, pointing.document.marks().resections[hold->resection], {}, hold->at};
+                line_ = HeldLine{
+                    hold->resection, pointing.document.marks().resections[hold->resection], {}, hold->at, pointing.at};
             return;
         }
         held_ = handle_under(pointing);
@@ -239,6 +240,7 @@ private:
         Resection before;
         std::optional<Resection> now; // none: not moved yet
         glm::dvec3 at{0.0};           // where it was grabbed, or dragged to
+        glm::dvec2 pressed_at{0.0};   // pixels
     };
 
     static std::optional<SectionHold> hold_under(const Pointing& pointing) {
@@ -253,7 +255,7 @@ private:
 
     void drag_line(const Pointing& pointing) {
         const glm::dvec3 at = pointing.slice->grid.place(pointing.at - 0.5);
-        const double moved = glm::distance(at, line_->at) / glm::length(pointing.slice->grid.right);
+        const double moved = glm::distance(pointing.at, line_->pressed_at);
         if (!line_->now && moved < kLeastStroke * pointing.pixel_ratio) return;
         Resection now = line_->before;
         if (now.kind == Resection::Kind::kSheet) {
