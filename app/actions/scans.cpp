@@ -110,9 +110,9 @@ Result<Outcome> scan(ActionContext& context, Arguments arguments) {
 // The number of the scan that a window is for: the last argument, or the first visible scan in grey.
 Result<std::size_t> scan_of_window(const Marks& marks, Arguments number) {
     if (!number.empty()) return list_index(number, marks.scans.size(), "scan");
-    const auto found = std::ranges::find_if(marks.scans, [](const Scan& one) { return one.visible && !one.labels; });
-    if (found == marks.scans.end()) return fail("there is no scan in grey", {}, "open one with `scan FILE`");
-    return static_cast<std::size_t>(found - marks.scans.begin());
+    const Scan* found = marks.grey_scan();
+    if (found == nullptr) return fail("there is no scan in grey", {}, "open one with `scan FILE`");
+    return static_cast<std::size_t>(found - marks.scans.data());
 }
 
 Result<void> window(ActionContext& context, Arguments arguments) {

@@ -5,7 +5,6 @@
 #include "app/session/numbers.h"
 #include "core/measure/branch_point.h"
 
-#include <algorithm>
 #include <cctype>
 #include <imgui.h>
 #include <string_view>
@@ -58,12 +57,6 @@ private:
     const SliceViews& views_;
 };
 
-// The scan that the command `window` is about.
-const Scan* scan_in_grey(const Marks& marks) {
-    const auto found = std::ranges::find_if(marks.scans, [](const Scan& one) { return one.visible && !one.labels; });
-    return found == marks.scans.end() ? nullptr : &*found;
-}
-
 } // namespace
 
 std::vector<std::string> draw_slice_entries(const InterfaceContext& context, const SliceSpot& spot, int branch) {
@@ -74,7 +67,7 @@ std::vector<std::string> draw_slice_entries(const InterfaceContext& context, con
     const std::string place = place_words(spot.place, slice_claims(document.session(), context.workspace.assets()));
     ImGui::TextColored(theme::kAccent, "%s", place.c_str());
     ImGui::Separator();
-    if (const Scan* scan = scan_in_grey(document.marks())) entries.windows(*scan);
+    if (const Scan* scan = document.marks().grey_scan()) entries.windows(*scan);
     entries.slabs();
     ImGui::Separator();
     if (slices_of(views.layout).size() > 1)

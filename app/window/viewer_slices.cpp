@@ -20,12 +20,8 @@ std::optional<SliceGrip> ViewerInput::slice_grip() const {
     const Assets& assets = state_.workspace.assets();
     SliceGrip grip{*here.slice, grid_of(session, assets, *here.slice, here.size),
                    session.slices.zooms[slice_index(*here.slice)]};
-    for (const Scan& scan : session.marks.scans) {
-        const auto file = scan.visible && !scan.labels ? assets.scan(scan) : nullptr;
-        if (!file) continue;
-        grip.window = window_of(scan, *file);
-        break;
-    }
+    const Scan* scan = session.marks.grey_scan();
+    if (const auto file = scan != nullptr ? assets.scan(*scan) : nullptr) grip.window = window_of(*scan, *file);
     const std::vector<render::Sheet::Viewport>& shown = picture_.sheet().viewports;
     if (here.along)
         grip.along = viewport_ < shown.size() && shown[viewport_].slice ? shown[viewport_].slice->along
