@@ -54,7 +54,7 @@ struct Assets {
     TreeValidation validation;  // may belong to an earlier tree or options
     TreeContacts contacts;      // of the tree; may belong to earlier options of the surface
     OrganAssets organ;
-    ScanRegion region; // that a person grows; no part of the session
+    ScanRegion region;                              // that a person grows; no part of the session
     FollowedPath followed;                          // of the session's AlongVessel
     std::shared_ptr<const VesselSections> sections; // measured by the owner of the surface; may be of an earlier path
 

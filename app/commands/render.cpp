@@ -2,6 +2,7 @@
 #include "app/actions/script.h"
 #include "app/assets/assets.h"
 #include "app/assets/half_turn.h"
+#include "app/commands/backend_flags.h"
 #include "app/commands/colour_flags.h"
 #include "app/commands/figure_flags.h"
 #include "app/commands/inputs.h"
@@ -60,8 +61,7 @@ struct RenderFlags {
     std::optional<double> noticeable; // replaces the tolerance: share of pixels that differ visibly
     int benchmark = 0;                // frames
     bool benchmark_full = false;
-    render::Backend backend = render::Backend::kOsMesa;
-    int device = -1;                // EGL device; -1: the best one
+    BackendFlags backend;
     std::size_t graphics_bytes = 0; // for surfaces; 0: the renderer's own limit
     FigureOptions figure;
     ComparisonFlags comparison;
@@ -139,28 +139,6 @@ Result<Figure> draw_interface(const RenderFlags& flags, const Document& document
     return Figure{std::move(shown.image), shown.scale_bar};
 }
 
-// Creates an OpenGL context of the requested backend and makes it current.
-Result<std::unique_ptr<render::GlContext>> open_context(const RenderFlags& flags) {
-    if (flags.backend == render::Backend::kEgl && flags.common.verbose) {
-        const std::vector<std::string> devices = render::egl_devices();
-        for (std::size_t i = 0; i < devices.size(); ++i)
-            say(flags.common, "EGL device " + std::to_string(i) + ": " + devices[i]);
-    }
-    auto context = render::make_headless_context(flags.backend,
-                                                 flags.device >= 0 ? std::optional<int>(flags.device) : std::nullopt);
-    if (context)
-        say(flags.common,
-            "drawing with " + std::string(render::name_of(flags.backend)) + ": " + render::gl_description());
-    return context;
-}
-
-// The OpenGL in use, for --json.
-nlohmann::json description_of(render::Backend backend) {
-    return {{"backend", render::name_of(backend)},
-            {"renderer", render::gl_renderer()},
-            {"version", render::gl_version().text()}};
-}
-
 // The scale bar, for --json; null: the picture has none.
 nlohmann::json description_of(const std::optional<render::ScaleBar>& bar) {
     if (!bar) return nullptr;
@@ -219,7 +197,7 @@ Result<int> run_turntable(const RenderFlags& flags, render::SheetRenderer& sheet
             table.files.front().string());
     nlohmann::json report{{"pictures", nlohmann::json::array()},
                           {"scale_bar", description_of(table.scale_bar)},
-                          {"gl", description_of(flags.backend)}};
+                          {"gl", description_of(flags.backend.backend)}};
     for (const auto& file : table.files) report["pictures"].push_back(file.string());
     if (flags.json) std::cout << printed_report(report) << '\n';
     return kDone;
@@ -303,7 +281,7 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!document.tree())
         if (auto read = stage.complete_assets(); !read) return tl::unexpected(read.error());
     set_camera(document, inputs, has_camera, flags, stage);
-    const auto context = open_context(flags);
+    const auto context = open_context(flags.backend, flags.common);
     if (!context) return tl::unexpected(context.error());
     RAMUS_TRY(renderer, render::Renderer::create(render::kGlassBytes, flags.graphics_bytes));
     stage.draw_with(*renderer);
@@ -341,7 +319,7 @@ Result<int> run_render(const RenderFlags& flags) {
                           {"triangles", done.triangles},
                           {"mesh_s", stage.surface().seconds},
                           {"draw_s", draw_seconds},
-                          {"gl", description_of(flags.backend)},
+                          {"gl", description_of(flags.backend.backend)},
                           {"camera", render::to_json(document.session().camera)},
                           {"scale_bar", description_of(figure.scale_bar)}};
     auto status = finish_picture(figure.image, flags, report);
@@ -375,24 +353,11 @@ void add_checking_flags(CLI::App& command, RenderFlags& flags) {
                      "With --benchmark: draw every frame as if the view rested");
 }
 
-// Adds the options that choose the OpenGL implementation.
-void add_backend_flags(CLI::App& command, RenderFlags& flags) {
-    const std::map<std::string, render::Backend> backends{{"osmesa", render::Backend::kOsMesa},
-                                                          {"egl", render::Backend::kEgl}};
-    add_option(command, "--backend", "NAME", flags.backend,
-               "What draws: osmesa, on the processor (default), or egl, on a graphics card where there is one")
-        ->transform(CLI::CheckedTransformer(backends).description(""));
-    add_option(command, "--device", "N", flags.device,
-               "With --backend egl: this one of its devices, from 0; --verbose lists them")
-        ->check(CLI::Range(0, 63).description(""));
-}
-
 // Throws CLI::Error for options that are missing or cannot be combined.
 void check_flags(const CLI::App& command, const RenderFlags& flags) {
     if (flags.file.empty() && flags.session.empty() && flags.scans.scans.empty())
         throw CLI::RequiredError("FILE, --session or --scan");
-    if (flags.device >= 0 && flags.backend != render::Backend::kEgl)
-        throw CLI::ValidationError("--device", "needs --backend egl");
+    check_backend_flags(flags.backend);
     if (flags.figure.turntable > 0 && flags.output.empty()) throw CLI::RequiredError("-o");
     if (flags.figure.turntable > 0 && (flags.interface || !flags.reference.empty() || flags.benchmark > 0))
         throw CLI::ValidationError("--turntable", "cannot be combined with --ui, --reference or --benchmark");
@@ -437,7 +402,7 @@ void register_render(CLI::App& app, Action& chosen) {
     add_method_flag(*command, false, [flags](mesh::Method method) { flags->common.surface.method = method; });
     command->add_flag("--transparent", flags->transparent, "Leave the background transparent");
     add_checking_flags(*command, *flags);
-    add_backend_flags(*command, *flags);
+    add_backend_flags(*command, flags->backend);
     add_figure_flags(*command, flags->figure);
     add_comparison_flags(*command, flags->comparison);
     add_deviation_flags(*command, flags->deviation);

@@ -264,20 +264,6 @@ void ViewerInput::turn_wheel(glm::dvec2 notches) {
     pick_wanted_ = true;
 }
 
-Pointing ViewerInput::pointing(Modifiers modifiers) {
-    std::optional<SlicePointing> slice = slice_pointing();
-    const glm::ivec2 size = slice ? slice->grid.size : picture_.picture_size();
-    return {.at = in_viewport(pointer_),
-            .modifiers = modifiers,
-            .held = tool_mouse_.held(),
-            .size = size,
-            .pixel_ratio = state_.scale,
-            .document = state_.workspace.document(),
-            .settings = state_.interface.tool_settings,
-            .lesions = lesion_shapes(state_.workspace.assets(), state_.workspace.document().marks()),
-            .slice = std::move(slice)};
-}
-
 void ViewerInput::look_up(glm::dvec2 in_picture, const std::function<void(const render::Pick&)>& then) {
     if (!picture_.shows_tree())
         return state_.await([this] { return picture_.shows_tree(); },
@@ -289,36 +275,6 @@ void ViewerInput::look_up(glm::dvec2 in_picture, const std::function<void(const 
         const bool hovers = state_.interface.tool && !tool_mouse_.held();
         if (!hovers) state_.interface.tell("The picture has changed since: click again", state_.now);
     });
-}
-
-void ViewerInput::tell_tool(Tool::Event event, const Pointing& pointing) {
-    const auto tell = [this, event, pointing, tool = tools_taken_](const render::Pick& under) {
-        if (tool != tools_taken_ || !state_.interface.tool) return;
-        Pointing known = pointing;
-        known.under = under;
-        if (pointing.slice) {
-            // A drag may leave the slice.
-            const glm::dvec2 at = pointing.at;
-            const glm::dvec2 size(pointing.size);
-            if (!(at.x >= 0.0 && at.y >= 0.0 && at.x < size.x && at.y < size.y)) known.under = {};
-            known.under.position = pointing.slice->grid.place(at - 0.5);
-        }
-        (state_.interface.tool.get()->*event)(known);
-        perform_tool();
-    };
-    if (state_.interface.tool->picks()) return look_up(from_viewport(pointing.at), tell);
-    tell({});
-}
-
-void ViewerInput::perform_tool() {
-    const bool holds = state_.interface.tool && state_.interface.tool->changes_while_held();
-    if (holds && !in_step_) state_.workspace.document().begin_step(), in_step_ = true;
-    if (state_.interface.tool) run_commands_of(*state_.interface.tool);
-    if (in_step_ && !holds) state_.workspace.document().end_step("drag"), in_step_ = false;
-}
-
-void ViewerInput::run_commands_of(Tool& tool) {
-    for (const CommandLine& line : tool.take_commands()) state_.perform(line.front(), {line.begin() + 1, line.end()});
 }
 
 Cursor ViewerInput::cursor() const {
@@ -456,28 +412,6 @@ void ViewerInput::close() {
 bool ViewerInput::points_at_branches() const {
     const auto& tool = state_.interface.tool;
     return !tool || tool->points_at_branches();
-}
-
-ToolDrawing ViewerInput::tool_drawing() {
-    ToolDrawing drawing;
-    if (tool_acts_here()) {
-        const Pointing here = pointing(tool_mouse_.modifiers());
-        drawing = state_.interface.tool->drawing(here);
-        if (here.slice) drawing.part = ToolDrawing::Part{glm::ivec2(from_viewport(glm::dvec2(0.0))), here.size};
-    }
-    add_plane_outline(drawing);
-    return drawing;
-}
-
-void ViewerInput::use_tool(std::string_view name) {
-    const ToolKind* kind = find_tool(name);
-    state_.interface.tool_kind = kind;
-    state_.interface.tool = kind->make != nullptr ? kind->make() : nullptr;
-    tool_mouse_.abandon();
-    perform_tool(); // ends the step of what the tool before dragged
-    ++tools_taken_;
-    pick_wanted_ = true;
-    state_.redraw();
 }
 
 } // namespace ramus::app

@@ -38,13 +38,6 @@ std::optional<SlicePointing> ViewerInput::slice_pointing() const {
     return SlicePointing{grip->grid, render::camera_of(grip->grid), reach};
 }
 
-bool ViewerInput::tool_acts_here() const {
-    const auto& tool = state_.interface.tool;
-    const auto grip = slice_grip();
-    if (!tool || (grip && grip->along)) return false;
-    return tool->works_on() != (grip ? WorksOn::kTree : WorksOn::kSlices);
-}
-
 void ViewerInput::take(const SliceChange& change) {
     Document& document = state_.workspace.document();
     SliceViews views = document.session().slices;
@@ -94,13 +87,6 @@ void ViewerInput::turn_wheel_over_slice(const SliceGrip& grip, double notches) {
     SliceViews views = state_.workspace.document().session().slices;
     views.zooms[slice_index(grip.direction)] = SliceMouse::zoomed(grip, in_viewport(pointer_), notches);
     state_.workspace.document().set_slices(views);
-}
-
-bool ViewerInput::step_tool(double notches) {
-    const auto& tool = state_.interface.tool;
-    if (!tool || !tool->step(notches, state_.interface.tool_settings)) return false;
-    perform_tool();
-    return true;
 }
 
 // The place under the pointer, for the status bar.

@@ -189,4 +189,13 @@ private:
     Worker worker_; // last: its thread ends first
 };
 
+// For the rows of works: a title that does not depend on the input, and the work of a row.
+template <class Wanted> std::function<std::string(const Wanted&)> titled(std::string title) {
+    return [title = std::move(title)](const Wanted&) { return title; };
+}
+template <class Wanted, class Made>
+std::unique_ptr<BackgroundWork> work_of(const std::function<void()>& wake, WorkRow<Wanted, Made> row) {
+    return std::make_unique<WorkOf<Wanted, Made>>(wake, std::move(row));
+}
+
 } // namespace ramus::app
