@@ -55,20 +55,25 @@ Result<void> follow_no_vessel(ActionContext& context) {
     return {};
 }
 
+// The way that is named, or the selected branch.
+Result<Way> wanted_way(const Document& document, Arguments arguments) {
+    const std::vector<int>& selection = document.marks().selection;
+    if (arguments.empty() && !selection.empty()) return Way{{selection.front()}};
+    if (arguments.size() == 1)
+        if (const auto way = way_in(arguments[0])) return *way;
+    return fail("along takes a branch, two places of vessels, or off; without one, a branch is selected", {},
+                kAlongUsage);
+}
+
 Result<void> along(ActionContext& context, Arguments arguments) {
     if (arguments.size() == 1 && arguments[0] == "off") return follow_no_vessel(context);
-    const std::vector<int>& selection = context.document.marks().selection;
-    std::optional<Way> way = arguments.size() == 1 ? way_in(arguments[0]) : std::nullopt;
-    if (arguments.empty() && !selection.empty()) way = Way{{selection.front()}};
-    if (!way || arguments.size() > 1)
-        return fail("along takes a branch, two places of vessels, or off; without one, a branch is selected", {},
-                    kAlongUsage);
+    RAMUS_TRY(way, wanted_way(context.document, arguments));
     const SliceViews before = context.document.session().slices;
     SliceViews views = before;
-    views.along = AlongVessel{.way = *way};
+    views.along = AlongVessel{.way = way};
     if (before.along) {
         views.along->kind = before.along->kind;
-        if (before.along->way == *way) views.along = before.along;
+        if (before.along->way == way) views.along = before.along;
     }
     context.document.set_slices(views);
     auto path = followed_path(context);
