@@ -30,7 +30,7 @@ glm::dvec2 pixel_of(const render::Camera& camera, const glm::dvec3& place) {
 TEST_CASE("an edge is found at its pixels and a little beside them, the inside is not") {
     const render::Camera camera = from_above(false);
     const PlaneSight sight{camera, kSize, 1.0F};
-    const std::vector<render::ScanPlane> planes{axial_at(-30.0), axial_at(30.0)};
+    const std::vector<render::ScanPlane> planes{axial_at(-60.0), axial_at(30.0)};
     const glm::dvec3 on_edge(20.0, 50.0, 30.0);
     const auto edge = edge_under(planes, sight, pixel_of(camera, on_edge) + glm::dvec2(0.0, 3.0));
     REQUIRE(edge);

@@ -14,7 +14,7 @@ TEST_CASE("three clicks on vessels or slices put the oblique slice through them"
     const ToolSettings settings;
     const auto tool = make_slice_points_tool();
     const auto click = [&](const render::Pick& under, glm::dvec2 moved = {}) {
-        Pointing pointing{.at = {10.0, 10.0}, .document = stage.document, .settings = settings};
+        Pointing pointing{.at = {10.0, 10.0}, .modifiers = {}, .document = stage.document, .settings = settings};
         pointing.under = under;
         tool->press(pointing);
         pointing.at += moved;
