@@ -115,7 +115,10 @@ slice::PixelGrid zoomed_grid(const Session& session, const Assets& assets, slice
     const glm::dvec3 half = 0.5 * bounds.size();
     const double across = 2.0 * glm::dot(glm::abs(axes.right), half);
     const double high = 2.0 * glm::dot(glm::abs(axes.down), half);
-    const double mm_per_pixel = std::max(across / size.x, high / size.y) / zoom.factor;
+    double whole = std::max(across / size.x, high / size.y); // mm in a pixel at a zoom of 1
+    // A straight vessel along the view has no width here.
+    if (!(whole > 0.0)) whole = std::max(glm::length(bounds.size()), 1.0) / std::min(size.x, size.y);
+    const double mm_per_pixel = whole / zoom.factor;
     const glm::dvec3 normal = axes.to_viewer();
     const glm::dvec3 at = crosshair_of(session, assets);
     const glm::dvec3 on_plane = middle + glm::dot(at - middle, normal) * normal;
