@@ -30,6 +30,7 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> scan_commands();
 [[nodiscard]] std::vector<Command> slice_commands();
 [[nodiscard]] std::vector<Command> region_commands();
+[[nodiscard]] std::vector<Command> along_commands();
 [[nodiscard]] std::vector<Command> report_commands();
 [[nodiscard]] std::vector<Command> reading_commands();
 [[nodiscard]] std::vector<Command> camera_commands();
@@ -72,6 +73,7 @@ inline constexpr std::array kCommandGroups{
     scan_commands,          //
     slice_commands,         //
     region_commands,        //
+    along_commands,         //
     report_commands,        //
     reading_commands,       //
     contact_commands,       //

@@ -50,6 +50,8 @@ public:
     [[nodiscard]] virtual glm::ivec2 whole_size() const { return picture_size(); } // of all viewports
     // The mesh in the picture; null: none.
     [[nodiscard]] virtual std::shared_ptr<const render::PagedMesh> picture_mesh() const = 0;
+    // The surface of the document's current state; fails while a window has not computed it yet.
+    [[nodiscard]] virtual Result<std::shared_ptr<const render::PagedMesh>> current_mesh() { return picture_mesh(); }
     virtual Result<void> write_picture(const std::filesystem::path& path) = 0; // as PNG
     // Writes the files of a figure (picture, video) of the document's current state.
     virtual Result<void> write_figure(const FigureRequest& request, Job& job);

@@ -121,10 +121,10 @@ LesionShapes shapes_for(ActionContext& context, Arguments arguments) {
 }
 
 Result<void> measure_this(ActionContext& context, Arguments arguments) {
-    if (!has_tree(context.document)) return fail("there is no tree to measure");
+    if (!has_scene(context.document)) return fail("there is nothing to measure in", {}, "open a tree or a scan");
     const LesionShapes lesions = shapes_for(context, arguments);
     RAMUS_TRY(wanted, measurement_in(context.document, lesions, arguments));
-    RAMUS_TRY(found, measured(*context.document.tree(), wanted, lesions));
+    RAMUS_TRY(found, measured(*measured_tree(context.document), wanted, lesions));
     Marks next = context.document.marks();
     if (std::ranges::none_of(next.measurements, [&](const Measurement& m) { return measure_alike(m, wanted); }))
         next.measurements.push_back(wanted);
@@ -141,7 +141,7 @@ Result<void> measure_change(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(index, list_index(arguments.first(1), context.document.marks().measurements.size(), "measurement"));
     const LesionShapes lesions = shapes_for(context, arguments);
     RAMUS_TRY(wanted, measurement_in(context.document, lesions, arguments.subspan(1)));
-    RAMUS_TRY(found, measured(*context.document.tree(), wanted, lesions));
+    RAMUS_TRY(found, measured(*measured_tree(context.document), wanted, lesions));
     context.say(found.sentence());
     return edit(context, [&, index = index](Marks& marks) {
         const Measurement before = std::exchange(marks.measurements[index], wanted);

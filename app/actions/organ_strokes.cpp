@@ -4,9 +4,12 @@
 #include "app/assets/assets.h"
 #include "app/assets/operation.h"
 #include "core/organ/resect/resection.h"
+#include "core/slice/pixel_grid.h"
+#include "render/slice/slice_view.h"
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -84,9 +87,18 @@ Result<Resection> plane_along(const Sight& sight, const std::vector<glm::dvec2>&
     return Resection{.kind = Resection::Kind::kPlane, .point = 0.5 * (a + behind), .normal = glm::normalize(normal)};
 }
 
+// Also between the pixels: a straight stroke across the organ has its corners outside.
 Result<Resection> sheet_along(const Sight& sight, const std::vector<glm::dvec2>& pixels) {
+    constexpr double kSteps = 64.0; // along the stroke
+    double length = 0.0;
+    for (std::size_t n = 1; n < pixels.size(); ++n) length += glm::distance(pixels[n - 1], pixels[n]);
     std::vector<glm::dvec3> contour;
-    for (const glm::dvec2& pixel : pixels) sight.add_ends(pixel, contour);
+    sight.add_ends(pixels.front(), contour);
+    for (std::size_t n = 1; n < pixels.size() && length > 0.0; ++n) {
+        const double steps = std::ceil(kSteps * glm::distance(pixels[n - 1], pixels[n]) / length);
+        for (double k = 1.0; k <= steps; k += 1.0)
+            sight.add_ends(glm::mix(pixels[n - 1], pixels[n], k / steps), contour);
+    }
     if (contour.size() < 4) return fail("the line does not cross the organ", {}, "draw it across the organ");
     RAMUS_TRY(sheet, organ::sheet_through(contour));
     return Resection{.kind = Resection::Kind::kSheet, .sheet = std::move(sheet)};
@@ -143,6 +155,21 @@ Result<Resection> resection_drawn(const ActionContext& context, bool straight, A
     RAMUS_TRY(organ, organ_read(context));
     const Sight sight(context.document.session().camera, context.picture.picture_size(), *organ);
     RAMUS_TRY(resection, straight ? plane_along(sight, *pixels) : sheet_along(sight, *pixels));
+    if (auto chosen = choose_side(context, resection); !chosen) return tl::unexpected(chosen.error());
+    return resection;
+}
+
+Result<Resection> resection_drawn_on_slice(const ActionContext& context, const glm::dvec3& normal,
+                                           const std::vector<glm::dvec3>& places) {
+    RAMUS_TRY(organ, organ_read(context));
+    // A pixel for each mm; any size and middle serve.
+    constexpr int kSide = 1000;
+    const slice::PixelGrid grid =
+        slice::grid_around(slice::axes_across(normal), places.front(), 1.0, glm::ivec2(kSide));
+    const Sight sight(render::camera_of(grid), grid.size, *organ);
+    std::vector<glm::dvec2> pixels;
+    for (const glm::dvec3& place : places) pixels.push_back(grid.pixel(place) + 0.5);
+    RAMUS_TRY(resection, sheet_along(sight, pixels));
     if (auto chosen = choose_side(context, resection); !chosen) return tl::unexpected(chosen.error());
     return resection;
 }

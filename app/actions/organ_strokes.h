@@ -16,4 +16,9 @@ namespace ramus::app::actions {
 // removed. Fails if the organ is not read, or if the stroke misses it.
 [[nodiscard]] Result<Resection> resection_drawn(const ActionContext& context, bool straight, Arguments words);
 
+// The same of places (mm) of a plane across `normal`, for a line that is drawn on a slice: the lines of sight are along
+// the normal.
+[[nodiscard]] Result<Resection> resection_drawn_on_slice(const ActionContext& context, const glm::dvec3& normal,
+                                                         const std::vector<glm::dvec3>& places);
+
 } // namespace ramus::app::actions

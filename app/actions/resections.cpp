@@ -23,7 +23,7 @@ namespace {
 using ResectionKind = Resection::Kind;
 
 constexpr const char* kResectUsage = "plane X,Y,Z NX,NY,NZ, points and three X,Y,Z, sheet and three or more X,Y,Z, "
-                                     "border plane|sheet TERRITORY, line or "
+                                     "along NX,NY,NZ and two or more X,Y,Z, border plane|sheet TERRITORY, line or "
                                      "stroke and X,Y of the picture, surface FILE, cuts MM, or lesion N MM";
 
 std::optional<glm::dvec3> vector_in(const std::string& word) {
@@ -98,6 +98,25 @@ Result<Resection> sheet_of(const ActionContext& context, Arguments arguments) {
     return resection;
 }
 
+Result<std::vector<glm::dvec3>> places_of(Arguments arguments) {
+    std::vector<glm::dvec3> places;
+    for (const std::string& word : arguments) {
+        const auto place = vector_in(word);
+        if (!place) return fail("\"" + word + "\" is not a place X,Y,Z in mm");
+        places.push_back(*place);
+    }
+    return places;
+}
+
+Result<Resection> sheet_across(const ActionContext& context, Arguments arguments) {
+    const auto normal = arguments.size() < 3 ? std::nullopt : vector_in(arguments[0]);
+    if (!normal || glm::length(*normal) == 0.0)
+        return fail("resect along takes a direction NX,NY,NZ and a line of two or more X,Y,Z", {},
+                    "the sheet leads through the organ along the direction");
+    RAMUS_TRY(places, places_of(arguments.subspan(1)));
+    return resection_drawn_on_slice(context, *normal, places);
+}
+
 Result<Resection> surface_of(Arguments arguments) {
     if (arguments.empty() || (arguments.size() != 1 && (arguments.size() != 3 || arguments[1] != "--mesh-orientation")))
         return fail("resect surface takes a mesh, and --mesh-orientation LPS or RAS", {},
@@ -137,6 +156,7 @@ Result<Resection> asked_resection(const ActionContext& context, Arguments argume
     if (kind == "plane") return plane_of(arguments);
     if (kind == "points") return plane_through(context, arguments);
     if (kind == "sheet") return sheet_of(context, arguments);
+    if (kind == "along") return sheet_across(context, arguments);
     if (kind == "surface") return surface_of(arguments);
     if (kind == "cuts") return margin_of(marks, ResectionKind::kCuts, arguments);
     if (kind == "lesion") return margin_of(marks, ResectionKind::kLesion, arguments);
@@ -232,6 +252,16 @@ Result<void> set_control(Resection& resection, Arguments arguments) {
     return {};
 }
 
+Result<void> bend_through(ActionContext& context, Arguments arguments) {
+    if (arguments.size() < 2) return fail("resection-through takes a resection's number and places X,Y,Z in mm");
+    RAMUS_TRY(index, list_index(arguments.first(1), context.document.marks().resections.size(), "resection"));
+    const Resection& resection = context.document.marks().resections[index];
+    if (resection.kind != ResectionKind::kSheet) return fail("this resection is no sheet");
+    RAMUS_TRY(places, places_of(arguments.subspan(1)));
+    RAMUS_TRY(bent, organ::bent_through(resection.sheet, places));
+    return edit(context, [&, n = index, &sheet = bent](Marks& marks) { marks.resections[n].sheet = sheet; });
+}
+
 bool has_an_organ(const Document& document) { return document.marks().organ.any(); }
 bool has_resections(const Document& document) { return !document.marks().resections.empty(); }
 
@@ -240,10 +270,13 @@ bool has_resections(const Document& document) { return !document.marks().resecti
 std::vector<Command> resection_commands() {
     return {
         Command(
-            "resect", "plane|points|sheet|border|line|stroke|surface|cuts|lesion ...",
+            "resect", "plane|points|sheet|along|border|line|stroke|surface|cuts|lesion ...",
             "Removes a part of the organ: plane X,Y,Z NX,NY,NZ what the normal points to; points X,Y,Z X,Y,Z X,Y,Z and "
             "sheet X,Y,Z... the lesions' side of the plane or smooth sheet through these points, without lesions the "
-            "smaller one; border plane|sheet TERRITORY that side of the border of a territory; line X,Y X,Y and "
+            "smaller one; along NX,NY,NZ X,Y,Z... a sheet that leads through the organ in this direction from a line "
+            "that "
+            "is drawn on a slice; border plane|sheet TERRITORY that side of the border of a territory; line X,Y X,Y "
+            "and "
             "stroke X,Y... what lies behind a "
             "line drawn across the picture; surface FILE the inside of a closed mesh or the smaller side of an open "
             "one; cuts MM all that depends on the cuts, with a margin; lesion N MM a lesion with a margin.",
@@ -265,6 +298,9 @@ std::vector<Command> resection_commands() {
         Command("resection-control", "N I J MM", "Moves a control point of the sheet of resection N to a height.",
                 changing("resection-control takes a resection's number, two numbers of a control point and its height",
                          3, set_control))
+            .when(has_resections),
+        Command("resection-through", "N X,Y,Z ...", "Bends the sheet of resection N so that it passes through places.",
+                bend_through)
             .when(has_resections),
     };
 }

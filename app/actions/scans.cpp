@@ -3,6 +3,7 @@
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
+#include "app/picture/scene_objects.h"
 #include "app/picture/slices.h"
 #include "app/session/numbers.h"
 #include "core/base/words.h"
@@ -51,6 +52,14 @@ Result<AskedScan> asked_scan(const Document& document, Arguments arguments) {
     return asked;
 }
 
+// From where the three planes of a scan are seen.
+void look_at_planes(ActionContext& context) {
+    refresh(context.assets, context.document);
+    const auto points = visible_points(context.document.marks(), context.assets);
+    context.document.set_camera(camera_of_planes(points, context.picture.picture_size()));
+    context.picture.camera_leapt();
+}
+
 // Requires the scan to be loaded.
 Result<void> add_scan(ActionContext& context, const AskedScan& asked) {
     Scan scan = asked.scan;
@@ -64,6 +73,7 @@ Result<void> add_scan(ActionContext& context, const AskedScan& asked) {
                     scan.file, "show it in grey: --grey");
     if (scan.labels) scan.opacity = 0.9;
     const bool first = context.document.marks().scans.empty();
+    const bool alone = !has_scene(context.document);
     auto added = edit(context, [&](Marks& marks) { marks.scans.push_back(scan); });
     if (!added) return added;
     context.say(std::filesystem::path(scan.file).filename().string() + ": " +
@@ -72,7 +82,10 @@ Result<void> add_scan(ActionContext& context, const AskedScan& asked) {
     // A person who opens a scan wants to see it; a script says which picture it wants.
     if (first && context.window != nullptr && views.layout == SliceLayout::kPicture)
         views.layout = SliceLayout::kSlices;
+    // A scan alone has nothing else to show next to its slices.
+    if (alone) views.in_picture = {true, true, true, false};
     context.document.set_slices(views);
+    if (alone && context.window != nullptr) look_at_planes(context);
     return {};
 }
 
@@ -97,9 +110,9 @@ Result<Outcome> scan(ActionContext& context, Arguments arguments) {
 // The number of the scan that a window is for: the last argument, or the first visible scan in grey.
 Result<std::size_t> scan_of_window(const Marks& marks, Arguments number) {
     if (!number.empty()) return list_index(number, marks.scans.size(), "scan");
-    const auto found = std::ranges::find_if(marks.scans, [](const Scan& one) { return one.visible && !one.labels; });
-    if (found == marks.scans.end()) return fail("there is no scan in grey", {}, "open one with `scan FILE`");
-    return static_cast<std::size_t>(found - marks.scans.begin());
+    const Scan* found = marks.grey_scan();
+    if (found == nullptr) return fail("there is no scan in grey", {}, "open one with `scan FILE`");
+    return static_cast<std::size_t>(found - marks.scans.data());
 }
 
 Result<void> window(ActionContext& context, Arguments arguments) {

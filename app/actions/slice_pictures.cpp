@@ -1,7 +1,9 @@
 #include "app/actions/slice_pictures.h"
 
 #include "app/assets/assets.h"
+#include "app/picture/along_picture.h"
 #include "app/picture/scene_objects.h"
+#include "app/picture/slice_marks.h"
 #include "app/picture/slices.h"
 #include "core/measure/branch_point.h"
 #include "render/slice/slice_painter.h"
@@ -45,16 +47,63 @@ std::vector<SlicePlace> places_of(const Session& session, const Assets& assets, 
     return places;
 }
 
+constexpr glm::ivec2 kSliceSize{440, 360};
+
+Viewing viewing_of_slices() {
+    Viewing viewing;
+    viewing.size = kSliceSize;
+    viewing.pixel_ratio = 1.3F; // the page shows them smaller
+    return viewing;
+}
+
+// The narrowest section of the stenosis, by area.
+std::optional<double> narrowest_mm(const AlongVessel& along, const Assets& assets) {
+    if (!along.stenosis || !assets.sections || assets.sections->path != assets.followed.path) return {};
+    const auto places = narrow_places(*assets.sections, *along.stenosis);
+    if (!places) return {};
+    return assets.followed.path->samples[places->found.area.sample].arc_mm;
+}
+
+// The picture along the vessel that slices follow, and sections across it.
+Result<SliceRow> take_along(ActionContext& context, const render::Frame& frame) {
+    Session session = context.document.session();
+    const Assets& assets = context.assets;
+    const slice::VesselPath& path = *assets.followed.path;
+    const Viewing viewing = viewing_of_slices();
+    SliceRow row{"Along " + way_words(session.slices.along->way), {}};
+    const auto take = [&](render::SlicePainter& painter, const render::SliceView& view,
+                          const std::string& caption) -> Result<void> {
+        RAMUS_TRY(png, render::encode_png(painter.paint(frame, view)));
+        row.pictures.push_back({caption, std::move(png)});
+        return {};
+    };
+    const render::SliceView whole = compose_along(session, assets, context.picture.picture_mesh(), viewing, 0);
+    render::SlicePainter along_painter;
+    if (auto taken = take(along_painter, whole, whole.overlays.caption); !taken) return tl::unexpected(taken.error());
+    render::SlicePainter across;
+    const auto take_across = [&](double at_mm, const std::string& what) {
+        session.slices = views_at(session.slices, path, at_mm);
+        render::SliceView view = compose_slice(session, assets, slice::Direction::kOblique, viewing);
+        const double across_mm = session.slices.along->width_mm.value_or(usual_width_mm(path));
+        view.grid = slice::grid_around(axes_of(session.slices, slice::Direction::kOblique), *session.slices.crosshair,
+                                       across_mm / kSliceSize.y, kSliceSize);
+        return take(across, view, what + arc_words(path, at_mm, context.document.lengths()));
+    };
+    const double current = session.slices.along->at_mm;
+    if (const auto narrowest = narrowest_mm(*session.slices.along, assets))
+        if (auto taken = take_across(*narrowest, "Narrowest by area, at "); !taken)
+            return tl::unexpected(taken.error());
+    if (auto taken = take_across(current, "Current place, at "); !taken) return tl::unexpected(taken.error());
+    return row;
+}
+
 } // namespace
 
 Result<std::vector<SliceRow>> take_slices(ActionContext& context) {
     std::vector<SliceRow> rows;
     Session session = context.document.session();
-    constexpr glm::ivec2 kSize{440, 360};
     constexpr double kAcrossMm = 150.0;
-    Viewing viewing;
-    viewing.size = kSize;
-    viewing.pixel_ratio = 1.3F; // the page shows them smaller
+    const Viewing viewing = viewing_of_slices();
     {
         render::SliceView shown;
         add_scans(shown, session, context.assets);
@@ -62,6 +111,10 @@ Result<std::vector<SliceRow>> take_slices(ActionContext& context) {
     }
     const render::Frame frame = compose(session, context.assets, context.picture.picture_mesh(), viewing);
     const Lengths lengths = context.document.lengths();
+    if (session.slices.along && context.assets.followed.path) {
+        RAMUS_TRY(along, take_along(context, frame));
+        rows.push_back(std::move(along));
+    }
     constexpr std::array kShown{slice::Direction::kAxial, slice::Direction::kCoronal, slice::Direction::kSagittal};
     std::array<render::SlicePainter, kShown.size()> painters; // each keeps the indices of the meshes
     for (const SlicePlace& place : places_of(session, context.assets, lengths)) {
@@ -69,7 +122,8 @@ Result<std::vector<SliceRow>> take_slices(ActionContext& context) {
         SliceRow row{place.title + ", " + place_words(place.at, slice_claims(session, context.assets)), {}};
         for (std::size_t n = 0; n < kShown.size(); ++n) {
             render::SliceView view = compose_slice(session, context.assets, kShown[n], viewing);
-            view.grid = slice::grid_around(slice::axes_of(kShown[n]), place.at, kAcrossMm / kSize.x, kSize);
+            view.grid = slice::grid_around(slice::axes_of(kShown[n]), place.at, kAcrossMm / kSliceSize.x, kSliceSize);
+            draw_marks(view, session, context.assets, kShown[n], viewing);
             RAMUS_TRY(png, render::encode_png(painters[n].paint(frame, view)));
             row.pictures.push_back({view.overlays.caption, std::move(png)});
         }

@@ -2,9 +2,12 @@
 // is looked at, like the camera, and are no steps of undo.
 #include "app/picture/slices.h"
 
+#include "app/actions/along.h"
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
+#include "app/picture/framing.h"
+#include "app/session/numbers.h"
 #include "core/base/words.h"
 #include "core/measure/branch_point.h"
 
@@ -42,7 +45,14 @@ Result<void> layout(ActionContext& context, Arguments arguments) {
     if (!wanted)
         return fail("layout takes a name", {},
                     joined(kSliceLayouts, ", ", [](const auto& known) { return std::string(known.second); }));
-    return edit_views(context, [&](SliceViews& views) { views.layout = *wanted; });
+    const glm::ivec2 before = context.picture.picture_size();
+    (void)edit_views(context, [&](SliceViews& views) { views.layout = *wanted; });
+    // A window keeps the vessels in view itself (Framing): it also knows when the earlier view returns.
+    if (context.window != nullptr || !has_tree(*wanted)) return {};
+    const render::Camera& camera = context.document.session().camera;
+    context.document.set_camera(
+        reframed(camera, before, context.picture.picture_size(), visible_positions(context, camera, before)));
+    return {};
 }
 
 // "12@0.3", or "12": the middle of a branch.
@@ -88,11 +98,21 @@ Result<void> slice_at(ActionContext& context, Arguments arguments) {
     return edit_views(context, [&](SliceViews& views) { views.crosshair = place; });
 }
 
+// The slice that fills the picture; axial if several share it.
+constexpr std::string_view kShownSlice = "shown";
+Direction shown_slice(const SliceViews& views) {
+    const std::vector<Direction> slices = slices_of(views.layout);
+    return slices.size() == 1 ? slices.front() : Direction::kAxial;
+}
+
 Result<void> slice_step(ActionContext& context, Arguments arguments) {
-    RAMUS_TRY(direction, direction_argument(arguments, "slice-step"));
+    const bool shown = !arguments.empty() && arguments[0] == kShownSlice;
+    RAMUS_TRY(direction, shown ? Result<Direction>(shown_slice(context.document.session().slices))
+                               : direction_argument(arguments, "slice-step"));
     const auto steps = arguments.size() == 2 ? number_in(arguments[1], -1e4, 1e4) : std::nullopt;
     if (!steps)
         return fail("slice-step takes the name of a slice and a number of steps", {}, "slice-step axial -1, say");
+    if (direction == Direction::kOblique && oblique_follows(context)) return step_along_vessel(context, *steps);
     const Session& session = context.document.session();
     const slice::Plane plane = plane_of(session, context.assets, direction);
     // Forward is up, forward and to the right of the patient, whatever side a slice is seen from.
@@ -136,6 +156,18 @@ Result<void> slice_through(ActionContext& context, Arguments arguments) {
         views.oblique_normal = glm::normalize(normal);
         views.in_picture[slice_index(Direction::kOblique)] = true;
     });
+}
+
+Result<void> copy_place(ActionContext& context, Arguments arguments) {
+    const auto given = arguments.empty() ? std::nullopt : place_argument(arguments[0]);
+    if (arguments.size() > 1 || (!arguments.empty() && !given))
+        return fail("copy-place takes X,Y,Z in mm, or nothing for the crosshair");
+    if (context.clipboard == nullptr) return fail("there is no clipboard without a window");
+    const glm::dvec3 place = given.value_or(crosshair_of(context.document.session(), context.assets));
+    const std::string words = rounded(place.x) + "," + rounded(place.y) + "," + rounded(place.z);
+    context.clipboard->copy_text(words);
+    context.say("Copied " + words);
+    return {};
 }
 
 Result<void> cut_away(ActionContext& context, Arguments arguments) {
@@ -218,7 +250,7 @@ std::vector<Command> layout_entries() {
         SliceLayout layout;
         const char *label, *key, *help;
     };
-    constexpr std::array<Entry, 7> kEntries{
+    constexpr std::array<Entry, 8> kEntries{
         {{SliceLayout::kPicture, "Vessels alone", "1", "Shows the vessels without slices."},
          {SliceLayout::kSlices, "Vessels and three slices", "2",
           "Divides the picture into the vessels and three slices."},
@@ -226,7 +258,9 @@ std::vector<Command> layout_entries() {
          {SliceLayout::kAxial, "Axial slice alone", "4", "Shows the axial slice alone."},
          {SliceLayout::kCoronal, "Coronal slice alone", "5", "Shows the coronal slice alone."},
          {SliceLayout::kSagittal, "Sagittal slice alone", "6", "Shows the sagittal slice alone."},
-         {SliceLayout::kOblique, "Oblique slice alone", "7", "Shows the oblique slice alone."}}};
+         {SliceLayout::kOblique, "Oblique slice alone", "7", "Shows the oblique slice alone."},
+         {SliceLayout::kAlong, "Along a vessel", "8",
+          "Shows the vessels, the slice across a vessel, and the picture along it."}}};
     std::vector<Command> commands;
     for (const Entry& entry : kEntries)
         commands.push_back(Command("layout", "NAME", entry.help, layout)
@@ -253,6 +287,29 @@ std::vector<Command> plane_entries() {
                                    return document.session().slices.in_picture[slice_index(which)];
                                }));
     }
+    return commands;
+}
+
+std::vector<Command> step_entries() {
+    struct Entry {
+        std::string_view slice;
+        const char *label, *modifier;
+    };
+    constexpr std::array<Entry, 4> kEntries{{{kShownSlice, "Slice", ""},
+                                             {"coronal", "Coronal slice", "Shift+"},
+                                             {"sagittal", "Sagittal slice", "Ctrl+"},
+                                             {"oblique", "Oblique slice", "Alt+"}}};
+    std::vector<Command> commands;
+    for (const Entry& entry : kEntries)
+        for (const bool forward : {true, false})
+            commands.push_back(Command("slice-step", "NAME N",
+                                       "Moves a slice by a voxel; the slice that fills the picture, or axial.",
+                                       slice_step)
+                                   .in_menu("Slices", entry.label + std::string(forward ? " forward" : " back"),
+                                            {entry.modifier + std::string(forward ? "PageUp" : "PageDown")})
+                                   .in_submenu("Step")
+                                   .giving({std::string(entry.slice), forward ? "1" : "-1"})
+                                   .when(has_scene));
     return commands;
 }
 
@@ -297,6 +354,7 @@ std::vector<Command> slice_commands() {
                                layout)
                            .when(has_scene));
     std::ranges::move(plane_entries(), std::back_inserter(commands));
+    std::ranges::move(step_entries(), std::back_inserter(commands));
     std::ranges::move(cut_entries(), std::back_inserter(commands));
     std::ranges::move(switch_entries(), std::back_inserter(commands));
     std::ranges::move(
@@ -307,10 +365,13 @@ std::vector<Command> slice_commands() {
             Command("slice", "NAME MM", "Moves a slice to a place in mm: axial 12.5, say.", slice_at).when(has_scene),
             Command("slice-plane", "NAME [on|off]", "Shows a slice as a plane among the vessels.", slice_plane)
                 .when(has_scene),
-            Command("slice-step", "NAME N", "Moves a slice by a number of voxels.", slice_step).when(has_scene),
+            Command("slice-step", "NAME|shown N", "Moves a slice by a number of voxels.", slice_step).when(has_scene),
             Command("slice-across", "ID[@FRACTION]", "Puts the oblique slice across a vessel.", slice_across)
                 .when(has_tree),
             Command("slice-through", "X,Y,Z X,Y,Z X,Y,Z", "Puts the oblique slice through three places.", slice_through)
+                .when(has_scene),
+            Command("copy-place", "[X,Y,Z]", "Copies a place as text, for the commands crosshair and slice-through.",
+                    copy_place)
                 .when(has_scene),
             Command("slice-zoom", "NAME FACTOR [RIGHT,DOWN]|fit", "Magnifies a slice; a factor of 1 shows all of it.",
                     slice_zoom)

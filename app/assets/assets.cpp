@@ -27,16 +27,19 @@ void refresh_centerlines(Assets& assets, const mesh::SurfaceOptions& options) {
         assets.centerlines = centerlines_of(*assets.tree, options);
 }
 
-void refresh_measurements(Assets& assets, const Marks& marks) {
+void refresh_measurements(Assets& assets, const Document& document) {
+    const Marks& marks = document.marks();
+    const std::string unit = document.lengths().unit();
     LesionShapes lesions = lesion_shapes(assets, marks);
-    if (assets.measurements && assets.measurements->of == marks.measurements && assets.measurements->lesions == lesions)
+    if (assets.measurements && assets.measurements->of == marks.measurements &&
+        assets.measurements->lesions == lesions && assets.measurements->unit == unit)
         return;
-    Measurements measurements{marks.measurements, std::move(lesions), {}, {}};
-    if (assets.tree)
-        for (const Measurement& measurement : marks.measurements) {
-            measurements.places.emplace(measurement.id, measurements.found.size());
-            measurements.found.push_back(measured(*assets.tree, measurement, measurements.lesions));
-        }
+    Measurements measurements{marks.measurements, unit, std::move(lesions), {}, {}};
+    const auto tree = measured_tree(document);
+    for (const Measurement& measurement : marks.measurements) {
+        measurements.places.emplace(measurement.id, measurements.found.size());
+        measurements.found.push_back(measured(*tree, measurement, measurements.lesions));
+    }
     assets.measurements = std::make_shared<const Measurements>(std::move(measurements));
 }
 
@@ -58,6 +61,30 @@ void refresh_outline(Assets& assets, const Session& session) {
     SelectionOutline::Of of{assets.tree, assets.centerlines.lines, session.camera, marks.states, marks.selection};
     if (!assets.outline || assets.outline->of != of)
         assets.outline = std::make_shared<const SelectionOutline>(selection_outline(std::move(of)));
+}
+
+// The step of the first scan that is shown.
+double step_along(const Assets& assets, const Marks& marks) {
+    for (const Scan& scan : marks.scans)
+        if (const auto file = scan.visible && !scan.labels ? assets.scan(scan) : nullptr)
+            return fine_step_mm(*file->volume);
+    return 0.0;
+}
+
+void refresh_followed(Assets& assets, const Session& session) {
+    const auto& along = session.slices.along;
+    if (!assets.tree || !along) {
+        assets.followed = {};
+        return;
+    }
+    FollowedPath::Of of{assets.tree, along->way, step_along(assets, session.marks)};
+    if (assets.followed.of == of) return;
+    auto path = path_along(*of.tree, of.way, of.step_mm);
+    assets.followed = {std::move(of), nullptr, {}};
+    if (path)
+        assets.followed.path = std::make_shared<const slice::VesselPath>(std::move(*path));
+    else
+        assets.followed.problem = path.error().message();
 }
 
 } // namespace
@@ -148,9 +175,10 @@ void refresh(Assets& assets, const Document& document) { refresh(assets, documen
 void refresh(Assets& assets, const Document& document, const mesh::SurfaceOptions& options) {
     refresh_tree(assets, document);
     if (assets.tree) (void)refresh_plan(assets, document);
-    refresh_measurements(assets, document.marks());
+    refresh_measurements(assets, document);
     refresh_centerlines(assets, options);
     refresh_outline(assets, document.session());
+    refresh_followed(assets, document.session());
 }
 
 bool centerlines_awaited(const Assets& assets, const mesh::SurfaceOptions& options) {

@@ -22,6 +22,7 @@
 #include "app/assets/selection_outline.h"
 #include "app/assets/shapes.h"
 #include "app/assets/validation.h"
+#include "app/assets/vessel_sections.h"
 #include "app/session/branch_facts.h"
 #include "app/session/document.h"
 
@@ -54,6 +55,8 @@ struct Assets {
     TreeContacts contacts;      // of the tree; may belong to earlier options of the surface
     OrganAssets organ;
     ScanRegion region; // that a person grows; no part of the session
+    FollowedPath followed;                          // of the session's AlongVessel
+    std::shared_ptr<const VesselSections> sections; // measured by the owner of the surface; may be of an earlier path
 
     // The result of the measurement with this id, or why it failed. Null: not measured yet.
     [[nodiscard]] const Result<Measured>* measured(int id) const;

@@ -2,6 +2,7 @@
 
 #include "app/assets/assets.h"
 #include "app/assets/plan.h"
+#include "app/session/document.h"
 #include "app/session/numbers.h"
 #include "core/measure/branch_point.h"
 #include "core/measure/tree_measure.h"
@@ -248,6 +249,13 @@ LesionShapes lesion_shapes(const Assets& assets, const Marks& marks) {
         shapes.shapes.push_back({lesion, mesh ? mesh->distance : nullptr});
     }
     return shapes;
+}
+
+std::shared_ptr<const tree::VesselTree> measured_tree(const Document& document) {
+    if (document.tree()) return document.tree();
+    auto none = std::make_shared<tree::VesselTree>();
+    none->claims = document.claims();
+    return none;
 }
 
 Result<Measured> measured(const tree::VesselTree& tree, const Measurement& measurement, const LesionShapes& lesions) {

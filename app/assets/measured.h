@@ -33,7 +33,8 @@ struct Measured {
     [[nodiscard]] std::string sentence() const;   // "Distance, (1, 2, 3) to (1, 2, 9): 6.00 mm"
 };
 
-struct Assets; // app/assets/assets.h
+struct Assets;  // app/assets/assets.h
+class Document; // app/session/document.h
 
 // The session's lesions in their order, as measurements use them; identified by id.
 struct LesionShapes {
@@ -54,6 +55,10 @@ struct LesionShapes {
 };
 [[nodiscard]] LesionShapes lesion_shapes(const Assets& assets, const Marks& marks);
 
+// The tree in which a document's measurements are taken: its own, or one without branches, in which only distances
+// between places can be measured.
+[[nodiscard]] std::shared_ptr<const tree::VesselTree> measured_tree(const Document& document);
+
 // Takes a measurement:
 // - distance: straight between its points, or the shortest from a lesion's surface to a branch's wall (0 if they
 //   overlap). Fails if the lesion is not loaded, or if a point is no longer on its lesion.
@@ -72,6 +77,7 @@ struct LesionShapes {
 // A session's measurements and their results, or why they failed, in order.
 struct Measurements {
     std::vector<Measurement> of;
+    std::string unit;
     LesionShapes lesions;
     std::vector<Result<Measured>> found;
     std::unordered_map<int, std::size_t> places; // index into `found`, by id

@@ -33,8 +33,7 @@ void ScanRegion::change(RegionOf next) {
 }
 
 Result<Scan> scan_to_grow_in(const SceneObjects& objects) {
-    const auto found = std::ranges::find_if(objects.scans, [](const Scan& one) { return one.visible && !one.labels; });
-    if (found != objects.scans.end()) return *found;
+    if (const Scan* scan = objects.grey_scan()) return *scan;
     if (std::ranges::any_of(objects.scans, [](const Scan& one) { return one.visible; }))
         return fail("only labels are shown, and a region grows by the values of a scan", {},
                     "open a scan, or show this one in grey: `scan-as 1 grey`");

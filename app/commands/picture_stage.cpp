@@ -32,6 +32,7 @@ Result<render::Frame> PictureStage::frame() {
     if (auto made = make_surface(); !made) return tl::unexpected(made.error());
     if (auto read = complete_assets(); !read) return tl::unexpected(read.error());
     if (auto measured = measure_deviation(); !measured) return tl::unexpected(measured.error());
+    if (auto measured = measure_sections(); !measured) return tl::unexpected(measured.error());
     return compose(document_.session(), assets, surface_.mesh, viewing_of(picture_size()));
 }
 
@@ -68,6 +69,21 @@ Result<void> PictureStage::measure_deviation() {
     return {};
 }
 
+Result<void> PictureStage::measure_sections() {
+    refresh(assets, document_);
+    if (!assets.followed.path || !surface_.mesh) return {};
+    if (assets.sections && assets.sections->fits(assets.followed, surface_.mesh)) return {};
+    const auto measure = [&](Job& job) { return make_sections(assets.followed, surface_.mesh, job); };
+    RAMUS_TRY(sections, with_progress("sections", measure, kNothingWritten));
+    assets.sections = std::move(sections);
+    return {};
+}
+
+Result<std::shared_ptr<const render::PagedMesh>> PictureStage::current_mesh() {
+    if (auto made = make_surface(); !made) return tl::unexpected(made.error());
+    return surface_.mesh;
+}
+
 Result<void> PictureStage::make_compared_surface(ComparedRequest request) {
     request.surface.options.threads = flags_.surface.threads;
     for (const ComparedSurface& one : compared_)
@@ -88,6 +104,7 @@ Result<render::Sheet> PictureStage::sheet(glm::ivec2 size) {
     if (auto made = make_surface(); !made) return tl::unexpected(made.error());
     if (auto read = complete_assets(); !read) return tl::unexpected(read.error());
     if (auto measured = measure_deviation(); !measured) return tl::unexpected(measured.error());
+    if (auto measured = measure_sections(); !measured) return tl::unexpected(measured.error());
     const Marks& marks = document_.marks();
     ShownSurfaces surfaces;
     for (const ComparedRequest& request : tree_ ? compared_requests(marks) : std::vector<ComparedRequest>())

@@ -48,6 +48,7 @@ public:
         return viewports_of(document_.session(), viewing_.size, viewing_.pixel_ratio).front().size;
     }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return surface_.mesh; }
+    [[nodiscard]] Result<std::shared_ptr<const render::PagedMesh>> current_mesh() override;
     Result<render::BranchPicture> branch_picture() override;
     Result<void> write_picture(const std::filesystem::path& path) override;
     Result<void> write_figure(const FigureRequest& request, Job& job) override;
@@ -65,6 +66,7 @@ private:
     std::shared_ptr<const tree::VesselTree> tree_; // the tree of the surfaces; the document's may have been edited
     std::vector<ComparedSurface> compared_;        // one per kind
     Result<void> measure_deviation();              // if colours show the deviation
+    Result<void> measure_sections();               // if slices follow a vessel
     Result<void> make_compared_surface(ComparedRequest request);
 };
 

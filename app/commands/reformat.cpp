@@ -10,6 +10,8 @@
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
 #include "app/commands/surface_input.h"
+#include "app/reports/section_tables.h"
+#include "app/session/along_vessel.h"
 #include "app/session/error_context.h"
 #include "core/base/words.h"
 #include "core/io/output_file.h"
@@ -32,7 +34,6 @@ namespace ramus::app {
 namespace {
 
 constexpr const char* kSections = "sections";
-constexpr double kUsualSections = 24.0;
 
 struct ReformatFlags {
     SurfaceFlags surface;
@@ -85,18 +86,13 @@ struct ReformatCase {
 };
 
 double step_of(const ReformatFlags& flags, const ReformatCase& read) {
-    const double fine = read.scan ? 0.5 * slice::smallest_spacing_mm(*read.scan) : 0.0;
-    if (flags.kind || !flags.step_mm) return flags.step_mm.value_or(fine);
-    return fine > 0.0 ? std::min(fine, *flags.step_mm) : *flags.step_mm;
+    const double fine = read.scan ? fine_step_mm(*read.scan) : 0.0;
+    return flags.kind ? flags.step_mm.value_or(fine) : path_step_mm(fine, flags.step_mm);
 }
 
 std::vector<slice::PathSample> samples_for(const ReformatFlags& flags, const slice::VesselPath& path) {
     if (flags.kind) return path.samples;
-    const double step = flags.step_mm.value_or(path.length_mm() / (kUsualSections - 1.0));
-    std::vector<slice::PathSample> samples;
-    constexpr double kRounding = 1e-9;
-    for (double n = 0.0; n * step <= path.length_mm() * (1.0 + kRounding); ++n) samples.push_back(path.at(n * step));
-    return samples;
+    return flags.step_mm ? samples_every(path, *flags.step_mm) : usual_samples(path);
 }
 
 Result<ReformatCase> read_case(const ReformatFlags& flags) {
@@ -127,13 +123,13 @@ Result<std::optional<NarrowPlaces>> narrow_places(const ReformatFlags& flags, co
     if (flags.reference->diameter_mm) {
         places.reference = slice::figures_of_disc(*flags.reference->diameter_mm);
     } else {
-        RAMUS_TRY(range, samples_of(path, flags.reference->way));
+        RAMUS_TRY(range, with_file(samples_of(path, flags.reference->way), "--path"));
         RAMUS_TRY(reference, slice::reference_of(figures, range));
         places.reference = reference;
     }
     slice::SampleRange range = inner_samples(read.tree, path);
     if (flags.between) {
-        RAMUS_TRY(chosen, samples_of(path, *flags.between));
+        RAMUS_TRY(chosen, with_file(samples_of(path, *flags.between), "--path"));
         range = chosen;
     }
     RAMUS_TRY(found, slice::stenosis_of(figures, range, places.reference));
@@ -223,7 +219,8 @@ Result<int> run_reformat(const ReformatFlags& flags) {
             return tl::unexpected(written.error());
         figures.picture = std::move(picture);
     } else if (!flags.output.empty()) {
-        if (auto written = write_table(sections_table(figures, lengths), flags.output); !written)
+        if (auto written = write_table(sections_table(figures.samples, figures.sections, lengths), flags.output);
+            !written)
             return tl::unexpected(written.error());
     }
     if (flags.json)

@@ -2,6 +2,7 @@
 
 #include "app/commands/slice_canvas.h"
 #include "app/picture/colouring.h"
+#include "render/slice/along_painter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,15 +20,6 @@ Result<void> check_size(double width, double height) {
     if (width * height <= kMostPixels) return {};
     return fail("the picture would have more than 100 million pixels", {},
                 "choose a greater --step or a smaller --width");
-}
-
-// Walls of a part of the rows.
-slice::Walls within(slice::Walls walls, const slice::Reformation& picture, const slice::PathPart& part) {
-    const double slack = picture.mm_per_pixel; // parts share a row, so that lines touch
-    for (std::size_t row = 0; row < walls.size(); ++row)
-        if (picture.rows[row].arc_mm < part.begin_mm - slack || picture.rows[row].arc_mm > part.end_mm)
-            walls[row].reset();
-    return walls;
 }
 
 // Paints an outline of the vessel. Those of masks get a dark edge: vessels may be as white as the line.
@@ -50,11 +42,8 @@ public:
 
     void put_walls(const Lumens& lumens, const std::optional<glm::vec3>& colour) {
         const auto walls = slice::walls_of(picture_, lumens);
-        double widest = 0.0;
-        for (const slice::PathSample& sample : path_.samples) widest = std::max(widest, sample.radius_mm);
-        const double most_jump = std::max(4.0, 0.5 * widest / picture_.mm_per_pixel);
         for (const slice::PathPart& part : path_.parts)
-            for (slice::Outline& line : slice::wall_lines(within(walls, picture_, part), most_jump))
+            for (slice::Outline& line : render::wall_lines_of(path_, part, picture_, walls))
                 put_line(std::move(line), colour.value_or(label_colour(static_cast<std::size_t>(part.branch))));
     }
 

@@ -2,6 +2,7 @@
 // contact sheet of cross-sections. Painted on the processor.
 #pragma once
 
+#include "app/reports/section_tables.h"
 #include "app/session/numbers.h"
 #include "core/slice/cross_section.h"
 #include "core/slice/reformation.h"
@@ -16,13 +17,6 @@
 #include <vector>
 
 namespace ramus::app {
-
-using Lumens = std::vector<std::optional<slice::Lumen>>;
-
-// What the surface and, if there is one, a mask say of the vessel, a lumen for each row or section.
-struct Outlines {
-    Lumens surface, mask; // `mask` may be empty
-};
 
 // A painted picture, and where the pixels of the scan are in it.
 struct PaintedSlices {

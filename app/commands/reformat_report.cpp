@@ -16,12 +16,6 @@ const slice::Lumen* lumen_in(const Lumens& lumens, std::size_t n) {
     return n < lumens.size() && lumens[n] ? &*lumens[n] : nullptr;
 }
 
-std::vector<Cell> cells_of(const slice::Lumen* lumen) {
-    if (lumen == nullptr) return {"", "", "", ""};
-    const slice::ShapeFigures& one = lumen->figures;
-    return {one.area_mm2, one.equivalent_mm, one.least_mm, one.largest_mm};
-}
-
 ordered_json figures_json(const slice::ShapeFigures& one) {
     return {{"area_mm2", one.area_mm2},
             {"equivalent_mm", one.equivalent_mm},
@@ -81,35 +75,6 @@ std::string narrow_text(const char* what, const NarrowPlaces& places, const slic
 }
 
 } // namespace
-
-Table sections_table(const ReformatFigures& figures, const Lengths& lengths) {
-    Table table{"Cross-sections", {}, {}};
-    for (const char* name :
-         {"arc", "branch", "fraction", "x", "y", "z", "normal_x", "normal_y", "normal_z", "area", "equivalent_diameter",
-          "least_diameter", "largest_diameter", "closed", "shared_with", "file_radius"})
-        table.columns.push_back({name, name});
-    const bool has_mask = !figures.sections.mask.empty();
-    if (has_mask)
-        for (const char* name :
-             {"mask_area", "mask_equivalent_diameter", "mask_least_diameter", "mask_largest_diameter"})
-            table.columns.push_back({name, name});
-    for (std::size_t n = 0; n < figures.samples.size(); ++n) {
-        const slice::PathSample& one = figures.samples[n];
-        const slice::Lumen* lumen = lumen_in(figures.sections.surface, n);
-        std::vector<Cell> row{one.arc_mm, one.place.branch, one.place.fraction, one.at.x,     one.at.y,
-                              one.at.z,   one.tangent.x,    one.tangent.y,      one.tangent.z};
-        std::ranges::copy(cells_of(lumen), std::back_inserter(row));
-        row.emplace_back(lumen == nullptr ? "" : lumen->closed ? "yes" : "no");
-        row.emplace_back(lumen == nullptr ? std::string() : joined(lumen->shared_with, " ", [](int branch) {
-            return std::to_string(branch);
-        }));
-        row.emplace_back(one.radius_mm);
-        if (has_mask) std::ranges::copy(cells_of(lumen_in(figures.sections.mask, n)), std::back_inserter(row));
-        table.rows.push_back(std::move(row));
-    }
-    add_unit(table, lengths);
-    return table;
-}
 
 ordered_json reformat_json(const ReformatFigures& figures, const tree::Claims& claims) {
     ordered_json parts = ordered_json::array();

@@ -1,8 +1,8 @@
-// The figures of `ramus reformat`: a table of cross-sections, JSON, and the narrowest sections against a reference.
+// The figures of `ramus reformat` as JSON and as text; its table is in app/reports/section_tables.h.
 #pragma once
 
 #include "app/commands/reformat_picture.h"
-#include "app/reports/report_tables.h"
+#include "app/reports/section_tables.h"
 #include "core/slice/stenosis.h"
 #include "core/slice/vessel_path.h"
 #include "core/tree/vessel_tree.h"
@@ -15,12 +15,6 @@
 
 namespace ramus::app {
 
-// A reference and what is narrower than it.
-struct NarrowPlaces {
-    slice::ShapeFigures reference;
-    slice::Stenosis found;
-};
-
 struct ReformatFigures {
     slice::VesselPath path;
     std::vector<slice::PathSample> samples;          // of the sections
@@ -29,8 +23,6 @@ struct ReformatFigures {
     std::optional<PaintedSlices> picture;            // without the pixels
 };
 
-// A row for each section.
-[[nodiscard]] Table sections_table(const ReformatFigures& figures, const Lengths& lengths);
 [[nodiscard]] nlohmann::ordered_json reformat_json(const ReformatFigures& figures, const tree::Claims& claims);
 [[nodiscard]] std::string reformat_text(const ReformatFigures& figures, const Lengths& lengths);
 

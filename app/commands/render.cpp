@@ -16,6 +16,7 @@
 #include "app/panels/interface.h"
 #include "app/picture/figures.h"
 #include "app/picture/fit.h"
+#include "app/picture/slices.h"
 #include "app/picture/video_file.h"
 #include "app/session/colour_by.h"
 #include "app/session/error_context.h"
@@ -113,6 +114,9 @@ Result<bool> open_document(const RenderFlags& flags, Document& document) {
     RAMUS_TRY(opened, open_session(flags.file.string(), flags.session, flags.common, Alone::kAllowed));
     apply(flags.comparison, opened.session.marks);
     apply(flags.scans, opened.session.slices);
+    // A scan alone is seen in slices.
+    if (flags.file.empty() && flags.session.empty() && flags.scans.layout.empty())
+        opened.session.slices.layout = SliceLayout::kSlices;
     if (auto good = apply(flags.colours, opened.tree ? *opened.tree : tree::VesselTree(), opened.session.marks); !good)
         return tl::unexpected(good.error());
     document.open(std::move(opened.tree), std::move(opened.session), nullptr, {}, std::move(opened.base));
@@ -303,7 +307,14 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!context) return tl::unexpected(context.error());
     RAMUS_TRY(renderer, render::Renderer::create(render::kGlassBytes, flags.graphics_bytes));
     stage.draw_with(*renderer);
-    const auto run = [&](ActionContext& to) { return run_script(to, inputs.script, flags.commands, flags.overwrite); };
+    const bool scan_alone = flags.file.empty() && flags.session.empty();
+    const auto run = [&](ActionContext& to) {
+        if (scan_alone && !inputs.camera && !flags.view_given)
+            document.set_camera(camera_of_planes(visible_points(document.marks(), stage.assets), stage.picture_size()));
+        else if (scan_alone)
+            set_camera(document, inputs, has_camera, flags, stage);
+        return run_script(to, inputs.script, flags.commands, flags.overwrite);
+    };
     ActionContext here{.document = document,
                        .picture = stage,
                        .assets = stage.assets,
@@ -378,7 +389,8 @@ void add_backend_flags(CLI::App& command, RenderFlags& flags) {
 
 // Throws CLI::Error for options that are missing or cannot be combined.
 void check_flags(const CLI::App& command, const RenderFlags& flags) {
-    if (flags.file.empty() && flags.session.empty()) throw CLI::RequiredError("FILE or --session");
+    if (flags.file.empty() && flags.session.empty() && flags.scans.scans.empty())
+        throw CLI::RequiredError("FILE, --session or --scan");
     if (flags.device >= 0 && flags.backend != render::Backend::kEgl)
         throw CLI::ValidationError("--device", "needs --backend egl");
     if (flags.figure.turntable > 0 && flags.output.empty()) throw CLI::RequiredError("-o");

@@ -2,6 +2,7 @@
 #include "app/panels/context_menu.h"
 
 #include "app/panels/parts.h"
+#include "app/panels/slice_menu.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/labels.h"
@@ -23,7 +24,7 @@ using Group = std::array<const char*, 5>;
 constexpr std::array kForBranch{
     Group{"select-dependents", "select-upstream"},
     Group{"highlight", "defocus", "defocus-others", "hide", "show"},
-    Group{"cut", "rename", "fly-along"},
+    Group{"cut", "rename", "fly-along", "along"},
     Group{"show-all", "fit"},
 };
 constexpr std::array kForBackground{
@@ -109,6 +110,18 @@ std::vector<std::string> draw_segment_names(int branch) {
     return chosen;
 }
 
+// The commands for a branch under its name, in a menu of several things.
+const Command* draw_branch_menu(InterfaceContext& context, int branch) {
+    const std::string title =
+        widgets::fitted(branch_title(context.workspace.document(), branch), 220.0F * theme::scale());
+    const bool open = ImGui::BeginMenu((title + "##branch").c_str());
+    widgets::note_item("menu: branch");
+    if (!open) return nullptr;
+    const Command* chosen = draw_groups(context, kForBranch);
+    ImGui::EndMenu();
+    return chosen;
+}
+
 } // namespace
 
 void draw_context_menu(InterfaceContext& context) {
@@ -129,6 +142,9 @@ void draw_context_menu(InterfaceContext& context) {
         std::vector<std::string> line;
         if (menu.object) {
             line = draw_object_entries(context, *menu.object);
+        } else if (menu.slice && !menu.close) {
+            line = draw_slice_entries(context, *menu.slice, menu.branch);
+            if (menu.branch != tree::kNoBranch) chosen = draw_branch_menu(context, menu.branch);
         } else if (menu.branch == tree::kNoBranch) {
             widgets::quiet("View");
             chosen = draw_groups(context, kForBackground);

@@ -39,6 +39,12 @@ struct Layout {
     std::vector<glm::ivec2> viewports_at{glm::ivec2(0)};
     glm::ivec2 viewport_size{1};
     std::optional<std::size_t> current_plan_in{}; // the viewport of the current plan, where plans are compared
+    // Its slices, in the order of their viewports.
+    struct SliceAt {
+        slice::Direction direction = slice::Direction::kAxial;
+        glm::ivec2 at{0}, size{1};
+    };
+    std::vector<SliceAt> slices_at{};
 };
 // How high and wide these want to be; `overview_points` 0: closed.
 [[nodiscard]] Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview_points = 0.0F,

@@ -68,6 +68,7 @@ void object_controls(InterfaceContext& context, const ObjectRow& row) {
     if (widgets::eye_button(row.visible, row.visible ? "Hide" : "Show"))
         context.perform(row.visible ? "object-hide" : "object-show", name_of(row));
     ImGui::SameLine(0.0F, 2.0F * theme::scale());
+    if (!row.has_colour) return;
     Editing::Object& trial = context.interface.of<Editing>().object;
     const bool changing = is_of(trial, row) && trial.colour;
     Rgb colour = changing ? *trial.colour : row.colour;

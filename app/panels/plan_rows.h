@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace ramus::app {
@@ -28,6 +29,7 @@ struct ObjectRow {
     Rgb colour;
     std::optional<double> opacity; // of surfaces
     ObjectWords words;
+    bool has_colour = true; // false: a scan in grey
 };
 template <SceneObject T> ObjectRow row_of(InterfaceContext& context, const T& object, std::size_t index) {
     ObjectRow row{T::kNoun,
@@ -37,6 +39,7 @@ template <SceneObject T> ObjectRow row_of(InterfaceContext& context, const T& ob
                   {},
                   words_of(object, index, context.workspace.current_assets(), context.workspace.document().lengths())};
     if constexpr (SurfaceObject<T>) row.opacity = object.opacity;
+    if constexpr (std::is_same_v<T, Scan>) row.has_colour = object.labels;
     return row;
 }
 // The left of a row: an eye that shows and hides the object, and a swatch for its colour.

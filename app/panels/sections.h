@@ -19,6 +19,7 @@ void draw_measurements(InterfaceContext& context);
 void draw_pins(InterfaceContext& context);
 void draw_slices(InterfaceContext& context);  // and their scans
 void draw_region(InterfaceContext& context);  // that is grown in a scan
+void draw_along(InterfaceContext& context);   // and the figures of its sections
 void draw_lesions(InterfaceContext& context); // and the vessels nearest to each
 void draw_margins(InterfaceContext& context); // and the branches within them
 void draw_cuts(InterfaceContext& context);
@@ -44,6 +45,7 @@ inline constexpr Section kSections[] = {
     {PanelPage::kSurface, draw_surface_problem},
     {PanelPage::kSlices, draw_slices},
     {PanelPage::kSlices, draw_region},
+    {PanelPage::kSlices, draw_along},
     {PanelPage::kPlan, draw_measurements}, // first: sections below grow, the tools stay in place
     {PanelPage::kPlan, draw_lesions},
     {PanelPage::kPlan, draw_margins},

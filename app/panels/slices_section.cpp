@@ -136,8 +136,8 @@ void draw_slices(InterfaceContext& context) {
     const SliceChoices layouts{{"picture", "Vessels alone"}, {"slices", "Vessels and slices"},
                                {"large", "Vessels large"},   {"axial", "Axial alone"},
                                {"coronal", "Coronal alone"}, {"sagittal", "Sagittal alone"},
-                               {"oblique", "Oblique alone"}};
-    if (const auto chosen = widgets::choice_row("Layout", "What the picture is divided into: keys 1 to 7",
+                               {"oblique", "Oblique alone"}, {"along", "Along a vessel"}};
+    if (const auto chosen = widgets::choice_row("Layout", "What the picture is divided into: keys 1 to 8",
                                                 std::string(name_of(views.layout)), layouts))
         context.perform("layout", {*chosen});
     draw_place(context);

@@ -73,10 +73,6 @@ private:
     Lengths lengths_;
 };
 
-} // namespace
-
-namespace {
-
 void draw_in_part(InterfaceContext& context, const ToolDrawing& drawing, const ToolDrawing::Part& part) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const glm::ivec2 at = context.layout.view_at + part.at, to = at + part.size;

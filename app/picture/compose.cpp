@@ -2,6 +2,7 @@
 
 #include "app/assets/assets.h"
 #include "app/assets/plan.h"
+#include "app/picture/along_picture.h"
 #include "app/picture/colouring.h"
 #include "app/picture/contact_marks.h"
 #include "app/picture/deviation_colours.h"
@@ -159,6 +160,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     frame.bends = method == mesh::Method::kConvolutionSurface;
     show_outline(frame, session, assets);
     draw_cuts(frame, marks, plan);
+    mark_followed(frame, session, assets);
     outline_lesions(frame, assets, marks);
     if (plan != nullptr) draw_shortest_distances(frame, *plan, marks, viewing.lesion, tree.claims);
     draw_margins(frame, assets, marks);

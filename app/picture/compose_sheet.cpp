@@ -1,6 +1,7 @@
 #include "app/picture/compose_sheet.h"
 
 #include "app/assets/assets.h"
+#include "app/picture/along_picture.h"
 #include "app/picture/colouring.h"
 #include "app/picture/other_session.h"
 #include "app/picture/slices.h"
@@ -82,6 +83,22 @@ std::vector<Viewport> viewports_of_plans(const Marks& marks, glm::ivec2 size, fl
     return viewports;
 }
 
+// The picture along the vessel at the right, as high as the whole; at the left the tree above the section.
+std::vector<Viewport> viewports_along(const Session& session, glm::ivec2 size, float pixel_ratio) {
+    const int line = std::max(1, static_cast<int>(std::lround(pixel_ratio)));
+    const int left = size.x * 11 / 20;
+    const int upper = (size.y - line) / 2;
+    const Compared surface = compared(session.marks.options.method);
+    const auto viewport_of = [&](glm::ivec2 at, glm::ivec2 end) {
+        return Viewport{at, glm::max(end - at, glm::ivec2(1)), surface, {}, true};
+    };
+    std::vector<Viewport> viewports{viewport_of({0, 0}, {left, upper}), viewport_of({0, upper + line}, {left, size.y}),
+                                    viewport_of({left + line, 0}, size)};
+    viewports[1].slice = viewports[2].slice = slice::Direction::kOblique;
+    viewports[2].along = true;
+    return viewports;
+}
+
 // The tree and three slices in 2 x 2 parts, or the tree large with the slices in a column; or one slice.
 std::vector<Viewport> viewports_of_slices(const Session& session, glm::ivec2 size, float pixel_ratio) {
     const int line = std::max(1, static_cast<int>(std::lround(pixel_ratio)));
@@ -91,6 +108,7 @@ std::vector<Viewport> viewports_of_slices(const Session& session, glm::ivec2 siz
         return Viewport{at, glm::max(end - at, glm::ivec2(1)), compared(session.marks.options.method), {}, true};
     };
     std::vector<Viewport> viewports;
+    if (layout == SliceLayout::kAlong) return viewports_along(session, size, pixel_ratio);
     if (!has_tree(layout)) {
         viewports.push_back(viewport_of({0, 0}, size));
         viewports.back().slice = slices.front();
@@ -224,7 +242,9 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
         if (!viewports[i].title.empty()) frame.overlays.inset_top = sheet_viewing.heading_top;
         std::optional<render::SliceView> slice;
         if (viewports[i].slice) {
-            slice = compose_slice(session, assets, *viewports[i].slice, own);
+            const auto& mesh = surfaces.of(viewports[i].surface);
+            slice = viewports[i].along ? compose_along(session, assets, mesh, own, sheet_viewing.heading_top)
+                                       : compose_slice(session, assets, *viewports[i].slice, own);
             slice->mark = slice_colour(*viewports[i].slice);
             // Overlays of the window at the top belong to the whole picture.
             if (viewports[i].at.y == 0) slice->overlays.inset_top = sheet_viewing.heading_top;

@@ -19,6 +19,7 @@ struct Viewport {
     bool has_branches = true;                // false for masks
     std::optional<std::size_t> plan{};       // of the session, where plans are compared
     std::optional<slice::Direction> slice{}; // shows this slice instead of the tree
+    bool along = false;                      // `slice` is set, but the picture is along the vessel that slices follow
     bool operator==(const Viewport&) const = default;
 };
 

@@ -60,6 +60,29 @@ void enlarge(render::Frame& frame, const FigureOptions& options) {
         *inset *= options.supersample;
 }
 
+// Finer pixels over the same part of the patient.
+void enlarge(render::SliceView& slice, const FigureOptions& options) {
+    const int times = options.supersample;
+    slice::PixelGrid& grid = slice.grid;
+    const glm::dvec3 edge = grid.place(glm::dvec2(-0.5)); // the corner of the first pixel
+    grid.right /= times;
+    grid.down /= times;
+    grid.corner = edge + 0.5 * (grid.right + grid.down);
+    grid.size *= times;
+    slice.pixel_ratio *= static_cast<float>(times);
+    slice.overlays.inset_top *= times;
+}
+
+// The tree of a picture with slices, over all of it.
+void leave_slices_out(render::Sheet& sheet) {
+    const auto is_slice = [](const render::Sheet::Viewport& one) { return one.slice.has_value(); };
+    if (std::ranges::none_of(sheet.viewports, is_slice)) return;
+    sheet.viewports.resize(1);
+    sheet.viewports.front().slice.reset();
+    sheet.viewports.front().at = glm::ivec2(0);
+    sheet.viewports.front().frame.size = sheet.size;
+}
+
 constexpr std::array kViews{render::View::kAnterior, render::View::kLeft, render::View::kPosterior,
                             render::View::kSuperior};
 
@@ -210,6 +233,7 @@ Result<Figure> draw_figure(render::SheetRenderer& renderer, render::Sheet sheet,
     for (render::Sheet::Viewport& viewport : sheet.viewports) {
         viewport.at *= options.supersample;
         enlarge(viewport.frame, options);
+        if (viewport.slice) enlarge(*viewport.slice, options);
     }
     make_room_for_caption(sheet);
     if (auto fits = check_enlarged(sheet.size, options); !fits) return tl::unexpected(fits.error());
@@ -225,6 +249,7 @@ Result<Figure> draw_figure(render::SheetRenderer& renderer, render::Sheet sheet,
 
 Result<FourViews> four_views(const ComposeSheet& compose, glm::ivec2 size, const FigureOptions& options) {
     RAMUS_TRY(whole, compose(size));
+    leave_slices_out(whole); // the same in each view
     const Grid grid = grid_for(whole, size);
     const glm::ivec2 part = grid.part();
     const auto viewports = static_cast<int>(side_by_side(whole) ? whole.viewports.size() : 1);
@@ -233,6 +258,7 @@ Result<FourViews> four_views(const ComposeSheet& compose, glm::ivec2 size, const
                         " pixels has no room for four views",
                     {}, "give a larger --size");
     RAMUS_TRY(composed, compose(part));
+    leave_slices_out(composed);
     dress(composed, options);
     std::vector<render::Camera> cameras;
     for (const render::View view : kViews)
@@ -290,6 +316,9 @@ void look_around(render::Sheet& sheet, const FigureOptions& options, std::size_t
 
 Result<Turntable> write_turntable(render::SheetRenderer& renderer, const render::Sheet& sheet,
                                   const FigureOptions& options, const std::filesystem::path& output, Job& job) {
+    if (sheet.viewports.front().slice)
+        return fail("a slice alone does not turn", output.string(),
+                    "choose a layout with the tree: picture, slices or large");
     std::optional<VideoFile> video;
     if (is_video(output)) {
         if (sheet.viewports.front().frame.background.transparent)

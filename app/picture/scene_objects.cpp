@@ -8,6 +8,7 @@
 #include "app/picture/slices.h"
 #include "core/base/lines.h"
 #include "core/base/words.h"
+#include "core/slice/pixel_grid.h"
 
 #include <algorithm>
 #include <array>
@@ -195,8 +196,25 @@ void add_points(std::vector<glm::vec3>& points, const Assets& assets, const Rese
         for (const auto& part : *parts) points.insert(points.end(), part->positions.begin(), part->positions.end());
 }
 
-// The vessels fill the picture, whatever the scan covers.
+// The vessels fill the picture, whatever the scan covers: see visible_points().
 void add_points(std::vector<glm::vec3>& /*points*/, const Assets& /*assets*/, const Scan& /*scan*/) {}
+
+namespace {
+
+// The corners of the scans.
+void add_corners(std::vector<glm::vec3>& points, const Assets& assets, const Marks& marks) {
+    for (const Scan& scan : marks.scans) {
+        const auto file = scan.visible ? assets.scan(scan) : nullptr;
+        if (!file) continue;
+        const Bounds<glm::dvec3> box = slice::bounds_of(*file->volume);
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::bvec3 high((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0);
+            points.emplace_back(glm::mix(box.least, box.most, high));
+        }
+    }
+}
+
+} // namespace
 
 std::vector<glm::vec3> visible_points(const Marks& marks, const Assets& assets) {
     std::vector<glm::vec3> points;
@@ -208,6 +226,7 @@ std::vector<glm::vec3> visible_points(const Marks& marks, const Assets& assets) 
     if (assets.organ.territories && marks.organ.territories != TerritoriesOf::kNothing && marks.organ.opacity > 0.0)
         for (const OrganTerritories::Part& part : assets.organ.territories->parts)
             points.insert(points.end(), part.mesh->positions.begin(), part.mesh->positions.end());
+    if (points.empty() && !assets.tree) add_corners(points, assets, marks);
     return points;
 }
 

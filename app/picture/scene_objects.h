@@ -38,7 +38,7 @@ void add_points(std::vector<glm::vec3>& points, const Assets& assets, const Meas
 void add_points(std::vector<glm::vec3>& points, const Assets& assets, const Pin& pin);
 void add_points(std::vector<glm::vec3>& points, const Assets& assets, const Resection& resection);
 void add_points(std::vector<glm::vec3>& points, const Assets& assets, const Scan& scan);
-// Of all visible objects.
+// Of all visible objects. Without a tree and without other objects, of the scans.
 [[nodiscard]] std::vector<glm::vec3> visible_points(const Marks& marks, const Assets& assets);
 
 // A visible object under the pointer, and the place on it (mm).

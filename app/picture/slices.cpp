@@ -2,6 +2,7 @@
 
 #include "app/assets/assets.h"
 #include "app/picture/colouring.h"
+#include "app/picture/slice_marks.h"
 #include "app/session/numbers.h"
 #include "core/base/words.h"
 #include "core/slice/sample.h"
@@ -230,6 +231,13 @@ std::string caption_of(slice::Direction direction, const slice::Plane& plane, co
     return caption;
 }
 
+render::Camera camera_of_planes(std::span<const glm::vec3> points, glm::ivec2 size) {
+    constexpr double kAzimuth = 35.0;
+    constexpr double kElevation = 25.0; // degrees
+    const render::Camera front = render::camera_for(points, render::View::kAnterior, size);
+    return render::fitted(render::turned(front, kAzimuth, kElevation), points, size);
+}
+
 void add_scans(render::SliceView& view, const Session& session, const Assets& assets) {
     for (const Scan& scan : session.marks.scans) {
         const auto file = scan.visible && scan.opacity > 0.0 ? assets.scan(scan) : nullptr;
@@ -263,6 +271,7 @@ render::SliceView compose_slice(const Session& session, const Assets& assets, sl
     overlays.axes = claims.has_sides() ? render::side_letters() : render::plain_axes();
     overlays.unit_known = claims.has_unit();
     overlays.caption = latin1(caption_of(direction, {at, {}}, view.sampling, claims));
+    draw_marks(view, session, assets, direction, viewing);
     return view;
 }
 

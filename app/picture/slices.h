@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace ramus::app {
@@ -52,6 +53,9 @@ struct ScanFile; // app/assets/scans.h
 // "Axial, S 12.3 mm, maximum of 10 mm": where a slice is, in the words that the claims allow.
 [[nodiscard]] std::string caption_of(slice::Direction direction, const slice::Plane& plane,
                                      const slice::Sampling& sampling, const tree::Claims& claims);
+
+// A camera from which the planes of three slices are seen aslant.
+[[nodiscard]] render::Camera camera_of_planes(std::span<const glm::vec3> points, glm::ivec2 size);
 
 // The layers of scans and segmentations, for slices of any grid.
 void add_scans(render::SliceView& view, const Session& session, const Assets& assets);

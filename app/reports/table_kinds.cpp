@@ -3,6 +3,7 @@
 #include "app/assets/assets.h"
 #include "app/assets/operation.h"
 #include "app/reports/organ_tables.h"
+#include "app/reports/section_tables.h"
 #include "core/base/words.h"
 
 #include <algorithm>
@@ -43,6 +44,8 @@ std::span<const TableKind> table_kinds() {
          [](const Document& d, const Assets& a) { return has_operation(d, a) && !d.marks().resections.empty(); }},
         {"territories", "Territories", territories_table,
          [](const Document&, const Assets& a) { return a.organ.territories != nullptr; }, true},
+        {"stenosis", "Stenosis", stenosis_table, has_stenosis, true},
+        {"sections", "Cross-sections along the vessel", followed_sections_table, has_sections, true},
         {"systems", "Systems", systems_table,
          [](const Document& d, const Assets&) { return !d.tree()->systems.empty(); }},
         {"contacts", "Contacts", contacts_table,

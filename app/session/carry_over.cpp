@@ -163,4 +163,21 @@ render::Camera carried_over(const render::Camera& camera, const tree::VesselTree
     return carried;
 }
 
+std::optional<Way> carried_over(const Way& way, const BranchMap& map) {
+    const auto end_after = [&](const WayEnd& end) -> std::optional<WayEnd> {
+        if (end.branch < 0) return end;
+        if (static_cast<std::size_t>(end.branch) >= map.before().branches.size()) return {};
+        if (!end.fraction) {
+            const std::vector<int>& became = map.mostly(end.branch);
+            return became.size() == 1 ? std::optional(WayEnd{became.front()}) : std::nullopt;
+        }
+        const auto place = map.place({end.branch, *end.fraction});
+        return place ? std::optional(WayEnd{place->branch, place->fraction}) : std::nullopt;
+    };
+    const auto from = end_after(way.from);
+    if (!from || !way.to) return from ? std::optional(Way{*from}) : std::nullopt;
+    const auto to = end_after(*way.to);
+    return to ? std::optional(Way{*from, to}) : std::nullopt;
+}
+
 } // namespace ramus::app

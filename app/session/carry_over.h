@@ -51,6 +51,9 @@ struct CarriedOver {
 // a file, completely hidden systems stay hidden, and default margins and limits are replaced by those of the new tree.
 [[nodiscard]] CarriedOver carried_over(const Marks& marks, const BranchMap& map);
 
+// The same way on the tree after; none if one of its ends is gone, or a whole branch was divided.
+[[nodiscard]] std::optional<Way> carried_over(const Way& way, const BranchMap& map);
+
 // If the comparison's mask is the file that the tree was made from, both get the same unit.
 void follow_unit(Marks& marks, const TreeFile& file);
 

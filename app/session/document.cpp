@@ -53,15 +53,27 @@ Result<void> Document::edit_tree(const tree::Edit& edit) {
 
 Result<void> Document::take_edit(const MadeEdit& made) {
     if (made.before != tree_) return fail("the tree was edited meanwhile", {}, "do it again");
-    Marks next = carried_over(session_.marks, BranchMap::edited(*tree_, *made.after)).marks;
+    const BranchMap map = BranchMap::edited(*tree_, *made.after);
+    Marks next = carried_over(session_.marks, map).marks;
     next.edits.push_back(made.edit);
     if (auto few = check_counts(next); !few) return few;
     std::erase_if(known_, [&](const EditedState& state) { return state.edits >= next.edits.size(); });
+    follow_way([&](const Way& way) { return carried_over(way, map); });
     tree_ = std::shared_ptr<const tree::VesselTree>(made.after, &made.after->tree);
     facts_ = made.facts;
     take_change(std::move(next));
     keep_tree();
     return {};
+}
+
+// Slices follow the same vessel on another tree, or none.
+void Document::follow_way(const std::function<std::optional<Way>(const Way&)>& carry) {
+    auto& along = session_.slices.along;
+    if (!along) return;
+    if (const auto way = carry(along->way))
+        along->way = *way;
+    else
+        along.reset();
 }
 
 // Keeps the first tree, every sixteenth and the last few, so that undo repeats few edits and memory stays small.
@@ -77,6 +89,7 @@ void Document::keep_tree() {
 void Document::follow_edits(const std::vector<tree::Edit>& before) {
     const std::vector<tree::Edit>& now = session_.marks.edits;
     if (now == before || !tree_) return;
+    session_.slices.along.reset(); // of the other tree
     const auto common = static_cast<std::size_t>(
         std::mismatch(before.begin(), before.end(), now.begin(), now.end()).first - before.begin());
     std::erase_if(known_, [&](const EditedState& state) { return state.edits > common; });
@@ -144,6 +157,8 @@ void Document::take_change(Marks next) {
 }
 
 void Document::go_to_tree(const TreeWithFacts& other, bool moves) {
+    const BranchMap map = BranchMap::read_again(*tree_, *other.tree);
+    follow_way([&](const Way& way) { return carried_over(way, map); });
     if (moves) session_.camera = carried_over(session_.camera, *tree_, *other.tree);
     tree_ = base_ = other.tree;
     facts_ = other.facts;

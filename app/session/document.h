@@ -16,7 +16,9 @@
 #include "core/base/error.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -122,6 +124,7 @@ private:
     [[nodiscard]] std::size_t work_between(std::size_t first, std::size_t last) const;
     void keep_tree();
     void follow_edits(const std::vector<tree::Edit>& before);
+    void follow_way(const std::function<std::optional<Way>(const Way&)>& carry);
     void take_step(const Step& step, const std::vector<MarksChange>& changes, MarksChange::Direction direction);
     void go_to_tree(const TreeWithFacts& other, bool moves);
 

@@ -163,6 +163,12 @@ struct SceneObjects {
     std::vector<Pin> pins;
     std::vector<Resection> resections; // of the current plan
     std::vector<Scan> scans;           // painted in this order
+    // The first visible scan in grey: whose window a person changes, and in which regions grow. Null: none.
+    [[nodiscard]] const Scan* grey_scan() const {
+        for (const Scan& scan : scans)
+            if (scan.visible && !scan.labels) return &scan;
+        return nullptr;
+    }
     bool operator==(const SceneObjects&) const = default;
 };
 void for_each_object_list(auto& objects, const auto& call) {

@@ -3,6 +3,8 @@
 #include "core/base/words.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 
 namespace ramus::app {
 
@@ -24,20 +26,30 @@ std::vector<slice::Direction> slices_of(SliceLayout layout) {
     case SliceLayout::kSagittal:
         return {slice::Direction::kSagittal};
     case SliceLayout::kOblique:
+    case SliceLayout::kAlong:
         break;
     }
     return {slice::Direction::kOblique};
 }
 
 bool has_tree(SliceLayout layout) {
-    return layout == SliceLayout::kPicture || layout == SliceLayout::kSlices || layout == SliceLayout::kLarge;
+    return layout == SliceLayout::kPicture || layout == SliceLayout::kSlices || layout == SliceLayout::kLarge ||
+           layout == SliceLayout::kAlong;
 }
 
 bool SliceViews::any_in_picture() const { return std::ranges::find(in_picture, true) != in_picture.end(); }
 
 slice::Axes axes_of(const SliceViews& views, slice::Direction direction) {
-    return direction == slice::Direction::kOblique ? slice::axes_across(views.oblique_normal)
-                                                   : slice::axes_of(direction);
+    if (direction != slice::Direction::kOblique) return slice::axes_of(direction);
+    const slice::Axes across = slice::axes_across(views.oblique_normal);
+    // Another normal may have been set since.
+    constexpr double kRightAngle = 1e-6;
+    if (!views.oblique_right || std::abs(glm::dot(*views.oblique_right, views.oblique_normal)) > kRightAngle)
+        return across;
+    slice::Axes followed = across;
+    followed.right = *views.oblique_right;
+    followed.down = glm::cross(followed.right, across.to_viewer());
+    return followed;
 }
 
 glm::vec3 slice_colour(slice::Direction direction) {

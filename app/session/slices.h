@@ -2,6 +2,7 @@
 // session like its camera: saved, but not covered by undo. A plain value.
 #pragma once
 
+#include "app/session/along_vessel.h"
 #include "core/slice/pixel_grid.h"
 #include "core/slice/sample.h"
 
@@ -27,15 +28,17 @@ enum class SliceLayout : std::uint8_t {
     kCoronal,
     kSagittal,
     kOblique,
+    kAlong, // the tree, the section across a vessel, and the picture along the vessel
 };
-inline constexpr std::array<std::pair<SliceLayout, std::string_view>, 7> kSliceLayouts{
+inline constexpr std::array<std::pair<SliceLayout, std::string_view>, 8> kSliceLayouts{
     {{SliceLayout::kPicture, "picture"},
      {SliceLayout::kSlices, "slices"},
      {SliceLayout::kLarge, "large"},
      {SliceLayout::kAxial, "axial"},
      {SliceLayout::kCoronal, "coronal"},
      {SliceLayout::kSagittal, "sagittal"},
-     {SliceLayout::kOblique, "oblique"}}};
+     {SliceLayout::kOblique, "oblique"},
+     {SliceLayout::kAlong, "along"}}};
 [[nodiscard]] std::string_view name_of(SliceLayout layout);
 [[nodiscard]] std::optional<SliceLayout> layout_named(std::string_view name);
 // The slices that a layout has, in the order of its parts.
@@ -55,8 +58,10 @@ struct SliceViews {
     SliceLayout layout = SliceLayout::kPicture;
     std::optional<glm::dvec3> crosshair;      // mm, RAS; none: the middle of the scan
     glm::dvec3 oblique_normal{0.0, 0.0, 1.0}; // of the oblique slice, of unit length
-    std::array<SliceZoom, 4> zooms;           // by slice::Direction
-    std::array<bool, 4> in_picture{};         // by slice::Direction: drawn as a plane among the vessels
+    std::optional<glm::dvec3> oblique_right; // its pictures' right; none, or not at right angles: that of axes_across()
+    std::optional<AlongVessel> along;        // the vessel that the oblique slice follows
+    std::array<SliceZoom, 4> zooms;          // by slice::Direction
+    std::array<bool, 4> in_picture{};        // by slice::Direction: drawn as a plane among the vessels
     std::optional<slice::Direction> cut_away; // what lies before this slice is not drawn
     bool cut_behind = false;                  // instead: what lies behind it
     slice::Sampling sampling;

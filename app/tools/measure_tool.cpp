@@ -73,15 +73,15 @@ std::vector<std::string> words_of(const Measurement& m, const Marks& marks) {
 
 // Angles at branchings have no movable end.
 std::optional<MeasureTool::Handle> MeasureTool::handle_under(const Pointing& pointing) {
-    if (!pointing.document.tree()) return {};
+    if (!pointing.document.has_scene()) return {};
     std::optional<Handle> found;
     double nearest = kReachPoints * pointing.pixel_ratio;
     const auto& measurements = pointing.document.marks().measurements;
     for (std::size_t m = 0; m < measurements.size(); ++m) {
-        const std::vector<glm::dvec3> ends = ends_of(*pointing.document.tree(), measurements[m]);
+        const std::vector<glm::dvec3> ends = ends_of(*measured_tree(pointing.document), measurements[m]);
         for (std::size_t e = 0; e < ends.size(); ++e) {
             const auto at = render::project(pointing.camera(), pointing.size, ends[e]);
-            if (!at) continue;
+            if (!at || !pointing.shows(ends[e])) continue;
             if (const double away = glm::distance(glm::dvec2(*at), pointing.at); away < nearest)
                 nearest = away, found = Handle{m, e};
         }
@@ -122,8 +122,8 @@ Measurement MeasureTool::measurement_of(const Pointing& pointing, const std::vec
 }
 
 bool MeasureTool::takes(const Pointing& pointing, const render::Pick& pick) const {
-    return on_vessel(pointing, pick) ||
-           (kind_ == Measurement::Kind::kDistance && pointing.lesions.at(lesion_of(pointing, pick)));
+    return on_vessel(pointing, pick) || (kind_ == Measurement::Kind::kDistance &&
+                                         (pointing.on_scan(pick) || pointing.lesions.at(lesion_of(pointing, pick))));
 }
 
 void MeasureTool::press(const Pointing& pointing) {
@@ -167,12 +167,13 @@ void MeasureTool::move(const Pointing& pointing) {
     held_->moved = true;
     const render::Pick pick = pointing.pick();
     const bool distance = held_->now.kind == Measurement::Kind::kDistance;
-    if (!on_vessel(pointing, pick) && !(distance && lesion_of(pointing, pick) != kNoObject)) return;
+    if (!on_vessel(pointing, pick) && !(distance && (pointing.on_scan(pick) || lesion_of(pointing, pick) != kNoObject)))
+        return;
     if (distance)
         put_end(held_->now, held_->handle.end, pointing, pick);
     else
         held_->now.places[held_->handle.end] = foot_of(pointing, pick);
-    live_ = measured(*pointing.document.tree(), held_->now, pointing.lesions);
+    live_ = measured(*measured_tree(pointing.document), held_->now, pointing.lesions);
 }
 
 void MeasureTool::look(const Pointing& pointing) {
@@ -187,7 +188,7 @@ void MeasureTool::look(const Pointing& pointing) {
     if (begun_.size() + 1 < points_wanted()) return;
     std::vector<render::Pick> picks = begun_;
     picks.push_back(pick);
-    live_ = measured(*pointing.document.tree(), measurement_of(pointing, picks), pointing.lesions);
+    live_ = measured(*measured_tree(pointing.document), measurement_of(pointing, picks), pointing.lesions);
 }
 
 // A press without a move is a click, even on a handle: a new measurement may begin where another one ends.
@@ -221,7 +222,7 @@ std::optional<std::size_t> MeasureTool::moved_measurement() const {
 
 ToolDrawing MeasureTool::drawing(const Pointing& pointing) const {
     ToolDrawing drawing;
-    if (!pointing.document.tree()) return drawing;
+    if (!pointing.document.has_scene()) return drawing;
     const double ratio = pointing.pixel_ratio;
     const auto put = [&](const glm::dvec3& place) { return render::project(pointing.camera(), pointing.size, place); };
     const auto dot = [&](const glm::dvec3& place, double points, bool filled) {
@@ -233,12 +234,13 @@ ToolDrawing MeasureTool::drawing(const Pointing& pointing) const {
     const auto& measurements = pointing.document.marks().measurements;
     for (std::size_t m = 0; m < measurements.size(); ++m)
         if (m != moved)
-            for (const glm::dvec3& end : ends_of(*pointing.document.tree(), measurements[m]))
-                dot(end, kHandlePoints, true);
+            for (const glm::dvec3& end : ends_of(*measured_tree(pointing.document), measurements[m]))
+                if (pointing.shows(end)) dot(end, kHandlePoints, true);
     if (const auto handle = held != nullptr ? held->handle : handle_under(pointing); handle && begun_.empty() && !moved)
-        dot(ends_of(*pointing.document.tree(), measurements[handle->measurement])[handle->end], 1.6 * kHandlePoints,
-            false);
-    for (const render::Pick& pick : begun_) dot(pick.position, kHandlePoints, true);
+        dot(ends_of(*measured_tree(pointing.document), measurements[handle->measurement])[handle->end],
+            1.6 * kHandlePoints, false);
+    // On a slice through another place, the feet of the clicks are hollow.
+    for (const render::Pick& pick : begun_) dot(pick.position, kHandlePoints, pointing.shows(pick.position));
     if (held_ && held == nullptr) return drawing;
     const bool known = live_ && *live_;
     if (!begun_.empty() && !known)
@@ -285,7 +287,7 @@ std::string MeasureTool::hint() const {
     const std::string handles = "; drag an end of a measurement to move it";
     switch (kind_) {
     case Measurement::Kind::kDistance:
-        return "Click a place on a vessel or a lesion, then another, or drag from one to the other" + handles;
+        return "Click a place on a vessel, a lesion or a slice, then another, or drag from one to the other" + handles;
     case Measurement::Kind::kPath:
         return "Click two places: the path along the vessels between them" + handles;
     case Measurement::Kind::kDiameter:

@@ -1,8 +1,8 @@
 // MeasureTool: measures distances between surface points, paths along vessels, diameters, and angles between three
-// places. Distances connect the clicked points on the surfaces of vessels or lesions; the other kinds connect feet on
-// centerlines. A lesion clicked with Shift counts as a whole: the distance is the shortest from its surface to the wall
-// of the branch at the other end. The value is shown before the last click. Ends of existing measurements are handles:
-// dragging one updates the value and produces one command on release.
+// places. Distances connect the clicked points on the surfaces of vessels or lesions, or on slices; the other kinds
+// connect feet on centerlines. A lesion clicked with Shift counts as a whole: the distance is the shortest from its
+// surface to the wall of the branch at the other end. The value is shown before the last click. Ends of existing
+// measurements are handles: dragging one updates the value and produces one command on release.
 #pragma once
 
 #include "app/assets/measured.h"
@@ -25,6 +25,7 @@ public:
     [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override;
     [[nodiscard]] Cursor cursor() const override { return over_handle_ ? Cursor::kHand : Cursor::kCross; }
     [[nodiscard]] std::string hint() const override;
+    [[nodiscard]] WorksOn works_on() const override { return WorksOn::kBoth; }
     [[nodiscard]] bool points_at_branches() const override;
     [[nodiscard]] std::optional<std::size_t> moved_measurement() const override;
 

@@ -1,4 +1,4 @@
-// The tool that sets pins: a click on the surface sets one there, a drag moves one.
+// The tool that sets pins: a click on the surface or on a slice sets one there, a drag moves one.
 #include "app/tools/spelling.h"
 #include "app/tools/tool.h"
 
@@ -14,7 +14,9 @@ constexpr double kPinReachPoints = 11.0; // distance by which a press may miss a
 constexpr double kPinClickPoints = 3.0;  // a pointer that moved less was only clicked
 const glm::vec4 kPinColour{0.98F, 0.80F, 0.35F, 1.0F};
 
-bool shows_vessel(const render::Pick& pick) { return pick.branch != render::kNoBranch; }
+bool takes_pin(const Pointing& pointing, const render::Pick& pick) {
+    return pick.branch != render::kNoBranch || pointing.on_scan(pick);
+}
 
 class PinTool final : public Tool {
 public:
@@ -34,7 +36,7 @@ public:
         const auto held = held_pin(pointing);
         held_.reset();
         const render::Pick pick = pointing.pick();
-        if (!shows_vessel(pick)) return;
+        if (!takes_pin(pointing, pick)) return;
         if (held && moved_)
             command({"pin-move", std::to_string(*held + 1), finely_spelled(pick.position)});
         else if (held)
@@ -53,14 +55,15 @@ public:
         };
         if (const auto pin = held_ ? held_pin(pointing) : pin_under(pointing); pin && !moved_)
             mark(pointing.document.marks().pins[*pin].at, 14.0);
-        else if (shows_vessel(under_))
+        else if (takes_pin(pointing, under_))
             mark(under_.position, 5.0);
         return drawing;
     }
 
+    [[nodiscard]] WorksOn works_on() const override { return WorksOn::kBoth; }
     [[nodiscard]] std::string hint() const override {
         return held_ ? "Drag to move the pin, let go to set it there, Escape to leave it"
-                     : "Click a vessel to pin a text there; drag a pin to move it, click it to write";
+                     : "Click a vessel or a slice to pin a text there; drag a pin to move it, click it to write";
     }
 
 private:
@@ -76,7 +79,7 @@ private:
         for (std::size_t i = 0; i < pins.size(); ++i) {
             const auto at = render::project(pointing.camera(), pointing.size, pins[i].at);
             const double distance = at ? glm::distance(glm::dvec2(*at), pointing.at) : nearest;
-            if (pins[i].visible && distance < nearest) nearest = distance, found = i;
+            if (pins[i].visible && pointing.shows(pins[i].at) && distance < nearest) nearest = distance, found = i;
         }
         return found;
     }

@@ -45,12 +45,18 @@ std::optional<Disc> disc_of(const Pointing& pointing, const std::array<double, 4
     return Disc{glm::dvec2(*at), sphere[3] / mm_per_pixel_at(pointing, glm::dvec2(*at), at->z), at->z};
 }
 
+// Whether a slice passes through the sphere, if the pointer is on a slice.
+bool is_cut(const Pointing& pointing, const std::array<double, 4>& sphere) {
+    return !pointing.slice ||
+           std::abs(pointing.slice->grid.plane().height({sphere[0], sphere[1], sphere[2]})) < sphere[3];
+}
+
 // The sphere nearest to the eye under the pointer.
 std::optional<std::pair<std::size_t, Disc>> lesion_under(const Pointing& pointing) {
     std::optional<std::pair<std::size_t, Disc>> found;
     const auto& lesions = pointing.document.marks().lesions;
     for (std::size_t i = 0; i < lesions.size(); ++i) {
-        if (lesions[i].is_mesh() || !lesions[i].visible) continue;
+        if (lesions[i].is_mesh() || !lesions[i].visible || !is_cut(pointing, lesions[i].sphere)) continue;
         const auto disc = disc_of(pointing, lesions[i].sphere);
         if (!disc || glm::distance(disc->at, pointing.at) > disc->radius + kSlackPoints * pointing.pixel_ratio)
             continue;
@@ -80,7 +86,7 @@ std::optional<std::size_t> cut_under(const Pointing& pointing) {
         const measure::BranchPoint place = measure::point_on(*pointing.document.tree(), cuts[n].first, cuts[n].second);
         const auto at = render::project(pointing.camera(), pointing.size, place.position);
         const double away = at ? glm::distance(glm::dvec2(*at), pointing.at) : nearest;
-        if (away < nearest) nearest = away, found = n;
+        if (away < nearest && pointing.shows(place.position)) nearest = away, found = n;
     }
     return found;
 }
@@ -215,7 +221,9 @@ ToolDrawing LesionTool::drawing(const Pointing& pointing) const {
 
 std::string LesionTool::hint() const {
     return held_ ? "Drag to size or move it, let go to keep it, Escape to leave it"
-                 : "Press on a vessel or next to it to place a lesion, drag to size it; press on a lesion to change it";
+                 : "Press on a vessel, next to it or on a slice to place a lesion, drag to size it; press on a lesion "
+                   "to change "
+                   "it";
 }
 
 } // namespace ramus::app

@@ -20,6 +20,7 @@ public:
     bool escape() override;
     [[nodiscard]] bool busy() const override { return held_.has_value(); }
     [[nodiscard]] bool changes_while_held() const override { return held_.has_value(); }
+    [[nodiscard]] WorksOn works_on() const override { return WorksOn::kBoth; }
     [[nodiscard]] std::string hint() const override {
         return held_ ? "Drag the cut along its branch, let go to keep it, Escape to leave it"
                      : "Click a vessel to cut it there; drag a cut along its branch";
@@ -37,10 +38,10 @@ private:
     std::optional<Held> held_;
 };
 
-// LesionTool: places spherical lesions. A press sets the centre on the surface under the pointer, or at the depth of
-// the focal point if there is none. Dragging sets the radius; a click gives the default radius, which is smaller for
-// small trees. A press on an existing lesion grabs it: near its outline it is resized, elsewhere moved parallel to the
-// view.
+// LesionTool: places spherical lesions. A press sets the centre on the surface under the pointer or in the slice, or
+// at the depth of the focal point if there is neither. Dragging sets the radius; a click gives the default radius,
+// which is smaller for small trees. A press on an existing lesion grabs it: near its outline it is resized, elsewhere
+// moved parallel to the view.
 class LesionTool final : public Tool {
 public:
     static constexpr double kLeastOfUsual = 0.05;
@@ -50,6 +51,7 @@ public:
     void release(const Pointing& pointing) override;
     bool escape() override { return std::exchange(held_, std::nullopt).has_value(); }
     [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override;
+    [[nodiscard]] WorksOn works_on() const override { return WorksOn::kBoth; }
     [[nodiscard]] std::string hint() const override;
 
 private:

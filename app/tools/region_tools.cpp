@@ -24,12 +24,12 @@ glm::dvec3 slice_place(const slice::PixelGrid& grid, const glm::dvec2& at) { ret
 
 class RegionTool final : public Tool {
 public:
-    [[nodiscard]] bool works_on_slices() const override { return true; }
+    [[nodiscard]] WorksOn works_on() const override { return WorksOn::kSlices; }
     [[nodiscard]] bool picks() const override { return false; }
 
     void press(const Pointing& pointing) override {
         if (!pointing.slice) return;
-        const std::string place = finely_spelled(slice_place(*pointing.slice, pointing.at));
+        const std::string place = finely_spelled(slice_place(pointing.slice->grid, pointing.at));
         command({"crosshair", place});
         command({pointing.modifiers.shift ? "region-add" : "region", place});
     }
@@ -53,7 +53,7 @@ public:
 
 class RegionCutTool final : public Tool {
 public:
-    [[nodiscard]] bool works_on_slices() const override { return true; }
+    [[nodiscard]] WorksOn works_on() const override { return WorksOn::kSlices; }
     [[nodiscard]] bool picks() const override { return false; }
 
     void press(const Pointing& pointing) override {
@@ -63,7 +63,7 @@ public:
     void release(const Pointing& pointing) override {
         const auto from = std::exchange(from_, std::nullopt);
         if (!from || !pointing.slice) return;
-        const slice::PixelGrid& grid = *pointing.slice;
+        const slice::PixelGrid& grid = pointing.slice->grid;
         if (glm::distance(*from, pointing.at) < kLeastDrag * pointing.pixel_ratio) {
             command({"region-cut", finely_spelled(slice_place(grid, *from)),
                      finely_spelled(pointing.settings.cut_radius_mm)});
@@ -92,7 +92,7 @@ public:
             return drawing;
         }
         drawing.circles.push_back(
-            {pointing.at, pointing.settings.cut_radius_mm / glm::length(pointing.slice->right), kCutInk});
+            {pointing.at, pointing.settings.cut_radius_mm / glm::length(pointing.slice->grid.right), kCutInk});
         return drawing;
     }
 

@@ -1,12 +1,15 @@
 // The tools of resections: a line drawn across the picture or three places on vessels become a plane, a stroke a sheet,
-// and the control points of planes and sheets are dragged.
+// and the control points of planes and sheets are dragged. On a slice, lines and strokes are in its plane, planes and
+// sheets stand across it, and their section lines are dragged.
 #include "app/tools/pixel_polygon.h"
+#include "app/tools/resection_on_slice.h"
 #include "app/tools/spelling.h"
 #include "app/tools/tool.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <memory>
 
 namespace ramus::app {
@@ -22,14 +25,25 @@ constexpr double kHandleRadius = 4.5; // points
 
 std::string pixel_word(const glm::dvec2& pixel) { return spelled(pixel.x, 1) + "," + spelled(pixel.y, 1); }
 
-// `straight`: a line from press to release; else all that was drawn.
+std::vector<ToolDrawing::Line> with_lines(std::vector<ToolDrawing::Line> lines, std::vector<ToolDrawing::Line> more) {
+    std::ranges::move(more, std::back_inserter(lines));
+    return lines;
+}
+
+// `straight`: a line from press to release; else all that was drawn. On a slice, a stroke that begins on the section
+// line of a sheet corrects the sheet.
 class StrokeTool final : public Tool {
 public:
     explicit StrokeTool(bool straight) : straight_(straight) {}
     [[nodiscard]] bool picks() const override { return false; }
-    void press(const Pointing& pointing) override { points_ = {pointing.at}; }
+    [[nodiscard]] WorksOn works_on() const override { return WorksOn::kBoth; }
+    void press(const Pointing& pointing) override {
+        points_ = {pointing.at};
+        corrected_ = sheet_under(pointing);
+    }
     void move(const Pointing& pointing) override {
         if (pointing.held) extend(pointing);
+        under_ = pointing.held ? corrected_ : sheet_under(pointing);
     }
     void release(const Pointing& pointing) override {
         extend(pointing);
@@ -37,20 +51,28 @@ public:
         double length = 0.0; // 0: cancelled meanwhile
         for (std::size_t n = 1; n < drawn.size(); ++n) length += glm::distance(drawn[n - 1], drawn[n]);
         if (length < kLeastStroke * pointing.pixel_ratio) return;
+        const std::vector<glm::dvec2> kept = straight_ ? drawn : simplified(drawn, kStrokeSlack * pointing.pixel_ratio);
+        if (pointing.slice) return send_on_slice(pointing.slice->grid, kept);
         CommandLine line{"resect", straight_ ? "line" : "stroke"};
-        for (const glm::dvec2& point : straight_ ? drawn : simplified(drawn, kStrokeSlack * pointing.pixel_ratio))
-            line.push_back(pixel_word(point));
+        for (const glm::dvec2& point : kept) line.push_back(pixel_word(point));
         command(std::move(line));
     }
     bool escape() override { return !std::exchange(points_, {}).empty(); }
     [[nodiscard]] bool busy() const override { return !points_.empty(); }
-    [[nodiscard]] ToolDrawing drawing(const Pointing& /*pointing*/) const override {
+    [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override {
         ToolDrawing drawing;
         if (points_.size() > 1) drawing.lines.push_back({points_, kResectionColour, 2.0F, false});
+        const std::vector<Resection>& all = pointing.document.marks().resections;
+        if (pointing.slice && under_ && *under_ < all.size())
+            drawing.lines =
+                with_lines(std::move(drawing.lines),
+                           section_lines(pointing, all[*under_], glm::vec4(glm::vec3(kResectionColour), 0.6F)));
         return drawing;
     }
     [[nodiscard]] std::string hint() const override {
+        if (!points_.empty() && corrected_) return "Let go to lead the sheet along the line, Escape to leave it";
         if (!points_.empty()) return "Let go to cut along the line, Escape to leave it";
+        if (under_) return "Draw from here to lead this sheet along another line";
         return straight_ ? "Draw a line across the organ: a plane behind it divides the organ"
                          : "Draw a stroke across the organ: a sheet behind it divides the organ";
     }
@@ -64,11 +86,33 @@ private:
             points_.push_back(pointing.at);
     }
 
+    // A sheet whose section line is under the pointer, on a slice.
+    [[nodiscard]] std::optional<std::size_t> sheet_under(const Pointing& pointing) const {
+        if (straight_ || !pointing.slice) return {};
+        const auto hold = section_under(pointing, kHandleReach * pointing.pixel_ratio, true);
+        return hold ? std::optional(hold->resection) : std::nullopt;
+    }
+
+    void send_on_slice(const slice::PixelGrid& grid, const std::vector<glm::dvec2>& pixels) {
+        const glm::dvec3 normal = grid.plane().normal + 0.0; // no -0
+        const auto words = [&](CommandLine line) {
+            for (const glm::dvec2& pixel : pixels) line.push_back(finely_spelled(grid.place(pixel - 0.5)));
+            return line;
+        };
+        if (corrected_) return command(words({"resection-through", std::to_string(*corrected_ + 1)}));
+        if (!straight_) return command(words({"resect", "along", finely_spelled(normal)}));
+        CommandLine line = words({"resect", "points"});
+        line.push_back(finely_spelled(grid.place(pixels.front() - 0.5) +
+                                      glm::distance(pixels.front(), pixels.back()) * glm::length(grid.right) * normal));
+        command(std::move(line));
+    }
+
     bool straight_;
     std::vector<glm::dvec2> points_;
+    std::optional<std::size_t> corrected_, under_; // sheets, by index
 };
 
-// Three clicks on vessels.
+// Three clicks on vessels or slices.
 class PointsTool final : public Tool {
 public:
     void press(const Pointing& pointing) override { pressed_at_ = pointing.at; }
@@ -76,7 +120,7 @@ public:
     void release(const Pointing& pointing) override {
         const render::Pick pick = pointing.pick();
         const bool clicked = glm::distance(pointing.at, pressed_at_) < kLeastStroke * pointing.pixel_ratio;
-        if (!clicked || pick.branch == render::kNoBranch) return;
+        if (!clicked || !takes_corner(pointing, pick)) return;
         places_.push_back(pick.position);
         if (places_.size() < 3) return;
         CommandLine line{"resect", "points"};
@@ -96,46 +140,74 @@ public:
                 {glm::dvec2(*at), kHandleRadius * pointing.pixel_ratio, kResectionColour, 1.5F, set});
         };
         for (const glm::dvec3& place : places_) mark(place, true);
-        if (under_.branch != render::kNoBranch) mark(under_.position, false);
+        if (takes_corner(pointing, under_)) mark(under_.position, false);
         if (corners.size() == 3) corners.push_back(corners.front());
         if (corners.size() > 1) drawing.lines.push_back({corners, kResectionColour, 1.5F, false});
         return drawing;
     }
     [[nodiscard]] std::string hint() const override {
-        return places_.empty() ? "Click three places on vessels: the plane through them divides the organ"
+        return places_.empty() ? "Click three places on vessels or slices: the plane through them divides the organ"
                                : "Click " + std::string(places_.size() == 1 ? "two more places" : "one more place") +
                                      ", Escape to begin again";
     }
 
+    [[nodiscard]] WorksOn works_on() const override { return WorksOn::kBoth; }
+
 private:
+    static bool takes_corner(const Pointing& pointing, const render::Pick& pick) {
+        return pick.branch != render::kNoBranch || pointing.on_scan(pick);
+    }
+
     std::vector<glm::dvec3> places_;
     glm::dvec2 pressed_at_{0.0};
     render::Pick under_{};
 };
 
-// Drags control points of sheets along the normal of their base plane, and planes along their normal.
+// Drags control points of sheets along the normal of their base plane, and planes along their normal. On a slice, drags
+// the section line of a sheet or a plane to another place.
 class HandleTool final : public Tool {
 public:
     [[nodiscard]] bool picks() const override { return false; }
+    [[nodiscard]] WorksOn works_on() const override { return WorksOn::kBoth; }
     void press(const Pointing& pointing) override {
+        held_.reset();
+        line_.reset();
+        if (pointing.slice) {
+            if (const auto hold = hold_under(pointing))
+                line_ = HeldLine{
+                    hold->resection, pointing.document.marks().resections[hold->resection], {}, hold->at, pointing.at};
+            return;
+        }
         held_ = handle_under(pointing);
         if (held_) before_ = moved_ = along(pointing, *held_);
     }
     void move(const Pointing& pointing) override {
+        if (line_ && pointing.slice) return drag_line(pointing);
         if (!held_ || !pointing.held || !is_there(pointing, *held_)) return;
         moved_ = along(pointing, *held_);
         send(*held_, held_->height + moved_ - before_);
     }
-    void release(const Pointing& /*pointing*/) override { held_.reset(); }
+    void release(const Pointing& pointing) override {
+        held_.reset();
+        const auto line = std::exchange(line_, std::nullopt);
+        if (!line || !line->now || !is_same(pointing, *line)) return;
+        const std::string number = std::to_string(line->resection + 1);
+        if (line->before.kind == Resection::Kind::kSheet)
+            command({"resection-through", number, finely_spelled(line->at)});
+        else
+            command({"resection-plane", number, finely_spelled(line->at), finely_spelled(line->before.normal)});
+    }
     bool escape() override {
+        if (std::exchange(line_, std::nullopt)) return true;
         if (!held_) return false;
         send(*held_, held_->height);
         held_.reset();
         return true;
     }
-    [[nodiscard]] bool busy() const override { return held_.has_value(); }
+    [[nodiscard]] bool busy() const override { return held_ || line_; }
     [[nodiscard]] bool changes_while_held() const override { return held_.has_value(); }
     [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override {
+        if (pointing.slice) return drawing_on_slice(pointing);
         ToolDrawing drawing;
         const auto under = held_ ? held_ : handle_under(pointing);
         for_handles(pointing, [&](const Handle& handle) {
@@ -149,8 +221,8 @@ public:
         return drawing;
     }
     [[nodiscard]] std::string hint() const override {
-        return held_ ? "Drag to move it, let go to keep it, Escape to leave it"
-                     : "Drag a point of a plane or a sheet to move it";
+        return busy() ? "Drag to move it, let go to keep it, Escape to leave it"
+                      : "Drag a point of a plane or a sheet to move it, or its line on a slice";
     }
 
 private:
@@ -161,6 +233,63 @@ private:
         glm::dvec3 at{0.0}, normal{0.0};
         double height = 0.0; // along the normal, of sheets
     };
+
+    // The section line of a resection that is dragged on a slice.
+    struct HeldLine {
+        std::size_t resection = 0;
+        Resection before;
+        std::optional<Resection> now; // none: not moved yet
+        glm::dvec3 at{0.0};           // where it was grabbed, or dragged to
+        glm::dvec2 pressed_at{0.0};   // pixels
+    };
+
+    static std::optional<SectionHold> hold_under(const Pointing& pointing) {
+        return section_under(pointing, kHandleReach * pointing.pixel_ratio);
+    }
+
+    // May have been changed meanwhile, for example by undo.
+    static bool is_same(const Pointing& pointing, const HeldLine& line) {
+        const std::vector<Resection>& all = pointing.document.marks().resections;
+        return line.resection < all.size() && all[line.resection] == line.before;
+    }
+
+    void drag_line(const Pointing& pointing) {
+        const glm::dvec3 at = pointing.slice->grid.place(pointing.at - 0.5);
+        const double moved = glm::distance(pointing.at, line_->pressed_at);
+        if (!line_->now && moved < kLeastStroke * pointing.pixel_ratio) return;
+        Resection now = line_->before;
+        if (now.kind == Resection::Kind::kSheet) {
+            auto bent = organ::bent_through(now.sheet, {&at, 1});
+            if (!bent) return;
+            now.sheet = std::move(*bent);
+        } else {
+            now.point = at;
+        }
+        line_->now = std::move(now);
+        line_->at = at;
+    }
+
+    [[nodiscard]] ToolDrawing drawing_on_slice(const Pointing& pointing) const {
+        ToolDrawing drawing;
+        const std::vector<Resection>& all = pointing.document.marks().resections;
+        const bool dragged = line_ && line_->now;
+        for (std::size_t n = 0; n < all.size(); ++n) {
+            if (!all[n].visible) continue;
+            const bool now = dragged && line_->resection == n;
+            drawing.lines = with_lines(std::move(drawing.lines),
+                                       section_lines(pointing, now ? *line_->now : all[n],
+                                                     glm::vec4(glm::vec3(kResectionColour), now ? 1.0F : 0.6F)));
+        }
+        const auto mark = [&](const glm::dvec3& at, bool filled) {
+            drawing.circles.push_back({pointing.slice->grid.pixel(at) + 0.5, 1.5 * kHandleRadius * pointing.pixel_ratio,
+                                       kResectionColour, 1.5F, filled});
+        };
+        if (line_)
+            mark(line_->at, true);
+        else if (const auto under = hold_under(pointing))
+            mark(under->at, false);
+        return drawing;
+    }
 
     template <class Call> static void for_handles(const Pointing& pointing, const Call& call) {
         const std::vector<Resection>& all = pointing.document.marks().resections;
@@ -213,6 +342,7 @@ private:
         command({"resection-plane", number, finely_spelled(at), finely_spelled(handle.normal)});
     }
 
+    std::optional<HeldLine> line_;
     std::optional<Handle> held_; // as it was when pressed
     double before_ = 0.0, moved_ = 0.0;
 };

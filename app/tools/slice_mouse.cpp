@@ -23,15 +23,37 @@ SliceChange SliceMouse::press(MouseButton button, Modifiers modifiers, glm::dvec
     pressed_at_ = at;
     dragging_ = false;
     if (button != MouseButton::kLeft || modifiers.shift) return {};
+    if (grip.along) return move_along(at);
     return {.crosshair = place_at(grip.grid, at)};
+}
+
+bool SliceMouse::twice(MouseButton button, Modifiers modifiers, glm::dvec2 at, double seconds) {
+    const bool plain = button == MouseButton::kLeft && !modifiers.ctrl && !modifiers.shift && !modifiers.alt;
+    const bool second = plain && !held_ && seconds - last_press_seconds_ < ViewportMouse::kDoubleClickSeconds &&
+                        glm::distance(at, last_press_at_) < ViewportMouse::kDragThreshold * pixel_ratio_;
+    last_press_seconds_ = plain && !second ? seconds : -1e9; // a third click starts a new sequence
+    last_press_at_ = at;
+    return second;
+}
+
+SliceChange SliceMouse::move_along(glm::dvec2 at) const {
+    if (modifiers_.shift || *held_ == MouseButton::kMiddle) {
+        constexpr double kDegrees = 0.5; // tuned: for a point across
+        const double turned = grip_.along->angle_deg + kDegrees * (at.x - pressed_at_.x) / pixel_ratio_;
+        return {.angle_deg = std::remainder(turned, 360.0)};
+    }
+    const auto place = grip_.along->place_at(at - 0.5);
+    return {.along_mm = place ? std::optional(place->arc_mm) : std::nullopt};
 }
 
 SliceChange SliceMouse::move(glm::dvec2 at) {
     if (!held_) return {};
     const glm::dvec2 by = (at - pressed_at_) / pixel_ratio_;
     dragging_ |= glm::length(by) >= ViewportMouse::kDragThreshold;
-    if (*held_ == MouseButton::kLeft && !modifiers_.shift) return {.crosshair = place_at(grip_.grid, at)};
+    if (*held_ == MouseButton::kLeft && !modifiers_.shift)
+        return grip_.along ? move_along(at) : SliceChange{.crosshair = place_at(grip_.grid, at)};
     if (!dragging_) return {};
+    if (grip_.along && *held_ != MouseButton::kRight) return move_along(at);
     if (*held_ == MouseButton::kRight) {
         if (!grip_.window) return {};
         // Tuned: 200 points across make the window 2.7 times as wide; 200 points up move it by 0.8 widths.

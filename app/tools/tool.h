@@ -10,6 +10,8 @@
 #include "core/slice/pixel_grid.h"
 #include "render/renderer/drawn.h"
 
+#include <cmath>
+#include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -30,6 +32,13 @@ struct ToolSettings {
     double cut_radius_mm = 3.0;  // of balls that cut a region of a scan
 };
 
+// A slice under the pointer.
+struct SlicePointing {
+    slice::PixelGrid grid;
+    render::Camera camera; // looks at it: its pixels are those of the grid
+    double reach_mm = 0.0; // what is farther from the plane is not on the slice
+};
+
 // The pointer over the picture, and data that a tool may query.
 struct Pointing {
     glm::dvec2 at{0.0};
@@ -41,11 +50,17 @@ struct Pointing {
     const ToolSettings& settings;
     // The branch and surface point under the pointer; set for tools that pick(), in press, move and release events.
     render::Pick under{};
-    LesionShapes lesions{};                  // of the document's marks
-    std::optional<slice::PixelGrid> slice{}; // under the pointer, or where the button was pressed; none: the tree
+    LesionShapes lesions{};               // of the document's marks
+    std::optional<SlicePointing> slice{}; // `at` and `size` are its pixels; none: the tree is under the pointer
 
     [[nodiscard]] const render::Pick& pick() const { return under; }
-    [[nodiscard]] const render::Camera& camera() const { return document.session().camera; }
+    [[nodiscard]] const render::Camera& camera() const { return slice ? slice->camera : document.session().camera; }
+    // Whether a pick shows a place of the scan: on a slice, or on a slice among the vessels.
+    [[nodiscard]] bool on_scan(const render::Pick& pick) const { return slice || pick.plane != render::kNoPlane; }
+    // Whether a place can be seen and grabbed here: on a slice, only what is near its plane.
+    [[nodiscard]] bool shows(const glm::dvec3& place) const {
+        return !slice || std::abs(slice->grid.plane().height(place)) <= slice->reach_mm;
+    }
 };
 
 // What to draw over the picture. Positions and radii are pixels of the picture, widths are points; colours are sRGB
@@ -73,16 +88,17 @@ struct ToolDrawing {
         std::string text;
         glm::vec4 colour{1.0F};
     };
-    struct Part { // pixels of the picture
+    struct Part {
         glm::ivec2 at{0}, size{1};
     };
-    std::optional<Part> part{}; // positions count from its corner; none: from that of each view of the tree
-    std::vector<Area> areas;    // drawn first, then lines, circles and texts
+    std::optional<Part> part; // of the picture that it is over; none: each viewport that shows the tree
+    std::vector<Area> areas;  // drawn first, then lines, circles and texts
     std::vector<Line> lines;
     std::vector<Circle> circles;
     std::vector<Text> texts;
 };
 
+enum class WorksOn : std::uint8_t { kTree, kSlices, kBoth };
 enum class Cursor { kArrow, kCross, kHand, kSideways, kLasso, kLassoPolygon };
 
 class Tool {
@@ -105,9 +121,6 @@ public:
     // Escape. True: something in progress was cancelled. False: nothing was; the owner leaves the tool.
     virtual bool escape() { return false; }
 
-    // Whether the tool works on slices of a scan instead of the tree: the left button then turns the tree as without
-    // a tool.
-    [[nodiscard]] virtual bool works_on_slices() const { return false; }
     // Ctrl and the wheel over a slice, and the keys + and -; a notch away from the person is 1. False: not used, and
     // the picture is magnified.
     virtual bool step(double /*notches*/, const ToolSettings& /*settings*/) { return false; }
@@ -121,6 +134,9 @@ public:
     [[nodiscard]] virtual ToolDrawing drawing(const Pointing&) const { return {}; }
     [[nodiscard]] virtual Cursor cursor() const { return Cursor::kCross; }
     [[nodiscard]] virtual std::string hint() const = 0; // one line: what to do next
+    // Where the tool has the left button; elsewhere it turns the tree, or moves the crosshair of slices, as without a
+    // tool.
+    [[nodiscard]] virtual WorksOn works_on() const { return WorksOn::kTree; }
     // Whether the branch under the pointer is highlighted as without a tool.
     [[nodiscard]] virtual bool points_at_branches() const { return false; }
 

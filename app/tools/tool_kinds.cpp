@@ -4,6 +4,7 @@
 #include "app/tools/lasso_tool.h"
 #include "app/tools/measure_tool.h"
 #include "app/tools/place_tools.h"
+#include "app/tools/slice_points_tool.h"
 
 #include <algorithm>
 #include <cmath>
@@ -181,6 +182,15 @@ const std::vector<ToolKind>& tool_kinds() {
           {{0.84F, 0.44F}, {0.74F, 0.84F}, {0.44F, 0.88F}, {0.34F, 0.80F}},
           {{0.24F, 0.84F}, {0.86F, 0.20F}}},
          make_region_cut_tool},
+        {"slice-points",
+         "Slice through three places",
+         "Puts the oblique slice through three places on vessels or slices.",
+         {},
+         {{{0.14F, 0.58F}, {0.40F, 0.86F}, {0.86F, 0.42F}, {0.60F, 0.14F}, {0.14F, 0.58F}},
+          ring({0.36F, 0.58F}, 0.06F),
+          ring({0.46F, 0.70F}, 0.06F),
+          ring({0.62F, 0.36F}, 0.06F)},
+         make_slice_points_tool},
         {"join",
          "Join ends",
          "Joins a free end of a vessel with another vessel.",

@@ -46,6 +46,10 @@ std::string name_of_key(int number, int scancode) {
         return "Up";
     case GLFW_KEY_DOWN:
         return "Down";
+    case GLFW_KEY_PAGE_UP:
+        return "PageUp";
+    case GLFW_KEY_PAGE_DOWN:
+        return "PageDown";
     case GLFW_KEY_LEFT_BRACKET: // by their places: on many layouts the characters need a third key
         return "[";
     case GLFW_KEY_RIGHT_BRACKET:
@@ -203,8 +207,8 @@ void GlfwWindow::key(int number, int scancode, int action, int modifiers) {
     if (viewer_ == nullptr) return;
     const Modifiers held = modifiers_of(modifiers);
     std::optional<KeyPress> press;
-    const bool is_arrow = number >= GLFW_KEY_RIGHT && number <= GLFW_KEY_UP; // repeats while held
-    const bool pressed = action == GLFW_PRESS || (action == GLFW_REPEAT && is_arrow);
+    const bool repeats = number >= GLFW_KEY_RIGHT && number <= GLFW_KEY_PAGE_DOWN; // arrows and pages, while held
+    const bool pressed = action == GLFW_PRESS || (action == GLFW_REPEAT && repeats);
     const std::string name = pressed ? name_of_key(number, scancode) : "";
     if (!name.empty()) press = KeyPress{name, held.ctrl, held.shift, held.alt};
     viewer_->input().key(number, action != GLFW_RELEASE, press, held, glfwGetTime());

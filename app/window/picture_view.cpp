@@ -47,6 +47,11 @@ Viewing PictureView::viewing() {
     return viewing;
 }
 
+std::vector<render::ScanPlane> PictureView::scan_planes() const {
+    if (sheet_.viewports.empty() || sheet_.viewports.front().slice) return {};
+    return sheet_.viewports.front().frame.planes;
+}
+
 void PictureView::move_camera(const render::Camera& camera) {
     glide_.reset();
     state_.workspace.document().set_camera(camera);
@@ -321,6 +326,11 @@ bool PictureView::resting() const {
 }
 
 std::shared_ptr<const render::PagedMesh> PictureView::picture_mesh() const { return state_.workspace.shown().mesh; }
+
+Result<std::shared_ptr<const render::PagedMesh>> PictureView::current_mesh() {
+    if (state_.workspace.surface_ready()) return picture_mesh();
+    return fail("the surface is being computed", {}, "try again when it is there");
+}
 
 // As `ramus render` draws the session: without hovering.
 render::Frame PictureView::frame_for_keeping(const render::Camera& camera, glm::ivec2 size) {

@@ -41,6 +41,8 @@ public:
     void point(glm::dvec2 at, glm::dvec2 in_viewport);
     // The point that the current drag turns about or zooms to; none: no such drag.
     void hold_pivot(const std::optional<glm::dvec3>& pivot) { pivot_ = pivot; }
+    // Slices among the vessels, as in the last picture.
+    [[nodiscard]] std::vector<render::ScanPlane> scan_planes() const;
     [[nodiscard]] const std::optional<render::ScaleBar>& scale_bar() const { return scale_bar_; } // of the last picture
 
     [[nodiscard]] int waits() const {
@@ -61,6 +63,9 @@ public:
     // PictureHost
     [[nodiscard]] glm::ivec2 picture_size() const override { return state_.viewport_size(); }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override;
+    [[nodiscard]] Result<std::shared_ptr<const render::PagedMesh>> current_mesh() override;
+    // What was composed last: shown, or on its way.
+    [[nodiscard]] const render::Sheet& sheet() const { return sheet_; }
     Result<render::BranchPicture> branch_picture() override { return deferred_branch_picture().take(); }
     [[nodiscard]] Deferred<Result<render::BranchPicture>> deferred_branch_picture() override;
     [[nodiscard]] std::optional<Deferred<Result<render::Image>>> deferred_picture() override;

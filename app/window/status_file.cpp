@@ -144,6 +144,11 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const 
     for (const glm::ivec2 at : layout.viewports_at)
         status["viewports"].push_back(
             {layout.view_at.x + at.x, layout.view_at.y + at.y, layout.viewport_size.x, layout.viewport_size.y});
+    status["slices_at"] = nlohmann::json::object();
+    for (const Layout::SliceAt& part : layout.slices_at)
+        status["slices_at"][slice::name_of(part.direction)] = {
+            layout.view_at.x + part.at.x, layout.view_at.y + part.at.y, part.size.x, part.size.y};
+    if (const auto& place = interface.slice_place) status["slice_place"] = {place->x, place->y, place->z};
     status["surface_ready"] = workspace.surface_ready();
     status["all_shown"] = workspace.all_shown();
     const ReadySurface& shown = workspace.shown();

@@ -1,5 +1,6 @@
 #include "app/window/viewer.h"
 
+#include "app/actions/arguments.h"
 #include "app/panels/doctor_panel.h"
 #include "app/panels/fly_panel.h"
 #include "app/panels/overview.h"
@@ -66,6 +67,7 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     take_news();
     state_.did("news");
     lay_out_viewports();
+    keep_in_view();
     // Picks in the current picture: if nothing else moves, this frame shows the result.
     input_.ask_pick();
     input_.take_pick();
@@ -97,15 +99,32 @@ void Viewer::lay_out() {
 void Viewer::lay_out_viewports() {
     Layout& layout = state_.layout;
     layout.viewports_at.clear();
+    layout.slices_at.clear();
     layout.current_plan_in.reset();
     for (const Viewport& viewport : state_.viewports()) {
-        if (viewport.slice) continue;
+        if (viewport.slice) {
+            layout.slices_at.push_back({*viewport.slice, viewport.at, viewport.size});
+            continue;
+        }
         if (viewport.plan == state_.workspace.document().marks().plans.place)
             layout.current_plan_in = layout.viewports_at.size();
         layout.viewports_at.push_back(viewport.at);
     }
     if (layout.viewports_at.empty()) layout.viewports_at.emplace_back(0);
     layout.viewport_size = state_.viewport_size();
+}
+
+// Where surfaces or plans are compared, the commands that do that move the camera.
+void Viewer::keep_in_view() {
+    const Viewport tree = state_.viewports().front();
+    const Session& session = state_.workspace.document().session();
+    if (!tree.title.empty() || !state_.workspace.document().has_scene()) return framing_.forget();
+    if (tree.slice) return;
+    const auto seen = [this](const render::Camera& camera, glm::ivec2 size) {
+        return actions::visible_positions(actions_, camera, size);
+    };
+    const auto camera = framing_.follow(session.camera, tree.size, seen);
+    if (camera) state_.workspace.document().set_camera(*camera);
 }
 
 void Viewer::take_news() {

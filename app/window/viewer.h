@@ -10,6 +10,7 @@
 
 #include "app/panels/error_dialog.h"
 #include "app/panels/widgets.h"
+#include "app/picture/framing.h"
 #include "app/window/figure_previewer.h"
 #include "app/window/imgui_renderer.h"
 #include "app/window/picture_view.h"
@@ -75,6 +76,7 @@ private:
     }
     void lay_out();
     void lay_out_viewports();
+    void keep_in_view(); // of the vessels, when their part of the picture gets another shape
     void take_news();
     void begin_tree(const Workspace::Opened& opened);
     void build_interface();
@@ -88,6 +90,7 @@ private:
     ViewerFiles files_;
     WindowParts parts_;
     ActionContext actions_;
+    Framing framing_;
     std::unique_ptr<ImguiRenderer> imgui_;
     std::optional<widgets::Controls> controls_; // of the last frame
     bool interface_waits_ = false, dialog_was_open_ = false;

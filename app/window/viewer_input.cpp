@@ -96,6 +96,7 @@ void ViewerInput::take_pick() {
     if (!pick) return;
     pick_pending_ = false;
     if (!picture_.shows_tree() || pick->branch >= state_.workspace.document().branch_count()) return;
+    plane_under_ = pointer_over_picture_ ? pick->plane : render::kNoPlane;
     if (!pointer_over_picture_ || mouse_.dragging() || !points_at_branches()) return point_at(tree::kNoBranch, {});
     const auto object = object_at(in_viewport(pointer_), *pick);
     point_at(object ? tree::kNoBranch : pick->branch, object);
@@ -152,15 +153,18 @@ void ViewerInput::mouse_moved(glm::dvec2 at) {
 
 void ViewerInput::move_to(glm::dvec2 at) {
     pointer_ = at;
-    if (!mouse_.held() && !tool_mouse_.held() && !slice_mouse_.held()) enter_viewport();
+    if (!mouse_.held() && !tool_mouse_.held() && !slice_mouse_.held() && !plane_mouse_.held()) enter_viewport();
     point_at_slice();
-    if (slice_mouse_.held()) {
+    point_at_plane();
+    if (plane_mouse_.held()) {
+        drag_plane();
+    } else if (slice_mouse_.held()) {
         take(slice_mouse_.move(in_viewport(at)));
     } else if (state_.interface.wipe_held) {
         drag_wipe_line();
     } else if (mouse_.held()) {
         drag_view(in_viewport(at));
-    } else if (state_.interface.tool && (tool_mouse_.held() || (over_picture(at) && tool_works_here()))) {
+    } else if (state_.interface.tool && (tool_mouse_.held() || (over_picture(at) && tool_acts_here()))) {
         tool_mouse_.move(tell(), pointing({}));
     }
     if (!mouse_.held()) aim();
@@ -173,6 +177,7 @@ void ViewerInput::mouse_left() {
     in_order([this] {
         pointer_ = {-1.0, -1.0};
         picture_.aim().point_nowhere();
+        point_at_plane();
         pick_wanted_ = true;
     });
 }
@@ -198,17 +203,18 @@ void ViewerInput::press(MouseButton button, Modifiers modifiers, double now) {
         settle();
         state_.interface.of<ContextMenu>().wanted = false; // from an earlier click
     }
-    if (state_.interface.wipe_held || tool_mouse_.held() || slice_mouse_.held()) return;
+    if (state_.interface.wipe_held || tool_mouse_.held() || slice_mouse_.held() || plane_mouse_.held()) return;
     const bool left = button == MouseButton::kLeft && !mouse_.held();
-    const bool of_tool = left && over && tool_works_here();
-    if (const auto slice = over && !mouse_.held() && !of_tool ? slice_grip() : std::nullopt)
-        return press_slice(button, modifiers, *slice);
+    if (const auto slice = over && !mouse_.held() ? slice_grip() : std::nullopt; slice && !(left && tool_acts_here()))
+        return press_slice(button, modifiers, *slice, now);
     if (left && on_wipe_line()) {
         const double width = state_.layout.view_size.x;
         wipe_grip_ = in_picture(pointer_).x - state_.workspace.document().marks().comparison.wipe * width;
         state_.interface.wipe_held = true;
         point_at(tree::kNoBranch, {});
-    } else if (of_tool) {
+    } else if (left && over && grab_plane()) {
+        point_at(tree::kNoBranch, {});
+    } else if (left && over && tool_acts_here()) {
         use_plan_here();
         tool_mouse_.press(tell(), pointing(modifiers), now);
     } else if (over) {
@@ -217,7 +223,9 @@ void ViewerInput::press(MouseButton button, Modifiers modifiers, double now) {
 }
 
 void ViewerInput::release(MouseButton button, Modifiers modifiers, double now) {
-    if (slice_mouse_.held()) {
+    if (plane_mouse_.held()) {
+        if (button == MouseButton::kLeft) release_plane();
+    } else if (slice_mouse_.held()) {
         release_slice(button);
     } else if (state_.interface.wipe_held) {
         if (button == MouseButton::kLeft) drop_wipe_line();
@@ -240,6 +248,8 @@ void ViewerInput::turn_wheel(glm::dvec2 notches) {
     const bool over = over_picture(pointer_) && notches.y != 0.0;
     if (const auto slice = over ? slice_grip() : std::nullopt) {
         turn_wheel_over_slice(*slice, notches.y);
+    } else if (over && turn_wheel_over_plane(notches.y)) {
+        point_at(tree::kNoBranch, {});
     } else if (over) {
         settle();
         // In empty space zooming in is ignored, zooming out is not.
@@ -255,15 +265,17 @@ void ViewerInput::turn_wheel(glm::dvec2 notches) {
 }
 
 Pointing ViewerInput::pointing(Modifiers modifiers) {
+    std::optional<SlicePointing> slice = slice_pointing();
+    const glm::ivec2 size = slice ? slice->grid.size : picture_.picture_size();
     return {.at = in_viewport(pointer_),
             .modifiers = modifiers,
             .held = tool_mouse_.held(),
-            .size = picture_.picture_size(),
+            .size = size,
             .pixel_ratio = state_.scale,
             .document = state_.workspace.document(),
             .settings = state_.interface.tool_settings,
             .lesions = lesion_shapes(state_.workspace.assets(), state_.workspace.document().marks()),
-            .slice = slice_pixels()};
+            .slice = std::move(slice)};
 }
 
 void ViewerInput::look_up(glm::dvec2 in_picture, const std::function<void(const render::Pick&)>& then) {
@@ -284,6 +296,13 @@ void ViewerInput::tell_tool(Tool::Event event, const Pointing& pointing) {
         if (tool != tools_taken_ || !state_.interface.tool) return;
         Pointing known = pointing;
         known.under = under;
+        if (pointing.slice) {
+            // A drag may leave the slice.
+            const glm::dvec2 at = pointing.at;
+            const glm::dvec2 size(pointing.size);
+            if (!(at.x >= 0.0 && at.y >= 0.0 && at.x < size.x && at.y < size.y)) known.under = {};
+            known.under.position = pointing.slice->grid.place(at - 0.5);
+        }
         (state_.interface.tool.get()->*event)(known);
         perform_tool();
     };
@@ -305,12 +324,12 @@ void ViewerInput::run_commands_of(Tool& tool) {
 Cursor ViewerInput::cursor() const {
     if (state_.interface.wipe_held || (!mouse_.held() && !tool_mouse_.held() && on_wipe_line()))
         return Cursor::kSideways;
-    return state_.interface.tool && over_picture(pointer_) && tool_works_here() ? state_.interface.tool->cursor()
-                                                                                : Cursor::kArrow;
+    if (plane_mouse_.held() || plane_edge_) return Cursor::kHand;
+    return over_picture(pointer_) && tool_acts_here() ? state_.interface.tool->cursor() : Cursor::kArrow;
 }
 
 void ViewerInput::clicked(const Click& click) {
-    if (!state_.workspace.document().tree()) return;
+    if (!state_.workspace.document().has_scene()) return;
     if (click.kind == Click::Kind::kSecondary) use_plan_here();
     look_up(from_viewport(click.at), [this, kind = click.kind, here = pointing({})](const render::Pick& under) {
         Pointing known = here;
@@ -325,6 +344,7 @@ void ViewerInput::click_on(Click::Kind kind, const Pointing& pointing) {
     const auto object = object_at(pointing.at, pick);
     if (kind == Click::Kind::kCentre && object) return look_at(object->at);
     const bool hit = pick.branch >= 0 && pick.branch < state_.workspace.document().branch_count();
+    if (!hit && pick.plane != render::kNoPlane && kind != Click::Kind::kCentre) return show_slices_at(pick.position);
     if (!hit) {
         // A click on a slice moves the crosshair, whatever is selected.
         if (kind == Click::Kind::kSelect && !slice_grip()) state_.perform("select-none", {});
@@ -353,7 +373,7 @@ void ViewerInput::right_click_on(const Pointing& pointing) {
 // Opens the menu for the object or the branch, and selects the branch first if necessary.
 void ViewerInput::open_context_menu(const Pointing& pointing) {
     ContextMenu& menu = state_.interface.of<ContextMenu>();
-    menu = {.wanted = true, .object = object_at(pointing.at, pointing.under)};
+    menu = {.wanted = true, .object = object_at(pointing.at, pointing.under), .slice = slice_spot(pointing.at)};
     state_.redraw();
     if (menu.object) return;
     const int branch = pointing.under.branch;
@@ -401,7 +421,8 @@ void ViewerInput::press_key(int number, bool down, const std::optional<KeyPress>
                    (press->ctrl && (press->key == "C" || press->key == "V"))))
         return;
     // Arrows belong to the focused field, list or menu.
-    const bool arrow = press->key == "Left" || press->key == "Right" || press->key == "Up" || press->key == "Down";
+    const bool arrow = press->key == "Left" || press->key == "Right" || press->key == "Up" || press->key == "Down" ||
+                       press->key.starts_with("Page");
     if (arrow && (typing || state_.interface.of<BranchList>().focused || state_.interface.of<BarMenus>().have_keys()))
         return;
     if (typing && press->key == "Escape" && !state_.interface.dialog_open()) return; // only leaves the field
@@ -438,13 +459,13 @@ bool ViewerInput::points_at_branches() const {
 }
 
 ToolDrawing ViewerInput::tool_drawing() {
-    const auto& tool = state_.interface.tool;
-    if (!tool) return {};
-    ToolDrawing drawing = tool->drawing(pointing(tool_mouse_.modifiers()));
-    if (!tool->works_on_slices()) return drawing;
-    const std::vector<Viewport> all = state_.viewports();
-    const Viewport& here = all[std::min(viewport_, all.size() - 1)];
-    drawing.part = {here.at, here.size};
+    ToolDrawing drawing;
+    if (tool_acts_here()) {
+        const Pointing here = pointing(tool_mouse_.modifiers());
+        drawing = state_.interface.tool->drawing(here);
+        if (here.slice) drawing.part = ToolDrawing::Part{glm::ivec2(from_viewport(glm::dvec2(0.0))), here.size};
+    }
+    add_plane_outline(drawing);
     return drawing;
 }
 

@@ -7,6 +7,8 @@
 #pragma once
 
 #include "app/actions/keys.h"
+#include "app/panels/context_menu.h"
+#include "app/tools/plane_mouse.h"
 #include "app/tools/slice_mouse.h"
 #include "app/tools/tool_mouse.h"
 #include "app/tools/viewport_mouse.h"
@@ -78,16 +80,27 @@ private:
     [[nodiscard]] Grip grip();
     void drag_view(glm::dvec2 at);
     [[nodiscard]] bool points_at_branches() const;
+    // Whether the tool has the left button here: some tools leave it to the crosshair on slices.
+    [[nodiscard]] bool tool_acts_here() const;
     // The slice under the pointer, or under it when a button was pressed; none: the pointer is over the tree.
     [[nodiscard]] std::optional<SliceGrip> slice_grip() const;
+    [[nodiscard]] std::optional<SliceSpot> slice_spot(glm::dvec2 in_viewport) const;
+    [[nodiscard]] std::optional<SlicePointing> slice_pointing() const; // the same for tools
     void take(const SliceChange& change);
-    void press_slice(MouseButton button, Modifiers modifiers, const SliceGrip& grip);
+    void press_slice(MouseButton button, Modifiers modifiers, const SliceGrip& grip, double now);
     void release_slice(MouseButton button);
     void turn_wheel_over_slice(const SliceGrip& grip, double notches);
     void point_at_slice();
-    [[nodiscard]] std::optional<slice::PixelGrid> slice_pixels() const; // of the slice under the pointer
-    // Whether the tool in hand works on what is under the pointer, a slice or the tree.
-    [[nodiscard]] bool tool_works_here() const;
+    // Slices among the vessels. The edge under the pointer; none: it is elsewhere, or before it is a vessel.
+    [[nodiscard]] PlaneSight plane_sight() const;
+    void point_at_plane();
+    [[nodiscard]] bool grab_plane();
+    void drag_plane();
+    void release_plane();
+    // Steps the slice whose edge is under the pointer; with Ctrl, the slice under the pointer.
+    [[nodiscard]] bool turn_wheel_over_plane(double notches);
+    void show_slices_at(const glm::dvec3& place);
+    void add_plane_outline(ToolDrawing& drawing) const;
     // Passes a notch to the tool in hand. False: not used.
     bool step_tool(double notches);
     // The line of a wipe: whether it is under the pointer; dragging it; releasing it.
@@ -121,9 +134,13 @@ private:
     ViewportMouse mouse_;
     ToolMouse tool_mouse_;
     SliceMouse slice_mouse_;
-    bool windows_ = false;                         // a step of undo of the window in which a scan is shown
-    std::weak_ptr<std::vector<glm::dvec2>> moves_; // waiting moves that are still last in the queue
-    std::size_t viewport_ = 0;                     // see in_viewport()
+    PlaneMouse plane_mouse_;
+    std::optional<PlaneEdge> plane_edge_;              // under the pointer
+    int plane_under_ = render::kNoPlane;               // the plane under the pointer, by the last pick
+    SliceLayout layout_before_ = SliceLayout::kSlices; // of a slice that a double click made large
+    bool windows_ = false;                             // a step of undo of the window in which a scan is shown
+    std::weak_ptr<std::vector<glm::dvec2>> moves_;     // waiting moves that are still last in the queue
+    std::size_t viewport_ = 0;                         // see in_viewport()
     glm::dvec2 pointer_{-1.0};
     double wipe_grip_ = 0.0; // distance from the line to where it was grabbed, pixels
     bool pointer_over_picture_ = false;

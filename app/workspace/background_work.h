@@ -40,7 +40,8 @@ enum class WorkKind : std::uint8_t {
     kValidation,
     kContacts,
     kCenterlines,
-    kCones
+    kCones,
+    kSections
 };
 
 // The inputs by which a kind of work decides what is missing.

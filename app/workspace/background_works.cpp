@@ -445,6 +445,35 @@ std::unique_ptr<BackgroundWork> cones_work(const std::function<void()>& wake) {
                .quiet = true});
 }
 
+struct SectionWork {
+    FollowedPath followed;
+    std::shared_ptr<const render::PagedMesh> mesh;
+    bool operator==(const SectionWork& other) const {
+        return followed.path == other.followed.path && mesh == other.mesh;
+    }
+};
+
+// Across the vessel that slices follow, once the surface is not provisional.
+std::unique_ptr<BackgroundWork> section_work(const std::function<void()>& wake) {
+    using Made = std::shared_ptr<const VesselSections>;
+    return work_of<SectionWork, Made>(
+        wake, {.kind = WorkKind::kSections,
+               .title = titled<SectionWork>("Measuring sections"),
+               .missing = [](const WorkView& view, const Assets& assets) -> std::vector<SectionWork> {
+                   if (!view.of_this_tree || !assets.followed.path || !view.shown.mesh || view.surface_failed)
+                       return {};
+                   if (assets.sections && assets.sections->fits(assets.followed, view.shown.mesh)) return {};
+                   return {{assets.followed, view.shown.mesh}};
+               },
+               .make = [](const SectionWork& work, Job& job) { return make_sections(work.followed, work.mesh, job); },
+               .put = [](const SectionWork&, const Made& made, Assets& assets) { assets.sections = made; },
+               .tidy =
+                   [](const WorkView&, Assets& assets) {
+                       if (!assets.followed.path) assets.sections.reset();
+                   },
+               .waits = [](const WorkView& view) { return view.surface_busy || !view.surface_final; }});
+}
+
 } // namespace
 
 std::vector<std::unique_ptr<BackgroundWork>> background_works(const std::function<void()>& wake,
@@ -465,6 +494,7 @@ std::vector<std::unique_ptr<BackgroundWork>> background_works(const std::functio
     works.push_back(contact_work(wake));
     works.push_back(centerline_work(wake));
     works.push_back(cones_work(wake));
+    works.push_back(section_work(wake));
     return works;
 }
 

@@ -63,7 +63,7 @@ public:
                 },
                 pieces);
         }
-        return joined_loops(std::move(pieces));
+        return joined_loops(pieces);
     }
 
 private:

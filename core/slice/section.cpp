@@ -1,7 +1,7 @@
 #include "core/slice/section.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cstdint>
 #include <oneapi/tbb/parallel_for.h>
 #include <utility>
 
@@ -11,19 +11,36 @@ namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-std::pair<std::uint32_t, std::uint32_t> edge_of(const EdgePoint& point) { return {point.first, point.second}; }
+std::uint64_t edge_of(const EdgePoint& point) { return std::uint64_t{point.first} << 32U | point.second; }
 
-// For each piece, the piece that begins at its end.
-std::vector<std::size_t> successors(const std::vector<CutTriangle>& pieces, std::vector<bool>& has_predecessor) {
+// Pieces in the order of the edge that they begin at, then of the one that they end at. Sorting these moves less than
+// sorting pieces.
+struct PieceOrder {
+    std::uint64_t from = 0;
+    std::uint32_t piece = 0;
+};
+
+std::vector<PieceOrder> ordered(const std::vector<CutTriangle>& pieces) {
+    std::vector<PieceOrder> order(pieces.size());
+    for (std::size_t p = 0; p < pieces.size(); ++p) order[p] = {edge_of(pieces[p].from), static_cast<std::uint32_t>(p)};
+    std::ranges::sort(order, [&](const PieceOrder& a, const PieceOrder& b) {
+        return a.from != b.from ? a.from < b.from : edge_of(pieces[a.piece].to) < edge_of(pieces[b.piece].to);
+    });
+    return order;
+}
+
+// For each place of the order, the place of the piece that begins where the piece ends.
+std::vector<std::size_t> successors(const std::vector<CutTriangle>& pieces, const std::vector<PieceOrder>& order,
+                                    std::vector<bool>& has_predecessor) {
     std::vector<std::size_t> next(pieces.size(), kNone);
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-        const auto edge = edge_of(pieces[p].to);
-        auto found = std::ranges::lower_bound(pieces, edge, {}, [](const auto& piece) { return edge_of(piece.from); });
-        for (; found != pieces.end() && edge_of(found->from) == edge; ++found) {
-            const auto n = static_cast<std::size_t>(found - pieces.begin());
-            if (has_predecessor[n]) continue; // of an edge with more than two triangles
-            next[p] = n;
-            has_predecessor[n] = true;
+    for (std::size_t n = 0; n < order.size(); ++n) {
+        const std::uint64_t edge = edge_of(pieces[order[n].piece].to);
+        auto found = std::ranges::lower_bound(order, edge, {}, &PieceOrder::from);
+        for (; found != order.end() && found->from == edge; ++found) {
+            const auto follower = static_cast<std::size_t>(found - order.begin());
+            if (has_predecessor[follower]) continue; // of an edge with more than two triangles
+            next[n] = follower;
+            has_predecessor[follower] = true;
             break;
         }
     }
@@ -32,11 +49,10 @@ std::vector<std::size_t> successors(const std::vector<CutTriangle>& pieces, std:
 
 } // namespace
 
-std::vector<Loop> joined_loops(std::vector<CutTriangle> pieces) {
-    std::ranges::sort(pieces, {},
-                      [](const CutTriangle& piece) { return std::pair(edge_of(piece.from), edge_of(piece.to)); });
+std::vector<Loop> joined_loops(const std::vector<CutTriangle>& pieces) {
+    const std::vector<PieceOrder> order = ordered(pieces);
     std::vector<bool> has_predecessor(pieces.size(), false);
-    const std::vector<std::size_t> next = successors(pieces, has_predecessor);
+    const std::vector<std::size_t> next = successors(pieces, order, has_predecessor);
     std::vector<bool> used(pieces.size(), false);
     std::vector<Loop> loops;
     const auto follow = [&](std::size_t begin) {
@@ -44,9 +60,10 @@ std::vector<Loop> joined_loops(std::vector<CutTriangle> pieces) {
         std::size_t at = begin;
         while (true) {
             used[at] = true;
-            loop.points.push_back(pieces[at].from);
+            const CutTriangle& piece = pieces[order[at].piece];
+            loop.points.push_back(piece.from);
             if (next[at] == kNone) {
-                loop.points.push_back(pieces[at].to);
+                loop.points.push_back(piece.to);
                 loop.closed = false;
                 break;
             }
@@ -55,10 +72,10 @@ std::vector<Loop> joined_loops(std::vector<CutTriangle> pieces) {
         }
         loops.push_back(std::move(loop));
     };
-    for (std::size_t p = 0; p < pieces.size(); ++p)
-        if (!has_predecessor[p]) follow(p); // open polylines, from their begin
-    for (std::size_t p = 0; p < pieces.size(); ++p)
-        if (!used[p]) follow(p);
+    for (std::size_t n = 0; n < order.size(); ++n)
+        if (!has_predecessor[n]) follow(n); // open polylines, from their begin
+    for (std::size_t n = 0; n < order.size(); ++n)
+        if (!used[n]) follow(n);
     return loops;
 }
 
@@ -88,7 +105,7 @@ std::vector<Loop> section(const MeshBlocks& blocks, const Plane& plane) {
         cut_triangles(
             triangles, plane, [&](std::uint32_t v) { return glm::dvec3(positions[v]); }, pieces);
     });
-    return joined_loops(std::move(pieces));
+    return joined_loops(pieces);
 }
 
 std::vector<Loop> section(const mesh::TriangleMesh& mesh, const Plane& plane) {

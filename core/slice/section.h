@@ -67,7 +67,7 @@ void cut_triangles(std::span<const glm::uvec3> triangles, const Plane& plane, co
 }
 
 // Joins pieces at equal edges. Loops come in the order of their smallest edge.
-[[nodiscard]] std::vector<Loop> joined_loops(std::vector<CutTriangle> pieces);
+[[nodiscard]] std::vector<Loop> joined_loops(const std::vector<CutTriangle>& pieces);
 
 // Boxes around runs of triangles that follow each other. Refers to the mesh, which must not change.
 class MeshBlocks {

@@ -20,6 +20,7 @@ Pick SliceScreen::pick(glm::dvec2 at) const {
     const double reach = kPickRadius * std::max(1.0, static_cast<double>(view.pixel_ratio));
     Pick pick;
     pick.position = view.grid.place(pixel);
+    if (view.along) return pick; // rows have their own places
     if (view.outlines) pick.branch = branch_at(painter_.section(), view.grid, pixel, reach);
     return pick;
 }

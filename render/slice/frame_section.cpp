@@ -1,6 +1,7 @@
 #include "render/slice/frame_section.h"
 
 #include "core/base/lines.h"
+#include "core/slice/level_lines.h"
 #include "core/slice/plane_shape.h"
 #include "render/slice/branch_ink.h"
 
@@ -90,6 +91,33 @@ void add_circle(const glm::dvec4& sphere, const slice::Plane& plane, const Secti
 
 } // namespace
 
+namespace {
+
+// Finds triangles that are certainly on one side of a plane, in single precision: nearly all of those in a page.
+class PlaneSieve {
+public:
+    PlaneSieve(const PagedMesh& mesh, const TrianglePage& page, const slice::Plane& plane)
+        : normal_(plane.normal), level_(static_cast<float>(-plane.height(mesh.origin()))) {
+        const glm::vec3 reach = glm::max(glm::abs(page.lower), glm::abs(page.upper));
+        constexpr float kRounding = 1e-6F; // of a sum of three products, with room to spare
+        slack_ = kRounding * (reach.x + reach.y + reach.z + std::abs(level_));
+    }
+    [[nodiscard]] bool may_cross(const PagedMesh& mesh, const glm::uvec3& triangle) const {
+        const float a = height(mesh, triangle.x), b = height(mesh, triangle.y), c = height(mesh, triangle.z);
+        return std::min({a, b, c}) <= slack_ && std::max({a, b, c}) >= -slack_;
+    }
+
+private:
+    [[nodiscard]] float height(const PagedMesh& mesh, std::uint32_t vertex) const {
+        return glm::dot(normal_, mesh.vertex(vertex).position) - level_;
+    }
+    glm::vec3 normal_;
+    float level_;
+    float slack_;
+};
+
+} // namespace
+
 std::vector<slice::Loop> section_of(const PagedMesh& mesh, const slice::Plane& plane) {
     std::vector<std::size_t> crossed;
     const auto& pages = mesh.triangle_pages();
@@ -102,13 +130,17 @@ std::vector<slice::Loop> section_of(const PagedMesh& mesh, const slice::Plane& p
     std::vector<std::vector<slice::CutTriangle>> found(crossed.size());
     tbb::parallel_for(std::size_t{0}, crossed.size(), [&](std::size_t n) {
         const TrianglePage& page = *pages[crossed[n]];
+        const PlaneSieve sieve(mesh, page, plane);
+        std::vector<glm::uvec3> near;
+        for (const glm::uvec3& triangle : page.triangles.first(page.count))
+            if (sieve.may_cross(mesh, triangle)) near.push_back(triangle);
         slice::cut_triangles(
-            page.triangles.first(page.count), plane,
+            std::span<const glm::uvec3>(near), plane,
             [&](std::uint32_t vertex) { return mesh.origin() + glm::dvec3(mesh.vertex(vertex).position); }, found[n]);
     });
     std::vector<slice::CutTriangle> pieces;
     for (const auto& some : found) pieces.insert(pieces.end(), some.begin(), some.end());
-    return slice::joined_loops(std::move(pieces));
+    return slice::joined_loops(pieces);
 }
 
 int branch_at(const FrameSection& section, const slice::PixelGrid& grid, const glm::dvec2& pixel, double reach) {
@@ -134,13 +166,17 @@ int branch_at(const FrameSection& section, const slice::PixelGrid& grid, const g
     return found != kNoBranch ? found : inside;
 }
 
-std::vector<slice::Loop> FrameCutter::loops_of(const std::shared_ptr<const mesh::TriangleMesh>& mesh,
-                                               const slice::Plane& plane) {
+FrameCutter::Index& FrameCutter::index_of(const std::shared_ptr<const mesh::TriangleMesh>& mesh) {
     auto found = std::ranges::find(indices_, mesh, &Index::mesh);
     if (found == indices_.end())
-        found = indices_.insert(indices_.end(), Index{mesh, std::make_unique<slice::MeshBlocks>(*mesh)});
+        found = indices_.insert(indices_.end(), Index{mesh, std::make_unique<slice::MeshBlocks>(*mesh), nullptr});
     found->used = true;
-    return slice::section(*found->blocks, plane);
+    return *found;
+}
+
+std::vector<slice::Loop> FrameCutter::loops_of(const std::shared_ptr<const mesh::TriangleMesh>& mesh,
+                                               const slice::Plane& plane) {
+    return slice::section(*index_of(mesh).blocks, plane);
 }
 
 void FrameCutter::add_context(const Frame& frame, const slice::Plane& plane, FrameSection& section) {
@@ -184,6 +220,75 @@ void FrameCutter::add_lesions(const Frame& frame, const slice::Plane& plane, Fra
 
 namespace {
 
+// The visible lesions of a frame, for distances from them.
+struct LesionField {
+    std::vector<glm::dvec4> spheres;
+    std::vector<const measure::MeshDistance*> meshes;
+
+    [[nodiscard]] double operator()(const glm::dvec3& at) const {
+        double nearest = HUGE_VAL;
+        for (const glm::dvec4& sphere : spheres)
+            nearest = std::min(nearest, glm::distance(at, glm::dvec3(sphere)) - sphere.w);
+        for (const measure::MeshDistance* mesh : meshes) nearest = std::min(nearest, mesh->distance(at));
+        return nearest;
+    }
+    // The pixels of a plane that may be nearer than `within_mm`.
+    [[nodiscard]] slice::PixelGrid grid(const slice::Plane& plane, double within_mm) const {
+        const slice::Axes axes = slice::axes_across(plane.normal);
+        Bounds<glm::dvec2> box;
+        const auto hold = [&](const Bounds<glm::dvec3>& of) {
+            const glm::dvec3 half = 0.5 * of.size() + within_mm;
+            const glm::dvec3 from = 0.5 * (of.least + of.most) - plane.point;
+            if (std::abs(glm::dot(from, plane.normal)) > glm::dot(half, glm::abs(plane.normal))) return;
+            const glm::dvec2 middle(glm::dot(from, axes.right), glm::dot(from, axes.down));
+            const glm::dvec2 reach(glm::dot(half, glm::abs(axes.right)), glm::dot(half, glm::abs(axes.down)));
+            box.hold(middle - reach);
+            box.hold(middle + reach);
+        };
+        for (const glm::dvec4& sphere : spheres) hold({glm::dvec3(sphere) - sphere.w, glm::dvec3(sphere) + sphere.w});
+        for (const measure::MeshDistance* mesh : meshes) hold(mesh->bounds());
+        if (box.is_empty()) return {};
+        // Lines between samples are straight: a circle of 10 mm is met to a hundredth of a mm.
+        constexpr double kMostSteps = 512.0;
+        const glm::dvec2 size = box.size();
+        const double step = std::max({1.0, size.x / kMostSteps, size.y / kMostSteps});
+        return {plane.point + box.least.x * axes.right + box.least.y * axes.down, step * axes.right, step * axes.down,
+                glm::ivec2(glm::ceil(size / step)) + 1};
+    }
+};
+
+} // namespace
+
+void FrameCutter::add_margins(const Frame& frame, const slice::Plane& plane, FrameSection& section) {
+    const Lesions& lesions = frame.lesions;
+    LesionField field;
+    for (std::size_t n = 0; n < lesions.count() && !frame.margins.bands.empty(); ++n) {
+        if (lesions.look(n).opacity <= 0.0F) continue;
+        if (n < lesions.spheres.size()) {
+            field.spheres.push_back(lesions.spheres[n]);
+            continue;
+        }
+        const auto& mesh = lesions.meshes[n - lesions.spheres.size()];
+        if (mesh->triangles.empty()) continue;
+        Index& index = index_of(mesh);
+        if (!index.distance) index.distance = std::make_unique<measure::MeshDistance>(*mesh);
+        field.meshes.push_back(index.distance.get());
+    }
+    if (field.spheres.empty() && field.meshes.empty()) return;
+    std::vector<double> levels;
+    for (const Margins::Band& band : frame.margins.bands) levels.push_back(static_cast<double>(band.within_mm));
+    const auto lines = slice::level_lines(field.grid(plane, levels.back()), levels, field);
+    for (std::size_t n = 0; n < lines.size(); ++n)
+        for (const slice::Loop& loop : lines[n])
+            section.lines.push_back({.points = places_of(loop),
+                                     .closed = loop.closed,
+                                     .colour = frame.margins.bands[n].colour,
+                                     .width = 1.1F,
+                                     .opacity = 0.9F});
+}
+
+namespace {
+
 void add_crossings(const Frame& frame, const BranchInk& inks, const slice::Plane& plane, FrameSection& section) {
     if (!frame.centerlines) return;
     const Centerlines& lines = *frame.centerlines;
@@ -211,6 +316,7 @@ FrameSection FrameCutter::section(const Frame& frame, const slice::Plane& plane)
     FrameSection section;
     add_context(frame, plane, section);
     add_lesions(frame, plane, section);
+    add_margins(frame, plane, section);
     std::erase_if(indices_, [](const Index& index) { return !index.used; });
     const BranchInk inks(frame);
     if (frame.mesh)

@@ -1,7 +1,9 @@
 // The section of what a frame shows with a plane: outlines of vessels in the colours of the picture, of context and of
-// lesions, and the places where centerlines cross. Hidden branches are left out, defocused ones are grey and thin.
+// lesions, the margins around lesions if the picture has their bands, and the places where centerlines cross. Hidden
+// branches are left out, defocused ones are grey and thin.
 #pragma once
 
+#include "core/measure/mesh_distance.h"
 #include "core/slice/section.h"
 #include "render/scene/frame.h"
 
@@ -62,12 +64,15 @@ private:
     struct Index {
         std::shared_ptr<const mesh::TriangleMesh> mesh;
         std::unique_ptr<slice::MeshBlocks> blocks;
+        std::unique_ptr<measure::MeshDistance> distance; // null: not asked for yet
         bool used = false;
     };
+    Index& index_of(const std::shared_ptr<const mesh::TriangleMesh>& mesh);
     [[nodiscard]] std::vector<slice::Loop> loops_of(const std::shared_ptr<const mesh::TriangleMesh>& mesh,
                                                     const slice::Plane& plane);
     void add_context(const Frame& frame, const slice::Plane& plane, FrameSection& section);
     void add_lesions(const Frame& frame, const slice::Plane& plane, FrameSection& section);
+    void add_margins(const Frame& frame, const slice::Plane& plane, FrameSection& section);
 
     std::list<Index> indices_;
 };

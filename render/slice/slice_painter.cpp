@@ -12,7 +12,7 @@ namespace ramus::render {
 
 namespace {
 
-std::uint8_t byte_of(float share) { return static_cast<std::uint8_t>(std::lround(255.0F * share)); }
+std::uint8_t byte_of(float share) { return static_cast<std::uint8_t>(255.0F * share + 0.5F); }
 
 std::vector<glm::dvec2> pixels_of(const slice::PixelGrid& grid, const std::vector<glm::dvec3>& places) {
     std::vector<glm::dvec2> pixels;
@@ -38,7 +38,7 @@ std::vector<std::int32_t> labels_of(const volume::Volume& mask, const slice::Pix
 
 void tint(std::uint8_t* pixel, const glm::vec3& colour, float opacity) {
     for (int k = 0; k < 3; ++k)
-        pixel[k] = static_cast<std::uint8_t>(std::lround((1.0F - opacity) * pixel[k] + 255.0F * opacity * colour[k]));
+        pixel[k] = static_cast<std::uint8_t>((1.0F - opacity) * pixel[k] + 255.0F * opacity * colour[k] + 0.5F);
 }
 
 } // namespace
@@ -185,6 +185,16 @@ void paint_mark(const SliceView& view, Image& image) {
 
 } // namespace
 
+void SlicePainter::paint_marks(const SliceView& view, Image& image) {
+    Canvas canvas(image);
+    for (const SliceMark& mark : view.marks) {
+        const std::vector<glm::dvec2> pixels = pixels_of(view.grid, mark.points);
+        // A dark rim, for bright scans.
+        canvas.line(pixels, false, {glm::vec3(0.0F), (mark.width + 1.6F) * view.pixel_ratio, 0.5F * mark.opacity});
+        canvas.line(pixels, false, {mark.colour, mark.width * view.pixel_ratio, mark.opacity});
+    }
+}
+
 void SlicePainter::paint_sprites(const SliceView& view, Image& image) {
     Frame frame;
     frame.camera = camera_of(view.grid);
@@ -213,6 +223,12 @@ Image SlicePainter::paint_alone(const SliceView& view) {
 Image SlicePainter::paint(const Frame& frame, const SliceView& view) {
     Image image(view.grid.size.x, view.grid.size.y);
     image.fill(view.background);
+    if (view.along) {
+        along_.paint(frame, view, image);
+        paint_mark(view, image);
+        paint_sprites(view, image);
+        return image;
+    }
     sample(view);
     paint_scans(view, image);
     paint_masks(view, image);
@@ -221,6 +237,7 @@ Image SlicePainter::paint(const Frame& frame, const SliceView& view) {
         paint_section(view, image);
     }
     paint_crosshair(view, image);
+    paint_marks(view, image);
     paint_mark(view, image);
     paint_sprites(view, image);
     return image;

@@ -5,6 +5,7 @@
 
 #include "render/image/image.h"
 #include "render/overlay/overlay.h"
+#include "render/slice/along_painter.h"
 #include "render/slice/frame_section.h"
 #include "render/slice/slice_view.h"
 
@@ -36,6 +37,7 @@ private:
     void paint_scans(const SliceView& view, Image& image) const;
     void paint_masks(const SliceView& view, Image& image) const;
     void paint_section(const SliceView& view, Image& image) const;
+    static void paint_marks(const SliceView& view, Image& image);
     void paint_sprites(const SliceView& view, Image& image);
 
     struct Sampled {
@@ -48,6 +50,7 @@ private:
     Frame cut_of_; // what determines the section
     slice::Plane cut_at_;
     bool cut_drawn_ = false;
+    AlongPainter along_;
     FrameCutter cutter_;
     FrameSection section_;
     OverlayPainter overlays_;

@@ -7,6 +7,7 @@
 #include "core/slice/window.h"
 #include "core/volume/volume.h"
 #include "render/scene/frame.h"
+#include "render/slice/along_view.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -44,6 +45,15 @@ struct Crosshair {
     bool operator==(const Crosshair&) const = default;
 };
 
+// A line over the slice, such as that of a measurement: its foot on the plane.
+struct SliceMark {
+    std::vector<glm::dvec3> points; // mm
+    glm::vec3 colour{1.0F};         // sRGB
+    float width = 1.6F;             // points
+    float opacity = 1.0F;
+    bool operator==(const SliceMark&) const = default;
+};
+
 struct SliceView {
     slice::PixelGrid grid; // the pixels of the picture
     std::vector<ScanLayer> scans;
@@ -54,6 +64,9 @@ struct SliceView {
     std::optional<Crosshair> crosshair;
     glm::vec3 background{0.0F};
     std::optional<glm::vec3> mark; // a bar of this colour at the upper edge names the slice
+    std::vector<SliceMark> marks;
+    std::optional<AlongView>
+        along; // shows a vessel along its axis instead of the grid, which is used for the scale bar
     std::vector<MarkLabel> labels;
     Overlays overlays;
     float pixel_ratio = 1.0F;

@@ -2,6 +2,7 @@
 
 import csv
 import io
+import json
 import math
 import unittest
 
@@ -177,6 +178,41 @@ class Reformat(CommandLineTest):
         self.assertLess(abs(away["narrowest"]["surface"]["area"]["percent"]), 4)
         text = self.expect_done("reformat", "waist.swc", "--units", "mm", "--path", "0", "--reference", "8").stdout
         self.assertRegex(text, r"surface +least diameter [\d.]+ % less at 25.* mm \(0@0\.5")
+
+    def test_commands_write_the_same_table(self):
+        self.write("waist.swc", WAIST)
+        for scan in ([], ["--scan", "scan.nii"]):
+            with self.subTest(scan=scan):
+                self.expect_done("reformat", "waist.swc", "--units", "mm", *scan, "--path", "0", "--step", 2.5, "-o", "a.csv")
+                self.write("c.txt", "along 0\nsections b.csv --step 2.5\nstenosis 15 35 --reference 10\n")
+                said = self.expect_done("render", "waist.swc", "--units", "mm", *scan, "--commands", "c.txt", "--overwrite",
+                                        "--verbose").stderr
+                self.assertIn("Least diameter", said)
+                ours, theirs = (self.rows((self.folder / name).read_text()) for name in ("b.csv", "a.csv"))
+                self.assertEqual(len(ours), len(theirs))
+                self.assertGreater(len(ours), 15)
+                self.assertEqual(list(ours[0]), list(theirs[0]))
+                for mine, other in zip(ours, theirs):
+                    for column, value in other.items():
+                        try:
+                            self.assertAlmostEqual(float(mine[column]), float(value), delta=1e-4 * max(1, abs(float(value))),
+                                                   msg=column)
+                        except ValueError:
+                            self.assertEqual(mine[column], value, column)
+
+    def test_the_vessel_that_slices_follow_is_in_pictures_and_reports(self):
+        self.write("c.txt", "along root..0\nlayout along\nalong-at 20\nstenosis 15 45 --diameter 9\nreport r.html\n"
+                            "save s.json\nalong-show stretched --degrees 40\n")
+        self.expect_done("render", "tree.swc", "--units", "mm", "--scan", "scan.nii", "--commands", "c.txt", "-o", "p.png",
+                         "--size", "640x400", "--overwrite")
+        page = (self.folder / "r.html").read_text()
+        self.assertIn("Along root to branch 0", page)
+        self.assertIn("Stenosis", page)
+        self.assertIn("Cross-sections along the vessel", page)
+        picture = self.picture("p.png")
+        self.assertEqual((picture.width, picture.height), (640, 400))
+        along = json.loads((self.folder / "s.json").read_text())["slices"]["along"]
+        self.assertEqual((along["way"], along["at"]), ("root..0", 20.0))
 
     def test_lengths_have_no_unit_that_nobody_states(self):
         text = self.expect_done("reformat", "tree.swc", "--path", "0", "-o", "out.csv").stdout

@@ -1,11 +1,13 @@
-"""Values of slices against nibabel, scipy and pydicom: every voxel centre of a slice exactly, other places by interpolation, for the
-real volumes and for DICOM series in several directions.
+"""Values of slices against nibabel, numpy, scipy and pydicom: every voxel centre of a slice exactly, other places by interpolation,
+for the real volumes and for DICOM series in several directions.
 """
 
+import ast
 import math
 import os
 import random
 import unittest
+import zlib
 
 try:
     import nibabel
@@ -15,6 +17,7 @@ try:
 except ImportError as problem:
     MISSING = problem
 
+from dicom import write_series
 from ramus import CommandLineTest
 
 SHARED = os.environ.get("RAMUS_SHARED_DATA", "")
@@ -26,6 +29,43 @@ def places(image):
     columns, rows = image.shape[:2]
     i, j = np.meshgrid(np.arange(columns), np.arange(rows), indexing="ij")
     return np.stack([i, j, np.zeros_like(i), np.ones_like(i)], axis=-1) @ image.affine.T
+
+
+def nifti_volume(path):
+    image = nibabel.load(path)
+    return np.asanyarray(image.dataobj).astype(np.float64), image.affine
+
+
+def metaimage_volume(path):
+    """A compressed MetaImage of 16 bits with its own axes; those are LPS."""
+    with open(path, "rb") as file:
+        head, body = file.read().split(b"ElementDataFile = LOCAL\n", 1)
+    fields = dict(line.split(" = ", 1) for line in head.decode().splitlines())
+    assert (fields["ElementType"], fields["CompressedData"]) == ("MET_SHORT", "True")
+    size, spacing, turn, offset = ([float(n) for n in fields[name].split()]
+                                   for name in ("DimSize", "ElementSpacing", "TransformMatrix", "Offset"))
+    values = np.frombuffer(zlib.decompress(body), "<i2").reshape([int(n) for n in size], order="F")
+    affine = np.eye(4)
+    affine[:3, :3] = np.array(turn).reshape(3, 3).T * spacing
+    affine[:3, 3] = offset
+    return values.astype(np.float64), np.diag([-1, -1, 1, 1]) @ affine
+
+
+def nrrd_volume(path):
+    """A compressed NRRD of bytes in RAS."""
+    with open(path, "rb") as file:
+        head, body = file.read().split(b"\n\n", 1)
+    fields = dict(line.split(": ", 1) for line in head.decode().splitlines() if ": " in line and line[0] != "#")
+    assert (fields["type"], fields["encoding"], fields["space"]) == ("unsigned char", "gzip", "right-anterior-superior")
+    size = [int(n) for n in fields["sizes"].split()]
+    values = np.frombuffer(zlib.decompress(body, wbits=31), np.uint8).reshape(size, order="F")
+    affine = np.eye(4)
+    affine[:3, :3] = np.array([ast.literal_eval(axis) for axis in fields["space directions"].split()]).T
+    affine[:3, 3] = ast.literal_eval(fields["space origin"])
+    return values.astype(np.float64), affine
+
+
+READERS = {".nii.gz": nifti_volume, ".mha": metaimage_volume, ".nrrd": nrrd_volume}
 
 
 class SliceValues(CommandLineTest):
@@ -71,12 +111,11 @@ class SliceValues(CommandLineTest):
         if not os.path.isdir(folder):
             self.skipTest("without the real volumes")
         for name in sorted(os.listdir(folder)):
-            if name.endswith(".nii.gz"):
-                image = nibabel.load(os.path.join(folder, name))
-                with self.subTest(name=name):
-                    exact = self.check_volume(os.path.join(folder, name), np.asanyarray(image.dataobj).astype(np.float64),
-                                              image.affine)
-                    print(f"{name}: {exact} voxels")
+            path = os.path.join(folder, name)
+            for ending, reader in READERS.items():
+                if name.endswith(ending):
+                    with self.subTest(name=name):
+                        print(f"{name}: {self.check_volume(path, *reader(path))} voxels")
 
     def test_oblique_slices(self):
         values = np.random.default_rng(1).integers(-1000, 3000, (21, 17, 13)).astype(np.int16)
@@ -102,41 +141,16 @@ class SliceValues(CommandLineTest):
 
 
 class DicomSlices(CommandLineTest):
-    def series(self, right, down, slices, order):
-        """Images of known values; `right` and `down` are LPS, `order` the step from image to image along the normal."""
-        import pydicom
-        from pydicom.dataset import FileDataset, FileMetaDataset
-        from pydicom.uid import CTImageStorage, ExplicitVRLittleEndian, generate_uid
-        normal = np.cross(right, down)
-        study, series = generate_uid(), generate_uid()
-        (self.folder / "series").mkdir()
-        dice = np.random.default_rng(2)
-        values = dice.integers(0, 4000, (14, 18, slices)).astype(np.uint16)  # column, row, image
-        for k in range(slices):
-            meta = FileMetaDataset()
-            meta.MediaStorageSOPClassUID, meta.MediaStorageSOPInstanceUID = CTImageStorage, generate_uid()
-            meta.TransferSyntaxUID = ExplicitVRLittleEndian
-            image = FileDataset("", {}, file_meta=meta, preamble=b"\0" * 128)
-            image.SOPClassUID, image.SOPInstanceUID = CTImageStorage, meta.MediaStorageSOPInstanceUID
-            image.StudyInstanceUID, image.SeriesInstanceUID, image.Modality = study, series, "CT"
-            image.InstanceNumber = k + 1
-            image.ImageType = ["ORIGINAL", "PRIMARY", "AXIAL"]
-            image.ImageOrientationPatient = [float(n) for n in (*right, *down)]
-            image.ImagePositionPatient = [float(n) for n in np.array([5.0, -7.0, 11.0]) + order * 2.5 * k * normal]
-            image.PixelSpacing, image.SliceThickness = [0.9, 0.7], 2.5
-            image.Rows, image.Columns, image.SamplesPerPixel = 18, 14, 1
-            image.PhotometricInterpretation, image.PixelRepresentation = "MONOCHROME2", 0
-            image.BitsAllocated, image.BitsStored, image.HighBit = 16, 12, 11
-            image.RescaleSlope, image.RescaleIntercept, image.RescaleType = 1, -1024, "HU"
-            image.PixelData = np.ascontiguousarray(values[:, :, k].T).tobytes()
-            image.save_as(self.folder / "series" / f"{k:03}.dcm", write_like_original=False)
-        return values.astype(float) - 1024, normal
-
-    def check_series(self, right, down, slices=9, order=1.0):
+    def check_series(self, right, down, slices=9, order=1.0, tilt=0.0):
+        """`tilt`: of the gantry, in mm along `down` from image to image."""
         right, down = np.array(right, float), np.array(down, float)
-        values, normal = self.series(right, down, slices, order)
+        step = order * 2.5 * np.cross(right, down) + tilt * down
+        values = np.random.default_rng(2).integers(0, 4000, (14, 18, slices)).astype(np.uint16)  # column, row, image
+        (self.folder / "series").mkdir()
+        write_series(self.folder / "series", values, right, down, step)
+        values = values.astype(float) - 1024
         affine = np.eye(4)
-        affine[:3, 0], affine[:3, 1], affine[:3, 2] = 0.7 * right, 0.9 * down, order * 2.5 * normal
+        affine[:3, 0], affine[:3, 1], affine[:3, 2] = 0.7 * right, 0.9 * down, step
         affine[:3, 3] = (5, -7, 11)
         affine = np.diag([-1, -1, 1, 1]) @ affine  # LPS to RAS
         exact = SliceValues.check_volume(self, "series", values, affine)
@@ -164,6 +178,9 @@ class DicomSlices(CommandLineTest):
 
     def test_sagittal(self):
         self.check_series((0, 1, 0), (0, 0, -1))
+
+    def test_tilted_gantry(self):
+        self.check_series((1, 0, 0), (0, 1, 0), tilt=0.8)
 
     def test_oblique(self):
         c, s = math.cos(0.5), math.sin(0.5)

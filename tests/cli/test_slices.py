@@ -21,8 +21,43 @@ def phantom(place):
     return 10
 
 
-def stored(order, flips):
-    """The phantom in a file whose axes are these patient axes, in this order and sense: 21 voxels of 2 mm each way."""
+# Another one: a letter in each corner of its three middle slices, as a person reads them there.
+LETTERS = {"axial": "FGJL", "coronal": "PQRN", "sagittal": "247Y"}
+GLYPHS = {"F": "##### #.... #.... ###.. #.... #.... #....", "G": ".###. #...# #.... #.### #...# #...# .####",
+          "J": "..### ...#. ...#. ...#. ...#. #..#. .##..", "L": "#.... #.... #.... #.... #.... #.... #####",
+          "P": "####. #...# #...# ####. #.... #.... #....", "Q": ".###. #...# #...# #...# #.#.# #..#. .##.#",
+          "R": "####. #...# #...# ####. #.#.. #..#. #...#", "N": "##..# ##..# #.#.# #.#.# #..## #..## #...#",
+          "2": ".###. #...# ....# ...#. ..#.. .#... #####", "4": "...#. ..##. .#.#. #..#. ##### ...#. ...#.",
+          "7": "##### ....# ...#. ..#.. ..#.. ..#.. ..#..", "Y": "#...# #...# .#.#. ..#.. ..#.. ..#.. .##.."}
+CORNERS = ((1, 1), (15, 1), (1, 13), (15, 13))  # column and row of each letter among the 21 of a slice
+# The patient axes to whose negative ends a slice is read, across and down, and the one through it.
+READ_ALONG = {"axial": (0, 1, 2), "coronal": (0, 2, 1), "sagittal": (1, 2, 0)}
+
+
+def written(plane):
+    """The values of a middle slice as rows."""
+    rows = [[10] * 21 for _ in range(21)]
+    for letter, (left, top) in zip(LETTERS[plane], CORNERS):
+        for y, line in enumerate(GLYPHS[letter].split()):
+            for x, ink in enumerate(line):
+                rows[top + y][left + x] = 250 if ink == "#" else 10
+    return rows
+
+
+PAGES = {plane: written(plane) for plane in LETTERS}
+
+
+def letters(place):
+    for plane, (across, down, through) in READ_ALONG.items():
+        if place[through] == 0:
+            value = PAGES[plane][round(10 - place[down] / 2)][round(10 - place[across] / 2)]
+            if value != 10:
+                return value
+    return 10
+
+
+def stored(order, flips, value=phantom):
+    """A phantom in a file whose axes are these patient axes, in this order and sense: 21 voxels of 2 mm each way."""
     size = (21, 21, 21)
     rows = []
     for axis in range(3):
@@ -35,7 +70,7 @@ def stored(order, flips):
     def place(voxel):
         return [sum(row[k] * voxel[k] for k in range(3)) + row[3] for row in rows]
 
-    return nifti(size, [phantom(place(voxel)) for voxel in voxels(size)], rows=rows)
+    return nifti(size, [value(place(voxel)) for voxel in voxels(size)], rows=rows)
 
 
 class Slices(CommandLineTest):
@@ -51,13 +86,17 @@ class Slices(CommandLineTest):
     def test_no_way_of_storing_a_volume_mirrors_or_turns_its_slices(self):
         for order in itertools.permutations(range(3)):
             for flips in itertools.product((False, True), repeat=3):
-                with self.subTest(order=order, flips=flips):
-                    self.write("v.nii", stored(order, flips))
-                    axial = self.picture("v.nii", "--nearest")
-                    self.assertEqual((axial.width, axial.height), (21, 21))
-                    for side, pixel in (("R", (-7, 0)), ("L", (7, 0)), ("A", (0, -7)), ("P", (0, 7))):
-                        self.check_block(axial, pixel, side)
-        # The other directions, for a file of mixed axes.
+                self.write("v.nii", stored(order, flips, letters))
+                for plane, page in PAGES.items():
+                    with self.subTest(order=order, flips=flips, plane=plane):
+                        picture = self.picture("v.nii", "--plane", plane, "--nearest")
+                        self.assertEqual([[picture.pixel(x, y)[0] for x in range(21)] for y in range(21)], page)
+
+    def test_the_sides_of_each_plane(self):
+        self.write("v.nii", stored((2, 0, 1), (True, False, True)))
+        axial = self.picture("v.nii")
+        for side, pixel in (("R", (-7, 0)), ("L", (7, 0)), ("A", (0, -7)), ("P", (0, 7))):
+            self.check_block(axial, pixel, side)
         coronal = self.picture("v.nii", "--plane", "coronal")
         for side, pixel in (("R", (-7, 0)), ("L", (7, 0)), ("S", (0, -7)), ("I", (0, 7))):
             self.check_block(coronal, pixel, side)
@@ -110,6 +149,39 @@ class Slices(CommandLineTest):
         masked = self.picture("v.nii", "--mask", "m.nii")
         self.assertEqual(masked.pixel(15, 10), (10,) * 3)  # left
         self.assertNotEqual(masked.pixel(5, 5), (10,) * 3)  # right: label 2
+
+    def test_figures_with_slices(self):
+        self.write("v.nii", stored((0, 1, 2), (False, False, False)))
+        self.write("tree.swc", "# mm, RAS\n1 3 5 4 -15 3 -1\n2 3 5 4 15 3 1\n")
+        shown = ("--scan", "v.nii", "--size", "241x201", "--view", "anterior")
+
+        def picture(*words):
+            self.expect_done("render", "-o", "p.png", *shown, *words)
+            return Picture((self.folder / "p.png").read_bytes())
+
+        plain = picture("tree.swc", "--layout", "slices")
+        finer = picture("tree.swc", "--layout", "slices", "--supersample", "2")
+        # The blocks of the phantom at the right and the anterior side of the axial slice, at the upper left.
+        for at in ((60 - 33, 46), (64, 50 - 33)):
+            self.assertAlmostEqual(finer.pixel(*at)[0], plain.pixel(*at)[0], delta=4)
+            self.assertGreater(plain.pixel(*at)[0], 100)
+        turn = self.json("render", "tree.swc", "-o", "t.png", *shown, "--layout", "slices", "--turntable", "2", "--json")
+        first, second = (Picture((self.folder / name).read_bytes()) for name in ("t_001.png", "t_002.png"))
+        self.assertEqual(len(turn["pictures"]), 2)
+        self.assertEqual(first.pixel(60 - 33, 46), second.pixel(60 - 33, 46))  # slices stay
+        self.expect_failure("render", "tree.swc", "-o", "t.png", *shown, "--layout", "axial", "--turntable", "2",
+                            says=("does not turn", "layout"))
+        # A sheet shows the tree alone, as without slices.
+        self.expect_done("render", "tree.swc", "-o", "a.png", *shown, "--layout", "slices", "--sheet")
+        self.expect_done("render", "tree.swc", "-o", "b.png", *shown, "--sheet")
+        a, b = (Picture((self.folder / name).read_bytes()) for name in ("a.png", "b.png"))
+        self.assertTrue(all(a.pixel(x, y) == b.pixel(x, y) for x in range(0, 241, 5) for y in range(0, 201, 5)))
+        # Without a tree: the slices, and a distance in the scan.
+        self.write("c.txt", "crosshair 0,0,0\nmeasure distance -10,0,0 10,0,0\n")
+        alone = picture("--commands", "c.txt")
+        self.assertGreater(alone.pixel(64, 50 - 33)[0], 100)
+        without = picture()
+        self.assertNotEqual(alone.pixel(60 + 15, 50), without.pixel(60 + 15, 50))
 
     def test_what_nobody_states_is_not_claimed(self):
         self.write("v.nii", nifti((9, 9, 9), [n % 251 for n in range(729)], units=0))

@@ -259,6 +259,7 @@ def saved_picture(window):
 
 
 PAGES = {"explore": "Systems, selection and branches", "surface": "Surface, glass, context and comparison",
+         "slices": "Scans, and slices through them",
          "plan": "Lesions, cuts and measurements"}
 
 

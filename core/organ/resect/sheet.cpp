@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace ramus::organ {
 
@@ -110,6 +111,26 @@ public:
             for (const Term& b : terms)
                 matrix_[row * right_.size() + sheet_.index(b.i, b.j)] += weight * a.factor * b.factor;
         }
+    }
+    // The height of the surface at a place, in grid steps from the first control point; at least a step from the
+    // border.
+    void add_place(const glm::dvec2& at, double height) {
+        const auto cell = [](double steps, int size) {
+            const int before = std::clamp(static_cast<int>(std::floor(steps)), 1, size - 3);
+            return GridPlace{before, steps - before};
+        };
+        const GridPlace along = cell(at.x, sheet_.size.x), across = cell(at.y, sheet_.size.y);
+        const std::array<double, 4> a = spline_weights(along.rest), b = spline_weights(across.rest);
+        std::array<Term, 16> terms{};
+        for (int n = 0; n < 16; ++n)
+            terms[static_cast<std::size_t>(n)] = {along.before - 1 + n % 4, across.before - 1 + n / 4,
+                                                  a[static_cast<std::size_t>(n % 4)] *
+                                                      b[static_cast<std::size_t>(n / 4)]};
+        add(terms, height, 1.0);
+    }
+    // The size of the control heights.
+    void add_size(double weight) {
+        for (std::size_t n = 0; n < right_.size(); ++n) matrix_[n * right_.size() + n] += weight;
     }
     // The bending energy of the control heights.
     void add_bending(double weight) {
@@ -220,24 +241,55 @@ Result<Sheet> sheet_through(std::span<const glm::dvec3> contour, const SheetFit&
     sheet.origin = middle + first.x * sheet.u + first.y * sheet.v;
     sheet.heights.assign(static_cast<std::size_t>(sheet.size.x) * static_cast<std::size_t>(sheet.size.y), 0.0);
     HeightEquations equations(sheet);
-    for (const glm::dvec3& point : contour) {
-        const glm::dvec2 at = (place_of(point) - first) / sheet.step;
-        const auto cell = [](double steps, int size) {
-            const int before = std::clamp(static_cast<int>(std::floor(steps)), 1, size - 3);
-            return GridPlace{before, steps - before};
-        };
-        const GridPlace along = cell(at.x, sheet.size.x), across = cell(at.y, sheet.size.y);
-        const std::array<double, 4> a = spline_weights(along.rest), b = spline_weights(across.rest);
-        std::array<HeightEquations::Term, 16> terms{};
-        for (int n = 0; n < 16; ++n)
-            terms[static_cast<std::size_t>(n)] = {along.before - 1 + n % 4, across.before - 1 + n / 4,
-                                                  a[static_cast<std::size_t>(n % 4)] *
-                                                      b[static_cast<std::size_t>(n / 4)]};
-        equations.add(terms, glm::dot(point - middle, sheet.normal()), 1.0);
-    }
+    for (const glm::dvec3& point : contour)
+        equations.add_place((place_of(point) - first) / sheet.step, glm::dot(point - middle, sheet.normal()));
     equations.add_bending(fit.smoothing);
     sheet.heights = equations.solved();
     return sheet;
+}
+
+namespace {
+
+constexpr int kMostControls = 32; // along an axis
+
+// A place in grid steps from the first control point.
+glm::dvec2 steps_to(const Sheet& sheet, const glm::dvec3& place) {
+    const glm::dvec3 from_origin = place - sheet.origin;
+    return glm::dvec2(glm::dot(from_origin, sheet.u), glm::dot(from_origin, sheet.v)) / sheet.step;
+}
+
+// The same surface with more control points, so that places are at least a step from the border of the grid.
+Result<Sheet> grown(const Sheet& sheet, std::span<const glm::dvec3> places) {
+    glm::dvec2 least(1.0), most(glm::max(sheet.size, glm::ivec2(4)) - 2);
+    for (const glm::dvec3& place : places) {
+        const glm::dvec2 at = steps_to(sheet, place);
+        least = glm::min(least, at);
+        most = glm::max(most, at);
+    }
+    if (!glm::all(glm::lessThan(most - least, glm::dvec2(kMostControls - 3))))
+        return fail("the place is too far from the sheet", {}, "draw a new sheet there");
+    const glm::ivec2 before = 1 - glm::ivec2(glm::floor(least));
+    Sheet more = sheet;
+    more.size = glm::ivec2(glm::ceil(most)) + 2 + before;
+    more.origin = sheet.origin - before.x * sheet.step.x * sheet.u - before.y * sheet.step.y * sheet.v;
+    more.heights.clear();
+    for (int j = 0; j < more.size.y; ++j)
+        for (int i = 0; i < more.size.x; ++i) more.heights.push_back(control_height(sheet, i - before.x, j - before.y));
+    return more;
+}
+
+} // namespace
+
+Result<Sheet> bent_through(const Sheet& sheet, std::span<const glm::dvec3> places) {
+    if (places.empty()) return fail("a sheet is bent through one place or more");
+    RAMUS_TRY(bent, grown(sheet, places));
+    HeightEquations equations(bent);
+    for (const glm::dvec3& place : places) equations.add_place(steps_to(bent, place), height_above(bent, place));
+    constexpr double kSmall = 1e-4; // prefers small changes, far below the weight of a place
+    equations.add_size(kSmall);
+    const std::vector<double> change = equations.solved();
+    for (std::size_t n = 0; n < change.size(); ++n) bent.heights[n] += change[n];
+    return bent;
 }
 
 } // namespace ramus::organ

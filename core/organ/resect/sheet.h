@@ -59,4 +59,10 @@ struct SheetFit {
 // Fails if the points lie on a line.
 [[nodiscard]] Result<Sheet> sheet_through(std::span<const glm::dvec3> contour, const SheetFit& fit = {});
 
+// The sheet, bent so that it passes through places, one or more, with the least change of control heights: nothing
+// changes farther away than four grid steps. One place is met within 0.1 % of the change; places that the grid cannot
+// follow are smoothed. The grid grows where places lie beyond it, which alone does not change the surface. Fails if it
+// would have more than 32 control points along an axis.
+[[nodiscard]] Result<Sheet> bent_through(const Sheet& sheet, std::span<const glm::dvec3> places);
+
 } // namespace ramus::organ

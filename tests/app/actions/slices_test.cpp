@@ -177,3 +177,14 @@ TEST_CASE("words of slices claim what the files claim") {
     CHECK(value_words({5.0, 5.0, 4.0}, stage.document.session(), stage.assets) == "-450");
     CHECK(value_words({-50.0, 5.0, 4.0}, stage.document.session(), stage.assets).empty());
 }
+
+TEST_CASE("the slice that fills the picture is stepped by its name, or the axial one") {
+    SliceStage stage;
+    stage.good("scan " + stage.file.string() + "\ncrosshair 10,11,20\nslice-step shown 1");
+    CHECK(stage.views().crosshair == glm::dvec3(10, 11, 22));
+    stage.good("layout coronal\nslice-step shown -2");
+    CHECK(stage.views().crosshair == glm::dvec3(10, 9, 22));
+    stage.bad("slice-step shown");
+    CHECK(stage.bad("copy-place").find("clipboard") != std::string::npos);
+    stage.bad("copy-place 1,2");
+}

@@ -67,3 +67,22 @@ TEST_CASE("what is under the pointer stays there when the picture is moved or ma
                            0.5 / zoom.factor, {200, 100});
     CHECK(glm::distance(after.place(at - 0.5), place) < 1e-9);
 }
+
+TEST_CASE("the second of two presses that are close in time and place is a double click") {
+    SliceMouse mouse;
+    const auto click = [&](glm::dvec2 at, double seconds, Modifiers modifiers = {}) {
+        const bool second = mouse.twice(MouseButton::kLeft, modifiers, at, seconds);
+        if (!second) {
+            (void)mouse.press(MouseButton::kLeft, modifiers, at, grip());
+            (void)mouse.release(MouseButton::kLeft, at);
+        }
+        return second;
+    };
+    CHECK_FALSE(click({100.0, 50.0}, 1.0));
+    CHECK(click({101.0, 50.0}, 1.2));
+    CHECK_FALSE(click({101.0, 50.0}, 1.3)); // a third click begins again
+    CHECK_FALSE(click({101.0, 50.0}, 2.5)); // too late
+    CHECK_FALSE(click({120.0, 50.0}, 2.6)); // elsewhere
+    CHECK_FALSE(click({120.0, 50.0}, 2.7, {.shift = true}));
+    CHECK_FALSE(click({120.0, 50.0}, 2.8));
+}

@@ -369,3 +369,33 @@ TEST_CASE("margins are the least distances from the boxes of a lesion's voxels, 
               (trial == 0 ? Removed::kPart : Removed::kWhole));
     }
 }
+
+TEST_CASE("a sheet is bent through places near them alone, and grows without changing") {
+    std::vector<glm::dvec3> contour;
+    for (int n = 0; n < 40; ++n) {
+        const double angle = 2 * glm::pi<double>() * n / 40;
+        contour.emplace_back(60 * std::cos(angle), 40 * std::sin(angle), 5 * std::cos(2 * angle));
+    }
+    const Sheet sheet = sheet_through(contour).value();
+    const glm::dvec3 place(40, -7, 15);
+    const Sheet bent = bent_through(sheet, {&place, 1}).value();
+    CHECK(check_sheet(bent).has_value());
+    CHECK(bent.size == sheet.size);
+    CHECK(std::abs(height_above(sheet, place)) > 8.0);
+    CHECK(std::abs(height_above(bent, place)) < 1e-3 * std::abs(height_above(sheet, place)));
+    const glm::dvec3 far(-58, 10, 0);
+    CHECK(height_above(bent, far) == height_above(sheet, far));
+    // A line that is drawn, and a place beyond the grid.
+    std::vector<glm::dvec3> line;
+    for (int n = 0; n <= 20; ++n) line.emplace_back(-50 + 5 * n, 3.0, 8 * std::sin(0.1 * n));
+    const Sheet drawn = bent_through(sheet, line).value();
+    for (const glm::dvec3& at : line) CHECK(std::abs(height_above(drawn, at)) < 0.1);
+    const glm::dvec3 outside = contour.front() + 45.0 * sheet.u;
+    const Sheet wide = bent_through(sheet, {&outside, 1}).value();
+    CHECK(wide.size.x > sheet.size.x);
+    CHECK(std::abs(height_above(wide, outside)) < 0.05);
+    CHECK(height_above(wide, far) == doctest::Approx(height_above(sheet, far)));
+    const glm::dvec3 nowhere = contour.front() + 5000.0 * sheet.u;
+    CHECK_FALSE(bent_through(sheet, {&nowhere, 1}).has_value());
+    CHECK_FALSE(bent_through(sheet, {}).has_value());
+}
