@@ -18,13 +18,15 @@ struct RegionHand {
     }
     // Axial, 0.5 mm a pixel, its middle at (0, 0, 7).
     [[nodiscard]] Pointing at(glm::dvec2 pixel, Modifiers modifiers = {}) const {
+        SlicePointing on_slice;
+        on_slice.grid = slice::grid_around(slice::axes_of(slice::Direction::kAxial), {0, 0, 7}, 0.5, {200, 100});
         return {.at = pixel,
                 .modifiers = modifiers,
                 .held = true,
                 .size = {200, 100},
                 .document = document,
                 .settings = settings,
-                .slice = slice::grid_around(slice::axes_of(slice::Direction::kAxial), {0, 0, 7}, 0.5, {200, 100})};
+                .slice = on_slice};
     }
     Document document;
     ToolSettings settings;
@@ -35,7 +37,7 @@ struct RegionHand {
 
 TEST_CASE("a click on a slice begins a region there, and Shift adds a place") {
     RegionHand hand("region");
-    CHECK(hand.tool->works_on_slices());
+    CHECK(hand.tool->works_on() == WorksOn::kSlices);
     hand.tool->press(hand.at({120.0, 40.0})); // to the patient's left, and anterior
     CHECK(hand.tool->take_commands() == std::vector<CommandLine>{{"crosshair", "-10,5,7"}, {"region", "-10,5,7"}});
     Modifiers shift;
