@@ -1,6 +1,7 @@
 #include "app/commands/backend_flags.h"
 
 #include "app/commands/command.h"
+#include "app/commands/inputs.h"
 
 #include <map>
 #include <nlohmann/json.hpp>
@@ -39,7 +40,7 @@ Result<std::unique_ptr<render::GlContext>> open_context(const BackendFlags& flag
     return context;
 }
 
-nlohmann::json description_of(render::Backend backend) {
+nlohmann::json opengl_in_use(render::Backend backend) {
     return {{"backend", render::name_of(backend)},
             {"renderer", render::gl_renderer()},
             {"version", render::gl_version().text()}};

@@ -25,6 +25,6 @@ void check_backend_flags(const BackendFlags& flags);
 [[nodiscard]] Result<std::unique_ptr<render::GlContext>> open_context(const BackendFlags& flags,
                                                                       const SurfaceFlags& common);
 // The OpenGL in use, for --json.
-[[nodiscard]] nlohmann::json description_of(render::Backend backend);
+[[nodiscard]] nlohmann::json opengl_in_use(render::Backend backend);
 
 } // namespace ramus::app

@@ -197,7 +197,7 @@ Result<int> run_turntable(const RenderFlags& flags, render::SheetRenderer& sheet
             table.files.front().string());
     nlohmann::json report{{"pictures", nlohmann::json::array()},
                           {"scale_bar", description_of(table.scale_bar)},
-                          {"gl", description_of(flags.backend.backend)}};
+                          {"gl", opengl_in_use(flags.backend.backend)}};
     for (const auto& file : table.files) report["pictures"].push_back(file.string());
     if (flags.json) std::cout << printed_report(report) << '\n';
     return kDone;
@@ -319,7 +319,7 @@ Result<int> run_render(const RenderFlags& flags) {
                           {"triangles", done.triangles},
                           {"mesh_s", stage.surface().seconds},
                           {"draw_s", draw_seconds},
-                          {"gl", description_of(flags.backend.backend)},
+                          {"gl", opengl_in_use(flags.backend.backend)},
                           {"camera", render::to_json(document.session().camera)},
                           {"scale_bar", description_of(figure.scale_bar)}};
     auto status = finish_picture(figure.image, flags, report);
