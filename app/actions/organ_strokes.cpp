@@ -73,7 +73,7 @@ private:
         return organ_.mask().test(voxel);
     }
 
-    const render::Camera& camera_;
+    render::Camera camera_;
     glm::ivec2 size_;
     const organ::Organ& organ_;
     glm::dmat4 to_voxels_;

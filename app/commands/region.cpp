@@ -42,10 +42,10 @@ struct RegionFlags {
 
 // Scans of 8 bits have more values than segmentations have labels.
 bool holds_labels(const volume::Volume& volume) {
-    constexpr std::size_t kMostLabels = 64;
+    constexpr std::size_t kMostOfSegmentation = 64;
     if (volume.segmentation || !volume.overlaps.empty()) return true;
     return volume::looks_like_a_mask(volume) && volume::holds_whole_numbers(volume) &&
-           volume::label_counts(volume).size() <= kMostLabels;
+           volume::label_counts(volume).size() <= kMostOfSegmentation;
 }
 
 Result<volume::Volume> read_scan_of(const RegionFlags& flags) {

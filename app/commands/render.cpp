@@ -266,6 +266,13 @@ void warn_of_half_turns(const Document& document, const Assets& assets) {
             warn(lesion.file, {render::bounds_of(mesh->mesh), mesh->claims.orientation}, lesion.axes);
 }
 
+// Of a scan without a tree, planes are seen aslant unless the person says otherwise.
+void look_at_scan(Document& document, const Inputs& inputs, bool has_camera, const RenderFlags& flags,
+                  const PictureStage& stage) {
+    if (inputs.camera || flags.view_given) return set_camera(document, inputs, has_camera, flags, stage);
+    document.set_camera(camera_of_planes(visible_points(document.marks(), stage.assets), stage.picture_size()));
+}
+
 Result<int> run_render(const RenderFlags& flags) {
     // Errors in the inputs are found before long computations.
     RAMUS_TRY(inputs, read_inputs(flags));
@@ -285,12 +292,8 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!context) return tl::unexpected(context.error());
     RAMUS_TRY(renderer, render::Renderer::create(render::kGlassBytes, flags.graphics_bytes));
     stage.draw_with(*renderer);
-    const bool scan_alone = flags.file.empty() && flags.session.empty();
     const auto run = [&](ActionContext& to) {
-        if (scan_alone && !inputs.camera && !flags.view_given)
-            document.set_camera(camera_of_planes(visible_points(document.marks(), stage.assets), stage.picture_size()));
-        else if (scan_alone)
-            set_camera(document, inputs, has_camera, flags, stage);
+        if (flags.file.empty() && flags.session.empty()) look_at_scan(document, inputs, has_camera, flags, stage);
         return run_script(to, inputs.script, flags.commands, flags.overwrite);
     };
     ActionContext here{.document = document,

@@ -77,9 +77,11 @@ void draw_region(InterfaceContext& context) {
     const widgets::TitleButton cut{
         "Cut", "Drag across the region where it leaves the vessel, or click there", "tool", {"region-cut"}};
     if (!draw_section(context, "Region of similar values", {cut, grow})) return;
-    widgets::quiet_wrapped("A help to get a mask, no segmentation: it leaks where neighbouring tissue has similar "
-                           "values. Compare it with the scan on every slice.");
     const ScanRegion region = context.workspace.current_assets().region; // a copy: buttons change it
+    const bool grows = region.exists() || context.interface.tool_kind->name.starts_with("region");
+    if (grows)
+        widgets::quiet_wrapped("A help to get a mask, no segmentation: it leaks where neighbouring tissue has similar "
+                               "values. Compare it with the scan on every slice.");
     const auto file = context.workspace.current_assets().scan(*scan);
     if (region.exists() && file && region.now().scan == source_of(*scan)) {
         draw_range(context, region.now(), file->volume->value_unit);

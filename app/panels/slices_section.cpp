@@ -110,13 +110,17 @@ void draw_planes(InterfaceContext& context, const SliceViews& views) {
 }
 
 void draw_switches(InterfaceContext& context, const SliceViews& views) {
-    const auto row = [&](const char* label, const char* name, bool now) {
+    widgets::quiet("On slices");
+    const auto box = [&](const char* label, const char* name, bool now) {
         if (ImGui::Checkbox(label, &now)) context.perform("slice-show", {name, now ? "on" : "off"});
     };
-    row("Outlines of vessels", "outlines", views.outlines);
-    row("Dots of centerlines", "axes", views.axes);
-    row("Crosshair", "crosshair", views.crosshair_lines);
-    row("Interpolate values", "smooth", views.sampling.interpolation == slice::Interpolation::kLinear);
+    const float middle = 0.5F * ImGui::GetContentRegionAvail().x;
+    box("Outlines", "outlines", views.outlines);
+    ImGui::SameLine(middle);
+    box("Centerlines", "axes", views.axes);
+    box("Crosshair", "crosshair", views.crosshair_lines);
+    ImGui::SameLine(middle);
+    box("Smooth values", "smooth", views.sampling.interpolation == slice::Interpolation::kLinear);
 }
 
 } // namespace

@@ -14,12 +14,13 @@ namespace ramus::app {
 namespace {
 
 // Room around the picture, points: distances at the left, the caption above, scale bar and names below.
-constexpr double kLeftPoints = 62.0, kRightPoints = 12.0, kTopPoints = 30.0, kBottomPoints = 44.0;
+constexpr double kLeftPoints = 62.0, kRightPoints = 12.0, kTopPoints = 44.0, kBottomPoints = 44.0;
 
 std::string arc_caption(const slice::VesselPath& path, const AlongVessel& along, const Lengths& lengths) {
     std::string caption(slice::name_of(along.kind));
     caption.front() = static_cast<char>(caption.front() - 'a' + 'A');
-    caption += ", " + way_words(along.way) + ", at " + arc_words(path, along.at_mm, lengths);
+    caption += ", " + (along.way.to ? way_words(along.way) + ", at " : std::string("at ")) +
+               arc_words(path, along.at_mm, lengths);
     if (along.angle_deg != 0.0) caption += ", turned by " + rounded(along.angle_deg) + "\xC2\xB0";
     return caption;
 }
@@ -42,7 +43,7 @@ render::AlongView along_view(const Session& session, const Assets& assets,
         view.narrow = pair_of(along.stenosis->where);
         if (along.stenosis->reference) view.reference = pair_of(*along.stenosis->reference);
     }
-    const Lengths lengths(assets.tree->claims);
+    const Lengths lengths(slice_claims(session, assets));
     for (const double arc : round_numbers(0.0, view.path->length_mm()))
         view.ticks.emplace_back(arc, latin1(lengths.text(arc)));
     return view;

@@ -192,6 +192,23 @@ std::vector<Viewport> viewports_of(const Session& session, glm::ivec2 size, floa
     return viewports;
 }
 
+namespace {
+
+// The slice, or the picture along a vessel, that a viewport shows; none: it shows the tree. `top`: pixels that the
+// window covers at the top of the whole picture.
+std::optional<render::SliceView> slice_in(const Viewport& viewport, const Session& session, const Assets& assets,
+                                          const ShownSurfaces& surfaces, const Viewing& viewing, int top) {
+    if (!viewport.slice) return {};
+    render::SliceView slice = viewport.along
+                                  ? compose_along(session, assets, surfaces.of(viewport.surface), viewing, top)
+                                  : compose_slice(session, assets, *viewport.slice, viewing);
+    slice.mark = slice_colour(*viewport.slice);
+    if (viewport.at.y == 0) slice.overlays.inset_top = top;
+    return slice;
+}
+
+} // namespace
+
 render::Sheet compose_sheet(const Session& session, const Assets& assets, const ShownSurfaces& surfaces,
                             const Viewing& viewing, const SheetViewing& sheet_viewing) {
     const Marks& marks = session.marks;
@@ -240,15 +257,7 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
         if (i != with_legend) frame.overlays.legend = {};
         if (!mixes(comparison.mode)) frame.overlays.heading = latin1(viewports[i].title);
         if (!viewports[i].title.empty()) frame.overlays.inset_top = sheet_viewing.heading_top;
-        std::optional<render::SliceView> slice;
-        if (viewports[i].slice) {
-            const auto& mesh = surfaces.of(viewports[i].surface);
-            slice = viewports[i].along ? compose_along(session, assets, mesh, own, sheet_viewing.heading_top)
-                                       : compose_slice(session, assets, *viewports[i].slice, own);
-            slice->mark = slice_colour(*viewports[i].slice);
-            // Overlays of the window at the top belong to the whole picture.
-            if (viewports[i].at.y == 0) slice->overlays.inset_top = sheet_viewing.heading_top;
-        }
+        auto slice = slice_in(viewports[i], session, assets, surfaces, own, sheet_viewing.heading_top);
         sheet.viewports.push_back({viewports[i].at, std::move(frame), viewports[i].has_branches, std::move(slice)});
     }
     if (mixes(comparison.mode) && assets.tree)

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kFaint = 0.35F; // opacity
 
-using Polyline = std::vector<glm::dvec3>;
+using MarkPath = std::vector<glm::dvec3>;
 
 // Where a segment enters and leaves the slab around a plane, as shares of its length; empty: it does not meet it.
 std::optional<glm::dvec2> part_within(double from, double to, double reach) {
@@ -30,15 +30,15 @@ std::optional<glm::dvec2> part_within(double from, double to, double reach) {
     return enters <= leaves ? std::optional(glm::dvec2(enters, leaves)) : std::nullopt;
 }
 
-bool meets(const Polyline& line, const slice::Plane& plane, double reach) {
+bool meets(const MarkPath& line, const slice::Plane& plane, double reach) {
     for (std::size_t n = 0; n + 1 < line.size(); ++n)
         if (part_within(plane.height(line[n]), plane.height(line[n + 1]), reach)) return true;
     return false;
 }
 
 // The parts of a line within reach of the plane.
-std::vector<Polyline> parts_of(const Polyline& line, const slice::Plane& plane, double reach) {
-    std::vector<Polyline> parts;
+std::vector<MarkPath> parts_of(const MarkPath& line, const slice::Plane& plane, double reach) {
+    std::vector<MarkPath> parts;
     bool open = false; // the last part goes on
     for (std::size_t n = 0; n + 1 < line.size(); ++n) {
         const auto part = part_within(plane.height(line[n]), plane.height(line[n + 1]), reach);
@@ -51,7 +51,7 @@ std::vector<Polyline> parts_of(const Polyline& line, const slice::Plane& plane, 
     return parts;
 }
 
-double distance_to(const Polyline& line, const glm::dvec3& at) {
+double distance_to(const MarkPath& line, const glm::dvec3& at) {
     double nearest = HUGE_VAL;
     for (std::size_t n = 0; n + 1 < line.size(); ++n)
         nearest = std::min(nearest, distance_to_line(at, line[n], line[n + 1]));
@@ -60,7 +60,7 @@ double distance_to(const Polyline& line, const glm::dvec3& at) {
 
 void add_line(render::SliceView& view, const render::MarkLine& line, const slice::Plane& plane, double reach) {
     view.marks.push_back({line.points, line.colour, line.width, kFaint});
-    for (Polyline& part : parts_of(line.points, plane, reach))
+    for (MarkPath& part : parts_of(line.points, plane, reach))
         view.marks.push_back({std::move(part), line.colour, line.width, 1.0F});
 }
 

@@ -64,10 +64,10 @@ std::vector<ToolDrawing::Line> section_lines(const Pointing& pointing, const Res
                                              const glm::vec4& colour) {
     const HeightField heights = heights_above(resection);
     if (!heights) return {};
-    constexpr int kStep = 6; // pixels
+    constexpr int kCoarse = 6; // pixels
     const slice::PixelGrid& grid = pointing.slice->grid;
-    const slice::PixelGrid coarse{grid.corner, double{kStep} * grid.right, double{kStep} * grid.down,
-                                  grid.size / kStep + 2};
+    const slice::PixelGrid coarse{grid.corner, double{kCoarse} * grid.right, double{kCoarse} * grid.down,
+                                  grid.size / kCoarse + 2};
     double steepest = 1.0;
     if (resection.kind == Resection::Kind::kSheet) {
         Bounds<glm::dvec3> box;
@@ -76,8 +76,9 @@ std::vector<ToolDrawing::Line> section_lines(const Pointing& pointing, const Res
             box.hold(coarse.place(corner));
         steepest = organ::steepest_in(resection.sheet, box);
     }
+    const auto loops = slice::level_lines(coarse, std::array{0.0}, heights, steepest);
     std::vector<ToolDrawing::Line> lines;
-    for (const slice::Loop& loop : slice::level_lines(coarse, std::array{0.0}, heights, steepest).front()) {
+    for (const slice::Loop& loop : loops.front()) {
         ToolDrawing::Line line{.points = {}, .colour = colour, .width = 1.5F, .closed = loop.closed};
         for (const slice::EdgePoint& point : loop.points) line.points.push_back(grid.pixel(point.at) + 0.5);
         lines.push_back(std::move(line));

@@ -116,6 +116,20 @@ void add_document(nlohmann::json& status, const Document& document) {
     status["redo"] = document.can_redo() ? document.step_name(document.position()) : "";
 }
 
+// Where the parts of the picture are.
+void add_layout(nlohmann::json& status, const Layout& layout) {
+    status["window"] = {layout.window.x, layout.window.y};
+    status["viewport"] = {layout.view_at.x, layout.view_at.y, layout.view_size.x, layout.view_size.y};
+    status["viewports"] = nlohmann::json::array();
+    for (const glm::ivec2 at : layout.viewports_at)
+        status["viewports"].push_back(
+            {layout.view_at.x + at.x, layout.view_at.y + at.y, layout.viewport_size.x, layout.viewport_size.y});
+    status["slices_at"] = nlohmann::json::object();
+    for (const Layout::SliceAt& part : layout.slices_at)
+        status["slices_at"][slice::name_of(part.direction)] = {layout.view_at.x + part.at.x,
+                                                               layout.view_at.y + part.at.y, part.size.x, part.size.y};
+}
+
 nlohmann::json to_json(const TickWatch::Gap& gap) {
     return {{"ended", gap.ended}, {"seconds", gap.seconds}, {"processor_seconds", gap.processor_seconds},
             {"doing", gap.doing}, {"waiting", gap.waiting}, {"command", gap.command}};
@@ -138,16 +152,7 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const 
     const Layout& layout = viewer.layout();
     const Interface& interface = viewer.interface();
     nlohmann::json status = to_json(workspace.document().session(), "/");
-    status["window"] = {layout.window.x, layout.window.y};
-    status["viewport"] = {layout.view_at.x, layout.view_at.y, layout.view_size.x, layout.view_size.y};
-    status["viewports"] = nlohmann::json::array();
-    for (const glm::ivec2 at : layout.viewports_at)
-        status["viewports"].push_back(
-            {layout.view_at.x + at.x, layout.view_at.y + at.y, layout.viewport_size.x, layout.viewport_size.y});
-    status["slices_at"] = nlohmann::json::object();
-    for (const Layout::SliceAt& part : layout.slices_at)
-        status["slices_at"][slice::name_of(part.direction)] = {layout.view_at.x + part.at.x,
-                                                               layout.view_at.y + part.at.y, part.size.x, part.size.y};
+    add_layout(status, layout);
     if (const auto& place = interface.slice_place) status["slice_place"] = {place->x, place->y, place->z};
     status["surface_ready"] = workspace.surface_ready();
     status["all_shown"] = workspace.all_shown();

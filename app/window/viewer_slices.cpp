@@ -45,7 +45,7 @@ void ViewerInput::take(const SliceChange& change) {
     if (change.zoom) views.zooms[slice_index(slice_mouse_.grip().direction)] = *change.zoom;
     if (change.angle_deg && views.along) views.along->angle_deg = *change.angle_deg;
     if (const auto& path = state_.workspace.assets().followed.path; change.along_mm && path)
-        views = views_at(std::move(views), *path, *change.along_mm);
+        views = views_at(views, *path, *change.along_mm);
     document.set_slices(views);
     if (!change.window) return;
     // A drag of the window is one step of undo.

@@ -17,7 +17,7 @@ Pointing ViewerInput::pointing(Modifiers modifiers) {
             .document = state_.workspace.document(),
             .settings = state_.interface.tool_settings,
             .lesions = lesion_shapes(state_.workspace.assets(), state_.workspace.document().marks()),
-            .slice = std::move(slice)};
+            .slice = slice};
 }
 
 void ViewerInput::tell_tool(Tool::Event event, const Pointing& pointing) {

@@ -52,6 +52,19 @@ InParts<std::uint64_t> Passes::draw_caps(const Subject& subject, ViewTargets& ta
     co_return triangles;
 }
 
+// Resolves what is opaque, with the glass over it.
+InParts<Result<std::uint64_t>> Passes::draw_glass(const Subject& subject, ViewTargets& targets) {
+    if (!targets.has_glass) {
+        co_await kPartEnds;
+        resolve.draw(ResolvePass::What::kOpaque, targets, {0, targets.view.size.y});
+        co_return 0;
+    }
+    if (!gl_has_lists()) co_return layers.draw_first(subject, targets);
+    InParts<Result<std::uint64_t>> glass = lists.draw(subject, targets);
+    while (glass.resume()) co_await kPartEnds;
+    co_return glass.result();
+}
+
 InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& targets, bool moving) {
     const Frame& frame = subject.frame;
     SceneOnCard& scene = subject.scene;
@@ -96,17 +109,10 @@ InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& t
         while (caps.resume()) co_await kPartEnds;
         triangles += caps.result();
     }
-    if (!targets.has_glass) {
-        co_await kPartEnds;
-        resolve.draw(ResolvePass::What::kOpaque, targets, {0, view.size.y});
-    } else if (gl_has_lists()) {
-        InParts<Result<std::uint64_t>> glass = lists.draw(subject, targets);
-        while (glass.resume()) co_await kPartEnds;
-        if (!glass.result()) co_return glass.result();
-        triangles += *glass.result();
-    } else {
-        triangles += layers.draw_first(subject, targets);
-    }
+    InParts<Result<std::uint64_t>> glass = draw_glass(subject, targets);
+    while (glass.resume()) co_await kPartEnds;
+    if (!glass.result()) co_return glass.result();
+    triangles += *glass.result();
     co_await kPartEnds;
     note_gl_errors("drawing surfaces");
     if (frame.appearance.occlusion > 0.0F || frame.appearance.shadows > 0.0F)

@@ -40,6 +40,7 @@ struct Passes {
     void begin(const ViewSetup& view) const;
     // Closes what a cut has opened. Returns the number of triangles.
     [[nodiscard]] InParts<std::uint64_t> draw_caps(const Subject& subject, ViewTargets& targets);
+    [[nodiscard]] InParts<Result<std::uint64_t>> draw_glass(const Subject& subject, ViewTargets& targets);
     // Draws a view up to its occlusion. `moving`: cones may replace the surface. Returns the number of triangles.
     [[nodiscard]] InParts<Result<std::uint64_t>> draw_view(Subject subject, ViewTargets& targets, bool moving);
     // Draws the overlays within `region`. `ids`: texture with the id at each pixel.

@@ -12,7 +12,9 @@ namespace ramus::render {
 
 namespace {
 
-std::uint8_t byte_of(float share) { return static_cast<std::uint8_t>(255.0F * share + 0.5F); }
+constexpr float kToNearest = 0.5F; // rounds positive numbers when their fraction is cut off, faster than lround()
+
+std::uint8_t byte_of(float share) { return static_cast<std::uint8_t>(255.0F * share + kToNearest); }
 
 std::vector<glm::dvec2> pixels_of(const slice::PixelGrid& grid, const std::vector<glm::dvec3>& places) {
     std::vector<glm::dvec2> pixels;
@@ -38,7 +40,7 @@ std::vector<std::int32_t> labels_of(const volume::Volume& mask, const slice::Pix
 
 void tint(std::uint8_t* pixel, const glm::vec3& colour, float opacity) {
     for (int k = 0; k < 3; ++k)
-        pixel[k] = static_cast<std::uint8_t>((1.0F - opacity) * pixel[k] + 255.0F * opacity * colour[k] + 0.5F);
+        pixel[k] = static_cast<std::uint8_t>((1.0F - opacity) * pixel[k] + 255.0F * opacity * colour[k] + kToNearest);
 }
 
 } // namespace

@@ -9,7 +9,7 @@ using namespace ramus::app;
 
 namespace {
 
-constexpr glm::ivec2 kSize(800, 600);
+constexpr glm::ivec2 kPlaneView(800, 600);
 
 // An axial plane of 200 x 100 mm at a height, seen from the front and above.
 render::ScanPlane axial_at(double height) {
@@ -22,14 +22,14 @@ render::Camera from_above(bool orthographic) {
     return render::turned(camera, 0.0, 30.0);
 }
 glm::dvec2 pixel_of(const render::Camera& camera, const glm::dvec3& place) {
-    return glm::dvec2(*render::project(camera, kSize, place));
+    return glm::dvec2(*render::project(camera, kPlaneView, place));
 }
 
 } // namespace
 
 TEST_CASE("an edge is found at its pixels and a little beside them, the inside is not") {
     const render::Camera camera = from_above(false);
-    const PlaneSight sight{camera, kSize, 1.0F};
+    const PlaneSight sight{camera, kPlaneView, 1.0F};
     const std::vector<render::ScanPlane> planes{axial_at(-60.0), axial_at(30.0)};
     const glm::dvec3 on_edge(20.0, 50.0, 30.0);
     const auto edge = edge_under(planes, sight, pixel_of(camera, on_edge) + glm::dvec2(0.0, 3.0));
@@ -42,7 +42,7 @@ TEST_CASE("an edge is found at its pixels and a little beside them, the inside i
     // Twice as far where a point has two pixels.
     const glm::dvec2 aside = pixel_of(camera, on_edge) + glm::dvec2(0.0, 9.0);
     CHECK_FALSE(edge_under(planes, sight, aside));
-    CHECK(edge_under(planes, {camera, kSize, 2.0F}, aside));
+    CHECK(edge_under(planes, {camera, kPlaneView, 2.0F}, aside));
 }
 
 TEST_CASE("edges behind the eye are not found") {
@@ -50,7 +50,7 @@ TEST_CASE("edges behind the eye are not found") {
     camera.position = {0.0, 0.0, 30.0 + 5.0};
     camera.focal_point = {0.0, -100.0, 35.0};
     const std::vector<render::ScanPlane> planes{axial_at(30.0)};
-    const PlaneSight sight{camera, kSize, 1.0F};
+    const PlaneSight sight{camera, kPlaneView, 1.0F};
     CHECK_FALSE(outline_of(planes[0], sight).empty());
     CHECK(edge_under(planes, sight, pixel_of(camera, {0.0, -50.0, 30.0})));
 }
@@ -59,7 +59,7 @@ TEST_CASE("the place that was grabbed stays under the pointer") {
     for (const bool orthographic : {false, true}) {
         CAPTURE(orthographic);
         const render::Camera camera = from_above(orthographic);
-        const PlaneSight sight{camera, kSize, 1.0F};
+        const PlaneSight sight{camera, kPlaneView, 1.0F};
         const glm::dvec3 grabbed(-40.0, 50.0, 30.0);
         const glm::dvec3 goal = grabbed + glm::dvec3(0.0, 0.0, -17.0);
         const glm::dvec2 from = pixel_of(camera, grabbed);
@@ -83,9 +83,9 @@ TEST_CASE("the place that was grabbed stays under the pointer") {
 
 TEST_CASE("a plane that is seen from its front follows the height of the pointer") {
     render::Camera camera = render::looking({}, render::View::kSuperior);
-    const PlaneSight sight{camera, kSize, 1.0F};
+    const PlaneSight sight{camera, kPlaneView, 1.0F};
     const double mm = slid_mm({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, sight, {400.0, 300.0}, {400.0, 350.0});
-    CHECK(mm == doctest::Approx(50.0 * render::mm_per_pixel(camera, kSize)));
+    CHECK(mm == doctest::Approx(50.0 * render::mm_per_pixel(camera, kPlaneView)));
     CHECK(slid_mm({0.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, sight, {400.0, 300.0}, {400.0, 350.0}) == doctest::Approx(-mm));
 }
 
