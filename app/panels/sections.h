@@ -44,8 +44,8 @@ inline constexpr Section kSections[] = {
     {PanelPage::kSurface, draw_compare},
     {PanelPage::kSurface, draw_surface_problem},
     {PanelPage::kSlices, draw_slices},
-    {PanelPage::kSlices, draw_region},
     {PanelPage::kSlices, draw_along},
+    {PanelPage::kSlices, draw_region},
     {PanelPage::kPlan, draw_measurements}, // first: sections below grow, the tools stay in place
     {PanelPage::kPlan, draw_lesions},
     {PanelPage::kPlan, draw_margins},

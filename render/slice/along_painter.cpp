@@ -18,7 +18,7 @@ namespace ramus::render {
 namespace {
 
 constexpr glm::vec3 kAlongInk{0.85F}, kPlaceInk{0.72F, 0.56F, 0.98F}; // violet: that of the oblique slice
-constexpr glm::vec3 kNarrowInk{1.00F, 0.62F, 0.20F}, kReferenceInk{0.45F, 0.85F, 0.95F};
+constexpr glm::vec3 kNarrowInk{0.95F, 0.94F, 0.40F}, kReferenceInk{0.52F, 0.72F, 1.00F};
 
 // What determines the reformation.
 AlongView geometry_of(const AlongView& along) {
