@@ -179,7 +179,12 @@ void draw_along(InterfaceContext& context) {
         return widgets::quiet_wrapped("Select a branch and follow it: sections across the vessel with their figures, "
                                       "and a picture along it.");
     // A person who follows another vessel wants to see its figures.
-    if (std::exchange(context.interface.of<AlongPlot>().shown, along->way) != along->way) ImGui::SetScrollHereY(0.1F);
+    AlongPlot& plot = context.interface.of<AlongPlot>();
+    if (std::exchange(plot.shown, along->way) != along->way) plot.scrolls = 3;
+    if (plot.scrolls > 0) {
+        --plot.scrolls;
+        ImGui::SetScrollHereY(0.05F);
+    }
     draw_way(context, *along);
     const FollowedPath followed = context.workspace.current_assets().followed;
     if (!followed.path) return widgets::trouble(followed.problem.c_str());
