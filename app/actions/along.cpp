@@ -83,7 +83,10 @@ Result<void> along(ActionContext& context, Arguments arguments) {
     }
     views.along->at_mm = first_place(views, **path);
     // A person wants to see what was asked for; a script says which picture it wants.
-    if (context.window != nullptr) views.layout = SliceLayout::kAlong;
+    if (context.window != nullptr) {
+        views.layout = SliceLayout::kAlong;
+        context.window->toggle("slices"); // the page of the panel
+    }
     set_along(context, **path, views);
     return {};
 }

@@ -77,7 +77,9 @@ Result<SliceRow> take_along(ActionContext& context, const render::Frame& frame) 
         row.pictures.push_back({caption, std::move(png)});
         return {};
     };
-    const render::SliceView whole = compose_along(session, assets, context.picture.picture_mesh(), viewing, 0);
+    Viewing tall = viewing;
+    tall.size.y = 2 * kSliceSize.y; // vessels are long
+    const render::SliceView whole = compose_along(session, assets, context.picture.picture_mesh(), tall, 0);
     render::SlicePainter along_painter;
     if (auto taken = take(along_painter, whole, whole.overlays.caption); !taken) return tl::unexpected(taken.error());
     render::SlicePainter across;

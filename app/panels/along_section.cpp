@@ -112,7 +112,7 @@ void draw_percents(InterfaceContext& context, const VesselSections& sections, co
     const Lengths lengths = context.workspace.document().lengths();
     const auto row = [&](const char* label, const slice::Narrowing& narrowing, const std::string& least,
                          const std::string& reference) {
-        widgets::fact(label, rounded(narrowing.percent) + " %");
+        widgets::fact(label, digits(narrowing.percent) + " %");
         const std::string details =
             least + " against " + reference + ", at " + lengths.text(sections.path->samples[narrowing.sample].arc_mm);
         widgets::quiet_right(details);
@@ -147,10 +147,6 @@ void draw_stenosis(InterfaceContext& context, const AlongVessel& along, const sl
         choice.reference_mm.reset();
         set(choice);
     }
-    if (along.stenosis) {
-        ImGui::SameLine();
-        if (widgets::small_button("Off", "Ends the comparison")) context.perform("stenosis", {"off"});
-    }
     plan_rows::field_label(context, "Or reference \xC3\x98, mm");
     const std::vector<std::string> typed = plan_rows::number_field(
         context, "reference diameter", choice.reference_mm ? digits(*choice.reference_mm) : "", 60.0F);
@@ -161,8 +157,11 @@ void draw_stenosis(InterfaceContext& context, const AlongVessel& along, const sl
     }
     if (!along.stenosis) return;
     const Lengths lengths = context.workspace.document().lengths();
-    widgets::fact("Between",
-                  digits(along.stenosis->where.from_mm) + " and " + lengths.text(along.stenosis->where.to_mm));
+    const std::string between =
+        "Between " + digits(along.stenosis->where.from_mm) + " and " + lengths.text(along.stenosis->where.to_mm);
+    if (plan_rows::removable_row(between, theme::kText,
+                                 "Where the narrowest section is; the cross ends the comparison") < 0)
+        context.perform("stenosis", {"off"});
     if (!along.stenosis->reference && !along.stenosis->reference_mm)
         return widgets::quiet_wrapped("Set a reference: go to a place that is not narrowed.");
     if (sections != nullptr) draw_percents(context, *sections, *along.stenosis);
@@ -179,6 +178,13 @@ void draw_along(InterfaceContext& context) {
     if (!along)
         return widgets::quiet_wrapped("Select a branch and follow it: sections across the vessel with their figures, "
                                       "and a picture along it.");
+    // A person who follows another vessel wants to see its figures.
+    AlongPlot& plot = context.interface.of<AlongPlot>();
+    if (std::exchange(plot.shown, along->way) != along->way) plot.scrolls = 3;
+    if (plot.scrolls > 0) {
+        --plot.scrolls;
+        ImGui::SetScrollHereY(0.05F);
+    }
     draw_way(context, *along);
     const FollowedPath followed = context.workspace.current_assets().followed;
     if (!followed.path) return widgets::trouble(followed.problem.c_str());
@@ -190,6 +196,10 @@ void draw_along(InterfaceContext& context) {
     } else if (context.workspace.awaited(WorkKind::kSections)) {
         widgets::quiet(
             ("Measuring sections: " + widgets::percent_text(context.workspace.progress(WorkKind::kSections))).c_str());
+    } else if (const std::string problem = context.workspace.problem(WorkKind::kSections); !problem.empty()) {
+        widgets::trouble(("No sections: " + problem).c_str());
+        if (widgets::small_button("Measure again", "Measure the cross-sections again"))
+            context.workspace.retry(WorkKind::kSections);
     }
     draw_look(context, *along, *followed.path);
     draw_stenosis(context, *along, *followed.path, sections.get());

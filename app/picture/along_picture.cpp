@@ -14,7 +14,7 @@ namespace ramus::app {
 namespace {
 
 // Room around the picture, points: distances at the left, the caption above, scale bar and names below.
-constexpr double kLeftPoints = 62.0, kRightPoints = 12.0, kTopPoints = 44.0, kBottomPoints = 44.0;
+constexpr double kLeftPoints = 62.0, kRightPoints = 12.0, kTopPoints = 48.0, kBottomPoints = 44.0;
 
 std::string arc_caption(const slice::VesselPath& path, const AlongVessel& along, const Lengths& lengths) {
     std::string caption(slice::name_of(along.kind));
@@ -137,7 +137,7 @@ std::string arc_words(const slice::VesselPath& path, double at_mm, const Lengths
 std::string stenosis_words(const NarrowPlaces& places, const VesselSections& sections, const Lengths& lengths) {
     const auto one = [&](const char* measure, const slice::Narrowing& narrowing, const std::string& least,
                          const std::string& reference) {
-        return std::string(measure) + " " + rounded(narrowing.percent) + " % less (" + least + " against " + reference +
+        return std::string(measure) + " " + digits(narrowing.percent) + " % less (" + least + " against " + reference +
                ") at " + lengths.text(sections.path->samples[narrowing.sample].arc_mm);
     };
     const auto figures = [&](const slice::Narrowing& narrowing) -> const slice::ShapeFigures& {

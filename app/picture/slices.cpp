@@ -1,6 +1,7 @@
 #include "app/picture/slices.h"
 
 #include "app/assets/assets.h"
+#include "app/picture/along_picture.h"
 #include "app/picture/colouring.h"
 #include "app/picture/slice_marks.h"
 #include "app/session/numbers.h"
@@ -107,8 +108,28 @@ slice::PixelGrid grid_of(const Session& session, const Assets& assets, slice::Di
     return zoomed_grid(session, assets, direction, size, session.slices.zooms[slice_index(direction)]);
 }
 
+namespace {
+
+// In the layout along a vessel, the slice across it stays around the vessel, and is as wide as the picture along it.
+slice::PixelGrid grid_across(const Session& session, const Assets& assets, glm::ivec2 size, const SliceZoom& zoom) {
+    const slice::Axes axes = axes_of(session.slices, slice::Direction::kOblique);
+    const AlongVessel& along = *session.slices.along;
+    const slice::VesselPath& path = *assets.followed.path;
+    const double mm_per_pixel =
+        along.width_mm.value_or(usual_width_mm(path)) / std::max(1, std::min(size.x, size.y)) / zoom.factor;
+    const glm::dvec3 place = path.at(along.at_mm).at;
+    const glm::dvec3 normal = axes.to_viewer();
+    const glm::dvec3 on_plane = place + glm::dot(crosshair_of(session, assets) - place, normal) * normal;
+    return slice::grid_around(axes, on_plane + zoom.shift.x * axes.right + zoom.shift.y * axes.down, mm_per_pixel,
+                              size);
+}
+
+} // namespace
+
 slice::PixelGrid zoomed_grid(const Session& session, const Assets& assets, slice::Direction direction, glm::ivec2 size,
                              const SliceZoom& zoom) {
+    const bool follows = session.slices.layout == SliceLayout::kAlong && session.slices.along && assets.followed.path;
+    if (follows && direction == slice::Direction::kOblique) return grid_across(session, assets, size, zoom);
     const slice::Axes axes = axes_of(session.slices, direction);
     const Bounds<glm::dvec3> bounds = bounds_of(session, assets);
     const glm::dvec3 middle = 0.5 * (bounds.least + bounds.most);

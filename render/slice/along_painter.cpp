@@ -6,6 +6,7 @@
 #include "render/image/text.h"
 #include "render/overlay/captions.h"
 #include "render/slice/branch_ink.h"
+#include "render/slice/frame_section.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,7 @@ namespace ramus::render {
 namespace {
 
 constexpr glm::vec3 kAlongInk{0.85F}, kPlaceInk{0.72F, 0.56F, 0.98F}; // violet: that of the oblique slice
-constexpr glm::vec3 kNarrowInk{1.00F, 0.62F, 0.20F}, kReferenceInk{0.45F, 0.85F, 0.95F};
+constexpr glm::vec3 kNarrowInk{0.95F, 0.94F, 0.40F}, kReferenceInk{0.52F, 0.72F, 1.00F};
 
 // What determines the reformation.
 AlongView geometry_of(const AlongView& along) {
@@ -123,15 +124,31 @@ std::vector<slice::Outline> wall_lines_of(const slice::VesselPath& path, const s
     return slice::wall_lines(walls, std::max(4.0, 0.5 * widest / picture.mm_per_pixel));
 }
 
-slice::Walls walls_of(const slice::Reformation& picture, const PagedMesh& mesh) {
+std::vector<char> branches_around(const std::vector<std::optional<slice::Lumen>>& lumens, const PagedMesh& mesh) {
+    std::vector<char> branches(static_cast<std::size_t>(mesh.branch_count()));
+    for (const auto& lumen : lumens) {
+        if (!lumen || lumen->loops.empty()) continue;
+        for (const slice::EdgePoint& point : lumen->loops.front().points)
+            branches[static_cast<std::size_t>(branch_at(mesh, point))] = 1;
+    }
+    return branches;
+}
+
+slice::Walls walls_of(const slice::Reformation& picture, const PagedMesh& mesh, const std::vector<char>& branches) {
     const auto place = [&](std::uint32_t vertex) { return mesh.origin() + glm::dvec3(mesh.vertex(vertex).position); };
+    const auto counts = [&](std::int32_t branch) { return branches[static_cast<std::size_t>(branch)] != 0; };
     return slice::walls_of(picture, [&](const slice::RowLine& line, std::vector<slice::CutTriangle>& pieces) {
         for (const auto& page : mesh.triangle_pages()) {
             if (!page || page->count == 0) continue;
             const Bounds<glm::dvec3> box{mesh.origin() + glm::dvec3(page->lower),
                                          mesh.origin() + glm::dvec3(page->upper)};
             if (!mesh::line_meets_box(line.from, line.to, box)) continue;
-            slice::cut_triangles(page->triangles.first(page->count), line.plane, place, pieces);
+            for (const TrianglePage::Run& run : page->runs)
+                if (counts(run.branch))
+                    slice::cut_triangles(page->triangles.subspan(run.first, run.count), line.plane, place, pieces);
+            for (std::uint32_t t = page->first_border; t < page->count; ++t)
+                if (counts(mesh.vertex(page->triangles[t].x).branch))
+                    slice::cut_triangles(page->triangles.subspan(t, 1), line.plane, place, pieces);
         }
     });
 }
@@ -184,12 +201,11 @@ void AlongPainter::paint_scans(const SliceView& view, Image& image) {
 void AlongPainter::paint_walls(const Frame& frame, const SliceView& view, Image& image) {
     const AlongView& along = *view.along;
     const bool straightened = along.kind == slice::ReformationKind::kStraightened;
-    const std::shared_ptr<const void> of =
-        straightened ? std::shared_ptr<const void>(along.lumens) : std::shared_ptr<const void>(frame.mesh);
-    if (!of) return;
-    if (!walls_ || walls_of_ != of) {
-        walls_ = straightened ? slice::walls_of(*picture_, *along.lumens) : walls_of(*picture_, *frame.mesh);
-        walls_of_ = of;
+    if (!along.lumens || !frame.mesh) return;
+    if (!walls_ || walls_of_ != along.lumens) {
+        walls_ = straightened ? slice::walls_of(*picture_, *along.lumens)
+                              : walls_of(*picture_, *frame.mesh, branches_around(*along.lumens, *frame.mesh));
+        walls_of_ = along.lumens;
     }
     const BranchInk inks(frame);
     const CoveredPixels covered = covered_pixels(along, *picture_, image);

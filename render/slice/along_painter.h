@@ -33,14 +33,19 @@ private:
     std::vector<Sampled> sampled_;
     slice::Sampling sampled_by_;
     std::optional<slice::Walls> walls_;
-    std::shared_ptr<const void> walls_of_; // the lumens or the mesh
+    std::shared_ptr<const std::vector<std::optional<slice::Lumen>>> walls_of_; // the lumina that they are of
 };
 
 // The walls of one part of the way, as lines in columns and rows.
 [[nodiscard]] std::vector<slice::Outline> wall_lines_of(const slice::VesselPath& path, const slice::PathPart& part,
                                                         const slice::Reformation& picture, slice::Walls walls);
 
-// The walls of a reformation from a surface in pages, a line for each row.
-[[nodiscard]] slice::Walls walls_of(const slice::Reformation& picture, const PagedMesh& mesh);
+// By branch: whether the outer loop of a lumen goes over it. `mesh`: that the lumina are of.
+[[nodiscard]] std::vector<char> branches_around(const std::vector<std::optional<slice::Lumen>>& lumens,
+                                                const PagedMesh& mesh);
+// The walls of a reformation from a surface in pages, a line for each row. Only the surface of `branches` counts:
+// other vessels may reach into the lumen.
+[[nodiscard]] slice::Walls walls_of(const slice::Reformation& picture, const PagedMesh& mesh,
+                                    const std::vector<char>& branches);
 
 } // namespace ramus::render

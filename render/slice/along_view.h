@@ -22,7 +22,7 @@ struct AlongView {
     using Stretch = std::pair<double, double>;
 
     std::shared_ptr<const slice::VesselPath> path; // null: only what is written over the picture is drawn
-    // At the samples of the path, for the walls of straightened pictures; null: not measured yet, no walls.
+    // Of the frame's mesh at the samples of the path, for the walls; null: not measured yet, no walls.
     std::shared_ptr<const std::vector<std::optional<slice::Lumen>>> lumens{};
     slice::ReformationKind kind = slice::ReformationKind::kStraightened;
     double angle_deg = 0.0, width_mm = 1.0;

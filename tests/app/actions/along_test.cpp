@@ -36,6 +36,9 @@ struct AlongStage : test::CommandStage {
             241, kAround);
         mesh::TriangleMesh whole = mesh;
         whole.branches.resize(whole.positions.size());
+        // Another vessel reaches into it.
+        test::join(whole, test::straight_tube({22.0, 15.0, 2.0}, {22.0, 15.0, 9.0}, {1.0, 1.0}, 32));
+        whole.branches.resize(whole.positions.size(), 1);
         whole.normals.resize(whole.positions.size());
         whole.radii.resize(whole.positions.size());
         whole.dominance.resize(whole.positions.size());
@@ -211,8 +214,11 @@ TEST_CASE("walls of stretched pictures from a surface in pages are those of its 
     stage.good("along 0\nstenosis 10 50 --diameter 8"); // measures sections
     const slice::VesselPath& path = *stage.assets.followed.path;
     const auto picture = slice::reformation_along(path, slice::ReformationKind::kStraightened, 20.0, 30.0);
-    const slice::Walls fast = render::walls_of(picture, *stage.host.mesh);
-    const slice::Walls exact = slice::walls_of(picture, stage.assets.sections->lumens);
+    const Lumens& lumens = stage.assets.sections->lumens;
+    const auto branches = render::branches_around(lumens, *stage.host.mesh);
+    CHECK(branches == std::vector<char>{1, 0});
+    const slice::Walls fast = render::walls_of(picture, *stage.host.mesh, branches);
+    const slice::Walls exact = slice::walls_of(picture, lumens);
     REQUIRE(fast.size() == exact.size());
     for (std::size_t row = 3; row + 3 < fast.size(); ++row) {
         REQUIRE(fast[row]);
