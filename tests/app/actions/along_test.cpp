@@ -35,13 +35,15 @@ struct AlongStage : test::CommandStage {
             },
             241, kAround);
         mesh::TriangleMesh whole = mesh;
-        whole.branches.resize(whole.positions.size());
+        const std::size_t own = whole.positions.size();
         // Another vessel reaches into it.
         test::join(whole, test::straight_tube({22.0, 15.0, 2.0}, {22.0, 15.0, 9.0}, {1.0, 1.0}, 32));
-        whole.branches.resize(whole.positions.size(), 1);
-        whole.normals.resize(whole.positions.size());
-        whole.radii.resize(whole.positions.size());
-        whole.dominance.resize(whole.positions.size());
+        const std::size_t count = whole.positions.size();
+        whole.branches.assign(count, 0);
+        std::fill(whole.branches.begin() + static_cast<std::ptrdiff_t>(own), whole.branches.end(), 1);
+        whole.normals.assign(count, glm::vec3(0.0F, 0.0F, 1.0F));
+        whole.radii.assign(count, 4.0F);
+        whole.dominance.assign(count, {});
         host.mesh = std::make_shared<const render::PagedMesh>(whole);
     }
     [[nodiscard]] const SliceViews& views() const { return document.session().slices; }
