@@ -273,6 +273,17 @@ void look_at_scan(Document& document, const Inputs& inputs, bool has_camera, con
     document.set_camera(camera_of_planes(visible_points(document.marks(), stage.assets), stage.picture_size()));
 }
 
+// The benchmark, if there is one. `draw_seconds`: of the picture.
+Result<void> time_turn(const RenderFlags& flags, render::SheetRenderer& sheets, const render::Sheet& sheet,
+                       double draw_seconds, nlohmann::json& report) {
+    if (flags.benchmark == 0) return {};
+    const bool hurry = draw_seconds > Pace::kSlowSeconds && !flags.benchmark_full;
+    if (auto ran = run_turn_benchmark(sheets, sheet, flags.benchmark, hurry, report); !ran)
+        return tl::unexpected(ran.error());
+    if (!flags.json) std::cout << benchmark_sentence(report) << '\n';
+    return {};
+}
+
 Result<int> run_render(const RenderFlags& flags) {
     // Errors in the inputs are found before long computations.
     RAMUS_TRY(inputs, read_inputs(flags));
@@ -327,12 +338,7 @@ Result<int> run_render(const RenderFlags& flags) {
                           {"scale_bar", description_of(figure.scale_bar)}};
     auto status = finish_picture(figure.image, flags, report);
     if (!status) return status;
-    if (flags.benchmark > 0) {
-        const bool hurry = draw_seconds > Pace::kSlowSeconds && !flags.benchmark_full;
-        if (auto ran = run_turn_benchmark(sheets, sheet, flags.benchmark, hurry, report); !ran)
-            return tl::unexpected(ran.error());
-        if (!flags.json) std::cout << benchmark_sentence(report) << '\n';
-    }
+    if (auto ran = time_turn(flags, sheets, sheet, draw_seconds, report); !ran) return tl::unexpected(ran.error());
     if (flags.json) std::cout << printed_report(report) << '\n';
     return *status;
 }

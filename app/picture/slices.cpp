@@ -256,10 +256,10 @@ std::string caption_of(slice::Direction direction, const slice::Plane& plane, co
 }
 
 render::Camera camera_of_planes(std::span<const glm::vec3> points, glm::ivec2 size) {
-    constexpr double kAzimuth = 35.0;
-    constexpr double kElevation = 25.0; // degrees
+    constexpr double kPlanesAzimuth = 35.0;
+    constexpr double kPlanesElevation = 25.0; // degrees
     const render::Camera front = render::camera_for(points, render::View::kAnterior, size);
-    return render::fitted(render::turned(front, kAzimuth, kElevation), points, size);
+    return render::fitted(render::turned(front, kPlanesAzimuth, kPlanesElevation), points, size);
 }
 
 void add_scans(render::SliceView& view, const Session& session, const Assets& assets) {
