@@ -15,9 +15,10 @@ import re
 import struct
 import subprocess
 import sys
+import time
 from pathlib import Path
 
-from screen import Failure, Window, check, choose, click, drag, page, project, run_journeys, saved_session
+from screen import PATIENCE, Failure, Window, check, choose, click, drag, page, project, run_journeys, saved_session
 
 SHARED = Path(os.environ.get("RAMUS_SHARED_DATA", "")) / "volumes"
 VESSELS, ORGAN = SHARED / "liver_002_vessels.nii.gz", SHARED / "liver_002_organ.nii.gz"
@@ -56,7 +57,13 @@ def table(window, name):
     """A table of the report, as its rows."""
     path = window.folder / f"{name}.csv"
     path.unlink(missing_ok=True)
-    command(window, f"report {path} {name}")
+    window.xdotool("key", "ctrl+k")
+    window.wait("the palette", lambda s: s["palette"]["open"] and s["typing"])
+    window.xdotool("type", f"report {path} {name}")
+    end = time.monotonic() + PATIENCE
+    while window.status()["palette"]["open"] and time.monotonic() < end:
+        window.xdotool("key", "Return")  # again while a worker computes the figures: there is no table before
+        window.wait("an answer", lambda s: not s["palette"]["open"] or s["palette"]["trouble"])
     window.wait("the table", lambda s: path.exists() and path.stat().st_size > 0)
     with open(path, newline="") as file:
         return list(csv.DictReader(file))
