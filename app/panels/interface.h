@@ -42,6 +42,7 @@ struct Layout {
     // Its slices, in the order of their viewports.
     struct SliceAt {
         slice::Direction direction = slice::Direction::kAxial;
+        bool along = false; // the picture along a vessel instead
         glm::ivec2 at{0}, size{1};
     };
     std::vector<SliceAt> slices_at{};

@@ -28,7 +28,7 @@ std::vector<std::int32_t> VolumeDialog::chosen() const {
 void VolumeDialog::take(VolumeFacts read) {
     labels.assign(read.labels.size(), 1);
     scan = !read.mask;
-    if (scan) as = As::kSlices;
+    if (scan && !asked) as = As::kSlices;
     threshold = read.curve ? read.curve->otsu : 0;
     facts = std::make_shared<const VolumeFacts>(std::move(read));
 }

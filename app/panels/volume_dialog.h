@@ -15,6 +15,7 @@ struct VolumeDialog {
     enum class As : std::uint8_t { kTree, kContext, kSurface, kSlices, kOrgan, kLesions };
     std::filesystem::path file; // empty: the dialog is closed
     As as = As::kTree;          // the default action
+    bool asked = false;         // a command asked for that action
     // Content of the file; null: being read.
     std::shared_ptr<const VolumeFacts> facts;
     bool scan = false;         // treated as a scan, whose values are no labels

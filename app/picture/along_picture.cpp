@@ -43,7 +43,7 @@ render::AlongView along_view(const Session& session, const Assets& assets,
         view.narrow = pair_of(along.stenosis->where);
         if (along.stenosis->reference) view.reference = pair_of(*along.stenosis->reference);
     }
-    const Lengths lengths(slice_claims(session, assets));
+    const Lengths lengths(assets.tree->claims); // lengths along the vessel are the tree's, not the scan's
     for (const double arc : round_numbers(0.0, view.path->length_mm()))
         view.ticks.emplace_back(arc, latin1(lengths.text(arc)));
     return view;
@@ -103,7 +103,7 @@ render::SliceView compose_along(const Session& session, const Assets& assets,
     if (session.slices.along && assets.followed.path) {
         view.along = along_view(session, assets, mesh);
         fit_along(view, viewing, inset_top);
-        overlays.caption = latin1(arc_caption(*view.along->path, *session.slices.along, Lengths(claims)));
+        overlays.caption = latin1(arc_caption(*view.along->path, *session.slices.along, Lengths(assets.tree->claims)));
     } else {
         overlays.scale_bar = false;
         overlays.caption =

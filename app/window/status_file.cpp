@@ -126,8 +126,8 @@ void add_layout(nlohmann::json& status, const Layout& layout) {
             {layout.view_at.x + at.x, layout.view_at.y + at.y, layout.viewport_size.x, layout.viewport_size.y});
     status["slices_at"] = nlohmann::json::object();
     for (const Layout::SliceAt& part : layout.slices_at)
-        status["slices_at"][slice::name_of(part.direction)] = {layout.view_at.x + part.at.x,
-                                                               layout.view_at.y + part.at.y, part.size.x, part.size.y};
+        status["slices_at"][part.along ? "along" : slice::name_of(part.direction)] = {
+            layout.view_at.x + part.at.x, layout.view_at.y + part.at.y, part.size.x, part.size.y};
 }
 
 nlohmann::json to_json(const TickWatch::Gap& gap) {

@@ -103,7 +103,7 @@ void Viewer::lay_out_viewports() {
     layout.current_plan_in.reset();
     for (const Viewport& viewport : state_.viewports()) {
         if (viewport.slice) {
-            layout.slices_at.push_back({*viewport.slice, viewport.at, viewport.size});
+            layout.slices_at.push_back({*viewport.slice, viewport.along, viewport.at, viewport.size});
             continue;
         }
         if (viewport.plan == state_.workspace.document().marks().plans.place)

@@ -165,6 +165,7 @@ void ViewerFiles::ask_about_volume(const std::filesystem::path& path) {
 void ViewerFiles::ask_about_context(const std::filesystem::path& file) {
     ask_about_volume(file);
     state_.interface.of<VolumeDialog>().as = VolumeDialog::As::kContext;
+    state_.interface.of<VolumeDialog>().asked = true;
 }
 
 // A file that cannot be read cannot be opened either.

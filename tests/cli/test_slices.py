@@ -153,7 +153,7 @@ class Slices(CommandLineTest):
     def test_figures_with_slices(self):
         self.write("v.nii", stored((0, 1, 2), (False, False, False)))
         self.write("tree.swc", "# mm, RAS\n1 3 5 4 -15 3 -1\n2 3 5 4 15 3 1\n")
-        shown = ("--scan", "v.nii", "--size", "241x201", "--view", "anterior")
+        shown = ("--scan", "v.nii", "--size", "241x201", "--view", "anterior", "--window", "255,127.5")
 
         def picture(*words):
             self.expect_done("render", "-o", "p.png", *shown, *words)
