@@ -151,7 +151,11 @@ class Slices(CommandLineTest):
         self.assertNotEqual(masked.pixel(5, 5), (10,) * 3)  # right: label 2
 
     def test_figures_with_slices(self):
-        self.write("v.nii", stored((0, 1, 2), (False, False, False)))
+        def many_values(place):  # a file with few values is taken for labels
+            value = phantom(place)
+            return value if value != 10 else round(sum(n * p for n, p in zip((3, 5, 7), place))) % 97
+
+        self.write("v.nii", stored((0, 1, 2), (False, False, False), many_values))
         self.write("tree.swc", "# mm, RAS\n1 3 5 4 -15 3 -1\n2 3 5 4 15 3 1\n")
         shown = ("--scan", "v.nii", "--size", "241x201", "--view", "anterior", "--window", "255,127.5")
 
