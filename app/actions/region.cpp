@@ -214,51 +214,44 @@ Command region_entry(const char* label, const char* name, const char* arguments,
     return Command(name, arguments, help, action)
         .in_menu("Slices", label)
         .in_submenu("Region")
-        .giving(std::move(words))
-        .when(shows_grey_scan);
+        .giving(std::move(words));
 }
 
 } // namespace
 
 std::vector<Command> region_commands() {
-    return {
+    std::vector<Command> commands{
         Command("region", "X,Y,Z",
                 "Grows a region of similar values from a place in a vessel of the scan: a help to get a mask, not a "
                 "segmentation.",
-                region)
-            .when(shows_grey_scan),
-        Command("region-add", "X,Y,Z", "Grows the region from another place, too.", region_add).when(shows_grey_scan),
+                region),
+        Command("region-add", "X,Y,Z", "Grows the region from another place, too.", region_add),
         Command("region-range", "LOW,HIGH|auto",
-                "Sets the values that belong to the region; auto: as the places in it suggest.", region_range)
-            .when(shows_grey_scan),
-        Command("region-grow", "more|less", "Widens or narrows the range of values of the region.", region_grow)
-            .when(shows_grey_scan),
+                "Sets the values that belong to the region; auto: as the places in it suggest.", region_range),
+        Command("region-grow", "more|less", "Widens or narrows the range of values of the region.", region_grow),
         region_entry("Grow more", "region-grow", "more|less", "Widens the range of values by a tenth on either side.",
                      region_grow, {"more"}),
         region_entry("Grow less", "region-grow", "more|less", "Narrows the range of values again.", region_grow,
                      {"less"}),
         Command("region-cut", "X,Y,Z [NX,NY,NZ] R",
-                "Stops the region at a ball of radius R in mm, or at a disc across the direction N.", region_cut)
-            .when(shows_grey_scan),
-        Command("region-radius", "MM", "Sets the radius of the balls that a click cuts the region with.", region_radius)
-            .when(shows_grey_scan),
+                "Stops the region at a ball of radius R in mm, or at a disc across the direction N.", region_cut),
+        Command("region-radius", "MM", "Sets the radius of the balls that a click cuts the region with.",
+                region_radius),
         Command("region-undo", "", "Takes back the last step of the region: a place, a range, or a cut.", region_undo)
             .in_menu("Slices", "Take the last step back")
-            .in_submenu("Region")
-            .when(shows_grey_scan),
+            .in_submenu("Region"),
         Command("region-save", "[FILE]", "Writes the region as a mask on the grid of the scan.", region_save)
             .in_menu("Slices", "Save as a mask...")
-            .in_submenu("Region")
-            .when(shows_grey_scan),
+            .in_submenu("Region"),
         Command("region-tree", "[FILE]", "Writes the region as a mask, and opens it as a vessel tree.", region_tree)
             .in_menu("Slices", "Make a tree...")
-            .in_submenu("Region")
-            .when(shows_grey_scan),
+            .in_submenu("Region"),
         Command("region-off", "", "Removes the region; region-undo brings it back.", region_off)
             .in_menu("Slices", "Remove")
-            .in_submenu("Region")
-            .when(shows_grey_scan),
+            .in_submenu("Region"),
     };
+    for (Command& command : commands) command = std::move(command).when(shows_grey_scan);
+    return commands;
 }
 
 } // namespace ramus::app::actions

@@ -1,6 +1,6 @@
-// The tools of resections: a line drawn across the picture or three places on vessels become a plane, a stroke a sheet,
-// and the control points of planes and sheets are dragged. On a slice, lines and strokes are in its plane, planes and
-// sheets stand across it, and their section lines are dragged.
+// The tools of resections: a line drawn across the picture becomes a plane, a stroke a sheet, and the control points of
+// planes and sheets are dragged. On a slice, lines and strokes are in its plane, planes and sheets stand across it, and
+// their section lines are dragged.
 #include "app/tools/pixel_polygon.h"
 #include "app/tools/resection_on_slice.h"
 #include "app/tools/spelling.h"
@@ -110,57 +110,6 @@ private:
     bool straight_;
     std::vector<glm::dvec2> points_;
     std::optional<std::size_t> corrected_, under_; // sheets, by index
-};
-
-// Three clicks on vessels or slices.
-class PointsTool final : public Tool {
-public:
-    void press(const Pointing& pointing) override { pressed_at_ = pointing.at; }
-    void move(const Pointing& pointing) override { under_ = pointing.pick(); }
-    void release(const Pointing& pointing) override {
-        const render::Pick pick = pointing.pick();
-        const bool clicked = glm::distance(pointing.at, pressed_at_) < kLeastStroke * pointing.pixel_ratio;
-        if (!clicked || !takes_corner(pointing, pick)) return;
-        places_.push_back(pick.position);
-        if (places_.size() < 3) return;
-        CommandLine line{"resect", "points"};
-        for (const glm::dvec3& place : std::exchange(places_, {})) line.push_back(finely_spelled(place));
-        command(std::move(line));
-    }
-    bool escape() override { return !std::exchange(places_, {}).empty(); }
-    [[nodiscard]] bool busy() const override { return !places_.empty(); }
-    [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override {
-        ToolDrawing drawing;
-        std::vector<glm::dvec2> corners;
-        const auto mark = [&](const glm::dvec3& place, bool set) {
-            const auto at = render::project(pointing.camera(), pointing.size, place);
-            if (!at) return;
-            corners.emplace_back(*at);
-            drawing.circles.push_back(
-                {glm::dvec2(*at), kHandleRadius * pointing.pixel_ratio, kResectionColour, 1.5F, set});
-        };
-        for (const glm::dvec3& place : places_) mark(place, true);
-        if (takes_corner(pointing, under_)) mark(under_.position, false);
-        if (corners.size() == 3) corners.push_back(corners.front());
-        if (corners.size() > 1) drawing.lines.push_back({corners, kResectionColour, 1.5F, false});
-        return drawing;
-    }
-    [[nodiscard]] std::string hint() const override {
-        return places_.empty() ? "Click three places on vessels or slices: the plane through them divides the organ"
-                               : "Click " + std::string(places_.size() == 1 ? "two more places" : "one more place") +
-                                     ", Escape to begin again";
-    }
-
-    [[nodiscard]] WorksOn works_on() const override { return WorksOn::kBoth; }
-
-private:
-    static bool takes_corner(const Pointing& pointing, const render::Pick& pick) {
-        return pick.branch != render::kNoBranch || pointing.on_scan(pick);
-    }
-
-    std::vector<glm::dvec3> places_;
-    glm::dvec2 pressed_at_{0.0};
-    render::Pick under_{};
 };
 
 // Drags control points of sheets along the normal of their base plane, and planes along their normal. On a slice, drags
@@ -350,7 +299,6 @@ private:
 } // namespace
 
 std::unique_ptr<Tool> make_plane_tool() { return std::make_unique<StrokeTool>(true); }
-std::unique_ptr<Tool> make_points_tool() { return std::make_unique<PointsTool>(); }
 std::unique_ptr<Tool> make_sheet_tool() { return std::make_unique<StrokeTool>(false); }
 std::unique_ptr<Tool> make_handle_tool() { return std::make_unique<HandleTool>(); }
 

@@ -4,7 +4,7 @@
 #include "app/tools/lasso_tool.h"
 #include "app/tools/measure_tool.h"
 #include "app/tools/place_tools.h"
-#include "app/tools/slice_points_tool.h"
+#include "app/tools/three_places_tool.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,6 @@ namespace ramus::app {
 std::unique_ptr<Tool> make_pin_tool();
 // Of resection_tools.cpp. NOLINTBEGIN(readability-redundant-declaration)
 std::unique_ptr<Tool> make_plane_tool();
-std::unique_ptr<Tool> make_points_tool();
 std::unique_ptr<Tool> make_sheet_tool();
 std::unique_ptr<Tool> make_handle_tool();
 // Of region_tools.cpp

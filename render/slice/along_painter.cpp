@@ -165,15 +165,8 @@ void AlongPainter::follow(const AlongView& along) {
 void AlongPainter::paint_scans(const SliceView& view, Image& image) {
     if (sampled_by_ != view.sampling) sampled_.clear();
     sampled_by_ = view.sampling;
-    std::vector<Sampled> layers;
-    for (const ScanLayer& layer : view.scans) {
-        const auto known = std::ranges::find(sampled_, layer.scan, &Sampled::scan);
-        if (known != sampled_.end())
-            layers.push_back(*known);
-        else
-            layers.push_back({layer.scan, slice::sampled(*layer.scan, *picture_, view.sampling)});
-    }
-    sampled_ = std::move(layers);
+    sampled_.take(view.scans,
+                  [&](const volume::Volume& scan) { return slice::sampled(scan, *picture_, view.sampling); });
     const AlongView& along = *view.along;
     const CoveredPixels covered = covered_pixels(along, *picture_, image);
     const bool nearest = view.sampling.interpolation == slice::Interpolation::kNearest;
@@ -182,8 +175,8 @@ void AlongPainter::paint_scans(const SliceView& view, Image& image) {
     tbb::parallel_for(covered.low.y, covered.high.y, [&](int y) {
         for (int x = covered.low.x; x < covered.high.x; ++x) {
             const glm::dvec2 cell = along.cell({x, y});
-            for (std::size_t layer = 0; layer < sampled_.size(); ++layer) {
-                const std::vector<float>& values = sampled_[layer].values;
+            for (std::size_t layer = 0; layer < sampled_.all().size(); ++layer) {
+                const std::vector<float>& values = sampled_.all()[layer].values;
                 const float value =
                     nearest ? nearest_value(values, columns, rows, cell) : value_between(values, columns, rows, cell);
                 if (std::isnan(value)) continue;

@@ -6,6 +6,7 @@
 #include "core/slice/walls.h"
 #include "render/image/image.h"
 #include "render/scene/frame.h"
+#include "render/slice/sampled_layers.h"
 #include "render/slice/slice_view.h"
 
 #include <memory>
@@ -24,13 +25,9 @@ private:
     void paint_scans(const SliceView& view, Image& image);
     void paint_walls(const Frame& frame, const SliceView& view, Image& image);
 
-    struct Sampled {
-        std::shared_ptr<const volume::Volume> scan;
-        std::vector<float> values;
-    };
     AlongView of_; // what determines the reformation; without looks
     std::optional<slice::Reformation> picture_;
-    std::vector<Sampled> sampled_;
+    SampledLayers sampled_;
     slice::Sampling sampled_by_;
     std::optional<slice::Walls> walls_;
     std::shared_ptr<const std::vector<std::optional<slice::Lumen>>> walls_of_; // the lumina that they are of

@@ -76,22 +76,15 @@ void SlicePainter::sample(const SliceView& view) {
     if (sampled_at_ != view.grid || sampled_by_ != view.sampling) sampled_.clear();
     sampled_at_ = view.grid;
     sampled_by_ = view.sampling;
-    std::vector<Sampled> layers;
-    for (const ScanLayer& layer : view.scans) {
-        const auto known = std::ranges::find(sampled_, layer.scan, &Sampled::scan);
-        if (known != sampled_.end())
-            layers.push_back(*known);
-        else
-            layers.push_back({layer.scan, slice::sampled(*layer.scan, view.grid, view.sampling)});
-    }
-    sampled_ = std::move(layers);
+    sampled_.take(view.scans,
+                  [&](const volume::Volume& scan) { return slice::sampled(scan, view.grid, view.sampling); });
 }
 
 void SlicePainter::paint_scans(const SliceView& view, Image& image) const {
-    for (std::size_t layer = 0; layer < sampled_.size(); ++layer) {
+    for (std::size_t layer = 0; layer < sampled_.all().size(); ++layer) {
         const slice::Window& window = view.scans[layer].window;
         const float opacity = view.scans[layer].opacity;
-        const std::vector<float>& values = sampled_[layer].values;
+        const std::vector<float>& values = sampled_.all()[layer].values;
         for (std::size_t n = 0; n < values.size(); ++n) {
             if (std::isnan(values[n])) continue;
             std::uint8_t* const out = image.rgba.data() + 4 * n;
@@ -213,10 +206,10 @@ Image SlicePainter::paint_alone(const SliceView& view) {
     sample(view);
     paint_scans(view, image);
     paint_masks(view, image);
-    for (const Sampled& layer : sampled_)
+    for (const SampledLayer& layer : sampled_.all())
         for (std::size_t n = 0; n < layer.values.size(); ++n)
             if (!std::isnan(layer.values[n])) image.rgba[4 * n + 3] = 255;
-    if (sampled_.empty()) // labels alone
+    if (sampled_.all().empty()) // labels alone
         for (std::size_t n = 0; n < image.rgba.size(); n += 4)
             if (image.rgba[n] != 0 || image.rgba[n + 1] != 0 || image.rgba[n + 2] != 0) image.rgba[n + 3] = 255;
     return image;

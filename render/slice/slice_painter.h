@@ -7,6 +7,7 @@
 #include "render/overlay/overlay.h"
 #include "render/slice/along_painter.h"
 #include "render/slice/frame_section.h"
+#include "render/slice/sampled_layers.h"
 #include "render/slice/slice_view.h"
 
 #include <optional>
@@ -40,11 +41,7 @@ private:
     static void paint_marks(const SliceView& view, Image& image);
     void paint_sprites(const SliceView& view, Image& image);
 
-    struct Sampled {
-        std::shared_ptr<const volume::Volume> scan;
-        std::vector<float> values;
-    };
-    std::vector<Sampled> sampled_; // by layer, of the same grid and sampling
+    SampledLayers sampled_; // of the same grid and sampling
     slice::PixelGrid sampled_at_;
     slice::Sampling sampled_by_;
     Frame cut_of_; // what determines the section

@@ -52,7 +52,7 @@ TEST_CASE("vessels that are narrower than the picture do not become smaller") {
     CHECK(reframed(camera, {1200, 600}, {500, 600}, upright) == camera);
 }
 
-TEST_CASE("who looks at a part of the vessels keeps all of the width in view") {
+TEST_CASE("a view of a part of the vessels keeps all of its width") {
     const render::Camera near = render::zoomed(whole({1200, 600}, true), 8.0);
     const render::Camera narrow = reframed(near, {1200, 600}, {600, 600}, kCross);
     CHECK(narrow.scale == doctest::Approx(2.0 * near.scale));

@@ -1,5 +1,5 @@
 // The tool for an oblique slice through three places.
-#include "app/tools/slice_points_tool.h"
+#include "app/tools/three_places_tool.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/command_stage.h"
 
