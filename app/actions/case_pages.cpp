@@ -7,6 +7,8 @@
 #include "core/base/words.h"
 #include "core/mesh/surface.h"
 
+#include <algorithm>
+
 namespace ramus::app::actions {
 
 Result<std::size_t> page_bytes_in(std::string_view megabytes) {
@@ -56,6 +58,39 @@ Result<CasePage> make_case_page(ActionContext& context, const PageChoice& choice
     options.threads = choice.threads;
     RAMUS_TRY(surface, mesh::make_surface(*document.tree(), options, surface_job));
     return case_page({document, assets, surface.mesh, pictures}, choice, JobRange(job, 0.6F, 1.0F));
+}
+
+namespace {
+
+void add_counted(std::string& text, std::size_t count, const char* one, const char* many) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + counted(count, one, many);
+}
+
+} // namespace
+
+std::string page_contents(const Document& document, const PageChoice& choice) {
+    const Marks marks = marks_without(document.marks(), choice.left_out, *document.tree());
+    std::string text;
+    add_counted(text, document.tree()->branches.size(), "branch", "branches");
+    add_counted(text, marks.lesions.size(), "lesion", "lesions");
+    add_counted(text, marks.cuts.size(), "cut", "cuts");
+    add_counted(text, marks.resections.size(), "resection", "resections");
+    if (marks.plans.count() > 1) add_counted(text, marks.plans.count(), "plan", "plans");
+    add_counted(text, marks.measurements.size(), "measurement", "measurements");
+    add_counted(text, marks.pins.size(), "pin", "pins");
+    add_counted(text, marks.context.size(), "context surface", "context surfaces");
+    return text;
+}
+
+std::size_t expected_page_bytes(const Document& document, std::uint64_t triangles, const PageChoice& choice) {
+    // Measured on trees of vessels and airways; pictures by three of the usual size.
+    constexpr double kOfTriangle = 1.28, kOfBranch = 290.0, kOfPoint = 8.0, kOfPictures = 1.2e6, kOfRest = 1e5;
+    const tree::VesselTree& tree = *document.tree();
+    const double bytes = kOfTriangle * static_cast<double>(triangles) +
+                         kOfBranch * static_cast<double>(tree.branches.size()) +
+                         kOfPoint * static_cast<double>(tree.points.size()) + kOfRest +
+                         (has_part(choice.left_out, PagePart::kViews) ? 0.0 : kOfPictures);
+    return std::min(static_cast<std::size_t>(bytes), choice.most_bytes);
 }
 
 std::string page_sentence(const CasePage& page, const std::string& file) {

@@ -5,8 +5,11 @@
 #include "app/actions/action.h"
 #include "app/reports/page/case_page.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <string>
+#include <string_view>
 
 namespace ramus::app::actions {
 
@@ -23,6 +26,12 @@ inline constexpr const char* kPageUsage =
 // case_page(), or if a file of the session cannot be read.
 [[nodiscard]] Result<CasePage> make_case_page(ActionContext& context, const PageChoice& choice, glm::ivec2 shape,
                                               Job& job);
+
+// What a page would have, for the dialog: "1,504 branches, 2 lesions, plans A and B".
+[[nodiscard]] std::string page_contents(const Document& document, const PageChoice& choice);
+// About how large it would be, from the number of triangles of the surface: within a fifth for most trees.
+[[nodiscard]] std::size_t expected_page_bytes(const Document& document, std::uint64_t triangles,
+                                              const PageChoice& choice);
 
 // "Page saved: FILE; 5.1 MB".
 [[nodiscard]] std::string page_sentence(const CasePage& page, const std::string& file);

@@ -132,7 +132,7 @@ Result<CasePage> case_page(const PageCase& of, const PageChoice& choice, const J
         return fail("the page would be larger than its limit: without the surface it has " + grouped(besides / 1000) +
                         " kB of " + grouped(choice.most_bytes / 1000) + " kB",
                     {}, "raise --size-limit, or leave more out: --without views");
-    const PageSurfaceChoice room{choice.most_bytes - besides, 0.02, choice.threads};
+    const PageSurfaceChoice room{choice.most_bytes - besides, 0.02};
     RAMUS_TRY(surface, page_surface(of.surface, of.document.dependency(), room, job));
     json["surface"] = blob.add(surface.packed);
     add_size("surface", blob.text().size());

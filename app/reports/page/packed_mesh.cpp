@@ -15,6 +15,8 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
+constexpr std::uint32_t kUnused = 0xFFFFFFFF; // no vertex, or one without a number
+
 constexpr std::uint8_t kNew = 0, kExplicit = 15; // codes of a vertex; between them: its place among the recent ones
 constexpr std::uint8_t kNoEdge = 15;
 constexpr std::size_t kRecent = 16, kMostEdges = 15, kMostVertices = 14;
@@ -60,7 +62,7 @@ public:
 
 private:
     struct Edge {
-        std::uint32_t from = PackedMesh::kUnused, to = PackedMesh::kUnused, opposite = PackedMesh::kUnused;
+        std::uint32_t from = kUnused, to = kUnused, opposite = kUnused;
     };
 
     void put_across(Edge edge, std::uint8_t back, std::uint32_t c) {
@@ -80,7 +82,7 @@ private:
     }
 
     std::uint8_t code_of(std::uint32_t vertex, const Edge* across) {
-        if (grid_ != nullptr ? numbers_[vertex] == PackedMesh::kUnused : seen_[vertex] == 0) {
+        if (grid_ != nullptr ? numbers_[vertex] == kUnused : seen_[vertex] == 0) {
             put_new(vertex, across);
             recent_[next_recent_++ % kRecent] = vertex;
             return kNew;
@@ -121,7 +123,7 @@ private:
     std::array<Edge, kRecent> edges_{};
     std::array<std::uint32_t, kRecent> recent_ = [] {
         std::array<std::uint32_t, kRecent> none{};
-        none.fill(PackedMesh::kUnused);
+        none.fill(kUnused);
         return none;
     }();
     std::size_t next_edge_ = kRecent, next_recent_ = kRecent;
@@ -212,9 +214,12 @@ std::string deflated_corrections(const std::vector<glm::ivec3>& corrections) {
 PackedMesh packed(const BranchSurface& surface, const BranchSurface& coarse, const GridChoice& choice) {
     PackedMesh made;
     const GridPositions grid = on_grid(surface, choice, made);
-    made.numbers.assign(surface.positions.size(), PackedMesh::kUnused);
-    TriangleCoder coder(made.numbers, &grid);
+    std::vector<std::uint32_t> numbers(surface.positions.size(), kUnused);
+    TriangleCoder coder(numbers, &grid);
     code_all(coder, surface);
+    made.places = surface.positions;
+    for (std::size_t v = 0; v < numbers.size(); ++v)
+        if (numbers[v] != kUnused) made.places[v] = glm::vec3(made.origin + made.step_mm * glm::dvec3(grid.at[v]));
     made.vertices = coder.corrections.size();
     made.triangles = surface.triangles();
     made.counts = deflated_counts(surface);
@@ -223,7 +228,7 @@ PackedMesh packed(const BranchSurface& surface, const BranchSurface& coarse, con
     made.extras = deflated(coder.extras);
     made.corrections = deflated_corrections(coder.corrections);
     if (coarse.indices.empty()) return made;
-    TriangleCoder again(made.numbers, nullptr);
+    TriangleCoder again(numbers, nullptr);
     code_all(again, coarse);
     made.coarse_triangles = coarse.triangles();
     made.coarse_counts = deflated_counts(coarse);

@@ -39,8 +39,7 @@ struct PackedMesh {
     // Fewer triangles of the same vertices, for while the view moves; empty: none.
     std::size_t coarse_triangles = 0;
     std::string coarse_counts, coarse_gates, coarse_extras;
-    std::vector<std::uint32_t> numbers; // by vertex of the surface: its number; kUnused: no triangle uses it
-    static constexpr std::uint32_t kUnused = 0xFFFFFFFF;
+    std::vector<glm::vec3> places; // by vertex of the surface, mm: on the grid, as the page has it
     [[nodiscard]] std::size_t bytes() const {
         return counts.size() + shifts.size() + gates.size() + extras.size() + corrections.size() +
                coarse_counts.size() + coarse_gates.size() + coarse_extras.size();

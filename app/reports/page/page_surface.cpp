@@ -5,9 +5,10 @@
 #include "core/measure/deviation/deviation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <tbb/parallel_for.h>
+#include <unordered_map>
 #include <utility>
 
 namespace ramus::app {
@@ -25,28 +26,41 @@ constexpr std::size_t kCoarseFrom = 100'000; // triangles; fewer are drawn quick
 
 std::size_t base64_bytes(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
 
-mesh::TriangleMesh as_mesh(const BranchSurface& surface, const PackedMesh& packed) {
+// The triangles of a branch, as a mesh.
+mesh::TriangleMesh mesh_of(const BranchSurface& surface, const std::vector<glm::vec3>& positions, std::size_t rank) {
     mesh::TriangleMesh mesh;
-    mesh.positions.assign(surface.positions.begin(), surface.positions.end());
-    for (glm::vec3& p : mesh.positions) // the finest grid: coarser groups lie on it within their step
-        p = glm::vec3(packed.origin + packed.step_mm * glm::round((glm::dvec3(p) - packed.origin) / packed.step_mm));
-    for (std::size_t i = 0; i < surface.indices.size(); i += 3)
-        mesh.triangles.emplace_back(surface.indices[i], surface.indices[i + 1], surface.indices[i + 2]);
+    std::unordered_map<std::uint32_t, std::uint32_t> numbers;
+    const auto number = [&](std::uint32_t v) {
+        const auto [at, is_new] = numbers.try_emplace(v, static_cast<std::uint32_t>(mesh.positions.size()));
+        if (is_new) mesh.positions.push_back(positions[v]);
+        return at->second;
+    };
+    for (std::size_t i = 3 * std::size_t{surface.first[rank]}; i < 3 * std::size_t{surface.first[rank + 1]}; i += 3) {
+        const std::uint32_t a = number(surface.indices[i]), b = number(surface.indices[i + 1]);
+        mesh.triangles.emplace_back(a, b, number(surface.indices[i + 2]));
+    }
     return mesh;
 }
 
-void measure_deviation(PageSurface& made, const mesh::TriangleMesh& whole, const BranchSurface& shown, int threads) {
-    auto distances = measure::deviations(whole, as_mesh(shown, made.packed), threads);
-    // Vertices that no triangle uses do not count.
-    std::vector<std::uint8_t> used(whole.positions.size(), 0);
-    for (const glm::uvec3& t : whole.triangles)
-        for (int corner = 0; corner < 3; ++corner) used[t[corner]] = 1;
-    std::size_t kept = 0;
-    for (std::size_t v = 0; v < used.size(); ++v)
-        if (used[v] != 0) distances[kept++] = distances[v];
-    const std::span<double> values(distances.data(), kept);
-    made.percentile_95_mm = measure::quantile(values, 0.95);
-    made.largest_deviation_mm = *std::ranges::max_element(values) + 0.5 * std::sqrt(3.0) * made.packed.widest_step_mm;
+// Each branch by itself: distances to the triangles of the own branch, which are no less than those to all.
+void measure_deviation(PageSurface& made, const BranchSurface& whole, const BranchSurface& shown) {
+    const std::size_t ranks = whole.first.size() - 1;
+    std::vector<std::vector<double>> found(ranks);
+    tbb::parallel_for(std::size_t{0}, ranks, [&](std::size_t rank) {
+        const mesh::TriangleMesh before = mesh_of(whole, whole.positions, rank);
+        const mesh::TriangleMesh after = mesh_of(shown, made.packed.places, rank);
+        if (after.triangles.empty()) return;
+        const auto distances = measure::deviations(before, after, 1);
+        found[rank].assign(distances.begin(), distances.end());
+    });
+    std::vector<double> all;
+    for (std::vector<double>& one : found) {
+        all.insert(all.end(), one.begin(), one.end());
+        std::vector<double>().swap(one);
+    }
+    if (all.empty()) return;
+    made.largest_deviation_mm = *std::ranges::max_element(all);
+    made.percentile_95_mm = measure::quantile(all, 0.95);
 }
 
 } // namespace
@@ -71,7 +85,7 @@ Result<PageSurface> page_surface(const mesh::TriangleMesh& mesh, const tree::Dep
         if (job.cancelled()) return fail("cancelled");
         const std::size_t bytes = base64_bytes(made.packed.bytes());
         if (bytes <= choice.most_bytes) {
-            measure_deviation(made, mesh, shown, choice.threads);
+            measure_deviation(made, whole, shown);
             job.report(1.0F);
             return made;
         }

@@ -14,13 +14,12 @@ namespace ramus::app {
 struct PageSurfaceChoice {
     std::size_t most_bytes = 0; // of the packed surface, as base64
     double most_step_mm = 0.02; // of the grid
-    int threads = 0;            // 0: one for each core
 };
 
 struct PageSurface {
     PackedMesh packed;
     std::size_t triangles_before = 0; // of the surface
-    // From the vertices of the surface to the triangles that the page has, on their grid: measured.
+    // From the vertices of the surface to the triangles of their branch that the page has: measured.
     double largest_deviation_mm = 0.0, percentile_95_mm = 0.0;
     bool for_size = false; // simplified more than is usual, to be no larger than most_bytes
 };
