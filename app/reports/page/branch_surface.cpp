@@ -18,6 +18,8 @@ float behind(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b) {
     return std::max(1.0F, static_cast<float>(at.rivals[0] == mark ? at.over[0] : at.over[1]));
 }
 
+bool has_area(const glm::uvec3& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; }
+
 class Divider {
 public:
     Divider(const TriangleMesh& mesh, std::vector<glm::vec3>& positions) : mesh_(mesh), positions_(positions) {}
@@ -31,12 +33,19 @@ public:
         const std::uint32_t a = t[odd], b = t[(odd + 1) % 3], c = t[(odd + 2) % 3];
         const std::uint32_t ab = crossing(a, b), ca = crossing(c, a);
         const auto own = of.at(static_cast<std::size_t>(odd)), other = of.at(static_cast<std::size_t>((odd + 1) % 3));
-        put(own, a, ab, ca);
-        put(other, ab, b, c);
-        put(other, ab, c, ca);
+        put_part(put, own, {a, ab, ca});
+        // The other part has four corners. Where one of the crossings is the corner itself, the line between two
+        // corners of it must not run along an edge.
+        const std::uint32_t from = ca == a ? ab : ca;
+        put_part(put, other, {ab, b, from == ab ? c : ca});
+        put_part(put, other, {from, from == ab ? c : b, from == ab ? ca : c});
     }
 
 private:
+    template <class Put> static void put_part(const Put& put, std::int32_t branch, const glm::uvec3& t) {
+        if (has_area(t)) put(branch, t[0], t[1], t[2]);
+    }
+
     template <class Put>
     void divide_in_three(const glm::uvec3& t, const std::array<std::int32_t, 3>& of, const Put& put) {
         const std::array<std::uint32_t, 3> across{crossing(t[0], t[1]), crossing(t[1], t[2]), crossing(t[2], t[0])};
@@ -44,8 +53,8 @@ private:
         positions_.push_back((positions_[across[0]] + positions_[across[1]] + positions_[across[2]]) / 3.0F);
         for (int corner = 0; corner < 3; ++corner) {
             const auto here = static_cast<std::size_t>(corner);
-            put(of.at(here), t[corner], across.at(here), middle);
-            put(of.at(here), t[corner], middle, across.at((here + 2) % 3));
+            put_part(put, of.at(here), {t[corner], across.at(here), middle});
+            put_part(put, of.at(here), {t[corner], middle, across.at((here + 2) % 3)});
         }
     }
 
@@ -54,9 +63,11 @@ private:
         if (a > b) std::swap(a, b); // both triangles of an edge compute the same place
         const auto [at, is_new] = known_.try_emplace(std::uint64_t{a} << 32U | b, 0);
         if (!is_new) return at->second;
-        constexpr float kFromCorner = 0.1F; // of the edge; tuned: thinner parts are slivers
+        constexpr float kFromCorner = 0.2F; // of the edge; tuned: thinner parts are slivers
         const float from_a = behind(mesh_, a, b), from_b = behind(mesh_, b, a);
-        const float share = std::clamp(from_a / (from_a + from_b), kFromCorner, 1.0F - kFromCorner);
+        const float share = from_a / (from_a + from_b);
+        if (share < kFromCorner) return at->second = a;
+        if (share > 1.0F - kFromCorner) return at->second = b;
         at->second = static_cast<std::uint32_t>(positions_.size());
         positions_.push_back(mesh_.positions[a] + share * (mesh_.positions[b] - mesh_.positions[a]));
         return at->second;
@@ -66,8 +77,6 @@ private:
     std::vector<glm::vec3>& positions_;
     std::unordered_map<std::uint64_t, std::uint32_t> known_;
 };
-
-bool has_area(const glm::uvec3& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; }
 
 void take_least(float& least, float radius) {
     if (radius > 0.0F && (least == 0.0F || radius < least)) least = radius;

@@ -2,7 +2,8 @@
 // the triangles of a branch with all its dependents are one range.
 //
 // Guaranteed: a closed surface stays closed, since branches share the vertices on their borders; a border lies where
-// pictures draw it (shaders/border.geom), except that it keeps a tenth of an edge away from the corners.
+// pictures draw it (shaders/border.geom), except that it
+// goes through a corner that is within a fifth of an edge.
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"

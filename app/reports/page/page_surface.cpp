@@ -15,14 +15,14 @@ namespace ramus::app {
 
 namespace {
 
-// The usual error, in radii of the thinnest place of the branch: as far as a polygon of 16 sides, the usual detail, is
-// from its circle.
-constexpr double kUsualError = 0.02;
-constexpr double kLargestError = 1.0;        // beyond it vessels collapse
-constexpr double kStepShare = 0.01;          // of the grid, in the same radii: 40 steps for an edge of the usual detail
-constexpr double kCoarseShare = 0.2;         // of the triangles, while the view moves
-constexpr double kCoarseError = 0.5;         // in radii
-constexpr std::size_t kCoarseFrom = 100'000; // triangles; fewer are drawn quickly as they are
+// The usual error, in radii of the thinnest place of the branch: no more than two and a half times as far as a polygon
+// of 16 sides, the usual detail, is from its circle.
+constexpr double kUsualError = 0.05;
+constexpr double kLargestError = 1.0; // beyond it vessels collapse
+constexpr double kStepShare = 0.01;   // of the grid, in the same radii: 40 steps for an edge of the usual detail
+// While the view moves: what a browser without a graphics card draws ten times a second.
+constexpr double kCoarseTriangles = 70'000.0;
+constexpr double kCoarseError = 0.5; // in radii
 
 std::size_t base64_bytes(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
 
@@ -72,14 +72,15 @@ Result<PageSurface> page_surface(const mesh::TriangleMesh& mesh, const tree::Dep
     PageSurface made;
     made.triangles_before = mesh.triangles.size();
     const GridChoice grid{choice.most_step_mm, kStepShare};
-    Simplification wanted{kUsualError, choice.most_step_mm, 0.0};
+    Simplification wanted{kUsualError, choice.most_step_mm, false, 0.0};
     constexpr int kMostTries = 6;
     BranchSurface shown;
     for (int attempt = 0; attempt < kMostTries; ++attempt) {
         shown = simplified(whole, wanted);
         if (job.cancelled()) return fail("cancelled");
+        const double share = kCoarseTriangles / static_cast<double>(shown.triangles());
         const BranchSurface coarse =
-            shown.triangles() < kCoarseFrom ? BranchSurface{} : simplified(shown, {kCoarseError, 1.0, kCoarseShare});
+            share > 0.7 ? BranchSurface{} : simplified(shown, {kCoarseError, 1.0, true, share});
         made.packed = packed(shown, coarse, grid);
         job.report(0.1F + 0.5F * static_cast<float>(attempt + 1) / static_cast<float>(kMostTries));
         if (job.cancelled()) return fail("cancelled");
@@ -91,8 +92,8 @@ Result<PageSurface> page_surface(const mesh::TriangleMesh& mesh, const tree::Dep
         }
         // The size follows the triangles, and fewer of them take more bytes each.
         constexpr double kRoom = 0.93;
-        const double share = kRoom * static_cast<double>(choice.most_bytes) / static_cast<double>(bytes);
-        wanted.triangles = share * static_cast<double>(shown.triangles()) / static_cast<double>(whole.triangles());
+        const double of_size = kRoom * static_cast<double>(choice.most_bytes) / static_cast<double>(bytes);
+        wanted.triangles = of_size * static_cast<double>(shown.triangles()) / static_cast<double>(whole.triangles());
         wanted.share_of_radius = std::min(kLargestError, wanted.share_of_radius * 8.0);
         made.for_size = true;
     }
@@ -112,7 +113,7 @@ PackedMesh page_mesh(const mesh::TriangleMesh& mesh) {
     }
     constexpr double kError = 1.0 / 1500.0, kStep = 1.0 / 8192.0; // of the diagonal; tuned by eye on organs
     const double diagonal = double(glm::distance(lower, upper));
-    return packed(simplified(whole, {0.0, kError * diagonal, 0.0}), {}, {std::max(kStep * diagonal, 1e-9), 0.0});
+    return packed(simplified(whole, {0.0, kError * diagonal, false, 0.0}), {}, {std::max(kStep * diagonal, 1e-9), 0.0});
 }
 
 } // namespace ramus::app

@@ -42,9 +42,10 @@ void simplify(PartOfSurface& part, const Simplification& wanted, double radius_m
     const auto target =
         static_cast<std::size_t>(wanted.triangles * static_cast<double>(part.indices.size()) / 3.0) * std::size_t{3};
     std::vector<std::uint32_t> fewer(part.indices.size());
-    fewer.resize(meshopt_simplify(
-        fewer.data(), part.indices.data(), part.indices.size(), positions, part.positions.size(), sizeof(glm::vec3),
-        target, static_cast<float>(error / std::max(scale, 1e-12)), meshopt_SimplifyLockBorder, nullptr));
+    fewer.resize(
+        meshopt_simplify(fewer.data(), part.indices.data(), part.indices.size(), positions, part.positions.size(),
+                         sizeof(glm::vec3), target, static_cast<float>(error / std::max(scale, 1e-12)),
+                         wanted.moves_borders ? 0U : static_cast<unsigned>(meshopt_SimplifyLockBorder), nullptr));
     part.indices = std::move(fewer);
 }
 

@@ -10,6 +10,7 @@ namespace ramus::app {
 struct Simplification {
     double share_of_radius = 0.0; // the error that the simplifier may make, of the thinnest radius of the branch
     double most_mm = 0.0;         // and in mm; for parts without a radius
+    bool moves_borders = false;   // along themselves; then small gaps open between branches
     double triangles = 0.0;       // the share of the triangles that is wanted, while the error allows it
 };
 
