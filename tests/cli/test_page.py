@@ -247,7 +247,9 @@ class Surface(PageTest):
                 edges[at[a], at[b]] += 1
         self.assertTrue(all(edges[b, a] == count for (a, b), count in edges.items()))
         _, vertices, faces = read_ply(self.folder / "whole.ply")
-        self.assertAlmostEqual(volume_of(places, corners) / volume_of(vertices, faces), 1.0, delta=0.01)
+        share = volume_of(places, corners) / volume_of(vertices, faces)
+        self.assertGreater(share, 0.95 ** 2) # the simplifier may go a twentieth of the radius inside
+        self.assertLess(share, 1.01)
         normals = found["normals"]
         for v in range(len(places)):
             self.assertAlmostEqual(math.hypot(*normals[4 * v:4 * v + 3]), 127, delta=1.5)

@@ -69,6 +69,13 @@ TEST_CASE("an export's command says what means something for its format") {
     CHECK(choice.words("/a.html") == Words{"report", "/a.html"});
     std::ranges::copy(std::string_view("J. D."), choice.case_line.begin());
     CHECK(choice.words("/a.html") == Words{"report", "/a.html", "--case", "J. D."});
+    choice.what = ExportWhat::kPage;
+    CHECK(choice.words("/a.html") == Words{"page", "/a.html", "--size-limit", "12"});
+    std::ranges::copy(std::string_view("Board"), choice.page.title.begin());
+    choice.page.most_mb = 5;
+    choice.page.parts.front() = false;
+    CHECK(choice.words("/a.html") ==
+          Words{"page", "/a.html", "--size-limit", "5", "--title", "Board", "--without", "names"});
     choice.what = ExportWhat::kTable; // trees have that extension too
     choice.follow("a.csv");
     CHECK(choice.words("/a.csv") == Words{"table", "/a.csv", "--of", "selected"});

@@ -105,6 +105,8 @@ TEST_CASE("an exported picture does not depend on the selected branches") {
     CHECK(stage.host.figures[2].options.turntable == 12);
     stage.exported("report", "r.html");
     CHECK(stage.folder.text("r.html").find("<html") != std::string::npos);
+    CHECK(stage.exported("page", "p.html", "--title Board --without names").find("Page saved: ") == 0);
+    CHECK(stage.folder.text("p.html").find("<title>Board</title>") != std::string::npos);
     stage.good("select-invert\nhide");
     stage.exported("picture", "empty.png");
 }
