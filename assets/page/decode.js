@@ -151,6 +151,18 @@ class GridVertices {
   }
 }
 
+/** Where all triangles of a vertex are without area: the sum of the normals at their other corners. */
+function takeFromNeighbours(sum, indices) {
+  const isZero = (v) => sum[v] === 0 && sum[v + 1] === 0 && sum[v + 2] === 0;
+  for (let i = 0; i < indices.length; ++i) {
+    const v = 3 * indices[i];
+    if (!isZero(v)) continue;
+    const start = i - (i % 3);
+    for (let corner = start; corner < start + 3; ++corner)
+      for (let axis = 0; axis < 3; ++axis) sum[v + axis] += sum[3 * indices[corner] + axis];
+  }
+}
+
 /**
  * Unit normals of vertices: of their triangles, weighted by the angles there.
  * @param {Float32Array} positions x, y, z of each vertex
@@ -176,6 +188,7 @@ function normalsOf(positions, indices) {
     sum[b] += nx * atB, sum[b + 1] += ny * atB, sum[b + 2] += nz * atB;
     sum[c] += nx * atC, sum[c + 1] += ny * atC, sum[c + 2] += nz * atC;
   }
+  takeFromNeighbours(sum, indices);
   const normals = new Int8Array((positions.length / 3) * 4);
   for (let v = 0, n = 0; v < sum.length; v += 3, n += 4) {
     const scale = 127 / (Math.sqrt(sum[v] * sum[v] + sum[v + 1] * sum[v + 1] + sum[v + 2] * sum[v + 2]) || 1);
