@@ -36,9 +36,7 @@ Result<Outcome> export_table(ActionContext& context, const Export& wanted) {
     complete_lesions(context.assets, context.document);
     const Document& document = context.document;
     const TableKind* const kind = wanted.table.empty() ? nullptr : table_kind_named(wanted.table);
-    if (kind != nullptr && !kind->there(document, context.assets))
-        return fail("there is nothing to report of " + wanted.table, {},
-                    "cut, place a lesion, select or measure first");
+    if (kind != nullptr && !kind->there(document, context.assets)) return tl::unexpected(nothing_to_report(kind->name));
     const auto table = [kind, of = wanted.of](const Document& then, const Assets& assets) {
         return kind != nullptr ? kind->table(then, assets)
                                : branches_table(then, assets, ids_of(exported_branches(then, of)));

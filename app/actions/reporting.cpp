@@ -29,9 +29,7 @@ Result<Outcome> write_csv(ActionContext& context, const fs::path& path, std::str
     if (kind == nullptr)
         return wanted.empty() ? fail("there is nothing to report", {}, "cut, place a lesion, select or measure first")
                               : fail("there is no table called " + std::string(wanted), {}, "one of " + table_names());
-    if (!there(*kind))
-        return fail("there is nothing to report of " + std::string(kind->name), {},
-                    "cut, place a lesion, select or measure first");
+    if (!there(*kind)) return tl::unexpected(nothing_to_report(kind->name));
     return writing_table(context, fs::absolute(path).lexically_normal(), kind->table,
                          "Report of " + std::string(kind->name) + " saved: " + path.string());
 }
