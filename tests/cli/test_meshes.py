@@ -54,6 +54,34 @@ class GlbTest(CommandLineTest):
         colours = {material["name"]: material["pbrMetallicRoughness"]["baseColorFactor"] for material in gltf["materials"]}
         self.assertEqual(colours, {"portal vein": [0, 0, 1, 1], "artery": [1, 0, 0, 1]})
 
+    def test_branches_are_described(self):
+        self.write("tree.json", json.dumps(SYSTEMS))
+        known = self.json("info", "tree.json", "--json", "--branches")["branch_list"]
+        self.expect_done("mesh", "tree.json", "-o", "m.glb", "--parts", "branch")
+        gltf, binary = glb.chunks(self.folder / "m.glb")
+        self.assertEqual(gltf["extensionsUsed"], ["EXT_mesh_features"])
+        nodes = [node for node in gltf["nodes"] if "mesh" in node]
+        self.assertEqual(len(nodes), len(known))
+        for node, branch in zip(nodes, known):
+            extras = node["extras"]
+            self.assertEqual((extras["branch"], extras["parent"], extras["children"]),
+                             (branch["id"], branch["parent"], branch["children"]))
+            self.assertEqual((extras["generation"], extras["strahler"]), (branch["generation"], branch["strahler"]))
+            self.assertAlmostEqual(extras["length"], branch["length_mm"], delta=1e-4)
+            self.assertAlmostEqual(2 * extras["radius"], branch["diameter_mm"]["mean"], delta=1e-4)
+            self.assertEqual(extras["system"], "artery" if branch["id"] == 3 else "portal vein")
+            primitive, = gltf["meshes"][node["mesh"]]["primitives"]
+            features, = primitive["extensions"]["EXT_mesh_features"]["featureIds"]
+            self.assertEqual((features["attribute"], features["featureCount"]), (0, len(known)))
+            self.assertEqual({value for value, in glb.values(gltf, binary, primitive["attributes"]["_FEATURE_ID_0"])},
+                             {float(branch["id"])})
+        # Of the whole as one part each vertex has its own branch.
+        self.expect_done("mesh", "tree.json", "-o", "n.glb", "--parts", "none")
+        gltf, binary = glb.chunks(self.folder / "n.glb")
+        primitive, = gltf["meshes"][0]["primitives"]
+        self.assertEqual({value for value, in glb.values(gltf, binary, primitive["attributes"]["_FEATURE_ID_0"])},
+                         {0.0, 1.0, 2.0, 3.0})
+
     def test_names_and_colours_of_a_session(self):
         self.write("tree.swc", GOOD)
         self.write("c.txt", 'name 0 "Stem \\"of\\" all"\ncolour-by branch\nselect 2\nhide\nsave s.ramus.json\n'.replace('\\"', "'"))

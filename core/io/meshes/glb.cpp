@@ -21,6 +21,7 @@ using Json = nlohmann::ordered_json;
 // Numbers of the format.
 constexpr int kFloat = 5126, kUnsigned = 5125;              // component types
 constexpr int kArrayBuffer = 34962, kElementBuffer = 34963; // targets
+constexpr const char* kFeatures = "EXT_mesh_features";      // says which branch each vertex belongs to
 constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 
 double linear(std::uint8_t srgb) {
@@ -34,8 +35,12 @@ Json vector(const glm::vec3& v) { return {double(v.x), double(v.y), double(v.z)}
 class Scene {
 public:
     Scene(const mesh::TriangleMesh& mesh, const MeshNames& names, const MeshSections& cut)
-        : names_(names), cut_(cut), has_normals_(!mesh.normals.empty()), has_radii_(!mesh.radii.empty()) {
+        : names_(names), cut_(cut), has_normals_(!mesh.normals.empty()), has_radii_(!mesh.radii.empty()),
+          has_features_(!names.vessels.empty() && names_all(names, mesh.branches)) {
         json_["asset"] = {{"version", "2.0"}, {"generator", "ramus " RAMUS_VERSION}};
+        if (has_features_) json_["extensionsUsed"] = Json::array({kFeatures});
+        for (std::size_t id = 0; id < names.vessels.size(); ++id)
+            if (const int parent = names.vessels[id].parent; parent >= 0) children_[parent].push_back(id);
         json_["scene"] = 0;
         json_["scenes"].push_back({{"name", names.name}, {"nodes", Json::array({0})}});
         // (x, y, z) of RAS becomes (-x, z, y) / 1000: half a turn about (0, 1, 1). That of LPS becomes (x, z, -y) /
@@ -58,17 +63,18 @@ public:
             break;
         case PartsBy::kSystem: {
             const tree::System& system = names_.systems[number];
-            add_node(0, {{"name", system.name}, {"mesh", mesh_of(number, system.name, system.colour, number)}});
+            Json node{{"name", system.name}, {"mesh", mesh_of(number, system.name, system.colour, number)}};
+            if (has_features_) node["extras"] = {{"system", system.name}};
+            add_node(0, std::move(node));
             break;
         }
         case PartsBy::kBranch: {
             const MeshNames::Branch& branch = names_.branches[number];
             std::optional<std::size_t> system;
             if (!names_.systems.empty()) system = static_cast<std::size_t>(branch.system);
-            add_node(system ? node_of_system(*system) : 0,
-                     {{"name", branch.name},
-                      {"mesh", mesh_of(number, branch.name, branch.colour, system)},
-                      {"extras", Json::object({{"branch", number}})}});
+            Json node{{"name", branch.name}, {"mesh", mesh_of(number, branch.name, branch.colour, system)}};
+            if (has_features_) node["extras"] = extras_of(number);
+            add_node(system ? node_of_system(*system) : 0, std::move(node));
             break;
         }
         }
@@ -87,6 +93,7 @@ public:
         return text;
     }
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+    [[nodiscard]] bool has_features() const { return has_features_; }
 
 private:
     void add_views() {
@@ -102,6 +109,7 @@ private:
         positions_ = add(vertices, sizeof(glm::vec3), kArrayBuffer);
         if (has_normals_) normals_ = add(vertices, sizeof(glm::vec3), kArrayBuffer);
         if (has_radii_) radii_ = add(vertices, sizeof(float), kArrayBuffer);
+        if (has_features_) features_ = add(vertices, sizeof(float), kArrayBuffer);
         indices_ = add(3 * cut_.triangles.size(), sizeof(std::uint32_t), kElementBuffer);
     }
 
@@ -126,13 +134,31 @@ private:
         accessors_.back()["max"] = vector(section.most);
         if (has_normals_) attributes["NORMAL"] = of_vertices(normals_, sizeof(glm::vec3), "VEC3");
         if (has_radii_) attributes["_RADIUS"] = of_vertices(radii_, sizeof(float), "SCALAR");
+        if (has_features_) attributes["_FEATURE_ID_0"] = of_vertices(features_, sizeof(float), "SCALAR");
         const std::size_t indices = add_accessor(indices_, section.first_triangle * sizeof(glm::uvec3),
                                                  3 * section.triangles, kUnsigned, "SCALAR");
-        Json primitives = Json::array();
-        primitives.push_back(
-            {{"attributes", std::move(attributes)}, {"indices", indices}, {"material", material_of(colour, system)}});
-        meshes_.push_back({{"name", name}, {"primitives", std::move(primitives)}});
+        Json primitive{
+            {"attributes", std::move(attributes)}, {"indices", indices}, {"material", material_of(colour, system)}};
+        if (has_features_) {
+            const Json of_branches{{"featureCount", names_.vessels.size()}, {"attribute", 0}, {"label", "branch"}};
+            primitive["extensions"][kFeatures] = {{"featureIds", Json::array({of_branches})}};
+        }
+        meshes_.push_back({{"name", name}, {"primitives", Json::array({std::move(primitive)})}});
         return meshes_.size() - 1;
+    }
+
+    [[nodiscard]] Json extras_of(std::size_t id) const {
+        const MeshNames::Vessel& vessel = names_.vessels[id];
+        Json extras{{"branch", id}, {"parent", vessel.parent >= 0 ? Json(vessel.parent) : Json()}};
+        const auto children = children_.find(static_cast<int>(id));
+        extras["children"] = children != children_.end() ? Json(children->second) : Json::array();
+        extras["radius"] = vessel.radius_mm;
+        extras["length"] = vessel.length_mm;
+        extras["generation"] = vessel.generation;
+        extras["strahler"] = vessel.strahler;
+        if (!names_.systems.empty())
+            extras["system"] = names_.systems[static_cast<std::size_t>(names_.branches[id].system)].name;
+        return extras;
     }
 
     // One for each colour of a system.
@@ -161,11 +187,12 @@ private:
 
     const MeshNames& names_;
     const MeshSections& cut_;
-    bool has_normals_, has_radii_;
-    Json json_; // the rest: lists
+    bool has_normals_, has_radii_, has_features_;
+    std::map<int, std::vector<std::size_t>> children_; // by branch id
+    Json json_;                                        // the rest: lists
     Json nodes_ = Json::array(), meshes_ = Json::array(), materials_ = Json::array(), accessors_ = Json::array(),
          views_ = Json::array();
-    int positions_ = 0, normals_ = 0, radii_ = 0, indices_ = 0; // views
+    int positions_ = 0, normals_ = 0, radii_ = 0, features_ = 0, indices_ = 0; // views
     std::map<std::pair<std::optional<std::size_t>, Colour>, std::size_t> material_numbers_;
     std::map<std::size_t, std::size_t> system_nodes_;
     std::uint64_t bytes_ = 0;
@@ -194,6 +221,20 @@ MeshSections cut_into_parts(const mesh::TriangleMesh& mesh, const MeshNames& nam
     return sections_of(mesh, 1, [](const glm::uvec3&) { return std::size_t{0}; });
 }
 
+// The branch of each vertex, as numbers that attributes can have. A part has its own: vertices on its border are in
+// two.
+void write_features(const mesh::TriangleMesh& mesh, const MeshNames& names, const MeshSections& cut,
+                    BufferedFile& file) {
+    for (std::size_t part = 0; part < cut.sections.size(); ++part) {
+        const MeshSections::Section& section = cut.sections[part];
+        for (std::size_t n = 0; n < section.vertices; ++n) {
+            const std::uint32_t vertex = cut.vertices[section.first_vertex + n];
+            const auto branch = names.by == PartsBy::kBranch ? static_cast<std::int64_t>(part) : mesh.branches[vertex];
+            file.write_value(static_cast<float>(branch));
+        }
+    }
+}
+
 } // namespace
 
 Result<void> write_glb(const mesh::TriangleMesh& mesh, const MeshNames& names, const std::string& where,
@@ -204,6 +245,7 @@ Result<void> write_glb(const mesh::TriangleMesh& mesh, const MeshNames& names, c
     Scene scene(mesh, wanted, cut);
     for (std::size_t part = 0; part < cut.sections.size(); ++part) scene.add_part(part);
     const std::uint64_t binary = scene.bytes();
+    const bool has_features = scene.has_features();
     const std::string text = std::move(scene).text();
     const std::uint64_t total = 12 + 8 + text.size() + 8 + binary;
     if (total > std::numeric_limits<std::uint32_t>::max())
@@ -220,6 +262,7 @@ Result<void> write_glb(const mesh::TriangleMesh& mesh, const MeshNames& names, c
         for (const std::uint32_t v : cut.vertices) file.write_value(mesh.normals[v]);
     if (!mesh.radii.empty())
         for (const std::uint32_t v : cut.vertices) file.write_value(mesh.radii[v]);
+    if (has_features) write_features(mesh, wanted, cut, file);
     file.write(cut.triangles.data(), cut.triangles.size() * sizeof(glm::uvec3));
     return {};
 }
