@@ -4,6 +4,7 @@
 #include "app/actions/export_words.h"
 #include "app/assets/assets.h"
 #include "app/picture/video_file.h"
+#include "app/reports/pdf.h"
 #include "app/reports/table_kinds.h"
 
 namespace ramus::app::actions {
@@ -45,7 +46,8 @@ Result<Outcome> export_table(ActionContext& context, const Export& wanted) {
 }
 
 Result<Outcome> export_report(ActionContext& context, const Export& wanted) {
-    if (auto fits = expect_extension(wanted, ".html", "a report"); !fits) return tl::unexpected(fits.error());
+    if (auto fits = is_pdf(wanted.file) ? Result<void>() : expect_extension(wanted, ".html", "a report"); !fits)
+        return tl::unexpected(fits.error());
     std::vector<std::string> words{wanted.file.string()};
     if (!wanted.case_line.empty()) words.insert(words.end(), {"--case", wanted.case_line});
     return find_command("report")->action(context, words);
