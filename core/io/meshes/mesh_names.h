@@ -33,6 +33,7 @@ struct MeshNames {
     std::string name = "surface"; // of the whole mesh
     Colour colour{204, 73, 60};   // of parts without their own colour
     PartsBy by = PartsBy::kNone;
+    bool compressed = false;           // of formats that can be
     std::vector<tree::System> systems; // of the tree; empty: none
     std::vector<Branch> branches;      // by branch id; empty: unknown
     std::vector<Vessel> vessels;       // by branch id; empty: the parts are no vessels
