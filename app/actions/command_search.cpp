@@ -48,6 +48,7 @@ constexpr std::array kSynonyms{
     Synonyms{"region-save", "export nifti nrrd store"},
     Synonyms{"region-tree", "skeletonize centerline extract"},
     Synonyms{"report", "protocol print document html summary"},
+    Synonyms{"page", "browser web html share send mail colleague patient"},
     Synonyms{"save", "store keep project"},
     Synonyms{"save-as", "store keep project copy"},
     Synonyms{"open", "load import file dicom nifti mask tree session"},

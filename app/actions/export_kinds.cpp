@@ -60,6 +60,10 @@ std::vector<ExportFormat> report_formats() {
             {"PDF (.pdf)", ".pdf", "The same on A4; weasyprint or Chromium makes it where one is installed."}};
 }
 
+std::vector<ExportFormat> page_formats() {
+    return {{"HTML (.html)", ".html", "One file that any browser opens, without a network."}};
+}
+
 } // namespace
 
 const std::array<ExportKind, kExportKinds>& export_kinds() {
@@ -71,6 +75,10 @@ const std::array<ExportKind, kExportKinds>& export_kinds() {
           turntable_formats()},
          {ExportWhat::kReport, "report", "Report", "A page with pictures and tables of the plan.", false, true,
           report_formats()},
+         {ExportWhat::kPage, "page", "Page for the browser",
+          "The whole case in one file: a colleague, or the patient, turns the tree, asks and measures in a browser, "
+          "without ramus and without a network.",
+          false, true, page_formats()},
          {ExportWhat::kTable, "table", "Table", "The figures of each branch.", true, true, table_formats()},
          {ExportWhat::kSurface, "surface", "Surface", "The smooth surface, as triangles.", true, true,
           surface_formats()},

@@ -13,7 +13,17 @@
 
 namespace ramus::app {
 
-enum class ExportWhat : std::uint8_t { kPicture, kSheet, kTurntable, kReport, kTable, kSurface, kTree, kTerritories };
+enum class ExportWhat : std::uint8_t {
+    kPicture,
+    kSheet,
+    kTurntable,
+    kReport,
+    kPage,
+    kTable,
+    kSurface,
+    kTree,
+    kTerritories
+};
 enum class ExportOf : std::uint8_t { kVisible, kSelected, kAll };
 
 struct ExportFormat {
@@ -34,7 +44,7 @@ struct ExportKind {
     std::vector<ExportFormat> formats; // at least one
 };
 
-inline constexpr std::size_t kExportKinds = 8;
+inline constexpr std::size_t kExportKinds = 9;
 [[nodiscard]] const std::array<ExportKind, kExportKinds>& export_kinds(); // in the order of ExportWhat
 [[nodiscard]] std::optional<ExportWhat> export_kind_named(std::string_view key);
 

@@ -53,6 +53,12 @@ Result<Outcome> export_report(ActionContext& context, const Export& wanted) {
     return find_command("report")->action(context, words);
 }
 
+Result<Outcome> export_page(ActionContext& context, const Export& wanted) {
+    std::vector<std::string> words{wanted.file.string()};
+    words.insert(words.end(), wanted.page.begin(), wanted.page.end());
+    return find_command("page")->action(context, words);
+}
+
 Result<Outcome> export_figure(ActionContext& context, const Export& wanted) {
     const bool turns = wanted.what == ExportWhat::kTurntable;
     if (!turns || !is_video(wanted.file))

@@ -1,6 +1,7 @@
 #include "app/actions/export_words.h"
 
 #include "app/actions/arguments.h"
+#include "app/actions/case_pages.h"
 #include "app/assets/assets.h"
 #include "app/picture/surface_names.h"
 #include "app/reports/table_kinds.h"
@@ -32,6 +33,11 @@ Result<void> read_options(Export& wanted, Arguments words) {
             return fail("only a turntable has several pictures", {}, kExportUsage);
         wanted.size = request.size;
         wanted.figure = std::move(request.options);
+        return {};
+    }
+    if (wanted.what == ExportWhat::kPage) {
+        if (auto good = page_choice(words); !good) return tl::unexpected(good.error());
+        wanted.page.assign(words.begin(), words.end());
         return {};
     }
     for (std::size_t i = 0; i < words.size(); ++i) {

@@ -15,10 +15,10 @@
 namespace ramus::app::actions {
 
 inline constexpr const char* kExportUsage =
-    "export surface|tree|table|picture|sheet|turntable|report|territories FILE; of a surface, tree or table [--of "
+    "export surface|tree|table|picture|sheet|turntable|report|page|territories FILE; of a surface, tree or table [--of "
     "visible|selected|all]; of a surface [--parts branch|system|none] [--for-printing]; of a table [--rows "
     "branches|cuts|bands|selection|measurements|systems|contacts|validation]; of pictures --size, --background and "
-    "more; of a report [--case TEXT]";
+    "more; of a report [--case TEXT]; of a page [--title TEXT] [--size-limit MB] [--without PART]...";
 
 struct Export {
     ExportWhat what{};
@@ -26,9 +26,10 @@ struct Export {
     std::filesystem::path file;
     std::optional<io::PartsBy> parts; // none: the default
     bool for_printing = false;
-    std::string table;     // the name of a TableKind; empty: branches
-    std::string case_line; // for reports
-    FigureOptions figure;  // for pictures
+    std::string table;             // the name of a TableKind; empty: branches
+    std::string case_line;         // for reports
+    std::vector<std::string> page; // for pages: the options of the command `page`
+    FigureOptions figure;          // for pictures
     std::optional<glm::ivec2> size;
     [[nodiscard]] const ExportKind& kind() const { return export_kinds()[static_cast<std::size_t>(what)]; }
 };
@@ -47,6 +48,7 @@ using TableOf = std::function<Table(const Document&, const Assets&)>;
 // Runs an export of this kind; `wanted` must be valid.
 [[nodiscard]] Result<Outcome> export_table(ActionContext& context, const Export& wanted);
 [[nodiscard]] Result<Outcome> export_report(ActionContext& context, const Export& wanted);
+[[nodiscard]] Result<Outcome> export_page(ActionContext& context, const Export& wanted);
 [[nodiscard]] Result<Outcome> export_figure(ActionContext& context, const Export& wanted);
 
 } // namespace ramus::app::actions

@@ -166,6 +166,8 @@ Result<Outcome> export_file(ActionContext& context, Arguments arguments) {
         return export_table(context, wanted);
     case ExportWhat::kReport:
         return export_report(context, wanted);
+    case ExportWhat::kPage:
+        return export_page(context, wanted);
     case ExportWhat::kTerritories:
         return export_territories(context, wanted);
     case ExportWhat::kPicture:

@@ -32,6 +32,7 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> region_commands();
 [[nodiscard]] std::vector<Command> along_commands();
 [[nodiscard]] std::vector<Command> report_commands();
+[[nodiscard]] std::vector<Command> page_commands();
 [[nodiscard]] std::vector<Command> reading_commands();
 [[nodiscard]] std::vector<Command> camera_commands();
 [[nodiscard]] std::vector<Command> turning_commands();
@@ -75,6 +76,7 @@ inline constexpr std::array kCommandGroups{
     region_commands,        //
     along_commands,         //
     report_commands,        //
+    page_commands,          //
     reading_commands,       //
     contact_commands,       //
     validation_commands,    //

@@ -100,6 +100,24 @@ void draw_surface_options(ExportChoice& choice, bool has_systems) {
 
 } // namespace
 
+PageChoice PageFields::choice() const {
+    PageChoice choice;
+    choice.title = title.data();
+    constexpr std::size_t kMb = 1'000'000;
+    choice.most_bytes = static_cast<std::size_t>(most_mb) * kMb;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (!parts.at(i)) choice.left_out.push_back(kPageParts.at(i).part);
+    return choice;
+}
+
+std::vector<std::string> PageFields::words() const {
+    std::vector<std::string> words{"--size-limit", std::to_string(most_mb)};
+    if (title[0] != '\0') words.insert(words.end(), {"--title", title.data()});
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (!parts.at(i)) words.insert(words.end(), {"--without", std::string(kPageParts.at(i).name)});
+    return words;
+}
+
 void ExportChoice::follow(const std::string& name) {
     const std::string extension = lower_extension(name);
     const auto take_from = [&](const ExportKind& from) {
@@ -143,6 +161,10 @@ std::vector<std::string> ExportChoice::words(const fs::path& file) const {
     else if (kind().of_branches)
         words.insert(words.end(), {"--of", std::string(kExportScopes[static_cast<std::size_t>(of)].key)});
     if (what == ExportWhat::kReport && case_line[0] != '\0') words.insert(words.end(), {"--case", case_line.data()});
+    if (what == ExportWhat::kPage) {
+        const auto more = page.words();
+        words.insert(words.end(), more.begin(), more.end());
+    }
     if (what != ExportWhat::kSurface) return words;
     if (format().has_parts && parts) words.insert(words.end(), {"--parts", key_of(*parts)});
     if (format().for_printing && for_printing) words.emplace_back("--for-printing");
@@ -205,6 +227,27 @@ void draw_case_line(ExportChoice& choice) {
                            "file goes. Sessions and settings do not keep it.");
 }
 
+void draw_page_fields(PageFields& page, const std::string& contents) {
+    ImGui::AlignTextToFramePadding();
+    widgets::quiet("Title");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1.0F);
+    ImGui::InputTextWithHint("##title", "The name of the file", page.title.data(), page.title.size());
+    widgets::note_item("Title of the page");
+    ImGui::SetNextItemWidth(160.0F * theme::scale());
+    ImGui::SliderInt("##limit", &page.most_mb, 2, 60, "At most %d MB", ImGuiSliderFlags_AlwaysClamp);
+    widgets::note_item("Size limit");
+    widgets::tooltip("The surface is simplified to be below it, and the page says how much");
+    for (std::size_t i = 0; i < kPageParts.size(); ++i) {
+        if (i % 4 != 0) ImGui::SameLine(0.0F, 18.0F * theme::scale());
+        std::string label(kPageParts.at(i).name);
+        label[0] = static_cast<char>(label[0] - 'a' + 'A');
+        ImGui::Checkbox(label.c_str(), &page.parts.at(i));
+        widgets::tooltip(("In the page: " + std::string(kPageParts.at(i).help)).c_str());
+    }
+    widgets::quiet_wrapped(contents.c_str());
+}
+
 void draw_format(ExportChoice& choice) {
     std::vector<widgets::ListEntry> entries;
     for (const ExportFormat& each : choice.kind().formats)
@@ -234,6 +277,7 @@ bool draw_export_choice(ExportChoice& choice, const Exportable& has) {
         if (choice.kind().of_branches && choice.table.empty()) draw_scope(choice, has.selection);
         if (choice.what == ExportWhat::kSurface) draw_surface_options(choice, has.systems);
         if (choice.what == ExportWhat::kReport) draw_case_line(choice);
+        if (choice.what == ExportWhat::kPage) draw_page_fields(choice.page, has.page);
     }
     if (choice.what == ExportWhat::kTurntable && !choice.figure.videos)
         widgets::quiet_wrapped("ffmpeg is not installed, which makes videos of the pictures (apt install ffmpeg).");

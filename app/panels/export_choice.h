@@ -3,6 +3,7 @@
 
 #include "app/actions/export_kinds.h"
 #include "app/panels/figure_choice.h"
+#include "app/reports/page/case_page.h"
 #include "core/io/meshes/mesh_names.h"
 
 #include <array>
@@ -14,6 +15,19 @@
 
 namespace ramus::app {
 
+// The fields of the page for browsers.
+struct PageFields {
+    std::array<char, 256> title{};
+    int most_mb = 12;
+    std::array<bool, kPageParts.size()> parts = [] { // by kPageParts: whether they are in it
+        std::array<bool, kPageParts.size()> all{};
+        all.fill(true);
+        return all;
+    }();
+    [[nodiscard]] PageChoice choice() const;
+    [[nodiscard]] std::vector<std::string> words() const; // the options of the command `page`
+};
+
 struct ExportChoice {
     ExportWhat what = ExportWhat::kSurface;
     ExportOf of = ExportOf::kVisible;
@@ -23,6 +37,7 @@ struct ExportChoice {
     std::string table;                 // the name of a TableKind; empty: branches
     std::array<char, 256> case_line{}; // for reports; not remembered
     FigureChoice figure;
+    PageFields page; // not remembered, except the limit
 
     [[nodiscard]] bool draws() const { // a kind of picture, which has a preview
         return what == ExportWhat::kPicture || what == ExportWhat::kSheet || what == ExportWhat::kTurntable;
@@ -54,6 +69,7 @@ struct ExportChoice {
 struct Exportable {
     bool tree = true, selection = false, systems = false, territories = false;
     std::vector<std::string_view> tables; // names of tables with rows
+    std::string page;                     // what a page would have, and about how large it would be
 };
 
 // Draws the choice of the kind. True if it changed.

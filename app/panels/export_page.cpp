@@ -1,10 +1,12 @@
 // The export dialog's upper part: a page for each kind of file, with a preview of pictures.
+#include "app/actions/case_pages.h"
 #include "app/panels/figure_preview.h"
 #include "app/panels/open_dialog.h"
 #include "app/panels/parts.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/reports/table_kinds.h"
+#include "app/session/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +17,18 @@ namespace ramus::app {
 
 namespace {
 
-Exportable exportable(const InterfaceContext& context) {
+// "1,504 branches, 2 lesions; about 5.1 MB".
+std::string page_words(const InterfaceContext& context, const PageFields& page) {
+    const Document& document = context.workspace.document();
+    const auto& mesh = context.workspace.shown().mesh;
+    if (!document.tree() || !mesh) return {};
+    const PageChoice choice = page.choice();
+    const std::size_t bytes = actions::expected_page_bytes(document, mesh->triangle_count(), choice);
+    return "In it: " + actions::page_contents(document, choice) + ". About " +
+           digits(static_cast<double>(bytes) / 1e6, 2) + " MB.";
+}
+
+Exportable exportable(const InterfaceContext& context, const ExportChoice& choice) {
     const Document& document = context.workspace.document();
     Exportable has;
     has.tree = document.tree() != nullptr;
@@ -25,6 +38,7 @@ Exportable exportable(const InterfaceContext& context) {
     has.territories = assets.organ.territories != nullptr;
     for (const TableKind& kind : table_kinds())
         if (document.tree() && kind.there(document, assets)) has.tables.push_back(kind.name);
+    if (choice.what == ExportWhat::kPage) has.page = page_words(context, choice.page);
     return has;
 }
 
@@ -61,7 +75,7 @@ void draw_export_page(InterfaceContext& context, OpenDialog& dialog) {
     FigurePreview& preview = context.interface.of<FigurePreview>();
     preview.wanted = dialog.exported.draws();
     preview.request = dialog.exported.request({});
-    const Exportable has = exportable(context);
+    const Exportable has = exportable(context, dialog.exported);
     const bool other_kind = draw_export_kinds(dialog.exported, has);
     ImGui::Dummy({0.0F, 1.0F});
     const float width = ImGui::GetContentRegionAvail().x - (preview.wanted ? preview_width + 16.0F * scale : 0.0F);

@@ -1,6 +1,7 @@
 #include "app/ratings/rating_page.h"
 
 #include "app/ratings/page_texts.h"
+#include "app/reports/html.h"
 #include "app/session/json_text.h"
 #include "core/io/binary_numbers.h"
 #include "core/io/output_file.h"
@@ -11,13 +12,6 @@
 namespace ramus::app {
 
 namespace {
-
-// JSON that is safe inside a script element: "</script>" and "<!--" would end or change it.
-std::string script_json(const nlohmann::ordered_json& value) {
-    std::string text;
-    for (const char c : value.dump()) c == '<' ? text += "\\u003c" : text += c;
-    return text;
-}
 
 nlohmann::ordered_json page_json(const RatingStudy& study, int rater, const StudyPngs& pngs) {
     nlohmann::ordered_json page{{"format", kAnswersFormat},
@@ -44,19 +38,11 @@ nlohmann::ordered_json page_json(const RatingStudy& study, int rater, const Stud
 } // namespace
 
 std::string rating_page(const RatingStudy& study, int rater, const StudyPngs& pngs) {
-    const std::map<std::string, std::string, std::less<>> parts{{"style", std::string(kPageTexts.at("page.css"))},
-                                                                {"script", std::string(kPageTexts.at("page.js"))},
-                                                                {"rater", std::to_string(rater)},
-                                                                {"page", script_json(page_json(study, rater, pngs))}};
-    // Replaces in one pass, so that inserted text is not searched again.
-    std::string_view left = kPageTexts.at("page.html");
-    std::string page;
-    for (std::size_t open = left.find("{{"); open != std::string_view::npos; open = left.find("{{")) {
-        const std::size_t close = left.find("}}", open);
-        page.append(left.substr(0, open)).append(parts.find(left.substr(open + 2, close - open - 2))->second);
-        left.remove_prefix(close + 2);
-    }
-    return page.append(left);
+    const std::string number = std::to_string(rater), page = script_json(page_json(study, rater, pngs));
+    return filled(kPageTexts.at("page.html"), {{"style", kPageTexts.at("page.css")},
+                                               {"script", kPageTexts.at("page.js")},
+                                               {"rater", number},
+                                               {"page", page}});
 }
 
 Result<std::vector<std::filesystem::path>> write_study(const RatingStudy& study, const StudyPngs& pngs,

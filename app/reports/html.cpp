@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 
 namespace ramus::app {
 
@@ -69,15 +70,6 @@ std::size_t letter_length(std::string_view text) {
     return letter < kLeast[length] || letter > 0x10FFFF || is_half || letter == 0xFFFE || letter == 0xFFFF ? 0 : length;
 }
 
-std::string cell_text(const Cell& cell, int significant) {
-    if (!cell.number) return html_text(cell.text);
-    const double number = *cell.number;
-    if (!std::isfinite(number)) return "\xE2\x80\x93";
-    if (number == std::floor(number) && std::abs(number) < 1e9)
-        return std::string(number < 0.0 ? "-" : "").append(grouped(static_cast<std::uint64_t>(std::abs(number))));
-    return digits(number, significant);
-}
-
 // A swatch before the text of a colour: "#c98268".
 std::string swatch(const Column& column, const Cell& cell) {
     const bool colour = column.name == "colour" && cell.text.size() == 7 && cell.text[0] == '#' &&
@@ -96,7 +88,7 @@ std::string row_html(const Table& table, const std::vector<Cell>& row, const Tab
     std::string text = sum ? "<tr class=\"sum\">" : flagged ? "<tr class=\"flag\">" : "<tr>";
     for (std::size_t c = 0; c < table.columns.size(); ++c)
         text += std::string("<td") + (numeric(table, c) ? " class=\"number\">" : ">") +
-                swatch(table.columns[c], row[c]) + cell_text(row[c], table.columns[c].digits) + "</td>";
+                swatch(table.columns[c], row[c]) + html_text(text_of(row[c], table.columns[c].digits)) + "</td>";
     return text + "</tr>\n";
 }
 
@@ -126,6 +118,32 @@ std::string html_text(std::string_view text) {
         i += std::max<std::size_t>(length, 1);
     }
     return safe;
+}
+
+std::string script_json(const nlohmann::ordered_json& value) {
+    std::string text;
+    for (const char c : value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace))
+        c == '<' ? text += "\\u003c" : text += c;
+    return text;
+}
+
+std::string filled(std::string_view text, const PageTexts& parts) {
+    std::string page;
+    for (std::size_t open = text.find("{{"); open != std::string_view::npos; open = text.find("{{")) {
+        const std::size_t close = text.find("}}", open);
+        page.append(text.substr(0, open)).append(parts.find(text.substr(open + 2, close - open - 2))->second);
+        text.remove_prefix(close + 2);
+    }
+    return page.append(text);
+}
+
+std::string text_of(const Cell& cell, int significant) {
+    if (!cell.number) return cell.text;
+    const double number = *cell.number;
+    if (!std::isfinite(number)) return "\xE2\x80\x93";
+    if (number == std::floor(number) && std::abs(number) < 1e9)
+        return std::string(number < 0.0 ? "-" : "").append(grouped(static_cast<std::uint64_t>(std::abs(number))));
+    return digits(number, significant);
 }
 
 std::string now_text() { return local_time_text(std::chrono::system_clock::now()); }

@@ -5,6 +5,9 @@
 #include "app/reports/report_tables.h"
 
 #include <cstddef>
+#include <functional>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,11 +25,22 @@ using Facts = std::vector<std::pair<std::string, std::string>>; // name, value
 // Escapes & < > " ' for HTML and XML, and replaces invalid UTF-8 and control characters by U+FFFD.
 [[nodiscard]] std::string html_text(std::string_view text);
 
+// JSON that is safe inside a script element, where "</script>" and "<!--" would end or change it. Invalid UTF-8 becomes
+// U+FFFD.
+[[nodiscard]] std::string script_json(const nlohmann::ordered_json& value);
+
+// Replaces each {{name}} of the text by the part with this name, which must exist. Inserted text is not searched again.
+using PageTexts = std::map<std::string, std::string_view, std::less<>>;
+[[nodiscard]] std::string filled(std::string_view text, const PageTexts& parts);
+
 [[nodiscard]] std::string now_text(); // "2005-04-01 16:30", local time
 
 // The page up to and including the heading. `what`: kind of report, "Vessel tree report"; `made`: time.
 [[nodiscard]] std::string page_begin(const std::string& title, const std::string& what, const std::string& made);
 [[nodiscard]] std::string page_end();
+
+// A cell for people, as plain text. `significant`: digits of numbers that are not whole.
+[[nodiscard]] std::string text_of(const Cell& cell, int significant);
 
 [[nodiscard]] std::string facts_html(const Facts& facts);
 

@@ -1,5 +1,6 @@
 #include "core/io/checksum.h"
 
+#include "core/io/binary_numbers.h"
 #include "core/io/text_numbers.h"
 #include "core/io/trees/csv_pair.h"
 
@@ -27,16 +28,19 @@ public:
     void add(std::string_view bytes) {
         good_ = good_ && EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()) == 1;
     }
-    // Empty: libcrypto failed.
-    [[nodiscard]] std::string digits() {
+    // The 32 bytes. Empty: libcrypto failed.
+    [[nodiscard]] std::string bytes() {
         std::array<unsigned char, EVP_MAX_MD_SIZE> sum{};
         unsigned size = 0;
         if (!good_ || EVP_DigestFinal_ex(context_.get(), sum.data(), &size) != 1) return {};
+        return {sum.begin(), sum.begin() + size};
+    }
+    [[nodiscard]] std::string digits() { // hexadecimal
         constexpr const char* kDigits = "0123456789abcdef";
         std::string text;
-        for (unsigned i = 0; i < size; ++i) {
-            text += kDigits[sum[i] >> 4U];
-            text += kDigits[sum[i] & 15U];
+        for (const char byte : bytes()) {
+            text += kDigits[static_cast<unsigned char>(byte) >> 4U];
+            text += kDigits[static_cast<unsigned char>(byte) & 15U];
         }
         return text;
     }
@@ -111,6 +115,12 @@ Result<std::string> sha256_of(const fs::path& path) {
     }
     std::istringstream stream(lines);
     return sum_of(stream, path);
+}
+
+std::string sha256_base64(std::string_view bytes) {
+    Sha256 sum;
+    sum.add(bytes);
+    return base64_encoded(sum.bytes());
 }
 
 std::vector<fs::path> files_read_with(const fs::path& path) {
