@@ -1,0 +1,172 @@
+// From the model to what is drawn: layers, colours and flags of branches, colour scales, backgrounds.
+
+import { srgb } from "./gl.js";
+import { kFlags } from "./shaders.js";
+import { beyondCuts, diameters, lesionDistances } from "./values.js";
+
+const kHighlight = "#ffbd33", kUnknown = "#787f8a"; // of ramus
+// Viridis by S. van der Walt and N. Smith (2015, CC0): nine colours, of which ramus leaves out the darkest eighth.
+const kViridis = ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"];
+const kDarkestLeftOut = 0.12;
+
+const toLinear = (c) => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+const hex = (rgb) => "#" + rgb.map((c) => Math.round(255 * c).toString(16).padStart(2, "0")).join("");
+
+/** The colour of viridis at t from 0 to 1, sRGB from 0 to 1. */
+export function rampAt(t) {
+  const place = (kDarkestLeftOut + (1 - kDarkestLeftOut) * Math.min(1, Math.max(0, t))) * (kViridis.length - 1);
+  const i = Math.min(kViridis.length - 2, Math.floor(place)), a = srgb(kViridis[i]), b = srgb(kViridis[i + 1]);
+  return a.map((c, k) => c + (place - i) * (b[k] - c));
+}
+
+/** 64 colours as bytes, for the card. */
+export const rampBytes = () => Uint8Array.from({ length: 256 }, (_, i) => i % 4 === 3 ? 255 : Math.round(255 * rampAt((i >> 2) / 63)[i % 4]));
+
+/** How colours follow a column: { title, unit, low, high }, or null. */
+export function scaleOf(model, key = model.state.colour) {
+  const column = model.column(key);
+  if (!column) return null;
+  const numbers = column.values.filter((value) => Number.isFinite(value));
+  if (!numbers.length) return null;
+  let low = numbers.reduce((a, b) => Math.min(a, b)), high = numbers.reduce((a, b) => Math.max(a, b));
+  if (key === "diameter") for (const branch of model.branches) {
+    low = Math.min(low, branch.diameter_mm.min);
+    high = Math.max(high, branch.diameter_mm.max);
+  }
+  return { title: column.label, unit: column.unit || "", low, high };
+}
+
+/** The legend for the panel and the picture: { title, unit, stops: [[text, colour]], bar } or null. */
+export function legendOf(model) {
+  const { colour } = model.state, { json } = model;
+  if (model.state.bands && (json.bands || []).length && (json.lesions || []).length)
+    return { title: "Distance from lesions", unit: "", bar: false, stops: json.bands.map((band) => [`within ${band.mm} ${model.claims.unit === "mm" ? "mm" : "units"}`, band.colour]) };
+  if (colour === "system") return { title: "Systems", unit: "", bar: false, stops: json.systems.map((one) => [one.name, one.colour]) };
+  if (colour === "shown") {
+    const legend = json.colour && json.colour.legend;
+    if (!legend || !(legend.stops || []).length) return null;
+    return { title: legend.title, unit: legend.unit || "", bar: legend.stops.every(([value]) => typeof value === "number"), stops: legend.stops };
+  }
+  const scale = scaleOf(model);
+  if (!scale) return null;
+  const stops = Array.from({ length: 9 }, (_, i) => [scale.low + (scale.high - scale.low) * i / 8, hex(rampAt(i / 8))]);
+  return { title: scale.title, unit: scale.unit, bar: true, stops };
+}
+
+/** Gives the renderer what the model shows. Returns the look without what depends on the theme. */
+export class Looks {
+  constructor(model, renderer, kase) {
+    Object.assign(this, { model, renderer, kase });
+    this.hovered = -1;
+    this.cache = new Map();
+    this.renew();
+  }
+
+  // Again after a lost context.
+  renew() {
+    this.renderer.setRamp(rampBytes());
+    this.layersOf = this.valuesOf = null;
+    this.update();
+  }
+
+  #cached(key, make) {
+    if (!this.cache.has(key)) this.cache.set(key, make());
+    return this.cache.get(key);
+  }
+
+  #layers() {
+    const { model } = this, { lost } = model, after = model.state.planView === "after";
+    return model.state.states.map((state, id) => state === 3 || (after && lost.has(id)) ? 2 : state === 2 ? 1 : 0);
+  }
+
+  #colours(along) {
+    const { model } = this, { colour } = model.state, scale = scaleOf(model);
+    return model.branches.map((branch) => {
+      if (colour === "system") return branch.system === undefined ? kUnknown : (model.json.systems[branch.system] || {}).colour;
+      if (scale && !along) {
+        const value = model.value(id, column);
+        return value === null ? kUnknown : hex(rampAt((value - scale.low) / Math.max(scale.high - scale.low, 1e-12)));
+      }
+      return branch.colour;
+    });
+  }
+
+  /** Sends what changed. */
+  update() {
+    const { model, renderer, kase } = this, { surface, centerlines } = kase, { state, json } = model;
+    const layers = this.#layers();
+    if (String(layers) !== this.layersOf) renderer.setLayers(layers);
+    this.layersOf = String(layers);
+    this.bands = state.bands && renderer.float && (json.lesions || []).length ? (json.bands || []).slice().sort((a, b) => a.mm - b.mm) : [];
+    const along = state.colour === "diameter" && renderer.float && !this.bands.length;
+    const { cuts } = model;
+    const wanted = JSON.stringify([along, this.bands, cuts]);
+    if (wanted !== this.valuesOf) {
+      const lesions = (json.lesions || []).map((one) => ({ ...one, mesh: one.mesh === undefined ? null : kase.meshes[one.mesh] }));
+      const first = this.bands.length ? this.#cached("lesions", () => lesionDistances(surface, lesions, this.bands[this.bands.length - 1].mm))
+        : along ? this.#cached("diameters", () => diameters(surface, centerlines)) : null;
+      const second = cuts.length ? beyondCuts(surface, centerlines, cuts) : null;
+      const count = surface.branches.length, values = first || second ? new Float32Array(2 * count) : null;
+      for (let v = 0; values && v < count; ++v) {
+        values[2 * v] = first ? first[v] : 0;
+        values[2 * v + 1] = second ? second[v] : -1e4;
+      }
+      renderer.setValues(values);
+      this.valuesOf = wanted;
+    }
+    this.#records(along);
+    const scale = scaleOf(model);
+    this.scale = along && scale ? [scale.low, 1 / Math.max(scale.high - scale.low, 1e-12), 0, 1] : null;
+  }
+
+  #records(along) {
+    const { model } = this, { state, shapes } = model, { lost, cuts } = model;
+    const selected = new Set(state.selection), cut = new Set(cuts.map((one) => one.branch));
+    const glowing = new Set(this.hovered >= 0 && this.hovered < model.branches.length ? model.tree.subtree([this.hovered]) : []);
+    const bright = state.states.includes(1), colours = this.#colours(along);
+    this.outlined = false;
+    const flags = state.states.map((one) => bright ? (one === 1 ? kFlags.highlighted : kFlags.calm) : 0);
+    const all = Array.from(flags, (flag, id) => {
+      if (state.states[id] === 1) colours[id] = kHighlight;
+      if (id === this.hovered) flag |= kFlags.hovered;
+      else if (glowing.has(id)) flag |= kFlags.glowing;
+      if (lost.has(id)) flag |= kFlags.lost;
+      if (cut.has(id)) flag |= kFlags.cut;
+      if (selected.has(id) && state.states[id] !== 3) {
+        flag = (flag & ~kFlags.calm) | kFlags.selected;
+        this.outlined = true;
+      }
+      return flag;
+    });
+    shapes.forEach((shape, i) => {
+      colours.push(shape.colour);
+      all.push(kFlags.fixed | (this.hovered === model.branches.length + i ? kFlags.hovered : 0));
+    });
+    this.colours = colours;
+    this.renderer.setRecords(colours, all);
+  }
+
+  /** The hovered branch, or a shape by its number after the branches; -1: none. */
+  hover(id) {
+    if (id === this.hovered) return false;
+    this.hovered = id;
+    this.update();
+    return true;
+  }
+
+  /** The whole look, for a light or a dark ground. */
+  look(ground) {
+    const { json } = this.model, own = json.background && json.ground === ground ? json.background : null;
+    const white = ground === "light";
+    const top = own ? srgb(own.top) : white ? [1, 1, 1] : [0.105, 0.115, 0.130];
+    const bottom = own ? srgb(own.bottom) : white ? [1, 1, 1] : [0.045, 0.050, 0.060];
+    const glass = [0.943, 1, 1.086].map((tint) => Math.min(1, 0.7 * tint));
+    return {
+      top, bottom, far: top.map((c, k) => toLinear(0.5 * (c + bottom[k]))), depthCue: white ? 0.35 : 1,
+      glass: glass.map(toLinear), line: glass.map((c) => toLinear(0.66 * c)), glassOpacity: 1,
+      lost: [0.36, 0.34, 0.52].map(toLinear), selection: [0.36, 0.80, 1].map(toLinear),
+      bands: this.bands, scale: this.scale, outlined: this.outlined, drop: this.model.state.planView === "after" && this.model.cuts.length > 0,
+      shapes: this.model.shapes.map((shape, i) => ({ opacity: shape.opacity, visible: this.model.isShown(i), picked: Boolean(shape.picked) && this.model.isShown(i) })),
+    };
+  }
+}
