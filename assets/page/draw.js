@@ -3,7 +3,7 @@
 // of layers, then one pass that shades. The camera and the looks are values; nothing here knows the page.
 
 import { axesOf, depthRange, matrices, rayThrough } from "./camera.js";
-import { linear, makeBuffer, makeProgram, makeTarget, makeTexture } from "./gl.js";
+import { linear, makeBuffer, makeProgram, makeTarget, makeTexture, toLinear } from "./gl.js";
 import * as shaders from "./shaders.js";
 import { dot, scaled, add, subtract, length } from "./vector.js";
 
@@ -71,7 +71,8 @@ export class Renderer {
     this.records = makeTexture(gl, gl.RGBA16UI, kRow, rows);
     this.layers = makeTexture(gl, gl.R8UI, kRow, rows);
     this.recordRows = rows;
-    this.ramp = makeTexture(gl, gl.RGBA8, 64, 1, gl.LINEAR);
+    for (const name of ["ramp", "sky"]) this[name] = makeTexture(gl, this.float ? gl.RGBA16F : gl.RGBA8, 64, 1, gl.LINEAR);
+    this.skyOf = null;
     this.blank = makeTexture(gl, gl.RGBA8, 1, 1);
     this.#lines();
     const size = 2 * kPickRadius + 1;
@@ -179,11 +180,19 @@ export class Renderer {
     this.hasValues = Boolean(values && this.float);
   }
 
-  /** 64 sRGB colours as bytes (RGBA). */
-  setRamp(bytes) {
-    const { gl } = this;
-    gl.bindTexture(gl.TEXTURE_2D, this.ramp);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 64, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+  /** 64 sRGB colours: of the scale that colours follow, or of the background from below. */
+  #fillRow(texture, colourAt) {
+    const { gl } = this, list = Array.from({ length: 64 }, (_, i) => [...colourAt(i / 63).map(toLinear), 1]).flat();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 64, 1, gl.RGBA, this.float ? gl.FLOAT : gl.UNSIGNED_BYTE,
+      this.float ? new Float32Array(list) : Uint8Array.from(list, (c) => Math.round(255 * c)));
+  }
+  setRamp(colourAt) { this.#fillRow(this.ramp, colourAt); }
+  #setSky({ top, bottom }) {
+    const key = String([top, bottom]);
+    if (this.skyOf === key) return;
+    this.skyOf = key;
+    this.#fillRow(this.sky, (t) => top.map((c, k) => bottom[k] + t * t * (3 - 2 * t) * (c - bottom[k])));
   }
 
   #resize(width, height) {
@@ -228,7 +237,7 @@ export class Renderer {
       eye: [0.5 * size[0] + shift[0], 0.5 * size[1] + shift[1], mm],
       tree: [middle - deep, middle + deep, reach, reach * mm], mesh: 0, records: this.records,
       glass_colour: look.glass, lost_colour: look.lost, line_colour: look.line, selection_colour: look.selection,
-      top: look.top, bottom: look.bottom, far_colour: look.far, strength: [look.depthCue, look.glassOpacity], drop: look.drop ? 1 : 0,
+      far_colour: look.far, strength: [look.depthCue, look.glassOpacity], drop: look.drop ? 1 : 0,
     };
   }
 
@@ -244,6 +253,7 @@ export class Renderer {
     const common = this.#common(camera, used, look, shift);
     const uniforms = { ...common, to_clip: common.toClip, to_eye: common.toEye };
     this.uniforms = uniforms;
+    this.#setSky(look);
     const fast = coarse && this.surface.coarse ? "Coarse" : "";
     const clearing = !view;
     gl.viewport(0, 0, ...used);
@@ -273,7 +283,7 @@ export class Renderer {
     }
     this.programs.shade({
       ...uniforms, surface: t.surface, depths: t.depth, occlusion: t.hidden[0], values: both ? t.values : this.blank,
-      glass_light: t.light, glass_weight: t.weight, glass: glass || clear ? 1 : 0, ramp: this.ramp,
+      glass_light: t.light, glass_weight: t.weight, glass: glass || clear ? 1 : 0, ramp: this.ramp, sky: this.sky,
       scale: look.scale && both ? look.scale : [0, 0, 0, 0], bands: both ? look.bands.length : 0, band: this.#bandsOf(look),
       outline: look.outlined ? Math.max(1, 1.6 * point * scale) : 0, point: Math.max(1, point * scale),
     });
@@ -365,8 +375,8 @@ export class Renderer {
   /** Waits until the card is done; for measuring. */
   finish() {
     const { gl } = this;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.targets.sumTarget);
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, this.float ? gl.FLOAT : gl.UNSIGNED_BYTE, this.float ? new Float32Array(4) : new Uint8Array(4));
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
   }
 
   /**

@@ -75,9 +75,10 @@ export function makeTarget(gl, colours, depth = null) {
 }
 
 /** sRGB "#rrggbb" to linear numbers from 0 to 1. */
-export function linear(colour) {
-  return srgb(colour).map((c) => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
-}
+export const linear = (colour) => srgb(colour).map(toLinear);
+
+/** A channel of sRGB to linear light, both from 0 to 1. */
+export const toLinear = (c) => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
 
 /** "#rrggbb" to numbers from 0 to 1; grey for anything else. */
 export function srgb(colour) {

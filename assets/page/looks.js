@@ -1,6 +1,6 @@
 // From the model to what is drawn: layers, colours and flags of branches, colour scales, backgrounds.
 
-import { srgb } from "./gl.js";
+import { srgb, toLinear } from "./gl.js";
 import { kFlags } from "./shaders.js";
 import { beyondCuts, diameters, lesionDistances } from "./values.js";
 
@@ -9,7 +9,6 @@ const kHighlight = "#ffbd33", kUnknown = "#787f8a"; // of ramus
 const kViridis = ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"];
 const kDarkestLeftOut = 0.12;
 
-const toLinear = (c) => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
 const hex = (rgb) => "#" + rgb.map((c) => Math.round(255 * c).toString(16).padStart(2, "0")).join("");
 
 /** The colour of viridis at t from 0 to 1, sRGB from 0 to 1. */
@@ -18,9 +17,6 @@ export function rampAt(t) {
   const i = Math.min(kViridis.length - 2, Math.floor(place)), a = srgb(kViridis[i]), b = srgb(kViridis[i + 1]);
   return a.map((c, k) => c + (place - i) * (b[k] - c));
 }
-
-/** 64 colours as bytes, for the card. */
-export const rampBytes = () => Uint8Array.from({ length: 256 }, (_, i) => i % 4 === 3 ? 255 : Math.round(255 * rampAt((i >> 2) / 63)[i % 4]));
 
 /** How colours follow a column: { title, unit, low, high }, or null. */
 export function scaleOf(model, key = model.state.colour) {
@@ -64,7 +60,7 @@ export class Looks {
 
   // Again after a lost context.
   renew() {
-    this.renderer.setRamp(rampBytes());
+    this.renderer.setRamp(rampAt);
     this.layersOf = this.valuesOf = null;
     this.update();
   }

@@ -68,7 +68,7 @@ function start(kase) {
     show: () => model.setState(selected(), "normal"),
     showAll: () => model.showAll(),
     parent: () => model.select(selected().map((id) => model.branches[id].parent).filter((id) => id != null)),
-    children: () => model.select(selected().length ? selected().flatMap((id) => model.branches[id].children) : model.tree.outward.slice(0, 1)),
+    children: () => model.select(selected().length ? selected().flatMap((id) => model.branches[id].children) : model.tree.roots.slice(0, 1)),
     path() {
       const [a, b] = selected();
       const made = pathMeasurement(model, { branch: a, fraction: 0.5 }, { branch: b, fraction: 0.5 });

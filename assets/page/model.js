@@ -14,7 +14,7 @@ export class Model {
     this.json = kase.json;
     this.branches = kase.json.branches;
     this.claims = kase.json.claims || { unit: "unit", letters: false };
-    this.tree = new Tree(this.branches, kase.json.nodes, kase.centerlines);
+    this.tree = new Tree(kase.json, kase.centerlines);
     this.shapes = shapes;
     this.listeners = [];
     this.past = [];

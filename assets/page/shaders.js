@@ -42,14 +42,20 @@ vec3 way_to_eye(vec3 p) { return picture.z > 0.5 ? vec3(0.0, 0.0, 1.0) : normali
 float share_of_depth(float depth) { return clamp((depth - tree.x) / (tree.y - tree.x), 0.0, 1.0); }
 `;
 
+// Roots instead of a power, which a software rasteriser takes ten times as long for: within 0.7 of a byte.
 const kColour = `
-vec3 to_linear(vec3 c) { return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, vec3(lessThanEqual(c, vec3(0.04045)))); }
-vec3 to_srgb(vec3 c) { return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, c * 12.92, vec3(lessThanEqual(c, vec3(0.0031308)))); }
+vec3 to_srgb(vec3 c) {
+  vec3 a = sqrt(c), b = sqrt(a), d = sqrt(b);
+  return 0.662002687 * a + 0.684122060 * b - 0.323583601 * d - 0.0225411470 * c;
+}
 `;
 
 const kLight = `
 const vec3 kKey = vec3(-0.429, 0.572, 0.699), kFill = vec3(0.772, -0.051, 0.634);
-float power(float x, int n) { float r = 1.0; for (; n > 0; n >>= 1) { if ((n & 1) == 1) r *= x; x *= x; } return r; }
+float to_8(float x) { float x2 = x * x, x4 = x2 * x2; return x4 * x4; }
+float to_24(float x) { float x8 = to_8(x); return x8 * x8 * x8; }
+float to_60(float x) { float x2 = x * x, x4 = x2 * x2, x20 = to_8(x2) * x4; return x20 * x20 * x20; }
+float to_70(float x) { float x2 = x * x, x32 = to_8(x2 * x2); return x32 * x32 * x2 * x2 * x2; }
 float mirrored(vec3 n, vec3 to_eye, vec3 light) { return max(dot(n, normalize(light + to_eye)), 0.0); }
 vec3 lit(vec3 n, vec3 to_eye, vec3 albedo, float open, float aside) {
   float shadow = 1.0 + 0.75 * (open - 1.0);
@@ -57,7 +63,7 @@ vec3 lit(vec3 n, vec3 to_eye, vec3 albedo, float open, float aside) {
   float key = 1.5 * max((dot(n, kKey) + 0.06) / 1.06, 0.0) * shadow;
   float fill = 0.34 * max((dot(n, kFill) + 0.30) / 1.30, 0.0) * open;
   vec3 light = open * open * ambient + key * vec3(1.0, 0.965, 0.915) + fill * vec3(0.80, 0.90, 1.0);
-  float glint = 0.25 * power(mirrored(n, to_eye, kKey), 70), sheen = 0.03 * power(mirrored(n, to_eye, kFill), 24);
+  float glint = 0.25 * to_70(mirrored(n, to_eye, kKey)), sheen = 0.03 * to_24(mirrored(n, to_eye, kFill));
   vec3 shine = shadow * vec3(glint + sheen, 0.98 * glint + sheen, 0.95 * glint + sheen);
   float rim = aside * aside * aside * open * (0.6 + 0.4 * n.y);
   return albedo * light + shine + rim * (0.14 * albedo + vec3(0.015, 0.0174, 0.020));
@@ -171,7 +177,7 @@ void main() {
     veil = 1.0 - pow(1.0 - opacity, 1.0 / mix(0.14, 1.0, facing));
     float light = 0.85 * max(dot(n, kKey), 0.0) + 0.15 * max(dot(n, kFill), 0.0) + 0.45;
     radiance = mix(light * albedo, far_colour, strength.x * 0.5 * far * sqrt(far));
-    shine = 0.22 * opacity * power(mirrored(n, to_eye, kKey), 60);
+    shine = 0.22 * opacity * to_60(mirrored(n, to_eye, kKey));
   } else {
     vec3 tint = glass_colour;
     if (has(record.a, k_hovered)) tint *= 1.6;
@@ -184,7 +190,7 @@ void main() {
     veil = strength.y < 1.0 ? veil * strength.y : mix(veil, 0.97, strength.y - 1.0);
     veil *= 1.0 - 0.5 * strength.x * far;
     radiance = (0.28 * max(dot(n, kKey), 0.0) + 0.24) * tint;
-    shine = min(strength.y, 1.0) * 0.10 * power(mirrored(n, to_eye, kKey), 60);
+    shine = min(strength.y, 1.0) * 0.10 * to_60(mirrored(n, to_eye, kKey));
   }
   float alpha = clamp(veil + shine, 0.0, 1.0);
   float near = 1.0 - 0.9 * far, weight = weight_unit * (0.02 + near * near * near * near);
@@ -204,8 +210,6 @@ layout(location = 0) out vec4 hidden;
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   float value = texelFetch(depths, pixel, 0).x, sum = 0.0;
-  hidden = vec4(0.0);
-  if (value >= 1.0) return;
   vec3 centre = position_at(gl_FragCoord.xy, depth_of(value));
   vec3 n = unpacked(texelFetch(surface, pixel, 0).y) * vec3(1.0, 1.0, -1.0);
   float reach = tree.w * by_depth(centre.z), bias = 0.02 * reach, softness = 0.01 * reach * reach, fall_off = 0.25 / (reach * reach);
@@ -214,7 +218,7 @@ void main() {
   vec2 direction = vec2(cos(angle), sin(angle));
   const mat2 kGolden = mat2(-0.73736887, 0.67549029, -0.67549029, -0.73736887);
   ivec2 last = ivec2(picture.xy) - 1;
-  for (int i = 0; i < taps; ++i) {
+  for (int i = value < 1.0 ? 0 : taps; i < taps; ++i) {
     float part = (float(i) + 0.5) / float(taps);
     ivec2 tap = pixel + ivec2(round(tree.z * part * sqrt(part) * direction));
     direction = kGolden * direction;
@@ -234,11 +238,9 @@ uniform ivec2 step_by;
 layout(location = 0) out vec4 hidden;
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy), last = ivec2(picture.xy) - 1;
-  float value = texelFetch(depths, pixel, 0).x, sum = 0.0, weights = 0.0;
-  hidden = vec4(0.0);
-  if (value >= 1.0) return;
+  float value = texelFetch(depths, pixel, 0).x, sum = 0.0, weights = 1e-9;
   float depth = depth_of(value), per_tolerance = 2.0 / (tree.w * by_depth(depth));
-  for (int i = -3; i <= 3; ++i) {
+  for (int i = value < 1.0 ? -3 : 4; i <= 3; ++i) {
     ivec2 tap = clamp(pixel + i * step_by, ivec2(0), last);
     float weight = float(4 - abs(i)) * max(1.0 - abs(depth_of(texelFetch(depths, tap, 0).x) - depth) * per_tolerance, 0.0);
     sum += weight * texelFetch(occlusion, tap, 0).x;
@@ -247,11 +249,12 @@ void main() {
   hidden = vec4(sum / weights);
 }`;
 
-// Light of a pixel, linear and toned; views with shifted pixels are summed.
-export const kShadeFragment = `${kHead}${kOctahedral}${kView}${kColour}${kLight}${kRecords}
+// Light of a pixel, linear and toned; views with shifted pixels are summed. Software rasterisers execute both sides of a
+// branch, but leave loops early: what few pixels need is in a loop of one round.
+export const kShadeFragment = `${kHead}${kOctahedral}${kView}${kLight}${kRecords}
 uniform usampler2D surface;
-uniform sampler2D depths, occlusion, values, glass_light, glass_weight, ramp;
-uniform vec3 top, bottom, far_colour, line_colour, lost_colour, selection_colour;
+uniform sampler2D depths, occlusion, values, glass_light, glass_weight, ramp, sky; // ramp and sky: linear colours
+uniform vec3 far_colour, line_colour, lost_colour, selection_colour;
 uniform vec2 strength;
 uniform float outline, point, share;
 uniform int glass;
@@ -259,18 +262,18 @@ uniform vec4 scale; // low, 1 / (high - low), logarithmic; 1 if colours follow a
 uniform int bands;
 uniform vec4 band[8]; // linear colour, outer distance in mm
 layout(location = 0) out vec4 colour;
-vec3 ramp_colour(float t) { return to_linear(texture(ramp, vec2((clamp(t, 0.0, 1.0) * 63.0 + 0.5) / 64.0, 0.5)).rgb); }
+vec3 ramp_colour(float t) { return texture(ramp, vec2((clamp(t, 0.0, 1.0) * 63.0 + 0.5) / 64.0, 0.5)).rgb; }
 float pixel_size(float depth) { return eye.z * by_depth(depth); }
 vec3 shown(uvec4 record, vec2 value, float depth) {
   uint flags = record.a;
   vec3 own = vec3(record.rgb) / 65535.0, result = own;
   bool by_value = !has(flags, k_highlighted) && !has(flags, k_fixed);
-  if (scale.w > 0.5 && by_value) {
+  for (int k = scale.w > 0.5 && by_value ? 1 : 0; k > 0; --k) {
     float v = scale.z > 0.5 ? log(max(value.x, 1e-12)) : value.x;
     result = ramp_colour((v - scale.x) * scale.y);
   }
   float per_pixel = 1.0 / pixel_size(depth);
-  if (bands > 0 && by_value) {
+  for (int k = bands > 0 && by_value ? 1 : 0; k > 0; --k) {
     float edge = 2.0;
     for (int i = bands - 1; i >= 0; --i) {
       float inside = (band[i].w - value.x) * per_pixel;
@@ -279,7 +282,7 @@ vec3 shown(uvec4 record, vec2 value, float depth) {
     }
     result *= mix(0.45, 1.0, smoothstep(0.5, 1.3, edge));
   }
-  if (has(flags, k_lost | k_cut)) {
+  for (int k = has(flags, k_lost | k_cut) ? 1 : 0; k > 0; --k) {
     float behind = has(flags, k_lost) ? 1e9 : value.y;
     float across = fract((gl_FragCoord.x + gl_FragCoord.y) / (9.0 * point));
     float stripe = smoothstep(0.0, 0.16, across) * (1.0 - smoothstep(0.34, 0.5, across));
@@ -301,12 +304,15 @@ bool selected_at(ivec2 at) {
   uint id = texelFetch(surface, clamp(at, ivec2(0), ivec2(picture.xy) - 1), 0).x;
   return id != 0u && id < 0x80000000u && has(record_of(id).a, k_selected);
 }
-vec3 toned(vec3 c) { return clamp(mix(c, 1.0 - 0.28 * exp((0.72 - c) / 0.28), vec3(greaterThanEqual(c, vec3(0.72)))), 0.0, 1.0); }
+vec3 toned(vec3 c) {
+  for (int k = any(greaterThan(c, vec3(0.72))) ? 1 : 0; k > 0; --k) c = mix(c, 1.0 - 0.28 * exp((0.72 - c) / 0.28), vec3(greaterThanEqual(c, vec3(0.72))));
+  return clamp(c, 0.0, 1.0);
+}
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   uvec2 found = texelFetch(surface, pixel, 0).xy;
-  vec3 light = to_linear(mix(bottom, top, smoothstep(0.0, 1.0, gl_FragCoord.y / picture.y)));
-  if (found.x != 0u) {
+  vec3 light = texture(sky, vec2(0.5 / 64.0 + 63.0 / 64.0 * gl_FragCoord.y / picture.y, 0.5)).rgb;
+  for (int k = found.x != 0u ? 1 : 0; k > 0; --k) {
     vec3 p = position_at(gl_FragCoord.xy, depth_of(texelFetch(depths, pixel, 0).x));
     uvec4 record = record_of(found.x & 0x7fffffffu);
     float far = share_of_depth(p.z);
@@ -323,15 +329,16 @@ void main() {
       light = lit(n, to_eye, albedo, 1.0 - texelFetch(occlusion, pixel, 0).x, aside);
       bool bright = has(record.a, k_highlighted);
       if (bright) light = 1.10 * light + 0.05 * albedo;
-      light = fogged(light, far, bright ? 0.25 : 0.68) + glow(record.a, albedo, aside);
+      light = fogged(light, far, bright ? 0.25 : 0.68);
+      if (has(record.a, k_hovered | k_glowing)) light += glow(record.a, albedo, aside);
     }
   }
-  if (glass == 1) {
+  for (int k = glass; k > 0; --k) {
     vec4 sum = texelFetch(glass_light, pixel, 0);
     float weight = texelFetch(glass_weight, pixel, 0).x;
     light = light * sum.a + (weight > 0.0 ? sum.rgb / weight * (1.0 - sum.a) : vec3(0.0));
   }
-  if (outline > 0.0) {
+  for (int k = outline > 0.0 ? 1 : 0; k > 0; --k) {
     bool inside = selected_at(pixel);
     float differing = 0.0;
     for (int i = 0; i < 12; ++i) {

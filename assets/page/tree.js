@@ -4,55 +4,25 @@
 import { along, mixed, nearestOnLine, subtract, unit } from "./vector.js";
 
 export class Tree {
-  /** `branches`: parent, children, length_mm of each; `nodes`: [from, to] of each; `centerlines`: as decode.js has them. */
-  constructor(branches, nodes, centerlines) {
-    this.branches = branches;
-    this.nodes = nodes;
-    this.lines = centerlines;
-    this.#findDependencies();
+  /**
+   * `json`: branches with parent, children, length_mm; nodes, [from, to] of each branch; order, in which the dependents of a
+   * branch follow it; dependents, how many, in that order. `lines`: centerlines as decode.js has them.
+   */
+  constructor({ branches, nodes, order, dependents }, lines) {
+    Object.assign(this, { branches, nodes, order, lines });
+    this.rank = new Uint32Array(order.length);
+    this.dependents = new Uint32Array(order.length); // by branch
+    order.forEach((id, rank) => {
+      this.rank[id] = rank;
+      this.dependents[id] = dependents[rank];
+    });
+    this.roots = branches.map((_, id) => id).filter((id) => branches[id].parent == null);
   }
 
-  // In a network with loops only bridges have dependents: a branch on a ring can be reached around it.
-  #findDependencies() {
-    const count = this.branches.length, { branches, nodes } = this;
-    this.outward = []; // parents before their children
-    for (let b = 0; b < count; ++b) if (branches[b].parent == null) this.outward.push(b);
-    for (let i = 0; i < this.outward.length; ++i) this.outward.push(...branches[this.outward[i]].children);
-    const bridge = new Uint8Array(count).fill(1), depth = new Int32Array(count), reached = new Map();
-    for (const b of this.outward)
-      if (branches[b].parent == null) reached.set(nodes[b][0], -1);
-      else depth[b] = depth[branches[b].parent] + 1;
-    const parentOf = (b) => branches[b].parent ?? -1;
-    const closing = [];
-    for (let b = 0; b < count; ++b)
-      if (reached.has(nodes[b][1])) closing.push(b);
-      else reached.set(nodes[b][1], b);
-    for (const b of closing) {
-      bridge[b] = 0;
-      let x = parentOf(b), y = reached.get(nodes[b][1]);
-      while (x !== y) {
-        if (x < 0 || (y >= 0 && depth[y] > depth[x])) [x, y] = [y, x];
-        bridge[x] = 0;
-        x = parentOf(x);
-      }
-    }
-    this.dependsOn = new Int32Array(count).fill(-1); // the nearest bridge above, or -1
-    this.dependents = new Int32Array(count); // how many
-    for (const b of this.outward) {
-      const above = parentOf(b);
-      if (above >= 0) this.dependsOn[b] = bridge[above] ? above : this.dependsOn[above];
-    }
-    for (let i = this.outward.length - 1; i >= 0; --i) {
-      const b = this.outward[i], above = this.dependsOn[b];
-      if (above >= 0) this.dependents[above] += 1 + this.dependents[b];
-    }
-  }
-
-  /** The branches and all that depends on them, ascending. */
+  /** The branches and all that depends on them, ascending. In networks these can be reached only through the branches. */
   subtree(ids) {
     const inside = new Uint8Array(this.branches.length);
-    for (const id of ids) inside[id] = 1;
-    for (const b of this.outward) if (this.dependsOn[b] >= 0 && inside[this.dependsOn[b]]) inside[b] = 1;
+    for (const id of ids) for (const one of this.order.slice(this.rank[id], this.rank[id] + 1 + this.dependents[id])) inside[one] = 1;
     return listed(inside);
   }
 

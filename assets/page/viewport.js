@@ -8,6 +8,7 @@ import { dot, subtract } from "./vector.js";
 
 const kRestAfter = 180; // ms without a move
 const kSlow = 60, kFast = 20; // ms for one view
+const kLeastScale = 0.4;
 const kAnimation = 260; // ms of a change of view
 
 export class Viewport {
@@ -15,9 +16,10 @@ export class Viewport {
     Object.assign(this, { canvas, overlay, renderer, looks, model });
     this.ground = model.json.ground === "light" ? "light" : "dark";
     this.frames = 0; // pictures that were shown
-    this.scale = 1; // pixels drawn per pixel while the view moves
+    this.scale = 0.5; // pixels drawn per pixel while the view moves
+    this.cost = kSlow; // ms of one view while it moves
     this.view = 0; // the next view of the picture
-    this.movedAt = -1e9;
+    this.movedAt = performance.now(); // the first picture is a coarse one
     this.extra = {}; // lasso, draft
     this.moves = []; // listeners
     this.size = [1, 1];
@@ -31,6 +33,7 @@ export class Viewport {
       this.redraw();
     });
     this.resize();
+    this.#ask();
   }
 
   get ratio() { return Math.min(2, window.devicePixelRatio || 1); }
@@ -85,10 +88,13 @@ export class Viewport {
     this.asked = 0;
     const moving = performance.now() - this.movedAt < kRestAfter;
     if (this.view === 0 || !moving) this.#draw(moving);
-    if (moving) {
-      clearTimeout(this.resting);
-      this.resting = setTimeout(() => this.redraw(), kRestAfter);
-    } else if (this.view < kViewsOfPicture) this.#ask();
+    clearTimeout(this.resting);
+    if (moving) this.resting = setTimeout(() => this.redraw(), kRestAfter);
+    else if (this.view < kViewsOfPicture) {
+      // A slow renderer must not be busy with details when the next move comes.
+      if (this.cost > kSlow) this.resting = setTimeout(() => this.#ask(), this.view === 1 ? 400 : 60);
+      else this.#ask();
+    }
     this.drawOverlay();
   }
 
@@ -96,16 +102,16 @@ export class Viewport {
     if (this.view >= kViewsOfPicture) return;
     const start = performance.now();
     this.#drawView(this.view, moving);
-    // While nothing waits for the card, time is measured by asking for a pixel.
-    if (moving || this.cost === undefined) {
+    this.renderer.present();
+    if (moving || this.cost > kSlow) {
       this.renderer.finish();
       const took = performance.now() - start;
-      if (moving && took > kSlow) this.scale = Math.max(0.35, this.scale * 0.75);
-      if (moving && took < kFast) this.scale = Math.min(1, this.scale * 1.15);
-      if (this.cost === undefined && took > kSlow) this.scale = 0.5;
-      this.cost = took;
+      if (moving && this.frames > 0) { // the first frame also compiles
+        if (took > kSlow) this.scale = Math.max(kLeastScale, this.scale * Math.max(0.6, Math.sqrt(kSlow / took)));
+        if (took < kFast) this.scale = Math.min(1, this.scale * 1.15);
+        this.cost = took;
+      }
     }
-    this.renderer.present();
     this.frames += 1;
     this.view = moving ? 0 : this.view + 1;
   }
@@ -139,6 +145,7 @@ export class Viewport {
   timeOfMoving() {
     const start = performance.now();
     this.#drawView(0, true);
+    this.renderer.present();
     this.renderer.finish();
     const took = performance.now() - start;
     this.redraw();
