@@ -32,7 +32,7 @@ export class BranchTable {
   /** `chosen(ids, options)`: a person selected rows. */
   constructor(model, chosen) {
     Object.assign(this, { model, chosen, sort: "id", down: false, limit: kRowsAtOnce });
-    const unit = model.claims.unit === "mm" ? "mm" : "u";
+    const { unit } = model.claims;
     this.columns = [["id", "Branch", "Number or name"], ["gen", "Gen", "Generation"], ["str", "Str", "Strahler order"],
       ["d", `⌀ ${unit}`, "Mean diameter"], ["len", `Len ${unit}`, "Length"], ["deps", "Deps", "How many branches depend on it"]];
     by("filter").addEventListener("input", () => {
@@ -103,6 +103,10 @@ export class BranchTable {
   /** Scrolls to a branch, if its row is there. */
   reveal(id) {
     const found = this.rows.get(id);
-    if (found) found.row.scrollIntoView({ block: "nearest" });
+    if (!found) return;
+    // Not scrollIntoView, which would also scroll the panel away from the figures of the selection.
+    const box = by("branches").parentElement, top = found.row.offsetTop, head = by("branches").tHead.offsetHeight;
+    if (top < box.scrollTop + head) box.scrollTop = top - head;
+    else if (top + found.row.offsetHeight > box.scrollTop + box.clientHeight) box.scrollTop = top + found.row.offsetHeight - box.clientHeight;
   }
 }

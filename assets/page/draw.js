@@ -55,6 +55,7 @@ export class Renderer {
       occlusion: program(shaders.kScreenVertex, shaders.kOcclusionFragment), blur: program(shaders.kScreenVertex, shaders.kBlurFragment),
       shade: program(shaders.kScreenVertex, shaders.kShadeFragment), present: program(shaders.kScreenVertex, shaders.kPresentFragment),
     };
+    gl.vertexAttribI4ui(2, 0, 0, 0, 0); // shapes have no branches
     this.nothing = gl.createVertexArray();
     this.vessels = this.#arrays(surface);
     this.values = null;

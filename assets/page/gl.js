@@ -1,21 +1,24 @@
 // Small helpers over WebGL 2: programs with their uniforms, buffers, textures, targets.
 
-/** A linked program: { use(uniforms) }. Uniform values are numbers, arrays, matrices or [unit, texture] under "$name". */
+/**
+ * A program that is compiled at its first use. Returns a function that makes it current and sets its uniforms: numbers,
+ * arrays, or textures for samplers; names that the program does not have are left out.
+ */
 export function makeProgram(gl, vertex, fragment) {
-  const program = gl.createProgram();
-  for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
-    const shader = gl.createShader(kind);
-    gl.shaderSource(shader, text);
-    gl.compileShader(shader);
-    gl.attachShader(program, shader);
-  }
-  gl.linkProgram(program);
+  let program = null;
   const places = new Map();
-  const find = () => {
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) {
-      const logs = gl.getAttachedShaders(program).map((shader) => gl.getShaderInfoLog(shader));
-      throw new Error(`a shader does not compile: ${logs.join(" ")} ${gl.getProgramInfoLog(program)}`);
-    }
+  const compile = () => {
+    program = gl.createProgram();
+    const shaders = [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]].map(([kind, text]) => {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, text);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
+      return shader;
+    });
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost())
+      throw new Error(`a shader does not compile: ${shaders.map((shader) => gl.getShaderInfoLog(shader)).join(" ")} ${gl.getProgramInfoLog(program)}`);
     const count = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS);
     for (let i = 0; i < count; ++i) {
       const info = gl.getActiveUniform(program, i);
@@ -30,7 +33,7 @@ export function makeProgram(gl, vertex, fragment) {
     [gl.FLOAT_MAT3]: (at, v) => gl.uniformMatrix3fv(at, false, v), [gl.FLOAT_MAT4]: (at, v) => gl.uniformMatrix4fv(at, false, v),
   };
   return (values) => {
-    if (!places.size) find(); // not before the first use: browsers compile in the background
+    if (!program) compile();
     gl.useProgram(program);
     let unit = 0;
     for (const [name, { at, type }] of places) {

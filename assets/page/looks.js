@@ -1,10 +1,13 @@
 // From the model to what is drawn: layers, colours and flags of branches, colour scales, backgrounds.
 
-import { srgb, toLinear } from "./gl.js";
+import { linear, srgb, toLinear } from "./gl.js";
 import { kFlags } from "./shaders.js";
-import { beyondCuts, diameters, lesionDistances } from "./values.js";
+import { digits } from "./text.js";
+import { diameters, insideLost, lesionDistances } from "./values.js";
 
-const kHighlight = "#ffbd33", kUnknown = "#787f8a"; // of ramus
+// Of ramus, where the case does not say.
+const kLook = { highlight: "#ffbd33", selection: "#5cccff", glass: "#a8b3c2", glass_opacity: 1, centerline: "#6f7680", lost: "#5c5785" };
+const kUnknown = "#787f8a";
 // Viridis by S. van der Walt and N. Smith (2015, CC0): nine colours, of which ramus leaves out the darkest eighth.
 const kViridis = ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"];
 const kDarkestLeftOut = 0.12;
@@ -32,21 +35,22 @@ export function scaleOf(model, key = model.state.colour) {
   return { title: column.label, unit: column.unit || "", low, high };
 }
 
-/** The legend for the panel and the picture: { title, unit, stops: [[text, colour]], bar } or null. */
+/** The legend: { title, bar: [colours], ticks: [[0 to 1, text]], stops: [[text, colour]] }, or null. */
 export function legendOf(model) {
   const { colour } = model.state, { json } = model;
   if (model.state.bands && (json.bands || []).length && (json.lesions || []).length)
-    return { title: "Distance from lesions", unit: "", bar: false, stops: json.bands.map((band) => [`within ${band.mm} ${model.claims.unit === "mm" ? "mm" : "units"}`, band.colour]) };
-  if (colour === "system") return { title: "Systems", unit: "", bar: false, stops: json.systems.map((one) => [one.name, one.colour]) };
+    return { title: "Distance from lesions", stops: json.bands.map((band) => [`within ${band.mm} ${model.claims.unit}`, band.colour]) };
+  if (colour === "system") return { title: "Systems", stops: json.systems.map((one) => [one.name, one.colour]) };
   if (colour === "shown") {
     const legend = json.colour && json.colour.legend;
-    if (!legend || !(legend.stops || []).length) return null;
-    return { title: legend.title, unit: legend.unit || "", bar: legend.stops.every(([value]) => typeof value === "number"), stops: legend.stops };
+    return legend && legend.title && (legend.bar || legend.stops.length) ? legend : null;
   }
   const scale = scaleOf(model);
   if (!scale) return null;
-  const stops = Array.from({ length: 9 }, (_, i) => [scale.low + (scale.high - scale.low) * i / 8, hex(rampAt(i / 8))]);
-  return { title: scale.title, unit: scale.unit, bar: true, stops };
+  return {
+    title: scale.title + (scale.unit ? `, ${scale.unit}` : ""), bar: Array.from({ length: 9 }, (_, i) => hex(rampAt(i / 8))),
+    ticks: [0, 0.5, 1].map((at) => [at, digits(scale.low + at * (scale.high - scale.low))]), stops: [],
+  };
 }
 
 /** Gives the renderer what the model shows. Returns the look without what depends on the theme. */
@@ -95,13 +99,13 @@ export class Looks {
     this.layersOf = String(layers);
     this.bands = state.bands && renderer.float && (json.lesions || []).length ? (json.bands || []).slice().sort((a, b) => a.mm - b.mm) : [];
     const along = state.colour === "diameter" && renderer.float && !this.bands.length;
-    const { cuts } = model;
-    const wanted = JSON.stringify([along, this.bands, cuts]);
+    const { lostParts } = model;
+    const wanted = JSON.stringify([along, this.bands, lostParts]);
     if (wanted !== this.valuesOf) {
       const lesions = (json.lesions || []).map((one) => ({ ...one, mesh: one.mesh === undefined ? null : kase.meshes[one.mesh] }));
       const first = this.bands.length ? this.#cached("lesions", () => lesionDistances(surface, lesions, this.bands[this.bands.length - 1].mm))
         : along ? this.#cached("diameters", () => diameters(surface, centerlines)) : null;
-      const second = cuts.length ? beyondCuts(surface, centerlines, cuts) : null;
+      const second = lostParts.length ? insideLost(surface, centerlines, lostParts) : null;
       const count = surface.branches.length, values = first || second ? new Float32Array(2 * count) : null;
       for (let v = 0; values && v < count; ++v) {
         values[2 * v] = first ? first[v] : 0;
@@ -116,14 +120,15 @@ export class Looks {
   }
 
   #records(along) {
-    const { model } = this, { state, shapes } = model, { lost, cuts } = model;
-    const selected = new Set(state.selection), cut = new Set(cuts.map((one) => one.branch));
+    const { model } = this, { state, shapes, lost } = model;
+    const { highlight } = { ...kLook, ...model.json.look };
+    const selected = new Set(state.selection), cut = new Set(model.lostParts.map(([branch]) => branch));
     const glowing = new Set(this.hovered >= 0 && this.hovered < model.branches.length ? model.tree.subtree([this.hovered]) : []);
     const bright = state.states.includes(1), colours = this.#colours(along);
     this.outlined = false;
     const flags = state.states.map((one) => bright ? (one === 1 ? kFlags.highlighted : kFlags.calm) : 0);
     const all = Array.from(flags, (flag, id) => {
-      if (state.states[id] === 1) colours[id] = kHighlight;
+      if (state.states[id] === 1) colours[id] = highlight;
       if (id === this.hovered) flag |= kFlags.hovered;
       else if (glowing.has(id)) flag |= kFlags.glowing;
       if (lost.has(id)) flag |= kFlags.lost;
@@ -156,12 +161,12 @@ export class Looks {
     const white = ground === "light";
     const top = own ? srgb(own.top) : white ? [1, 1, 1] : [0.105, 0.115, 0.130];
     const bottom = own ? srgb(own.bottom) : white ? [1, 1, 1] : [0.045, 0.050, 0.060];
-    const glass = [0.943, 1, 1.086].map((tint) => Math.min(1, 0.7 * tint));
+    const colours = { ...kLook, ...json.look };
     return {
       top, bottom, far: top.map((c, k) => toLinear(0.5 * (c + bottom[k]))), depthCue: white ? 0.35 : 1,
-      glass: glass.map(toLinear), line: glass.map((c) => toLinear(0.66 * c)), glassOpacity: 1,
-      lost: [0.36, 0.34, 0.52].map(toLinear), selection: [0.36, 0.80, 1].map(toLinear),
-      bands: this.bands, scale: this.scale, outlined: this.outlined, drop: this.model.state.planView === "after" && this.model.cuts.length > 0,
+      glass: linear(colours.glass), line: linear(colours.centerline), glassOpacity: colours.glass_opacity,
+      lost: linear(colours.lost), selection: linear(colours.selection),
+      bands: this.bands, scale: this.scale, outlined: this.outlined, drop: this.model.state.planView === "after" && this.model.lostParts.length > 0,
       shapes: this.model.shapes.map((shape, i) => ({ opacity: shape.opacity, visible: this.model.isShown(i), picked: Boolean(shape.picked) && this.model.isShown(i) })),
     };
   }

@@ -77,7 +77,10 @@ function start(kase) {
       say(`${made.name}, from middle to middle: ${made.text}`);
     },
     savedView: (i) => viewport.goTo(cameraFrom(json.views[i].camera, viewport.camera)),
-    lookAt: (point) => viewport.goTo(centredOn(viewport.camera, point)),
+    lookAt(point, text) {
+      viewport.extra.marked = { point, text };
+      viewport.goTo(centredOn(viewport.camera, point));
+    },
     view: (name) => viewport.setView(name),
     fit: () => viewport.fit(selected()),
     projection: () => viewport.goTo(withProjection(viewport.camera, !viewport.camera.orthographic)),
@@ -264,7 +267,8 @@ function failed(error) {
 window.ramus = {
   ready: (async () => {
     try {
-      const parts = start(await decodeCase());
+      const kase = await decodeCase();
+      const parts = start(kase);
       Object.assign(window.ramus, api(parts));
       parts.viewport.drawOverlay();
       return true;

@@ -1,6 +1,6 @@
 // The tools that measure: a distance of two points on the surface, a path along vessels, a diameter.
 
-import { distance } from "./vector.js";
+import { distance, mixed } from "./vector.js";
 import { lengthText } from "./text.js";
 
 export const kMeasuring = {
@@ -15,19 +15,19 @@ export function pathMeasurement(model, from, to) {
   if (!path) return null;
   return {
     kind: "path", name: `Path ${model.nameOf(from.branch)} to ${model.nameOf(to.branch)}`, length_mm: path.length_mm, branches: path.branches,
-    points: [path.points[0], path.points[path.points.length - 1]], line: path.points, text: lengthText(path.length_mm, model.claims),
+    points: [path.points[0], path.points[path.points.length - 1]], lines: [path.points], label_at: path.points[path.points.length >> 1], text: lengthText(path.length_mm, model.claims),
   };
 }
 
 /** The straight distance of two points (mm). */
 export const distanceMeasurement = (model, p, q) =>
-  ({ kind: "distance", name: "Distance", points: [p, q], length_mm: distance(p, q), text: lengthText(distance(p, q), model.claims) });
+  ({ kind: "distance", name: "Distance", points: [p, q], lines: [[p, q]], label_at: mixed(p, q, 0.5), length_mm: distance(p, q), text: lengthText(distance(p, q), model.claims) });
 
 /** The diameter of a branch at a point on or near its surface. */
 export function diameterMeasurement(model, branch, point) {
-  const place = model.tree.place(branch, model.tree.nearestFraction(branch, point));
+  const fraction = model.tree.nearestFraction(branch, point), place = model.tree.place(branch, fraction);
   if (!place) return null;
-  return { kind: "diameter", name: `Diameter of ${model.nameOf(branch)}`, points: [place.at], line: model.tree.ring(branch, model.tree.nearestFraction(branch, point), 1),
+  return { kind: "diameter", name: `Diameter of ${model.nameOf(branch)}`, points: [place.at], lines: [model.tree.ring(branch, fraction, 1)], label_at: place.at,
     length_mm: 2 * place.radius, text: `⌀ ${lengthText(2 * place.radius, model.claims)}` };
 }
 
@@ -52,7 +52,7 @@ export class Measuring {
     if (this.kind === "diameter") return this.#finish(diameterMeasurement(this.model, pick.branch, pick.point));
     this.clicks.push(pick);
     if (this.clicks.length < 2) {
-      this.draft({ points: [pick.point], text: "" });
+      this.draft({ points: [pick.point] });
       return this.say("Now the second point.");
     }
     const [a, b] = this.clicks, place = (one) => ({ branch: one.branch, fraction: this.model.tree.nearestFraction(one.branch, one.point) });

@@ -21,14 +21,14 @@ export class Model {
     this.future = [];
     const plans = kase.json.plans || [];
     this.start = {
-      selection: [],
+      selection: kase.json.selection || [],
       states: Uint8Array.from(this.branches, (branch) => Math.max(0, kStates.indexOf(branch.state))),
       colour: "shown",
-      bands: (kase.json.bands || []).length > 0,
+      bands: (kase.json.colour || {}).by === "lesion",
       plan: plans.findIndex((plan) => plan.current),
       planView: "marked", // before, marked, after
       visible: shapes.map((shape) => shape.visible !== false),
-      measurements: (kase.json.measurements || []).map((one) => ({ ...one })),
+      measurements: (kase.json.measurements || []).filter((one) => one.visible !== false),
     };
     this.state = this.start;
   }
@@ -100,6 +100,8 @@ export class Model {
   }
 
   get plan() { return (this.json.plans || [])[this.state.plan] || null; }
+  /** Branches that the shown plan loses in part: [branch, from, to]. */
+  get lostParts() { return this.plan && this.state.planView !== "before" ? this.plan.lost_in_part || [] : []; }
   /** The cuts that show: none before the operation. */
   get cuts() { return this.plan && this.state.planView !== "before" ? this.plan.cuts || [] : []; }
   get lost() {

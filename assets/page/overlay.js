@@ -64,17 +64,15 @@ export class Overlay {
       : { text: "#f2f4f7", halo: "rgba(0,0,0,.75)", plate: "rgba(20,23,27,.85)" };
     c.lineJoin = c.lineCap = "round";
     for (const cut of model.cuts)
-      this.#line(c, model.tree.ring(cut.branch, cut.fraction, 1.35).map(at), "#f0f2f7", 2.2);
-    for (const one of model.json.contacts || []) this.#spot(c, at(one.point), "#ffd24a", 4);
+      this.#line(c, model.tree.ring(cut.branch, cut.fraction, 1.35).map(at), cut.reconstruct ? "#ff9e33" : "#f0f2f7", 2.2);
     for (const one of [...model.state.measurements, ...(scene.draft ? [scene.draft] : [])]) {
-      const points = (one.line || one.points).map(at);
-      this.#line(c, points, "#7fe0ff", 1.8);
-      for (const point of one.points) this.#spot(c, at(point), "#7fe0ff", 3.5);
-      const middle = one.points.length ? points[Math.floor((points.length - 1) / 2)] : null, next = points[Math.ceil((points.length - 1) / 2)];
-      if (middle && next && one.text) this.#label(c, (middle[0] + next[0]) / 2, (middle[1] + next[1]) / 2 - 12, plain(one.text));
+      for (const line of one.lines || []) this.#line(c, line.map(at), one.colour || "#7fe0ff", 1.8);
+      for (const point of one.points) this.#spot(c, at(point), one.colour || "#7fe0ff", 3.5);
+      const label = one.label_at && at(one.label_at);
+      if (label && one.text) this.#label(c, label[0], label[1] - 12, plain(one.text));
     }
     for (const one of model.json.pins || []) this.#mark(c, at(one.point), plain(one.name));
-    for (const one of model.json.notes || []) if (one.point) this.#mark(c, at(one.point), plain(one.text).slice(0, 60));
+    if (scene.marked) this.#mark(c, at(scene.marked.point), plain(scene.marked.text).slice(0, 60));
     if (scene.lasso) this.#lasso(c, scene.lasso);
     this.#bar(c, scene);
     this.#cube(c, scene);

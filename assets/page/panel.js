@@ -7,6 +7,7 @@ import { legendOf } from "./looks.js";
 import { counted, digits, lengthText, plain, whole } from "./text.js";
 
 const kTabs = [["explore", "Explore"], ["plan", "Plan"], ["tables", "Tables"], ["about", "About"]];
+const kMostPlaces = 200; // of a list
 const kWarning = "Not a medical device. For information and planning by qualified people only; check every figure against the source data.";
 
 export class Panel {
@@ -92,8 +93,8 @@ export class Panel {
     put("File", json.file);
     put("Written", json.made);
     put("By", json.ramus ? `ramus ${json.ramus}` : "");
-    put("Unit", claims.unit_note || (claims.unit === "mm" ? "Lengths are in mm." : "The file has no unit: lengths are in unknown units."));
-    put("Orientation", claims.orientation_note || (claims.letters ? "" : "The sides of the patient are not known: axes have no letters."));
+    put("Unit", claims.unit === "mm" ? `mm, ${claims.unit_note || ""}` : claims.unit_note || "not known");
+    put("Orientation", claims.letters ? `R, A, S, ${claims.orientation_note || ""}` : claims.orientation_note || "not known: axes have no letters");
     for (const [term, text] of json.settings || []) put(term, text);
     if (json.checksum) pairs.push(["SHA-256 of the file", made("code", {}, plain(json.checksum))]);
     const keys = [["Drag, arrow keys", "turn"], ["Shift+drag, middle button, two fingers", "move"], ["Wheel, right button, + −, pinch", "zoom"],
@@ -103,7 +104,8 @@ export class Panel {
     by("about").append(
       made("p", { class: "notice" }, kWarning),
       json.simplified ? made("p", {}, plain(json.simplified)) : null,
-      ...((json.assumed || []).length ? [made("h2", {}, "What ramus assumed"), made("ul", {}, ...json.assumed.map((text) => made("li", {}, named(plain(text)))))] : []),
+      ...[["What ramus assumed", json.assumed], ["What ramus repaired", json.repaired]].flatMap(([title, list]) => (list || []).length
+        ? [made("h2", {}, title), made("ul", {}, ...list.slice(0, kMostPlaces).map((text) => made("li", {}, named(plain(text)))))] : []),
       made("h2", {}, "This page"), facts(pairs),
       made("h2", { id: "keys" }, "Mouse, touch and keys"), facts(keys),
       made("p", { class: "quiet" }, "The page needs no network and sends nothing."));
@@ -187,14 +189,21 @@ export class Panel {
     const legend = legendOf(this.model), box = by("legend");
     box.hidden = !legend;
     if (!legend) return;
-    const number = (value) => typeof value === "number" ? digits(value) : plain(value);
-    const title = made("b", {}, named(plain(legend.title) + (legend.unit ? `, ${legend.unit}` : "")));
+    const parts = [made("b", {}, named(plain(legend.title))), legend.subtitle ? made("span", { class: "quiet" }, named(plain(legend.subtitle))) : ""];
     if (legend.bar) {
-      const bar = made("i", { class: "ramp", "aria-hidden": "true" });
-      bar.style.background = `linear-gradient(to right, ${legend.stops.map(([, colour]) => colour).join(", ")})`;
-      const last = legend.stops.length - 1;
-      box.replaceChildren(title, bar, made("span", { class: "ends" }, ...[0, last >> 1, last].map((i) => made("span", {}, number(legend.stops[i][0])))));
-    } else box.replaceChildren(title, ...legend.stops.map(([value, colour]) => made("span", { class: "line" }, this.#swatch(colour), named(number(value)))));
+      const bar = made("i", { class: "ramp", "aria-hidden": "true" }), ticks = made("span", { class: "ticks" });
+      bar.style.background = `linear-gradient(to right, ${legend.bar.join(", ")})`;
+      let free = -1; // where the next tick has room
+      for (const [at, text] of [...(legend.ticks || [])].sort((a, b) => a[0] - b[0])) {
+        const tick = made("span", {}, plain(text)), half = 0.018 * (plain(text).length + 1);
+        if (at - half < free) continue;
+        free = at + half;
+        tick.style.left = `${100 * at}%`;
+        ticks.append(tick);
+      }
+      parts.push(bar, ticks);
+    }
+    box.replaceChildren(...parts, ...legend.stops.map(([text, colour]) => made("span", { class: "line" }, this.#swatch(colour), named(plain(text)))));
   }
 
   #plan() {
@@ -209,16 +218,17 @@ export class Panel {
       const plan = model.plan;
       for (const one of (plan && plan.resections) || []) if ((one.figures || []).length) parts.push(made("h3", {}, named(plain(one.name))), facts(one.figures.map((pair) => pair.map(plain))));
       if (plan && (plan.cuts || []).length) parts.push(made("h3", {}, "Cuts"), made("ul", { class: "plain" }, ...plan.cuts.map((cut) => made("li", {},
-        button(named(`${model.nameOf(cut.branch)} at ${Math.round(100 * cut.fraction)} %`), () => model.select([cut.branch]))))),
+        button(named(`${model.nameOf(cut.branch)} at ${Math.round(100 * cut.fraction)} %${cut.reconstruct ? ", to be reconstructed" : ""}`), () => model.select([cut.branch])), cut.text ? made("span", { class: "quiet line" }, plain(cut.text)) : null))),
       button("Select what is lost", () => model.select([...new Set([...plan.lost, ...plan.cuts.map((cut) => cut.branch)])])));
     }
     if ((json.territories || []).length) parts.push(made("h2", {}, "Territories"), made("div", { class: "scroll wide" }, table(["", "ml", "%"], json.territories.map((one) => [plain(one.name), digits(one.volume_ml), digits(one.percent)]))));
     parts.push(made("h2", {}, "Measurements"), state.measurements.length ? made("ul", { class: "plain" }, ...state.measurements.map((one, i) => made("li", { class: "row" },
       named(plain(one.name || one.kind)), made("b", { class: "push" }, named(plain(one.text))), button("Remove", () => model.removeMeasurement(i), { "aria-label": `Remove ${plain(one.name || one.kind)} ${plain(one.text)}` }))))
       : made("p", { class: "quiet" }, "None yet: choose Distance, Path or Diameter above the picture, then click vessels."));
-    for (const [title, list, line] of [["Notes", json.notes, (one) => one.text], ["Pins", json.pins, (one) => one.name],
-      ["Contacts", json.contacts, (one) => `${one.branches.map((id) => model.nameOf(id)).join(" and ")}: ${one.gap_mm < 0 ? "overlap " : "gap "}${lengthText(Math.abs(one.gap_mm), claims)}`]])
-      if ((list || []).length) parts.push(made("h2", {}, title), made("ul", { class: "plain" }, ...list.map((one) => made("li", {}, one.point ? button(named(plain(line(one))), () => actions.lookAt(one.point)) : named(plain(line(one)))))));
+    const contact = (one) => `${one.branches.map((id) => model.nameOf(id)).join(" and ")}: ${one.text || `${one.gap_mm < 0 ? "overlap " : "gap "}${lengthText(Math.abs(one.gap_mm), claims)}`}`;
+    for (const [title, list, line] of [["Pins", json.pins, (one) => one.name], ["Contacts of vessels", json.contacts, contact], ["Notes on the tree", json.notes, (one) => one.text]])
+      if ((list || []).length) parts.push(made("h2", {}, title), made("ul", { class: "plain" }, ...list.slice(0, kMostPlaces).map((one) => made("li", {}, one.point ? button(named(plain(line(one))), () => actions.lookAt(one.point, plain(line(one)))) : named(plain(line(one)))))),
+        list.length > kMostPlaces ? made("p", { class: "quiet" }, `and ${whole(list.length - kMostPlaces)} more`) : "");
     const focused = document.activeElement && by("plan").contains(document.activeElement) ? `input[name="${document.activeElement.name}"][value="${document.activeElement.value}"]` : null;
     by("plan").replaceChildren(...parts);
     if (focused && /^input\[name="[a-z-]+"\]/.test(focused)) by("plan").querySelector(focused)?.focus();

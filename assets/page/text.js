@@ -10,13 +10,11 @@ export function digits(value, significant = 3) {
   return value.toFixed(Math.min(9, Math.max(0, significant - 1 - magnitude)));
 }
 
-/** A length with its unit: "12.3 mm", or "12.3 units" where the file has none. */
+/** A length with its unit: "12.3 mm", or another word where nobody knows the unit. */
 export function lengthText(mm, claims) {
-  if (claims.unit !== "mm") return `${digits(mm)} units`;
+  if (claims.unit !== "mm") return `${digits(mm)} ${claims.unit}`;
   return mm < 999.5 ? `${digits(mm)} mm` : `${digits(mm / 1000)} m`;
 }
-
-export const unitOf = (claims) => claims.unit === "mm" ? "mm" : "units";
 
 export const counted = (number, one, many = `${one}s`) => `${number.toLocaleString("en-US")} ${number === 1 ? one : many}`;
 
@@ -26,7 +24,7 @@ export const plain = (name) => String(name ?? "").replace(/[\u0000-\u001f\u007f-
 /** "1e3" and "10.50" as people write them: the label of a scale bar. */
 export function barLabel(mm, claims) {
   const text = (value) => String(Number(value.toPrecision(6)));
-  if (claims.unit !== "mm") return `${text(mm)} ${mm === 1 ? "unit" : "units"}`;
+  if (claims.unit !== "mm") return `${text(mm)} ${claims.unit}`;
   if (mm < 0.99e-3) return `${text(1e6 * mm)} nm`;
   if (mm < 0.99) return `${text(1e3 * mm)} µm`;
   return mm > 150 ? `${text(0.1 * mm)} cm` : `${text(mm)} mm`;

@@ -5,11 +5,12 @@ import { along, mixed, nearestOnLine, subtract, unit } from "./vector.js";
 
 export class Tree {
   /**
-   * `json`: branches with parent, children, length_mm; nodes, [from, to] of each branch; order, in which the dependents of a
-   * branch follow it; dependents, how many, in that order. `lines`: centerlines as decode.js has them.
+   * `json`: branches with parent, children, length_mm and the nodes that they go from and to; order, in which the dependents
+   * of a branch follow it; dependents, how many, in that order. `lines`: centerlines as decode.js has them.
    */
-  constructor({ branches, nodes, order, dependents }, lines) {
-    Object.assign(this, { branches, nodes, order, lines });
+  constructor({ branches, order, dependents }, lines) {
+    Object.assign(this, { branches, order, lines });
+    this.nodes = branches.map(({ from, to }) => [from, to]);
     this.rank = new Uint32Array(order.length);
     this.dependents = new Uint32Array(order.length); // by branch
     order.forEach((id, rank) => {

@@ -31,12 +31,13 @@ export function diameters(surface, lines) {
   return values;
 }
 
-/** mm beyond the nearest cut of the vertex' branch; negative before it, and where nothing is cut. `cuts`: branch, fraction. */
-export function beyondCuts(surface, lines, cuts) {
-  const values = new Float32Array(surface.branches.length).fill(-1e4);
-  const first = new Map(); // of several cuts of a branch the first takes the rest away
-  for (const { branch, fraction } of cuts) first.set(branch, Math.min(first.get(branch) ?? 1, fraction));
-  alongLines(surface, lines, (b) => first.has(b), (v, b, mm, radius, whole) => { values[v] = mm - first.get(b) * whole; });
+/** mm inside the lost part of the vertex' branch; negative outside it. `parts`: [branch, from, to], fractions of its length. */
+export function insideLost(surface, lines, parts) {
+  const values = new Float32Array(surface.branches.length).fill(-1e4), of = new Map(parts.map(([branch, from, to]) => [branch, { from, to }]));
+  alongLines(surface, lines, (b) => of.has(b), (v, b, mm, radius, whole) => {
+    const { from, to } = of.get(b);
+    values[v] = Math.min(from > 0 ? mm - from * whole : 1e4, to < 1 ? to * whole - mm : 1e4);
+  });
   return values;
 }
 
