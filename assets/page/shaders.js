@@ -333,10 +333,12 @@ void main() {
       if (has(record.a, k_hovered | k_glowing)) light += glow(record.a, albedo, aside);
     }
   }
+  bool bare = found.x == 0u; // the background keeps its colour, also white
   for (int k = glass; k > 0; --k) {
     vec4 sum = texelFetch(glass_light, pixel, 0);
     float weight = texelFetch(glass_weight, pixel, 0).x;
     light = light * sum.a + (weight > 0.0 ? sum.rgb / weight * (1.0 - sum.a) : vec3(0.0));
+    bare = bare && weight == 0.0;
   }
   for (int k = outline > 0.0 ? 1 : 0; k > 0; --k) {
     bool inside = selected_at(pixel);
@@ -346,8 +348,9 @@ void main() {
       if (selected_at(pixel + ivec2(round(outline * vec2(cos(angle), sin(angle))))) != inside) differing += 1.0;
     }
     light = mix(light, selection_colour, 0.85 * smoothstep(0.0, 3.0, differing));
+    bare = bare && differing == 0.0;
   }
-  colour = vec4(toned(light), 1.0);
+  colour = vec4(bare ? light : toned(light), 1.0);
 }`;
 
 // The mean of the summed views as sRGB, with noise against banding.
