@@ -203,7 +203,7 @@ function bindKeys(actions) {
 
 function bindPrinting(model, viewport) {
   window.addEventListener("beforeprint", () => {
-    by("print-image").src = viewport.picture().toDataURL("image/png");
+    by("print-image").src = viewport.picture({ ground: "light", factor: 2 }).toDataURL("image/png");
     by("print-caption").textContent = model.claims.unit === "mm" ? "" : "Lengths are in unknown units.";
     by("print-picture").hidden = false;
     by("print-about").replaceChildren(...(by("report").querySelector("table") ? [] : [...by("tables").children].map((one) => one.cloneNode(true))), ...[...by("about").children].slice(1, -3).map((one) => one.cloneNode(true)));

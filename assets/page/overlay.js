@@ -60,20 +60,21 @@ export class Overlay {
 
   paint(c, scene) {
     const { camera, size, model } = scene, at = projector(camera, size);
-    this.ink = scene.ink === "dark" ? { text: "#14171b", halo: "rgba(255,255,255,.85)", plate: "rgba(255,255,255,.9)" }
-      : { text: "#f2f4f7", halo: "rgba(0,0,0,.75)", plate: "rgba(20,23,27,.85)" };
+    this.ink = scene.ink === "dark" ? { text: "#14171b", halo: "rgba(255,255,255,.85)", plate: "rgba(255,255,255,.9)", cut: "#14171b", again: "#b35900", measure: "#00678f" }
+      : { text: "#f2f4f7", halo: "rgba(0,0,0,.75)", plate: "rgba(20,23,27,.85)", cut: "#f0f2f7", again: "#ff9e33", measure: "#7fe0ff" };
     c.lineJoin = c.lineCap = "round";
     for (const cut of model.cuts)
-      this.#line(c, model.tree.ring(cut.branch, cut.fraction, 1.35).map(at), cut.reconstruct ? "#ff9e33" : "#f0f2f7", 2.2);
+      this.#line(c, model.tree.ring(cut.branch, cut.fraction, 1.35).map(at), cut.reconstruct ? this.ink.again : this.ink.cut, 2.2);
     for (const one of [...model.state.measurements, ...(scene.draft ? [scene.draft] : [])]) {
-      for (const line of one.lines || []) this.#line(c, line.map(at), one.colour || "#7fe0ff", 1.8);
-      for (const point of one.points) this.#spot(c, at(point), one.colour || "#7fe0ff", 3.5);
+      for (const line of one.lines || []) this.#line(c, line.map(at), this.ink.measure, 1.8);
+      for (const point of one.points) this.#spot(c, at(point), this.ink.measure, 3.5);
       const label = one.label_at && at(one.label_at);
       if (label && one.text) this.#label(c, label[0], label[1] - 12, plain(one.text));
     }
     for (const one of model.json.pins || []) this.#mark(c, at(one.point), plain(one.name));
     if (scene.marked) this.#mark(c, at(scene.marked.point), plain(scene.marked.text).slice(0, 60));
     if (scene.lasso) this.#lasso(c, scene.lasso);
+    if (scene.legend) this.#legend(c, scene.legend);
     this.#bar(c, scene);
     this.#cube(c, scene);
   }
@@ -139,6 +140,29 @@ export class Overlay {
     c.fill();
     c.stroke();
     c.setLineDash([]);
+  }
+
+  // For saved pictures; the page has its own.
+  #legend(c, { title, bar, ticks = [], stops }) {
+    let y = 22;
+    c.font = `600 13px ${kFont}`;
+    this.#text(c, plain(title), 18, y, "left");
+    c.font = `500 12px ${kFont}`;
+    if (bar) {
+      const ramp = c.createLinearGradient(18, 0, 208, 0);
+      bar.forEach((colour, i) => ramp.addColorStop(i / Math.max(bar.length - 1, 1), colour));
+      c.fillStyle = ramp;
+      c.fillRect(18, y + 12, 190, 10);
+      const shown = [ticks[0], ...ticks.slice(1, -1).filter(([at]) => Math.abs(at - 0.5) < 0.15).slice(0, 1), ticks[ticks.length - 1]];
+      for (const [at, text] of shown.filter(Boolean)) this.#text(c, plain(text), 18 + 190 * at, y + 33, at < 0.1 ? "left" : at > 0.9 ? "right" : "center");
+      y += 36;
+    }
+    for (const [text, colour] of stops) {
+      y += 18;
+      c.fillStyle = colour;
+      c.fillRect(18, y - 5, 10, 10);
+      this.#text(c, plain(text), 34, y, "left");
+    }
   }
 
   #bar(c, { camera, size, visible, model, narrow }) {

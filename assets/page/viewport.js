@@ -4,6 +4,7 @@
 
 import * as cameras from "./camera.js";
 import { kViewsOfPicture } from "./draw.js";
+import { legendOf } from "./looks.js";
 import { dot, subtract } from "./vector.js";
 
 const kRestAfter = 180; // ms without a move
@@ -14,6 +15,7 @@ const kAnimation = 260; // ms of a change of view
 export class Viewport {
   constructor(canvas, overlay, renderer, looks, model) {
     Object.assign(this, { canvas, overlay, renderer, looks, model });
+    this.factor = 1; // of saved pictures: pixels per pixel of the page
     this.ground = model.json.ground === "light" ? "light" : "dark";
     this.frames = 0; // pictures that were shown
     this.scale = 0.5; // pixels drawn per pixel while the view moves
@@ -36,20 +38,24 @@ export class Viewport {
     this.#ask();
   }
 
-  get ratio() { return Math.min(2, window.devicePixelRatio || 1); }
+  get ratio() { return this.factor * Math.min(2, window.devicePixelRatio || 1); }
 
   resize() {
     const box = this.canvas.parentElement.getBoundingClientRect();
     this.size = [Math.max(1, Math.round(box.width)), Math.max(1, Math.round(box.height))];
-    for (const canvas of [this.canvas, this.overlay.canvas]) {
-      canvas.width = Math.max(1, Math.round(this.size[0] * this.ratio));
-      canvas.height = Math.max(1, Math.round(this.size[1] * this.ratio));
-    }
+    this.#setPixels();
     this.narrow = this.size[0] < 560;
     this.redraw();
   }
 
-  /** Sets the camera; `by` says that a person moves it, so that speed counts. */
+  #setPixels() {
+    for (const canvas of [this.canvas, this.overlay.canvas]) {
+      canvas.width = Math.max(1, Math.round(this.size[0] * this.ratio));
+      canvas.height = Math.max(1, Math.round(this.size[1] * this.ratio));
+    }
+  }
+
+  /** Sets the camera; `moving`: a person moves it, so that speed counts. */
   setCamera(camera, { moving = false } = {}) {
     this.camera = camera;
     if (moving) this.movedAt = performance.now();
@@ -152,8 +158,12 @@ export class Viewport {
     return took;
   }
 
-  /** The picture with what is drawn over it, as a canvas. */
-  picture({ bare = false } = {}) {
+  /** The picture with what is drawn over it and its legend, as a canvas; `bare`: without. */
+  picture({ bare = false, ground = this.ground, factor = 1 } = {}) {
+    const now = this.ground;
+    this.ground = ground;
+    this.factor = factor;
+    if (factor !== 1) this.#setPixels();
     this.drawNow();
     const all = document.createElement("canvas");
     all.width = this.canvas.width;
@@ -162,8 +172,11 @@ export class Viewport {
     context.drawImage(this.canvas, 0, 0);
     if (!bare) {
       context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
-      this.overlay.paint(context, this.#scene());
+      this.overlay.paint(context, { ...this.#scene(), legend: legendOf(this.model) });
     }
+    this.ground = now;
+    this.factor = 1;
+    if (factor !== 1) this.#setPixels();
     this.redraw();
     return all;
   }
