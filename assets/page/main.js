@@ -23,7 +23,7 @@ function start(kase) {
   const renderer = new Renderer(by("picture"), { surface: kase.surface, centerlines: kase.centerlines, shapes: shapes.map((shape) => shape.mesh), branchCount: model.branches.length });
   const looks = new Looks(model, renderer, kase);
   const viewport = new Viewport(by("picture"), new Overlay(by("overlay")), renderer, looks, model);
-  if (!json.camera) viewport.setView("anterior");
+  if (!json.camera) viewport.setCamera(viewport.seeing("anterior"));
 
   const say = (text) => { by("status").textContent = text; };
   const draft = (one) => {
@@ -249,6 +249,7 @@ function api({ model, viewport, looks, renderer }) {
       measurements: model.state.measurements.map(({ kind, text, length_mm }) => ({ kind, text, length_mm })), ground: viewport.ground, size: viewport.size, float: renderer.float,
     }),
     branch: (id) => model.branches[id],
+    place: (id, fraction = 0.5) => model.tree.place(id, fraction).at,
     pick: (x, y) => viewport.pick(x, y),
     project: (point) => viewport.project(point),
     picture: (options) => viewport.picture(options).toDataURL("image/png"),

@@ -18,7 +18,7 @@ export class Viewport {
     this.factor = 1; // of saved pictures: pixels per pixel of the page
     this.ground = model.json.ground === "light" ? "light" : "dark";
     this.frames = 0; // pictures that were shown
-    this.scale = 0.5; // pixels drawn per pixel while the view moves
+    this.pace = { scale: 0.5, fine: false, views: 1 }; // while the view moves: pixels drawn per pixel, all triangles, views
     this.cost = kSlow; // ms of one view while it moves
     this.view = 0; // the next view of the picture
     this.movedAt = performance.now(); // the first picture is a coarse one
@@ -106,26 +106,34 @@ export class Viewport {
 
   #draw(moving) {
     if (this.view >= kViewsOfPicture) return;
-    const start = performance.now();
-    this.#drawView(this.view, moving);
+    const start = performance.now(), rounds = moving ? this.pace.views : 1;
+    for (let round = 0; round < rounds; ++round) this.#drawView(moving ? round : this.view, moving);
     this.renderer.present();
     if (moving || this.cost > kSlow) {
       this.renderer.finish();
-      const took = performance.now() - start;
-      if (moving && this.frames > 0) { // the first frame also compiles
-        if (took > kSlow) this.scale = Math.max(kLeastScale, this.scale * Math.max(0.6, Math.sqrt(kSlow / took)));
-        if (took < kFast) this.scale = Math.min(1, this.scale * 1.15);
-        this.cost = took;
-      }
+      // The first frame also compiles.
+      if (moving && this.frames > 0) this.#keepPace(performance.now() - start);
     }
     this.frames += 1;
     this.view = moving ? 0 : this.view + 1;
   }
 
+  // While the view moves: fewer pixels where drawing is slow; all pixels, then all triangles and several views where it is
+  // fast.
+  #keepPace(took) {
+    const { pace } = this;
+    this.cost = took;
+    if (took > kSlow) this.pace = { scale: Math.max(kLeastScale, pace.scale * Math.max(0.6, Math.sqrt(kSlow / took))), fine: false, views: 1 };
+    else if (took > kFast) this.pace = { ...pace, views: Math.max(1, pace.views >> 1) };
+    else if (pace.scale < 1) pace.scale = Math.min(1, pace.scale * 1.2);
+    else if (!pace.fine) pace.fine = took < kFast / 4;
+    else if (took < kFast / 2) pace.views = Math.min(4, 2 * pace.views);
+  }
+
   #drawView(view, moving, camera = this.camera) {
     this.renderer.drawView({
       camera, size: [this.canvas.width, this.canvas.height], look: this.looks.look(this.ground), view,
-      scale: moving ? this.scale : 1, coarse: moving, point: this.ratio,
+      scale: moving ? this.pace.scale : 1, coarse: moving && !this.pace.fine, point: this.ratio,
     });
   }
 
@@ -244,7 +252,7 @@ export class Viewport {
     this.goTo(cameras.fitted(this.camera, points, this.size));
   }
 
-  setView(name) {
-    this.goTo(cameras.fitted(cameras.looking(this.camera, name), this.renderer.surface.positions, this.size));
-  }
+  /** The camera of a named view, with everything in the picture. */
+  seeing(name) { return cameras.fitted(cameras.looking(this.camera, name), this.renderer.surface.positions, this.size); }
+  setView(name) { this.goTo(this.seeing(name)); }
 }
