@@ -23,7 +23,6 @@ function start(kase) {
   const renderer = new Renderer(by("picture"), { surface: kase.surface, centerlines: kase.centerlines, shapes: shapes.map((shape) => shape.mesh), branchCount: model.branches.length });
   const looks = new Looks(model, renderer, kase);
   const viewport = new Viewport(by("picture"), new Overlay(by("overlay")), renderer, looks, model);
-  if (!json.camera) viewport.setCamera(viewport.seeing("anterior"));
 
   const say = (text) => { by("status").textContent = text; };
   const draft = (one) => {
@@ -76,7 +75,7 @@ function start(kase) {
       model.addMeasurement(made);
       say(`${made.name}, from middle to middle: ${made.text}`);
     },
-    savedView: (i) => viewport.goTo(cameraFrom(json.views[i].camera, viewport.camera)),
+    savedView: (i) => viewport.goTo(viewport.saved(json.views[i].camera)),
     lookAt(point, text) {
       viewport.extra.marked = { point, text };
       viewport.goTo(centredOn(viewport.camera, point));

@@ -10,6 +10,7 @@ import { dot, subtract } from "./vector.js";
 const kRestAfter = 180; // ms without a move
 const kSlow = 60, kFast = 20; // ms for one view
 const kLeastScale = 0.4;
+const kSavedAspect = 4 / 3; // of ramus' pictures, at least
 const kAnimation = 260; // ms of a change of view
 
 export class Viewport {
@@ -25,7 +26,6 @@ export class Viewport {
     this.extra = {}; // lasso, draft
     this.moves = []; // listeners
     this.size = [1, 1];
-    this.camera = cameras.cameraFrom(model.json.camera || {});
     this.still = matchMedia("(prefers-reduced-motion: reduce)");
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
@@ -34,8 +34,16 @@ export class Viewport {
       looks.renew();
       this.redraw();
     });
+    this.camera = cameras.cameraFrom({});
     this.resize();
+    this.camera = model.json.camera ? this.saved(model.json.camera) : this.seeing("anterior");
     this.#ask();
+  }
+
+  /** A camera of the file. On an upright screen it steps back, so that what it showed stays in the picture. */
+  saved(given) {
+    const camera = cameras.cameraFrom(given), narrow = this.size[0] / this.size[1] / kSavedAspect;
+    return narrow < 1 ? cameras.zoomedAbout(camera, camera.focal_point, narrow, 0) : camera;
   }
 
   get ratio() { return this.factor * Math.min(2, window.devicePixelRatio || 1); }
