@@ -84,7 +84,7 @@ std::string page_contents(const Document& document, const PageChoice& choice) {
 
 std::size_t expected_page_bytes(const Document& document, std::uint64_t triangles, const PageChoice& choice) {
     // Measured on trees of vessels and airways; pictures by three of the usual size.
-    constexpr double kOfTriangle = 1.28, kOfBranch = 290.0, kOfPoint = 8.0, kOfPictures = 1.2e6, kOfRest = 1e5;
+    constexpr double kOfTriangle = 0.65, kOfBranch = 290.0, kOfPoint = 8.0, kOfPictures = 1.9e6, kOfRest = 1e5;
     const tree::VesselTree& tree = *document.tree();
     const double bytes = kOfTriangle * static_cast<double>(triangles) +
                          kOfBranch * static_cast<double>(tree.branches.size()) +

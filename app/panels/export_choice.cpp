@@ -54,7 +54,7 @@ bool draw_export_kinds(ExportChoice& choice, const Exportable& has) {
     };
     if (!there(choice.kind())) choice.what = ExportWhat::kPicture;
     for (const ExportKind& kind : export_kinds()) {
-        if (&kind != export_kinds().data()) ImGui::SameLine(0.0F, 18.0F * theme::scale());
+        if (&kind != export_kinds().data()) ImGui::SameLine(0.0F, 10.0F * theme::scale());
         ImGui::BeginDisabled(!there(kind));
         if (ImGui::RadioButton(kind.label, kind.what == choice.what)) choice.what = kind.what;
         ImGui::EndDisabled();

@@ -18,8 +18,7 @@ namespace {
 // The usual error, in radii of the thinnest place of the branch: no more than two and a half times as far as a polygon
 // of 16 sides, the usual detail, is from its circle.
 constexpr double kUsualError = 0.05;
-constexpr double kLargestError = 1.0; // beyond it vessels collapse
-constexpr double kStepShare = 0.01;   // of the grid, in the same radii: 40 steps for an edge of the usual detail
+constexpr double kStepShare = 0.01; // of the grid, in the same radii: 40 steps for an edge of the usual detail
 // While the view moves: what a browser without a graphics card draws ten times a second.
 constexpr double kCoarseTriangles = 70'000.0;
 constexpr double kCoarseError = 0.5; // in radii
@@ -49,7 +48,7 @@ void measure_deviation(PageSurface& made, const BranchSurface& whole, const Bran
     tbb::parallel_for(std::size_t{0}, ranks, [&](std::size_t rank) {
         const mesh::TriangleMesh before = mesh_of(whole, whole.positions, rank);
         const mesh::TriangleMesh after = mesh_of(shown, made.packed.places, rank);
-        if (after.triangles.empty()) return;
+        if (before.triangles.empty()) return;
         const auto distances = measure::deviations(before, after, 1);
         found[rank].assign(distances.begin(), distances.end());
     });
@@ -63,6 +62,12 @@ void measure_deviation(PageSurface& made, const BranchSurface& whole, const Bran
     made.percentile_95_mm = measure::quantile(all, 0.95);
 }
 
+bool loses_branch(const BranchSurface& whole, const BranchSurface& shown) {
+    for (std::size_t rank = 0; rank + 1 < whole.first.size(); ++rank)
+        if (whole.first[rank] < whole.first[rank + 1] && shown.first[rank] == shown.first[rank + 1]) return true;
+    return false;
+}
+
 } // namespace
 
 Result<PageSurface> page_surface(const mesh::TriangleMesh& mesh, const tree::Dependency& dependency,
@@ -72,30 +77,26 @@ Result<PageSurface> page_surface(const mesh::TriangleMesh& mesh, const tree::Dep
     PageSurface made;
     made.triangles_before = mesh.triangles.size();
     const GridChoice grid{choice.most_step_mm, kStepShare};
-    Simplification wanted{kUsualError, choice.most_step_mm, false, 0.0};
+    BranchSurface shown = simplified(whole, {kUsualError, choice.most_step_mm, false, 0.0});
     constexpr int kMostTries = 6;
-    BranchSurface shown;
     for (int attempt = 0; attempt < kMostTries; ++attempt) {
-        shown = simplified(whole, wanted);
         if (job.cancelled()) return fail("cancelled");
         const double share = kCoarseTriangles / static_cast<double>(shown.triangles());
         const BranchSurface coarse =
             share > 0.7 ? BranchSurface{} : simplified(shown, {kCoarseError, 1.0, true, share});
         made.packed = packed(shown, coarse, grid);
         job.report(0.1F + 0.5F * static_cast<float>(attempt + 1) / static_cast<float>(kMostTries));
-        if (job.cancelled()) return fail("cancelled");
         const std::size_t bytes = base64_bytes(made.packed.bytes());
         if (bytes <= choice.most_bytes) {
             measure_deviation(made, whole, shown);
             job.report(1.0F);
             return made;
         }
-        // The size follows the triangles, and fewer of them take more bytes each.
+        // Fewer triangles take more bytes each.
         constexpr double kRoom = 0.93;
-        const double of_size = kRoom * static_cast<double>(choice.most_bytes) / static_cast<double>(bytes);
-        wanted.triangles = of_size * static_cast<double>(shown.triangles()) / static_cast<double>(whole.triangles());
-        wanted.share_of_radius = std::min(kLargestError, wanted.share_of_radius * 8.0);
+        shown = simplified_together(shown, kRoom * static_cast<double>(choice.most_bytes) / static_cast<double>(bytes));
         made.for_size = true;
+        if (loses_branch(whole, shown)) break;
     }
     return fail("the page would be larger than its limit: the surface alone has " +
                     grouped(base64_bytes(made.packed.bytes()) / 1000) + " kB and there is room for " +

@@ -24,7 +24,7 @@ struct PageSurface {
     bool for_size = false; // simplified more than is usual, to be no larger than most_bytes
 };
 
-// Fails if the surface would be larger than most_bytes however it is simplified, or when cancelled.
+// Fails if the surface would be larger than most_bytes, or a branch would have no triangle left, or when cancelled.
 [[nodiscard]] Result<PageSurface> page_surface(const mesh::TriangleMesh& mesh, const tree::Dependency& dependency,
                                                const PageSurfaceChoice& choice, const JobRange& job);
 

@@ -84,6 +84,38 @@ BranchSurface simplified(const BranchSurface& surface, const Simplification& wan
     });
 }
 
+BranchSurface simplified_together(const BranchSurface& surface, double triangles) {
+    // Each branch has vertices of its own, at equal places on borders; the simplifier knows them for seams.
+    std::vector<std::uint32_t> indices, sources, ranks;
+    std::vector<glm::vec3> positions;
+    const std::size_t count = surface.first.size() - 1;
+    for (std::size_t rank = 0; rank < count; ++rank) {
+        const PartOfSurface part = part_of(surface, rank);
+        const auto base = static_cast<std::uint32_t>(positions.size());
+        for (const std::uint32_t v : part.indices) indices.push_back(base + v);
+        sources.insert(sources.end(), part.vertices.begin(), part.vertices.end());
+        positions.insert(positions.end(), part.positions.begin(), part.positions.end());
+        ranks.resize(positions.size(), static_cast<std::uint32_t>(rank));
+    }
+    BranchSurface made{surface.positions, {}, std::vector<std::uint32_t>(count + 1, 0), surface.radius_mm};
+    if (indices.empty()) return made;
+    const auto target =
+        static_cast<std::size_t>(triangles * static_cast<double>(indices.size()) / 3.0) * std::size_t{3};
+    constexpr float kAnyError = 1.0F; // of the extent: the number of triangles is what is wanted
+    std::vector<std::uint32_t> fewer(indices.size());
+    fewer.resize(meshopt_simplify(fewer.data(), indices.data(), indices.size(), &positions.front().x, positions.size(),
+                                  sizeof(glm::vec3), target, kAnyError, 0U, nullptr));
+    for (std::size_t i = 0; i < fewer.size(); i += 3) ++made.first[ranks[fewer[i]] + 1];
+    std::partial_sum(made.first.begin(), made.first.end(), made.first.begin());
+    made.indices.resize(fewer.size());
+    std::vector<std::uint32_t> next(made.first.begin(), made.first.end() - 1);
+    for (std::size_t i = 0; i < fewer.size(); i += 3) {
+        const std::size_t at = 3 * std::size_t{next[ranks[fewer[i]]]++};
+        for (std::size_t k = 0; k < 3; ++k) made.indices[at + k] = sources[fewer[i + k]];
+    }
+    return ordered(std::move(made));
+}
+
 BranchSurface ordered(BranchSurface surface) {
     return changed(surface, [](PartOfSurface& part, std::size_t) { order(part); });
 }

@@ -16,6 +16,9 @@ struct Simplification {
 
 // The same vertices; the triangles of each branch in an order in which they share edges.
 [[nodiscard]] BranchSurface simplified(const BranchSurface& surface, const Simplification& wanted);
+// Simplifies all branches together, borders too, to about this share of the triangles: where it costs least, whatever
+// the radius. Branches stay connected: vertices of both sides of a border move together.
+[[nodiscard]] BranchSurface simplified_together(const BranchSurface& surface, double triangles);
 // Without simplifying: only the order.
 [[nodiscard]] BranchSurface ordered(BranchSurface surface);
 
