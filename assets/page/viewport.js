@@ -57,10 +57,15 @@ export class Viewport {
   }
 
   #setPixels() {
-    for (const canvas of [this.canvas, this.overlay.canvas]) {
-      canvas.width = Math.max(1, Math.round(this.size[0] * this.ratio));
-      canvas.height = Math.max(1, Math.round(this.size[1] * this.ratio));
-    }
+    this.pixels = this.size.map((points) => Math.max(1, Math.round(points * this.ratio)));
+    [this.overlay.canvas.width, this.overlay.canvas.height] = this.pixels;
+  }
+
+  // The canvas has as many pixels as were drawn: the browser enlarges them.
+  #present() {
+    const { canvas } = this, [width, height] = this.renderer.used;
+    if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+    this.renderer.present();
   }
 
   /** Sets the camera; `moving`: a person moves it, so that speed counts. */
@@ -123,7 +128,7 @@ export class Viewport {
     if (this.view >= (moving ? 1 : this.#viewsAtRest)) return;
     const start = performance.now(), rounds = moving ? this.pace.views : 1;
     for (let round = 0; round < rounds; ++round) this.#drawView(moving ? round : this.view, moving);
-    this.renderer.present();
+    this.#present();
     if (moving || this.cost > kSlow) {
       this.renderer.finish();
       // The first frame also compiles.
@@ -147,7 +152,7 @@ export class Viewport {
 
   #drawView(view, moving, camera = this.camera) {
     this.renderer.drawView({
-      camera, size: [this.canvas.width, this.canvas.height], look: this.looks.look(this.ground), view,
+      camera, size: this.pixels, look: this.looks.look(this.ground), view,
       scale: moving ? this.pace.scale : 1, coarse: moving && !this.pace.fine, point: this.ratio,
     });
   }
@@ -165,7 +170,7 @@ export class Viewport {
   /** Draws everything at once, fine; for pictures and for measuring. */
   drawNow() {
     for (let view = 0; view < kViewsOfPicture; ++view) this.#drawView(view, false);
-    this.renderer.present();
+    this.#present();
     this.view = kViewsOfPicture;
     this.frames += 1;
   }
@@ -174,7 +179,7 @@ export class Viewport {
   timeOfMoving() {
     const start = performance.now();
     this.#drawView(0, true);
-    this.renderer.present();
+    this.#present();
     this.renderer.finish();
     const took = performance.now() - start;
     this.redraw();
