@@ -20,9 +20,9 @@ export class Viewport {
     this.ground = model.json.ground === "light" ? "light" : "dark";
     this.frames = 0; // pictures that were shown
     this.pace = { scale: 0.5, fine: false, views: 1 }; // while the view moves: pixels drawn per pixel, all triangles, views
-    this.cost = kSlow; // ms of one view while it moves
+    this.cost = 2 * kSlow; // ms of one view while it moves; not known yet
     this.view = 0; // the next view of the picture
-    this.movedAt = performance.now(); // the first picture is a coarse one
+    this.moving = true; // a person moves the view; the first picture is a coarse one, too
     this.extra = {}; // lasso, draft
     this.moves = []; // listeners
     this.size = [1, 1];
@@ -57,16 +57,21 @@ export class Viewport {
   }
 
   #setPixels() {
-    for (const canvas of [this.canvas, this.overlay.canvas]) {
-      canvas.width = Math.max(1, Math.round(this.size[0] * this.ratio));
-      canvas.height = Math.max(1, Math.round(this.size[1] * this.ratio));
-    }
+    this.pixels = this.size.map((points) => Math.max(1, Math.round(points * this.ratio)));
+    [this.overlay.canvas.width, this.overlay.canvas.height] = this.pixels;
+  }
+
+  // The canvas has as many pixels as were drawn: the browser enlarges them.
+  #present() {
+    const { canvas } = this, [width, height] = this.renderer.used;
+    if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+    this.renderer.present();
   }
 
   /** Sets the camera; `moving`: a person moves it, so that speed counts. */
   setCamera(camera, { moving = false } = {}) {
     this.camera = camera;
-    if (moving) this.movedAt = performance.now();
+    if (moving) this.moving = true;
     this.redraw();
     for (const listener of this.moves) listener();
   }
@@ -78,7 +83,7 @@ export class Viewport {
     const from = this.camera, start = performance.now();
     const step = () => {
       const share = Math.min(1, (performance.now() - start) / kAnimation);
-      this.setCamera(cameras.between(from, camera, share * share * (3 - 2 * share)), { moving: share < 1 });
+      this.setCamera(cameras.between(from, camera, share * share * (3 - 2 * share)), { moving: true });
       if (share < 1) this.going = requestAnimationFrame(step);
     };
     step();
@@ -100,23 +105,30 @@ export class Viewport {
 
   #frame() {
     this.asked = 0;
-    const moving = performance.now() - this.movedAt < kRestAfter;
-    if (this.view === 0 || !moving) this.#draw(moving);
+    const { moving } = this;
+    this.#draw(moving);
     clearTimeout(this.resting);
-    if (moving) this.resting = setTimeout(() => this.redraw(), kRestAfter);
-    else if (this.view < kViewsOfPicture) {
+    // From the end of the frame, so that input which came during a slow frame counts.
+    if (moving) this.resting = setTimeout(() => this.#rest(), kRestAfter);
+    else if (this.view < this.#viewsAtRest) {
       // A slow renderer must not be busy with details when the next move comes.
-      if (this.cost > kSlow) this.resting = setTimeout(() => this.#ask(), this.view === 1 ? 400 : 60);
+      if (this.cost > kSlow) this.resting = setTimeout(() => this.#ask(), this.view === 1 ? 500 : 100);
       else this.#ask();
     }
     this.drawOverlay();
   }
 
+  get #viewsAtRest() { return this.cost > kSlow ? kViewsOfPicture / 2 : kViewsOfPicture; }
+  #rest() {
+    this.moving = false;
+    this.redraw();
+  }
+
   #draw(moving) {
-    if (this.view >= kViewsOfPicture) return;
+    if (this.view >= (moving ? 1 : this.#viewsAtRest)) return;
     const start = performance.now(), rounds = moving ? this.pace.views : 1;
     for (let round = 0; round < rounds; ++round) this.#drawView(moving ? round : this.view, moving);
-    this.renderer.present();
+    this.#present();
     if (moving || this.cost > kSlow) {
       this.renderer.finish();
       // The first frame also compiles.
@@ -140,7 +152,7 @@ export class Viewport {
 
   #drawView(view, moving, camera = this.camera) {
     this.renderer.drawView({
-      camera, size: [this.canvas.width, this.canvas.height], look: this.looks.look(this.ground), view,
+      camera, size: this.pixels, look: this.looks.look(this.ground), view,
       scale: moving ? this.pace.scale : 1, coarse: moving && !this.pace.fine, point: this.ratio,
     });
   }
@@ -158,7 +170,7 @@ export class Viewport {
   /** Draws everything at once, fine; for pictures and for measuring. */
   drawNow() {
     for (let view = 0; view < kViewsOfPicture; ++view) this.#drawView(view, false);
-    this.renderer.present();
+    this.#present();
     this.view = kViewsOfPicture;
     this.frames += 1;
   }
@@ -167,7 +179,7 @@ export class Viewport {
   timeOfMoving() {
     const start = performance.now();
     this.#drawView(0, true);
-    this.renderer.present();
+    this.#present();
     this.renderer.finish();
     const took = performance.now() - start;
     this.redraw();
