@@ -8,6 +8,7 @@ find_package(CLI11 REQUIRED)
 find_package(PNG REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(pugixml REQUIRED)
+find_package(meshoptimizer CONFIG REQUIRED)
 find_package(Boost REQUIRED) # headers alone: the distributions of Boost.Math
 find_package(OpenSSL REQUIRED COMPONENTS Crypto) # libhdf5-dev brings it; checksums
 find_package(PkgConfig REQUIRED)

@@ -56,7 +56,8 @@ std::vector<ExportFormat> turntable_formats() {
 }
 
 std::vector<ExportFormat> report_formats() {
-    return {{"HTML (.html)", ".html", "One page with pictures and all tables, to read and to print."}};
+    return {{"HTML (.html)", ".html", "One page with pictures and all tables, to read and to print."},
+            {"PDF (.pdf)", ".pdf", "The same on A4; weasyprint or Chromium makes it where one is installed."}};
 }
 
 std::vector<ExportFormat> page_formats() {

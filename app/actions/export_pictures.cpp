@@ -4,6 +4,7 @@
 #include "app/actions/export_words.h"
 #include "app/assets/assets.h"
 #include "app/picture/video_file.h"
+#include "app/reports/pdf.h"
 #include "app/reports/table_kinds.h"
 
 namespace ramus::app::actions {
@@ -36,9 +37,7 @@ Result<Outcome> export_table(ActionContext& context, const Export& wanted) {
     complete_lesions(context.assets, context.document);
     const Document& document = context.document;
     const TableKind* const kind = wanted.table.empty() ? nullptr : table_kind_named(wanted.table);
-    if (kind != nullptr && !kind->there(document, context.assets))
-        return fail("there is nothing to report of " + wanted.table, {},
-                    "cut, place a lesion, select or measure first");
+    if (kind != nullptr && !kind->there(document, context.assets)) return tl::unexpected(nothing_to_report(kind->name));
     const auto table = [kind, of = wanted.of](const Document& then, const Assets& assets) {
         return kind != nullptr ? kind->table(then, assets)
                                : branches_table(then, assets, ids_of(exported_branches(then, of)));
@@ -47,7 +46,8 @@ Result<Outcome> export_table(ActionContext& context, const Export& wanted) {
 }
 
 Result<Outcome> export_report(ActionContext& context, const Export& wanted) {
-    if (auto fits = expect_extension(wanted, ".html", "a report"); !fits) return tl::unexpected(fits.error());
+    if (auto fits = is_pdf(wanted.file) ? Result<void>() : expect_extension(wanted, ".html", "a report"); !fits)
+        return tl::unexpected(fits.error());
     std::vector<std::string> words{wanted.file.string()};
     if (!wanted.case_line.empty()) words.insert(words.end(), {"--case", wanted.case_line});
     return find_command("report")->action(context, words);

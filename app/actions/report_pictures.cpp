@@ -16,17 +16,27 @@ constexpr glm::ivec2 kSmall{720, 600}, kOfPlan{720, 480};
 // A page shows the pictures at 0.7 and 0.57 of their size; those of plans have more words.
 constexpr double kLargeText = 1.5, kSmallText = 1.7, kPlanText = 1.3;
 
-Result<ReportPicture> take_picture(ActionContext& context, std::string caption, const Session& session, glm::ivec2 size,
-                                   double text_size) {
-    FigureOptions look;
-    look.ground = Ground::kWhite;
-    look.text_size = text_size;
-    RAMUS_TRY(image, context.picture.draw_picture(session, size, look));
-    RAMUS_TRY(png, render::encode_png(image));
-    return ReportPicture{std::move(caption), std::move(png)};
-}
+class Photographer {
+public:
+    Photographer(ActionContext& context, int finer) : context_(context), finer_(finer) {}
 
-Result<std::vector<ReportPicture>> take_general(ActionContext& context, glm::ivec2 shape) {
+    [[nodiscard]] Result<ReportPicture> take(std::string caption, const Session& session, glm::ivec2 size,
+                                             double text_size) const {
+        FigureOptions look;
+        look.ground = Ground::kWhite;
+        look.text_size = finer_ * text_size;
+        RAMUS_TRY(image, context_.picture.draw_picture(session, finer_ * size, look));
+        RAMUS_TRY(png, render::encode_png(image));
+        return ReportPicture{std::move(caption), std::move(png)};
+    }
+
+private:
+    ActionContext& context_;
+    int finer_;
+};
+
+Result<std::vector<ReportPicture>> take_general(ActionContext& context, const Photographer& photographer,
+                                                glm::ivec2 shape) {
     constexpr int kLongerSide = 1200;
     Session session = context.document.session();
     const render::Camera current = session.camera;
@@ -34,7 +44,7 @@ Result<std::vector<ReportPicture>> take_general(ActionContext& context, glm::ive
     const glm::ivec2 large = glm::max(glm::ivec2(glm::round(scaled)), glm::ivec2(1));
     std::vector<ReportPicture> pictures;
     // Drawn first: it computes the document's current surface, to which the other cameras are fitted.
-    RAMUS_TRY(seen, take_picture(context, "As it was looked at", session, large, kLargeText));
+    RAMUS_TRY(seen, photographer.take("As it was looked at", session, large, kLargeText));
     pictures.push_back(std::move(seen));
     for (const auto& [caption, view] :
          {std::pair{"Anterior", render::View::kAnterior}, std::pair{"Left", render::View::kLeft}}) {
@@ -42,14 +52,14 @@ Result<std::vector<ReportPicture>> take_general(ActionContext& context, glm::ive
         const auto visible = visible_positions(context, from, kSmall);
         if (visible.empty()) continue;
         session.camera = render::fitted(from, visible, kSmall);
-        RAMUS_TRY(picture, take_picture(context, caption, session, kSmall, kSmallText));
+        RAMUS_TRY(picture, photographer.take(caption, session, kSmall, kSmallText));
         pictures.push_back(std::move(picture));
     }
     return pictures;
 }
 
 // Before: the organ as it is, with the surfaces of the resections. After: what remains.
-Result<std::vector<std::vector<ReportPicture>>> take_plans(ActionContext& context) {
+Result<std::vector<std::vector<ReportPicture>>> take_plans(ActionContext& context, const Photographer& photographer) {
     std::vector<std::vector<ReportPicture>> pictures;
     const Marks& marks = context.document.marks();
     if (!marks.organ.any() || !operation_of(context.assets, marks, marks.plans.place)) return pictures;
@@ -63,11 +73,11 @@ Result<std::vector<std::vector<ReportPicture>>> take_plans(ActionContext& contex
         shown.marks.organ.hidden.clear();
         shown.marks.organ.apart_mm = 0.0;
         shown.marks.organ.territories = TerritoriesOf::kOrgan;
-        RAMUS_TRY(before, take_picture(context, "Before", shown, kOfPlan, kPlanText));
+        RAMUS_TRY(before, photographer.take("Before", shown, kOfPlan, kPlanText));
         shown.marks.organ.territories = TerritoriesOf::kRemnant;
         if (!shown.marks.resections.empty())
             shown.marks.organ.hidden = {std::string(kRemnantParts[static_cast<std::size_t>(RemnantPart::kRemoved)])};
-        RAMUS_TRY(after, take_picture(context, "After", shown, kOfPlan, kPlanText));
+        RAMUS_TRY(after, photographer.take("After", shown, kOfPlan, kPlanText));
         pictures.push_back({std::move(before), std::move(after)});
     }
     return pictures;
@@ -75,10 +85,11 @@ Result<std::vector<std::vector<ReportPicture>>> take_plans(ActionContext& contex
 
 } // namespace
 
-Result<ReportPictures> take_report_pictures(ActionContext& context, glm::ivec2 shape) {
-    RAMUS_TRY(general, take_general(context, shape));
-    RAMUS_TRY(plans, take_plans(context));
-    RAMUS_TRY(slices, take_slices(context));
+Result<ReportPictures> take_report_pictures(ActionContext& context, glm::ivec2 shape, int finer) {
+    const Photographer photographer(context, finer);
+    RAMUS_TRY(general, take_general(context, photographer, shape));
+    RAMUS_TRY(plans, take_plans(context, photographer));
+    RAMUS_TRY(slices, take_slices(context, finer));
     return ReportPictures{std::move(general), std::move(plans), std::move(slices)};
 }
 

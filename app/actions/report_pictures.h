@@ -10,7 +10,8 @@ namespace ramus::app::actions {
 
 // On white, for paper: the view as it is in `shape`, so that nothing visible is cropped; everything visible from the
 // front and from the left; and each plan of an operation before and after it, all from the view's direction and at one
-// scale; and slices (slice_pictures.h). Requires a picture host that draws.
-[[nodiscard]] Result<ReportPictures> take_report_pictures(ActionContext& context, glm::ivec2 shape);
+// scale; and slices (slice_pictures.h). Requires a picture host that draws. `finer`: pixels across each pixel that a
+// screen needs; more for print.
+[[nodiscard]] Result<ReportPictures> take_report_pictures(ActionContext& context, glm::ivec2 shape, int finer = 1);
 
 } // namespace ramus::app::actions

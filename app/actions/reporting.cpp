@@ -4,6 +4,7 @@
 #include "app/actions/groups.h"
 #include "app/actions/report_pictures.h"
 #include "app/assets/assets.h"
+#include "app/reports/pdf.h"
 #include "app/reports/report_tables.h"
 #include "app/reports/table_kinds.h"
 #include "core/io/output_file.h"
@@ -29,9 +30,7 @@ Result<Outcome> write_csv(ActionContext& context, const fs::path& path, std::str
     if (kind == nullptr)
         return wanted.empty() ? fail("there is nothing to report", {}, "cut, place a lesion, select or measure first")
                               : fail("there is no table called " + std::string(wanted), {}, "one of " + table_names());
-    if (!there(*kind))
-        return fail("there is nothing to report of " + std::string(kind->name), {},
-                    "cut, place a lesion, select or measure first");
+    if (!there(*kind)) return tl::unexpected(nothing_to_report(kind->name));
     return writing_table(context, fs::absolute(path).lexically_normal(), kind->table,
                          "Report of " + std::string(kind->name) + " saved: " + path.string());
 }
@@ -43,7 +42,9 @@ struct ReportWords {
     std::optional<glm::ivec2> size; // of the user's picture, for its shape; none: the current
 };
 
-constexpr const char* kReportUsage = "report FILE.html [--case TEXT] [--size WxH], or report FILE.csv [KIND]";
+constexpr int kFinerInPrint = 2; // 300 pixels an inch of the large picture on A4
+constexpr const char* kReportUsage =
+    "report FILE.html or FILE.pdf [--case TEXT] [--size WxH], or report FILE.csv [KIND]";
 
 Result<ReportWords> report_words(Arguments words) {
     ReportWords found;
@@ -76,10 +77,13 @@ Result<Outcome> report_page_in_process(const std::function<Result<void>(Job&)>& 
 }
 
 Result<void> write_page(ActionContext& context, const fs::path& path, const ReportWords& words) {
-    RAMUS_TRY(pictures, take_report_pictures(context, words.size.value_or(context.picture.picture_size())));
+    const bool printed = is_pdf(path);
+    RAMUS_TRY(pictures, take_report_pictures(context, words.size.value_or(context.picture.picture_size()),
+                                             printed ? kFinerInPrint : 1));
     const std::string page =
         report_page(context.document, context.assets, pictures, {.made = now_text(), .case_line = words.case_line});
-    if (auto written = io::write_file(path, page); !written) return written;
+    Job job;
+    if (auto written = printed ? write_pdf(page, path, job) : io::write_file(path, page); !written) return written;
     context.say("Report saved: " + path.string());
     return {};
 }
@@ -101,10 +105,12 @@ Result<Outcome> report(ActionContext& context, Arguments arguments) {
     if (extension == ".csv" && of_page)
         return fail("--case and --size are of a report as a page", path.string(), kReportUsage);
     if (extension == ".csv") return write_csv(context, path, words.kind);
-    if (extension != ".html" && extension != ".htm")
-        return fail("a report is a .csv or an .html file", path.string(), "give the name one of these endings");
+    if (extension != ".html" && extension != ".htm" && extension != ".pdf")
+        return fail("a report is a .csv, .html or .pdf file", path.string(), "give the name one of these endings");
     if (!words.kind.empty())
-        return fail("a report as .html has everything", path.string(), "leave \"" + words.kind + "\" out");
+        return fail("a report as " + extension + " has everything", path.string(), "leave \"" + words.kind + "\" out");
+    if (auto possible = is_pdf(path) ? check_pdf_program() : Result<void>(); !possible)
+        return tl::unexpected(possible.error());
     const fs::path full = fs::absolute(path).lexically_normal();
     if (auto possible = io::check_output(full); !possible) return tl::unexpected(possible.error());
     const glm::ivec2 shape = words.size.value_or(context.picture.picture_size());
@@ -121,7 +127,7 @@ std::vector<Command> report_commands() {
     return {
         Command(
             "report", "[FILE [KIND] [OPTIONS]]",
-            "Writes a report: .html, one page with pictures and all tables, and a case line at its head that is in no "
+            "Writes a report: .html or .pdf with pictures and all tables, and a case line at its head that is in no "
             "other file; or .csv of one of " +
                 table_names() + ", the first of them that there is unless told. A window asks for the file.",
             report)

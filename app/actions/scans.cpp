@@ -19,8 +19,6 @@ namespace ramus::app::actions {
 namespace {
 
 constexpr const char* kScanUsage = "scan FILE [--labels|--grey] [--units UNIT]";
-// A scan of 8 bits has more values than a segmentation has labels.
-constexpr std::size_t kMostLabels = 64;
 
 struct AskedScan {
     Scan scan;
@@ -66,9 +64,8 @@ Result<void> add_scan(ActionContext& context, const AskedScan& asked) {
     const auto file = context.assets.scan(scan);
     if (!file) return fail("the scan is not there any more", scan.file, "ask for it again");
     scan.checksum = file->checksum;
-    const bool few = !file->labels.empty() && file->labels.size() <= kMostLabels;
-    scan.labels = asked.labels.value_or(file->volume->segmentation || few);
-    if (scan.labels && file->labels.size() > kMostLabels)
+    scan.labels = asked.labels.value_or(holds_labels(*file->volume, file->labels));
+    if (scan.labels && file->labels.size() > kMostShownLabels)
         return fail("it has " + std::to_string(file->labels.size()) + " labels, more than can be told by colour",
                     scan.file, "show it in grey: --grey");
     if (scan.labels) scan.opacity = 0.9;

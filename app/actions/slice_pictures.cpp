@@ -49,10 +49,10 @@ std::vector<SlicePlace> places_of(const Session& session, const Assets& assets, 
 
 constexpr glm::ivec2 kSliceSize{440, 360};
 
-Viewing viewing_of_slices() {
+Viewing viewing_of_slices(int finer) {
     Viewing viewing;
-    viewing.size = kSliceSize;
-    viewing.pixel_ratio = 1.3F; // the page shows them smaller
+    viewing.size = finer * kSliceSize;
+    viewing.pixel_ratio = 1.3F * static_cast<float>(finer); // the page shows them smaller
     return viewing;
 }
 
@@ -65,11 +65,10 @@ std::optional<double> narrowest_mm(const AlongVessel& along, const Assets& asset
 }
 
 // The picture along the vessel that slices follow, and sections across it.
-Result<SliceRow> take_along(ActionContext& context, const render::Frame& frame) {
+Result<SliceRow> take_along(ActionContext& context, const render::Frame& frame, const Viewing& viewing) {
     Session session = context.document.session();
     const Assets& assets = context.assets;
     const slice::VesselPath& path = *assets.followed.path;
-    const Viewing viewing = viewing_of_slices();
     SliceRow row{"Along " + way_words(session.slices.along->way), {}};
     const auto take = [&](render::SlicePainter& painter, const render::SliceView& view,
                           const std::string& caption) -> Result<void> {
@@ -78,7 +77,7 @@ Result<SliceRow> take_along(ActionContext& context, const render::Frame& frame) 
         return {};
     };
     Viewing tall = viewing;
-    tall.size.y = 2 * kSliceSize.y; // vessels are long
+    tall.size.y = 2 * viewing.size.y; // vessels are long
     const render::SliceView whole = compose_along(session, assets, context.picture.picture_mesh(), tall, 0);
     render::SlicePainter along_painter;
     if (auto taken = take(along_painter, whole, whole.overlays.caption); !taken) return tl::unexpected(taken.error());
@@ -88,7 +87,7 @@ Result<SliceRow> take_along(ActionContext& context, const render::Frame& frame) 
         render::SliceView view = compose_slice(session, assets, slice::Direction::kOblique, viewing);
         const double across_mm = session.slices.along->width_mm.value_or(usual_width_mm(path));
         view.grid = slice::grid_around(axes_of(session.slices, slice::Direction::kOblique), *session.slices.crosshair,
-                                       across_mm / kSliceSize.y, kSliceSize);
+                                       across_mm / viewing.size.y, viewing.size);
         return take(across, view, what + arc_words(path, at_mm, context.document.lengths()));
     };
     const double current = session.slices.along->at_mm;
@@ -101,11 +100,11 @@ Result<SliceRow> take_along(ActionContext& context, const render::Frame& frame) 
 
 } // namespace
 
-Result<std::vector<SliceRow>> take_slices(ActionContext& context) {
+Result<std::vector<SliceRow>> take_slices(ActionContext& context, int finer) {
     std::vector<SliceRow> rows;
     Session session = context.document.session();
     constexpr double kAcrossMm = 150.0;
-    const Viewing viewing = viewing_of_slices();
+    const Viewing viewing = viewing_of_slices(finer);
     {
         render::SliceView shown;
         add_scans(shown, session, context.assets);
@@ -114,7 +113,7 @@ Result<std::vector<SliceRow>> take_slices(ActionContext& context) {
     const render::Frame frame = compose(session, context.assets, context.picture.picture_mesh(), viewing);
     const Lengths lengths = context.document.lengths();
     if (session.slices.along && context.assets.followed.path) {
-        RAMUS_TRY(along, take_along(context, frame));
+        RAMUS_TRY(along, take_along(context, frame, viewing));
         rows.push_back(std::move(along));
     }
     constexpr std::array kShown{slice::Direction::kAxial, slice::Direction::kCoronal, slice::Direction::kSagittal};
@@ -124,7 +123,8 @@ Result<std::vector<SliceRow>> take_slices(ActionContext& context) {
         SliceRow row{place.title + ", " + place_words(place.at, slice_claims(session, context.assets)), {}};
         for (std::size_t n = 0; n < kShown.size(); ++n) {
             render::SliceView view = compose_slice(session, context.assets, kShown[n], viewing);
-            view.grid = slice::grid_around(slice::axes_of(kShown[n]), place.at, kAcrossMm / kSliceSize.x, kSliceSize);
+            view.grid =
+                slice::grid_around(slice::axes_of(kShown[n]), place.at, kAcrossMm / viewing.size.x, viewing.size);
             draw_marks(view, session, context.assets, kShown[n], viewing);
             RAMUS_TRY(png, render::encode_png(painters[n].paint(frame, view)));
             row.pictures.push_back({view.overlays.caption, std::move(png)});

@@ -12,7 +12,8 @@ namespace ramus::app::actions {
 // was placed: 150 mm across, at most kMostSliceRows rows. None without a scan that is shown.
 // Before them, the vessel that slices follow: the picture along it, and sections at its narrowest place and at the
 // current one.
-[[nodiscard]] Result<std::vector<SliceRow>> take_slices(ActionContext& context);
+// `finer`: as for take_report_pictures().
+[[nodiscard]] Result<std::vector<SliceRow>> take_slices(ActionContext& context, int finer = 1);
 inline constexpr std::size_t kMostSliceRows = 24; // a page with more takes tens of megabytes
 
 } // namespace ramus::app::actions

@@ -57,11 +57,9 @@ Result<void> layout(ActionContext& context, Arguments arguments) {
 
 // "12@0.3", or "12": the middle of a branch.
 std::optional<measure::BranchPlace> branch_place(const tree::VesselTree& tree, const std::string& word) {
-    const auto at = word.find('@');
-    const auto branch = parsed<int>(std::string_view(word).substr(0, at));
-    const auto fraction = at == std::string::npos ? std::optional(0.5) : number_in(word.substr(at + 1), 0.0, 1.0);
-    if (!branch || !fraction || *branch < 0 || static_cast<std::size_t>(*branch) >= tree.branches.size()) return {};
-    return measure::BranchPlace{*branch, *fraction};
+    const auto end = way_end_in(word);
+    if (!end || end->branch < 0 || static_cast<std::size_t>(end->branch) >= tree.branches.size()) return {};
+    return measure::BranchPlace{end->branch, end->fraction.value_or(0.5)};
 }
 
 std::optional<glm::dvec3> place_argument(const std::string& word) {

@@ -21,8 +21,7 @@ Result<std::shared_ptr<const ScanFile>> read_volume_of(const ScanSource& source,
         ScanFile scan;
         scan.claims = io::claims_of(volume, unit);
         scan.window = slice::usual_window(volume);
-        if (volume::looks_like_a_mask(volume))
-            for (const volume::LabelCount& count : volume::label_counts(volume)) scan.labels.push_back(count.label);
+        scan.labels = segmentation_labels(volume);
         scan.checksum = std::move(checksum);
         scan.volume = std::make_shared<const volume::Volume>(std::move(volume));
         return std::make_shared<const ScanFile>(std::move(scan));
@@ -33,6 +32,17 @@ Result<std::shared_ptr<const ScanFile>> read_volume_of(const ScanSource& source,
 }
 
 } // namespace
+
+std::vector<std::int32_t> segmentation_labels(const volume::Volume& volume) {
+    std::vector<std::int32_t> labels;
+    if (!volume::looks_like_a_mask(volume) || !volume::holds_whole_numbers(volume)) return labels;
+    for (const volume::LabelCount& count : volume::label_counts(volume)) labels.push_back(count.label);
+    return labels;
+}
+
+bool holds_labels(const volume::Volume& volume, const std::vector<std::int32_t>& labels) {
+    return volume.segmentation || !volume.overlaps.empty() || (!labels.empty() && labels.size() <= kMostShownLabels);
+}
 
 Loaded<ScanFile> read_scan(const ScanSource& source, const Loaded<ScanFile>* before, std::uint64_t memory_bytes,
                            Job& job) {

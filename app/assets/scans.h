@@ -22,10 +22,17 @@ struct ScanSource {
 };
 [[nodiscard]] inline ScanSource source_of(const Scan& scan) { return {scan.file, scan.units}; }
 
+// The labels of a segmentation, ascending; empty: it is none.
+[[nodiscard]] std::vector<std::int32_t> segmentation_labels(const volume::Volume& volume);
+// A scan of 8 bits has more values than a segmentation has labels.
+inline constexpr std::size_t kMostShownLabels = 64;
+// Whether somebody who says nothing sees labels, not grey values. `labels`: as segmentation_labels() returns them.
+[[nodiscard]] bool holds_labels(const volume::Volume& volume, const std::vector<std::int32_t>& labels);
+
 struct ScanFile {
     std::shared_ptr<const volume::Volume> volume;
-    slice::Window window;             // that the file proposes, otherwise from its values
-    std::vector<std::int32_t> labels; // of a segmentation, ascending; empty: it is none
+    slice::Window window; // that the file proposes, otherwise from its values
+    std::vector<std::int32_t> labels;
     tree::Claims claims;
     std::string checksum;
 };

@@ -93,7 +93,7 @@ struct MeshFlags {
     std::optional<io::PartsBy> parts; // none: usual_parts()
     std::optional<io::Orientation> axes;
     PrintingFlags printing;
-    bool json = false;
+    bool compress = false, json = false;
 };
 
 // Adds --parts, for .glb.
@@ -250,6 +250,8 @@ Result<int> run_mesh(const MeshFlags& flags) {
     RAMUS_TRY(format, io::mesh_format(flags.output));
     if (flags.parts && !format->has_parts)
         return fail("this format has no parts", flags.output, "leave --parts out, or use .glb");
+    if (flags.compress && !format->can_compress)
+        return fail("this format is not compressed", flags.output, "leave --compress out, or use .glb");
     if (flags.printing.wanted && format->unit_mm != 1.0)
         return fail("programs take the numbers of this format for metres", flags.output, "for printing use .stl");
     io::note_input(flags.file);
@@ -260,6 +262,7 @@ Result<int> run_mesh(const MeshFlags& flags) {
     if (flags.mask.iso) {
         double load_s = 0.0;
         target.names.name = std::filesystem::path(io::input_name(flags.file)).stem().stem().string();
+        target.names.compressed = flags.compress;
         target.names.axes = flags.axes.value_or(io::Orientation::ras());
         MaskFlags mask = flags.mask;
         mask.selection.isovalue = flags.surface.read.mask.isovalue;
@@ -279,6 +282,7 @@ Result<int> run_mesh(const MeshFlags& flags) {
         RAMUS_TRY(names, names_for(flags, opened));
         target.names = std::move(names);
     }
+    target.names.compressed = flags.compress;
     target.names.claims = opened.tree->claims;
     target.names.axes = flags.axes.value_or(io::Orientation::ras());
     if (auto known = io::check_axes(target.names.axes, target.names.claims, opened.session.tree.path.string()); !known)
@@ -322,6 +326,9 @@ void register_mesh(CLI::App& app, Action& chosen) {
     add_mask_flags(*command, flags->mask);
     add_printing_flags(*command, flags->printing);
     add_parts_flag(*command, flags->parts);
+    command->add_flag("--compress", flags->compress,
+                      "Of .glb: a third of the size, for programs that read EXT_meshopt_compression, as three.js; "
+                      "positions are rounded to 0.0003 mm in an organ");
     add_axes_flag(*command, flags->axes, "Axes of the coordinates in the file, which states them (default RAS)");
     command->callback([flags, command, &chosen] {
         check_mask_flags(*command, flags->mask);

@@ -1,21 +1,13 @@
 // `ramus page FILE -o HTML`: the whole case as one page that any browser opens.
 #include "app/actions/case_pages.h"
-#include "app/commands/backend_flags.h"
-#include "app/commands/colour_flags.h"
-#include "app/commands/inputs.h"
+#include "app/commands/case_stage.h"
 #include "app/commands/output_target.h"
-#include "app/commands/picture_stage.h"
 #include "app/commands/printed_report.h"
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
-#include "app/commands/surface_flags.h"
-#include "app/session/error_context.h"
 #include "app/session/numbers.h"
 #include "core/io/output_file.h"
-#include "core/io/run_inputs.h"
 #include "core/io/text_numbers.h"
-#include "render/gl/gl_context.h"
-#include "render/renderer/renderer.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -27,32 +19,18 @@ namespace ramus::app {
 namespace {
 
 struct PageFlags {
-    SurfaceFlags common;
-    std::filesystem::path file, output;
-    std::string session;
+    CaseFlags of;
+    std::filesystem::path output;
     std::string format = ".html"; // of standard output
     PageChoice choice;
-    ColourFlags colours;
-    BackendFlags backend;
     bool json = false;
 };
 
-Result<void> check_page_files(const PageFlags& flags) {
-    io::note_input(flags.file);
-    io::note_input(flags.session, io::InputKind::kSession);
-    const std::string extension = io::lower_case(flags.output.extension().string());
+Result<void> check_page_output(const std::filesystem::path& output) {
+    const std::string extension = io::lower_case(output.extension().string());
     if (extension != ".html" && extension != ".htm")
-        return fail("a page is an .html file", flags.output.string(), "give the name this ending");
-    return io::check_output(flags.output);
-}
-
-// Opens the tree and the session. Without a camera in the session everything is seen from the front.
-Result<bool> open_case(const PageFlags& flags, Document& document) {
-    RAMUS_TRY(opened, open_session(flags.file.string(), flags.session, flags.common));
-    if (auto good = apply(flags.colours, *opened.tree, opened.session.marks); !good)
-        return tl::unexpected(good.error());
-    document.open(std::move(opened.tree), std::move(opened.session), nullptr, {}, std::move(opened.base));
-    return opened.has_camera;
+        return fail("a page is an .html file", output.string(), "give the name this ending");
+    return io::check_output(output);
 }
 
 nlohmann::ordered_json page_report(const PageFlags& flags, const CasePage& page) {
@@ -74,43 +52,18 @@ void print_page(const PageFlags& flags, const CasePage& page) {
         if (bytes > 0) std::cout << "  " << part << ": " << grouped((bytes + 999) / 1000) << " kB\n";
 }
 
-// The context of OpenGL and what draws with it; empty for a page without pictures.
-struct PageDrawing {
-    std::unique_ptr<render::GlContext> context;
-    std::unique_ptr<render::Renderer> renderer;
-};
-Result<PageDrawing> page_drawing(const PageFlags& flags) {
-    PageDrawing drawing;
-    if (has_part(flags.choice.left_out, PagePart::kViews)) return drawing;
-    RAMUS_TRY(context, open_context(flags.backend, flags.common));
-    drawing.context = std::move(context);
-    RAMUS_TRY(renderer, render::Renderer::create(render::kGlassBytes, 0));
-    drawing.renderer = std::move(renderer);
-    return drawing;
-}
-
 Result<int> run_page(const PageFlags& flags) {
-    if (auto good = check_page_files(flags); !good) return tl::unexpected(good.error());
-    Document document;
-    RAMUS_TRY(has_camera, open_case(flags, document));
-    Viewing viewing;
-    viewing.size = {1600, 1200};
-    RAMUS_TRY(drawing, page_drawing(flags));
-    PictureStage stage(document, flags.common, viewing);
-    if (auto made = with_file(stage.make_surface(), document.session().tree.path.string()); !made)
-        return tl::unexpected(made.error());
-    if (!has_camera)
-        document.set_camera(
-            render::camera_for(stage.surface().mesh->positions(), render::View::kAnterior, viewing.size));
-    if (drawing.renderer) stage.draw_with(*drawing.renderer);
-    ActionContext here{.document = document, .picture = stage, .assets = stage.assets};
+    if (auto good = check_page_output(flags.output); !good) return tl::unexpected(good.error());
+    constexpr glm::ivec2 kPictures{1600, 1200};
+    const bool draws = !has_part(flags.choice.left_out, PagePart::kViews) || !flags.of.commands.empty();
+    RAMUS_TRY(stage, CaseStage::open(flags.of, kPictures, draws));
     PageChoice choice = flags.choice;
-    choice.threads = flags.common.surface.threads;
-    const auto make = [&](Job& job) { return actions::make_case_page(here, choice, viewing.size, job); };
+    choice.threads = flags.of.common.surface.threads;
+    const auto make = [&](Job& job) { return actions::make_case_page(stage->context(), choice, kPictures, job); };
     RAMUS_TRY(page, with_progress("page", make, kNothingWritten));
     if (auto written = io::write_file(flags.output, page.html); !written) return tl::unexpected(written.error());
     if (flags.json)
-        std::cout << printed_report(page_report(flags, page), document.claims()) << '\n';
+        std::cout << printed_report(page_report(flags, page), stage->document().claims()) << '\n';
     else
         print_page(flags, page);
     return kDone;
@@ -129,10 +82,7 @@ void register_page(CLI::App& app, Action& chosen) {
     auto flags = std::make_shared<PageFlags>();
     CLI::App* command =
         add_command(app, "page", "The whole case as one page that any browser opens, without a network");
-    add_input(*command, "FILE", "", flags->file, "Vessel tree; may be left out with --session");
     add_option(*command, "-o,--output", "HTML", flags->output, "Page to write")->required();
-    add_option(*command, "--session", "FILE", flags->session,
-               "This session: its tree, states, plans, measurements and camera");
     add_option(*command, "--title", "TEXT", flags->choice.title, "Title of the page (default: the name of the file)");
     add_option_taking<std::string>(
         *command, "--size-limit", "MB",
@@ -152,15 +102,10 @@ void register_page(CLI::App& app, Action& chosen) {
         ->allow_extra_args(false)
         ->check(expecting(" is not a part of a page",
                           [](const std::string& word) { return page_part_named(word).has_value(); }));
-    add_method_flag(*command, false, [flags](mesh::Method method) { flags->common.surface.method = method; });
-    add_colour_flags(*command, flags->colours);
-    add_backend_flags(*command, flags->backend);
     command->add_flag("--json", flags->json, "Print what was written as one JSON object");
-    add_surface_flags(*command, flags->common);
-    add_system_flag(*command, flags->common);
+    add_case_flags(*command, flags->of);
     command->callback([flags, command, &chosen] {
-        if (flags->file.empty() && flags->session.empty()) throw CLI::RequiredError("FILE or --session");
-        check_backend_flags(flags->backend);
+        check_case_flags(flags->of);
         check_output_flags(*command, flags->output, {});
         chosen = [flags] { return with_output(*flags, run_page); };
     });

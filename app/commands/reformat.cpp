@@ -268,7 +268,7 @@ void add_view_options(CLI::App& command, const std::shared_ptr<ReformatFlags>& f
         "The picture: the vessel straightened (default) or stretched, or a sheet of cross-sections")
         ->check(expecting(" is not straightened, stretched or sections", is_kind));
     add_option(command, "--angle", "DEG", flags->angle_deg, "Turn the picture about the vessel's axis");
-    add_option(command, "--width", "MM", flags->width_mm,
+    add_option(command, "--across", "MM", flags->width_mm,
                "Width across the vessel (default: 4 of its largest diameters, 2.5 in sections)")
         ->check(positive());
     add_option(command, "--step", "MM", flags->step_mm,
@@ -301,7 +301,7 @@ void register_reformat(CLI::App& app, Action& chosen) {
     add_format_flag(*command, flags->format, {".png", ".csv"});
     command->add_flag("--json", flags->json, "Print the figures as one JSON object");
     flags->surface.command = command;
-    add_source_flags(*command, flags->surface);
+    add_surface_flags(*command, flags->surface);
     command->callback([command, flags, &chosen] {
         check_output_flags(*command, flags->output, flags->format);
         const bool is_picture = flags->is_picture() || flags->format == "png" || flags->format == ".png";

@@ -2,6 +2,7 @@
 #include "app/assets/region.h"
 
 #include "app/actions/arguments.h"
+#include "app/assets/scans.h"
 #include "app/commands/command.h"
 #include "app/commands/inputs.h"
 #include "app/commands/output_target.h"
@@ -15,7 +16,6 @@
 #include "core/io/standard_input.h"
 #include "core/io/volumes/label_map_file.h"
 #include "core/io/volumes/volume_unit.h"
-#include "core/volume/label_counts.h"
 
 #include <array>
 #include <iostream>
@@ -40,19 +40,11 @@ struct RegionFlags {
     bool grey = false, json = false;
 };
 
-// Scans of 8 bits have more values than segmentations have labels.
-bool holds_labels(const volume::Volume& volume) {
-    constexpr std::size_t kMostOfSegmentation = 64;
-    if (volume.segmentation || !volume.overlaps.empty()) return true;
-    return volume::looks_like_a_mask(volume) && volume::holds_whole_numbers(volume) &&
-           volume::label_counts(volume).size() <= kMostOfSegmentation;
-}
-
 Result<volume::Volume> read_scan_of(const RegionFlags& flags) {
     io::note_input(flags.scan);
     RAMUS_TRY(scan, load_volume(flags.scan, flags.reading));
     warn_about(flags.scan, scan);
-    if (!flags.grey && holds_labels(scan))
+    if (!flags.grey && holds_labels(scan, segmentation_labels(scan)))
         return fail("it holds labels, and a region grows by the values of a scan", io::input_name(flags.scan),
                     "give the scan; if this is one of few values, say so: --grey");
     return std::move(scan);

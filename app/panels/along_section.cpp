@@ -126,11 +126,18 @@ void draw_percents(InterfaceContext& context, const VesselSections& sections, co
     row("Less by area", found.area, digits(figures(found.area).area_mm2), lengths.area(places->reference.area_mm2));
 }
 
+// Without the ends of free vessels, which taper.
+Stretch inner_stretch(const slice::VesselPath& path, const VesselSections* sections) {
+    if (sections == nullptr) return {0.0, path.length_mm()};
+    const std::vector<slice::PathSample>& samples = sections->path->samples;
+    return {samples[sections->inner.first].arc_mm, samples[sections->inner.last].arc_mm};
+}
+
 void draw_stenosis(InterfaceContext& context, const AlongVessel& along, const slice::VesselPath& path,
                    const VesselSections* sections) {
     widgets::quiet("Stenosis");
     const double here = along.at_mm;
-    StenosisChoice choice = along.stenosis.value_or(StenosisChoice{{0.0, path.length_mm()}});
+    StenosisChoice choice = along.stenosis.value_or(StenosisChoice{inner_stretch(path, sections)});
     const auto set = [&](const StenosisChoice& next) { context.perform("stenosis", stenosis_arguments(next)); };
     if (widgets::small_button("From here", "The stenosis begins at the current place")) {
         choice.where.from_mm = here;
@@ -178,9 +185,12 @@ void draw_along(InterfaceContext& context) {
     if (!along)
         return widgets::quiet_wrapped("Select a branch and follow it: sections across the vessel with their figures, "
                                       "and a picture along it.");
-    // A person who follows another vessel wants to see its figures.
+    // A person who follows another vessel wants to see its figures. They make the section longer, so that it can be
+    // scrolled farther.
     AlongPlot& plot = context.interface.of<AlongPlot>();
+    const auto sections = shown_sections(context);
     if (std::exchange(plot.shown, along->way) != along->way) plot.scrolls = 3;
+    if (sections && std::exchange(plot.measured, along->way) != along->way) plot.scrolls = 3;
     if (plot.scrolls > 0) {
         --plot.scrolls;
         ImGui::SetScrollHereY(0.05F);
@@ -189,7 +199,6 @@ void draw_along(InterfaceContext& context) {
     const FollowedPath followed = context.workspace.current_assets().followed;
     if (!followed.path) return widgets::trouble(followed.problem.c_str());
     draw_along_place(context, *along, *followed.path);
-    const auto sections = shown_sections(context);
     if (sections) {
         draw_along_plot(context, *sections);
         draw_figures(context, *along, *sections);

@@ -1,9 +1,12 @@
 #include "app/picture/plane_pictures.h"
 
 #include "app/picture/slices.h"
+#include "render/scene/late_picture.h"
+#include "render/slice/slice_painter.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <mutex>
 
 namespace ramus::app {
 
@@ -26,6 +29,19 @@ slice::PixelGrid plane_grid(const Session& session, const Assets& assets, slice:
 
 } // namespace
 
+// One at a time: pictures of a slice share what was sampled for the one before.
+class PlanePictures::Painter {
+public:
+    [[nodiscard]] render::Image paint(const render::SliceView& view) {
+        const std::lock_guard lock(one_);
+        return painter_.paint_alone(view);
+    }
+
+private:
+    std::mutex one_;
+    render::SlicePainter painter_;
+};
+
 std::vector<render::ScanPlane> PlanePictures::planes(const Session& session, const Assets& assets) {
     std::vector<render::ScanPlane> planes;
     for (const auto& [direction, name] : slice::kDirections) {
@@ -38,9 +54,10 @@ std::vector<render::ScanPlane> PlanePictures::planes(const Session& session, con
         view.grid = plane_grid(session, assets, direction);
         view.sampling = session.slices.sampling;
         add_scans(view, session, assets);
-        if (!kept) kept.emplace();
+        if (!kept) kept = Kept{{}, std::make_shared<Painter>(), nullptr};
         if (!kept->picture || kept->of != view) {
-            kept->picture = std::make_shared<const render::Image>(kept->painter.paint_alone(view));
+            kept->picture = std::make_shared<const render::LatePicture>(
+                [painter = kept->painter, view] { return painter->paint(view); });
             kept->of = view;
         }
         const slice::PixelGrid& grid = view.grid;

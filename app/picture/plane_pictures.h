@@ -1,11 +1,11 @@
-// PlanePictures: the slices that a session shows among the vessels, as planes of a frame. Their pictures are kept, so
-// that only what changed is sampled again. Not thread-safe.
+// PlanePictures: the slices that a session shows among the vessels, as planes of a frame. Who draws them paints their
+// pictures, which are kept, so that only what changed is sampled again. Not thread-safe.
 #pragma once
 
 #include "app/assets/assets.h"
 #include "app/session/session.h"
 #include "render/scene/scan_plane.h"
-#include "render/slice/slice_painter.h"
+#include "render/slice/slice_view.h"
 
 #include <array>
 #include <memory>
@@ -20,10 +20,11 @@ public:
     [[nodiscard]] std::vector<render::ScanPlane> planes(const Session& session, const Assets& assets);
 
 private:
+    class Painter;
     struct Kept {
         render::SliceView of;
-        render::SlicePainter painter;
-        std::shared_ptr<const render::Image> picture;
+        std::shared_ptr<Painter> painter;
+        std::shared_ptr<const render::LatePicture> picture;
     };
     std::array<std::optional<Kept>, 4> kept_; // by slice::Direction
 };

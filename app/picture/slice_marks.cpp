@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <utility>
 
 namespace ramus::app {
 
@@ -64,6 +67,66 @@ void add_line(render::SliceView& view, const render::MarkLine& line, const slice
         view.marks.push_back({std::move(part), line.colour, line.width, 1.0F});
 }
 
+void add_seed(std::vector<MarkPath>& lines, const glm::dvec3& at, const slice::PixelGrid& grid, double pixels) {
+    for (const glm::dvec3& arm : {pixels * grid.right, pixels * grid.down}) lines.push_back({at - arm, at + arm});
+}
+
+// What a cut leaves on a plane: a circle, or the line where a disc meets the plane.
+void add_cut(std::vector<MarkPath>& lines, const RegionCut& cut, const slice::PixelGrid& grid) {
+    const slice::Plane plane = grid.plane();
+    const double height = plane.height(cut.centre_mm);
+    const glm::dvec3 foot = cut.centre_mm - height * plane.normal;
+    if (!cut.normal) {
+        const double left = cut.radius_mm * cut.radius_mm - height * height;
+        if (left <= 0.0) return;
+        constexpr int kCornersOfCircle = 48;
+        const glm::dvec3 right = std::sqrt(left) * glm::normalize(grid.right);
+        const glm::dvec3 down = std::sqrt(left) * glm::normalize(grid.down);
+        MarkPath& circle = lines.emplace_back();
+        for (int n = 0; n <= kCornersOfCircle; ++n) {
+            const double angle = 2.0 * glm::pi<double>() * n / kCornersOfCircle;
+            circle.push_back(foot + std::cos(angle) * right + std::sin(angle) * down);
+        }
+        return;
+    }
+    // The disc's plane meets the slice in a line, whose nearest point to the centre lies up or down the disc.
+    const glm::dvec3 normal = glm::normalize(*cut.normal);
+    const glm::dvec3 along = glm::cross(normal, plane.normal);
+    const double sine = glm::length(along);
+    if (sine < 1e-6) return;
+    const glm::dvec3 steepest = glm::cross(along, normal) / sine; // within the disc
+    const glm::dvec3 nearest = cut.centre_mm - height / glm::dot(steepest, plane.normal) * steepest;
+    const double left = cut.radius_mm * cut.radius_mm - glm::dot(nearest - cut.centre_mm, nearest - cut.centre_mm);
+    if (left <= 0.0) return;
+    lines.push_back({nearest - std::sqrt(left) / sine * along, nearest + std::sqrt(left) / sine * along});
+}
+
+// Seeds and cuts of the region that a person grows.
+void draw_region_marks(render::Frame& frame, const Assets& assets, const SceneObjects& objects,
+                       const slice::PixelGrid& grid) {
+    constexpr double kArmPoints = 5.0;
+    const glm::vec3 seed_colour(0.25F, 0.84F, 0.88F);
+    const glm::vec3 cut_colour(0.98F, 0.55F, 0.30F);
+    const RegionOf& region = assets.region.now();
+    const auto grown_in = scan_to_grow_in(objects);
+    if (region.seeds.empty() || !grown_in || source_of(*grown_in) != region.scan) return;
+    const auto scan = assets.scan(*grown_in);
+    if (!scan) return;
+    const auto draw = [&](std::vector<MarkPath> lines, const glm::vec3& colour) {
+        for (MarkPath& line : lines) frame.lines.push_back({std::move(line), colour, 2.0F});
+    };
+    for (const glm::ivec3& seed : region.seeds) {
+        std::vector<MarkPath> lines;
+        add_seed(lines, place_of(*scan->volume, seed), grid, kArmPoints * double(frame.pixel_ratio));
+        draw(std::move(lines), seed_colour);
+    }
+    for (const RegionCut& cut : region.cuts) {
+        std::vector<MarkPath> lines;
+        add_cut(lines, cut, grid);
+        draw(std::move(lines), cut_colour);
+    }
+}
+
 } // namespace
 
 double slice_reach_mm(const Session& session, const Assets& assets, slice::Direction direction) {
@@ -81,6 +144,7 @@ void draw_marks(render::SliceView& view, const Session& session, const Assets& a
     if (assets.plan && assets.tree)
         draw_shortest_distances(frame, *assets.plan, session.marks, viewing.lesion, assets.tree->claims);
     draw_margins(frame, assets, session.marks);
+    draw_region_marks(frame, assets, session.marks, view.grid);
     const slice::Plane plane = view.grid.plane();
     const double reach = slice_reach_mm(session, assets, direction);
     view.marks.clear();

@@ -53,6 +53,10 @@ io::MeshNames surface_names(const tree::VesselTree& tree, const TreeFacts& facts
                                   : tree.systems.empty() ? names.colour
                                                          : names.systems[static_cast<std::size_t>(system)].colour,
                                   system});
+        const tree::Branch& branch = tree.branches[id];
+        const BranchFacts& known = facts.branches[id];
+        names.vessels.push_back(
+            {branch.parent, branch.generation, branch.strahler, known.length_mm, 0.5 * known.diameter_mm.mean});
     }
     return names;
 }

@@ -4,8 +4,6 @@
 #include "core/io/output_file.h"
 #include "core/io/text_numbers.h"
 
-#include <fstream>
-
 namespace ramus::app {
 
 namespace fs = std::filesystem;
@@ -56,12 +54,7 @@ Result<void> VideoFile::add(const render::Image& image) {
 Result<void> VideoFile::commit(Job& job) {
     if (auto ended = ffmpeg_.wait(job); !ended)
         return job.cancelled() ? ended : fail("ffmpeg: " + ended.error().what, target_.string());
-    std::ifstream made(scratch_.path() / kVideoName, std::ios::binary);
-    RAMUS_TRY(file, io::OutputFile::create(target_));
-    std::string block(std::size_t{1} << 20, '\0');
-    while (made.read(block.data(), static_cast<std::streamsize>(block.size())) || made.gcount() > 0)
-        file.write({block.data(), static_cast<std::size_t>(made.gcount())});
-    return made.eof() ? file.commit() : fail("the video cannot be read back", target_.string());
+    return io::write_copy(scratch_.path() / kVideoName, target_);
 }
 
 } // namespace ramus::app

@@ -43,7 +43,12 @@ tr.flag td { background: #fff1ec; } tr.sum td { font-weight: 600; border-top: 2p
 .sums td:last-child { font-family: monospace; font-size: .84em; }
 @media screen and (max-width: 40em) { body { margin: 1em auto; padding: 0 .8em; } .pictures { grid-template-columns: 1fr; } }
 @media print { body { margin: 0; padding: 0; max-width: none; font-size: 11px; } h2, h3 { break-after: avoid; } tr, figure { break-inside: avoid; } thead { display: table-header-group; }
-  .wide { width: auto; margin-left: 0; transform: none; } .scroll { overflow: visible; } .plots { grid-template-columns: 1fr 1fr; } .data-set, .page { break-before: page; } }
+  .wide { width: auto; margin-left: 0; transform: none; } .scroll { overflow: visible; } .data-set, .page { break-before: page; }
+  .pictures, .plots, dl { display: flex; flex-wrap: wrap; justify-content: space-between; gap: 0; }
+  .pictures figure { width: 49%; margin-bottom: .7em; } .pictures figure:first-child { width: 100%; } .pictures.even figure:first-child { width: 49%; }
+  .three .pictures figure, .three .pictures figure:first-child { width: 32.4%; } .plots > * { width: 49%; } dl div { width: 47%; }
+  .pictures img { max-height: 125mm; object-fit: contain; } }
+@page { size: A4; margin: 14mm 13mm 16mm; @bottom-right { content: counter(page) " / " counter(pages); font: 9px "Open Sans", sans-serif; color: #5b6570; } }
 )";
 
 constexpr std::string_view kNoLetter = "\xEF\xBF\xBD"; // U+FFFD

@@ -66,4 +66,10 @@ const TableKind* table_kind_named(std::string_view name) {
     return found == table_kinds().end() ? nullptr : &*found;
 }
 
+Error nothing_to_report(std::string_view name) {
+    return {"there is nothing to report of " + std::string(name),
+            {},
+            "cut, place a lesion, select or measure first; what is still computed can be reported in a moment"};
+}
+
 } // namespace ramus::app

@@ -21,5 +21,7 @@ struct TableKind {
 // In the order of output if no kind is named.
 [[nodiscard]] std::span<const TableKind> table_kinds();
 [[nodiscard]] const TableKind* table_kind_named(std::string_view name); // null: unknown
+// The error of a table without rows.
+[[nodiscard]] Error nothing_to_report(std::string_view name);
 
 } // namespace ramus::app

@@ -11,6 +11,14 @@ namespace ramus::app {
 
 namespace {
 
+measure::BranchPlace place_at(const WayEnd& end, double usual) { return {end.branch, end.fraction.value_or(usual)}; }
+
+std::string place_text(const measure::BranchPlace& place) {
+    return std::to_string(place.branch) + "@" + in_digits(place.fraction);
+}
+
+} // namespace
+
 std::optional<WayEnd> way_end_in(std::string_view word) {
     if (word == "root") return WayEnd{};
     const std::size_t at = word.find('@');
@@ -21,14 +29,6 @@ std::optional<WayEnd> way_end_in(std::string_view word) {
     if (!fraction || !(*fraction >= 0.0 && *fraction <= 1.0)) return {};
     return WayEnd{*branch, fraction};
 }
-
-measure::BranchPlace place_at(const WayEnd& end, double usual) { return {end.branch, end.fraction.value_or(usual)}; }
-
-std::string place_text(const measure::BranchPlace& place) {
-    return std::to_string(place.branch) + "@" + in_digits(place.fraction);
-}
-
-} // namespace
 
 std::optional<Way> way_in(std::string_view text) {
     const std::size_t dots = text.find("..");

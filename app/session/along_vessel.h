@@ -20,6 +20,8 @@ struct WayEnd {
     std::optional<double> fraction{};
     bool operator==(const WayEnd&) const = default;
 };
+// "12", "12@0.5" or "root".
+[[nodiscard]] std::optional<WayEnd> way_end_in(std::string_view word);
 
 // A way along vessels. Without `to`: the whole branch `from`.
 struct Way {

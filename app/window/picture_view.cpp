@@ -131,6 +131,7 @@ void PictureView::take_picture(double seconds, Taken& taken) {
     }
     take(*made);
     taken.shaded |= made->drawn && made->drawn->shaded;
+    if (made->drawn && made->drawn->shaded) ++pictures_;
     taken.geometry |= made->drawn && made->drawn->geometry;
 }
 

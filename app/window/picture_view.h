@@ -45,6 +45,7 @@ public:
     [[nodiscard]] std::vector<render::ScanPlane> scan_planes() const;
     [[nodiscard]] const std::optional<render::ScaleBar>& scale_bar() const { return scale_bar_; } // of the last picture
 
+    [[nodiscard]] int pictures() const { return pictures_; } // how many were shown, without those that refine
     [[nodiscard]] int waits() const {
         return drawer_.waits();
     }                                                    // how often the window waited for drawing longer than a frame
@@ -126,7 +127,8 @@ private:
     ViewerState& state_;
     PictureDrawer drawer_;
     PlanePictures planes_;
-    render::Sheet sheet_;                                             // of the last picture, or of the one in progress
+    render::Sheet sheet_; // of the last picture, or of the one in progress
+    int pictures_ = 0;
     double begun_at_ = 0.0;                                           // start of that picture
     bool finer_ = false;                                              // the shown picture has been refined
     std::shared_ptr<const tree::VesselTree> begun_tree_, shown_tree_; // of the picture in progress; of the shown one

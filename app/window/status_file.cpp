@@ -163,6 +163,7 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const 
     status["picture"] = {{"of", viewer.picture().cast() ? "centerlines" : "mesh"},
                          {"width", viewer.picture().pictured_width()},
                          {"refined", viewer.refined()},
+                         {"shown", viewer.picture().pictures()},
                          {"under_way", viewer.picture().under_way()}};
     status["waits_for_drawing"] = viewer.picture().waits();
     status["programs_made_here"] = render::gl_programs_made(); // by the window's own thread

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
+#include <fstream>
 #include <string>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -247,6 +248,15 @@ Result<void> write_file(const fs::path& target, std::string_view text, InputKind
     RAMUS_TRY(file, OutputFile::create(target, kind));
     file.write(text);
     return file.commit();
+}
+
+Result<void> write_copy(const fs::path& made, const fs::path& target) {
+    std::ifstream from(made, std::ios::binary);
+    RAMUS_TRY(file, OutputFile::create(target));
+    std::string block(std::size_t{1} << 20, '\0');
+    while (from.read(block.data(), static_cast<std::streamsize>(block.size())) || from.gcount() > 0)
+        file.write({block.data(), static_cast<std::size_t>(from.gcount())});
+    return from.eof() ? file.commit() : fail("what was made cannot be read back", target.string());
 }
 
 } // namespace ramus::io

@@ -82,4 +82,7 @@ private:
 [[nodiscard]] Result<void> write_file(const std::filesystem::path& target, std::string_view text,
                                       InputKind kind = InputKind::kFile);
 
+// The same with the bytes of a file that another program has made.
+[[nodiscard]] Result<void> write_copy(const std::filesystem::path& made, const std::filesystem::path& target);
+
 } // namespace ramus::io

@@ -7,6 +7,10 @@
 
 #include <vector>
 
+namespace ramus::render {
+struct Image;
+}
+
 namespace ramus::render::caster {
 
 // The planes of a picture. References must outlive the object.

@@ -8,7 +8,7 @@
 
 namespace ramus::render {
 
-struct Image;
+class LatePicture;
 
 inline constexpr int kNoPlane = -1;
 
@@ -17,8 +17,8 @@ struct ScanPlane {
     // right + down.
     glm::dvec3 corner{0.0}, right{1.0, 0.0, 0.0}, down{0.0, 0.0, -1.0};
     // Rows from `corner` along `right`, then along `down`. Alpha 0: outside the scan, not drawn. Null: only the
-    // outline. Frames compare the pointer: a changed slice is another image.
-    std::shared_ptr<const Image> picture;
+    // outline. Frames compare the pointer: a changed slice is another picture.
+    std::shared_ptr<const LatePicture> picture;
     glm::vec3 outline{0.9F};    // sRGB
     float outline_width = 0.0F; // points, around the rectangle; 0: none
     bool operator==(const ScanPlane&) const = default;

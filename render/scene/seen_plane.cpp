@@ -2,6 +2,7 @@
 
 #include "core/base/across.h"
 #include "render/image/image.h"
+#include "render/scene/late_picture.h"
 
 #include <algorithm>
 #include <array>
@@ -86,7 +87,7 @@ SeenEdges edges_of(const ScanPlane& plane, const glm::dmat4& to_eye, const Sight
 } // namespace
 
 const Image* picture_of(const ScanPlane& plane) {
-    const Image* image = plane.picture.get();
+    const Image* image = plane.picture ? &plane.picture->image() : nullptr;
     const bool whole = image != nullptr && image->width > 0 && image->height > 0 &&
                        image->rgba.size() == 4 * std::size_t(image->width) * std::size_t(image->height);
     return whole ? image : nullptr;

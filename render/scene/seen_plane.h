@@ -17,6 +17,8 @@
 
 namespace ramus::render {
 
+struct Image;
+
 // Null if the plane has no picture, or one without or with too few pixels, of which nothing is drawn.
 [[nodiscard]] const Image* picture_of(const ScanPlane& plane);
 

@@ -1,9 +1,10 @@
 """Reads GLB and holds it to what glTF 2.0 demands of the container, the buffer views and the accessors."""
 
+import ctypes
 import json
 import struct
 
-SIZES = {5121: 1, 5123: 2, 5125: 4, 5126: 4}
+SIZES = {5120: 1, 5121: 1, 5123: 2, 5125: 4, 5126: 4}
 PARTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 
 
@@ -32,11 +33,27 @@ def values(gltf, binary, number):
     assert accessor["count"] >= 1
     assert start % size == 0 and (view.get("byteOffset", 0) + start) % size == 0
     assert start + stride * (accessor["count"] - 1) + size * parts <= view["byteLength"]
-    letter = {5121: "B", 5123: "H", 5125: "I", 5126: "f"}[accessor["componentType"]]
+    letter = {5120: "b", 5121: "B", 5123: "H", 5125: "I", 5126: "f"}[accessor["componentType"]]
     first = view.get("byteOffset", 0) + start
     if stride == size * parts:
         return list(struct.iter_unpack(f"<{parts}{letter}", binary[first:first + stride * accessor["count"]]))
     return [struct.unpack_from(f"<{parts}{letter}", binary, first + stride * n) for n in range(accessor["count"])]
+
+
+def unpacked(view, binary, library):
+    """The bytes of a view that EXT_meshopt_compression has packed, by the functions of meshoptimizer."""
+    how = view["extensions"]["EXT_meshopt_compression"]
+    count, stride = how["count"], how["byteStride"]
+    assert count * stride == view["byteLength"] and how["byteOffset"] % 4 == 0
+    packed = binary[how["byteOffset"]:how["byteOffset"] + how["byteLength"]]
+    out = ctypes.create_string_buffer(count * stride)
+    sizes = ctypes.c_size_t(count), ctypes.c_size_t(stride)
+    decode = library.meshopt_decodeIndexBuffer if how["mode"] == "TRIANGLES" else library.meshopt_decodeVertexBuffer
+    assert decode(out, *sizes, packed, ctypes.c_size_t(len(packed))) == 0
+    filters = {"EXPONENTIAL": library.meshopt_decodeFilterExp, "OCTAHEDRAL": library.meshopt_decodeFilterOct}
+    if "filter" in how:
+        filters[how["filter"]](out, *sizes)
+    return out.raw
 
 
 def check(path):

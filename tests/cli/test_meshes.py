@@ -1,6 +1,9 @@
 """ramus mesh: formats with parts, and what it says about surfaces that are to be printed."""
 
+import ctypes
+import ctypes.util
 import json
+import math
 import struct
 import unittest
 
@@ -53,6 +56,77 @@ class GlbTest(CommandLineTest):
         self.assertEqual(children, {"branch 0", "branch 1", "branch 2"})
         colours = {material["name"]: material["pbrMetallicRoughness"]["baseColorFactor"] for material in gltf["materials"]}
         self.assertEqual(colours, {"portal vein": [0, 0, 1, 1], "artery": [1, 0, 0, 1]})
+
+    def test_branches_are_described(self):
+        self.write("tree.json", json.dumps(SYSTEMS))
+        known = self.json("info", "tree.json", "--json", "--branches")["branch_list"]
+        self.expect_done("mesh", "tree.json", "-o", "m.glb", "--parts", "branch")
+        gltf, binary = glb.chunks(self.folder / "m.glb")
+        self.assertEqual(gltf["extensionsUsed"], ["EXT_mesh_features"])
+        nodes = [node for node in gltf["nodes"] if "mesh" in node]
+        self.assertEqual(len(nodes), len(known))
+        for node, branch in zip(nodes, known):
+            extras = node["extras"]
+            self.assertEqual((extras["branch"], extras["parent"], extras["children"]),
+                             (branch["id"], branch["parent"], branch["children"]))
+            self.assertEqual((extras["generation"], extras["strahler"]), (branch["generation"], branch["strahler"]))
+            self.assertAlmostEqual(extras["length"], branch["length_mm"], delta=1e-4)
+            self.assertAlmostEqual(2 * extras["radius"], branch["diameter_mm"]["mean"], delta=1e-4)
+            self.assertEqual(extras["system"], "artery" if branch["id"] == 3 else "portal vein")
+            primitive, = gltf["meshes"][node["mesh"]]["primitives"]
+            features, = primitive["extensions"]["EXT_mesh_features"]["featureIds"]
+            self.assertEqual((features["attribute"], features["featureCount"]), (0, len(known)))
+            self.assertEqual({value for value, in glb.values(gltf, binary, primitive["attributes"]["_FEATURE_ID_0"])},
+                             {float(branch["id"])})
+        # Of the whole as one part each vertex has its own branch.
+        self.expect_done("mesh", "tree.json", "-o", "n.glb", "--parts", "none")
+        gltf, binary = glb.chunks(self.folder / "n.glb")
+        primitive, = gltf["meshes"][0]["primitives"]
+        self.assertEqual({value for value, in glb.values(gltf, binary, primitive["attributes"]["_FEATURE_ID_0"])},
+                         {0.0, 1.0, 2.0, 3.0})
+
+    def test_compressed_files_hold_the_same(self):
+        """Unpacked by meshoptimizer itself."""
+        name = ctypes.util.find_library("meshoptimizer")
+        if not name:
+            self.skipTest("meshoptimizer is not installed")
+        library = ctypes.CDLL(name)
+        self.write("tree.swc", GOOD)
+        for parts in ("none", "branch"):
+            self.expect_done("mesh", "tree.swc", "-o", "m.glb", "--parts", parts)
+            self.expect_done("mesh", "tree.swc", "-o", "c.glb", "--parts", parts, "--compress")
+            self.assertLess((self.folder / "c.glb").stat().st_size, 0.4 * (self.folder / "m.glb").stat().st_size)
+            plain, binary = glb.chunks(self.folder / "m.glb")
+            packed, bytes_of = glb.chunks(self.folder / "c.glb")
+            self.assertEqual(packed["extensionsRequired"], ["EXT_meshopt_compression", "KHR_mesh_quantization"])
+            self.assertLessEqual(packed["buffers"][0]["byteLength"], len(bytes_of))
+            unpacked = b"".join(glb.unpacked(view, bytes_of, library) for view in packed["bufferViews"])
+            self.assertEqual(len(unpacked), packed["buffers"][1]["byteLength"])
+            for before, after in zip(plain["meshes"], packed["meshes"]):
+                first, second = before["primitives"][0], after["primitives"][0]
+
+                def both(name):
+                    return (glb.values(plain, binary, first["attributes"][name]),
+                            glb.values(packed, unpacked, second["attributes"][name]))
+                for old, new in zip(*both("POSITION")):
+                    self.assertLess(math.dist(old, new), 1e-4)
+                box = packed["accessors"][second["attributes"]["POSITION"]]
+                seen = both("POSITION")[1]
+                self.assertEqual(box["min"], [min(p[k] for p in seen) for k in range(3)])
+                self.assertEqual(box["max"], [max(p[k] for p in seen) for k in range(3)])
+                for old, new in zip(*both("NORMAL")):
+                    length = math.hypot(*new)
+                    self.assertGreater(sum(x * y for x, y in zip(old, new)) / length, math.cos(math.radians(1.0)))
+                for (old,), (new,) in zip(*both("_RADIUS")):
+                    self.assertAlmostEqual(old, new, delta=1e-4 * old)
+                self.assertEqual(*both("_FEATURE_ID_0"))
+                corners = [[value for value, in glb.values(gltf, data, primitive["indices"])]
+                           for gltf, data, primitive in ((plain, binary, first), (packed, unpacked, second))]
+                turned = [{tuple(triangle[k:] + triangle[:k]) for k in range(3)}
+                          for triangle in (corners[0][n:n + 3] for n in range(0, len(corners[0]), 3))]
+                for n, turns in enumerate(turned):
+                    self.assertIn(tuple(corners[1][3 * n:3 * n + 3]), turns)
+        self.expect_failure("mesh", "tree.swc", "-o", "m.ply", "--compress", says=("not compressed", ".glb"))
 
     def test_names_and_colours_of_a_session(self):
         self.write("tree.swc", GOOD)

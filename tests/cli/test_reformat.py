@@ -81,7 +81,7 @@ class Reformat(CommandLineTest):
     def test_straightened_pictures_show_the_values_of_the_scan_and_the_walls(self):
         for angle, across in ((0, (-1, 0, 0)), (90, (0, -1, 0)), (180, (1, 0, 0))):
             with self.subTest(angle=angle):
-                report = self.reformat("--scan", "scan.nii", "--path", "0", "-o", "out.png", "--angle", angle, "--width",
+                report = self.reformat("--scan", "scan.nii", "--path", "0", "-o", "out.png", "--angle", angle, "--across",
                                        24, "--window", "200,100")
                 picture = self.picture("out.png")
                 self.assertEqual([picture.width, picture.height],
@@ -95,7 +95,7 @@ class Reformat(CommandLineTest):
                     self.check_walls(picture, report, row)
 
     def test_a_stretched_picture_of_a_straight_vessel_is_the_straightened_one(self):
-        report = self.reformat("--scan", "scan.nii", "--path", "0", "-o", "out.png", "--kind", "stretched", "--width", 24,
+        report = self.reformat("--scan", "scan.nii", "--path", "0", "-o", "out.png", "--kind", "stretched", "--across", 24,
                                "--window", "200,100")
         self.assertEqual(report["picture"]["size"], [49, 101])
         self.check_greys(self.picture("out.png"), report, (-1, 0, 0), range(5, 95, 10))
@@ -142,7 +142,7 @@ class Reformat(CommandLineTest):
 
     def test_sections_are_on_a_sheet(self):
         report = self.reformat("--scan", "scan.nii", "--path", "0", "-o", "out.png", "--kind", "sections", "--step", 10,
-                               "--width", 20, "--window", "200,100")
+                               "--across", 20, "--window", "200,100")
         picture, figures = self.picture("out.png"), report["picture"]
         self.assertEqual([round(one["arc_mm"], 6) for one in report["sections"]], [0, 10, 20, 30, 40, 50])
         self.assertEqual(figures["tiles"], [3, 2])

@@ -2,7 +2,10 @@
 
 import base64
 import math
+import os
+import shutil
 import struct
+import subprocess
 import unittest
 from html.parser import HTMLParser
 
@@ -170,6 +173,68 @@ class Reports(CommandLineTest):
         headings = [heading for heading in unknown.tables["Selection"][0] if heading.startswith("Volume")]
         self.assertEqual(len(headings), 1)
         self.assertNotIn("ml", headings[0])
+
+
+class ReportCommand(CommandLineTest):
+    """`ramus report` writes what the command `report` writes."""
+
+    def setUp(self):
+        super().setUp()
+        self.tree = self.write("tree.swc", GOOD)
+        self.write("plan.txt", "select 0\ncut 0 0.5\n")
+
+    def report(self, output, *options):
+        return self.expect_done("report", self.tree, "--units", "mm", "--commands", "plan.txt", "--size", "300x200", "-o", output,
+                                *options)
+
+    def test_pages_and_tables(self):
+        self.report("page.html", "--case", "Case 12")
+        page = Page((self.folder / "page.html").read_text(encoding="utf-8"))
+        self.assertEqual(page.paragraphs["case"], ["Case 12"])
+        self.assertIn("Cuts", page.tables)
+        self.report("cuts.csv")
+        self.assertTrue((self.folder / "cuts.csv").read_text().startswith("cut,"))
+        self.report("selection.csv", "--table", "selection")
+        self.assertIn("diameter", (self.folder / "selection.csv").read_text().splitlines()[0])
+
+    def test_of_a_session(self):
+        self.write("save.txt", "select 0\ncut 0 0.5\nsave s.json\n")
+        self.expect_done("render", self.tree, "--units", "mm", "--size", "200x150", "--commands", "save.txt")
+        self.expect_done("report", "--session", "s.json", "-o", "cuts.csv")
+        self.assertEqual(len((self.folder / "cuts.csv").read_text().splitlines()), 3)  # the cut, and all of them
+
+    def test_what_cannot_be_written_is_refused(self):
+        for options, says in ((("-o", "r.txt"), ".pdf"), (("-o", "no/r.html"), "no"), (("-o", "r.csv", "--case", "x"), "--case"),
+                              (("-o", "r.html", "--table", "cuts"), "--table"), (("-o", "r.csv", "--table", "none"), "table")):
+            with self.subTest(says):
+                result = self.run_ramus("report", self.tree, *options)
+                self.assertIn(result.returncode, (1, 2))
+                self.assertIn(says, result.stderr)
+        self.assertEqual(self.names(), ["plan.txt", "tree.swc"])
+
+    def test_printing(self):
+        if not shutil.which("weasyprint") or not shutil.which("pdftotext"):
+            self.skipTest("weasyprint or pdftotext is not installed")
+        self.report("page.pdf", "--case", "Case 12")
+        text = subprocess.run(["pdftotext", "-layout", "page.pdf", "-"], cwd=self.folder, check=True, stdout=subprocess.PIPE,
+                              text=True).stdout
+        for words in ("Case 12", "Cuts", "Selection", "Not a medical device"):
+            self.assertIn(words, text)
+        facts = subprocess.run(["pdfinfo", "page.pdf"], cwd=self.folder, check=True, stdout=subprocess.PIPE, text=True).stdout
+        self.assertIn("A4", facts)
+        images = subprocess.run(["pdfimages", "-list", "page.pdf"], cwd=self.folder, check=True, stdout=subprocess.PIPE,
+                                text=True).stdout.splitlines()[2:]
+        resolutions = [int(line.split()[12]) for line in images if line.split()[2] == "image"]
+        self.assertGreaterEqual(len(resolutions), 3)
+        self.assertGreaterEqual(min(resolutions), 290)
+
+    def test_without_a_program_that_prints(self):
+        empty = self.folder / "empty"
+        empty.mkdir()
+        result = self.run_ramus("report", self.tree, "-o", "page.pdf", env={**os.environ, "PATH": str(empty)})
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("weasyprint", result.stderr)
+        self.assertFalse((self.folder / "page.pdf").exists())
 
 
 if __name__ == "__main__":

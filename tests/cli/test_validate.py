@@ -258,8 +258,9 @@ class Validate(CommandLineTest):
         process.send_signal(signal.SIGINT)
         out, errors = process.communicate(timeout=120)
         self.assertEqual(out, "")
-        self.assertEqual(process.returncode, 1, errors)
-        self.assertIn("cancelled", errors)
+        self.assertIn(process.returncode, (1, -signal.SIGINT), errors)  # where the machine is busy, it ends by the signal
+        if process.returncode == 1:
+            self.assertIn("cancelled", errors)
         self.assertEqual(self.names(), before)
 
 

@@ -18,7 +18,7 @@ import sys
 import time
 from pathlib import Path
 
-from screen import PATIENCE, Failure, Window, check, choose, click, drag, page, project, run_journeys, saved_session
+from screen import PATIENCE, Failure, Window, check, choose, click, command, drag, page, project, run_journeys, saved_session
 
 SHARED = Path(os.environ.get("RAMUS_SHARED_DATA", "")) / "volumes"
 VESSELS, ORGAN = SHARED / "liver_002_vessels.nii.gz", SHARED / "liver_002_organ.nii.gz"
@@ -42,15 +42,6 @@ def answer(program, *words):
 
 def spelled(place):
     return ",".join(f"{x:.9g}" for x in place)
-
-
-def command(window, words):
-    """Typed into the palette."""
-    window.xdotool("key", "ctrl+k")
-    window.wait("the palette", lambda s: s["palette"]["open"] and s["typing"])
-    window.xdotool("type", words)
-    window.xdotool("key", "Return")
-    window.wait("no palette", lambda s: not s["palette"]["open"])
 
 
 def table(window, name):

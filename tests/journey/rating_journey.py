@@ -10,100 +10,30 @@ import base64
 import json
 import os
 import re
-import shutil
-import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from browser import Browser, becomes, missing_tools, ramus, requests_of  # noqa: E402
 from screen import PATIENCE, SMALL_TREE, Failure, check  # noqa: E402
 
 try:
-    from selenium import webdriver
-    from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.by import By
     from selenium.webdriver.common.keys import Keys
 except ImportError:
-    webdriver = None
+    pass
 
 CRITERIA = ("appearance", "spatial_shape", "transitions", "overall")
 SCORES = {"isosurface": 2, "cones": 3, "convolution": 4}  # the mean of a rater's answers about each
 
 
-def missing_tools():
-    tools = [tool for tool in ("chromium", "chromedriver") if shutil.which(tool) is None]
-    return tools + (["python3-selenium"] if webdriver is None else [])
-
-
-class Browser:
-    """A profile of its own, kept from one start to the next, and a folder for downloads."""
-
-    def __init__(self, folder, size=(1280, 690)):
-        self.downloads = folder / "downloads"
-        self.downloads.mkdir(exist_ok=True)
-        options = webdriver.ChromeOptions()
-        options.binary_location = shutil.which("chromium")
-        for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run",
-                         f"--user-data-dir={folder / 'profile'}", f"--window-size={size[0]},{size[1]}"):
-            options.add_argument(argument)
-        options.add_experimental_option("prefs", {"download.default_directory": str(self.downloads)})
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-        self.driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
-        self.driver.set_page_load_timeout(PATIENCE)
-        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
-                                    {"width": size[0], "height": size[1], "deviceScaleFactor": 1, "mobile": False})
-
-    def open(self, page):
-        self.driver.get(page.as_uri())
-
-    def by(self, name):
-        return self.driver.find_element(By.ID, name)
-
-    def all(self, selector):
-        return self.driver.find_elements(By.CSS_SELECTOR, selector)
-
-    def click(self, name):
-        self.by(name).click()
-
-    def texts(self, selector):
-        return [element.text for element in self.all(selector)]
-
+class RatingBrowser(Browser):
     def shown(self):
         """The codes of the pictures that a rater sees in the scene that is open, from left to right."""
         groups = self.all(".scene:not([hidden]) fieldset")
         codes = [group.get_attribute("id").split("-")[0] for group in groups]
         return codes[:len(codes) // len(CRITERIA)]
-
-    def downloaded(self):
-        """The file that was saved. chromium takes its name with an empty file first, which goes away again if the browser
-        is closed before the content is there."""
-        deadline = time.monotonic() + PATIENCE
-        while time.monotonic() < deadline:
-            files = list(self.downloads.iterdir())
-            if len(files) == 1 and files[0].suffix == ".json" and files[0].stat().st_size > 0:
-                return files[0]
-            time.sleep(0.05)
-        raise Failure(f"no file was saved: {files}")
-
-    def close(self):
-        self.driver.quit()
-
-
-def becomes(truth, what):
-    """As `check`, of what the page does after an input: chromium may answer the driver before the page is done."""
-    deadline = time.monotonic() + PATIENCE
-    while not truth() and time.monotonic() < deadline:
-        time.sleep(0.05)
-    check(truth(), what)
-
-
-def ramus(program, *arguments, status=0):
-    result = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, timeout=600)
-    if result.returncode != status:
-        raise Failure(f"ramus {' '.join(map(str, arguments))}: {result.returncode}, {result.stderr}")
-    return result
 
 
 def make_study(program, folder):
@@ -128,7 +58,7 @@ def answer_by_keys(browser, methods, order, left_out=None):
 def fill(program, folder, key, rater):
     """A rater from start to file; returns the file and what was shown."""
     methods = methods_of(key)
-    browser = Browser(folder)
+    browser = RatingBrowser(folder)
     try:
         browser.open(folder.parent / "study" / "sheets" / f"rater_{rater:03}.html")
         shown = []
@@ -147,7 +77,7 @@ def nothing_missing_is_saved(program, folder, key):
     """The first rater in all detail: stops in between, leaves one answer out, is told which, and saves."""
     methods = methods_of(key)
     page = folder.parent / "study" / "sheets" / "rater_001.html"
-    browser = Browser(folder)
+    browser = RatingBrowser(folder)
     shown = []
     try:
         browser.open(page)
@@ -163,7 +93,7 @@ def nothing_missing_is_saved(program, folder, key):
     finally:
         browser.close()
 
-    browser = Browser(folder)  # the next day
+    browser = RatingBrowser(folder)  # the next day
     try:
         browser.open(page)
         becomes(lambda: browser.by("progress").text == "24 of 48 answers", "nothing is lost when the browser is closed")
@@ -201,13 +131,6 @@ def nothing_missing_is_saved(program, folder, key):
         browser.close()
 
 
-def requests_of(browser):
-    """Everything that was asked for but the page, what it has inside, and the file that it gives."""
-    events = [json.loads(entry["message"])["message"] for entry in browser.driver.get_log("performance")]
-    addresses = [event["params"]["request"]["url"] for event in events if event["method"] == "Network.requestWillBeSent"]
-    return [address for address in addresses if not address.startswith(("file:", "data:", "blob:", "chrome:"))]
-
-
 def the_page_says_no_method(page, key):
     text = page.read_text()
     beside = re.sub(r"data:image/png;base64,[^\"]*", "", text).lower()
@@ -226,7 +149,7 @@ def the_page_says_no_method(page, key):
 
 
 def the_browser_sends_nothing(folder):
-    browser = Browser(folder)
+    browser = RatingBrowser(folder)
     try:
         browser.open(folder.parent / "study" / "sheets" / "rater_002.html")
         answer = browser.driver.execute_async_script("""
@@ -248,7 +171,7 @@ def the_browser_sends_nothing(folder):
 
 def every_question_fits(folder):
     for width, height in ((1280, 690), (820, 1106)):
-        browser = Browser(folder, (width, height))
+        browser = RatingBrowser(folder, (width, height))
         try:
             browser.open(folder.parent / "study" / "sheets" / "rater_002.html")
             browser.click("next")

@@ -27,7 +27,7 @@ SMALL_TREE = """\
 9 3 55 10 30 2 7
 """
 
-PATIENCE = 120.0  # seconds; software rendering on a busy machine is slow
+PATIENCE = float(os.environ.get("RAMUS_JOURNEY_PATIENCE", 120.0))  # seconds; software rendering on a busy machine is slow
 
 
 class Failure(Exception):
@@ -140,6 +140,7 @@ class Window:
             if self.answered(status) and status["resting"] and condition(status):
                 return status
             time.sleep(0.02)
+        self.shot("failed", rests=False)
         raise Failure(f"waited {PATIENCE} s for: {what}\n{json.dumps(self.written_status())}")
 
     def window(self):
@@ -256,6 +257,15 @@ def saved_picture(window):
     accept_dialog(window)
     status = window.wait("the picture's name", lambda s: "Picture saved: " in s["notice"])
     return Path(status["notice"].split("Picture saved: ")[1])
+
+
+def command(window, words):
+    """Typed into the palette."""
+    window.xdotool("key", "ctrl+k")
+    window.wait("the palette", lambda s: s["palette"]["open"] and s["typing"])
+    window.xdotool("type", words)
+    window.xdotool("key", "Return")
+    window.wait("no palette", lambda s: not s["palette"]["open"])
 
 
 PAGES = {"explore": "Systems, selection and branches", "surface": "Surface, glass, context and comparison",

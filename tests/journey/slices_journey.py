@@ -1,5 +1,6 @@
 """The scan in slices: an aorta with its CT. Scan, crosshair from a vessel, wheel, window and level, planes and cutting away
-among the vessels; a picture and a report with slices. A DICOM folder is dropped on the window.
+among the vessels; a vessel is followed and its stenosis judged; a region grows; a picture and a report with slices. A DICOM
+folder is dropped on the window. What a person comes for takes five actions at most.
 
 Usage: slices_journey.py PROGRAM
 """
@@ -10,12 +11,13 @@ import os
 import shutil
 import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
 import drop
-from screen import (Failure, Window, check, choose, click, differing, middle_of, page, project, run_journeys, saved_picture,
-                    saved_session)
+from screen import (Failure, Window, check, choose, click, command, differing, drag, middle_of, page, PAGES, project,
+                    run_journeys, saved_picture, saved_session)
 
 try:
     import numpy as np
@@ -29,6 +31,9 @@ SCAN, LUMENS = VOLUMES / "aorta_dissection_ct.nii.gz", VOLUMES / "aorta_dissecti
 ADD = "Show a scan, or the labels of a segmentation, in slices"
 CUT = "Leaves out what lies before a slice"
 WINDOW = "The values from black to white; right-drag over a slice changes width (across) and level (up and down)"
+UP, DOWN = 4, 5  # of the wheel
+PLOT = "Diameters along the vessel"
+LESS, MORE = "Narrows the range of values; key -", "Widens the range of values; key +"
 
 
 def middle(status, slice):
@@ -71,6 +76,119 @@ def crosshair(window, tree):
     window.shot("slices crosshair")
 
 
+def fork(window, tree):
+    """Three actions: a branch is followed by its menu, and a click on the start of the plot goes to where it begins."""
+    ends = Counter(end for branch in tree["branches"] for end in (branch[0], branch[-1]))
+    branch = next(n for n, points in enumerate(tree["branches"]) if n > 1 and ends[points[0]] > 2 and len(points) > 20)
+    points = follow(window, tree, branch)
+    left, top, width, height = window.status()["controls"][PLOT]
+    window.xdotool("mousemove", left + 1, top + height // 2, "click", 1)
+    status = window.wait("the start of the branch", lambda s: s["slices"]["along"]["at"] < 1.5)
+    away = math.dist(status["slices"]["crosshair"], points[0][:3])
+    check(away < 3.0, f"three actions show the slice of a fork: {away:.1f} mm away")
+    window.shot("slices fork")
+    three_slices(window)
+
+
+def follow(window, tree, branch):
+    """Two actions: the menu of the branch under the pointer, and its entry. The points of the branch."""
+    points = [tree["points"][n] for n in tree["branches"][branch]]
+    for at in points[len(points) // 2:]:
+        window.xdotool("mousemove", *project(window.status(), at[:3]))
+        if window.wait("rest", lambda s: True)["hovered"] == branch:
+            break
+    window.xdotool("click", 3)
+    click(window, "menu: Follow in slices")
+    window.wait("the vessel followed", lambda s: {"oblique", "along"} <= set(s["slices_at"]) and PLOT in s["controls"])
+    return points
+
+
+def scroll(window, button):
+    """To the panel's first rows, or its last."""
+    x, y, width, height = window.status()["viewport"]
+    window.xdotool("mousemove", x + width + 100, y + height // 2, "click", "--repeat", 40, button)
+    window.wait("rest", lambda s: True)
+
+
+def three_slices(window):
+    window.xdotool("mousemove", *middle_of(window.status(), PLOT), "key", "2")
+    window.wait("three slices", lambda s: set(s["slices_at"]) == {"axial", "coronal", "sagittal"})
+    scroll(window, UP)
+
+
+def diameter(window):
+    """Two actions: the key of measuring, and a drag across the vessel on the slice."""
+    x, y = middle(window.status(), "axial")
+    before = len(window.status()["measured"])
+    window.xdotool("mousemove", x - 20, y, "key", "m")
+    window.wait("the tool", lambda s: s["tool"] == "measure-distance")
+    drag(window, [(x - 20, y), (x, y), (x + 20, y)])
+    status = window.wait("the length", lambda s: len(s["measured"]) == before + 1)
+    first, second = status["measurements"][-1]["points"]
+    length = math.dist(first, second)
+    check(f"{length:.1f}"[:-1] in status["measured"][-1] and first[2] == second[2],
+          f"a drag measures on the slice: {status['measured'][-1]}")
+    window.shot("slices measured")
+    window.xdotool("key", "Escape")
+    window.wait("no tool", lambda s: s["tool"] == "navigate")
+
+
+def stenosis(window, folder, tree):
+    """Four actions: a branch is followed by its menu, and a click on the plot is what the narrowest place is compared with."""
+    points = follow(window, tree, 0)
+    status = window.status()
+    at, place = status["slices"]["along"]["at"], status["slices"]["crosshair"]
+    away, radius = min((math.dist(place, p[:3]), p[3]) for p in points)
+    check(away < 0.5 * radius, f"two clicks follow a vessel: the crosshair is {away:.1f} mm from its axis")
+    window.shot("slices along")
+    left, top, width, height = status["controls"][PLOT]
+    window.xdotool("mousemove", left + width // 4, top + height // 2, "click", 1)
+    status = window.wait("a quarter of the way", lambda s: s["slices"]["along"]["at"] < at)
+    click(window, "The section at the current place is what others are compared with")
+    status = window.wait("the stenosis", lambda s: "stenosis" in s["slices"]["along"])
+    check("reference" in status["slices"]["along"]["stenosis"], "two more judge its narrowest place against another")
+    window.shot("slices stenosis")
+    at = status["slices"]["along"]["at"]
+    window.xdotool("mousemove", *middle(status, "along"), "click", 5)
+    window.wait("the next place", lambda s: s["slices"]["along"]["at"] > at)
+    check(True, "the wheel goes on along the vessel")
+    sections = folder / "sections.csv"
+    command(window, f"sections {sections} --step 1")
+    window.wait("the table", lambda s: sections.exists())
+    check(len(sections.read_text().splitlines()) > 300, "and a table has a section for each mm of the way")
+    three_slices(window)
+
+
+def region(window):
+    """A click on a slice grows a region, which buttons and keys widen; it leaves again."""
+    scroll(window, DOWN)
+    click(window, "Click in a vessel on a slice: similar values around it become a mask")
+    window.wait("the tool", lambda s: s["tool"] == "region")
+    x, y = middle(window.status(), "axial")
+    window.xdotool("mousemove", x, y, "click", 1)
+    window.wait("the region", lambda s: MORE in s["controls"])
+    scroll(window, DOWN)
+    click(window, MORE)
+    window.shot("slices region")
+    check(True, "a click grows a region of similar values, a button widens them")
+    click(window, "Removes the region; Undo step brings it back")
+    window.wait("no region", lambda s: MORE not in s["controls"])
+    command(window, "tool navigate")
+    window.wait("no tool", lambda s: s["tool"] == "navigate")
+
+
+def leaks(window):
+    """Three actions: the segmentation over the scan, in its own colours."""
+    scroll(window, UP)
+    click(window, ADD)
+    window.wait("the dialog", lambda s: s["open_dialog"])
+    window.xdotool("type", "lumens")
+    window.xdotool("key", "Return")
+    window.wait("the labels", lambda s: len(s["scans"]) == 2 and s["resting"])
+    window.shot("slices labels")
+    check(True, "labels lie over the scan")
+
+
 def window_and_level(window):
     """The right button changes them, as one step of undo; a name sets them."""
     x, y = middle(window.status(), "coronal")
@@ -94,10 +212,11 @@ def cut_away(window):
     x, y, width, height = window.status()["viewports"][0]
     before = window.pixels(x, y, width, height)
     choose(window, CUT, "Before the axial")
-    status = window.wait("the cut", lambda s: s["slices"].get("cut_away") == "axial")
+    window.wait("the cut", lambda s: s["slices"].get("cut_away") == "axial")
     check(differing(before, window.pixels(x, y, width, height)) > 0.02, "cutting away opens the picture at the slice")
     window.shot("slices cut away")
-    return status
+    command(window, "cut-away off")
+    window.wait("all vessels", lambda s: "cut_away" not in s["slices"])
 
 
 def layouts(window):
@@ -121,13 +240,18 @@ def dropped(window, folder):
     window.wait("the question what it is for", lambda s: s["volume_dialog"]["open"] and s["volume_dialog"]["read"])
     window.shot("slices dropped")
     window.xdotool("key", "i")
-    status = window.wait("the second scan", lambda s: len(s.get("scans", [])) == 2)
-    check(status["scans"][1]["path"].endswith("series"), "and the dialog shows it in slices")
-    window.shot("slices two scans")
+    status = window.wait("the series", lambda s: any(scan["path"].endswith("series") for scan in s["scans"]))
+    check(len(status["scans"]) == 3, "and the dialog shows it in slices")
+    window.shot("slices three scans")
 
 
-def written(window):
+def written(window, folder):
     """A picture and a report."""
+    report = folder / "report.html"
+    command(window, f"report {report}")
+    window.wait("the report", lambda s: report.exists() and s["resting"])
+    text = report.read_text()
+    check("axial" in text.lower() and text.count("data:image/png") > 3, "the report has its slices")
     picture = saved_picture(window)
     check(picture.stat().st_size > 10_000, "the picture is saved with its slices")
     saved = saved_session(window)
@@ -135,7 +259,8 @@ def written(window):
 
 
 def slices(program, screen, folder):
-    shutil.copy(SCAN, folder)
+    for file in (SCAN, LUMENS):
+        shutil.copy(file, folder)
     tree_file = folder / "aorta.json"
     subprocess.run([program, "skeletonize", LUMENS, "-o", tree_file, "--label", "all"], check=True, stdout=subprocess.DEVNULL,
                    stderr=subprocess.DEVNULL)
@@ -145,11 +270,16 @@ def slices(program, screen, folder):
         window.wait("the surface", lambda s: s["surface_ready"])
         scan(window)
         crosshair(window, tree)
+        fork(window, tree)
         window_and_level(window)
+        diameter(window)
         cut_away(window)
         layouts(window)
+        stenosis(window, folder, tree)
+        region(window)
+        leaks(window)
         dropped(window, folder)
-        written(window)
+        written(window, folder)
         check(window.quit() == 0, "Ctrl+Q closes the window")
     finally:
         window.end()

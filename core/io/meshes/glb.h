@@ -22,8 +22,11 @@ namespace ramus::io {
 // triangles that are compressed or in another file.
 [[nodiscard]] Result<PolygonSoup> parse_glb(std::string_view text, const std::string& name);
 
-// Writes POSITION, and NORMAL and _RADIUS (mm) if the mesh has them; indices have 32 bits. Fails, before anything is
-// written, if the file would exceed the 4 GiB of the format. `where`: the place in the error.
+// Writes POSITION, and NORMAL and _RADIUS (mm) if the mesh has them; indices have 32 bits. Of vessels also the branch
+// of each vertex, as _FEATURE_ID_0 (EXT_mesh_features), and `extras` at the nodes of branches: branch, parent,
+// children, radius (mean), length, generation, strahler, system; lengths in the unit of the top node. Compressed
+// files (MeshNames::compressed) have what glb_arrays.h says. Fails, before
+// anything is written, if the file would exceed the 4 GiB of the format. `where`: the place in the error.
 [[nodiscard]] Result<void> write_glb(const mesh::TriangleMesh& mesh, const MeshNames& names, const std::string& where,
                                      BufferedFile& file);
 

@@ -132,7 +132,8 @@ std::vector<MeshFormat> formats_of_scenes() {
          {},
          write_glb,
          true,
-         1000.0},
+         1000.0,
+         true},
     };
 }
 

@@ -25,11 +25,18 @@ struct MeshNames {
         Colour colour{};
         int system = 0; // index into `systems`, if there are any
     };
+    // What a format may say of a branch, as `ramus info` has it.
+    struct Vessel {
+        int parent = tree::kNoBranch, generation = 0, strahler = 0;
+        double length_mm = 0.0, radius_mm = 0.0; // the mean radius
+    };
     std::string name = "surface"; // of the whole mesh
     Colour colour{204, 73, 60};   // of parts without their own colour
     PartsBy by = PartsBy::kNone;
+    bool compressed = false;           // of formats that can be
     std::vector<tree::System> systems; // of the tree; empty: none
     std::vector<Branch> branches;      // by branch id; empty: unknown
+    std::vector<Vessel> vessels;       // by branch id; empty: the parts are no vessels
     tree::Claims claims;               // of the tree whose surface it is
     Orientation axes;                  // of the file; RAS unless the claims state the tree's axes
 };

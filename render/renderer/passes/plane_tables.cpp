@@ -58,10 +58,10 @@ Result<void> PlaneTables::send(const Frame& frame, const ViewSetup& view) {
         size_ = size;
     }
     for (std::size_t i = 0; i < count; ++i) {
-        const auto& image = frame.planes[i].picture;
-        if (picture_of(frame.planes[i]) == nullptr || image == shown_[i]) continue;
+        const Image* image = picture_of(frame.planes[i]);
+        if (image == nullptr || frame.planes[i].picture == shown_[i]) continue;
         send_layer(pictures_, static_cast<int>(i), *image);
-        shown_[i] = image;
+        shown_[i] = frame.planes[i].picture;
     }
     const PlanesBlock block =
         planes_block(frame.planes, eye_matrix(frame.camera), view.block, view.pixels_a_point(frame));

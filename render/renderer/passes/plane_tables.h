@@ -22,8 +22,8 @@ private:
     Buffer block_;
     Texture pictures_; // RGBA8, 4 bytes per pixel: premultiplied; a layer per plane
     std::size_t count_ = 0;
-    glm::ivec3 size_{0};                                          // of pictures_
-    std::array<std::shared_ptr<const Image>, kMostPlanes> shown_; // in its layers
+    glm::ivec3 size_{0};                                                // of pictures_
+    std::array<std::shared_ptr<const LatePicture>, kMostPlanes> shown_; // in its layers
 };
 
 } // namespace ramus::render

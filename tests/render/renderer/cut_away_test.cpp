@@ -1,5 +1,6 @@
 // What a plane cuts away, against geometry: a tube along x of 5 mm radius, seen from the front (+y) without
 // perspective, 0.1 mm a pixel.
+#include "render/scene/late_picture.h"
 #include "tests/support/beside_scene.h"
 
 #include <cmath>
@@ -133,9 +134,14 @@ TEST_CASE("caps win over a slice in the same plane, which shows around them, and
                 {std::make_shared<const ramus::mesh::TriangleMesh>(icosphere(4, glm::dvec3(6, 12, 0), 3)), nullptr,
                  kColour, 1.0F, false});
             const Image caps = scene.picture();
-            auto picture = std::make_shared<Image>(2, 2);
-            picture->fill(glm::vec3(100.0F / 255.0F));
-            scene.frame.planes = {{{12, 0, 8}, {-24, 0, 0}, {0, 0, -16}, picture, glm::vec3(0.9F), 0.0F}};
+            Image picture(2, 2);
+            picture.fill(glm::vec3(100.0F / 255.0F));
+            scene.frame.planes = {{{12, 0, 8},
+                                   {-24, 0, 0},
+                                   {0, 0, -16},
+                                   std::make_shared<const LatePicture>(picture),
+                                   glm::vec3(0.9F),
+                                   0.0F}};
             const Image both = scene.picture();
             int seen = 0;
             for (double x = -11.5; x < 11.6; x += 0.23)

@@ -1,5 +1,6 @@
 // Slices of a scan among vessels, against geometry: a tube along x of 5 mm radius, seen from the front without
 // perspective, 0.1 mm a pixel. Planes that face the eye lie on whole pixels.
+#include "render/scene/late_picture.h"
 #include "render/scene/seen_plane.h"
 #include "tests/support/beside_scene.h"
 #include "tests/support/tube_scene.h"
@@ -33,12 +34,16 @@ std::shared_ptr<const Image> noise(glm::ivec2 size) {
     return image;
 }
 
-// 20 x 12 mm across the view axis, or turned about the vertical: y = slope x.
-ScanPlane facing(double y, std::shared_ptr<const Image> picture) {
-    return {{10, y, 6}, {-20, 0, 0}, {0, 0, -12}, std::move(picture), glm::vec3(0.9F), 0.0F};
+std::shared_ptr<const LatePicture> late(const std::shared_ptr<const Image>& picture) {
+    return picture ? std::make_shared<const LatePicture>(*picture) : nullptr;
 }
-ScanPlane slanted(double slope, std::shared_ptr<const Image> picture) {
-    return {{14, 14 * slope, 6}, {-28, -28 * slope, 0}, {0, 0, -12}, std::move(picture), glm::vec3(0.9F), 0.0F};
+
+// 20 x 12 mm across the view axis, or turned about the vertical: y = slope x.
+ScanPlane facing(double y, const std::shared_ptr<const Image>& picture) {
+    return {{10, y, 6}, {-20, 0, 0}, {0, 0, -12}, late(picture), glm::vec3(0.9F), 0.0F};
+}
+ScanPlane slanted(double slope, const std::shared_ptr<const Image>& picture) {
+    return {{14, 14 * slope, 6}, {-28, -28 * slope, 0}, {0, 0, -12}, late(picture), glm::vec3(0.9F), 0.0F};
 }
 
 constexpr glm::ivec2 kCorner{200, 90}, kPixels{200, 120}; // of facing(), in the picture
@@ -73,7 +78,7 @@ TEST_CASE("a slice that faces the eye shows its own bytes, from both sides, at r
                 for (int y = 0; y < kPixels.y; ++y)
                     for (int x = 0; x < kPixels.x; ++x) std::copy_n(picture->pixel(x, y), 4, turned_over->pixel(y, x));
                 std::swap(plane.right, plane.down);
-                plane.picture = turned_over;
+                plane.picture = late(turned_over);
             }
             scene.frame.planes = {plane};
             const Image with = scene.picture();
@@ -202,7 +207,7 @@ TEST_CASE("a plane that moves, or shows another picture, draws no vessel again; 
         CHECK_FALSE(scene.draw().shaded);
         for (int step = 0; step < 3; ++step) {
             scene.frame.planes[1].corner.y += 2.0;
-            if (step == 1) scene.frame.planes[0].picture = noise({80, 20});
+            if (step == 1) scene.frame.planes[0].picture = late(noise({80, 20}));
             if (step == 2) scene.frame.planes.pop_back();
             const DrawStatistics done = scene.draw();
             CHECK(done.triangles == 0);
@@ -260,8 +265,8 @@ TEST_CASE("while the view moves the caster draws planes as they are drawn at res
     const WatchedContext context;
     const auto renderer = Renderer::create().value();
     Frame frame = tube(5.0F, {300, 200});
-    frame.planes = {{{10, 0, 7}, {-20, 0, 0}, {0, 0, -14}, grey(120), glm::vec3(0.9F, 0.8F, 0.1F), 2.0F},
-                    {{0, 9, 9}, {0, -18, 0}, {0, 0, -18}, grey(60), glm::vec3(0.9F), 0.0F}};
+    frame.planes = {{{10, 0, 7}, {-20, 0, 0}, {0, 0, -14}, late(grey(120)), glm::vec3(0.9F, 0.8F, 0.1F), 2.0F},
+                    {{0, 9, 9}, {0, -18, 0}, {0, 0, -18}, late(grey(60)), glm::vec3(0.9F), 0.0F}};
     frame.camera = turned(frame.camera, 25.0, 20.0);
     REQUIRE(renderer->draw(frame));
     frame.quality = Quality::kInteractive;
@@ -286,7 +291,7 @@ TEST_CASE("while the view moves the caster draws planes as they are drawn at res
 TEST_CASE("a plane seen from its edge, behind the eye or around it draws no wrong pixel") {
     SliceScene scene;
     const Image without = scene.picture();
-    scene.frame.planes = {{{0, -10, 6}, {0, 20, 0}, {0, 0, -12}, grey(90), glm::vec3(0.0F), 0.0F}};
+    scene.frame.planes = {{{0, -10, 6}, {0, 20, 0}, {0, 0, -12}, late(grey(90)), glm::vec3(0.0F), 0.0F}};
     CHECK(largest_difference(scene.picture(), without) == 0);
     scene.frame.planes[0].right = {0, 0, 0}; // no area
     CHECK(largest_difference(scene.picture(), without) == 0);
@@ -302,11 +307,12 @@ TEST_CASE("a plane seen from its edge, behind the eye or around it draws no wron
     scene.frame.planes.clear();
     const Image perspective = scene.picture();
     const glm::dvec3 eye = scene.frame.camera.position;
-    scene.frame.planes = {{eye + glm::dvec3(10, 30, 10), {-20, 0, 0}, {0, 0, -20}, grey(90), glm::vec3(0.0F), 2.0F}};
+    scene.frame.planes = {
+        {eye + glm::dvec3(10, 30, 10), {-20, 0, 0}, {0, 0, -20}, late(grey(90)), glm::vec3(0.0F), 2.0F}};
     CHECK(largest_difference(scene.picture(), perspective) == 0);
     // Below the eye and through it: only the lower half of the picture shows it.
     scene.frame.planes = {
-        {eye + glm::dvec3(100, 100, -1), {-200, 0, 0}, {0, -200, 0}, grey(90), glm::vec3(0.0F), 2.0F}};
+        {eye + glm::dvec3(100, 100, -1), {-200, 0, 0}, {0, -200, 0}, late(grey(90)), glm::vec3(0.0F), 2.0F}};
     const Image floor = scene.picture();
     const int height = scene.frame.size.y;
     for (int y = 0; y < height / 2; ++y)
