@@ -66,6 +66,7 @@ function start(kase) {
     hide: () => model.setState(selected(), "hidden"),
     show: () => model.setState(selected(), "normal"),
     showAll: () => model.showAll(),
+    invert: () => model.selectInverse(),
     parent: () => model.select(selected().map((id) => model.branches[id].parent).filter((id) => id != null)),
     children: () => model.select(selected().length ? selected().flatMap((id) => model.branches[id].children) : model.tree.roots.slice(0, 1)),
     path() {
@@ -188,7 +189,7 @@ function bindKeys(actions) {
     Escape: actions.escape, "/": actions.search, "?": actions.about, F1: actions.about,
   };
   for (const [name, view] of Object.entries(kViews)) plainKeys[view.key.toLowerCase()] = () => actions.view(name);
-  const withControl = { z: actions.undo, Z: actions.redo, y: actions.redo };
+  const withControl = { z: actions.undo, Z: actions.redo, y: actions.redo, i: actions.invert };
   document.addEventListener("keydown", (event) => {
     if (event.target.closest("input:not([type=checkbox]):not([type=radio]), select, textarea") && event.key !== "Escape") return;
     if (event.target.closest(".scroll, [role=tabpanel]") && /^Arrow|^\/$/.test(event.key) && event.key !== "/") return; // scrolls, or goes along radio buttons

@@ -2,7 +2,6 @@
 // change goes through a method, is one step of undo, and tells the listeners. The camera is not part of it.
 
 import { Tree } from "./tree.js";
-import { distance } from "./vector.js";
 import { lengthText, plain, whole } from "./text.js";
 
 export const kStates = ["normal", "highlighted", "defocused", "hidden"];
@@ -120,8 +119,6 @@ export class Model {
     return key === "shown" || (key === "system" && (this.json.systems || []).length > 0) || Boolean(this.column(key));
   }
 
-  /** What "distance" measures: mm between two points. */
-  distance(p, q) { return distance(p, q); }
   addMeasurement(one) { this.change({ measurements: [...this.state.measurements, { ...one, own: true }] }); }
   removeMeasurement(number) { this.change({ measurements: this.state.measurements.filter((_, i) => i !== number) }); }
 

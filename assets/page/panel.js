@@ -99,7 +99,7 @@ export class Panel {
     if (json.checksum) pairs.push(["SHA-256 of the file", made("code", {}, plain(json.checksum))]);
     const keys = [["Drag, arrow keys", "turn"], ["Shift+drag, middle button, two fingers", "move"], ["Wheel, right button, + −, pinch", "zoom"],
       ["Double click", "bring to the middle"], ["Click, tap", "select a branch"], ["Ctrl+click", "add or remove"], ["Alt+click, long press", "a branch with all that depends on it"],
-      [Object.values(kViews).map((view) => view.key).join(" "), "views"], ["F, 0", "fit"], ["O", "parallel projection"], ["[ ]", "parent, children"], ["D U", "dependents, upstream"],
+      [Object.values(kViews).map((view) => view.key).join(" "), "views"], ["F, 0", "fit"], ["O", "parallel projection"], ["[ ]", "parent, children"], ["D U Ctrl+I", "dependents, upstream, all others"],
       ["H G X N", "highlight, glass, hide, show"], ["Shift+G, Shift+N", "focus only the selected, show all"], ["W M", "lasso, measure"], ["Ctrl+Z, Ctrl+Shift+Z", "undo, redo"], ["Escape", "end a tool; select nothing"], ["/", "search"]];
     by("about").append(
       made("p", { class: "notice" }, kWarning),

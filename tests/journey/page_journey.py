@@ -501,6 +501,8 @@ def run(program):
         folder = Path(name)
         (folder / "ring.vtk").write_text(RING)
         trees = [(folder / "ring.vtk", 1), (DEMO, 41)]
+        real = Path(os.environ.get("RAMUS_SHARED_DATA", "")) / "trees"
+        trees += [(real / name, 17) for name in ("mouse_airways_m04.swc", "brain_BG05.swc", "brain_unjoined_7001.swc") if (real / name).is_file()]
         for tree, step in trees:
             page = folder / f"{tree.stem}.html"
             ramus(program, "page", tree, "-o", page)
