@@ -53,9 +53,7 @@ std::vector<Command> page_commands() {
     return {
         Command("page", "[FILE [OPTIONS]]",
                 "Writes the whole case as one .html file that any browser opens, without a network: the surface, what "
-                "was planned and measured, tables. --title TEXT; --size-limit MB; --without names, measurements, "
-                "lesions, plans, tables, views or context, each with a --without of its own. A window asks for the "
-                "file.",
+                "was planned and measured, tables. Options are those of the export. A window asks for the file.",
                 page_command)
             .in_menu("Plan", "Page for the browser...")
             .when(has_tree),

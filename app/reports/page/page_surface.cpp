@@ -18,6 +18,8 @@ namespace {
 // The usual error, in radii of the thinnest place of the branch: no more than two and a half times as far as a polygon
 // of 16 sides, the usual detail, is from its circle.
 constexpr double kUsualError = 0.05;
+// Browsers draw so many triangles at rest without a graphics card; fewer would show their edges for nothing.
+constexpr std::size_t kShownWhole = 300'000;
 constexpr double kStepShare = 0.01; // of the grid, in the same radii: 40 steps for an edge of the usual detail
 // While the view moves: what a browser without a graphics card draws ten times a second.
 constexpr double kCoarseTriangles = 70'000.0;
@@ -77,7 +79,9 @@ Result<PageSurface> page_surface(const mesh::TriangleMesh& mesh, const tree::Dep
     PageSurface made;
     made.triangles_before = mesh.triangles.size();
     const GridChoice grid{choice.most_step_mm, kStepShare};
-    BranchSurface shown = simplified(whole, {kUsualError, choice.most_step_mm, false, 0.0});
+    BranchSurface shown = whole.triangles() <= kShownWhole
+                              ? ordered(whole)
+                              : simplified(whole, {kUsualError, choice.most_step_mm, false, 0.0});
     constexpr int kMostTries = 6;
     for (int attempt = 0; attempt < kMostTries; ++attempt) {
         if (job.cancelled()) return fail("cancelled");
