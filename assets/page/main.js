@@ -48,7 +48,7 @@ function start(kase) {
     },
     hovered(pick, x, y) {
       const id = !pick ? -1 : pick.branch !== null ? pick.branch : model.branches.length + pick.shape;
-      if (looks.hover(id)) viewport.redraw();
+      if (looks.hover(viewport.slow ? -1 : id)) viewport.redraw();
       const tip = by("tip");
       tip.hidden = id < 0;
       if (id < 0) return;

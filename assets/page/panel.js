@@ -150,7 +150,7 @@ export class Panel {
       ["Depend on it", model.tree.dependents[id] ? counted(model.tree.dependents[id], "branch", "branches") : "none"], ["Parent", branch.parent == null ? "none, a root" : model.nameOf(branch.parent)]);
     for (const column of model.json.columns || []) {
       const value = model.value(id, column);
-      if (value !== null && !["diameter", "length", "generation", "strahler", "length_mm"].includes(column.key)) pairs.push([plain(column.label), `${column.whole ? whole(value) : digits(value)} ${plain(column.unit)}`.trim()]);
+      if (value !== null && !["diameter", "length", "generation", "strahler", "dependents"].includes(column.key)) pairs.push([plain(column.label), `${column.whole ? whole(value) : digits(value)} ${plain(column.unit)}`.trim()]);
     }
     if (model.lost.has(id)) pairs.push(["Plan", "lost beyond a cut"]);
     by("selection").replaceChildren(facts(pairs));
