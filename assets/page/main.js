@@ -155,8 +155,10 @@ function start(kase) {
 
 function buildTools(model, actions) {
   const title = (name) => model.claims.letters ? name[0].toUpperCase() + name.slice(1) : `From ${kViews[name].axis}`;
-  by("views").append(...Object.entries(kViews).map(([name, view]) => button(model.claims.letters ? view.key : view.axis, () => actions.view(name), { title: `${title(name)} (${view.key})`, "aria-label": title(name) })),
-    button("Fit", actions.fit, { title: "Everything, or the selected branches (F)" }), button("Parallel", actions.projection, { title: "Parallel or perspective projection (O)" }));
+  by("views").append(...Object.entries(kViews).map(([name, view]) => button(model.claims.letters ? view.key : view.axis,
+    () => actions.view(name), { title: `${title(name)} (${view.key})`, "aria-label": title(name) })),
+    button("Fit", actions.fit, { title: "Everything, or the selected branches (F)" }),
+      button("Parallel", actions.projection, { title: "Parallel or perspective projection (O)" }));
   const tool = (name, text, hint) => button(text, () => actions.tool(name), { id: `tool-${name}`, "aria-pressed": "false", title: hint });
   by("tools").append(tool("select", "Select", "Click vessels"), tool("lasso", "Lasso", "Draw around vessels (W)"),
     ...Object.entries(kMeasuring).map(([name, one]) => tool(name, one.label, one.hint)),
