@@ -78,7 +78,8 @@ export class BranchTable {
     const box = made("input", { type: "checkbox", "aria-label": model.nameOf(id) });
     box.addEventListener("change", () => this.chosen([id], { toggle: true }));
     const name = plain(branch.name);
-    const row = made("tr", {}, made("th", { scope: "row" }, made("label", {}, box, made("i", { class: "swatch", "aria-hidden": "true" }), name ? made("bdi", { title: name }, name) : String(id))),
+    const row = made("tr", {}, made("th", { scope: "row" }, made("label", {}, box, made("i", { class: "swatch", "aria-hidden": "true" }), name
+      ? made("bdi", { title: name }, name) : String(id))),
       ...[branch.generation, branch.strahler, digits(branch.diameter_mm.mean), digits(branch.length_mm), whole(model.tree.dependents[id])]
         .map((text) => made("td", { class: "number" }, String(text))));
     row.addEventListener("click", (event) => {

@@ -8,6 +8,7 @@ const kDrag = 4; // points before a press becomes a drag
 const kTouchDrag = 8;
 const kWheelStep = 1.15, kNotch = 100;
 const kLongPress = 550; // ms
+const kSlowHover = 200; // ms that the pointer rests before a slow renderer looks what is there
 
 export class Input {
   /** `actions`: select(pick, modifiers), measureAt(pick, point), lassoed(polygon, event), hovered(pick, x, y), menu. */
@@ -20,7 +21,11 @@ export class Input {
     canvas.addEventListener("pointermove", (event) => this.#move(event));
     canvas.addEventListener("pointerup", (event) => this.#up(event));
     canvas.addEventListener("pointercancel", (event) => this.#cancel(event));
-    canvas.addEventListener("pointerleave", () => actions.hovered(null));
+    canvas.addEventListener("pointerleave", () => {
+      clearTimeout(this.hovering);
+      this.hovering = 0;
+      actions.hovered(null);
+    });
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
     canvas.addEventListener("dblclick", (event) => this.#double(event));
@@ -138,14 +143,19 @@ export class Input {
 
   #hover(at) {
     this.hoverAt = at;
-    this.hovering ||= requestAnimationFrame(() => {
+    const wait = this.viewport.slow ? kSlowHover : 0; // picking draws, too
+    if (wait) {
+      clearTimeout(this.hovering);
+      this.hovering = 0;
+    }
+    this.hovering ||= setTimeout(() => {
       this.hovering = 0;
       if (this.fingers.size) return;
       const [x, y] = this.hoverAt;
       const face = this.viewport.overlay.faceAt(x, y);
       this.viewport.canvas.style.cursor = face ? "pointer" : this.tool === "select" ? "default" : "crosshair";
       this.actions.hovered(face ? null : this.viewport.pick(x, y, true), x, y);
-    });
+    }, wait || 16);
   }
 
   #wheel(event) {

@@ -48,7 +48,7 @@ function start(kase) {
     },
     hovered(pick, x, y) {
       const id = !pick ? -1 : pick.branch !== null ? pick.branch : model.branches.length + pick.shape;
-      if (looks.hover(id)) viewport.redraw();
+      if (looks.hover(viewport.slow ? -1 : id)) viewport.redraw();
       const tip = by("tip");
       tip.hidden = id < 0;
       if (id < 0) return;
@@ -155,8 +155,10 @@ function start(kase) {
 
 function buildTools(model, actions) {
   const title = (name) => model.claims.letters ? name[0].toUpperCase() + name.slice(1) : `From ${kViews[name].axis}`;
-  by("views").append(...Object.entries(kViews).map(([name, view]) => button(model.claims.letters ? view.key : view.axis, () => actions.view(name), { title: `${title(name)} (${view.key})`, "aria-label": title(name) })),
-    button("Fit", actions.fit, { title: "Everything, or the selected branches (F)" }), button("Parallel", actions.projection, { title: "Parallel or perspective projection (O)" }));
+  by("views").append(...Object.entries(kViews).map(([name, view]) => button(model.claims.letters ? view.key : view.axis,
+    () => actions.view(name), { title: `${title(name)} (${view.key})`, "aria-label": title(name) })),
+    button("Fit", actions.fit, { title: "Everything, or the selected branches (F)" }),
+      button("Parallel", actions.projection, { title: "Parallel or perspective projection (O)" }));
   const tool = (name, text, hint) => button(text, () => actions.tool(name), { id: `tool-${name}`, "aria-pressed": "false", title: hint });
   by("tools").append(tool("select", "Select", "Click vessels"), tool("lasso", "Lasso", "Draw around vessels (W)"),
     ...Object.entries(kMeasuring).map(([name, one]) => tool(name, one.label, one.hint)),

@@ -84,7 +84,8 @@ export class Panel {
   #tables() {
     const { json } = this.model, list = json.tables || [];
     by("tables").append(...(list.length ? list.map((one) => made("section", {}, made("h2", {}, named(plain(one.title))),
-      made("div", { class: "scroll wide", tabindex: 0, role: "region", "aria-label": plain(one.title) }, table(one.columns.map(plain), one.rows.map((row) => row.map(plain)))))) : [made("p", { class: "quiet" }, "This page has no tables.")]));
+      made("div", { class: "scroll wide", tabindex: 0, role: "region", "aria-label": plain(one.title) },
+        table(one.columns.map(plain), one.rows.map((row) => row.map(plain)))))) : [made("p", { class: "quiet" }, "This page has no tables.")]));
   }
 
   #about() {
@@ -98,9 +99,12 @@ export class Panel {
     for (const [term, text] of json.settings || []) put(term, text);
     if (json.checksum) pairs.push(["SHA-256 of the file", made("code", {}, plain(json.checksum))]);
     const keys = [["Drag, arrow keys", "turn"], ["Shift+drag, middle button, two fingers", "move"], ["Wheel, right button, + −, pinch", "zoom"],
-      ["Double click", "bring to the middle"], ["Click, tap", "select a branch"], ["Ctrl+click", "add or remove"], ["Alt+click, long press", "a branch with all that depends on it"],
-      [Object.values(kViews).map((view) => view.key).join(" "), "views"], ["F, 0", "fit"], ["O", "parallel projection"], ["[ ]", "parent, children"], ["D U Ctrl+I", "dependents, upstream, all others"],
-      ["H G X N", "highlight, glass, hide, show"], ["Shift+G, Shift+N", "focus only the selected, show all"], ["W M", "lasso, measure"], ["Ctrl+Z, Ctrl+Shift+Z", "undo, redo"], ["Escape", "end a tool; select nothing"], ["/", "search"]];
+      ["Double click", "bring to the middle"], ["Click, tap", "select a branch"], ["Ctrl+click", "add or remove"],
+        ["Alt+click, long press", "a branch with all that depends on it"],
+      [Object.values(kViews).map((view) => view.key).join(" "), "views"], ["F, 0", "fit"], ["O", "parallel projection"],
+        ["[ ]", "parent, children"], ["D U Ctrl+I", "dependents, upstream, all others"],
+      ["H G X N", "highlight, glass, hide, show"], ["Shift+G, Shift+N", "focus only the selected, show all"], ["W M", "lasso, measure"],
+        ["Ctrl+Z, Ctrl+Shift+Z", "undo, redo"], ["Escape", "end a tool; select nothing"], ["/", "search"]];
     by("about").append(
       made("p", { class: "notice" }, kWarning),
       json.simplified ? made("p", {}, plain(json.simplified)) : null,
@@ -145,12 +149,14 @@ export class Panel {
     const pairs = [["Branch", String(id)]];
     if (plain(branch.name)) pairs.push(["Name", plain(branch.name)]);
     if (system) pairs.push(["System", plain(system.name)]);
-    pairs.push(["Diameter, mean", lengthText(d.mean, claims)], ["Diameter, range", `${digits(d.min)} – ${lengthText(d.max, claims)}`], ["Length", lengthText(branch.length_mm, claims)],
+    pairs.push(["Diameter, mean", lengthText(d.mean, claims)], ["Diameter, range", `${digits(d.min)} – ${lengthText(d.max, claims)}`],
+      ["Length", lengthText(branch.length_mm, claims)],
       ["Generation", String(branch.generation)], ["Strahler order", String(branch.strahler)],
-      ["Depend on it", model.tree.dependents[id] ? counted(model.tree.dependents[id], "branch", "branches") : "none"], ["Parent", branch.parent == null ? "none, a root" : model.nameOf(branch.parent)]);
+      ["Depend on it", model.tree.dependents[id] ? counted(model.tree.dependents[id], "branch", "branches") : "none"],
+        ["Parent", branch.parent == null ? "none, a root" : model.nameOf(branch.parent)]);
     for (const column of model.json.columns || []) {
       const value = model.value(id, column);
-      if (value !== null && !["diameter", "length", "generation", "strahler", "length_mm"].includes(column.key)) pairs.push([plain(column.label), `${column.whole ? whole(value) : digits(value)} ${plain(column.unit)}`.trim()]);
+      if (value !== null && !["diameter", "length", "generation", "strahler", "dependents"].includes(column.key)) pairs.push([plain(column.label), `${column.whole ? whole(value) : digits(value)} ${plain(column.unit)}`.trim()]);
     }
     if (model.lost.has(id)) pairs.push(["Plan", "lost beyond a cut"]);
     by("selection").replaceChildren(facts(pairs));
@@ -163,14 +169,17 @@ export class Panel {
       const now = states.size === 1 ? [...states][0] : -1;
       const select = made("select", { "aria-label": `How ${plain(system.name)} is shown`, onchange: (event) => model.setSystemState(i, event.target.value) },
         ...(now < 0 ? [made("option", { value: "", selected: true, disabled: true }, "mixed")] : []),
-        ...[["normal", "shown"], ["highlighted", "highlighted"], ["defocused", "glass"], ["hidden", "hidden"]].map(([value, text], k) => made("option", { value, selected: k === now }, text)));
-      list.push(made("div", { class: "row" }, this.#swatch(system.colour), named(plain(system.name)), made("span", { class: "quiet push" }, counted(ids.length, "branch", "branches")), select));
+        ...[["normal", "shown"], ["highlighted", "highlighted"], ["defocused", "glass"],
+          ["hidden", "hidden"]].map(([value, text], k) => made("option", { value, selected: k === now }, text)));
+      list.push(made("div", { class: "row" }, this.#swatch(system.colour), named(plain(system.name)),
+        made("span", { class: "quiet push" }, counted(ids.length, "branch", "branches")), select));
     });
     model.shapes.forEach((shape, i) => {
       if (shape.plan !== undefined && shape.plan !== state.plan) return;
       const box = made("input", { type: "checkbox", onchange: (event) => model.setVisible(i, event.target.checked) });
       box.checked = state.visible[i];
-      list.push(made("label", { class: "check" }, box, this.#swatch(shape.colour), named(plain(shape.name)), made("span", { class: "quiet push" }, shape.group)));
+      list.push(made("label", { class: "check" }, box, this.#swatch(shape.colour), named(plain(shape.name)),
+        made("span", { class: "quiet push" }, shape.group)));
     });
     by("objects").hidden = list.length === 0;
     const focused = document.activeElement && by("object-list").contains(document.activeElement)
@@ -211,23 +220,32 @@ export class Panel {
     if (plans.length) {
       parts.push(made("h2", {}, "Plan"),
         choice("plan", "Which plan", [["-1", "None"], ...plans.map((plan, i) => [String(i), plain(plan.name) || `Plan ${i + 1}`])], String(state.plan), (value) => model.change({ plan: Number(value) })),
-        choice("plan-view", "Show", [["before", "Before"], ["marked", "Lost marked"], ["after", "After"]], state.planView, (value) => model.change({ planView: value })));
+        choice("plan-view", "Show", [["before", "Before"], ["marked", "Lost marked"],
+          ["after", "After"]], state.planView, (value) => model.change({ planView: value })));
       const labels = [...new Set(plans.flatMap((plan) => (plan.figures || []).map(([label]) => label)))];
       if (labels.length) parts.push(made("div", { class: "scroll wide", tabindex: 0, role: "region", "aria-label": "Figures of the plans" },
         table(["", ...plans.map((plan, i) => plain(plan.name) || `Plan ${i + 1}`)], labels.map((label) => [plain(label), ...plans.map((plan) => plain(((plan.figures || []).find(([name]) => name === label) || [])[1]))]))));
       const plan = model.plan;
-      for (const one of (plan && plan.resections) || []) if ((one.figures || []).length) parts.push(made("h3", {}, named(plain(one.name))), facts(one.figures.map((pair) => pair.map(plain))));
+      for (const one of (plan && plan.resections) || []) if ((one.figures || []).length) parts.push(made("h3", {},
+        named(plain(one.name))), facts(one.figures.map((pair) => pair.map(plain))));
       if (plan && (plan.cuts || []).length) parts.push(made("h3", {}, "Cuts"), made("ul", { class: "plain" }, ...plan.cuts.map((cut) => made("li", {},
-        button(named(`${model.nameOf(cut.branch)} at ${Math.round(100 * cut.fraction)} %${cut.reconstruct ? ", to be reconstructed" : ""}`), () => model.select([cut.branch])), cut.text ? made("span", { class: "quiet line" }, plain(cut.text)) : null))),
+        button(named(`${model.nameOf(cut.branch)} at ${Math.round(100 * cut.fraction)} %${cut.reconstruct ? ", to be reconstructed" : ""}`),
+          () => model.select([cut.branch])), cut.text ? made("span", { class: "quiet line" }, plain(cut.text)) : null))),
       button("Select what is lost", () => model.select([...new Set([...plan.lost, ...plan.cuts.map((cut) => cut.branch)])])));
     }
-    if ((json.territories || []).length) parts.push(made("h2", {}, "Territories"), made("div", { class: "scroll wide" }, table(["", "ml", "%"], json.territories.map((one) => [plain(one.name), digits(one.volume_ml), digits(one.percent)]))));
-    parts.push(made("h2", {}, "Measurements"), state.measurements.length ? made("ul", { class: "plain" }, ...state.measurements.map((one, i) => made("li", { class: "row" },
-      named(plain(one.name || one.kind)), made("b", { class: "push" }, named(plain(one.text))), button("Remove", () => model.removeMeasurement(i), { "aria-label": `Remove ${plain(one.name || one.kind)} ${plain(one.text)}` }))))
+    if ((json.territories || []).length) parts.push(made("h2", {}, "Territories"), made("div", { class: "scroll wide" },
+      table(["", "ml", "%"], json.territories.map((one) => [plain(one.name), digits(one.volume_ml), digits(one.percent)]))));
+    parts.push(made("h2", {}, "Measurements"), state.measurements.length
+      ? made("ul", { class: "plain" }, ...state.measurements.map((one, i) => made("li", { class: "row" },
+      named(plain(one.name || one.kind)), made("b", { class: "push" }, named(plain(one.text))), button("Remove",
+        () => model.removeMeasurement(i), { "aria-label": `Remove ${plain(one.name || one.kind)} ${plain(one.text)}` }))))
       : made("p", { class: "quiet" }, "None yet: choose Distance, Path or Diameter above the picture, then click vessels."));
     const contact = (one) => `${one.branches.map((id) => model.nameOf(id)).join(" and ")}: ${one.text || `${one.gap_mm < 0 ? "overlap " : "gap "}${lengthText(Math.abs(one.gap_mm), claims)}`}`;
-    for (const [title, list, line] of [["Pins", json.pins, (one) => one.name], ["Contacts of vessels", json.contacts, contact], ["Notes on the tree", json.notes, (one) => one.text]])
-      if ((list || []).length) parts.push(made("h2", {}, title), made("ul", { class: "plain" }, ...list.slice(0, kMostPlaces).map((one) => made("li", {}, one.point ? button(named(plain(line(one))), () => actions.lookAt(one.point, plain(line(one)))) : named(plain(line(one)))))),
+    for (const [title, list, line] of [["Pins", json.pins, (one) => one.name], ["Contacts of vessels", json.contacts, contact],
+      ["Notes on the tree", json.notes, (one) => one.text]])
+      if ((list || []).length) parts.push(made("h2", {}, title),
+        made("ul", { class: "plain" }, ...list.slice(0, kMostPlaces).map((one) => made("li", {}, one.point ? button(named(plain(line(one))),
+        () => actions.lookAt(one.point, plain(line(one)))) : named(plain(line(one)))))),
         list.length > kMostPlaces ? made("p", { class: "quiet" }, `and ${whole(list.length - kMostPlaces)} more`) : "");
     const focused = document.activeElement && by("plan").contains(document.activeElement) ? `input[name="${document.activeElement.name}"][value="${document.activeElement.value}"]` : null;
     by("plan").replaceChildren(...parts);

@@ -79,7 +79,7 @@ export class Viewport {
   /** Goes to a camera within a quarter of a second. */
   goTo(camera) {
     cancelAnimationFrame(this.going);
-    if (this.still.matches || this.cost > kSlow) return this.setCamera(camera);
+    if (this.still.matches || this.slow) return this.setCamera(camera);
     const from = this.camera, start = performance.now();
     const step = () => {
       const share = Math.min(1, (performance.now() - start) / kAnimation);
@@ -93,6 +93,7 @@ export class Viewport {
 
   /** The picture is no longer right: draws it again, in the next frame of the browser. */
   redraw() {
+    if (this.slow) this.moving = true; // a coarse answer at once, the fine one when nothing more comes
     this.view = 0;
     this.visibleOf = null;
     this.#ask();
@@ -112,16 +113,19 @@ export class Viewport {
     if (moving) this.resting = setTimeout(() => this.#rest(), kRestAfter);
     else if (this.view < this.#viewsAtRest) {
       // A slow renderer must not be busy with details when the next move comes.
-      if (this.cost > kSlow) this.resting = setTimeout(() => this.#ask(), this.view === 1 ? 500 : 100);
+      if (this.slow) this.resting = setTimeout(() => this.#ask(), this.view === 1 ? 500 : 100);
       else this.#ask();
     }
     this.drawOverlay();
   }
 
-  get #viewsAtRest() { return this.cost > kSlow ? kViewsOfPicture / 2 : kViewsOfPicture; }
+  /** Whether one view takes long, as without a graphics card. */
+  get slow() { return this.cost > kSlow; }
+  get #viewsAtRest() { return this.slow ? kViewsOfPicture / 2 : kViewsOfPicture; }
   #rest() {
     this.moving = false;
-    this.redraw();
+    this.view = 0;
+    this.#ask();
   }
 
   #draw(moving) {
@@ -129,7 +133,7 @@ export class Viewport {
     const start = performance.now(), rounds = moving ? this.pace.views : 1;
     for (let round = 0; round < rounds; ++round) this.#drawView(moving ? round : this.view, moving);
     this.#present();
-    if (moving || this.cost > kSlow) {
+    if (moving || this.slow) {
       this.renderer.finish();
       // The first frame also compiles.
       if (moving && this.frames > 0) this.#keepPace(performance.now() - start);
