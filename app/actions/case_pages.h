@@ -29,7 +29,7 @@ inline constexpr const char* kPageUsage =
 
 // What a page would have, for the dialog: "1,504 branches, 2 lesions, plans A and B".
 [[nodiscard]] std::string page_contents(const Document& document, const PageChoice& choice);
-// About how large it would be, from the number of triangles of the surface: within a fifth for most trees.
+// A rough estimate of its size, from the number of triangles of the surface.
 [[nodiscard]] std::size_t expected_page_bytes(const Document& document, std::uint64_t triangles,
                                               const PageChoice& choice);
 
