@@ -57,7 +57,7 @@ Result<void> write_pdf(const std::string& html, const fs::path& target, Job& job
         if (!line.empty()) last = line;
         return true;
     };
-    const auto ended = program.wait(job, hear);
+    auto ended = program.wait(job, hear);
     if (job.cancelled()) return ended;
     std::error_code missing;
     if (!ended || fs::file_size(made, missing) == 0 || missing)
