@@ -141,7 +141,7 @@ class Planning(CommandLineTest):
         self.write("open.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
                                "endloop\nendfacet\nendsolid x\n")
         for line, says in (("lesion-mesh open.stl", "not closed"), ("lesion-mesh gone.ply", "gone.ply"),
-                           ("report r.csv", "nothing to report"), ("report r.pdf", ".html"), ("cut 7", "no branch 7"),
+                           ("report r.csv", "nothing to report"), ("report r.odt", ".html"), ("cut 7", "no branch 7"),
                            ("select-within 3", "lesion"), ("bands 3 2", "ascend")):
             with self.subTest(line):
                 self.write("plan.txt", "# first\n" + line + "\n")
