@@ -4,7 +4,7 @@ import json
 import math
 from collections import defaultdict
 
-from browser import Browser, ramus
+from browser import Browser, ramus, requests_of
 from screen import Failure, check
 
 

@@ -113,10 +113,10 @@ BranchSurface simplified_together(const BranchSurface& surface, double triangles
         const std::size_t at = 3 * std::size_t{next[ranks[fewer[i]]]++};
         for (std::size_t k = 0; k < 3; ++k) made.indices[at + k] = sources[fewer[i + k]];
     }
-    return ordered(std::move(made));
+    return ordered(made);
 }
 
-BranchSurface ordered(BranchSurface surface) {
+BranchSurface ordered(const BranchSurface& surface) {
     return changed(surface, [](PartOfSurface& part, std::size_t) { order(part); });
 }
 

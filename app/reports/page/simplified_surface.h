@@ -20,6 +20,6 @@ struct Simplification {
 // the radius. Branches stay connected: vertices of both sides of a border move together.
 [[nodiscard]] BranchSurface simplified_together(const BranchSurface& surface, double triangles);
 // Without simplifying: only the order.
-[[nodiscard]] BranchSurface ordered(BranchSurface surface);
+[[nodiscard]] BranchSurface ordered(const BranchSurface& surface);
 
 } // namespace ramus::app
