@@ -19,7 +19,7 @@ from pathlib import Path
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from browser import Browser, becomes, missing_tools, ramus, requests_of  # noqa: E402
 from marionette import Firefox, missing_firefox  # noqa: E402
-from page_in_browser import answers_like_ramus, asked, opened, paths_are_shortest, state  # noqa: E402
+from page_in_browser import answers_like_ramus, asked, opened, state  # noqa: E402
 from screen import SMALL_TREE, Failure, check  # noqa: E402
 
 try:

@@ -16,7 +16,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
 import drop
-from screen import (Failure, Window, check, choose, click, command, differing, drag, middle_of, page, PAGES, project,
+from screen import (Window, check, choose, click, command, differing, drag, middle_of, page, project,
                     run_journeys, saved_picture, saved_session)
 
 try:
