@@ -125,47 +125,46 @@ void main() {
   value = vec2(0.0);
 }`;
 
-// The visible surface: id and normal; values along branches.
-export const kSurfaceFragment = `${kHead}${kOctahedral}
+// What a fragment of a surface knows.
+const kFragment = `
 uniform int drop; // leave out what lies beyond a cut
 in vec3 eye_normal;
 flat in uint id;
 in vec2 value;
+void leave_out() {
+  if (drop == 1 && value.y > 0.0) discard;
+}
+`;
+
+// The visible surface: id and normal; values along branches.
+export const kSurfaceFragment = `${kHead}${kOctahedral}${kFragment}
 layout(location = 0) out uvec2 surface;
 layout(location = 1) out vec2 value_here;
 void main() {
-  if (drop == 1 && value.y > 0.0) discard;
+  leave_out();
   vec3 n = gl_FrontFacing ? normalize(eye_normal) : vec3(0.0, 0.0, 1.0);
   surface = uvec2(id, packed(n));
   value_here = value;
 }`;
 
 // Ids alone, for picking.
-export const kIdFragment = `${kHead}
-uniform int drop;
-in vec3 eye_normal;
-flat in uint id;
-in vec2 value;
+export const kIdFragment = `${kHead}${kFragment}
 layout(location = 0) out uvec2 surface;
 void main() {
-  if (drop == 1 && value.y > 0.0) discard;
+  leave_out();
   surface = uvec2(id, 0u);
 }`;
 
 // Glass: sums that do not depend on the order of layers. rgb: light by weight, a: what is let through; second: weights.
-export const kGlassFragment = `${kHead}${kView}${kLight}${kRecords}
+export const kGlassFragment = `${kHead}${kView}${kLight}${kRecords}${kFragment}
 uniform vec3 glass_colour, lost_colour, far_colour;
 uniform vec2 strength; // depth cue, opacity of glass
 uniform float opacity; // of a mesh; 0: glass
 uniform float weight_unit;
-uniform int drop;
-in vec3 eye_normal;
-flat in uint id;
-in vec2 value;
 layout(location = 0) out vec4 light_sum;
 layout(location = 1) out vec4 weight_sum;
 void main() {
-  if (drop == 1 && value.y > 0.0) discard;
+  leave_out();
   vec3 n = normalize(eye_normal), p = position_at(gl_FragCoord.xy, depth_of(gl_FragCoord.z));
   vec3 to_eye = way_to_eye(p);
   float facing = clamp(dot(n, to_eye), 0.0, 1.0), far = share_of_depth(p.z), veil, shine;
