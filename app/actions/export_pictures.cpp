@@ -73,12 +73,7 @@ Result<Outcome> export_figure(ActionContext& context, const Export& wanted) {
     words.insert(words.end(), options.begin(), options.end());
     RAMUS_TRY(detached, context.picture.detached_work(words));
     if (!detached) return write_figure_here(context, wanted, request, sentence);
-    return Pending{"Drawing " + wanted.file.filename().string(),
-                   [work = detached, file = wanted.file, sentence](Job& job) -> Result<Continuation> {
-                       if (auto done = work(job); !done) return tl::unexpected(done.error());
-                       return has_written(file, sentence);
-                   },
-                   true};
+    return done_in_process("Drawing", detached, wanted.file, sentence);
 }
 
 } // namespace ramus::app::actions

@@ -116,6 +116,16 @@ Continuation has_written(fs::path file, std::string sentence) {
     };
 }
 
+Pending done_in_process(const char* verb, std::function<Result<void>(Job&)> work, const fs::path& file,
+                        std::string sentence) {
+    return {std::string(verb) + " " + file.filename().string(),
+            [work = std::move(work), file, sentence = std::move(sentence)](Job& job) -> Result<Continuation> {
+                if (auto done = work(job); !done) return tl::unexpected(done.error());
+                return has_written(file, sentence);
+            },
+            true};
+}
+
 Pending writing_table(const ActionContext& context, fs::path file, TableOf table, std::string sentence) {
     const auto now = std::make_shared<const std::pair<Document, Assets>>(context.document, context.assets);
     const std::string activity = "Writing " + file.filename().string();

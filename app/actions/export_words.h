@@ -40,6 +40,9 @@ struct Export {
 [[nodiscard]] Result<void> expect_extension(const Export& wanted, std::string_view extension, const char* what);
 // The continuation of an export: changes nothing, reports `sentence`, and lets the window offer the folder.
 [[nodiscard]] Continuation has_written(std::filesystem::path file, std::string sentence);
+// Work of another process that writes a file (PictureHost::detached_work()). `verb`: of what the window says meanwhile.
+[[nodiscard]] Pending done_in_process(const char* verb, std::function<Result<void>(Job&)> work,
+                                      const std::filesystem::path& file, std::string sentence);
 // Work that writes a table of the document's current state as CSV; takes longer than a frame for large trees.
 using TableOf = std::function<Table(const Document&, const Assets&)>;
 [[nodiscard]] Pending writing_table(const ActionContext& context, std::filesystem::path file, TableOf table,

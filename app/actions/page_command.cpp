@@ -39,12 +39,7 @@ Result<Outcome> page_command(ActionContext& context, Arguments arguments) {
     words.insert(words.end(), arguments.begin() + static_cast<std::ptrdiff_t>(files), arguments.end());
     RAMUS_TRY(detached, context.picture.detached_work(words));
     if (!detached) return outcome_of(write_page_here(context, choice, full));
-    return Pending{"Writing " + full.filename().string(),
-                   [work = detached, full](Job& job) -> Result<Continuation> {
-                       if (auto done = work(job); !done) return tl::unexpected(done.error());
-                       return has_written(full, "Page saved: " + full.string());
-                   },
-                   true};
+    return done_in_process("Writing", detached, full, "Page saved: " + full.string());
 }
 
 } // namespace

@@ -66,16 +66,6 @@ Result<ReportWords> report_words(Arguments words) {
     return found;
 }
 
-// Draws the pictures in another process, so that a window need not wait.
-Result<Outcome> report_page_in_process(const std::function<Result<void>(Job&)>& work, const fs::path& path) {
-    return Pending{"Writing " + path.filename().string(),
-                   [work, path](Job& job) -> Result<Continuation> {
-                       if (auto done = work(job); !done) return tl::unexpected(done.error());
-                       return has_written(path, "Report saved: " + path.string());
-                   },
-                   true};
-}
-
 Result<void> write_page(ActionContext& context, const fs::path& path, const ReportWords& words) {
     const bool printed = is_pdf(path);
     RAMUS_TRY(pictures, take_report_pictures(context, words.size.value_or(context.picture.picture_size()),
@@ -118,7 +108,8 @@ Result<Outcome> report(ActionContext& context, Arguments arguments) {
                                    std::to_string(shape.x) + "x" + std::to_string(shape.y)};
     if (!words.case_line.empty()) there.insert(there.end(), {"--case", words.case_line});
     RAMUS_TRY(detached, context.picture.detached_work(there));
-    return detached ? report_page_in_process(detached, full) : outcome_of(write_page(context, path, words));
+    if (!detached) return outcome_of(write_page(context, path, words));
+    return done_in_process("Writing", detached, full, "Report saved: " + full.string());
 }
 
 } // namespace
