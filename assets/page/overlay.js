@@ -6,6 +6,7 @@ import { dot } from "./vector.js";
 import { barLabel, plain } from "./text.js";
 
 const kMostShare = 1 / 3, kUnspoken = 0.02; // of the scale bar in perspective, as in ramus
+const kFoot = 100; // points that the bar and the cube need
 const kFont = "system-ui, 'Segoe UI', 'Open Sans', sans-serif";
 
 /** The faces of the cube: outward direction, right and up of its letter, colour. */
@@ -50,10 +51,20 @@ export class Overlay {
     this.cubeFaces = [];
   }
 
-  /** `scene`: camera, size (points), visible, model, ink ("light" or "dark"), lasso, draft (a measurement), narrow. */
-  draw(scene, ratio, context = this.canvas.getContext("2d")) {
-    const [width, height] = scene.size;
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  /**
+   * `scene`: camera, size (points), visible, model, ink ("light" or "dark"), lasso, draft (a measurement), narrow. Without
+   * marks the canvas covers only the bar and the cube, at the bottom: putting a clear canvas over the whole picture costs a
+   * software renderer a third of its time.
+   */
+  draw(scene, ratio) {
+    const { canvas } = this, [width, height] = scene.size, { model } = scene;
+    const marks = [model.cuts, model.state.measurements, model.json.pins || []].some((list) => list.length > 0) || scene.draft || scene.marked || scene.lasso;
+    const top = marks ? 0 : Math.max(0, height - kFoot), pixels = [width, height - top].map((points) => Math.max(1, Math.round(points * ratio)));
+    if (canvas.width !== pixels[0] || canvas.height !== pixels[1]) [canvas.width, canvas.height] = pixels;
+    canvas.style.top = `${top}px`;
+    canvas.style.height = `${height - top}px`;
+    const context = canvas.getContext("2d", { willReadFrequently: true });
+    context.setTransform(ratio, 0, 0, ratio, 0, -top * ratio);
     context.clearRect(0, 0, width, height);
     this.paint(context, scene);
   }

@@ -9,7 +9,7 @@ import { dot, subtract } from "./vector.js";
 
 const kRestAfter = 180; // ms without a move
 const kSlow = 60, kFast = 20; // ms for one view
-const kLeastScale = 0.4;
+const kLeastScale = 0.34;
 const kSavedAspect = 4 / 3; // of ramus' pictures, at least
 const kAnimation = 260; // ms of a change of view
 
@@ -51,15 +51,11 @@ export class Viewport {
   resize() {
     const box = this.canvas.parentElement.getBoundingClientRect();
     this.size = [Math.max(1, Math.round(box.width)), Math.max(1, Math.round(box.height))];
-    this.#setPixels();
     this.narrow = this.size[0] < 560;
     this.redraw();
   }
 
-  #setPixels() {
-    this.pixels = this.size.map((points) => Math.max(1, Math.round(points * this.ratio)));
-    [this.overlay.canvas.width, this.overlay.canvas.height] = this.pixels;
-  }
+  get pixels() { return this.size.map((points) => Math.max(1, Math.round(points * this.ratio))); }
 
   // The canvas has as many pixels as were drawn: the browser enlarges them.
   #present() {
@@ -195,7 +191,6 @@ export class Viewport {
     const now = this.ground;
     this.ground = ground;
     this.factor = factor;
-    if (factor !== 1) this.#setPixels();
     this.drawNow();
     const all = document.createElement("canvas");
     all.width = this.canvas.width;
@@ -208,7 +203,6 @@ export class Viewport {
     }
     this.ground = now;
     this.factor = 1;
-    if (factor !== 1) this.#setPixels();
     this.redraw();
     return all;
   }

@@ -22,7 +22,7 @@ constexpr double kUsualError = 0.05;
 constexpr std::size_t kShownWhole = 300'000;
 constexpr double kStepShare = 0.01; // of the grid, in the same radii: 40 steps for an edge of the usual detail
 // While the view moves: what a browser without a graphics card draws ten times a second.
-constexpr double kCoarseTriangles = 70'000.0;
+constexpr double kCoarseTriangles = 40'000.0;
 constexpr double kCoarseError = 0.5; // in radii
 
 std::size_t base64_bytes(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
