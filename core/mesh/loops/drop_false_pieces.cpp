@@ -2,6 +2,7 @@
 
 #include "core/base/bounds.h"
 #include "core/base/disjoint_sets.h"
+#include "core/mesh/keep_vertices.h"
 #include "core/mesh/loops/axes.h"
 
 #include <glm/geometric.hpp>
@@ -11,26 +12,10 @@ namespace ramus::mesh {
 
 namespace {
 
-constexpr std::uint32_t kDropped = 0xFFFFFFFFU;
-
 struct MeshPart {
     Bounds<glm::dvec3> box;
     double volume = 0.0; // mm^3, six times; negative: a cavity
 };
-
-// Removes the vertices with the number kDropped, and their triangles.
-void keep_vertices(TriangleMesh& mesh, const LargeArray<std::uint32_t>& number, std::size_t count) {
-    mesh.for_each_array([&](auto& array) {
-        if (array.empty()) return;
-        for (std::size_t v = 0; v < number.size(); ++v)
-            if (number[v] != kDropped) array[number[v]] = array[v];
-        array.resize(count);
-    });
-    std::size_t kept = 0;
-    for (const glm::uvec3& t : mesh.triangles)
-        if (number[t.x] != kDropped) mesh.triangles[kept++] = {number[t.x], number[t.y], number[t.z]};
-    mesh.triangles.resize(kept);
-}
 
 } // namespace
 
@@ -48,7 +33,7 @@ std::size_t drop_false_pieces(TriangleMesh& mesh, const tree::VesselTree& tree) 
         for (int n = 0; n < 3; ++n) part.box.hold(corner(n) + origin);
     }
     const Axes axes(tree);
-    LargeArray<std::uint32_t> number(mesh.positions.size(), kDropped, mesh.memory());
+    LargeArray<std::uint32_t> number(mesh.positions.size(), kNotKept, mesh.memory());
     std::uint32_t kept = 0;
     std::size_t dropped = std::erase_if(
         parts, [&](const auto& part) { return part.second.volume < 0.0 || !axes.reach(part.second.box); });

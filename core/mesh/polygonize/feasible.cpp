@@ -23,9 +23,9 @@ constexpr Needs kWhole{32e6, 80.0};
 constexpr Needs kOnDisk{128e6, 4.0};
 constexpr Needs kFollow{32e6, 150.0};
 
-double memory_for(const bricks::Sizing& sizing, PolygonizeMode mode) {
+double memory_for(double triangles, PolygonizeMode mode) {
     const Needs& needs = mode == PolygonizeMode::kWhole ? kWhole : mode == PolygonizeMode::kOnDisk ? kOnDisk : kFollow;
-    return needs.first + needs.per_triangle * sizing.expected_triangles;
+    return needs.first + needs.per_triangle * triangles;
 }
 
 // As an integer, unless the number is so large that its digits have no meaning.
@@ -54,16 +54,23 @@ Result<void> check_resolved(const field::Field& field, const bricks::Sizing& siz
 
 } // namespace
 
+Result<void> check_segments(const field::Field& field) {
+    if (field.skeleton().segments().empty())
+        return fail("the tree has no segments", {}, "nothing to make a surface of");
+    if (field.skeleton().present().empty()) return fail("every branch is hidden", {}, "nothing to make a surface of");
+    return {};
+}
+
 Result<void> check_feasible(const field::Field& field, const bricks::Sizing& sizing, const PolygonizeOptions& options,
-                            PolygonizeMode mode) {
+                            PolygonizeMode mode, double share) {
     const double limit = memory_limit(options.memory_bytes);
-    const double needed = memory_for(sizing, mode);
+    const double triangles = share * sizing.expected_triangles;
+    const double needed = memory_for(triangles, mode);
     if (!(needed <= limit)) {
         const char* remedy = options.cell_mm > 0.0 ? "raise --cell or --memory"
                                                    : "lower --detail, prune with --prune, or raise --memory";
-        return fail("the surface would have about " + millions(sizing.expected_triangles) +
-                        " million triangles or more and may take " + megabytes(needed) + " of memory; " +
-                        megabytes(limit) + " are left to it",
+        return fail("the surface would have about " + millions(triangles) + " million triangles or more and may take " +
+                        megabytes(needed) + " of memory; " + megabytes(limit) + " are left to it",
                     {}, remedy);
     }
     return check_resolved(field, sizing, options);

@@ -9,13 +9,10 @@
 
 namespace ramus::mesh::bricks {
 
-namespace {
-
-// Divides all cubes larger than subtrees, level by level, and returns the seeds of subtrees in depth-first order. Ends
-// early if cancelled.
-std::vector<Seed> find_subtrees(const Splitter& splitter, const Cube& top, Octree& octree, const Job& job) {
+std::vector<Seed> find_subtrees(const Splitter& splitter, Octree& octree, const Job& job) {
+    const TopLists lists(splitter.field, splitter.sizing);
     std::vector<Seed> frontier(1);
-    frontier[0].cube = top;
+    frontier[0].cube = lists.top_cube(octree.top_level);
     for (bool some = true; some && !job.cancelled();) {
         std::vector<std::uint32_t> upper_of(frontier.size());
         some = false;
@@ -46,8 +43,6 @@ std::vector<Seed> find_subtrees(const Splitter& splitter, const Cube& top, Octre
     }
     return frontier;
 }
-
-} // namespace
 
 std::uint32_t Octree::add_upper_node() {
     upper.push_back({static_cast<std::uint32_t>(nodes.size()), 0, {}});
@@ -89,17 +84,20 @@ Bounds<glm::vec3> box_of_brick(const Octree& octree, std::uint32_t brick) {
     return box;
 }
 
-Octree build_octree(const field::Field& field, const Sizing& sizing, Job& job,
-                    const LargeAllocator<std::byte>& memory) {
+Octree begin_octree(const field::Field& field, const Sizing& sizing, const LargeAllocator<std::byte>& memory) {
     Octree octree(memory);
     octree.top_level = levels_needed(field.extent(), sizing);
     octree.lattice.unit_mm = 0.25 * sizing.finest_cell_mm;
     const double top_mm = octree.lattice.unit_mm * brick_units(octree.top_level);
     octree.lattice.origin = field.extent().middle() - glm::dvec3(0.5 * top_mm);
+    return octree;
+}
 
-    const TopLists lists(field, sizing);
+Octree build_octree(const field::Field& field, const Sizing& sizing, Job& job,
+                    const LargeAllocator<std::byte>& memory) {
+    Octree octree = begin_octree(field, sizing, memory);
     const Splitter splitter{field, sizing, octree.lattice};
-    std::vector<Seed> seeds = find_subtrees(splitter, lists.top_cube(octree.top_level), octree, job);
+    std::vector<Seed> seeds = find_subtrees(splitter, octree, job);
     if (job.cancelled()) return octree;
     append_subtrees(splitter, seeds, octree, job);
     return octree;

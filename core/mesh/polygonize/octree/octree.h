@@ -109,6 +109,10 @@ struct Octree {
 [[nodiscard]] Octree build_octree(const field::Field& field, const Sizing& sizing, Job& job,
                                   const LargeAllocator<std::byte>& memory = {});
 
+// An octree with its lattice, and without any entry.
+[[nodiscard]] Octree begin_octree(const field::Field& field, const Sizing& sizing,
+                                  const LargeAllocator<std::byte>& memory = {});
+
 // The number of levels from the finest cell to the box around the field. Beyond kMaximumLevels the coordinates of the
 // lattice overflow.
 [[nodiscard]] int levels_needed(const field::Extent& extent, const Sizing& sizing);

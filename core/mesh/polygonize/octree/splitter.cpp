@@ -156,15 +156,19 @@ Seed::Seed(const Splitter& splitter, const Cube& parent_cube, const Children& ch
 
 namespace {
 
+Part part_of(const Splitter& splitter, const Seed& seed) {
+    thread_local std::vector<Children> scratch(kMaximumLevels + 2);
+    Part part;
+    part.top = seed.is_brick ? part.add_brick(seed.cube) : descend(splitter, seed.cube, scratch, part);
+    return part;
+}
+
 // Appends the subtrees of some seeds. Moves the seeds that were not skipped to the front, and returns their number.
 std::size_t append_some(const Splitter& splitter, std::span<Seed> seeds, Octree& octree, const Job& job) {
-    const std::size_t first_subtree = octree.subtrees.size();
     std::vector<Part> parts(seeds.size());
     tbb::parallel_for(std::size_t{0}, seeds.size(), [&](std::size_t i) {
         if (job.cancelled()) return;
-        thread_local std::vector<Children> scratch(kMaximumLevels + 2);
-        parts[i].top =
-            seeds[i].is_brick ? parts[i].add_brick(seeds[i].cube) : descend(splitter, seeds[i].cube, scratch, parts[i]);
+        parts[i] = part_of(splitter, seeds[i]);
         seeds[i].segments = {}, seeds[i].pieces = {};
     });
     if (job.cancelled()) return 0;
@@ -187,10 +191,17 @@ std::size_t append_some(const Splitter& splitter, std::span<Seed> seeds, Octree&
                         first[i].list + parts[i].lists.size()};
         UpperNode& parent = octree.upper[seeds[i].parent];
         octree.nodes[parent.node][seeds[i].child] = parts[i].top.shifted(first[i].brick, first[i].node);
-        parent.children[seeds[i].child] = UpperNode::subtree(first_subtree + i);
-        octree.subtrees.push_back({seeds[i].parent, seeds[i].child, static_cast<std::uint32_t>(first[i].brick),
-                                   static_cast<std::uint32_t>(parts[i].bricks.size()), seeds[i].cube.corner,
-                                   seeds[i].cube.level});
+        if (seeds[i].entered == UpperNode::kNothing) {
+            seeds[i].entered = static_cast<std::uint32_t>(octree.subtrees.size());
+            octree.subtrees.emplace_back();
+        }
+        parent.children[seeds[i].child] = UpperNode::subtree(seeds[i].entered);
+        octree.subtrees[seeds[i].entered] = {seeds[i].parent,
+                                             seeds[i].child,
+                                             static_cast<std::uint32_t>(first[i].brick),
+                                             static_cast<std::uint32_t>(parts[i].bricks.size()),
+                                             seeds[i].cube.corner,
+                                             seeds[i].cube.level};
     }
     octree.nodes.resize(first.back().node);
     octree.bricks.resize(first.back().brick);
@@ -203,7 +214,7 @@ std::size_t append_some(const Splitter& splitter, std::span<Seed> seeds, Octree&
         for (std::size_t n = 0; n < parts[i].bricks.size(); ++n) {
             octree.bricks[brick + n] = parts[i].bricks[n];
             octree.bricks[brick + n].list_begin += static_cast<std::uint32_t>(list);
-            octree.bricks[brick + n].subtree = static_cast<std::uint32_t>(first_subtree + i);
+            octree.bricks[brick + n].subtree = seeds[i].entered;
         }
         std::ranges::copy(parts[i].lists, octree.lists.begin() + static_cast<std::ptrdiff_t>(list));
         parts[i] = {};
@@ -226,6 +237,11 @@ void append_subtrees(const Splitter& splitter, std::vector<Seed>& seeds, Octree&
             if (kept != first + n) seeds[kept] = std::move(some[n]);
     }
     if (!job.cancelled()) seeds.resize(kept);
+}
+
+SubtreeSize size_of_subtree(const Splitter& splitter, const Seed& seed) {
+    const Part part = part_of(splitter, seed);
+    return {static_cast<std::uint32_t>(part.bricks.size()), part.lists.size()};
 }
 
 } // namespace ramus::mesh::bricks

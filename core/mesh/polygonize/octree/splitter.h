@@ -77,6 +77,8 @@ struct Seed {
     std::uint32_t parent = 0, child = 0;
     // An existing subtree at this place in which only the division into bricks may have changed.
     std::uint32_t present = UpperNode::kNothing;
+    // The subtree at this place that was entered without bricks, and gets them now.
+    std::uint32_t entered = UpperNode::kNothing;
     std::vector<std::uint32_t> segments, pieces; // the memory of the cube's lists
 
     Seed() = default;
@@ -85,9 +87,20 @@ struct Seed {
          std::uint32_t parent_node);
 };
 
+// Divides all cubes larger than subtrees, level by level, and returns the seeds of subtrees in depth-first order. Ends
+// early if cancelled.
+[[nodiscard]] std::vector<Seed> find_subtrees(const Splitter& splitter, Octree& octree, const Job& job);
+
 // Builds the subtrees of `seeds`, appends them with their nodes, bricks and lists to the octree, in order, and links
 // them to their parents. A seed whose present subtree is unchanged is skipped and removed from `seeds`. Incomplete if
 // cancelled.
 void append_subtrees(const Splitter& splitter, std::vector<Seed>& seeds, Octree& octree, Job& job);
+
+// What a subtree holds, counted without keeping it.
+struct SubtreeSize {
+    std::uint32_t bricks = 0;
+    std::uint64_t segments = 0; // in the lists of all bricks
+};
+[[nodiscard]] SubtreeSize size_of_subtree(const Splitter& splitter, const Seed& seed);
 
 } // namespace ramus::mesh::bricks
