@@ -2,15 +2,13 @@
 #include "app/commands/command.h"
 #include "app/commands/harmless_output.h"
 #include "app/commands/picture_flags.h"
-#include "app/commands/progress.h"
+#include "app/commands/run_chosen.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/suggestions.h"
 #include "app/commands/surface_flags.h"
 #include "app/window/run_window.h"
 #include "core/base/instruction_sets.h"
-#include "core/base/printable.h"
 #include "core/base/resource_limits.h"
-#include "core/io/standard_input.h"
 
 #include <algorithm>
 #include <csignal>
@@ -25,11 +23,6 @@
 namespace ramus::app {
 
 namespace {
-
-int complain(const std::string& message) {
-    std::cerr << "ramus: " << printable(message) << '\n';
-    return kFailed;
-}
 
 void add_window_flags(CLI::App& app, WindowOptions& window) {
     const char* group = "Window";
@@ -63,21 +56,6 @@ void add_window_flags(CLI::App& app, WindowOptions& window) {
 bool meant_as_command(const std::string& word) {
     std::error_code ignored;
     return !word.empty() && word.find_first_of("./") == std::string::npos && !std::filesystem::exists(word, ignored);
-}
-
-int run_chosen(const Action& chosen) {
-    handle_interrupts(); // for commands only: the window handles closing itself
-    if (reads_standard_input())
-        if (const auto settled = io::settle_standard_input(); !settled) return complain(settled.error().message());
-    const Result<int> status = chosen();
-    if (!status) {
-        Error error = status.error();
-        if (error.where == io::kStandardInputPath) error.where = io::input_name(error.where);
-        return complain(error.message());
-    }
-    // A full disk behind a redirection is detected here at the latest.
-    if (!std::cout.flush() || std::fflush(stdout) != 0) return complain("standard output cannot be written");
-    return *status;
 }
 
 int run(int argc, char** argv) {

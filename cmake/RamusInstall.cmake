@@ -6,6 +6,9 @@ set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON) # what is installed can be built alone
 set(RAMUS_DESKTOP ${PROJECT_SOURCE_DIR}/assets/desktop)
 
 install(TARGETS ramus RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(TARGET ramus-mpi)
+  install(TARGETS ramus-mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
 install(FILES ${PROJECT_SOURCE_DIR}/assets/liver_portal_vein.swc DESTINATION ${CMAKE_INSTALL_DATADIR}/ramus)
 install(FILES ${RAMUS_DESKTOP}/org.ramus.Ramus.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES ${RAMUS_DESKTOP}/org.ramus.Ramus.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)

@@ -17,7 +17,7 @@ template <class Format> ExportFormat written_as(const Format& format) {
 std::vector<ExportFormat> surface_formats() {
     std::vector<ExportFormat> formats;
     for (const io::MeshFormat& format : io::mesh_formats()) {
-        if (!io::is_written(format)) continue;
+        if (!io::is_written(format) || format.in_files) continue;
         formats.push_back(written_as(format));
         formats.back().has_parts = format.has_parts;
         formats.back().for_printing = format.unit_mm == 1.0;

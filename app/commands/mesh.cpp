@@ -2,6 +2,7 @@
 #include "app/assets/assets.h"
 #include "app/commands/inputs.h"
 #include "app/commands/output_target.h"
+#include "app/commands/part_of_surface.h"
 #include "app/commands/printed_report.h"
 #include "app/commands/printing.h"
 #include "app/commands/progress.h"
@@ -94,6 +95,7 @@ struct MeshFlags {
     std::optional<io::Orientation> axes;
     PrintingFlags printing;
     bool compress = false, json = false;
+    MadeBy by;
 };
 
 // Adds --parts, for .glb.
@@ -273,6 +275,8 @@ Result<int> run_mesh(const MeshFlags& flags) {
 
     const Stopwatch watch;
     RAMUS_TRY(opened, open_session(flags.file, flags.session, flags.surface));
+    if (flags.by.is_divided() && opened.session.marks.options.method != mesh::Method::kConvolutionSurface)
+        return fail("only convolution surfaces are made in parts", flags.file, "use --method cs");
     if (flags.printing.wanted && opened.session.marks.options.method != mesh::Method::kConvolutionSurface)
         return fail("truncated cones overlap, and are not fit for printing", flags.output, "use --method cs");
     std::vector<std::uint8_t> hidden(opened.tree->branches.size(), 0);
@@ -283,14 +287,20 @@ Result<int> run_mesh(const MeshFlags& flags) {
         target.names = std::move(names);
     }
     target.names.compressed = flags.compress;
+    if (flags.by.team != nullptr) target.names.pieces = flags.by.team->size();
     target.names.claims = opened.tree->claims;
     target.names.axes = flags.axes.value_or(io::Orientation::ras());
     if (auto known = io::check_axes(target.names.axes, target.names.claims, opened.session.tree.path.string()); !known)
         return tl::unexpected(known.error());
     const double load_s = watch.seconds();
 
-    RAMUS_TRY(written, with_file(write_surface(*opened.tree, opened.session.marks.options, hidden, target),
+    RAMUS_TRY(written, with_file(write_surface(*opened.tree, opened.session.marks.options, hidden, target, flags.by),
                                  opened.session.tree.path.string()));
+    if (flags.by.team != nullptr && !flags.by.team->leads()) return kDone;
+    if (flags.by.part) {
+        std::cout << part_report(written, *flags.by.part, flags.output, load_s, flags.json) << '\n';
+        return kDone;
+    }
     tell_what_was_done(flags, written);
     warn_of_intersections(flags, written);
     warn_of_shape(flags, written, opened.session.marks.options.blend);
@@ -303,17 +313,21 @@ Result<int> run_mesh(const MeshFlags& flags) {
 
 } // namespace
 
-void register_mesh(CLI::App& app, Action& chosen) {
+namespace {
+
+// With a team, the command that all its processes run.
+void add_mesh(CLI::App& app, Action& chosen, Team* team) {
     CLI::App* command = add_command(app, "mesh",
                                     "Write the surface of a vessel tree, or of a segmentation mask, as " +
                                         io::writable_mesh_extensions());
     const auto flags = std::make_shared<MeshFlags>();
+    flags->by.team = team;
     add_input(*command, "FILE", "", flags->file,
               "Vessel tree, may be left out with --session; with --method iso a mask (" +
                   io::readable_volume_extensions() + ")");
     add_option(*command, "-o,--output", "MESH", flags->output, "Mesh to write: " + io::writable_mesh_extensions())
         ->required();
-    add_format_flag(*command, flags->format, io::writable_extensions(io::mesh_formats()));
+    add_format_flag(*command, flags->format, streamed_mesh_extensions());
     add_method_flag(*command, true, [flags](mesh::Method method) {
         flags->mask.iso = !mesh::row_of(method).of_tree;
         if (!flags->mask.iso) flags->surface.surface.method = method;
@@ -330,12 +344,20 @@ void register_mesh(CLI::App& app, Action& chosen) {
                       "Of .glb: a third of the size, for programs that read EXT_meshopt_compression, as three.js; "
                       "positions are rounded to 0.0003 mm in an organ");
     add_axes_flag(*command, flags->axes, "Axes of the coordinates in the file, which states them (default RAS)");
+    if (team == nullptr) add_part_flag(*command, flags->by.part);
     command->callback([flags, command, &chosen] {
         check_mask_flags(*command, flags->mask);
+        if (flags->by.is_divided()) check_divided(*command, flags->output, flags->mask.iso);
         if (flags->file.empty() && flags->session.empty()) throw CLI::RequiredError("FILE or --session");
         check_output_flags(*command, flags->output, flags->format);
         chosen = [flags] { return with_output(*flags, run_mesh); };
     });
 }
+
+} // namespace
+
+void register_mesh(CLI::App& app, Action& chosen) { add_mesh(app, chosen, nullptr); }
+
+void register_mesh_together(CLI::App& app, Action& chosen, Team& team) { add_mesh(app, chosen, &team); }
 
 } // namespace ramus::app

@@ -1,6 +1,7 @@
 #include "app/commands/output_target.h"
 
 #include "app/commands/command.h"
+#include "core/io/meshes/mesh_file.h"
 #include "core/io/trees/tree_file.h"
 
 #include <algorithm>
@@ -46,6 +47,12 @@ std::string output_name(const std::filesystem::path& file) {
 std::vector<std::string_view> streamed_tree_extensions() {
     std::vector<std::string_view> extensions = io::writable_extensions(io::tree_formats());
     std::erase(extensions, ".csv");
+    return extensions;
+}
+
+std::vector<std::string_view> streamed_mesh_extensions() {
+    std::vector<std::string_view> extensions = io::writable_extensions(io::mesh_formats());
+    std::erase(extensions, ".pvtp");
     return extensions;
 }
 

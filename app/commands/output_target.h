@@ -23,9 +23,10 @@ namespace ramus::app {
 // The name of an output in messages: its path, or "standard output".
 [[nodiscard]] std::string output_name(const std::filesystem::path& file);
 
-// The extensions of the tree formats that can be written to standard output. CSV is not one, since a tree in CSV is a
-// pair of files.
+// The extensions of the tree and mesh formats that can be written to standard output. Not those of several files: CSV
+// of trees, PVTP of meshes.
 [[nodiscard]] std::vector<std::string_view> streamed_tree_extensions();
+[[nodiscard]] std::vector<std::string_view> streamed_mesh_extensions();
 
 // Adds --format, the format of standard output. `extensions`: of the formats that the command can write.
 void add_format_flag(CLI::App& command, std::string& format, const std::vector<std::string_view>& extensions);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/commands/command.h"
+#include "core/base/team.h"
 
 #include <array>
 
@@ -26,6 +27,9 @@ void register_slice(CLI::App& app, Action& chosen);
 void register_reformat(CLI::App& app, Action& chosen);
 void register_report(CLI::App& app, Action& chosen);
 void register_page(CLI::App& app, Action& chosen);
+
+// `mesh` for the processes of a team, which make one surface. It must outlive `chosen`.
+void register_mesh_together(CLI::App& app, Action& chosen, Team& team);
 
 inline constexpr std::array kSubcommands{
     register_grow,     register_render, register_study, register_ratings,  register_paper,       register_compare,

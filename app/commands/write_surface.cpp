@@ -40,13 +40,26 @@ Result<void> write_surface(mesh::TriangleMesh surface, const SurfaceTarget& targ
 }
 
 Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,
-                                     std::span<const std::uint8_t> hidden, const SurfaceTarget& target) {
+                                     std::span<const std::uint8_t> hidden, const SurfaceTarget& target,
+                                     const MadeBy& by) {
     Stopwatch watch;
-    const auto make = [&](Job& job) { return mesh::make_untangled_surface(tree, options, job, hidden, target.file); };
+    const auto make = [&](Job& job) {
+        if (by.part) return mesh::make_part_of_surface(tree, options, *by.part, job, hidden, target.file);
+        if (by.team != nullptr) return mesh::make_surface_together(tree, options, *by.team, job, hidden, target.file);
+        return mesh::make_untangled_surface(tree, options, job, hidden, target.file);
+    };
     RAMUS_TRY(surface, with_progress("surface", make, kNothingWritten));
     WrittenSurface written;
     written.evaluations = surface.statistics.evaluations;
+    written.part = surface.statistics.part;
+    if (by.team != nullptr && !by.team->leads()) return written;
     written.streamed = surface.disk != nullptr;
+    if (by.part) {
+        written.mesh_s = watch.lap();
+        if (auto saved = write_surface(std::move(surface.mesh), target, written); !saved)
+            return tl::unexpected(saved.error());
+        return written;
+    }
     if (options.method == mesh::Method::kConvolutionSurface) {
         if (mesh::row_of(options.blend).separates) written.matched = surface.statistics.matched;
         written.untangled = surface.statistics.untangled;

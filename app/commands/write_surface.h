@@ -29,6 +29,7 @@ struct WrittenSurface {
     bool streamed = false;                     // computed on the disk
     std::vector<std::vector<int>> lost_pieces; // pieces of the tree without surface (core/mesh/lost_pieces.h): branches
     double mesh_s = 0.0, write_s = 0.0;        // seconds
+    mesh::PartStatistics part;                 // of what this process made, if others made the rest
     std::vector<measure::Thickness> thicknesses; // for printing, from measure::least_thicknesses(); else empty
 };
 
@@ -45,9 +46,17 @@ struct SurfaceTarget {
 [[nodiscard]] Result<void> write_surface(mesh::TriangleMesh surface, const SurfaceTarget& target,
                                          WrittenSurface& written);
 
-// Computes and writes the surface of `tree`. `hidden`: by branch; not 0: the branch is left out. Shows a progress bar;
-// an interrupt cancels.
+// Who makes the surface: this process, a team, or this process one part of it.
+struct MadeBy {
+    Team* team = nullptr;
+    std::optional<mesh::PartOf> part = std::nullopt;
+    [[nodiscard]] bool is_divided() const { return team != nullptr || part; }
+};
+
+// Computes and writes the surface of `tree`, or the part of it; the leader writes what a team made. `hidden`: by
+// branch; not 0: the branch is left out. Shows a progress bar; an interrupt cancels.
 [[nodiscard]] Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,
-                                                   std::span<const std::uint8_t> hidden, const SurfaceTarget& target);
+                                                   std::span<const std::uint8_t> hidden, const SurfaceTarget& target,
+                                                   const MadeBy& by = {});
 
 } // namespace ramus::app

@@ -14,7 +14,9 @@
 #include "core/mesh/tree_field.h"
 #include "core/mesh/untangle/untangle.h"
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -48,37 +50,52 @@ Error at_memory_end() {
 // What goes through itself is untangled for files alone.
 enum class MadeFor { kPictures, kFile };
 
+// What for, and by whom.
+struct Making {
+    MadeFor use = MadeFor::kPictures;
+    std::shared_ptr<DiskPages> pages = nullptr; // of the disk for what does not fit into memory; may be null
+    Team* team = nullptr;                       // that makes it; null: this process alone
+    std::optional<PartOf> part = std::nullopt;  // this part alone
+    // Of the surface, in this process. Borders of parts are computed twice.
+    [[nodiscard]] double share() const {
+        constexpr double kWithBorder = 1.5;
+        const std::size_t parts = part ? part->count : team != nullptr && !team->leads() ? team->size() : 1;
+        return std::min(1.0, kWithBorder / static_cast<double>(parts));
+    }
+};
+
 class SurfaceMaking {
 public:
-    // `pages`: of the disk for what does not fit into memory; may be null.
-    SurfaceMaking(const SurfaceOptions& options, MadeFor use, std::shared_ptr<DiskPages> pages)
-        : options_(options), use_(use), pages_(std::move(pages)), of_mesh_(pages_) {}
+    SurfaceMaking(const SurfaceOptions& options, const Making& making)
+        : options_(options), making_(making), of_mesh_(making.pages) {}
 
     // What cannot be met is known before contacts are searched. The disk is let go of where memory suffices.
     Result<void> check(const field::Field& sum) {
         if (sum.skeleton().present().empty()) return {};
         const PolygonizeOptions chosen = polygonize_options(options_);
-        if (is_feasible(sum, chosen, PolygonizeMode::kWhole)) of_mesh_ = nullptr;
-        return check_feasible(sum, chosen, of_mesh_ != nullptr ? PolygonizeMode::kOnDisk : PolygonizeMode::kWhole);
+        const double share = making_.share();
+        if (check_feasible(sum, chosen, PolygonizeMode::kWhole, share)) of_mesh_ = nullptr;
+        return check_feasible(sum, chosen, of_mesh_ != nullptr ? PolygonizeMode::kOnDisk : PolygonizeMode::kWhole,
+                              share);
     }
 
     // Adds the surface of one system. `tree`: the tree as prepared.
     Result<void> add(const SystemField& system, const PreparedTree& tree, Job& making, Job& repairing) {
-        PolygonizeStatistics statistics;
         std::vector<TriangleBox> walled;
-        RAMUS_TRY(mesh, polygonize(system.field, polygonize_options(options_, of_mesh_), making, &statistics, &walled));
-        if (row_of(options_.blend).separates)
-            if (auto matched = match(mesh, visible_part(tree, system.hidden), walled, repairing); !matched)
-                return matched;
-        if (use_ == MadeFor::kFile && !repairing.cancelled())
-            surface_.statistics.untangled.add(untangle(mesh, walled, repairing));
+        RAMUS_TRY(mesh, polygonized(system.field, making, walled));
+        if (is_repaired()) {
+            if (row_of(options_.blend).separates)
+                if (auto matched = match(mesh, visible_part(tree, system.hidden), walled, repairing); !matched)
+                    return matched;
+            if (making_.use == MadeFor::kFile && !repairing.cancelled())
+                surface_.statistics.untangled.add(untangle(mesh, walled, repairing));
+        }
         repairing.report(1.0F);
         if (repairing.cancelled()) return fail("cancelled");
-        if (use_ == MadeFor::kFile)
+        if (is_repaired() && making_.use == MadeFor::kFile)
             if (auto closed = check_balance(mesh); !closed) return closed;
         if (surface_.mesh.positions.size() + mesh.positions.size() > kMostVertices) return too_many_vertices();
         append(surface_.mesh, std::move(mesh));
-        surface_.statistics.evaluations += statistics.evaluations;
         return {};
     }
 
@@ -88,10 +105,27 @@ public:
     }
 
 private:
+    // The leader repairs what a team has made.
+    [[nodiscard]] bool is_repaired() const {
+        return !making_.part && (making_.team == nullptr || making_.team->leads());
+    }
+
+    Result<TriangleMesh> polygonized(const field::Field& field, Job& job, std::vector<TriangleBox>& walled) {
+        const PolygonizeOptions chosen = polygonize_options(options_, of_mesh_);
+        PartStatistics statistics;
+        Result<TriangleMesh> mesh = making_.part ? polygonize_part(field, chosen, *making_.part, job, &statistics)
+                                    : making_.team != nullptr
+                                        ? polygonize_together(field, chosen, *making_.team, job, &statistics, &walled)
+                                        : polygonize(field, chosen, job, &statistics, &walled);
+        surface_.statistics.evaluations += statistics.evaluations;
+        surface_.statistics.part.add(statistics);
+        return mesh;
+    }
+
     Result<void> match(TriangleMesh& mesh, const PreparedTree& visible, std::span<const TriangleBox> walled, Job& job) {
         const double memory = polygonize_options(options_, of_mesh_).memory_bytes;
-        const MatchedTree matched = match_tree(mesh, visible, walled, memory, job, pages_);
-        if (pages_ != nullptr && matched.false_loops.lacked_bytes > 0.0)
+        const MatchedTree matched = match_tree(mesh, visible, walled, memory, job, making_.pages);
+        if (making_.pages != nullptr && matched.false_loops.lacked_bytes > 0.0)
             return fail(takes_too_much("looking for loops that the tree does not have",
                                        matched.false_loops.lacked_bytes, memory),
                         {}, "raise --memory, or lower --detail");
@@ -100,15 +134,14 @@ private:
     }
 
     const SurfaceOptions& options_;
-    MadeFor use_;
-    std::shared_ptr<DiskPages> pages_, of_mesh_;
+    const Making& making_;
+    std::shared_ptr<DiskPages> of_mesh_;
     Surface surface_;
 };
 
 Result<Surface> convolution_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
-                                    std::span<const std::uint8_t> hidden, MadeFor use,
-                                    const std::shared_ptr<DiskPages>& pages) {
-    SurfaceMaking making(options, use, pages);
+                                    std::span<const std::uint8_t> hidden, const Making& how) {
+    SurfaceMaking making(options, how);
     RAMUS_TRY(whole, make_tree_field(source, options, [&](const field::Field& sum) {
                   return making.check(hidden.empty() ? sum : sum.without(hidden));
               }));
@@ -135,19 +168,29 @@ Result<Surface> convolution_surface(const tree::VesselTree& source, const Surfac
 }
 
 Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
-                     std::span<const std::uint8_t> hidden, MadeFor use, const std::shared_ptr<DiskPages>& pages = {}) {
+                     std::span<const std::uint8_t> hidden, const Making& how) {
     const Stopwatch watch;
     Surface surface;
     if (options.method == Method::kTruncatedCones) {
         RAMUS_TRY(mesh, cones(visible_part(prepare_tree(source, options), hidden), options.detail, job));
         surface.mesh = std::move(mesh);
     } else {
-        RAMUS_TRY(made, convolution_surface(source, options, job, hidden, use, pages));
+        RAMUS_TRY(made, convolution_surface(source, options, job, hidden, how));
         surface = std::move(made);
     }
-    if (surface.mesh.triangles.empty()) return empty_surface(options.cell_mm);
+    const bool may_be_empty = how.part || (how.team != nullptr && !how.team->leads());
+    if (surface.mesh.triangles.empty() && !may_be_empty) return empty_surface(options.cell_mm);
     surface.statistics.seconds = watch.seconds();
     return surface;
+}
+
+Result<Surface> make_for_file(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
+                              std::span<const std::uint8_t> hidden, const std::filesystem::path& target, Making how) {
+    if (auto takes = check_kernel(options); !takes) return tl::unexpected(takes.error());
+    how.use = MadeFor::kFile;
+    if (!target.empty())
+        how.pages = std::make_shared<DiskPages>(target, memory_limit(static_cast<double>(options.memory_bytes)));
+    return run_limited(options.threads, at_memory_end, [&] { return make(source, options, job, hidden, how); });
 }
 
 } // namespace
@@ -162,18 +205,24 @@ tl::unexpected<Error> empty_surface(double cell_mm) {
 Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                              std::span<const std::uint8_t> hidden) {
     if (auto takes = check_kernel(options); !takes) return tl::unexpected(takes.error());
-    return run_limited(options.threads, at_memory_end,
-                       [&] { return make(source, options, job, hidden, MadeFor::kPictures); });
+    return run_limited(options.threads, at_memory_end, [&] { return make(source, options, job, hidden, {}); });
 }
 
 Result<Surface> make_untangled_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                                        std::span<const std::uint8_t> hidden, const std::filesystem::path& target) {
-    if (auto takes = check_kernel(options); !takes) return tl::unexpected(takes.error());
-    std::shared_ptr<DiskPages> pages;
-    if (!target.empty())
-        pages = std::make_shared<DiskPages>(target, memory_limit(static_cast<double>(options.memory_bytes)));
-    return run_limited(options.threads, at_memory_end,
-                       [&] { return make(source, options, job, hidden, MadeFor::kFile, pages); });
+    return make_for_file(source, options, job, hidden, target, {});
+}
+
+Result<Surface> make_surface_together(const tree::VesselTree& source, const SurfaceOptions& options, Team& team,
+                                      Job& job, std::span<const std::uint8_t> hidden,
+                                      const std::filesystem::path& target) {
+    return make_for_file(source, options, job, hidden, target, {.team = &team});
+}
+
+Result<Surface> make_part_of_surface(const tree::VesselTree& source, const SurfaceOptions& options, const PartOf& part,
+                                     Job& job, std::span<const std::uint8_t> hidden,
+                                     const std::filesystem::path& target) {
+    return make_for_file(source, options, job, hidden, target, {.part = part});
 }
 
 } // namespace ramus::mesh

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/job.h"
 #include "core/mesh/loops/match_tree.h"
+#include "core/mesh/polygonize/part.h"
 #include "core/mesh/surface_options.h"
 #include "core/mesh/untangle/untangle.h"
 
@@ -30,6 +31,7 @@ struct SurfaceStatistics {
     double seconds = 0.0;
     MatchedTree matched;
     Untangled untangled; // where it was asked for
+    PartStatistics part; // of the part that this process made, if it did not make all
 };
 
 struct Surface {
@@ -55,6 +57,14 @@ struct Surface {
 [[nodiscard]] Result<Surface> make_untangled_surface(const tree::VesselTree& source, const SurfaceOptions& options,
                                                      Job& job, std::span<const std::uint8_t> hidden = {},
                                                      const std::filesystem::path& target = {});
+// The same by a team, to the same bits: all polygonize it, the leader repairs it. Empty for the others.
+[[nodiscard]] Result<Surface> make_surface_together(const tree::VesselTree& source, const SurfaceOptions& options,
+                                                    Team& team, Job& job, std::span<const std::uint8_t> hidden,
+                                                    const std::filesystem::path& target);
+// One part of the same, with a border. Nothing is repaired, because loops may run through several parts. May be empty.
+[[nodiscard]] Result<Surface> make_part_of_surface(const tree::VesselTree& source, const SurfaceOptions& options,
+                                                   const PartOf& part, Job& job, std::span<const std::uint8_t> hidden,
+                                                   const std::filesystem::path& target);
 
 // The error of a surface that has no triangle.
 [[nodiscard]] tl::unexpected<Error> empty_surface(double cell_mm);

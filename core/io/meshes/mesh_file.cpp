@@ -6,6 +6,7 @@
 #include "core/io/meshes/glb.h"
 #include "core/io/meshes/obj.h"
 #include "core/io/meshes/ply.h"
+#include "core/io/meshes/pvtp_surface.h"
 #include "core/io/meshes/stl.h"
 #include "core/io/meshes/vtk_surface.h"
 #include "core/io/meshes/vtp_surface.h"
@@ -98,6 +99,11 @@ std::vector<MeshFormat> formats_of_triangles() {
     };
 }
 
+MeshFormat in_pieces(MeshFormat format) {
+    format.in_files = true;
+    return format;
+}
+
 // Formats with names and colours.
 std::vector<MeshFormat> formats_of_scenes() {
     return {
@@ -111,6 +117,14 @@ std::vector<MeshFormat> formats_of_scenes() {
          nullptr,
          {},
          write_vtp_whole},
+        in_pieces({{.name = "PVTP surface",
+                    .extensions = {".pvtp"},
+                    .help = "PolyData of VTK in several files, for ParaView on many processors."},
+                   nullptr,
+                   nullptr,
+                   nullptr,
+                   {},
+                   write_pvtp_surface}),
         {{.name = "VTU surface",
           .extensions = {".vtu"},
           .has_signature = is_vtk_unstructured_grid,

@@ -59,6 +59,7 @@ struct MeshFormat : FileFormat {
     bool has_parts = false; // several objects, with names and colours
     double unit_mm = 1.0;   // length of the unit in which other programs see the file, in mm
     bool can_compress = false;
+    bool in_files = false; // several files, which no pipe takes
 };
 
 [[nodiscard]] inline bool is_read(const MeshFormat& format) { return format.parse != nullptr; }

@@ -6,6 +6,7 @@
 #include "core/tree/vessel_tree.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -34,6 +35,7 @@ struct MeshNames {
     Colour colour{204, 73, 60};   // of parts without their own colour
     PartsBy by = PartsBy::kNone;
     bool compressed = false;           // of formats that can be
+    std::size_t pieces = 0;            // of formats in several files; 0: as many as are of a usual size
     std::vector<tree::System> systems; // of the tree; empty: none
     std::vector<Branch> branches;      // by branch id; empty: unknown
     std::vector<Vessel> vessels;       // by branch id; empty: the parts are no vessels

@@ -76,12 +76,9 @@ Result<void> check_feasible(const field::Field& field, const bricks::Sizing& siz
     return check_resolved(field, sizing, options);
 }
 
-Result<void> check_feasible(const field::Field& field, const PolygonizeOptions& options, PolygonizeMode mode) {
-    return check_feasible(field, bricks::make_sizing(field, options.detail, options.cell_mm), options, mode);
-}
-
-bool is_feasible(const field::Field& field, const PolygonizeOptions& options, PolygonizeMode mode) {
-    return check_feasible(field, options, mode).has_value();
+Result<void> check_feasible(const field::Field& field, const PolygonizeOptions& options, PolygonizeMode mode,
+                            double share) {
+    return check_feasible(field, bricks::make_sizing(field, options.detail, options.cell_mm), options, mode, share);
 }
 
 } // namespace ramus::mesh

@@ -17,6 +17,6 @@ namespace ramus::mesh {
 
 // The same; computes the sizing itself.
 [[nodiscard]] Result<void> check_feasible(const field::Field& field, const PolygonizeOptions& options,
-                                          PolygonizeMode mode);
+                                          PolygonizeMode mode, double share = 1.0);
 
 } // namespace ramus::mesh

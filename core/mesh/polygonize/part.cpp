@@ -303,6 +303,13 @@ Result<void> agree(Team& team, const Result<void>& own) {
 
 } // namespace
 
+void PartStatistics::add(const PartStatistics& more) {
+    evaluations += more.evaluations, samples += more.samples, bricks += more.bricks;
+    bricks_s += more.bricks_s, cells_s += more.cells_s, join_s += more.join_s;
+    border_evaluations += more.border_evaluations;
+    share = more.share;
+}
+
 Result<TriangleMesh> polygonize_part(const field::Field& field, const PolygonizeOptions& options, const PartOf& part,
                                      Job& job, PartStatistics* statistics) {
     if (auto some = check_segments(field); !some) return tl::unexpected(some.error());

@@ -21,6 +21,8 @@ struct PartOf {
 struct PartStatistics : PolygonizeStatistics {
     std::uint64_t border_evaluations = 0; // of subtrees that belong to other parts
     double share = 0.0;                   // of the estimated work
+
+    void add(const PartStatistics& more); // of another vessel system
 };
 
 // The part as a mesh with a border: its triangles, and the vertices that they have. Fails as polygonize() does.

@@ -34,9 +34,6 @@ struct PolygonizeOptions {
 // tree (polygonizer.h).
 enum class PolygonizeMode { kWhole, kOnDisk, kFollow };
 
-// Whether a surface can be made in that mode, or would be refused. As rough as the forecast of its triangles.
-[[nodiscard]] bool is_feasible(const field::Field& field, const PolygonizeOptions& options, PolygonizeMode mode);
-
 struct PolygonizeStatistics {
     std::uint64_t evaluations = 0; // kernel evaluations, one per segment and point
     std::uint64_t samples = 0;     // points at which the field was taken
