@@ -78,10 +78,12 @@ CaseHead head_of(const Document& document, const PageChoice& choice) {
 }
 
 std::string simplified_text(const PageSurface& surface, const Lengths& lengths) {
-    std::string text = "The surface has " + grouped(surface.packed.triangles) + " triangles instead of " +
-                       grouped(surface.triangles_before) + ". No vertex of the whole surface is more than " +
-                       lengths.text(surface.largest_deviation_mm) + " away from it, and 95 % are less than " +
-                       lengths.text(surface.percentile_95_mm) + " away.";
+    const bool is_whole = surface.packed.triangles >= surface.triangles_before; // more along borders of branches
+    std::string text = is_whole ? "The surface has all of its " + grouped(surface.triangles_before) + " triangles"
+                                : "The surface has " + grouped(surface.packed.triangles) + " triangles instead of " +
+                                      grouped(surface.triangles_before);
+    text += ". No vertex of the whole surface is more than " + lengths.text(surface.largest_deviation_mm) +
+            " away from it, and 95 % are less than " + lengths.text(surface.percentile_95_mm) + " away.";
     if (surface.for_size) text += " It was simplified this much for the size of the file.";
     return text;
 }
