@@ -23,8 +23,10 @@ render::Camera fitted_to_picture(const ActionContext& context, const render::Cam
 Result<void> view(ActionContext& context, Arguments arguments) {
     const auto view = arguments.size() == 1 ? render::view_named(arguments[0]) : std::nullopt;
     if (!view)
-        return fail("view takes the name of a view", {},
-                    "anterior, posterior, left, right, superior or inferior; +x, -x, +y, -y, +z or -z");
+        return fail(
+            "view takes the name of a view", {},
+            "anterior, posterior, left, right, superior or inferior; +x, -x, +y, -y, +z or -z; view-go goes to a "
+            "saved view");
     return move_camera(context, fitted_to_picture(context, render::looking(context.document.session().camera, *view)));
 }
 

@@ -79,17 +79,20 @@ std::string page_contents(const Document& document, const PageChoice& choice) {
     add_counted(text, marks.measurements.size(), "measurement", "measurements");
     add_counted(text, marks.pins.size(), "pin", "pins");
     add_counted(text, marks.context.size(), "context surface", "context surfaces");
+    add_counted(text, marks.views.size(), "saved view", "saved views");
     return text;
 }
 
 std::size_t expected_page_bytes(const Document& document, std::uint64_t triangles, const PageChoice& choice) {
     // Measured on trees of vessels and airways; pictures by three of the usual size.
-    constexpr double kOfTriangle = 0.65, kOfBranch = 290.0, kOfPoint = 8.0, kOfPictures = 1.9e6, kOfRest = 1e5;
+    constexpr double kOfTriangle = 0.65, kOfBranch = 290.0, kOfPoint = 8.0, kOfPictures = 1.9e6, kOfView = 0.43e6,
+                     kOfRest = 1e5;
     const tree::VesselTree& tree = *document.tree();
+    const auto views = static_cast<double>(std::min(document.marks().views.size(), kMostPicturedViews));
     const double bytes = kOfTriangle * static_cast<double>(triangles) +
                          kOfBranch * static_cast<double>(tree.branches.size()) +
                          kOfPoint * static_cast<double>(tree.points.size()) + kOfRest +
-                         (has_part(choice.left_out, PagePart::kViews) ? 0.0 : kOfPictures);
+                         (has_part(choice.left_out, PagePart::kViews) ? 0.0 : kOfPictures + views * kOfView);
     return std::min(static_cast<std::size_t>(bytes), choice.most_bytes);
 }
 

@@ -67,6 +67,8 @@ constexpr std::array kSynonyms{
     Synonyms{"fit", "home reset centre center zoom all whole recentre"},
     Synonyms{"orthographic", "parallel perspective projection"},
     Synonyms{"view", "side orientation look anatomical"},
+    Synonyms{"view-save", "bookmark store keep remember camera angle perspective position scene"},
+    Synonyms{"view-go", "bookmark restore return camera angle perspective position scene"},
     Synonyms{"filter-diameter", "thin small twigs threshold"},
     Synonyms{"surface",
              "smooth prune width detail cell quality triangles convolution coefficient isovalue method truncated "

@@ -35,6 +35,7 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> page_commands();
 [[nodiscard]] std::vector<Command> reading_commands();
 [[nodiscard]] std::vector<Command> camera_commands();
+[[nodiscard]] std::vector<Command> saved_view_commands();
 [[nodiscard]] std::vector<Command> turning_commands();
 [[nodiscard]] std::vector<Command> colour_commands();
 [[nodiscard]] std::vector<Command> deviation_commands();
@@ -81,6 +82,7 @@ inline constexpr std::array kCommandGroups{
     contact_commands,       //
     validation_commands,    //
     camera_commands,        //
+    saved_view_commands,    //
     turning_commands,       //
     travel_commands,        //
     depth_commands,         //

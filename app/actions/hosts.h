@@ -133,6 +133,9 @@ public:
     // Asks for the name of an object of the scene, by kind and number; the command `object-name` then runs.
     virtual void ask_for_object_name(const std::string& /*kind*/, const std::string& /*number*/,
                                      const std::string& /*now*/) {}
+    // Asks for the name of a saved view; the command `view-rename` then runs. Empty: asks how to call the view as it
+    // is, for `view-save`.
+    virtual void ask_for_view_name(const std::string& /*now*/) {}
     virtual void ask_for_radius() = 0;            // for the selected branches
     virtual void show_note(int /*note*/) {}       // in the import doctor and in the picture
     virtual void show_contact(int /*contact*/) {} // in the list of contacts, and in the picture

@@ -5,7 +5,9 @@
 #include "app/assets/assets.h"
 #include "app/assets/territories.h"
 
+#include <algorithm>
 #include <glm/common.hpp>
+#include <span>
 #include <utility>
 
 namespace ramus::app::actions {
@@ -34,6 +36,18 @@ private:
     ActionContext& context_;
     int finer_;
 };
+
+Result<std::vector<ReportPicture>> take_saved_views(const ActionContext& context, const Photographer& photographer) {
+    std::vector<ReportPicture> pictures;
+    Session session = context.document.session();
+    const std::vector<SavedView> views = session.marks.views;
+    for (const SavedView& view : std::span(views).first(std::min(views.size(), kMostPicturedViews))) {
+        session.camera = view.camera;
+        RAMUS_TRY(picture, photographer.take(view.name, session, kSmall, kSmallText));
+        pictures.push_back(std::move(picture));
+    }
+    return pictures;
+}
 
 Result<std::vector<ReportPicture>> take_general(ActionContext& context, const Photographer& photographer,
                                                 glm::ivec2 shape) {
@@ -88,9 +102,10 @@ Result<std::vector<std::vector<ReportPicture>>> take_plans(ActionContext& contex
 Result<ReportPictures> take_report_pictures(ActionContext& context, glm::ivec2 shape, int finer) {
     const Photographer photographer(context, finer);
     RAMUS_TRY(general, take_general(context, photographer, shape));
+    RAMUS_TRY(views, take_saved_views(context, photographer));
     RAMUS_TRY(plans, take_plans(context, photographer));
     RAMUS_TRY(slices, take_slices(context, finer));
-    return ReportPictures{std::move(general), std::move(plans), std::move(slices)};
+    return ReportPictures{std::move(general), std::move(plans), std::move(slices), std::move(views)};
 }
 
 } // namespace ramus::app::actions

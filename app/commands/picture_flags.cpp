@@ -41,15 +41,26 @@ CLI::Option* add_graphics_memory_flag(CLI::App& command, std::size_t& bytes) {
         "Most graphics memory for surfaces, as 800M or 4G (default 0: three quarters of what there is)");
 }
 
+constexpr const char* kViewHelp =
+    "anterior (default), posterior, left, right, superior or inferior; or where to look from: +y, -y, -x, +x, +z, -z";
+
 CLI::Option* add_view_flag(CLI::App& command, render::View& view) {
     std::map<std::string, render::View> views;
     for (const render::View one : render::kViews)
         views.emplace(render::name_of(one), one), views.emplace(render::axis_name_of(one), one);
-    return add_option(command, "--view", "NAME", view,
-                      "anterior (default), posterior, left, right, superior or inferior; or where to look from: +y, "
-                      "-y, -x, +x, "
-                      "+z, -z")
+    return add_option(command, "--view", "NAME", view, kViewHelp)
         ->transform(CLI::CheckedTransformer(views).description(""));
+}
+
+CLI::Option* add_view_flag(CLI::App& command, render::View& view, std::string& saved) {
+    const auto take = [&view, &saved](const std::string& name) {
+        const auto anatomical = render::view_named(name);
+        view = anatomical.value_or(view);
+        if (!anatomical) saved = name;
+    };
+    return add_option_taking<std::string>(command, "--view", "NAME", take,
+                                          std::string(kViewHelp) + "; or a saved view of --session")
+        ->check(expecting(" is no name", [](const std::string& name) { return !name.empty(); }));
 }
 
 CLI::Option* add_label_flag(CLI::App& command, std::vector<volume::LabelChoice>& labels, const std::string& help) {

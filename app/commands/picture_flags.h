@@ -26,6 +26,8 @@ CLI::Option* add_graphics_memory_flag(CLI::App& command, std::size_t& bytes);
 
 // Adds --view NAME. `view` must be anterior, the default that the help names.
 CLI::Option* add_view_flag(CLI::App& command, render::View& view);
+// The same, where a session may be given: `saved` gets any other name, that of a saved view.
+CLI::Option* add_view_flag(CLI::App& command, render::View& view, std::string& saved);
 
 // Adds --label LABEL[,LABEL...], the labels of a mask, by number or name.
 CLI::Option* add_label_flag(CLI::App& command, std::vector<volume::LabelChoice>& labels, const std::string& help);

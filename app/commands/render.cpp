@@ -50,6 +50,7 @@ struct RenderFlags {
     SurfaceFlags common;
     std::filesystem::path file, output, reference;
     std::string camera, session, commands;
+    std::string saved_view; // to look from; empty: not given
     bool overwrite = false; // the commands may replace files
     ColourFlags colours;
     std::vector<std::string> context; // files
@@ -119,6 +120,12 @@ Result<bool> open_document(const RenderFlags& flags, Document& document) {
         opened.session.slices.layout = SliceLayout::kSlices;
     if (auto good = apply(flags.colours, opened.tree ? *opened.tree : tree::VesselTree(), opened.session.marks); !good)
         return tl::unexpected(good.error());
+    if (!flags.saved_view.empty()) {
+        const std::vector<SavedView>& views = opened.session.marks.views;
+        RAMUS_TRY(view, with_file(find_view(views, flags.saved_view), flags.session));
+        opened.session.camera = views[view].camera;
+        opened.has_camera = true;
+    }
     document.open(std::move(opened.tree), std::move(opened.session), nullptr, {}, std::move(opened.base));
     return opened.has_camera;
 }
@@ -366,6 +373,9 @@ void add_checking_flags(CLI::App& command, RenderFlags& flags) {
 void check_flags(const CLI::App& command, const RenderFlags& flags) {
     if (flags.file.empty() && flags.session.empty() && flags.scans.scans.empty())
         throw CLI::RequiredError("FILE, --session or --scan");
+    if (!flags.saved_view.empty() && flags.session.empty())
+        throw CLI::ValidationError("--view",
+                                   flags.saved_view + " is no direction, and only a --session has saved views");
     check_backend_flags(flags.backend);
     if (flags.figure.turntable > 0 && flags.output.empty()) throw CLI::RequiredError("-o");
     if (flags.figure.turntable > 0 && (flags.interface || !flags.reference.empty() || flags.benchmark > 0))
@@ -387,7 +397,7 @@ void register_render(CLI::App& app, Action& chosen) {
     add_input(*command, "FILE", "", flags->file, "Vessel tree; may be left out with --session");
     add_option(*command, "-o,--output", "PNG", flags->output, "PNG to write");
     add_size_flag(*command, flags->size);
-    CLI::Option* view = add_view_flag(*command, flags->view);
+    CLI::Option* view = add_view_flag(*command, flags->view, flags->saved_view);
     add_graphics_memory_flag(*command, flags->graphics_bytes);
     add_option(*command, "--session", "FILE", flags->session,
                "Draw this session: its tree, states, camera and surface options");
@@ -419,7 +429,7 @@ void register_render(CLI::App& app, Action& chosen) {
     add_surface_flags(*command, flags->common);
     add_system_flag(*command, flags->common);
     command->callback([flags, command, view, &chosen] {
-        flags->view_given = view->count() > 0;
+        flags->view_given = view->count() > 0 && flags->saved_view.empty();
         check_flags(*command, *flags);
         check_output_flags(*command, flags->output, {});
         chosen = [flags] { return with_output(*flags, run_render); };

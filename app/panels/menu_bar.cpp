@@ -85,6 +85,26 @@ bool begin_menu(const std::string& name, float top, const InterfaceContext& cont
     return ImGui::BeginMenu(name.c_str());
 }
 
+// A click goes there; the panel names and deletes them.
+void draw_view_list(InterfaceContext& context) {
+    const std::vector<SavedView>& views = context.workspace.document().marks().views;
+    ImGui::BeginDisabled(views.empty());
+    std::string chosen;
+    if (begin_menu("Saved views", static_cast<float>(context.layout.bar_height), context)) {
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            constexpr float kMostPoints = 300.0F;
+            const SavedView& view = views[i];
+            ImGui::PushID(static_cast<int>(i));
+            if (ImGui::MenuItem(widgets::fitted(view.name, kMostPoints * theme::scale()).c_str())) chosen = view.name;
+            widgets::tooltip(("Go to " + view.name).c_str(), nullptr, widgets::TooltipAt::kMenu);
+            ImGui::PopID();
+        }
+        ImGui::EndMenu();
+    }
+    ImGui::EndDisabled();
+    if (!chosen.empty()) context.perform("view-go", {chosen});
+}
+
 // Arrays of the tree's file, which the command table cannot know.
 void draw_data_colours(InterfaceContext& context) {
     const Document& document = context.workspace.document();
@@ -131,6 +151,7 @@ void draw_entries(InterfaceContext& context, const std::string& menu) {
         draw_entry(context, command);
         if (command.name == "open") draw_recent(context);
         if (command.name == "redo") draw_history(context);
+        if (command.name == "view-save") draw_view_list(context);
     }
 }
 

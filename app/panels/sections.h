@@ -17,6 +17,7 @@ void draw_colours(InterfaceContext& context);   // while a quantity is coloured,
 void draw_deviation(InterfaceContext& context); // while deviation is coloured
 void draw_measurements(InterfaceContext& context);
 void draw_pins(InterfaceContext& context);
+void draw_saved_views(InterfaceContext& context);
 void draw_slices(InterfaceContext& context);  // and their scans
 void draw_region(InterfaceContext& context);  // that is grown in a scan
 void draw_along(InterfaceContext& context);   // and the figures of its sections
@@ -54,6 +55,7 @@ inline constexpr Section kSections[] = {
     {PanelPage::kPlan, draw_resections},
     {PanelPage::kPlan, draw_plans},
     {PanelPage::kPlan, draw_pins},
+    {PanelPage::kPlan, draw_saved_views},
     {PanelPage::kPlan, draw_thin_vessels},
     {PanelPage::kPlan, draw_report_button},
 };

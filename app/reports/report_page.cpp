@@ -156,6 +156,15 @@ std::string cuts_note(const Document& document, const Plan& plan) {
     return document.lengths().worded(note) + " The last line counts nothing twice.";
 }
 
+std::string saved_views_html(const std::vector<ReportPicture>& pictures, std::size_t saved) {
+    if (pictures.empty()) return {};
+    std::string text = "<h2>Saved views</h2>\n" + even_pictures_html(pictures);
+    if (saved > pictures.size())
+        text += "<p class=\"quiet\">And " + counted(saved - pictures.size(), "more saved view", "more saved views") +
+                ", which the session has.</p>\n";
+    return text;
+}
+
 std::string slices_html(const std::vector<SliceRow>& rows) {
     if (rows.empty()) return {};
     std::string text = "<h2>Slices</h2>\n";
@@ -170,7 +179,8 @@ std::string slices_html(const std::vector<SliceRow>& rows) {
 std::string report_page(const Document& document, const Assets& assets, const ReportPictures& pictures,
                         const ReportHead& head) {
     std::string page = page_begin(document.session().tree.path.filename().string(), "Vessel tree report", head.made) +
-                       case_html(head.case_line) + pictures_html(pictures.general);
+                       case_html(head.case_line) + pictures_html(pictures.general) +
+                       saved_views_html(pictures.saved_views, document.marks().views.size());
     page += "<h2>Tree</h2>\n" + facts_html(worded(tree_facts(document), document.lengths()));
     if (!document.tree()->systems.empty()) page += table_html(systems_table(document, assets));
     const Marks& marks = document.marks();

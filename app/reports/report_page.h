@@ -22,6 +22,7 @@ struct ReportPictures {
     std::vector<ReportPicture> general;              // the first is large
     std::vector<std::vector<ReportPicture>> plans{}; // by plan of the session: before and after; may be empty
     std::vector<SliceRow> slices{};
+    std::vector<ReportPicture> saved_views{}; // of the first saved views of the session, with their names
 };
 
 struct ReportHead {

@@ -168,12 +168,14 @@ void Document::go_to_tree(const TreeWithFacts& other, bool moves) {
 
 void Document::change_tree(std::shared_ptr<const tree::VesselTree> tree, Marks next) {
     begin_step();
-    const io::ReadOptions read = session_.marks.reading;
+    const io::ReadOptions& read = session_.marks.reading;
+    const bool moves = read.unit != next.reading.unit || read.orientation != next.reading.orientation;
+    if (moves)
+        for (SavedView& view : next.views) view.camera = carried_over(view.camera, *tree_, *tree);
     change(std::move(next));
     if (joining_) {
-        const io::ReadOptions& now = session_.marks.reading;
         Step& step = steps_[position_ - 1];
-        step.tree_moves = read.unit != now.unit || read.orientation != now.orientation;
+        step.tree_moves = moves;
         const TreeWithFacts before{tree_, facts_};
         auto facts = std::make_shared<const TreeFacts>(facts_of(*tree));
         const TreeWithFacts after{std::move(tree), std::move(facts)};

@@ -63,7 +63,8 @@ public:
     // Makes the edit and takes it. An error changes nothing.
     Result<void> edit_tree(const tree::Edit& edit);
     // Replaces the tree after its file was reread with next.reading. Only for sessions without edits, which refer to
-    // the old tree. If another unit or other axes move the tree, the camera follows, and returns on undo.
+    // the old tree. If another unit or other axes move the tree, the camera and the saved views follow, and return on
+    // undo.
     void change_tree(std::shared_ptr<const tree::VesselTree> tree, Marks next);
     void set_camera(const render::Camera& camera);
     void set_slices(const SliceViews& slices);

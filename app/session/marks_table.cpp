@@ -8,6 +8,7 @@
 #include "app/session/numbers.h"
 #include "app/session/option_entries.h"
 #include "app/session/reading_json.h"
+#include "app/session/saved_views_json.h"
 #include "app/session/session_limits.h"
 #include "core/base/words.h"
 
@@ -351,6 +352,7 @@ std::vector<MarksRow> rows_of_plan() {
             resections_row(),
             plans_row(),
             scans_row(),
+            row<&Marks::views>({.entries = {saved_views_entry()}, .most = kMostViews, .noun = "saved views"}),
             row<&Marks::names>(
                 {.entries = {names_entry()},
                  .largest_branch =

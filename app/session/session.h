@@ -13,6 +13,7 @@
 #include "app/session/objects.h"
 #include "app/session/organ.h"
 #include "app/session/plans.h"
+#include "app/session/saved_views.h"
 #include "app/session/slices.h"
 #include "core/io/trees/imported_tree.h"
 #include "core/mesh/surface_options.h"
@@ -70,6 +71,7 @@ struct Marks : SceneObjects {                 // cuts and resections are those o
     DeviationChoice deviation;
     OrganChoice organ;
     Plans plans;
+    std::vector<SavedView> views;    // in the order of their lists
     bool skeleton = false;           // centerlines and rings of the radius are drawn over the vessels
     bool contact_marks = false;      // rings where vessels press on each other
     bool shortest_distances = false; // lines from lesions to the nearest vessel of each system

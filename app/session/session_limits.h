@@ -20,6 +20,8 @@ inline constexpr std::size_t kMostPlans = 20;                          // a tabl
 
 inline constexpr std::size_t kMostScans = 20; // each takes up to gigabytes
 
+inline constexpr std::size_t kMostViews = 100; // saved ones; a menu of more cannot be read
+
 inline constexpr std::size_t kMostBands = 20; // margins around lesions; more colours cannot be distinguished
 
 // Fails if a list of `marks` is longer than its row allows (app/session/marks_table.h), and names the list.

@@ -109,6 +109,12 @@ void WindowParts::ask_for_object_name(const std::string& kind, const std::string
     state_.redraw();
 }
 
+void WindowParts::ask_for_view_name(const std::string& now) {
+    const std::vector<SavedView>& views = state_.workspace.document().marks().views;
+    state_.interface.of<Rename>().show_view(now, now.empty() ? free_view_name(views) : now);
+    state_.redraw();
+}
+
 void WindowParts::ask_for_radius() {
     RadiusDialog& dialog = state_.interface.of<RadiusDialog>();
     dialog.open = dialog.fresh = true;

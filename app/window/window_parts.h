@@ -17,6 +17,7 @@ public:
     void close_flight() override;
     void ask_for_name(int branch) override;
     void ask_for_object_name(const std::string& kind, const std::string& number, const std::string& now) override;
+    void ask_for_view_name(const std::string& now) override;
     void ask_for_radius() override;
     void show_note(int note) override;
     void show_contact(int contact) override;

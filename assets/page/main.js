@@ -12,6 +12,7 @@ import { Overlay } from "./overlay.js";
 import { Panel } from "./panel.js";
 import { shapesOf } from "./shapes.js";
 import { counted, plain } from "./text.js";
+import { kSavedKeys, savedViews, viewNamed } from "./views.js";
 import { Viewport } from "./viewport.js";
 
 const kTurn = 15, kZoom = 1.25; // degrees, factor: of keys
@@ -76,7 +77,11 @@ function start(kase) {
       model.addMeasurement(made);
       say(`${made.name}, from middle to middle: ${made.text}`);
     },
-    savedView: (i) => viewport.goTo(viewport.saved(json.views[i].camera)),
+    savedView(i) {
+      const view = savedViews(json)[i];
+      viewport.goTo(viewport.saved(view.camera));
+      say(`View: ${view.shown}`);
+    },
     lookAt(point, text) {
       viewport.extra.marked = { point, text };
       viewport.goTo(centredOn(viewport.camera, point));
@@ -143,7 +148,7 @@ function start(kase) {
 
   buildTools(model, actions);
   by("theme").addEventListener("click", actions.theme);
-  bindKeys(actions);
+  bindKeys(actions, savedViews(json).length);
   bindPrinting(model, viewport);
   actions.tool("select");
   showTheme();
@@ -182,7 +187,7 @@ function arrowKeys(bar) {
   });
 }
 
-function bindKeys(actions) {
+function bindKeys(actions, savedCount) {
   const plainKeys = {
     ArrowLeft: () => actions.turn(kTurn, 0), ArrowRight: () => actions.turn(-kTurn, 0), ArrowUp: () => actions.turn(0, -kTurn), ArrowDown: () => actions.turn(0, kTurn),
     "+": () => actions.zoom(kZoom), "=": () => actions.zoom(kZoom), "-": () => actions.zoom(1 / kZoom), f: actions.fit, 0: actions.fit, o: actions.projection,
@@ -191,6 +196,7 @@ function bindKeys(actions) {
     Escape: actions.escape, "/": actions.search, "?": actions.about, F1: actions.about,
   };
   for (const [name, view] of Object.entries(kViews)) plainKeys[view.key.toLowerCase()] = () => actions.view(name);
+  for (let i = 0; i < Math.min(savedCount, kSavedKeys); ++i) plainKeys[i + 1] = () => actions.savedView(i);
   const withControl = { z: actions.undo, Z: actions.redo, y: actions.redo, i: actions.invert };
   document.addEventListener("keydown", (event) => {
     if (event.target.closest("input:not([type=checkbox]):not([type=radio]), select, textarea") && event.key !== "Escape") return;
@@ -217,7 +223,7 @@ function bindPrinting(model, viewport) {
 }
 
 /** What scripts and tests use; see the head of this file. */
-function api({ model, viewport, looks, renderer }) {
+function api({ model, viewport, looks, renderer, actions }) {
   const list = (ids) => typeof ids === "number" ? [ids] : [...ids];
   const place = (at) => typeof at === "number" ? { branch: at, fraction: 0.5 } : at;
   return {
@@ -243,7 +249,13 @@ function api({ model, viewport, looks, renderer }) {
       if (!model.isLegal(key)) throw new Error(`nothing is coloured by ${key}`);
       model.change({ colour: key });
     },
-    view: (name) => viewport.setView(name),
+    view(name) {
+      const meant = viewNamed(model.json, name);
+      if (!meant) throw new Error(`no view is called ${name}`);
+      if (meant.anatomical) viewport.setView(name);
+      else actions.savedView(meant.saved);
+    },
+    views: () => savedViews(model.json).map(({ name }) => name),
     plan: (plan, planView = "marked") => model.change({ plan, planView }),
     state: () => ({
       selection: [...model.state.selection], states: Array.from(model.state.states, (state) => kStates[state]), camera: structuredClone(viewport.camera),

@@ -5,6 +5,7 @@ import { kViews } from "./camera.js";
 import { button, by, choice, facts, made, named, table } from "./dom.js";
 import { legendOf } from "./looks.js";
 import { counted, digits, lengthText, plain, whole } from "./text.js";
+import { kSavedKeys, savedViews } from "./views.js";
 
 const kTabs = [["explore", "Explore"], ["plan", "Plan"], ["tables", "Tables"], ["about", "About"]];
 const kMostPlaces = 200; // of a list
@@ -76,9 +77,10 @@ export class Panel {
   }
 
   #views() {
-    const { actions, model } = this, views = model.json.views || [];
+    const views = savedViews(this.model.json);
     by("saved-views").hidden = views.length === 0;
-    by("view-list").append(...views.map((view, i) => button(named(plain(view.name) || `View ${i + 1}`), () => actions.savedView(i))));
+    by("view-list").append(...views.map(({ shown }, i) => made("li", {}, button(named(shown), () => this.actions.savedView(i),
+      { title: i < kSavedKeys ? `${shown} (${i + 1})` : shown, "aria-label": shown }))));
   }
 
   #tables() {
@@ -101,7 +103,7 @@ export class Panel {
     const keys = [["Drag, arrow keys", "turn"], ["Shift+drag, middle button, two fingers", "move"], ["Wheel, right button, + −, pinch", "zoom"],
       ["Double click", "bring to the middle"], ["Click, tap", "select a branch"], ["Ctrl+click", "add or remove"],
         ["Alt+click, long press", "a branch with all that depends on it"],
-      [Object.values(kViews).map((view) => view.key).join(" "), "views"], ["F, 0", "fit"], ["O", "parallel projection"],
+      [Object.values(kViews).map((view) => view.key).join(" "), "views"], ["F, 0", "fit"], ...(savedViews(json).length ? [["1 to 9", "saved views"]] : []), ["O", "parallel projection"],
         ["[ ]", "parent, children"], ["D U Ctrl+I", "dependents, upstream, all others"],
       ["H G X N", "highlight, glass, hide, show"], ["Shift+G, Shift+N", "focus only the selected, show all"], ["W M", "lasso, measure"],
         ["Ctrl+Z, Ctrl+Shift+Z", "undo, redo"], ["Escape", "end a tool; select nothing"], ["/", "search"]];

@@ -76,7 +76,7 @@ export class Viewport {
   goTo(camera) {
     cancelAnimationFrame(this.going);
     if (this.still.matches || this.slow) return this.setCamera(camera);
-    const from = this.camera, start = performance.now();
+    const from = cameras.withProjection(this.camera, camera.orthographic), start = performance.now();
     const step = () => {
       const share = Math.min(1, (performance.now() - start) / kAnimation);
       this.setCamera(cameras.between(from, camera, share * share * (3 - 2 * share)), { moving: true });

@@ -145,6 +145,13 @@ class FactsOfThePage(PageTest):
             self.assertEqual(len(column["values"]), 3)
 
 
+VIEW_COMMANDS = """view left
+view-save "{name}"
+turn up 30
+zoom in 3
+view-save "behind the stem"
+"""
+
 SESSION_COMMANDS = """name 0 "{name}"
 lesion 3,0,9,1.5
 pin 0,0,5 "{name}"
@@ -200,6 +207,41 @@ class Session(PageTest):
         self.assertTrue(page.case["tables"])
         self.assertNotIn("Mrs Example", html.unescape(page.text))
         self.assertNotIn("tree.swc", page.text)
+
+    def viewed(self, name):
+        tree = self.write("tree.swc", GOOD)
+        self.write("commands.txt", VIEW_COMMANDS.format(name=name) + "save case.json\n")
+        self.expect_done("render", tree, "--units", "mm", "--commands", "commands.txt", "--size", "64x48")
+        return json.loads((self.folder / "case.json").read_text())["views"]
+
+    def test_saved_views_are_in_the_page_with_their_cameras(self):
+        saved = self.viewed("Mrs Example")
+        self.assertEqual([view["name"] for view in saved], ["Mrs Example", "behind the stem"])
+        self.assertNotEqual(saved[0]["camera"], saved[1]["camera"])
+        page = self.page("--session", "case.json")
+        self.assertEqual(page.case["views"], saved)
+        for name in ("Mrs Example", "behind the stem"):
+            self.assertIn(f'<img alt="{name}"', page.text)
+        self.assertNotIn("views", self.quick_page("--session", "case.json").case)
+        nameless = self.page("--session", "case.json", "--without", "names")
+        self.assertEqual([view["name"] for view in nameless.case["views"]], ["View 1", "View 2"])
+        self.assertEqual([view["camera"] for view in nameless.case["views"]], [view["camera"] for view in saved])
+        self.assertNotIn("Mrs Example", html.unescape(nameless.text))
+
+    def test_a_page_without_saved_views_has_no_list_of_them(self):
+        self.assertNotIn("views", self.page(self.write("tree.swc", GOOD)).case)
+
+    def test_hostile_names_of_saved_views_are_text(self):
+        self.viewed("a")
+        session = self.folder / "case.json"
+        text = json.loads(session.read_text())
+        text["views"][0]["name"] = HOSTILE
+        session.write_text(json.dumps(text))
+        page = self.page("--session", session)
+        self.assertEqual(page.case["views"][0]["name"], HOSTILE)
+        self.assertEqual(page.text.count("<script"), 3)
+        self.assertEqual(page.text.count("</script>"), 3)
+        self.assertNotIn("<!--", page.text)
 
     def test_hostile_names_are_text(self):
         quoted = HOSTILE.replace('"', '\\"')

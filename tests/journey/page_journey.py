@@ -59,7 +59,8 @@ def make_case(program, folder):
     """A session with all that a page can hold, hostile names among it."""
     (folder / "tree.swc").write_text(SMALL_TREE)
     names = [f'name {number} "{name}"' for number, name in enumerate(text.replace('"', "'") for text in HOSTILE)]
-    commands = [*names, "lesion 20,5,15,4", "cut 1 0.5", "measure path 1 2", "select 3", f"save {folder / 'case.json'}"]
+    commands = [*names, "lesion 20,5,15,4", "cut 1 0.5", "measure path 1 2", "select 3",
+                "view superior", "view-save \"from above\"", "orthographic on", "view left", f"view-save \"{HOSTILE[2].replace(chr(34), chr(39))}\"", "orthographic off", "view anterior", f"save {folder / 'case.json'}"]
     (folder / "commands.txt").write_text("\n".join(commands) + "\n")
     ramus(program, "render", folder / "tree.swc", "-o", folder / "case.png", "--size", "120x90", "--commands", folder / "commands.txt", "--overwrite")
     session = json.loads((folder / "case.json").read_text())
@@ -127,6 +128,7 @@ def by_mouse(folder, page):
         becomes(lambda: moved(panned, state(browser)["camera"]) > 1, "the wheel zooms")
         there = asked(browser, "return ramus.project(given[0])", point)
         check(math.dist(there[:2], pixel) < 1.5, "to the point under the pointer")
+        saved_views_by_mouse(browser)
         for _ in range(8):
             browser.driver.find_element("xpath", "//button[text()='Undo']").click()
         becomes(lambda: state(browser)["states"].count("hidden") == 0, "Undo brings everything back")
@@ -139,6 +141,24 @@ def by_mouse(folder, page):
         complaints(browser)
     finally:
         browser.close()
+
+
+def saved_views_by_mouse(browser):
+    buttons = browser.driver.find_elements("css selector", "#view-list button")
+    check([button.accessible_name for button in buttons] == ["from above", " ".join(HOSTILE[2].translate({0x202e: None, 0x2066: None}).split())], "saved views are buttons with their names")
+    buttons[0].click()
+    becomes(lambda: direction(state(browser)["camera"])[2] < -0.999, "a click goes to a saved view")
+    check("from above" in browser.by("status").text, "and a screen reader hears which")
+    buttons[1].click()
+    becomes(lambda: state(browser)["camera"]["orthographic"] and direction(state(browser)["camera"])[0] > 0.999, "also to one of the other projection, whatever its name")
+    asked(browser, "ramus.view('from above')")
+    becomes(lambda: direction(state(browser)["camera"])[2] < -0.999 and not state(browser)["camera"]["orthographic"], "scripts go to a saved view by its name")
+    check(asked(browser, "try { ramus.view('nowhere'); return ''; } catch (error) { return error.message; }") == "no view is called nowhere", "and are told of one that is not there")
+    asked(browser, "document.getElementById('picture').focus()")
+    ActionChains(browser.driver).send_keys("2").perform()
+    becomes(lambda: direction(state(browser)["camera"])[0] > 0.999, "keys go to saved views by their number")
+    ActionChains(browser.driver).send_keys("1").perform()
+    becomes(lambda: not state(browser)["camera"]["orthographic"], "and back")
 
 
 def origin(browser, pixel):

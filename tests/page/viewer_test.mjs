@@ -9,6 +9,7 @@ import { barLabel, digits, lengthText, plain } from "../../assets/page/text.js";
 import { Tree } from "../../assets/page/tree.js";
 import { diameters, insideLost, lesionDistances } from "../../assets/page/values.js";
 import { distance, dot, length } from "../../assets/page/vector.js";
+import { savedViews, viewNamed } from "../../assets/page/views.js";
 
 const size = [800, 600];
 const tilted = cameras.cameraFrom({ position: [40, 200, 60], focal_point: [3, -2, 5], view_up: [0.1, 0, 1] });
@@ -124,6 +125,20 @@ test("words", () => {
   assert.equal(plain("a\u202eb\u0000<i>"), "ab<i>");
   assert.equal(barLabel(0.5, { unit: "mm" }), "500 µm");
   assert.equal(barLabel(200, { unit: "mm" }), "20 cm");
+});
+
+test("views are found by name, anatomical ones first", () => {
+  const camera = { position: [0, 1, 0] }, hostile = "<b>\u202ea";
+  const json = { views: [{ name: "behind the vein", camera }, { name: hostile, camera }, { name: "\u202e", camera }, { name: "__proto__", camera }] };
+  assert.deepEqual(savedViews(json).map(({ shown }) => shown), ["behind the vein", "<b>a", "View 3", "__proto__"]);
+  assert.deepEqual(savedViews({}), []);
+  assert.deepEqual(viewNamed(json, "anterior"), { anatomical: "anterior" });
+  assert.deepEqual(viewNamed(json, "behind the vein"), { saved: 0 });
+  assert.deepEqual(viewNamed(json, hostile), { saved: 1 });
+  assert.deepEqual(viewNamed(json, "<b>a"), { saved: 1 });
+  assert.deepEqual(viewNamed(json, "View 3"), { saved: 2 });
+  assert.deepEqual(viewNamed(json, "__proto__"), { saved: 3 });
+  for (const none of ["constructor", "", "Anterior", undefined]) assert.equal(viewNamed(json, none), null);
 });
 
 test("the scale bar is honest", () => {

@@ -169,6 +169,8 @@ void add_look(ordered_json& json, const Session& session, const render::Frame& f
     const render::Appearance& look = frame.appearance;
     json["camera"] = render::to_json(session.camera);
     json["ground"] = frame.overlays.dark_ink ? "light" : "dark";
+    for (const SavedView& view : session.marks.views)
+        json["views"].push_back({{"name", view.name}, {"camera", render::to_json(view.camera)}});
     json["background"] = {{"top", page_colour(frame.background.top)}, {"bottom", page_colour(frame.background.bottom)}};
     json["look"] = {{"vessel", page_colour(look.vessel)},
                     {"highlight", page_colour(look.highlight)},

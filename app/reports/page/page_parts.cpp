@@ -28,6 +28,7 @@ void forget_names(Marks& marks, const tree::VesselTree& tree) {
         for (std::size_t i = 0; i < list.size(); ++i) list[i].name = called(T::kNoun, i);
     });
     for (std::size_t plan = 0; plan < marks.plans.count(); ++plan) name_of_plan(marks, plan) = called("plan", plan);
+    for (std::size_t i = 0; i < marks.views.size(); ++i) marks.views[i].name = called("view", i);
     for (OperationPlan& plan : marks.plans.others)
         for (std::size_t i = 0; i < plan.resections.size(); ++i) plan.resections[i].name = called(Resection::kNoun, i);
 }
@@ -62,6 +63,7 @@ Marks marks_without(Marks marks, std::span<const PagePart> left_out, const tree:
     if (without(PagePart::kMeasurements)) marks.measurements.clear(), marks.pins.clear();
     if (without(PagePart::kLesions)) forget_lesions(marks);
     if (without(PagePart::kPlans)) forget_plans(marks);
+    if (without(PagePart::kViews)) marks.views.clear();
     if (without(PagePart::kContext)) marks.context.clear();
     if (without(PagePart::kNames)) forget_names(marks, tree);
     return marks;

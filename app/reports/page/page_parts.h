@@ -24,7 +24,7 @@ inline constexpr std::array<PagePartRow, 7> kPageParts{
      {PagePart::kLesions, "lesions", "lesions with their margins, and what is measured to them"},
      {PagePart::kPlans, "plans", "cuts, resections, plans and territories"},
      {PagePart::kTables, "tables", "the tables of the report"},
-     {PagePart::kViews, "views", "the pictures of the report"},
+     {PagePart::kViews, "views", "saved views, and the pictures of the report"},
      {PagePart::kContext, "context", "surfaces next to the tree"}}};
 [[nodiscard]] std::optional<PagePart> page_part_named(std::string_view name);
 [[nodiscard]] bool has_part(std::span<const PagePart> parts, PagePart part);

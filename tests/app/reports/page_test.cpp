@@ -119,6 +119,7 @@ TEST_CASE("what is left out of a page is in no mark") {
     marks.cuts = {{1, 0.5}};
     marks.plans.name = "Dr Example's";
     marks.plans.others = {{"Mrs Example's", {{0, 0.5}}, {plane}}};
+    marks.views = {{"Mrs Example's", {.scale = 3.0}}};
     const Marks nameless = marks_without(marks, std::array{PagePart::kNames}, forks.tree);
     CHECK(nameless.names.empty());
     CHECK(nameless.subtree_names.empty());
@@ -127,6 +128,8 @@ TEST_CASE("what is left out of a page is in no mark") {
     CHECK(nameless.plans.name == "Plan 1");
     CHECK(nameless.plans.others[0].name == "Plan 2");
     CHECK(nameless.plans.others[0].resections[0].name == "Resection 1");
+    CHECK(nameless.views == std::vector<SavedView>{{"View 1", {.scale = 3.0}}});
+    CHECK(marks_without(marks, std::array{PagePart::kViews}, forks.tree).views.empty());
     const Marks without_lesions = marks_without(marks, std::array{PagePart::kLesions}, forks.tree);
     CHECK(without_lesions.lesions.empty());
     CHECK(without_lesions.resections.size() == 1);

@@ -47,6 +47,7 @@ Marks full_marks() {
                         {.kind = Resection::Kind::kCuts, .margin_mm = 5.0},
                         {.kind = Resection::Kind::kLesion, .margin_mm = 10.0, .lesion = 2, .name = "wedge"}};
     marks.plans = {.name = "B", .place = 1, .others = {{"A", {{2, 0.5}}, {{.kind = Resection::Kind::kCuts}}}}};
+    marks.views = {{"behind the vein", {.position = {1.0, 2.0, 3.0}}}};
     for_each_object(marks, []<class T>(T& object) {
         object.colour = {1, 2, 3};
         if constexpr (SurfaceObject<T>) object.opacity = 0.75;
