@@ -118,6 +118,6 @@ TEST_CASE("an unknown mesh format is refused with those that are known") {
     for (const char* name : {"m.xyz", "m", "m.ply.gz", ".ply"}) {
         const auto format = io::mesh_format(name);
         REQUIRE_FALSE(format);
-        CHECK(format.error().message().find(".ply, .stl, .obj, .vtp or .glb") != std::string::npos);
+        CHECK(format.error().message().find(".ply, .stl, .obj, .vtp, .pvtp or .glb") != std::string::npos);
     }
 }
