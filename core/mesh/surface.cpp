@@ -15,6 +15,7 @@
 #include "core/mesh/untangle/untangle.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -26,7 +27,8 @@ namespace {
 
 // As many as 31 bits count; of one system, the polygonizer sees to it.
 constexpr std::size_t kMostVertices = std::size_t{1} << 31U;
-constexpr float kMade = 0.9F; // of the time, before a surface is repaired
+constexpr float kMade = 0.9F;           // of the time, before a surface is repaired
+constexpr double kPreparedBytes = 40.0; // of a segment of a prepared tree, at least
 
 tl::unexpected<Error> too_many_vertices() {
     return fail("the surface has more vertices than can be counted", {}, "lower --detail, or hide a system");
@@ -72,20 +74,25 @@ public:
     // What cannot be met is known before contacts are searched. The disk is let go of where memory suffices.
     Result<void> check(const field::Field& sum) {
         if (sum.skeleton().present().empty()) return {};
-        const PolygonizeOptions chosen = polygonize_options(options_);
+        PolygonizeOptions chosen = polygonize_options(options_);
         const double share = making_.share();
         if (check_feasible(sum, chosen, PolygonizeMode::kWhole, share)) of_mesh_ = nullptr;
-        return check_feasible(sum, chosen, of_mesh_ != nullptr ? PolygonizeMode::kOnDisk : PolygonizeMode::kWhole,
-                              share);
+        if (of_mesh_ == nullptr) return check_feasible(sum, chosen, PolygonizeMode::kWhole, share);
+        chosen.memory_bytes += kPreparedBytes * static_cast<double>(sum.skeleton().segments().size());
+        return check_feasible(sum, chosen, PolygonizeMode::kOnDisk, share);
     }
 
-    // Adds the surface of one system. `tree`: the tree as prepared.
-    Result<void> add(const SystemField& system, const PreparedTree& tree, Job& making, Job& repairing) {
+    // Whether the prepared tree is let go of while the surface is polygonized. It takes as much as its field.
+    [[nodiscard]] bool prepares_again() const { return of_mesh_ != nullptr || !is_repaired(); }
+
+    // Adds the surface of one system. `tree()`: the tree as prepared.
+    Result<void> add(const SystemField& system, const std::function<PreparedTree()>& tree, Job& making,
+                     Job& repairing) {
         std::vector<TriangleBox> walled;
         RAMUS_TRY(mesh, polygonized(system.field, making, walled));
         if (is_repaired()) {
             if (row_of(options_.blend).separates)
-                if (auto matched = match(mesh, visible_part(tree, system.hidden), walled, repairing); !matched)
+                if (auto matched = match(mesh, visible_part(tree(), system.hidden), walled, repairing); !matched)
                     return matched;
             if (making_.use == MadeFor::kFile && !repairing.cancelled())
                 surface_.statistics.untangled.add(untangle(mesh, walled, repairing));
@@ -150,12 +157,15 @@ Result<Surface> convolution_surface(const tree::VesselTree& source, const Surfac
         field::Field field = whole.field.without(part);
         systems.push_back({std::move(field), std::move(part)});
     }
+    const bool again = making.prepares_again();
+    if (again) whole.tree = {};
+    const auto prepared = [&] { return again ? prepare_tree(source, options) : whole.tree; };
     for (std::size_t n = 0; n < systems.size(); ++n) {
         const auto share = [&](float of_system) {
             return (static_cast<float>(n) + of_system) / static_cast<float>(systems.size());
         };
         Job polygonizing(job, share(0.0F), share(kMade)), repairing(job, share(kMade), share(1.0F));
-        if (auto added = making.add(systems[n], whole.tree, polygonizing, repairing); !added)
+        if (auto added = making.add(systems[n], prepared, polygonizing, repairing); !added)
             return tl::unexpected(added.error());
     }
     Surface surface = making.take();
