@@ -101,7 +101,7 @@ private:
     // Reads all chunks of the next layer. Memory: the layer without zeros, and some chunks for each thread.
     Result<void> fill_layer() {
         const std::uint64_t depth = std::min(chunk_[2], extents_[2] - next_z_);
-        layer_ = {};
+        layer_ = SparseArray<char>(); // new pages: all 0
         layer_.resize(depth * extents_[1] * extents_[0] * number_);
         at_ = 0;
         constexpr std::uint64_t kBatchBytes = std::uint64_t{8} << 20;
