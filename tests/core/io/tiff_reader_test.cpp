@@ -169,7 +169,7 @@ TEST_CASE("ImageJ's planes without pages are read") {
     for (char n = 0; n < 6; ++n) bytes += n;
     check_counting(files.good(bytes));
     bytes.pop_back();
-    CHECK(holds(files.refusal(bytes), "more than the file can hold"));
+    CHECK(holds(files.refusal(bytes), "beyond the end of the file"));
 }
 
 TEST_CASE("files whose names count are a stack") {
