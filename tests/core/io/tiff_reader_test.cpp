@@ -27,7 +27,7 @@ TiffFileText two_pages() {
     return file;
 }
 
-void check_counting(const volume::Volume& volume, int first = 0, int step = 1) {
+void check_counting_pages(const volume::Volume& volume, int first = 0, int step = 1) {
     int n = first;
     for (int k = 0; k < volume.size.z; ++k)
         for (int j = 0; j < volume.size.y; ++j)
@@ -35,9 +35,9 @@ void check_counting(const volume::Volume& volume, int first = 0, int step = 1) {
                 CHECK(volume::value_at(volume, {i, j, k}) == static_cast<double>(n));
 }
 
-bool near(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); }
+bool tiff_near(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); }
 
-bool says(const std::vector<std::string>& notes, const char* words) {
+bool tiff_notes_say(const std::vector<std::string>& notes, const char* words) {
     return std::ranges::any_of(notes, [&](const std::string& note) { return note.find(words) != std::string::npos; });
 }
 
@@ -54,7 +54,7 @@ TEST_CASE("pages are slices, in both byte orders, as TIFF and as BigTIFF") {
             file.big = big;
             const volume::Volume volume = files.good(file.bytes());
             CHECK(volume.size == glm::ivec3(3, 2, 2));
-            check_counting(volume);
+            check_counting_pages(volume);
             CHECK(volume.type == (big ? "BigTIFF, uint8" : "TIFF, uint8"));
             CHECK_FALSE(volume.unit_mm);
             CHECK_FALSE(volume::says_sides(volume));
@@ -67,7 +67,7 @@ TEST_CASE("numbers of 16 bits, tiles and single bits") {
     TiffFileText wide;
     wide.big_endian = true;
     wide.add(3, 1, test::bytes_of(std::vector<std::uint16_t>{1000, 2000, 3000}, true), 16);
-    check_counting(files.good(wide.bytes()), 1000, 1000);
+    check_counting_pages(files.good(wide.bytes()), 1000, 1000);
 
     // Two tiles of 8 x 2, of which 10 x 2 pixels are in the page.
     TiffFileText tiled;
@@ -83,7 +83,7 @@ TEST_CASE("numbers of 16 bits, tiles and single bits") {
         page.set(322, 4, {8}).set(323, 4, {2}).set(324, 4, std::move(offsets)).set(325, 4, {16, 16});
     };
     fill({8, 24}); // behind the header of 8 bytes
-    check_counting(files.good(tiled.bytes()));
+    check_counting_pages(files.good(tiled.bytes()));
 
     TiffFileText bits;
     bits.add(10, 2, std::string("\x80\x40\x01\xC0", 4), 1);
@@ -107,9 +107,9 @@ TEST_CASE("distances come from ImageJ, OME or the resolution, or are assumed") {
     const auto spacing = [](const volume::Volume& volume) { return volume::spacing_mm(volume.to_patient); };
 
     const auto imagej = read("ImageJ=1.54\nimages=2\nslices=2\nunit=micron\nspacing=-3.0\n", 1);
-    CHECK(near(spacing(imagej).x, 0.25e-3));
-    CHECK(near(spacing(imagej).y, 0.2e-3));
-    CHECK(near(spacing(imagej).z, 3e-3)); // ImageJ writes the sign of its axis
+    CHECK(tiff_near(spacing(imagej).x, 0.25e-3));
+    CHECK(tiff_near(spacing(imagej).y, 0.2e-3));
+    CHECK(tiff_near(spacing(imagej).z, 3e-3)); // ImageJ writes the sign of its axis
     CHECK(imagej.unit_mm == 1e-3);
     CHECK(imagej.type == "TIFF of ImageJ, uint8");
 
@@ -117,24 +117,24 @@ TEST_CASE("distances come from ImageJ, OME or the resolution, or are assumed") {
                           "SizeZ=\"2\" SizeC=\"1\" SizeT=\"1\" PhysicalSizeX=\"0.5\" PhysicalSizeY=\"500\" "
                           "PhysicalSizeYUnit=\"nm\" PhysicalSizeZ=\"0.002\" PhysicalSizeZUnit=\"mm\"/></Image></OME>",
                           1);
-    CHECK(near(spacing(ome).x, 0.5e-3));
-    CHECK(near(spacing(ome).y, 0.5e-3));
-    CHECK(near(spacing(ome).z, 2e-3));
+    CHECK(tiff_near(spacing(ome).x, 0.5e-3));
+    CHECK(tiff_near(spacing(ome).y, 0.5e-3));
+    CHECK(tiff_near(spacing(ome).z, 2e-3));
 
     const auto cm = read("", 3);
-    CHECK(near(spacing(cm).x, 2.5));
-    CHECK(near(spacing(cm).y, 2.0));
-    CHECK(near(spacing(cm).z, 2.5));
-    CHECK(says(cm.notes, "along z"));
+    CHECK(tiff_near(spacing(cm).x, 2.5));
+    CHECK(tiff_near(spacing(cm).y, 2.0));
+    CHECK(tiff_near(spacing(cm).z, 2.5));
+    CHECK(tiff_notes_say(cm.notes, "along z"));
     CHECK(cm.unit_mm == 10.0);
 
     const auto none = read("", 1);
     CHECK(spacing(none) == glm::dvec3(1.0));
-    CHECK(says(none.notes, "taken as 1 mm"));
+    CHECK(tiff_notes_say(none.notes, "taken as 1 mm"));
 
     TiffFileText print = two_pages();
     for (auto& page : print.pages) page.set(282, 5, {72, 1}).set(283, 5, {72, 1}).set(296, 3, {2});
-    CHECK(says(files.good(print.bytes()).suspicions, "72 pixels in an inch"));
+    CHECK(tiff_notes_say(files.good(print.bytes()).suspicions, "72 pixels in an inch"));
 }
 
 TEST_CASE("one of several channels and time points is chosen") {
@@ -150,7 +150,7 @@ TEST_CASE("one of several channels and time points is chosen") {
             const auto volume = io::read_volume(path, {0.0, {}, {channel, time}}, job);
             REQUIRE(volume);
             CHECK(volume->size == glm::ivec3(1, 1, 3));
-            check_counting(*volume, (channel - 1) + 6 * (time - 1), 2);
+            check_counting_pages(*volume, (channel - 1) + 6 * (time - 1), 2);
         }
     CHECK(holds(io::read_volume(path, {0.0, {}, {3, 1}}, job).error().what, "no channel 3"));
     CHECK(holds(io::read_volume(path, {0.0, {}, {1, {}}}, job).error().what, "2 time points"));
@@ -167,7 +167,7 @@ TEST_CASE("ImageJ's planes without pages are read") {
     page.set(273, 4, {length});
     std::string bytes = file.bytes();
     for (char n = 0; n < 6; ++n) bytes += n;
-    check_counting(files.good(bytes));
+    check_counting_pages(files.good(bytes));
     bytes.pop_back();
     CHECK(holds(files.refusal(bytes), "beyond the end of the file"));
 }
@@ -185,8 +185,8 @@ TEST_CASE("files whose names count are a stack") {
         const auto volume = io::read_volume(path, {}, job);
         REQUIRE(volume);
         CHECK(volume->size == glm::ivec3(2, 1, 4));
-        check_counting(*volume);
-        CHECK(says(volume->notes, "stack of 4 files, z8.tif to z11.tif"));
+        check_counting_pages(*volume);
+        CHECK(tiff_notes_say(volume->notes, "stack of 4 files, z8.tif to z11.tif"));
     }
     std::filesystem::remove(folder.path() / "z10.tif");
     CHECK(

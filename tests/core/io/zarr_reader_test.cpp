@@ -49,7 +49,7 @@ struct ZarrFolder {
     }
 };
 
-void check_counting(const Result<volume::Volume>& volume) {
+void check_counting_chunks(const Result<volume::Volume>& volume) {
     REQUIRE_MESSAGE(volume, (volume ? "" : volume.error().message()));
     int n = 0;
     for (int k = 0; k < volume->size.z; ++k)
@@ -58,7 +58,7 @@ void check_counting(const Result<volume::Volume>& volume) {
                 CHECK(volume::value_at(*volume, {i, j, k}) == static_cast<double>(n));
 }
 
-bool says(const std::vector<std::string>& notes, const char* words) {
+bool zarr_notes_say(const std::vector<std::string>& notes, const char* words) {
     return std::ranges::any_of(notes, [&](const std::string& note) { return note.find(words) != std::string::npos; });
 }
 
@@ -68,10 +68,10 @@ TEST_CASE("a folder of chunks is a volume") {
     const ZarrFolder zarr;
     CHECK(io::is_volume(zarr.folder.path()));
     const auto volume = zarr.read();
-    check_counting(volume);
+    check_counting_chunks(volume);
     CHECK(volume->size == glm::ivec3(4, 2, 2));
     CHECK(volume->type == "Zarr, uint8");
-    CHECK(says(volume->notes, "axes: taken as z, y, x"));
+    CHECK(zarr_notes_say(volume->notes, "axes: taken as z, y, x"));
     CHECK_FALSE(volume::says_sides(*volume));
 }
 
@@ -83,9 +83,9 @@ TEST_CASE("chunks may be in folders, compressed, missing, or with the first axis
             fs::remove(zarr.folder.path() / (std::string("0.0.") + last));
             zarr.write(std::string("0/0/") + last, bytes);
         }
-        check_counting(zarr.read());
+        check_counting_chunks(zarr.read());
         zarr.write(".zarray", ZarrFolder::text(R"(, "dimension_separator": "/")"));
-        check_counting(zarr.read());
+        check_counting_chunks(zarr.read());
         zarr.write(".zarray", ZarrFolder::text(R"(, "dimension_separator": ".")"));
         CHECK(holds(zarr.refusal(), "none of its chunks is there"));
     }
@@ -96,7 +96,7 @@ TEST_CASE("chunks may be in folders, compressed, missing, or with the first axis
         zarr.write(".zarray", text);
         zarr.write("0.0.0", test::compressed(zarr.folder.text("0.0.0"), test::Wrapper::kZlib));
         zarr.write("0.0.1", test::compressed(zarr.folder.text("0.0.1"), test::Wrapper::kGzip));
-        check_counting(zarr.read());
+        check_counting_chunks(zarr.read());
         zarr.write("0.0.1", test::compressed(std::string(13, '\1'), test::Wrapper::kZlib));
         CHECK_FALSE(zarr.refusal().empty());
         zarr.write("0.0.1", test::compressed(std::string(11, '\1'), test::Wrapper::kZlib));
@@ -117,7 +117,7 @@ TEST_CASE("chunks may be in folders, compressed, missing, or with the first axis
         zarr.write(".zarray", text);
         zarr.write("0.0.0", {0, 8, 4, 12, 1, 9, 5, 13, 2, 10, 6, 14});
         zarr.write("0.0.1", {3, 11, 7, 15, 99, 99, 99, 99, 99, 99, 99, 99});
-        check_counting(zarr.read());
+        check_counting_chunks(zarr.read());
     }
 }
 
@@ -142,7 +142,7 @@ TEST_CASE("an OME-Zarr image gives its finest level, with its axes and distances
     zarr.write("image/coarse/0.0.0", zarr.folder.text("0.0.0"));
     for (const char* path : {"image", "image/fine"}) {
         const auto volume = zarr.read(path);
-        check_counting(volume);
+        check_counting_chunks(volume);
         const glm::dvec3 spacing = volume::spacing_mm(volume->to_patient);
         CHECK(std::abs(spacing.x - 0.0005) < 1e-12);
         CHECK(std::abs(spacing.y - 0.0005) < 1e-12);
@@ -151,7 +151,7 @@ TEST_CASE("an OME-Zarr image gives its finest level, with its axes and distances
         CHECK(volume->type == "OME-Zarr 0.4, uint8");
         CHECK(volume->unit_mm.has_value());
     }
-    CHECK(says(zarr.read("image")->notes, "2 levels of detail, coarse, fine: read fine"));
+    CHECK(zarr_notes_say(zarr.read("image")->notes, "2 levels of detail, coarse, fine: read fine"));
     CHECK(zarr.read("image/coarse")->size == glm::ivec3(2, 1, 2));
     for (const char* out : {"../secret", "/etc", "fine/../../.."}) {
         zarr.write("image/.zattrs", attributes(out));
