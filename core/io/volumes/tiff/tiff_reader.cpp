@@ -53,6 +53,9 @@ private:
             return fail("ImageJ's description says " + std::to_string(description_.planes()) +
                             " images, and the file has 1 page",
                         name_, "copy the file again, or open it in ImageJ and save it again");
+        constexpr std::uint64_t kMostImages = 1'000'000;
+        if (description_.planes() > kMostImages)
+            return fail("ImageJ's description says more than a million images", name_, "write it as OME-Zarr");
         const std::uint64_t plane_bytes = (page.width * page.bits + 7) / 8 * page.height;
         if (static_cast<double>(plane_bytes) * static_cast<double>(description_.planes()) >
             static_cast<double>(file_.layout.file_bytes))

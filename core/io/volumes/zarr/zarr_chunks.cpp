@@ -40,12 +40,14 @@ Result<EncodedChunk> encoded_chunk(const ZarrImage& image, const std::vector<std
     fs::path path = image.folder / zarr_chunk_name(chunk, image.array.separator);
     std::error_code error;
     auto status = fs::status(path, error);
-    if (!fs::exists(status) && !image.array.states_separator) {
+    const auto is_missing = [&] { return status.type() == fs::file_type::not_found; };
+    if (is_missing() && !image.array.states_separator) {
         path = image.folder / zarr_chunk_name(chunk, '/');
         status = fs::status(path, error);
     }
-    if (!fs::exists(status)) return EncodedChunk{path.string(), {}};
-    if (!fs::is_regular_file(status)) return fail("a chunk is no file", path.string(), kZarrCopyAgain);
+    if (is_missing()) return EncodedChunk{path.string(), {}};
+    if (!fs::is_regular_file(status))
+        return fail("a chunk is no file, or cannot be read", path.string(), "check its permissions, or copy it again");
     const std::uint64_t bytes = fs::file_size(path, error);
     if (error || bytes == 0) return fail("a chunk is empty", path.string(), kZarrCopyAgain);
     if (bytes > most_chunk_file_bytes(image.array))
@@ -112,10 +114,10 @@ private:
         const std::uint64_t batches = all / each + (all % each > 0 ? 1 : 0);
         for (std::uint64_t first = 0; first < batches; first += threads) {
             if (job_.cancelled()) return fail("cancelled");
-            if (memory_left(memory_bytes_) < static_cast<double>(threads) * decoding_bytes(image_.array))
+            const std::uint64_t count = std::min(threads, batches - first);
+            if (memory_left(memory_bytes_) < static_cast<double>(count) * decoding_bytes(image_.array))
                 return fail("a layer of its chunks takes more memory than is left to it", {},
                             "write it with chunks of fewer planes, or allow more with --memory");
-            const std::uint64_t count = std::min(threads, batches - first);
             std::vector<Result<void>> done(count);
             tbb::parallel_for(std::uint64_t{0}, count, [&](std::uint64_t n) {
                 const std::uint64_t begin = (first + n) * each;
