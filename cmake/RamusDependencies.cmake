@@ -17,6 +17,8 @@ pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
 target_compile_definitions(PkgConfig::HWY INTERFACE HWY_DISABLED_TARGETS=HWY_SSSE3)
 pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET liblz4) # blocks of VTK's XML files
 pkg_check_modules(LZMA REQUIRED IMPORTED_TARGET liblzma)
+pkg_check_modules(TIFF REQUIRED IMPORTED_TARGET libtiff-4) # compressed pixels of TIFF
+pkg_check_modules(BLOSC REQUIRED IMPORTED_TARGET blosc) # chunks of Zarr
 pkg_check_modules(SECCOMP REQUIRED IMPORTED_TARGET libseccomp) # processes that read files
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial)
 pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp) # its CMake files ask for packages that it does not need

@@ -18,17 +18,19 @@ namespace {
 
 Result<void> open(ActionContext& context, Arguments arguments) {
     const bool as_tree = arguments.size() > 1 && arguments[1] == "--tree";
-    constexpr std::array<std::string_view, 3> kReading{"--labels", "--isovalue", "--radius"};
-    const bool option = arguments.size() == 4 && std::ranges::find(kReading, arguments[2]) != kReading.end();
-    if (arguments.size() > 1 && !(as_tree && (arguments.size() == 2 || option)))
+    constexpr std::array<std::string_view, 5> kReading{"--labels", "--isovalue", "--radius", "--channel", "--time"};
+    bool options = as_tree && arguments.size() % 2 == 0;
+    for (std::size_t n = 2; options && n < arguments.size(); n += 2)
+        options = std::ranges::find(kReading, arguments[n]) != kReading.end();
+    if (arguments.size() > 1 && !options)
         return fail("open takes one file", {}, "put quotes around a name with blanks");
     if (!arguments.empty() && arguments[0].empty()) return fail("the name of a file is empty");
     if (arguments.empty()) return ask_for_file(context, FilePurpose::kOpen, fail("open needs a FILE here"));
     if (context.files == nullptr) return fail("a file cannot be opened from here", {}, "open it in a window");
     if (as_tree) {
         io::ReadOptions how;
-        if (option) {
-            RAMUS_TRY(said, with(how, arguments[2].substr(2), arguments[3]));
+        for (std::size_t n = 2; n < arguments.size(); n += 2) {
+            RAMUS_TRY(said, with(how, arguments[n].substr(2), arguments[n + 1]));
             how = std::move(said);
         }
         return context.files->open_as_tree(arguments[0], how);
@@ -196,7 +198,7 @@ Result<void> palette(ActionContext& context, Arguments) { return toggle_part(con
 std::vector<Command> file_commands() {
     return {
         Command(
-            "open", "[FILE [--tree [--labels LIST|--isovalue X|--radius MM]]]",
+            "open", "[FILE [--tree [--labels LIST] [--isovalue X] [--radius MM] [--channel N] [--time N]]]",
             "Opens a tree, a session, a mask or a scan; without FILE, asks for one. A window asks what becomes of a "
             "mask or a scan, unless it is said.",
             open)

@@ -173,7 +173,8 @@ std::vector<Command> reading_commands() {
             "Reads the file again: units UNIT, radius-is radius|diameter, orientation XYZ, repair LIST, data FILE; of "
             "a "
             "mask "
-            "labels apart|together|N[+M...],..., isovalue X, fill-holes on|off, bulge-size X, islands MM, root X,Y,Z; "
+            "channel N, time N, labels apart|together|N[+M...],..., isovalue X, fill-holes on|off, bulge-size X, "
+            "islands MM, root X,Y,Z; "
             "auto leaves it to the file.",
             read_as)
             .when(has_tree),

@@ -6,6 +6,7 @@
 #include "app/picture/scene_objects.h"
 #include "app/picture/slices.h"
 #include "app/session/numbers.h"
+#include "app/session/reading_options.h"
 #include "core/base/words.h"
 #include "core/io/input_file.h"
 #include "core/io/length_unit.h"
@@ -18,7 +19,7 @@ namespace ramus::app::actions {
 
 namespace {
 
-constexpr const char* kScanUsage = "scan FILE [--labels|--grey] [--units UNIT]";
+constexpr const char* kScanUsage = "scan FILE [--labels|--grey] [--units UNIT] [--channel N] [--time N]";
 
 struct AskedScan {
     Scan scan;
@@ -35,6 +36,10 @@ Result<AskedScan> asked_scan(const Document& document, Arguments arguments) {
             asked.scan.units = arguments[++i];
             if (!io::length_unit(asked.scan.units))
                 return fail("--units takes a unit of length: mm, um, cm or m", {}, kScanUsage);
+        } else if ((word == "--channel" || word == "--time") && i + 1 < arguments.size()) {
+            const auto number = part_number(arguments[++i]);
+            if (!number) return fail(word + " takes a whole number from 1", {}, kScanUsage);
+            (word == "--channel" ? asked.scan.part.channel : asked.scan.part.time) = number;
         } else if (word.starts_with("--") || word.empty() || !asked.scan.file.empty()) {
             return fail("scan takes a file and how it is read", {}, kScanUsage);
         } else {
@@ -135,7 +140,7 @@ bool has_scans(const Document& document) { return !document.marks().scans.empty(
 
 std::vector<Command> scan_commands() {
     std::vector<Command> commands{
-        Command("scan", "FILE [--labels|--grey] [--units UNIT]",
+        Command("scan", "FILE [--labels|--grey] [--units UNIT] [--channel N] [--time N]",
                 "Shows slices of a scan, or the labels of a segmentation on them.", scan)
             .in_menu("File", "Scan..."),
         Command("scan-as", "N labels|grey", "Shows scan N as a segmentation or in grey.", scan_as).when(has_scans),

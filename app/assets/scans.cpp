@@ -16,7 +16,7 @@ namespace {
 Result<std::shared_ptr<const ScanFile>> read_volume_of(const ScanSource& source, std::uint64_t memory_bytes, Job& job) {
     try {
         const auto unit = io::length_unit(source.units);
-        RAMUS_TRY(volume, io::read_volume(source.file, {static_cast<double>(memory_bytes), unit}, job));
+        RAMUS_TRY(volume, io::read_volume(source.file, {static_cast<double>(memory_bytes), unit, source.part}, job));
         RAMUS_TRY(checksum, checksum_of(source.file));
         ScanFile scan;
         scan.claims = io::claims_of(volume, unit);

@@ -3,6 +3,7 @@
 
 #include "app/assets/shapes.h"
 #include "app/session/objects.h"
+#include "core/io/volumes/volume_part.h"
 #include "core/slice/window.h"
 #include "core/tree/vessel_tree.h"
 #include "core/volume/volume.h"
@@ -18,9 +19,10 @@ namespace ramus::app {
 struct ScanSource {
     std::string file;
     std::string units{};                                 // of its lengths; empty: as the file says
+    io::VolumePart part{};                               // of a file that holds several volumes
     auto operator<=>(const ScanSource&) const = default; // NOLINT(modernize-use-nullptr): the rule mistakes it
 };
-[[nodiscard]] inline ScanSource source_of(const Scan& scan) { return {scan.file, scan.units}; }
+[[nodiscard]] inline ScanSource source_of(const Scan& scan) { return {scan.file, scan.units, scan.part}; }
 
 // The labels of a segmentation, ascending; empty: it is none.
 [[nodiscard]] std::vector<std::int32_t> segmentation_labels(const volume::Volume& volume);

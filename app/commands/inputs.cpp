@@ -51,7 +51,8 @@ void say(const SurfaceFlags& flags, const std::string& line) {
 
 Result<volume::Volume> load_volume(const std::string& file, const SurfaceFlags& flags) {
     auto read = with_progress("reading", [&](Job& job) {
-        return io::read_volume(file, {static_cast<double>(flags.surface.memory_bytes), flags.read.unit}, job);
+        return io::read_volume(
+            file, {static_cast<double>(flags.surface.memory_bytes), flags.read.unit, flags.read.part}, job);
     });
     if (!read) return read;
     say(flags, io::input_name(file) + ": " + read->type + ", " + std::to_string(read->size.x) + " x " +

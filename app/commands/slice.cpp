@@ -16,6 +16,7 @@
 #include "core/io/output_file.h"
 #include "core/io/run_inputs.h"
 #include "core/io/volumes/value_map_file.h"
+#include "core/io/volumes/volume_file.h"
 #include "core/mesh/surface.h"
 #include "core/slice/sample.h"
 #include "render/image/image.h"
@@ -61,6 +62,7 @@ Result<OpenedSession> open_slice(const SliceFlags& flags) {
     Marks& marks = opened.session.marks;
     marks.options.memory_bytes = flags.common.surface.memory_bytes;
     marks.scans.push_back(scan_of(flags.file, flags.scan_units, false));
+    marks.scans.back().part = flags.common.read.part;
     marks.scans.back().window = flags.window;
     if (!flags.mask.empty()) marks.scans.push_back(scan_of(flags.mask, flags.mask_units, true));
     number_objects(marks);
@@ -233,7 +235,9 @@ void add_slab_option(CLI::App& command, slice::Sampling& sampling) {
 void register_slice(CLI::App& app, Action& chosen) {
     auto flags = std::make_shared<SliceFlags>();
     CLI::App* command = add_command(app, "slice", "Draw a slice of a scan, with vessels on it");
-    add_input(*command, "VOLUME", "", flags->file, "Scan: a volume, or a folder of DICOM files")->required();
+    add_input(*command, "VOLUME", "", flags->file,
+              "Scan: a volume (" + io::readable_volume_extensions() + "), or a folder of DICOM or TIFF files")
+        ->required();
     add_option(*command, "-o,--output", "FILE", flags->output,
                "PNG to write; or the values in their place: " + io::value_map_extensions());
     std::map<std::string, slice::Direction> planes;

@@ -76,6 +76,14 @@ void add_units_flag(CLI::App& command, io::ReadOptions& read) {
         "Unit of a tree's or a volume's lengths: mm, um, cm, m, or the size of a voxel in mm, as 0.62 or "
         "0.3x0.3x0.6")
         ->check(unit_check());
+    const auto add_part = [&](const std::string& name, std::optional<int>& number, const std::string& noun) {
+        add_option_taking<int>(
+            command, name, "N", [&number](int chosen) { number = chosen; },
+            "Of a volume whose file holds several " + noun + "s: the one to read, from 1")
+            ->check(CLI::Range(1, 1'000'000'000).description(""));
+    };
+    add_part("--channel", read.part.channel, "channel");
+    add_part("--time", read.part.time, "time point");
 }
 
 CLI::Option* add_mask_units_flag(CLI::App& command, std::string& units, const std::string& masks) {

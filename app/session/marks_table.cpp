@@ -259,6 +259,7 @@ json scan_json(const Scan& scan, const fs::path& folder) {
     json value{{"path", written_path(scan.file, folder).string()}};
     if (!scan.checksum.empty()) value["checksum"] = scan.checksum;
     if (!scan.units.empty()) value["units"] = scan.units;
+    write_part(scan.part, value);
     if (scan.labels) value["labels"] = true;
     if (scan.window) value["window"] = {scan.window->width, scan.window->level};
     write_object(value, scan);
@@ -267,11 +268,12 @@ json scan_json(const Scan& scan, const fs::path& folder) {
 
 Scan scan_in(const json& value, const fs::path& folder) {
     Scan scan;
-    read_object(value, scan, {"path", "checksum", "units", "labels", "window"});
+    read_object(value, scan, {"path", "checksum", "units", "channel", "time", "labels", "window"});
     if (!value.contains("path")) throw Refusal{"a scan has no path"};
     scan.file = (folder / text(value["path"], "path of a scan")).lexically_normal().string();
     if (value.contains("checksum")) scan.checksum = text(value["checksum"], "checksum of a scan");
     if (value.contains("units")) scan.units = units_in(value["units"]);
+    scan.part = part_in(value);
     if (value.contains("labels")) scan.labels = truth(value["labels"], "labels");
     const json window = list_in(value, "window");
     if (!window.empty() && window.size() != 2) throw Refusal{"the window of a scan is not [width, level]"};

@@ -5,6 +5,7 @@
 // from files is in app/assets/assets.h.
 #pragma once
 
+#include "core/io/volumes/volume_part.h"
 #include "core/measure/branch_point.h"
 #include "core/organ/resect/sheet.h"
 #include "core/slice/window.h"
@@ -128,9 +129,10 @@ struct Resection {
 // A volume that slices show: a scan in grey, or a segmentation as tinted labels over it.
 struct Scan {
     static constexpr std::string_view kNoun = "scan";
-    std::string file;                      // absolute path of a volume, or of a folder of DICOM files
+    std::string file;                      // absolute path of a volume: a file, or a folder (DICOM, TIFF, Zarr)
     std::string checksum;                  // of the file; empty: unknown
     std::string units{};                   // of the file's lengths; empty: as the file says
+    io::VolumePart part{};                 // of a file that holds several volumes
     bool labels = false;                   // a segmentation
     std::optional<slice::Window> window{}; // none: what the file proposes, or from its values
     int id = kNoObject;

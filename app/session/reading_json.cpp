@@ -27,11 +27,25 @@ void read_mask(const json& value, io::MaskReading& mask) {
 
 } // namespace
 
+void write_part(const io::VolumePart& part, json& value) {
+    if (part.channel) value["channel"] = *part.channel;
+    if (part.time) value["time"] = *part.time;
+}
+
+io::VolumePart part_in(const json& value) {
+    io::VolumePart part;
+    constexpr int kMost = 1'000'000'000;
+    if (value.contains("channel")) part.channel = integer(value["channel"], "channel", 1, kMost);
+    if (value.contains("time")) part.time = integer(value["time"], "time", 1, kMost);
+    return part;
+}
+
 json reading_json(const io::ReadOptions& reading, const std::filesystem::path& folder) {
     json value = json::object();
     if (reading.unit) value["units"] = spelled(*reading.unit);
     if (reading.radius_is) value["radius_is"] = spelled(*reading.radius_is);
     if (reading.radius_mm) value["radius_mm"] = *reading.radius_mm;
+    write_part(reading.part, value);
     if (reading.orientation) value["orientation"] = reading.orientation->letters();
     if (reading.repair != tree::Repair::kUsual) value["repair"] = spelled(reading.repair);
     if (!reading.columns.empty()) value["columns"] = reading.columns;
@@ -52,7 +66,7 @@ json reading_json(const io::ReadOptions& reading, const std::filesystem::path& f
 io::ReadOptions reading_in(const json& value, const std::filesystem::path& folder) {
     expect_only(value, "reading",
                 {"units", "radius_is", "radius_mm", "orientation", "axes", "repair", "columns", "labels", "isovalue",
-                 "fill_holes", "bulge_size", "islands", "root", "data", "data_checksum"});
+                 "fill_holes", "bulge_size", "islands", "root", "data", "data_checksum", "channel", "time"});
     io::ReadOptions reading;
     for (const auto& [name, key] :
          {std::pair("units", "units"), std::pair("radius_is", "radius-is"), std::pair("axes", "axes"),
@@ -70,6 +84,7 @@ io::ReadOptions reading_in(const json& value, const std::filesystem::path& folde
     if (value.contains("data_checksum")) reading.data_checksum = text(value["data_checksum"], "data_checksum");
     if (value.contains("radius_mm"))
         reading.radius_mm = number(value["radius_mm"], "radius_mm", kLeastRadius, tree::kMaximumRadius);
+    reading.part = part_in(value);
     read_mask(value, reading.mask);
     return reading;
 }

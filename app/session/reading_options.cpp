@@ -86,6 +86,11 @@ std::optional<io::RadiusIs> width_in(std::string_view text) {
     return std::nullopt;
 }
 
+std::optional<int> part_number(std::string_view text) {
+    const auto number = parsed<int>(text);
+    return number && *number >= 1 ? number : std::nullopt;
+}
+
 Result<io::ReadOptions> with(io::ReadOptions options, std::string_view key, const std::string& value) {
     const bool reset = value == "auto";
     const auto refused = [&](const std::string& hint) { return fail("\"" + value + "\" is not known", {}, hint); };
@@ -116,14 +121,18 @@ Result<io::ReadOptions> with(io::ReadOptions options, std::string_view key, cons
         RAMUS_TRY(checksum, io::sha256_of(table));
         options.data = table.string();
         options.data_checksum = std::move(checksum);
+    } else if (key == "channel" || key == "time") {
+        const auto number = part_number(value);
+        (key == "channel" ? options.part.channel : options.part.time) = number;
+        if (!number && !reset) return refused(std::string(key) + " takes a whole number from 1, or auto");
     } else if (is_mask_option(key)) {
         RAMUS_TRY(mask, with(options.mask, key, value));
         options.mask = std::move(mask);
     } else {
-        return fail(
-            std::string(key) + " is no option of reading", {},
-            "units, radius-is, radius, orientation, repair, data; of masks labels, isovalue, fill-holes, bulge-size, "
-            "islands, root");
+        return fail(std::string(key) + " is no option of reading", {},
+                    "units, radius-is, radius, orientation, repair, data; of masks channel, time, labels, isovalue, "
+                    "fill-holes, bulge-size, "
+                    "islands, root");
     }
     return options;
 }
@@ -131,6 +140,8 @@ Result<io::ReadOptions> with(io::ReadOptions options, std::string_view key, cons
 io::ReadOptions over(const io::ReadOptions& said, io::ReadOptions session) {
     if (said.repair != Repair::kUsual) session.repair = said.repair;
     if (said.unit) session.unit = said.unit;
+    if (said.part.channel) session.part.channel = said.part.channel;
+    if (said.part.time) session.part.time = said.part.time;
     if (said.radius_is) session.radius_is = said.radius_is;
     if (said.radius_mm) session.radius_mm = said.radius_mm;
     if (said.orientation) session.orientation = said.orientation;

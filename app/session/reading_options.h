@@ -18,11 +18,14 @@ namespace ramus::app {
 [[nodiscard]] std::string_view spelled(io::RadiusIs width);                    // "radius", "diameter"
 [[nodiscard]] std::optional<io::RadiusIs> width_in(std::string_view text);
 
+// The number of a channel or a time point, from 1. None: the text is none.
+[[nodiscard]] std::optional<int> part_number(std::string_view text);
+
 inline constexpr double kLeastRadius = 1e-6; // mm; smallest value of the option `radius`
 
 // Returns `options` with one of them changed. Keys: units, radius-is, radius, orientation (older name: axes), repair,
-// data (an existing file) and those of masks (mask_reading.h); "auto" resets to the file's own statement, or to the
-// default. Errors say what the key takes.
+// data (an existing file), channel and time (whole numbers from 1) and those of masks (mask_reading.h); "auto" resets
+// to the file's own statement, or to the default. Errors say what the key takes.
 [[nodiscard]] Result<io::ReadOptions> with(io::ReadOptions options, std::string_view key, const std::string& value);
 
 // Merges options: those specified in `said` override the session's. Default repairs do not override.

@@ -26,6 +26,8 @@ constexpr auto kWindowWords = std::to_array<Words>({
     {"--repair all takes", "a repair (Shift+D) takes"},
     {"prune with --prune", "prune"},
     {"say which are vessels: --label N,M", "choose a threshold where File, Open asks what becomes of it"},
+    {"choose one of them with --channel N", "type open FILE --tree --channel N, or scan FILE --channel N (Ctrl+K)"},
+    {"choose one of them with --time N", "type open FILE --tree --time N, or scan FILE --time N (Ctrl+K)"},
     {"choose an --isovalue, or a --label", "choose a threshold where File, Open asks what becomes of it"},
     {"choose an --isovalue", "choose a mask of whole numbers"},
     {"leave out --label", "choose no label"},

@@ -91,8 +91,9 @@ Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, co
     fresh.marks.context = like.context;
     fresh.marks.scans = like.scans;
     std::erase_if(fresh.marks.context, [&](const ContextItem& item) { return item.file == fresh.tree.path; });
-    // The mask's own surface beside that of the tree made of it. A scan is no mask to compare with.
-    if (io::is_volume(path) && !reading.mask.isovalue) {
+    // The mask's own surface beside that of the tree made of it. A scan is no mask to compare with, nor is
+    // one of several channels, which the comparison cannot choose.
+    if (io::is_volume(path) && !reading.mask.isovalue && reading.part == io::VolumePart{}) {
         fresh.marks.comparison.mode = Comparison::Mode::kSideBySide;
         fresh.marks.comparison.surfaces = {Compared::kConvolutionSurface, Compared::kIsosurface};
         fresh.marks.comparison.mask = fresh.tree.path.string();

@@ -32,7 +32,7 @@ std::vector<LabelFacts> labels_of(const volume::Volume& volume, const std::vecto
 
 Result<VolumeFacts> read_volume_facts(const std::filesystem::path& path, const io::ReadOptions& options,
                                       double memory_bytes, Job& job) {
-    RAMUS_TRY(volume, io::read_volume(path, {memory_bytes, options.unit}, job));
+    RAMUS_TRY(volume, io::read_volume(path, {memory_bytes, options.unit, options.part}, job));
     VolumeFacts facts;
     facts.size = volume.size;
     facts.spacing_mm = volume::spacing_mm(volume.to_patient);

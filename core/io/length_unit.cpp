@@ -20,7 +20,8 @@ constexpr std::pair<std::string_view, double> kUnits[] = {
     {"micron", 1e-3},      {"microns", 1e-3},   {"micrometre", 1e-3}, {"micrometres", 1e-3}, {"micrometer", 1e-3},
     {"micrometers", 1e-3}, {"cm", 10.0},        {"centimetre", 10.0}, {"centimetres", 10.0}, {"centimeter", 10.0},
     {"centimeters", 10.0}, {"m", 1e3},          {"metre", 1e3},       {"metres", 1e3},       {"meter", 1e3},
-    {"meters", 1e3},       {"nm", 1e-6},        {"in", 25.4}};
+    {"meters", 1e3},       {"nm", 1e-6},        {"nanometre", 1e-6},  {"nanometres", 1e-6},  {"nanometer", 1e-6},
+    {"nanometers", 1e-6},  {"angstrom", 1e-7},  {"in", 25.4},         {"inch", 25.4}};
 
 } // namespace
 

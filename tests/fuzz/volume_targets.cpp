@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <glm/mat4x4.hpp>
 
 namespace ramus::fuzz {
@@ -52,12 +53,36 @@ void read_names(std::string_view bytes) {
             must(names[n].label != 0 && (n == 0 || names[n - 1].label < names[n].label), "labels are not in order");
 }
 
+// A group with attributes and one array of one chunk: .zarray, .zattrs and the chunk, one behind the other.
+void read_zarr(std::string_view bytes) {
+    namespace fs = std::filesystem;
+    const auto [array, rest] = two_files(bytes);
+    const auto [attributes, chunk] = two_files(rest);
+    const fs::path folder = fs::path(written_file("volume.zarr.txt", {})).replace_extension();
+    fs::remove_all(folder);
+    fs::create_directories(folder / "0");
+    (void)written_file("volume.zarr/.zgroup", "{}");
+    (void)written_file("volume.zarr/.zattrs", attributes);
+    (void)written_file("volume.zarr/0/.zarray", array);
+    for (const char* name : {"0.0", "0.0.0", "0.0.0.0.0"})
+        (void)written_file("volume.zarr/0/" + std::string(name), chunk);
+    constexpr double kMemory = 256e6;
+    for (const fs::path& path : {folder, folder / "0"}) {
+        Job job;
+        const auto volume = io::read_volume(path, {process_memory() + kMemory, {}, {}}, job);
+        if (volume)
+            check_volume(*volume);
+        else
+            check_error(volume.error(), folder.string());
+    }
+}
+
 } // namespace
 
 std::vector<Target> volume_targets() {
     std::vector<Target> targets{{"labels", read_names}};
     for (const io::VolumeFormat& format : io::volume_formats()) {
-        if (!io::is_read(format)) continue;
+        if (format.read == nullptr) continue;
         const std::string extension(format.extensions.front());
         targets.push_back({extension.substr(1), [&format, name = "volume" + extension](std::string_view bytes) {
                                read_from(format, io::ByteSource::of_memory(bytes, name), name);
@@ -72,6 +97,7 @@ std::vector<Target> volume_targets() {
                                read_from(format, io::ByteSource::open(path), path);
                            }});
     }
+    targets.push_back({"zarr", read_zarr});
     return targets;
 }
 

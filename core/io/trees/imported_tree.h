@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/io/length_unit.h"
 #include "core/io/orientation.h"
+#include "core/io/volumes/volume_part.h"
 #include "core/tree/build_tree.h"
 #include "core/volume/label_choice.h"
 
@@ -46,6 +47,7 @@ struct ReadOptions {
     std::map<std::string, std::string> columns; // of tables: the column for each of id, x, y, z, radius, from, to
     std::string data_checksum;                  // SHA-256 of `data` (core/io/checksum.h); empty: not checked
     std::string data;                           // path of a table of branch data (branch_table.h); empty: none
+    VolumePart part;                            // of volumes whose files hold several
     MaskReading mask;
     bool operator==(const ReadOptions&) const = default;
 };

@@ -56,7 +56,7 @@ Result<tree::VesselTree> read_any(const std::filesystem::path& path, const ReadO
         return no_tree(begins, path);
     }
     if (std::error_code error; std::filesystem::is_directory(path, error))
-        return fail("this folder holds no DICOM image, and other folders are not read", name, "name a file in it");
+        return fail("this folder holds no DICOM image, no TIFF file and no Zarr array", name, "name a file in it");
     // An error of the file is more useful than an error of its name.
     RAMUS_TRY(text, read_file(path));
     if (text.empty()) return fail("the file is empty", name, "choose another file");

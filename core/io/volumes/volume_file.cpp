@@ -8,7 +8,10 @@
 #include "core/io/volumes/meta_image_reader.h"
 #include "core/io/volumes/nifti_reader.h"
 #include "core/io/volumes/nrrd_reader.h"
+#include "core/io/volumes/tiff/tiff_reader.h"
 #include "core/io/volumes/volume_unit.h"
+#include "core/io/volumes/zarr/zarr_image.h"
+#include "core/io/volumes/zarr/zarr_reader.h"
 
 #include <new>
 #include <system_error>
@@ -21,7 +24,7 @@ Result<volume::Volume> read_any(const std::filesystem::path& path, const ReadVol
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) {
         if (const VolumeFormat* format = recognised(path).volume) return format->read_folder(path, options, job);
-        return fail("this folder holds no DICOM image, and other folders are not read", path.string(),
+        return fail("this folder holds no DICOM image, no TIFF file and no Zarr array", path.string(),
                     "name a file in it");
     }
     RAMUS_TRY(source, ByteSource::open(path));
@@ -30,6 +33,9 @@ Result<volume::Volume> read_any(const std::filesystem::path& path, const ReadVol
     const VolumeFormat* format = found.volume;
     // A name alone does not make a volume that can be read.
     if (format != nullptr && found.by_content) return format->read(source, options, job);
+    if (format != nullptr && is_read(*format) && format->read == nullptr)
+        return fail("this is a file, and " + std::string(format->name) + " is read as a folder", source.name(),
+                    "unpack it if it is an archive, and name the folder");
     if (format != nullptr && !is_read(*format))
         return fail("this is half of a " + std::string(format->name), source.name(),
                     "convert the pair to one file: " + extensions);
@@ -69,6 +75,12 @@ const std::vector<VolumeFormat>& volume_formats() {
           .certainty = Certainty::kHeader,
           .help = "A header of fields, and values behind it or in another file, compressed or not."},
          read_meta_image},
+        {{.name = "Zarr",
+          .extensions = {".zarr"},
+          .help = "The folder of an OME-Zarr image, of one of its levels, or of an array (Zarr 2)."},
+         nullptr,
+         is_zarr_folder,
+         read_zarr_folder},
         {{.name = "DICOM",
           .extensions = {".dcm", ".dicom", ".ima"},
           .has_signature = is_dicom,
@@ -76,6 +88,15 @@ const std::vector<VolumeFormat>& volume_formats() {
          read_dicom,
          holds_dicom,
          read_dicom_folder},
+        {{.name = "TIFF",
+          .extensions = {".tif", ".tiff"},
+          .has_signature = is_tiff,
+          .help =
+              "TIFF and BigTIFF: the pages of a file (ImageJ, OME), or a stack of files, named by the folder or one of "
+              "them."},
+         read_tiff,
+         holds_tiff,
+         read_tiff_folder},
     };
     return table;
 }

@@ -7,6 +7,7 @@
 #include "core/io/file_format.h"
 #include "core/io/trees/imported_tree.h"
 #include "core/io/volumes/byte_source.h"
+#include "core/io/volumes/volume_part.h"
 #include "core/volume/volume.h"
 
 #include <filesystem>
@@ -19,10 +20,11 @@ namespace ramus::io {
 struct ReadVolumeOptions {
     double memory_bytes = 0.0;           // memory limit of the process; 0: half of the machine's memory
     std::optional<LengthUnit> unit = {}; // overrides the file's unit
+    VolumePart part = {};                // of files that hold several volumes
 };
 
 struct VolumeFormat : FileFormat {
-    // Null: the format cannot be read.
+    // Null: no file of this format can be read.
     Result<volume::Volume> (*read)(ByteSource& source, const ReadVolumeOptions&, Job&) = nullptr;
     // For formats whose volumes are folders: whether a folder holds such a volume, and its reader. Else null.
     bool (*is_folder)(const std::filesystem::path& folder) = nullptr;
@@ -30,7 +32,9 @@ struct VolumeFormat : FileFormat {
                                           Job&) = nullptr;
 };
 
-[[nodiscard]] inline bool is_read(const VolumeFormat& format) { return format.read != nullptr; }
+[[nodiscard]] inline bool is_read(const VolumeFormat& format) {
+    return format.read != nullptr || format.read_folder != nullptr;
+}
 
 [[nodiscard]] const std::vector<VolumeFormat>& volume_formats();
 
@@ -40,7 +44,7 @@ struct VolumeFormat : FileFormat {
 // Whether the extension is that of a volume format, also of one that cannot be read.
 [[nodiscard]] bool names_volume(const std::filesystem::path& path);
 
-// Whether `path` is a volume: a file, or a folder of DICOM files (core/io/recognise.h).
+// Whether `path` is a volume: a file, or a folder of DICOM or TIFF files or of Zarr (core/io/recognise.h).
 [[nodiscard]] bool is_volume(const std::filesystem::path& path);
 
 // Reads a volume in mm, RAS. recognise.h decides the format. If neither the file nor `options` state a unit, mm is

@@ -49,9 +49,9 @@ TEST_CASE("options of the command line take precedence over those of the session
 
 TEST_CASE("options of masks are set, removed, refused with a list of their values, and saved") {
     io::ReadOptions reading;
-    for (const auto& row :
-         {std::pair("labels", "1+3,2"), std::pair("fill-holes", "on"), std::pair("bulge-size", "0.75"),
-          std::pair("islands", "12.5"), std::pair("root", "-1.5,0.1,3e2")}) {
+    for (const auto& row : {std::pair("labels", "1+3,2"), std::pair("fill-holes", "on"),
+                            std::pair("bulge-size", "0.75"), std::pair("islands", "12.5"),
+                            std::pair("root", "-1.5,0.1,3e2"), std::pair("channel", "2"), std::pair("time", "3")}) {
         const char* const key = row.first;
         const auto next = with(reading, key, row.second);
         REQUIRE(next);
@@ -69,6 +69,9 @@ TEST_CASE("options of masks are set, removed, refused with a list of their value
     }
     CHECK(reading.mask.labels == std::vector<std::vector<volume::LabelChoice>>{{1, 3}, {2}});
     CHECK(reading.mask.root == glm::dvec3(-1.5, 0.1, 300.0));
+    CHECK(reading.part == io::VolumePart{2, 3});
+    for (const char* none : {"0", "-1", "1.5"}) CHECK_FALSE(with({}, "channel", none));
+    CHECK(over(*with({}, "time", "4"), reading).part == io::VolumePart{2, 4});
     CHECK(with({}, "labels", "together")->mask.labels->empty());
     CHECK(with(reading, "labels", "apart") == *with(reading, "labels", "auto"));
     CHECK_FALSE(with({}, "islands", "-1"));

@@ -168,7 +168,7 @@ std::string value_unit(const DicomImage& image, const DicomFrame& frame) {
     return frame.scaled && image.implies_hounsfield ? "HU" : "";
 }
 
-Result<std::optional<DicomImage>> read_dicom_image(const DicomBytes& file) {
+Result<std::optional<DicomImage>> read_dicom_image(const StoredBytes& file) {
     RAMUS_TRY(layout, dicom_layout(file));
     if (!layout.has_pixels) return std::nullopt;
     const DicomSet set = std::exchange(layout.elements, DicomSet());

@@ -31,7 +31,7 @@ struct DicomFrame {
 enum class SegmentKind { kNone, kBinary, kFractional, kLabels };
 
 struct DicomImage {
-    DicomBytes file;
+    StoredBytes file;
     DicomLayout layout;
     std::string sop_class, series_uid, series_number, description, modality, photometric;
     bool localizer = false;
@@ -54,6 +54,6 @@ struct DicomImage {
 
 // None: a DICOM file without an image (a report, a plan, a list of files). Fails on damaged files, and on images that
 // make no volume: colours, frames without a position.
-[[nodiscard]] Result<std::optional<DicomImage>> read_dicom_image(const DicomBytes& file);
+[[nodiscard]] Result<std::optional<DicomImage>> read_dicom_image(const StoredBytes& file);
 
 } // namespace ramus::io

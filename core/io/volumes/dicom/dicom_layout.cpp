@@ -1,14 +1,9 @@
 #include "core/io/volumes/dicom/dicom_layout.h"
 
-#include "core/io/run_inputs.h"
-
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <limits>
 #include <optional>
-#include <sstream>
-#include <system_error>
 #include <vector>
 
 namespace ramus::io {
@@ -293,22 +288,6 @@ private:
 
 } // namespace
 
-Result<std::unique_ptr<std::istream>> DicomBytes::open() const {
-    if (bytes != nullptr) return std::make_unique<std::istringstream>(*bytes);
-    auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
-    if (!*file) return fail("cannot be opened", name, "check its permissions");
-    note_input(path);
-    return file;
-}
-
-Result<std::uint64_t> DicomBytes::size() const {
-    if (bytes != nullptr) return bytes->size();
-    std::error_code error;
-    const auto found = std::filesystem::file_size(path, error);
-    if (error) return fail("cannot be read: " + error.message(), name, "name a file");
-    return found;
-}
-
 bool is_dicom(std::string_view head) {
     if (head.size() >= kPreamble + kMark && head.substr(kPreamble, kMark) == "DICM") return true;
     // A file without the magic number begins with group 8: its length, the character set, or the image type.
@@ -317,7 +296,7 @@ bool is_dicom(std::string_view head) {
            ((is_capital(head[4]) && is_capital(head[5])) || (head[6] == 0 && head[7] == 0));
 }
 
-Result<DicomLayout> dicom_layout(const DicomBytes& file) {
+Result<DicomLayout> dicom_layout(const StoredBytes& file) {
     RAMUS_TRY(size, file.size());
     RAMUS_TRY(stream, file.open());
     Window window(*stream, size);

@@ -5,25 +5,13 @@
 
 #include "core/base/error.h"
 #include "core/io/volumes/dicom/dicom_elements.h"
+#include "core/io/volumes/stored_bytes.h"
 
 #include <cstdint>
-#include <filesystem>
-#include <istream>
-#include <memory>
 #include <string>
 #include <string_view>
 
 namespace ramus::io {
-
-// A DICOM file, on the disk or in memory.
-struct DicomBytes {
-    std::filesystem::path path;               // empty: in memory
-    std::shared_ptr<const std::string> bytes; // null: on the disk
-    std::string name;                         // for errors
-
-    [[nodiscard]] Result<std::unique_ptr<std::istream>> open() const;
-    [[nodiscard]] Result<std::uint64_t> size() const;
-};
 
 inline constexpr std::string_view kDicomBigEndian = "1.2.840.10008.1.2.2"; // explicit; PS3.5, A.3
 
@@ -39,6 +27,6 @@ struct DicomLayout {
 
 // Fails on truncated files, on lengths that exceed the enclosing element, on too deeply nested sequences, on data sets
 // that are compressed as a whole, and on too many items.
-[[nodiscard]] Result<DicomLayout> dicom_layout(const DicomBytes& file);
+[[nodiscard]] Result<DicomLayout> dicom_layout(const StoredBytes& file);
 
 } // namespace ramus::io

@@ -118,33 +118,12 @@ Result<volume::Volume> with_damage(Result<volume::Volume> volume, const std::vec
     return volume;
 }
 
-// All bytes of a source that is not a plain file.
-Result<DicomBytes> bytes_of_source(ByteSource& source, double memory_bytes) {
-    auto bytes = std::make_shared<std::string>();
-    constexpr std::size_t kAtOnce = std::size_t{1} << 20;
-    for (std::size_t got = kAtOnce; got == kAtOnce;) {
-        const std::size_t before = bytes->size();
-        if (static_cast<double>(before) > memory_bytes)
-            return fail("the file takes more memory than is left to it", source.name(), "allow more with --memory");
-        bytes->resize(before + kAtOnce);
-        RAMUS_TRY(some, source.read_some(bytes->data() + before, kAtOnce));
-        got = some;
-        bytes->resize(before + got);
-    }
-    return DicomBytes{{}, bytes, source.name()};
-}
-
 } // namespace
 
 Result<volume::Volume> read_dicom(ByteSource& source, const ReadVolumeOptions& options, Job& job) {
     const std::string& name = source.name();
-    std::error_code error;
-    const bool in_file = !source.path().empty() && !source.is_gzip() && fs::is_regular_file(source.path(), error);
-    DicomBytes file{source.path(), nullptr, name};
-    if (!in_file) {
-        RAMUS_TRY(bytes, bytes_of_source(source, memory_left(options.memory_bytes)));
-        file = std::move(bytes);
-    }
+    RAMUS_TRY(file, stored_bytes_of(source, memory_left(options.memory_bytes)));
+    const bool in_file = file.bytes == nullptr;
     RAMUS_TRY(named, read_dicom_image(file));
     if (!named) return fail("this is a DICOM file without an image", name, "name an image, or the folder of a series");
     const bool alone = !in_file || named->frames.size() > 1 || named->segments != SegmentKind::kNone;
