@@ -108,28 +108,26 @@ class Cohort(CommandLineTest):
     def test_changes(self):
         self.cohort("out")
         times = self.times("out")
-        # Another date is no change; other bytes are, of that case alone.
+        # Another date is no change; other bytes are, of that case alone, whatever their date.
         os.utime(self.cases / "below" / "lean2.swc")
-        self.cohort("out")
-        self.assertEqual(self.times("out"), times)
         file = self.cases / "below" / "lean3.swc"
         old = file.stat()
         file.write_text(tree(4))
         os.utime(file, ns=(old.st_atime_ns, old.st_mtime_ns - 10**12))  # older than the results
         plan = self.json("cohort", "in", "-o", "out", "--size", "96x64", "--dry-run", "--json")
         self.assertEqual(plan["steps"], 6)  # three of the case, tables, page, and the target of all
+        self.assertEqual(self.times("out"), times)
         self.cohort("out")
         changed = {path.split("/")[1] for path, at in self.times("out").items() if at != times[path]}
         self.assertEqual(len(changed), 1)
         self.assertTrue(changed.pop().startswith("below_lean3"))
-        # Other options concern the steps that have them.
+        # Other options concern the steps that have them. A case that is gone leaves the tables.
         times = self.times("out")
-        self.cohort("out", "--detail", "8")
-        steps = {pathlib.Path(path).name for path, at in self.times("out").items() if at != times[path]}
-        self.assertEqual(steps, {"validate.json", "picture.json"})
-        # A case that is gone leaves the tables.
         file.unlink()
         self.cohort("out", "--detail", "8")
+        changed = [path.split("/")[1:] for path, at in self.times("out").items() if at != times[path]]
+        self.assertEqual({step for _, step in changed}, {"validate.json", "picture.json"})
+        self.assertTrue(all(case.startswith("below_lean2") for case, _ in changed))
         self.assertEqual([row["case"] for row in self.rows("out", "cases.csv")], ["below/lean2"])
 
     def test_hostile_names(self):
@@ -146,45 +144,39 @@ class Cohort(CommandLineTest):
         self.assertIn("&lt;b&gt;ä&amp;", page)
         self.assertNotIn("<b>ä", page)
 
-    def test_killed(self):
-        self.cohort("whole")
-        command = [RAMUS, "cohort", "in", "-o", "killed", "--size", "96x64", "--cores", "2"]
-        run = subprocess.Popen(command, cwd=self.folder, start_new_session=True, stdout=subprocess.DEVNULL,
-                               stderr=subprocess.DEVNULL)
-        records = self.folder / "killed" / "cases"
+    def started(self):
+        """A run that has begun with a case, and its process."""
+        run = subprocess.Popen([RAMUS, "cohort", "in", "-o", "ended", "--size", "96x64", "--cores", "2"], cwd=self.folder,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         until = time.monotonic() + 100
-        while run.poll() is None and not list(records.glob("*/*.json")) and time.monotonic() < until:
-            time.sleep(0.05)
-        self.assertIsNone(run.poll(), "it ended before it was killed")
-        # A second run finds the folder held.
-        self.assertIn("another run", self.cohort("killed", status=1).stderr)
-        # Everything at once: ramus, run.py and snakemake, which has a session of its own.
-        for process in [run.pid, *descendants(run.pid)]:
-            try:
-                os.kill(process, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
-        run.wait()
-        self.assertFalse((self.folder / "killed" / "index.html").exists())
-        self.cohort("killed")
-        self.assertEqual(self.tables("killed"), self.tables("whole"))
+        while run.poll() is None and not is_at_work(run.pid) and time.monotonic() < until:
+            time.sleep(0.02)
+        self.assertIsNone(run.poll(), "it ended too early")
+        return run
 
-    def test_interrupted(self):
-        run = subprocess.Popen([RAMUS, "cohort", "in", "-o", "out", "--cores", "2"], cwd=self.folder,
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        until = time.monotonic() + 100
-        while not list((self.folder / "out" / "cases").glob("*")) and time.monotonic() < until:
-            time.sleep(0.05)
+    def test_ended_early(self):
+        self.cohort("whole")
+        # An interrupt ends ramus, snakemake and all steps.
+        run = self.started()
         workers = descendants(run.pid)
         run.send_signal(signal.SIGINT)
-        run.communicate(timeout=30)
+        run.wait(timeout=30)
         self.assertNotEqual(run.returncode, 0)
         until = time.monotonic() + 20
-        while any(os.path.exists(f"/proc/{process}") for process in workers) and time.monotonic() < until:
+        while any(map(is_alive, workers)) and time.monotonic() < until:
             time.sleep(0.05)
-        self.assertEqual([process for process in workers if os.path.exists(f"/proc/{process}")], [])
-        self.cohort("out")
-        self.assertEqual(len(self.rows("out", "cases.csv")), 2)
+        self.assertEqual([process for process in workers if is_alive(process)], [])
+        # A kill of everything at once leaves the lock of snakemake behind.
+        run = self.started()
+        self.assertIn("another run", self.cohort("ended", status=1).stderr)
+        for process in [run.pid, *descendants(run.pid)]:
+            if is_alive(process):
+                os.kill(process, signal.SIGKILL)
+        run.wait()
+        self.assertTrue(list((self.folder / "ended" / ".snakemake" / "locks").iterdir()))
+        self.assertFalse((self.folder / "ended" / "index.html").exists())
+        self.cohort("ended")
+        self.assertEqual(self.tables("ended"), self.tables("whole"))
 
     def test_refusals(self):
         self.expect_failure("cohort", "none", "-o", "out", says=["none", "folder"])
@@ -207,6 +199,25 @@ class WithoutSnakemake(CommandLineTest):
         self.assertEqual(result.returncode, 1)
         self.assertIn("apt install snakemake", result.stderr)
         self.assertTrue((self.folder / "out" / "config.json").exists())  # to run it elsewhere
+
+
+def is_alive(process):
+    try:
+        with open(f"/proc/{process}/stat", encoding="utf-8", errors="replace") as file:
+            return file.read().rsplit(")", 1)[1].split()[0] not in "ZX"
+    except OSError:
+        return False
+
+
+def is_at_work(process):
+    """Whether a step runs below this process."""
+    for one in descendants(process):
+        try:
+            if b"case_step.py" in pathlib.Path(f"/proc/{one}/cmdline").read_bytes():
+                return True
+        except OSError:
+            pass  # it has ended
+    return False
 
 
 def descendants(process):

@@ -24,22 +24,25 @@ def end_with_parent():
     LIBC.prctl(END_WITH_PARENT, signal.SIGTERM)
 
 
-def words_of(config, case, step, threads):
+def words_of(config, case, step):
     """The command line of the step. Paths are absolute or begin with "cases/", so that no name is taken for an option."""
     folder = f"cases/{case['folder']}"
     tree = f"{folder}/tree.json" if case["kind"] == "mask" else case["file"]
-    options = cohort.options_of(config, case, step)
-    memory = ["--memory", str(config["memory_bytes"])] if config["memory_bytes"] else []
-    surface = ["--threads", str(threads), *memory]
     words = {
-        "skeletonize": ["skeletonize", case["file"], "-o", f"{folder}/tree.json", "--json", *memory],
+        "skeletonize": ["skeletonize", case["file"], "-o", f"{folder}/tree.json", "--json"],
         "measure": ["info", tree, "--json", "--branches"],
-        "validate": ["validate", tree, "--json", *surface],
-        "picture": ["render", tree, "-o", f"{folder}/picture.png", "--size", config["size"], "--json", *surface],
+        "validate": ["validate", tree, "--json"],
+        "picture": ["render", tree, "-o", f"{folder}/picture.png", "--size", config["size"], "--json"],
     }[step]
     if step == "validate" and case["kind"] == "mask" and config["compares_masks"]:
         words += ["--mask", case["file"]]
-    return [config["program"], *words, *options]
+    return [config["program"], *words, *cohort.options_of(config, case, step)]
+
+
+def limits_of(config, step, threads):
+    """How much of the machine the step may use. No part of the record, because results do not depend on it."""
+    memory = ["--memory", str(config["memory_bytes"])] if config["memory_bytes"] and step != "measure" else []
+    return memory + (["--threads", str(threads)] if step in ("validate", "picture") else [])
 
 
 def complaint(text):
@@ -74,13 +77,13 @@ def write_branches(case, result):
 
 
 def record_of(config, case, step, threads):
-    words = words_of(config, case, step, threads)
+    words = words_of(config, case, step)
     record = {"command": shlex.join(words)}
     if case["kind"] == "mask" and step != "skeletonize":
         before = cohort.read_record(case, "skeletonize")
         if before["state"] != "done":
             return record | {"state": "left out", "message": "there is no tree of the mask"}
-    record |= run(words)
+    record |= run(words + limits_of(config, step, threads))
     if step == "measure" and record["state"] == "done":
         write_branches(case, record["result"])
     return record
