@@ -86,17 +86,11 @@ Result<Json> configuration(const CohortFlags& flags, const FoundCases& found) {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
     if (error) return fail("the program's own file is not known: " + error.message());
-    Json config{{"version", RAMUS_VERSION},
-                {"program", program.string()},
-                {"root", flags.folder.string()},
-                {"given", flags.given},
-                {"options", flags.options},
-                {"compares_masks", compares_masks(flags.given)},
-                {"size", flags.size},
-                {"threads", flags.threads()},
-                {"memory_bytes", memory_of_a_case(flags)},
-                {"cases", Json::array()},
-                {"skipped", Json::array()}};
+    Json config{
+        {"version", RAMUS_VERSION}, {"program", program.string()}, {"root", flags.folder.string()},
+        {"given", flags.given},     {"options", flags.options},    {"compares_masks", compares_masks(flags.given)},
+        {"size", flags.size},       {"threads", flags.threads()},  {"memory_bytes", memory_of_a_case(flags)},
+        {"cases", Json::array()},   {"skipped", Json::array()}};
     for (const CohortCase& one : found.cases) config["cases"].push_back(case_json(one, flags.folder));
     for (const SkippedFile& one : found.skipped)
         config["skipped"].push_back({{"path", printable(one.path)}, {"reason", one.reason}});
@@ -212,9 +206,8 @@ Result<int> run_cohort(CohortFlags flags) {
     if (auto written = io::write_file(flags.output / "config.json", config.dump(1) + "\n"); !written)
         return tl::unexpected(written.error());
     forget_failures(flags.output, flags.retry);
-    WorkflowCall call{flags.output, options, {lock.variable()}};
-    for (const CohortCase& one : found.cases) call.cases.push_back(flags.output / "cases" / one.folder);
-    if (auto done = run_workflow(call); !done) return tl::unexpected(done.error());
+    if (auto done = run_workflow({flags.output, options, {lock.variable()}}); !done)
+        return tl::unexpected(done.error());
     return report_cohort(flags, found);
 }
 

@@ -3,8 +3,8 @@
 #include "app/commands/progress.h"
 #include "app/storage/opening_files.h"
 #include "core/base/child_program.h"
+#include "core/base/words.h"
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -25,28 +25,44 @@ namespace fs = std::filesystem;
 constexpr std::array kStepRecords{"skeletonize.json", "measure.json", "validate.json", "picture.json"};
 constexpr const char* kGoOn = "the same command goes on where this run ended; what snakemake said is in ";
 
-// Counts the cases whose last steps have records, as snakemake reports steps.
-class DoneCases {
+// The share in a line of snakemake such as "12 of 300 steps (4%) done". None: another line.
+std::optional<float> share_in(std::string_view line) {
+    const std::size_t of = line.find(" of "), steps = line.find(" steps (");
+    if (of == std::string_view::npos || steps == std::string_view::npos || steps < of) return {};
+    constexpr std::size_t kOf = 4; // letters of " of "
+    const auto done = parsed<float>(line.substr(0, of)), all = parsed<float>(line.substr(of + kOf, steps - of - kOf));
+    return done && all && *all > 0.0F ? std::optional(*done / *all) : std::nullopt;
+}
+
+// Recognises what snakemake and run.py say of a failure. A heading such as "WorkflowError:" goes with the line after
+// it.
+class Complaints {
 public:
-    explicit DoneCases(const std::vector<fs::path>& cases) : count_(cases.size()), pending_(cases) {}
-    float share() {
-        std::erase_if(pending_, [](const fs::path& folder) {
-            return std::ranges::all_of(kStepRecords, [&](const char* record) {
-                std::error_code ignored;
-                return std::string_view(record) == kStepRecords.front() || fs::exists(folder / record, ignored);
-            });
-        });
-        return count_ == 0 ? 0.0F : 1.0F - static_cast<float>(pending_.size()) / static_cast<float>(count_);
+    bool has(std::string_view line) {
+        const bool is_one = after_heading_ || line.find("Error") != std::string_view::npos ||
+                            line.find("another run") != std::string_view::npos || line.starts_with("snakemake: error");
+        after_heading_ = is_one && line.ends_with(':');
+        return is_one;
     }
 
 private:
-    std::size_t count_;
-    std::vector<fs::path> pending_;
+    bool after_heading_ = false;
 };
 
-bool is_complaint(std::string_view line) {
-    return line.find("Error") != std::string_view::npos || line.find("another run") != std::string_view::npos ||
-           line.starts_with("snakemake: error");
+// The program that starts the workflow, workflow/scripts/run.py, with its arguments.
+Result<std::vector<std::string>> workflow_words(const WorkflowCall& call) {
+    const std::optional<fs::path> folder = workflow_folder();
+    if (!folder) return fail("the workflow is missing", "share/ramus/workflow", "install ramus again");
+    const std::string snakefile = (*folder / "Snakefile").string(), out = call.out.string();
+    if (find_program("snakemake").empty())
+        return fail("snakemake is not installed, which runs a cohort", {},
+                    "install it (Debian: apt install snakemake python3-matplotlib) and repeat the command; or run it "
+                    "where it is installed: snakemake --snakefile '" +
+                        snakefile + "' --directory '" + out + "' --cores 4 --keep-going --rerun-incomplete");
+    if (find_program("python3").empty()) return fail("python3 is not installed", {}, "install it");
+    std::vector<std::string> words{"python3", (*folder / "scripts" / "run.py").string(), out};
+    words.insert(words.end(), call.options.begin(), call.options.end());
+    return words;
 }
 
 } // namespace
@@ -88,30 +104,15 @@ std::size_t forget_failures(const fs::path& out, bool all) {
     return count;
 }
 
-Result<std::vector<std::string>> workflow_words(const WorkflowCall& call) {
-    const std::optional<fs::path> folder = workflow_folder();
-    if (!folder) return fail("the workflow is missing", "share/ramus/workflow", "install ramus again");
-    const std::string snakefile = (*folder / "Snakefile").string(), out = call.out.string();
-    if (find_program("snakemake").empty())
-        return fail("snakemake is not installed, which runs a cohort", {},
-                    "install it (Debian: apt install snakemake python3-matplotlib) and repeat the command; or run it "
-                    "where it is installed: snakemake --snakefile '" +
-                        snakefile + "' --directory '" + out + "' --cores 4 --keep-going --rerun-incomplete");
-    if (find_program("python3").empty()) return fail("python3 is not installed", {}, "install it");
-    std::vector<std::string> words{"python3", (*folder / "scripts" / "run.py").string(), out};
-    words.insert(words.end(), call.options.begin(), call.options.end());
-    return words;
-}
-
 Result<void> run_workflow(const WorkflowCall& call, const std::function<void(std::string_view)>& hear) {
     RAMUS_TRY(words, workflow_words(call));
-    auto done = with_progress("cases", [&](Job& job) -> Result<void> {
+    auto done = with_progress("steps of the cohort", [&](Job& job) -> Result<void> {
         RAMUS_TRY(program, ChildProgram::start(words, call.environment));
-        DoneCases cases(call.cases);
+        Complaints complaints;
         return program.wait(job, [&](std::string_view line) {
             if (hear) hear(line);
-            if (line.find(" steps (") != std::string_view::npos) job.report(cases.share());
-            return !is_complaint(line);
+            if (const auto share = share_in(line)) job.report(*share);
+            return !complaints.has(line);
         });
     });
     if (done) return done;

@@ -36,17 +36,12 @@ std::size_t forget_failures(const std::filesystem::path& out, bool all);
 
 struct WorkflowCall {
     std::filesystem::path out;
-    std::vector<std::string> options; // of snakemake
-    std::vector<std::string> environment{};
-    std::vector<std::filesystem::path> cases{}; // folders that get a picture.json as their last record
+    std::vector<std::string> options;       // of snakemake
+    std::vector<std::string> environment{}; // CohortLock::variable()
 };
 
-// The program that starts the workflow, workflow/scripts/run.py, with its arguments. Fails if snakemake, Python or the
-// files of the workflow are missing, with what to install.
-[[nodiscard]] Result<std::vector<std::string>> workflow_words(const WorkflowCall& call);
-
-// Runs the workflow with a progress bar that counts complete cases. `hear` gets each line of snakemake. Fails if
-// snakemake fails or an interrupt ends it.
+// Runs the workflow with a progress bar. `hear` gets each line of snakemake. Fails if snakemake, Python or the files of
+// the workflow are missing, with what to install; if snakemake fails; and if an interrupt ends it.
 [[nodiscard]] Result<void> run_workflow(const WorkflowCall& call,
                                         const std::function<void(std::string_view)>& hear = {});
 
