@@ -11,9 +11,15 @@ def key_of(step):
     return lambda wildcards: cohort.key_of(config, CASES[wildcards.case], step)
 
 
-def skeleton_of(wildcards):
-    case = CASES[wildcards.case]
-    return cohort.record_path(case, "skeletonize") if case["kind"] == "mask" else []
+def before(step):
+    """The record of the step before. So the steps of a case are connected, and a cluster gets them as one job."""
+
+    def record(wildcards):
+        case = CASES[wildcards.case]
+        first = cohort.step_before(case, step)
+        return cohort.record_path(case, first) if first else []
+
+    return record
 
 
 rule skeletonize:
@@ -24,7 +30,7 @@ rule skeletonize:
     shell: STEP
 
 rule measure:
-    input: skeleton_of
+    input: before("measure")
     output: "cases/{case}/measure.json"
     params: key=key_of("measure")
     threads: config["threads"]
@@ -32,7 +38,7 @@ rule measure:
     shell: STEP
 
 rule validate:
-    input: skeleton_of
+    input: before("validate")
     output: "cases/{case}/validate.json"
     params: key=key_of("validate")
     threads: config["threads"]
@@ -40,7 +46,7 @@ rule validate:
     shell: STEP
 
 rule picture:
-    input: skeleton_of
+    input: before("picture")
     output: "cases/{case}/picture.json"
     params: key=key_of("picture")
     threads: config["threads"]

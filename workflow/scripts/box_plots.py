@@ -24,7 +24,7 @@ def box_plot(values):
     matplotlib.use("svg")
     from matplotlib import cbook, pyplot
 
-    style = {"svg.fonttype": "none", "svg.hashsalt": "ramus", "font.size": 9, "font.family": "sans-serif",
+    style = {"svg.fonttype": "none", "svg.hashsalt": "ramus", "font.size": 12, "font.family": "sans-serif",
              "axes.edgecolor": INK, "xtick.color": INK, "text.color": INK, "axes.linewidth": 0.6}
     with matplotlib.rc_context(style):
         figure, axes = pyplot.subplots(figsize=(WIDTH_IN, HEIGHT_IN))
@@ -33,16 +33,16 @@ def box_plot(values):
         axes.bxp([box], vert=False, widths=0.5, showfliers=False, showmeans=True, patch_artist=True,
                  boxprops={"facecolor": "#4c93c355", "edgecolor": INK, "linewidth": 1.1}, whiskerprops=line, capprops=line,
                  medianprops={"color": INK, "linewidth": 2.2},
-                 meanprops={"marker": "D", "markersize": 4, "markerfacecolor": INK, "markeredgecolor": INK})
+                 meanprops={"marker": "D", "markersize": 5, "markerfacecolor": INK, "markeredgecolor": INK})
         beyond = [(value, folder) for value, folder in values if not box["whislo"] <= value <= box["whishi"]]
         if beyond:
-            dots = axes.scatter([value for value, _ in beyond], [1] * len(beyond), s=16, facecolor="#d55e00cc", linewidth=0)
+            dots = axes.scatter([value for value, _ in beyond], [1] * len(beyond), s=34, facecolor="#d55e00cc", linewidth=0)
             dots.set_urls([f"#case-{folder}" for _, folder in beyond])
         axes.set_yticks([])
-        axes.locator_params(axis="x", nbins=6)
+        axes.locator_params(axis="x", nbins=5)
         for side in ("left", "right", "top"):
             axes.spines[side].set_visible(False)
-        figure.subplots_adjust(left=0.04, right=0.96, top=0.98, bottom=0.26)
+        figure.subplots_adjust(left=0.04, right=0.96, top=0.98, bottom=0.3)
         file = io.StringIO()
         figure.savefig(file, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
         pyplot.close(figure)

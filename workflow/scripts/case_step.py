@@ -79,10 +79,9 @@ def write_branches(case, result):
 def record_of(config, case, step, threads):
     words = words_of(config, case, step)
     record = {"command": shlex.join(words)}
-    if case["kind"] == "mask" and step != "skeletonize":
-        before = cohort.read_record(case, "skeletonize")
-        if before["state"] != "done":
-            return record | {"state": "left out", "message": "there is no tree of the mask"}
+    before = cohort.step_before(case, step)
+    if before and cohort.read_record(case, before)["state"] != "done":
+        return record | {"state": "left out", "message": f"there is no result of the step before, {before}"}
     record |= run(words + limits_of(config, step, threads))
     if step == "measure" and record["state"] == "done":
         write_branches(case, record["result"])

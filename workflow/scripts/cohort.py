@@ -30,6 +30,14 @@ def steps_of(case):
     return STEPS if case["kind"] == "mask" else STEPS[1:]
 
 
+def step_before(case, step):
+    """The step whose result this one needs; none for the first."""
+    steps = steps_of(case)
+    if step == steps[0]:
+        return None
+    return "skeletonize" if step == "measure" else "measure"
+
+
 def record_path(case, step):
     return f"cases/{case['folder']}/{step}.json"
 

@@ -41,8 +41,8 @@ QUANTITIES = [
     Quantity("axis_offset_median", "Offset of the axis, median", 1, "validate", ("fidelity", "axis_offset", "median")),
     Quantity("axis_offset_p95", "Offset of the axis, 95th percentile", 1, "validate", ("fidelity", "axis_offset", "p95")),
     Quantity("axis_offset_max", "Offset of the axis, largest", 1, "validate", ("fidelity", "axis_offset", "max")),
-    Quantity("radius_error_median", "Radius error, median share", 0, "validate", ("radius_error", "median")),
-    Quantity("radius_error_p95", "Radius error, 95th percentile", 0, "validate", ("radius_error", "p95")),
+    Quantity("radius_error_median", "Radius error, share, median", 0, "validate", ("radius_error", "median")),
+    Quantity("radius_error_p95", "Radius error, share, 95th percentile", 0, "validate", ("radius_error", "p95")),
     *(Quantity(name, heading, 0, "validate", ("questions", name)) for name, heading in (
         ("lost", "Lost branches"), ("false", "False parts"), ("merged", "Merged branches"),
         ("constrictions", "Constrictions"), ("width", "Places of another width"), ("position", "Places beside the axis"))),
