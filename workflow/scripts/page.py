@@ -17,7 +17,7 @@ LISTED = ("branches", "loops", "length", "volume", "radius_mean", "to_cones_perc
 # Figures by which cases are the worst: name, words, whether small values are the worst.
 WORST = (("to_cones_percentile_95", "distance to cones, 95th percentile", False),
          ("radius_error_p95", "radius error, 95th percentile of shares", False),
-         ("findings", "places found by the validation", False),
+         ("findings", "number of places found by the validation", False),
          ("from_mask_percentile_95", "distance from the mask, 95th percentile", False),
          ("dice", "Dice coefficient", True))
 WORST_OF_EACH = 3
