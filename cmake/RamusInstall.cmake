@@ -10,6 +10,8 @@ if(TARGET ramus-mpi)
   install(TARGETS ramus-mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/assets/liver_portal_vein.swc DESTINATION ${CMAKE_INSTALL_DATADIR}/ramus)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/workflow DESTINATION ${CMAKE_INSTALL_DATADIR}/ramus USE_SOURCE_PERMISSIONS
+        PATTERN __pycache__ EXCLUDE)
 install(FILES ${RAMUS_DESKTOP}/org.ramus.Ramus.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES ${RAMUS_DESKTOP}/org.ramus.Ramus.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
 install(FILES ${RAMUS_DESKTOP}/org.ramus.Ramus.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)

@@ -27,13 +27,15 @@ void register_slice(CLI::App& app, Action& chosen);
 void register_reformat(CLI::App& app, Action& chosen);
 void register_report(CLI::App& app, Action& chosen);
 void register_page(CLI::App& app, Action& chosen);
+void register_cohort(CLI::App& app, Action& chosen);
 
 // `mesh` for the processes of a team, which make one surface. It must outlive `chosen`.
 void register_mesh_together(CLI::App& app, Action& chosen, Team& team);
 
-inline constexpr std::array kSubcommands{
-    register_grow,     register_render, register_study, register_ratings,  register_paper,       register_compare,
-    register_validate, register_mesh,   register_info,  register_convert,  register_skeletonize, register_territories,
-    register_resect,   register_region, register_slice, register_reformat, register_report,      register_page};
+inline constexpr std::array kSubcommands{register_grow,   register_render,  register_study,       register_ratings,
+                                         register_paper,  register_compare, register_validate,    register_mesh,
+                                         register_info,   register_convert, register_skeletonize, register_territories,
+                                         register_resect, register_region,  register_slice,       register_reformat,
+                                         register_report, register_page,    register_cohort};
 
 } // namespace ramus::app

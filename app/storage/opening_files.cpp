@@ -36,12 +36,32 @@ Result<tree::VesselTree> read_tree_or_mask(const fs::path& path, const io::ReadO
     return std::move(tree);
 }
 
+namespace {
+
+// Where ramus keeps the files that it comes with: beside an installed program, or in the sources of the build.
+std::optional<fs::path> installed_share() {
+    std::error_code ignored;
+    const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+    if (program.empty()) return {};
+    return program.parent_path().parent_path() / "share" / "ramus";
+}
+
+} // namespace
+
+std::optional<fs::path> workflow_folder() {
+    std::error_code ignored;
+    std::vector<fs::path> folders{fs::path(RAMUS_ASSETS).parent_path() / "workflow"};
+    if (const auto share = installed_share()) folders.insert(folders.begin(), *share / "workflow");
+    for (const fs::path& folder : folders)
+        if (fs::is_regular_file(folder / "Snakefile", ignored)) return folder;
+    return {};
+}
+
 std::optional<fs::path> demo_tree() {
     std::vector<fs::path> folders;
     if (const char* assets = std::getenv("RAMUS_ASSETS"); assets != nullptr) folders.emplace_back(assets);
     std::error_code ignored;
-    if (const fs::path program = fs::read_symlink("/proc/self/exe", ignored); !program.empty())
-        folders.push_back(program.parent_path().parent_path() / "share" / "ramus");
+    if (const auto share = installed_share()) folders.push_back(*share);
     folders.emplace_back(RAMUS_ASSETS);
     for (const fs::path& folder : folders)
         for (const char* name : {"liver_portal_vein.swc", "liver_portal_vein.json"})

@@ -1,4 +1,4 @@
-// Recognises files to open, reads trees from them, and finds the demo tree.
+// Recognises files to open, reads trees from them, and finds files that ramus comes with.
 #pragma once
 
 #include "core/base/error.h"
@@ -20,5 +20,8 @@ namespace ramus::app {
 
 // The demo tree: in $RAMUS_ASSETS, in the installation, or in the source tree of the build.
 [[nodiscard]] std::optional<std::filesystem::path> demo_tree();
+
+// The folder of the Snakemake workflow (workflow/README.md): in the installation, or in the source tree of the build.
+[[nodiscard]] std::optional<std::filesystem::path> workflow_folder();
 
 } // namespace ramus::app
