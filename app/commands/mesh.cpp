@@ -247,8 +247,8 @@ void tell_what_was_done(const MeshFlags& flags, const WrittenSurface& written) {
                                " went through each other");
 }
 
-Result<int> run_mesh(const MeshFlags& flags) {
-    // Checks the output first, so that no computation is in vain.
+// Checks the output first, so that no computation is in vain.
+Result<const io::MeshFormat*> format_for(const MeshFlags& flags) {
     RAMUS_TRY(format, io::mesh_format(flags.output));
     if (flags.parts && !format->has_parts)
         return fail("this format has no parts", flags.output, "leave --parts out, or use .glb");
@@ -256,6 +256,11 @@ Result<int> run_mesh(const MeshFlags& flags) {
         return fail("this format is not compressed", flags.output, "leave --compress out, or use .glb");
     if (flags.printing.wanted && format->unit_mm != 1.0)
         return fail("programs take the numbers of this format for metres", flags.output, "for printing use .stl");
+    return format;
+}
+
+Result<int> run_mesh(const MeshFlags& flags) {
+    RAMUS_TRY(format, format_for(flags));
     io::note_input(flags.file);
     io::note_input(flags.session);
     if (auto possible = io::check_output(flags.output); !possible) return tl::unexpected(possible.error());

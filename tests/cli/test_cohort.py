@@ -43,7 +43,7 @@ class Cohort(CommandLineTest):
         for lean in (2, 3):
             (self.cases / "below" / f"lean{lean}.swc").write_text(tree(lean))
 
-    def cohort(self, out, *options, status=0, timeout=200):
+    def cohort(self, out, *options, status=0, timeout=600):
         result = subprocess.run([RAMUS, "cohort", "in", "-o", out, "--size", "96x64", *options], cwd=self.folder,
                                 capture_output=True, text=True, timeout=timeout)
         self.assertEqual(result.returncode, status, result.stderr)

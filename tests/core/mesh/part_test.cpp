@@ -23,7 +23,7 @@ std::multiset<std::array<float, 9>> triangles_of(const mesh::TriangleMesh& mesh)
             const glm::vec3& p = mesh.positions[t[n]];
             corners[static_cast<std::size_t>(n)] = {p.x, p.y, p.z};
         }
-        std::ranges::rotate(corners, std::ranges::min_element(corners));
+        std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
         std::array<float, 9> flat{};
         for (std::size_t n = 0; n < flat.size(); ++n) flat[n] = corners[n / 3][n % 3];
         all.insert(flat);

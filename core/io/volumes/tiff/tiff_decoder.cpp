@@ -37,15 +37,20 @@ void put_number(std::string& text, std::uint64_t number, std::size_t bytes, bool
     }
 }
 
+constexpr std::uint16_t kTagShort = 3, kTagLong8 = 16; // types of tags
+
+TiffSegments::Tag tag_of(std::uint16_t tag, std::uint16_t type, const std::vector<std::uint64_t>& values,
+                         bool big_endian) {
+    TiffSegments::Tag entry{tag, type, values.size(), {}};
+    for (const std::uint64_t value : values) put_number(entry.bytes, value, type == kTagShort ? 2 : 8, big_endian);
+    return entry;
+}
+
 // A BigTIFF file of one page with these segments.
 std::string small_tiff(const TiffSegments& from) {
-    constexpr std::uint16_t kShort = 3, kLong8 = 16;
     using Tag = TiffSegments::Tag;
     const auto numbers = [&](std::uint16_t tag, std::uint16_t type, const std::vector<std::uint64_t>& values) {
-        Tag entry{tag, type, values.size(), {}};
-        for (const std::uint64_t value : values)
-            put_number(entry.bytes, value, type == kShort ? 2 : 8, from.big_endian);
-        return entry;
+        return tag_of(tag, type, values, from.big_endian);
     };
     std::string file = from.big_endian ? "MM" : "II";
     put_number(file, 43, 2, from.big_endian);
@@ -58,23 +63,23 @@ std::string small_tiff(const TiffSegments& from) {
         counts.push_back(each.size());
         file += each;
     }
-    std::vector<Tag> tags{numbers(256, kLong8, {from.columns}),
-                          numbers(257, kLong8, {from.rows}),
-                          numbers(258, kShort, {from.bits}),
-                          numbers(259, kShort, {from.compression}),
-                          numbers(262, kShort, {from.photometric}),
-                          numbers(266, kShort, {from.fill_order}),
-                          numbers(277, kShort, {1}),
-                          numbers(284, kShort, {1}),
-                          numbers(317, kShort, {from.predictor}),
-                          numbers(339, kShort, {from.sample_format}),
-                          numbers(from.tiled ? 324 : 273, kLong8, offsets),
-                          numbers(from.tiled ? 325 : 279, kLong8, counts)};
+    std::vector<Tag> tags{numbers(256, kTagLong8, {from.columns}),
+                          numbers(257, kTagLong8, {from.rows}),
+                          numbers(258, kTagShort, {from.bits}),
+                          numbers(259, kTagShort, {from.compression}),
+                          numbers(262, kTagShort, {from.photometric}),
+                          numbers(266, kTagShort, {from.fill_order}),
+                          numbers(277, kTagShort, {1}),
+                          numbers(284, kTagShort, {1}),
+                          numbers(317, kTagShort, {from.predictor}),
+                          numbers(339, kTagShort, {from.sample_format}),
+                          numbers(from.tiled ? 324 : 273, kTagLong8, offsets),
+                          numbers(from.tiled ? 325 : 279, kTagLong8, counts)};
     if (from.tiled) {
-        tags.push_back(numbers(322, kLong8, {from.width}));
-        tags.push_back(numbers(323, kLong8, {from.height}));
+        tags.push_back(numbers(322, kTagLong8, {from.width}));
+        tags.push_back(numbers(323, kTagLong8, {from.height}));
     } else {
-        tags.push_back(numbers(278, kLong8, {from.height}));
+        tags.push_back(numbers(278, kTagLong8, {from.height}));
     }
     tags.insert(tags.end(), from.decoding.begin(), from.decoding.end());
     std::ranges::sort(tags, {}, &Tag::tag);

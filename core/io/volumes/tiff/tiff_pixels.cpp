@@ -25,7 +25,7 @@ struct Grid {
     std::uint64_t across, down;  // their numbers
     std::uint64_t row_bytes;     // of a row of the page
     std::uint64_t encoded_row;   // of a row of a strip or tile
-    std::uint64_t rows(std::uint64_t band, const TiffPage& page) const {
+    [[nodiscard]] std::uint64_t rows(std::uint64_t band, const TiffPage& page) const {
         return std::min(height, page.height - band * height);
     }
 };

@@ -30,7 +30,7 @@ public:
     PlaneChoice(const TiffFile& file, const TiffDescription& description, const std::string& name)
         : file_(file), description_(description), name_(name) {}
 
-    Result<std::vector<TiffPlane>> planes(const ChosenPart& part) const {
+    [[nodiscard]] Result<std::vector<TiffPlane>> planes(const ChosenPart& part) const {
         const std::uint64_t all = description_.planes(), pages = file_.layout.pages.size();
         const bool raw = pages == 1 && all > 1 && description_.program == "ImageJ";
         if (!description_.runs.empty()) return listed(part);
