@@ -26,7 +26,7 @@ def from_front(status):
 
 def typed(window, name):
     """Into the dialog that asks for a name."""
-    window.wait("the field for a name", lambda s: s["typing"] and "dialog name" in s["controls"])
+    window.wait("the field for a name", lambda s: s["typing"] and "dialog ##name" in s["controls"])
     window.xdotool("key", "ctrl+a")
     window.xdotool("type", name)
 
@@ -34,19 +34,19 @@ def typed(window, name):
 def named(window, name):
     typed(window, name)
     window.xdotool("key", "Return")
-    window.wait("no dialog", lambda s: "dialog name" not in s["controls"])
+    window.wait("no dialog", lambda s: "dialog ##name" not in s["controls"])
 
 
 def saving(window):
     window.xdotool("key", "l")
     window.wait("the left side", from_left)
     window.xdotool("key", "ctrl+d")
-    window.wait("the dialog", lambda s: "dialog name" in s["controls"])
+    window.wait("the dialog", lambda s: "dialog ##name" in s["controls"])
     window.shot("views-dialog")
     typed(window, "anterior")
     window.xdotool("key", "Return")
     status = window.wait("the dialog still", lambda s: s["typing"])
-    check("dialog name" in status["controls"], "the name of an anatomical view is not taken, and the field keeps the keyboard")
+    check("dialog ##name" in status["controls"], "the name of an anatomical view is not taken, and the field keeps the keyboard")
     named(window, "behind the vein")
     status = window.wait("the word of it", lambda s: "View saved: behind the vein" in s["notice"])
     check(status["modified"], "a view is saved under its name, as work that the session has not yet")
