@@ -43,7 +43,7 @@ ordered_json centerlines_json(const tree::VesselTree& tree, PageBlob& blob) {
 std::string report_html(const PageCase& of, const PageChoice& choice) {
     std::string html;
     if (!has_part(choice.left_out, PagePart::kViews)) {
-        html += pictures_html(of.pictures.general);
+        html += pictures_html(of.pictures.general) + even_pictures_html(of.pictures.saved_views);
         for (const std::vector<ReportPicture>& plan : of.pictures.plans) html += even_pictures_html(plan);
         for (const SliceRow& row : of.pictures.slices)
             html += "<h3>" + html_text(row.title) + "</h3>\n" + even_pictures_html(row.pictures);
